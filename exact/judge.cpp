@@ -1,0 +1,104 @@
+#include "exact/judge.h"
+
+#include <bit>
+
+namespace axiscert {
+namespace {
+
+// Per link, the bits at which the chain E -> R-infinity -> R -> K breaks, on one level's own bits.
+template <class Bits>
+std::array<Bits, link_count> broken_links(Bits exact, Bits range_free, Bits reference, Bits kernel) {
+  std::array<Bits, link_count> broken{};
+  broken[static_cast<std::size_t>(Link::rounding)] = static_cast<Bits>(exact ^ range_free);
+  broken[static_cast<std::size_t>(Link::range)] = static_cast<Bits>(range_free ^ reference);
+  broken[static_cast<std::size_t>(Link::implementation)] = static_cast<Bits>(reference ^ kernel);
+  return broken;
+}
+
+template <class Bits>
+LinkBits links_at(const std::array<Bits, link_count>& broken, std::size_t i) {
+  LinkBits links = 0;
+  for (std::size_t k = 0; k < link_count; ++k) links |= static_cast<LinkBits>(((broken[k] >> i) & 1u) << k);
+  return links;
+}
+
+LinkBits verdict_links(Verdict geometric, const Reference& chain, Verdict kernel) {
+  const auto verdict = [](ComparisonBits bits) { return verdict_of(axes_of(bits)); };
+  LinkBits links = 0;
+  const auto compare = [&](Verdict before, Verdict after, Link link) {
+    if (before != after) links |= link_bit(link);
+  };
+  compare(geometric, verdict(chain.exact), Link::specification);
+  compare(verdict(chain.exact), verdict(chain.range_free), Link::rounding);
+  compare(verdict(chain.range_free), verdict(chain.reference), Link::range);
+  compare(verdict(chain.reference), kernel, Link::implementation);
+  return links;
+}
+
+void judge_bits(const Reference& chain, ComparisonBits bits, Verdict verdict, Judgement& out) {
+  const AxisBits axes = axes_of(bits), exact_axes = axes_of(chain.exact);
+  out.comparison_flips = chain.exact ^ bits;
+  out.axis_flips = exact_axes ^ axes;
+  out.broken = broken_links<ComparisonBits>(chain.exact, chain.range_free, chain.reference, bits);
+  out.broken_axes =
+      broken_links<AxisBits>(exact_axes, axes_of(chain.range_free), axes_of(chain.reference), axes);
+  if (verdict == verdict_of(exact_axes)) return;  // nothing flipped the verdict: all masked
+  // A verdict that differs points one way; so does every flip that can have caused it: the axes that flipped that way,
+  // and in those axes the comparisons that did.
+  const bool false_separation = verdict == Verdict::separated;
+  out.axis_decisive = out.axis_flips & (false_separation ? axes : exact_axes);
+  ComparisonBits in_those_axes = 0;
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    if ((out.axis_decisive >> i) & 1u) in_those_axes |= comparisons_of(static_cast<Axis>(i));
+  }
+  out.comparison_decisive = out.comparison_flips & in_those_axes & (false_separation ? bits : chain.exact);
+}
+
+}  // namespace
+
+std::string_view name(const Flip& flip) {
+  switch (flip.level) {
+    case Level::verdict: return "verdict";
+    case Level::axis: return axis_names[flip.index];
+    case Level::comparison: return comparisons[flip.index].name;
+  }
+  return {};
+}
+
+Judgement judge(const Truth& truth, const std::optional<Reference>& chain, const Answer& answer) {
+  Judgement out;
+  if (truth.verdict == Verdict::invalid) return out;
+  const bool decided = answer.verdict == Verdict::separated || answer.verdict == Verdict::contact;
+  if (decided && answer.verdict != truth.verdict) {
+    out.verdict_flip =
+        answer.verdict == Verdict::separated ? FlipKind::false_separation : FlipKind::false_contact;
+  }
+  if (!chain) {
+    if (out.verdict_flip) out.verdict_links = link_bit(Link::unattributed);
+    return out;
+  }
+  out.exact = chain->exact;
+  if (decided) out.verdict_links = verdict_links(truth.verdict, *chain, answer.verdict);
+  if (decided && answer.bits) judge_bits(*chain, *answer.bits, answer.verdict, out);
+  return out;
+}
+
+std::vector<Flip> Judgement::flips() const {
+  std::vector<Flip> all;
+  if (verdict_flip) all.push_back({Level::verdict, 0, *verdict_flip, true, verdict_links});
+  const auto kind = [](bool exact_bit) { return exact_bit ? FlipKind::missed_separation : FlipKind::false_separation; };
+  const AxisBits exact_axes = axes_of(exact);
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    if (!((axis_flips >> i) & 1u)) continue;
+    all.push_back({Level::axis, static_cast<std::uint8_t>(i), kind((exact_axes >> i) & 1u),
+                   ((axis_decisive >> i) & 1u) != 0, links_at(broken_axes, i)});
+  }
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    if (!((comparison_flips >> i) & 1u)) continue;
+    all.push_back({Level::comparison, static_cast<std::uint8_t>(i), kind((exact >> i) & 1u),
+                   ((comparison_decisive >> i) & 1u) != 0, links_at(broken, i)});
+  }
+  return all;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,75 @@
+// The judge: a kernel's answer to one query, held against the truth, and where each difference came from.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "exact/range_free.h"
+#include "exact/truth.h"
+
+namespace axiscert {
+
+// The links of the chain G -> E -> R-infinity -> R -> K, and `unattributed` for a kernel without a reference.
+enum class Link : std::uint8_t { specification, rounding, range, implementation, unattributed };
+inline constexpr std::size_t link_count = 5;
+inline constexpr std::array<std::string_view, link_count> link_names = {"specification", "rounding", "range",
+                                                                        "implementation", "unattributed"};
+// Bit i is link i.
+using LinkBits = std::uint8_t;
+constexpr LinkBits link_bit(Link link) { return static_cast<LinkBits>(1u << static_cast<unsigned>(link)); }
+
+enum class Level : std::uint8_t { verdict, axis, comparison };
+inline constexpr std::array<std::string_view, 3> level_names = {"verdict", "axis", "comparison"};
+
+// `false_separation` at every level: the kernel says yes wrongly. Its opposite is `false_contact` for a verdict and
+// `missed_separation` for an axis or a comparison.
+enum class FlipKind : std::uint8_t { false_separation, false_contact, missed_separation };
+inline constexpr std::array<std::string_view, 3> flip_kind_names = {"false_separation", "false_contact",
+                                                                    "missed_separation"};
+
+struct Flip {
+  Level level;
+  std::uint8_t index;  // of the axis or comparison; 0 for the verdict
+  FlipKind kind;
+  bool decisive;
+  LinkBits links;
+};
+std::string_view name(const Flip& flip);  // "verdict", "edge_ab", "edge_ab.radius"
+
+// What a kernel answered: its verdict and, where it exposes them, its comparison bits.
+struct Answer {
+  Verdict verdict;
+  std::optional<ComparisonBits> bits;
+};
+
+// The bits along the chain, for a kernel that claims formulae of the given strictness.
+struct Reference {
+  ComparisonBits exact, range_free, reference;
+};
+
+struct Judgement {
+  std::optional<FlipKind> verdict_flip;  // against the geometric truth; none where that is `invalid`
+  LinkBits verdict_links = 0;            // broken on the way, whether the verdict came out wrong or right
+  std::uint16_t comparison_flips = 0, comparison_decisive = 0;  // bit i is comparison i; decisive is a subset
+  std::uint8_t axis_flips = 0, axis_decisive = 0;
+  std::vector<Flip> flips() const;  // in the order verdict, axes, comparisons
+
+  ComparisonBits exact = 0;                            // the kernel's own formulae in exact arithmetic
+  std::array<ComparisonBits, link_count> broken{};     // per link, the comparisons at which it is broken
+  std::array<AxisBits, link_count> broken_axes{};
+};
+
+// `reference` is empty for a kernel that claims no formulae: only its verdict is judged. Where the truth is `invalid`
+// there is no flip.
+Judgement judge(const Truth& truth, const std::optional<Reference>& reference, const Answer& answer);
+
+// The reference chain of a valid query.
+template <class Real>
+Reference reference_chain(const Query<Real>& q, const FormulaTruth& truth, Strictness strictness) {
+  const RoundedBits rounded = rounded_bits(q, strictness);
+  return {truth.bits(strictness), rounded.range_free, rounded.reference};
+}
+
+}  // namespace axiscert

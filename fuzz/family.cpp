@@ -1,0 +1,34 @@
+// The families that exist: one line each, in the order of the reports.
+#include "fuzz/family.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+#include "kernel/error.h"
+
+#define AXISCERT_FAMILIES(X) \
+  X(general)
+
+namespace axiscert {
+
+#define AXISCERT_DECLARE(name) extern const Family name##_family;
+AXISCERT_FAMILIES(AXISCERT_DECLARE)
+
+std::span<const Family* const> families() {
+#define AXISCERT_POINT(name) &name##_family,
+  static const Family* const all[] = {AXISCERT_FAMILIES(AXISCERT_POINT)};
+  return all;
+}
+
+const Family& find_family(std::string_view name) {
+  std::vector<std::string_view> known;
+  for (const Family* family : families()) {
+    if (family->name == name) return *family;
+    known.push_back(family->name);
+  }
+  throw Error(fmt::format("unknown family '{}'; families: {}", name, fmt::join(known, ", ")));
+}
+
+}  // namespace axiscert

@@ -1,0 +1,19 @@
+// The two errors a tool throws, caught once in main.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace axiscert {
+
+// Bad usage or input: exit 2. The message says what was given, where, and what would be right.
+struct Error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// The harness caught itself wrong (oracles that differ, a contracted build): exit 3.
+struct HarnessFault : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace axiscert

@@ -1,0 +1,99 @@
+// The vocabulary: seven axes, sixteen comparisons, verdicts. Every name that a report shows is stated here, once.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace axiscert {
+
+enum class Axis : std::uint8_t { plane, vertex_a, vertex_b, vertex_c, edge_ab, edge_bc, edge_ca };
+inline constexpr std::size_t axis_count = 7;
+inline constexpr std::array<std::string_view, axis_count> axis_names = {
+    "plane", "vertex_a", "vertex_b", "vertex_c", "edge_ab", "edge_bc", "edge_ca"};
+
+// One `lhs > rhs`. `vertex_a_side_b`: B lies beyond the plane through A with normal A - P.
+enum class Comparison : std::uint8_t {
+  plane_radius,
+  vertex_a_radius, vertex_a_side_b, vertex_a_side_c,
+  vertex_b_radius, vertex_b_side_a, vertex_b_side_c,
+  vertex_c_radius, vertex_c_side_a, vertex_c_side_b,
+  edge_ab_radius, edge_ab_side_c,
+  edge_bc_radius, edge_bc_side_a,
+  edge_ca_radius, edge_ca_side_b,
+};
+inline constexpr std::size_t comparison_count = 16;
+
+struct ComparisonInfo {
+  std::string_view name;
+  Axis axis;
+  bool is_radius;  // seven are; the other nine are side comparisons
+};
+inline constexpr std::array<ComparisonInfo, comparison_count> comparisons = {{
+    {"plane.radius", Axis::plane, true},
+    {"vertex_a.radius", Axis::vertex_a, true},
+    {"vertex_a.side_b", Axis::vertex_a, false},
+    {"vertex_a.side_c", Axis::vertex_a, false},
+    {"vertex_b.radius", Axis::vertex_b, true},
+    {"vertex_b.side_a", Axis::vertex_b, false},
+    {"vertex_b.side_c", Axis::vertex_b, false},
+    {"vertex_c.radius", Axis::vertex_c, true},
+    {"vertex_c.side_a", Axis::vertex_c, false},
+    {"vertex_c.side_b", Axis::vertex_c, false},
+    {"edge_ab.radius", Axis::edge_ab, true},
+    {"edge_ab.side_c", Axis::edge_ab, false},
+    {"edge_bc.radius", Axis::edge_bc, true},
+    {"edge_bc.side_a", Axis::edge_bc, false},
+    {"edge_ca.radius", Axis::edge_ca, true},
+    {"edge_ca.side_b", Axis::edge_ca, false},
+}};
+constexpr const ComparisonInfo& info(Comparison c) { return comparisons[static_cast<std::size_t>(c)]; }
+
+// Bit i is comparison i, or axis i.
+using ComparisonBits = std::uint16_t;
+using AxisBits = std::uint8_t;
+
+// The comparisons that an axis needs, all of them, to separate.
+constexpr ComparisonBits comparisons_of(Axis axis) {
+  ComparisonBits bits = 0;
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    if (comparisons[i].axis == axis) bits |= static_cast<ComparisonBits>(1u << i);
+  }
+  return bits;
+}
+inline constexpr ComparisonBits side_comparisons = [] {
+  ComparisonBits bits = 0;
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    if (!comparisons[i].is_radius) bits |= static_cast<ComparisonBits>(1u << i);
+  }
+  return bits;
+}();
+
+constexpr AxisBits axes_of(ComparisonBits bits) {
+  AxisBits axes = 0;
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const ComparisonBits needed = comparisons_of(static_cast<Axis>(i));
+    if ((bits & needed) == needed) axes |= static_cast<AxisBits>(1u << i);
+  }
+  return axes;
+}
+
+// `contact` and `separated` are 0 and 1 so that a separation bit is a verdict.
+enum class Verdict : std::uint8_t { contact = 0, separated = 1, undecided = 2, invalid = 3 };
+inline constexpr std::array<std::string_view, 4> verdict_names = {"contact", "separated", "undecided", "invalid"};
+constexpr std::string_view name(Verdict v) { return verdict_names[static_cast<std::size_t>(v)]; }
+
+// Any separating axis separates.
+constexpr Verdict verdict_of(AxisBits axes) { return axes != 0 ? Verdict::separated : Verdict::contact; }
+
+// Which relation the nine side comparisons use; the seven radius comparisons are `>` in both.
+enum class Strictness : std::uint8_t { strict, nonstrict };
+
+enum class Precision : std::uint8_t { binary32, binary64 };
+inline constexpr std::array<std::string_view, 2> precision_names = {"binary32", "binary64"};
+constexpr std::string_view name(Precision p) { return precision_names[static_cast<std::size_t>(p)]; }
+template <class Real>
+inline constexpr Precision precision_of = sizeof(Real) == 4 ? Precision::binary32 : Precision::binary64;
+
+}  // namespace axiscert

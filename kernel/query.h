@@ -1,0 +1,80 @@
+// One query, and a batch of them as columns.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "kernel/formulae.h"
+
+namespace axiscert {
+
+using portable::Vec3;
+
+// A sphere (centre p, radius r) and a triangle abc. Units are the caller's; r >= 0, and -0 is valid.
+template <class Real>
+struct Query {
+  Vec3<Real> a, b, c, p;
+  Real r;
+};
+
+inline constexpr std::size_t coordinate_count = 13;
+
+// The thirteen numbers in the order of every column, file and digest: ax ay az bx by bz cx cy cz px py pz r.
+template <class Real>
+constexpr std::array<Real, coordinate_count> coordinates(const Query<Real>& q) {
+  return {q.a.x, q.a.y, q.a.z, q.b.x, q.b.y, q.b.z, q.c.x, q.c.y, q.c.z, q.p.x, q.p.y, q.p.z, q.r};
+}
+template <class Real>
+constexpr Query<Real> from_coordinates(const std::array<Real, coordinate_count>& v) {
+  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, {v[9], v[10], v[11]}, v[12]};
+}
+inline constexpr std::array<const char*, coordinate_count> coordinate_names = {
+    "ax", "ay", "az", "bx", "by", "bz", "cx", "cy", "cz", "px", "py", "pz", "r"};
+
+// Finite coordinates and a radius that is finite and not negative. Anything else has the truth `invalid`.
+template <class Real>
+bool is_valid(const Query<Real>& q) {
+  for (const Real v : coordinates(q)) {
+    if (!std::isfinite(v)) return false;
+  }
+  return q.r >= 0;
+}
+
+// A batch, structure of arrays: thirteen pointers to `size` numbers each. Owns nothing, needs no alignment.
+template <class Real>
+struct QueryColumns {
+  std::array<const Real*, coordinate_count> column;
+  std::size_t size;
+};
+
+// Owns the columns of a batch of fixed capacity.
+template <class Real>
+class QueryBatch {
+ public:
+  explicit QueryBatch(std::size_t capacity) : capacity_(capacity), storage_(capacity * coordinate_count) {}
+  std::size_t size() const { return size_; }
+  void clear() { size_ = 0; }
+  void push_back(const Query<Real>& q) {
+    const auto v = coordinates(q);
+    for (std::size_t k = 0; k < coordinate_count; ++k) storage_[k * capacity_ + size_] = v[k];
+    ++size_;
+  }
+  Query<Real> operator[](std::size_t i) const {
+    std::array<Real, coordinate_count> v;
+    for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = storage_[k * capacity_ + i];
+    return from_coordinates(v);
+  }
+  QueryColumns<Real> columns() const {
+    QueryColumns<Real> view{{}, size_};
+    for (std::size_t k = 0; k < coordinate_count; ++k) view.column[k] = storage_.data() + k * capacity_;
+    return view;
+  }
+
+ private:
+  std::size_t capacity_, size_ = 0;
+  std::vector<Real> storage_;
+};
+
+}  // namespace axiscert

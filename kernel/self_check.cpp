@@ -1,0 +1,108 @@
+#include "kernel/self_check.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+#include "kernel/error.h"
+#include "kernel/evaluate.h"
+
+namespace axiscert {
+namespace {
+
+// A number whose every result passes through memory: one rounding an operation whatever the compiler was told.
+template <class Real>
+struct Stored {
+  Real value;
+  friend Stored operator+(Stored a, Stored b) { return store(a.value + b.value); }
+  friend Stored operator-(Stored a, Stored b) { return store(a.value - b.value); }
+  friend Stored operator*(Stored a, Stored b) { return store(a.value * b.value); }
+
+ private:
+  static Stored store(Real result) {
+    volatile Real memory = result;
+    return {memory};
+  }
+};
+
+// Same bits, or both NaN (whose payload no operation order fixes).
+template <class Real>
+bool same(Real a, Real b) {
+  using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b) || (a != a && b != b);
+}
+
+// Fixed operands that show each mode apart: with u = 2^-p, (1+2u)(1-2u) rounds to 1 and keeps -4u^2 only when fused;
+// 1 + u is a tie that goes to even; half the least normal number is subnormal and not zero.
+template <class Real>
+std::optional<std::string> check_environment() {
+  volatile Real u = std::numeric_limits<Real>::epsilon() / 2, one = 1, least = std::numeric_limits<Real>::min();
+  volatile Real up = one + u, down = -one - u, above = one + 3 * u;
+  if (up != one || down != -one || above != one + 4 * u) return "the rounding mode is not to nearest even";
+  volatile Real half = least / 2;
+  if (half == 0) return "subnormal results are flushed to zero";
+  volatile Real doubled = half * 2;
+  if (doubled != least) return "subnormal operands are read as zero";
+  return std::nullopt;
+}
+
+// Queries on which contraction shows: repeated vertices (cross(u, u) turns into noise) and full-width significands, at
+// an ordinary and at a nearly subnormal scale. A fixed linear congruence; the numbers only have to be wide.
+template <class Real>
+QueryBatch<Real> check_queries() {
+  QueryBatch<Real> batch(67);  // no multiple of a vector: the ragged tail is checked too
+  std::uint64_t state = 1;
+  const auto next = [&] {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<Real>(static_cast<std::int64_t>(state) >> 11) / static_cast<Real>(std::int64_t{1} << 52);
+  };
+  for (int i = 0; i < 67; ++i) {
+    std::array<Real, coordinate_count> v;
+    const Real scale = i % 3 == 2 ? std::numeric_limits<Real>::min() * 4096 : Real(1);
+    for (Real& x : v) x = next() * scale;
+    if (i % 3 == 1) for (int k = 0; k < 3; ++k) v[3 + k] = v[k];
+    if (v[12] < 0) v[12] = -v[12];
+    batch.push_back(from_coordinates(v));
+  }
+  return batch;
+}
+
+}  // namespace
+
+template <class Real>
+std::optional<std::string> self_check(std::string_view kernel_id, std::string_view target,
+                                      const Implementation<Real>& implementation) {
+  if (const auto wrong = check_environment<Real>()) return wrong;
+  const QueryBatch<Real> batch = check_queries<Real>();
+  Answers<Real> answers;
+  answers.resize(batch.size());
+  implementation.explain(batch.columns(), answers);
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const auto expected = published_sides<Stored<Real>>(batch[i], [](Real x) { return Stored<Real>{x}; });
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      const Real lhs = expected.lhs[k].value, rhs = expected.rhs[k].value;
+      if (same(answers.lhs[k][i], lhs) && same(answers.rhs[k][i], rhs)) continue;
+      return fmt::format(
+          "kernel {} ({}, target {}), {}, self-check query {}: computed {:a} > {:a}, but {:a} > {:a} when each "
+          "operation is rounded once; was the kernel compiled without -ffp-contract=off?",
+          kernel_id, name(precision_of<Real>), target, comparisons[k].name, i, answers.lhs[k][i], answers.rhs[k][i],
+          lhs, rhs);
+    }
+  }
+  return std::nullopt;
+}
+template std::optional<std::string> self_check<float>(std::string_view, std::string_view, const Implementation<float>&);
+template std::optional<std::string> self_check<double>(std::string_view, std::string_view,
+                                                       const Implementation<double>&);
+
+void require_uncontracted(std::string_view target) {
+  for (const Kernel& kernel : kernels()) {
+    auto wrong = self_check(kernel.id, target, kernel.binary32(target));
+    if (!wrong) wrong = self_check(kernel.id, target, kernel.binary64(target));
+    if (wrong) throw HarnessFault("self-check: " + *wrong);
+  }
+}
+
+}  // namespace axiscert

@@ -1,0 +1,22 @@
+// Start-up proof by computation that a target's kernels round every operation, once, to nearest, with subnormals.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "kernel/kernel.h"
+
+namespace axiscert {
+
+// Runs the implementation on fixed queries and compares its sides, bit for bit, with an evaluation that stores every
+// single result to memory, which no compiler can contract, and whose own mode (round to nearest, gradual underflow) is
+// checked against constants. Returns what differs: kernel, comparison, query and both values; nothing if all agree.
+template <class Real>
+std::optional<std::string> self_check(std::string_view kernel_id, std::string_view target,
+                                      const Implementation<Real>& implementation);
+
+// Every registered kernel in both precisions on `target`; throws HarnessFault with what differs.
+void require_uncontracted(std::string_view target);
+
+}  // namespace axiscert
