@@ -28,10 +28,8 @@ int order_of(const Query<Real>& q) {
 
 template <class Real>
 Rational rational_of(const Query<Real>& q) {
-  const auto& value = CGAL::exact(exact_squared_distance(q));
-  if constexpr (requires { value.backend().data(); }) return Rational(value.backend().data());
-  else if constexpr (requires { value.mpq(); }) return Rational(value.mpq());
-  else return Rational(value);
+  const Epeck::FT distance = exact_squared_distance(q);  // outlives the reference into it
+  return CGAL::exact(distance);
 }
 
 }  // namespace

@@ -2,7 +2,12 @@
 
 #include <mpfr.h>
 
+#include <charconv>
+#include <cstdlib>
 #include <limits>
+#include <string>
+
+#include "kernel/error.h"
 
 namespace axiscert {
 namespace {
@@ -43,6 +48,37 @@ Real round_once(Set&& set) {
 }  // namespace
 
 Rational exact(double value) { return Rational(value); }
+
+Rational parse_decimal(std::string_view text) {
+  const auto fail = [&] { return Error("'" + std::string(text) + "' is not a decimal number such as 12.5 or 1e-3"); };
+  const std::size_t e = text.find_first_of("eE");
+  int exponent = 0;
+  if (e != text.npos) {
+    const char* end = text.data() + text.size();
+    const char* begin = text.data() + e + 1;
+    if (begin != end && *begin == '+') ++begin;
+    const auto [stop, problem] = std::from_chars(begin, end, exponent);
+    if (problem != std::errc() || stop != end || std::abs(exponent) > 10000) throw fail();
+  }
+  std::string_view rest = text.substr(0, e);
+  const bool negative = rest.starts_with('-');
+  if (negative) rest.remove_prefix(1);
+  std::string digits;
+  bool after_point = false;
+  for (const char c : rest) {
+    if (c == '.' && !after_point) after_point = true;
+    else if (c < '0' || c > '9') throw fail();
+    else {
+      digits += c;
+      exponent -= after_point;
+    }
+  }
+  if (digits.empty()) throw fail();
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent)));
+  const mpz_class integer((negative ? "-" : "") + digits, 10);
+  return exponent < 0 ? Rational(integer) / Rational(power) : Rational(integer * power);
+}
 
 template <class Real>
 Real nearest(const Rational& q) {

@@ -3,12 +3,17 @@
 
 #include <gmpxx.h>
 
+#include <string_view>
+
 namespace axiscert {
 
 using Rational = mpq_class;
 
 // A finite float as the dyadic rational that it is.
 Rational exact(double value);
+
+// A decimal such as "12.5", "-3" or "1e-3" as the rational that it is. Throws Error.
+Rational parse_decimal(std::string_view text);
 
 // The Real nearest to q, ties to even; rounds to infinity where a Real would.
 template <class Real>

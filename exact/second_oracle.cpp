@@ -20,7 +20,8 @@ SecondOpinion second_opinion(const Query<Real>& q) {
   const auto centred = centred_as<Number>(q, [](Real x) { return Number(x); });
   const Number zero;
   const auto sides = published_sides(centred, zero);
-  SecondOpinion opinion{0, 0, distance_order(centred, zero)};
+  const auto by_value = [](const Number& x, const Number& y) { return order(x, y); };
+  SecondOpinion opinion{0, 0, distance_order(centred, zero, by_value)};
   for (std::size_t i = 0; i < comparison_count; ++i) {
     const int sign = order(sides.lhs[i], sides.rhs[i]);
     if (sign > 0) opinion.strict |= static_cast<ComparisonBits>(1u << i);

@@ -17,11 +17,11 @@ struct SecondOpinion {
 template <class Real>
 SecondOpinion second_opinion(const Query<Real>& q);
 
-// The sign of (distance^2 - rr) between the origin and the closed triangle abc, degenerate or not, over any exact ring
-// with `order(x, y)`: the least of the signs over three segments and, where the foot of the perpendicular lies inside,
-// the plane. Cross-multiplied, so nothing is divided.
-template <class T>
-int distance_order(const portable::Centred<T>& q, const T& zero) {
+// The sign of (distance^2 - rr) between the origin and the closed triangle abc, degenerate or not, over any exact ring;
+// `order(x, y)` is the sign of x - y. It is the least of the signs over three segments and, where the foot of the
+// perpendicular lies inside, the plane. Cross-multiplied, so nothing is divided.
+template <class T, class Order>
+int distance_order(const portable::Centred<T>& q, const T& zero, Order&& order) {
   using portable::cross;
   using portable::dot;
   const auto sign = [&](const T& x) { return order(x, zero); };

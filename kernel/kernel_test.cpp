@@ -1,0 +1,117 @@
+// The formulae beside hand computations, the vocabulary, the registry and the self-check.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "kernel/contracted.h"
+#include "kernel/error.h"
+#include "kernel/evaluate.h"
+#include "kernel/kernel.h"
+#include "kernel/scalar.h"
+#include "kernel/self_check.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+Query<Real> unit_right_triangle(Vec3<Real> p, Real r) { return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, p, r}; }
+
+TEST(Names, BitsAreInTheOrderOfTheTable) {
+  EXPECT_EQ(comparisons[0].name, "plane.radius");
+  EXPECT_EQ(comparisons[15].name, "edge_ca.side_b");
+  EXPECT_EQ(comparisons_of(Axis::vertex_b), 0b1110000);
+  EXPECT_EQ(axes_of(0b1), 0b1);
+  EXPECT_EQ(axes_of(0b1110), 0b10);
+  EXPECT_EQ(axes_of(0b0110), 0);
+  EXPECT_EQ(std::popcount(side_comparisons), 9);
+}
+
+// Centre (1/4, 1/4, 2): A = (-1/4, -1/4, -2), and so on; every side is a small dyadic number, worked out by hand.
+TEST(Formulae, AgreeWithAHandComputation) {
+  const auto sides = reference_sides(unit_right_triangle<float>({0.25f, 0.25f, 2}, 1));
+  const auto at = [&](Comparison c) {
+    const auto k = static_cast<std::size_t>(c);
+    return std::pair{sides.lhs[k], sides.rhs[k]};
+  };
+  using enum Comparison;
+  EXPECT_EQ(at(plane_radius), std::pair(4.f, 1.f));               // V = (0, 0, 1), d = -2
+  EXPECT_EQ(at(vertex_a_radius), std::pair(4.125f, 1.f));         // 1/16 + 1/16 + 4
+  EXPECT_EQ(at(vertex_a_side_b), std::pair(3.875f, 4.125f));      // -3/16 + 1/16 + 4
+  EXPECT_EQ(at(vertex_b_radius), std::pair(4.625f, 1.f));         // 9/16 + 1/16 + 4
+  EXPECT_EQ(at(vertex_b_side_c), std::pair(3.625f, 4.625f));      // -3/16 - 3/16 + 4
+  EXPECT_EQ(at(edge_ab_radius), std::pair(4.0625f, 1.f));         // Q1 = (0, -1/4, -2)
+  EXPECT_EQ(at(edge_ab_side_c), std::pair(-0.25f, 0.f));          // QC = C - Q1 = (-1/4, 1, 0)
+  EXPECT_EQ(at(edge_bc_radius), std::pair(16.5f, 4.f));           // e = 2, distance^2 to the line 4 + 1/8, times e^2
+}
+
+TEST(Formulae, TheArticlesAxesDecideTheirRegions) {
+  const auto separating = [](Vec3<double> p, double r) {
+    return axes_of(bits_of(reference_sides(unit_right_triangle<double>(p, r)), Strictness::strict));
+  };
+  const auto bit = [](Axis a) { return 1u << static_cast<unsigned>(a); };
+  EXPECT_TRUE(separating({0.25, 0.25, 2}, 1) & bit(Axis::plane));
+  EXPECT_TRUE(separating({-2, -2, 0}, 1) & bit(Axis::vertex_a));
+  EXPECT_TRUE(separating({4, 0, 0}, 1) & bit(Axis::vertex_b));
+  EXPECT_TRUE(separating({0, 4, 0}, 1) & bit(Axis::vertex_c));
+  EXPECT_TRUE(separating({0.5, -2, 0}, 1) & bit(Axis::edge_ab));
+  EXPECT_TRUE(separating({2, 2, 0}, 1) & bit(Axis::edge_bc));
+  EXPECT_TRUE(separating({-2, 0.5, 0}, 1) & bit(Axis::edge_ca));
+  EXPECT_EQ(separating({0.25, 0.25, 0.5}, 1), 0u);
+  EXPECT_EQ(separating({0.25, 0.25, 0.5}, 0.5), 0u) << "touching is contact";
+}
+
+// The strict test's specification fault, in its smallest form (A = B): separated by 1, called a contact.
+TEST(Formulae, StrictSidesInventAContactOnARepeatedVertex) {
+  const Query<double> q{{2, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 0, 0}, 1};
+  const auto sides = reference_sides(q);
+  EXPECT_EQ(verdict_of(axes_of(bits_of(sides, Strictness::strict))), Verdict::contact);
+  EXPECT_EQ(verdict_of(axes_of(bits_of(sides, Strictness::nonstrict))), Verdict::separated);
+}
+
+TEST(Registry, ListsEveryKernelOnceAndNamesThemForAnUnknownOne) {
+  for (const Kernel& kernel : kernels()) EXPECT_EQ(&find_kernel(kernel.id), &kernel);
+  try {
+    find_kernel("publishd");
+    FAIL() << "an unknown kernel was found";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("unknown kernel 'publishd'; kernels: published, nonstrict"), std::string::npos);
+  }
+}
+
+TEST(Registry, ResolvesTargetsInAnyCaseAndNamesThemForAnUnknownOne) {
+  EXPECT_EQ(resolve_target("auto"), available_targets().front());
+  EXPECT_EQ(resolve_target("SCALAR"), "scalar");
+  try {
+    resolve_target("MMX");
+    FAIL() << "an unknown target was found";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("target 'MMX' is not on this machine; targets: auto, "), std::string::npos);
+  }
+}
+
+TEST(SelfCheck, AcceptsEveryKernelOnEveryTarget) {
+  for (const std::string& target : available_targets()) EXPECT_NO_THROW(require_uncontracted(target)) << target;
+}
+
+void explain_contracted(const QueryColumns<double>& batch, Answers<double>& out) {
+  for (std::size_t i = 0; i < batch.size; ++i) {
+    std::array<double, coordinate_count> v;
+    for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = batch.column[k][i];
+    const auto sides = published_sides<Contracted<double>>(from_coordinates(v), [](double x) { return Contracted<double>{x}; });
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      out.lhs[k][i] = sides.lhs[k].rounded();
+      out.rhs[k][i] = sides.rhs[k].rounded();
+    }
+  }
+}
+
+TEST(SelfCheck, RefusesAContractedKernel) {
+  const auto wrong = self_check<double>("contracted", "scalar", {nullptr, explain_contracted});
+  ASSERT_TRUE(wrong.has_value());
+  EXPECT_NE(wrong->find("-ffp-contract=off"), std::string::npos) << *wrong;
+}
+
+}  // namespace
+}  // namespace axiscert

@@ -1,0 +1,104 @@
+// Every instruction set against the scalar reference, bit for bit: each lane, ragged tails, garbage in the others.
+#include "kernel/simd.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "kernel/scalar.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+
+// NaN payloads are not part of the contract: which operand's payload survives depends on operand order.
+template <class Real>
+bool same(Real a, Real b) {
+  return std::bit_cast<Bits<Real>>(a) == std::bit_cast<Bits<Real>>(b) || (a != a && b != b);
+}
+
+template <class Real>
+Query<Real> random_query(std::mt19937_64& random, bool any_bits) {
+  std::array<Real, coordinate_count> v;
+  for (Real& x : v) {
+    const auto bits = static_cast<Bits<Real>>(random());
+    x = any_bits ? std::bit_cast<Real>(bits)
+                 : static_cast<Real>(static_cast<std::int64_t>(random()) >> 11) * Real(0x1p-52);
+  }
+  return from_coordinates(v);
+}
+
+template <class Real>
+Query<Real> garbage(std::size_t i) {
+  constexpr Real inf = std::numeric_limits<Real>::infinity(), nan = std::numeric_limits<Real>::quiet_NaN();
+  std::array<Real, coordinate_count> v;
+  v.fill(i % 3 == 0 ? inf : i % 3 == 1 ? nan : std::numeric_limits<Real>::max());
+  return from_coordinates(v);
+}
+
+template <class Real>
+void expect_same_answers(const QueryBatch<Real>& batch, Strictness strictness, const std::string& target) {
+  const std::size_t n = batch.size();
+  const auto scalar = scalar_implementation<Real>(strictness), simd = simd_implementation<Real>(strictness, target);
+  std::vector<Verdict> expected(n), found(n + 64, Verdict::invalid);
+  scalar.verdicts(batch.columns(), expected.data());
+  simd.verdicts(batch.columns(), found.data());
+  for (std::size_t i = n; i < found.size(); ++i) ASSERT_EQ(found[i], Verdict::invalid) << "wrote past the batch";
+  Answers<Real> reference, answers;
+  reference.resize(n);
+  answers.resize(n);
+  scalar.explain(batch.columns(), reference);
+  simd.explain(batch.columns(), answers);
+  for (std::size_t i = 0; i < n; ++i) {
+    ASSERT_EQ(found[i], expected[i]) << target << " query " << i << " of " << n;
+    ASSERT_EQ(answers.bits[i], reference.bits[i]) << target << " query " << i << " of " << n;
+    ASSERT_EQ(verdict_of(axes_of(answers.bits[i])), found[i]) << target << " query " << i;
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      ASSERT_TRUE(same(answers.lhs[k][i], reference.lhs[k][i]) && same(answers.rhs[k][i], reference.rhs[k][i]))
+          << target << " query " << i << " " << comparisons[k].name;
+    }
+  }
+}
+
+template <class Real>
+class SimdTest : public testing::Test {};
+using Reals = testing::Types<float, double>;
+TYPED_TEST_SUITE(SimdTest, Reals);
+
+TYPED_TEST(SimdTest, MachineHasAnInstructionSetToTest) { EXPECT_FALSE(simd_targets().empty()); }
+
+TYPED_TEST(SimdTest, AgreesWithTheReferenceOnRandomAndOnArbitraryBits) {
+  constexpr std::uint64_t seed = 20101230;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  for (const std::string& target : simd_targets()) {
+    for (const Strictness s : {Strictness::strict, Strictness::nonstrict}) {
+      std::mt19937_64 random(seed);
+      QueryBatch<TypeParam> batch(20000);
+      for (int i = 0; i < 20000; ++i) batch.push_back(random_query<TypeParam>(random, i % 2 == 1));
+      expect_same_answers(batch, s, target);
+    }
+  }
+}
+
+TYPED_TEST(SimdTest, EveryLaneAndEveryTailLengthWithGarbageInTheOthers) {
+  std::mt19937_64 random(7);
+  for (const std::string& target : simd_targets()) {
+    for (std::size_t size = 1; size <= 35; ++size) {
+      for (std::size_t place = 0; place < size; ++place) {
+        QueryBatch<TypeParam> batch(size);
+        for (std::size_t i = 0; i < size; ++i) {
+          batch.push_back(i == place ? random_query<TypeParam>(random, false) : garbage<TypeParam>(i));
+        }
+        expect_same_answers(batch, Strictness::strict, target);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace axiscert

@@ -1,0 +1,26 @@
+// The subcommands of `axiscert`, one file each. Each adds itself to the parser and sets `action` when it was chosen.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+
+namespace axiscert {
+
+enum ExitCode { exit_done = 0, exit_requirement_failed = 1, exit_bad_input = 2, exit_harness_fault = 3, exit_interrupted = 130 };
+
+// Runs the chosen subcommand and returns an ExitCode. Throws Error and HarnessFault.
+using Action = std::function<int()>;
+
+void add_run(CLI::App& app, Action& action);
+void add_check(CLI::App& app, Action& action);
+void add_query(CLI::App& app, Action& action);
+void add_kernels(CLI::App& app, Action& action);
+void add_families(CLI::App& app, Action& action);
+void add_report(CLI::App& app, Action& action);
+
+// The `--format` option of the commands that also write for programs.
+CLI::Option* add_format(CLI::App& command, std::string& format, const std::string& machine_format);
+
+}  // namespace axiscert

@@ -1,0 +1,44 @@
+// axiscert: certifies floating-point sphere-triangle kernels against exact arithmetic.
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "exact/truth.h"
+#include "kernel/error.h"
+
+namespace axiscert {
+
+CLI::Option* add_format(CLI::App& command, std::string& format, const std::string& machine_format) {
+  return command.add_option("--format", format, "text, or " + machine_format + " for programs")
+      ->check(CLI::IsMember({std::string("text"), machine_format}))
+      ->capture_default_str();
+}
+
+}  // namespace axiscert
+
+int main(int argc, char** argv) {
+  using namespace axiscert;
+  CLI::App app{"Runs sphere-triangle kernels beside exact arithmetic and reports where, how far and how often they are wrong."};
+  app.set_version_flag("--version", "axiscert " AXISCERT_VERSION);
+  app.require_subcommand(1);
+  app.footer("Exit codes: 0 done; 1 a requirement failed; 2 bad usage or input, or a target this machine lacks;\n"
+             "3 the oracles disagree, or the harness caught itself wrong; 130 interrupted.");
+  Action action;
+  for (const auto add : {add_run, add_check, add_query, add_kernels, add_families, add_report}) add(app, action);
+  try {
+    app.parse(argc, argv);
+    return action();
+  } catch (const CLI::ParseError& usage) {
+    return app.exit(usage) == 0 ? exit_done : exit_bad_input;
+  } catch (const HarnessFault& fault) {
+    fmt::print(stderr, "axiscert: {}\n", fault.what());
+    return exit_harness_fault;
+  } catch (const Error& error) {
+    fmt::print(stderr, "axiscert: {}\n", error.what());
+    return exit_bad_input;
+  } catch (const std::exception& unexpected) {
+    fmt::print(stderr, "axiscert: unexpected: {}\n", unexpected.what());
+    return exit_harness_fault;
+  }
+}

@@ -1,0 +1,117 @@
+#include "cli/run_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "fuzz/address.h"
+#include "kernel/error.h"
+#include "reports/requirement.h"
+
+namespace axiscert {
+namespace {
+
+// Queries per family: 2^18 in binary32, 2^16 in binary64, where exact arithmetic costs more; least where it spans the
+// whole exponent range.
+std::uint64_t default_trials(const Source& source, Precision precision) {
+  if (precision == Precision::binary32) return std::uint64_t{1} << 18;
+  return std::uint64_t{1} << (source.name() == "bits" ? 14 : 16);
+}
+
+// "T" for all comparisons or "COMPARISON=T" for one; a later one overrides.
+void add_tolerance(const std::string& given, Plan& plan) {
+  const std::size_t equals = given.find('=');
+  const std::string which = equals == given.npos ? "" : given.substr(0, equals);
+  const std::string number = equals == given.npos ? given : given.substr(equals + 1);
+  std::optional<Rational> value;
+  try {
+    value = parse_decimal(number);
+  } catch (const Error& wrong) {
+    throw Error(fmt::format("--tolerance {}: {}", given, wrong.what()));
+  }
+  if (sgn(*value) < 0) throw Error(fmt::format("--tolerance {}: a tolerance is not negative", given));
+  bool found = false;
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    if (!which.empty() && comparisons[i].name != which) continue;
+    plan.tolerances[i] = value;
+    plan.tolerance_texts[std::string(comparisons[i].name)] = number;
+    found = true;
+  }
+  if (found) return;
+  std::vector<std::string_view> names;
+  for (const ComparisonInfo& c : comparisons) names.push_back(c.name);
+  throw Error(fmt::format("--tolerance {}: unknown comparison '{}'; comparisons: {}", given, which,
+                          fmt::join(names, ", ")));
+}
+
+void add_sources(const RunOptions& options, Plan& plan) {
+  const auto add = [&](SourcePtr source) {
+    for (const SourcePtr& other : plan.sources) {
+      if (other->address_name() == source->address_name()) return;  // given twice
+      if (other->name() == source->name()) {
+        throw Error(fmt::format("two different files are both '{}' in the report: rename one", source->name()));
+      }
+    }
+    plan.sources.push_back(std::move(source));
+  };
+  const bool nothing_given = options.families.empty() && options.meshes.empty() && options.queries.empty();
+  const bool all = nothing_given || std::find(options.families.begin(), options.families.end(), "all") != options.families.end();
+  if (all) {
+    for (const Family* family : families()) add(family_source(*family));
+  }
+  for (const std::string& name : options.families) {
+    if (name != "all") add(family_source(find_family(name)));
+  }
+  const Precision csv_precision = options.precision.empty() ? Precision::binary32 : parse_precision(options.precision);
+  for (const std::string& path : options.meshes) add(mesh_source(path));
+  for (const std::string& path : options.queries) add(query_file_source(path, csv_precision));
+}
+
+}  // namespace
+
+void add_run_options(CLI::App& command, RunOptions& o) {
+  command.add_option("--kernel", o.kernels, "kernel id, repeatable (default: published)")->allow_extra_args(false);
+  command.add_option("--family", o.families, "family, repeatable, or all (default: all unless files are given)")
+      ->allow_extra_args(false);
+  command.add_option("--mesh", o.meshes, "mesh file of any format assimp reads, repeatable")->allow_extra_args(false);
+  command.add_option("--queries", o.queries, "query file, JSON Lines or CSV, - for standard input, repeatable")
+      ->allow_extra_args(false);
+  auto* trials = command.add_option("--trials", o.trials, "queries per family and precision (default: 2^18 in binary32, "
+                                    "2^16 in binary64 with 2^14 for bits)")->check(CLI::PositiveNumber);
+  command.add_option("--time", o.seconds, "seconds to run instead; units that were begun are finished")
+      ->check(CLI::PositiveNumber)->excludes(trials);
+  command.add_option("--seed", o.seed, "seed of every family")->capture_default_str();
+  command.add_option("--precision", o.precision, "binary32 or binary64 (default: both); that of CSV files");
+  command.add_option("--target", o.target, "instruction set, see `axiscert kernels`")->capture_default_str();
+  command.add_option("--threads", o.threads, "worker threads (default: all cores)")->check(CLI::Range(1, 4096));
+  command.add_option("--tolerance", o.tolerances, "[COMPARISON=]T: count errors above T u, repeatable")
+      ->allow_extra_args(false);
+  command.add_option("--require", o.require, "logic, range, exact or conservative[=D]: exit 1 where it is not met");
+  command.add_option("--out", o.out, "folder for record, reports and witnesses")->capture_default_str();
+}
+
+Plan plan_of(const RunOptions& options) {
+  Plan plan;
+  plan.seed = options.seed;
+  plan.target = resolve_target(options.target);
+  if (!options.require.empty()) parse_requirement(options.require);
+  for (const std::string& id : options.kernels) {
+    const Kernel* kernel = &find_kernel(id);
+    if (std::find(plan.kernels.begin(), plan.kernels.end(), kernel) == plan.kernels.end()) plan.kernels.push_back(kernel);
+  }
+  if (plan.kernels.empty()) plan.kernels.push_back(&find_kernel("published"));
+  if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
+  else plan.precisions = {parse_precision(options.precision)};
+  for (const std::string& tolerance : options.tolerances) add_tolerance(tolerance, plan);
+  plan.seconds = options.seconds;
+  plan.trials = [trials = options.trials](const Source& source, Precision precision) {
+    return trials ? *trials : default_trials(source, precision);
+  };
+  plan.threads = options.threads != 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  add_sources(options, plan);
+  return plan;
+}
+
+}  // namespace axiscert

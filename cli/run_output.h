@@ -1,0 +1,44 @@
+// What `axiscert run` shows and writes: the progress line, the run folder, the summary.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+#include "exact/truth.h"
+#include "fuzz/campaign.h"
+#include "reports/record.h"
+
+namespace axiscert {
+
+// One line on a terminal, rewritten; nothing elsewhere. Cleared when it goes out of scope.
+class ProgressLine {
+ public:
+  ProgressLine();
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  void show(const Progress& progress);
+
+ private:
+  bool on_terminal_;
+  double last_shown_ = -1;
+};
+
+// The folder of a run. Made, and found writable, before anything runs; a file appears in it whole or not at all.
+class RunFolder {
+ public:
+  explicit RunFolder(const std::string& path);  // throws Error
+  void write(const std::string& file, const Json& json) const;
+  // Saves the query that the oracles differ on, and returns the file's path.
+  std::string save(const OracleDisagreement& disagreement) const;
+
+ private:
+  void write_text(const std::string& file, const std::string& text) const;
+  std::filesystem::path path_;
+};
+
+std::string iso_time(std::chrono::system_clock::time_point time);
+void print_summary(const Json& record, double seconds);
+
+}  // namespace axiscert

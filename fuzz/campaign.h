@@ -1,0 +1,59 @@
+// The campaign: runs a plan's units on all cores and tallies them.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fuzz/source.h"
+#include "fuzz/tally.h"
+#include "kernel/kernel.h"
+
+namespace axiscert {
+
+struct Plan {
+  std::uint64_t seed = 1;
+  std::vector<const Kernel*> kernels;
+  std::vector<SourcePtr> sources;
+  std::vector<Precision> precisions;
+  // How many queries of a source in a precision; not read under a time limit.
+  std::function<std::uint64_t(const Source&, Precision)> trials;
+  std::optional<double> seconds;  // the time limit; units that were begun are finished
+  Tolerances tolerances;
+  std::map<std::string, std::string> tolerance_texts;  // by comparison, as given
+  std::string target;  // resolved
+  int threads = 1;
+};
+
+// One source in one precision.
+struct CellResult {
+  std::size_t source;
+  Precision precision;
+  std::uint64_t units_done = 0;
+  double core_seconds = 0;               // processor time of generating and judging
+  std::vector<Tally> tallies;            // by kernel, in the plan's order
+};
+
+struct CampaignResult {
+  bool complete = true;  // false: interrupted
+  std::vector<CellResult> cells;
+  std::uint64_t second_opinions = 0;  // queries decided a second time by MPFR
+};
+
+struct Progress {
+  std::uint64_t units_done, units, queries;  // units is 0 under a time limit
+  double seconds;
+};
+
+// Every 4096th query of a source is decided again by the second oracle; for every 256th the critical radius is found.
+inline constexpr std::uint64_t second_opinion_stride = 4096, critical_radius_stride = 256;
+
+// `interrupted` is polled between units; `report` is called from one thread at a time. The tallies depend on the plan
+// alone, not on threads, target or order. Throws OracleDisagreement.
+CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupted,
+                            const std::function<void(const Progress&)>& report);
+
+}  // namespace axiscert

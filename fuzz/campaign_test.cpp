@@ -1,0 +1,171 @@
+// The campaign: the same tallies on any number of threads and any target; planted kernels told by their link.
+#include "fuzz/campaign.h"
+
+#include <gtest/gtest.h>
+#include <immintrin.h>
+
+#include "kernel/contracted.h"
+#include "kernel/scalar.h"
+
+namespace axiscert {
+namespace {
+
+const std::atomic<bool> never = false;
+
+Plan plan_of(std::vector<const Kernel*> kernels, std::vector<std::string> names, std::uint64_t trials) {
+  Plan plan;
+  plan.kernels = std::move(kernels);
+  for (const std::string& name : names) plan.sources.push_back(family_source(find_family(name)));
+  plan.precisions = {Precision::binary32, Precision::binary64};
+  plan.trials = [trials](const Source&, Precision) { return trials; };
+  plan.target = resolve_target("auto");
+  return plan;
+}
+
+CampaignResult run(const Plan& plan) { return run_campaign(plan, never, [](const Progress&) {}); }
+
+LinkCounts links(const CampaignResult& result, std::size_t kernel) {
+  LinkCounts sum{};
+  for (const CellResult& cell : result.cells) {
+    for (std::size_t i = 0; i < link_count; ++i) sum[i] += cell.tallies[kernel].verdict.links[i];
+  }
+  return sum;
+}
+
+// Planted: every pair of neighbouring lanes exchanged.
+template <class Real>
+void swapped_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
+  scalar_implementation<Real>(Strictness::strict).verdicts(batch, out);
+  for (std::size_t i = 0; i + 1 < batch.size; i += 2) std::swap(out[i], out[i + 1]);
+}
+template <class Real>
+void swapped_explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
+  scalar_implementation<Real>(Strictness::strict).explain(batch, out);
+  for (std::size_t i = 0; i + 1 < batch.size; i += 2) {
+    std::swap(out.bits[i], out.bits[i + 1]);
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      std::swap(out.lhs[k][i], out.lhs[k][i + 1]);
+      std::swap(out.rhs[k][i], out.rhs[k][i + 1]);
+    }
+  }
+}
+
+// Planted: subnormal results and operands become zero, as with the flags that engines set.
+class Flushed {
+ public:
+  Flushed() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }
+  ~Flushed() { _mm_setcsr(before_); }
+ private:
+  unsigned before_;
+};
+template <class Real>
+void flushed_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
+  const Flushed mode;
+  scalar_implementation<Real>(Strictness::strict).verdicts(batch, out);
+}
+template <class Real>
+void flushed_explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
+  const Flushed mode;
+  scalar_implementation<Real>(Strictness::strict).explain(batch, out);
+}
+
+// Planted: x y + z fused wherever a compiler could.
+template <class Real>
+void contracted_explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
+  for (std::size_t i = 0; i < batch.size; ++i) {
+    std::array<Real, coordinate_count> v;
+    for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = batch.column[k][i];
+    const auto fused = published_sides<Contracted<Real>>(from_coordinates(v), [](Real x) { return Contracted<Real>{x}; });
+    Sides<Real> sides;
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      out.lhs[k][i] = sides.lhs[k] = fused.lhs[k].rounded();
+      out.rhs[k][i] = sides.rhs[k] = fused.rhs[k].rounded();
+    }
+    out.bits[i] = bits_of(sides, Strictness::strict);
+  }
+}
+template <class Real>
+void contracted_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
+  Answers<Real> answers;
+  answers.resize(batch.size);
+  contracted_explain(batch, answers);
+  for (std::size_t i = 0; i < batch.size; ++i) out[i] = verdict_of(axes_of(answers.bits[i]));
+}
+
+#define AXISCERT_PLANT(name)                                                              \
+  const Kernel name##_kernel = {#name, "planted", Strictness::strict,                      \
+      [](std::string_view) { return Implementation<float>{name##_verdicts<float>, name##_explain<float>}; }, \
+      [](std::string_view) { return Implementation<double>{name##_verdicts<double>, name##_explain<double>}; }}
+AXISCERT_PLANT(swapped);
+AXISCERT_PLANT(flushed);
+AXISCERT_PLANT(contracted);
+
+void expect_implementation_links(const Kernel& planted, const std::string& family) {
+  const auto result = run(plan_of({&planted, &find_kernel("published")}, {family}, 20000));
+  constexpr auto implementation = static_cast<std::size_t>(Link::implementation);
+  EXPECT_GT(links(result, 0)[implementation], 0u) << planted.id << " on " << family;
+  EXPECT_EQ(links(result, 1)[implementation], 0u) << "the built-in kernel on " << family;
+}
+
+TEST(PlantedKernel, ASwappedLaneIsAnImplementationFault) { expect_implementation_links(swapped_kernel, "general"); }
+TEST(PlantedKernel, AContractedKernelIsAnImplementationFault) { expect_implementation_links(contracted_kernel, "repeated"); }
+TEST(PlantedKernel, AFlushedKernelIsAnImplementationFault) { expect_implementation_links(flushed_kernel, "subnormal"); }
+
+std::string fingerprint(const CampaignResult& result) {
+  std::string text;
+  const auto put = [&](auto... values) { ((text += std::to_string(values) + ' '), ...); };
+  for (const CellResult& cell : result.cells) {
+    put(cell.source, static_cast<int>(cell.precision), cell.units_done);
+    for (const Tally& t : cell.tallies) {
+      put(t.trials, t.separated, t.touching, t.verdict.false_separation, t.verdict.false_contact);
+      for (const Candidate& c : t.verdict.deepest_false_contact.candidates()) put(c.rank, c.position);
+      for (const ComparisonTally& c : t.comparisons) {
+        put(c.false_separation, c.missed_separation, c.decisive, c.ties, c.range_events, c.max_error.value());
+        for (const Candidate& leader : c.largest_error.candidates()) put(leader.rank, leader.position);
+      }
+    }
+  }
+  return text;
+}
+
+TEST(Campaign, ThreadsAndTargetsChangeNothing) {
+  Plan plan = plan_of({&find_kernel("published")}, {"general", "tangent", "scale"}, 70000);
+  plan.precisions = {Precision::binary32};
+  const std::string one = fingerprint(run(plan));
+  plan.threads = 2;
+  EXPECT_EQ(fingerprint(run(plan)), one) << "2 threads";
+  plan.trials = [](const Source&, Precision) { return 3000; };
+  const std::string reference = fingerprint(run(plan));
+  for (const std::string& target : available_targets()) {
+    plan.target = target;
+    EXPECT_EQ(fingerprint(run(plan)), reference) << target;
+  }
+}
+
+TEST(Campaign, StopsWhenInterruptedAndSaysSo) {
+  std::atomic<bool> stop = false;
+  Plan plan = plan_of({&find_kernel("published")}, {"general"}, 5 * unit_size);
+  plan.precisions = {Precision::binary32};
+  const auto result = run_campaign(plan, stop, [&](const Progress& p) { stop = p.units_done >= 2; });
+  EXPECT_FALSE(result.complete);
+  EXPECT_EQ(result.cells[0].units_done, 2u);
+  EXPECT_EQ(result.cells[0].tallies[0].trials, 2 * unit_size);
+}
+
+TEST(Leaders, KeepTheGreatestThenTheEarliestInAnyOrder) {
+  const std::vector<Candidate> all = {{1, 9}, {3, 5}, {3, 2}, {2, 1}, {3, 7}};
+  Leaders forward(3), backward(3), halves(3), half(3);
+  for (const Candidate& c : all) forward.offer(c);
+  for (auto c = all.rbegin(); c != all.rend(); ++c) backward.offer(*c);
+  for (std::size_t i = 0; i < all.size(); ++i) (i % 2 ? half : halves).offer(all[i]);
+  halves.merge(half);
+  for (const Leaders* leaders : {&forward, &backward, &halves}) {
+    ASSERT_EQ(leaders->candidates().size(), 3u);
+    EXPECT_EQ(leaders->candidates()[0].position, 2u);
+    EXPECT_EQ(leaders->candidates()[1].position, 5u);
+    EXPECT_EQ(leaders->candidates()[2].position, 7u);
+  }
+}
+
+}  // namespace
+}  // namespace axiscert

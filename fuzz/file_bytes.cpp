@@ -1,0 +1,47 @@
+#include "fuzz/file_bytes.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "kernel/error.h"
+
+namespace axiscert {
+namespace {
+
+Error unreadable(const std::string& name, int system_error) {
+  return Error(fmt::format("{}: cannot be read: {}", name,
+                           system_error != 0 ? std::strerror(system_error) : "input error"));
+}
+
+}  // namespace
+
+std::string read_bytes(std::istream& in, const std::string& name) {
+  std::string bytes;
+  std::array<char, 1 << 16> block;
+  errno = 0;
+  while (in) {
+    in.read(block.data(), block.size());
+    bytes.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if (in.bad() || !in.eof()) throw unreadable(name, errno);
+  return bytes;
+}
+
+std::string read_bytes(const std::string& path) {
+  // A directory opens like a file.
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw Error(fmt::format("{}: is a directory, not a file", path));
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file.is_open()) throw unreadable(path, errno);
+  return read_bytes(file, path);
+}
+
+std::string base_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+}  // namespace axiscert

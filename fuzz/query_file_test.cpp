@@ -1,0 +1,289 @@
+#include "fuzz/query_file.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "fuzz/random.h"
+#include "fuzz/source.h"
+#include "kernel/error.h"
+
+namespace axiscert {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+const std::string header = "ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r";
+const std::string good = R"({"id":"ok","precision":"binary32","a":[0,0,0],"b":[1,0,0],"c":[0,1,0],"p":[0,0,1],"r":0.5})";
+
+std::vector<StoredQuery> parse(const std::string& text) { return parse_queries(text, "f.jsonl", Precision::binary32); }
+
+std::string refusal(const std::string& text) {
+  try {
+    return fmt::format("accepted {} queries", parse(text).size());
+  } catch (const Error& wrong) {
+    return wrong.what();
+  }
+}
+
+// A line of JSON with one field's value replaced; an empty value leaves the field out.
+std::string with(const std::string& field, const std::string& value) {
+  std::string line = "{";
+  for (const auto& [name, usual] : std::initializer_list<std::pair<std::string, std::string>>{
+           {"id", "\"q\""}, {"precision", "\"binary32\""}, {"a", "[0,0,0]"}, {"b", "[1,0,0]"}, {"c", "[0,1,0]"},
+           {"p", "[0,0,1]"}, {"r", "1"}}) {
+    const std::string& given = name == field ? value : usual;
+    if (!given.empty()) line += fmt::format("{}\"{}\":{}", line.size() > 1 ? "," : "", name, given);
+  }
+  return line + "}";
+}
+
+template <class Real>
+void expect_same_bits(const Query<Real>& x, const Query<Real>& y) {
+  const auto u = coordinates(x), v = coordinates(y);
+  for (std::size_t k = 0; k < coordinate_count; ++k) {
+    if (std::isnan(u[k])) EXPECT_TRUE(std::isnan(v[k]));
+    else EXPECT_TRUE(u[k] == v[k] && std::signbit(u[k]) == std::signbit(v[k])) << coordinate_names[k] << " " << u[k];
+  }
+}
+
+TEST(QueryFile, ReadsALineAsTheDesignWritesIt) {
+  const auto queries = parse(
+      R"({"id":"parry-76","precision":"binary32","a":["0x1p+0",-0,"nan"],"b":[1e-45,"inf","-inf"],"c":["0.2",0.2,16777217],)"
+      R"("p":[123456789012345678901234567890,-1.5E+3,0],"r":"0x1.99999ap-3"})");
+  ASSERT_EQ(queries.size(), 1u);
+  EXPECT_EQ(queries[0].id, "parry-76");
+  EXPECT_EQ(queries[0].line, 1u);
+  const auto& q = std::get<Query<float>>(queries[0].query);
+  const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  expect_same_bits(q, {{1, -0.0f, nan}, {0x1p-149f, inf, -inf}, {0.2f, 0.2f, 16777216}, {0x1.8ee9p+96f, -1500, 0}, 0.2f});
+}
+
+TEST(QueryFile, AJsonNumberIsItsCharacters) {
+  // Through binary64 the first would round to 1, and -0 would lose its sign.
+  const auto queries = parse(with("p", "[ 1.00000005960464477540 ,-0, 18446744073709551617]"));
+  const auto& q = std::get<Query<float>>(queries[0].query);
+  EXPECT_EQ(q.p.x, 0x1.000002p+0f);
+  EXPECT_TRUE(std::signbit(q.p.y));
+  EXPECT_EQ(q.p.z, 0x1p+64f);
+}
+
+TEST(QueryFile, AcceptsWhatIsHarmless) {
+  EXPECT_EQ(parse("\xef\xbb\xbf" + good + "\r\n\r\n  \t\n" + good).size(), 2u);
+  EXPECT_EQ(parse("\n" + with("id", "") + "\n")[0].id, "line-2");
+  EXPECT_EQ(parse(good + "\n" + good + "\n")[1].line, 2u);
+  // A witness record's own fields, nested ones and repeated ones included.
+  std::string witness = good;
+  witness.insert(1, R"("flips":[{"r":"x","a":[1,[2]]},[]],"kernel":{"r":{}},"kernel":null,"x":true,"n":-1.5,)");
+  EXPECT_EQ(parse(witness).size(), 1u);
+  EXPECT_EQ(parse(R"({"\u0072":"-0x0p+0",)" + with("r", "").substr(1)).size(), 1u);
+}
+
+struct BadLine {
+  std::string line, field, reason;
+};
+
+TEST(QueryFile, AnErrorNamesFileLineAndField) {
+  const std::vector<BadLine> bad = {
+      {with("r", "\"0x1.9999999p-3\""), "r", "0x1.9999999p-3 is not exact in binary32; nearest is 0x1.99999ap-3"},
+      {with("a", "[0,\"0x1.9999999p-3\",0]"), "a", "element 2: 0x1.9999999p-3 is not exact"},
+      {with("r", "1e39"), "r", "1e39 overflows binary32"},
+      {with("r", "1e999"), "r", "1e999 overflows binary32"},
+      {with("r", "-1e999"), "r", "-1e999 overflows binary32"},
+      {with("p", "[0,0,1e999]"), "p", "1e999 overflows"},
+      {with("p", "[0,\"1e999\",0]"), "p", "element 2: 1e999 overflows"},
+      {with("r", "\"0x1p+128\""), "r", "overflows binary32"},
+      {with("r", "\"NaN\""), "r", "'NaN' is not a number"},
+      {with("r", "\"\""), "r", "'' is not a number"},
+      {with("r", "\" 1\""), "r", "' 1' is not a number"},
+      {with("r", "\"1\\n\""), "r", "'1?' is not a number"},
+      {with("r", "NaN"), "r", "malformed JSON"},
+      {with("r", "0x1p-3"), "r", "malformed JSON"},
+      {with("r", "01"), "r", "malformed JSON"},
+      {with("r", "+1"), "r", "malformed JSON"},
+      {with("r", "null"), "r", "null; a number belongs here"},
+      {with("r", "[1]"), "r", "an array; a number belongs here"},
+      {with("r", "{\"r\":1}"), "r", "an object; a number belongs here"},
+      {with("r", ""), "r", "missing"},
+      {with("a", ""), "a", "missing"},
+      {with("b", "3"), "b", "a number; an array of three numbers belongs here"},
+      {with("c", "[1,2]"), "c", "an array of 2"},
+      {with("c", "[1,2,3,4]"), "c", "an array of 4"},
+      {with("c", "[]"), "c", "an array of 0"},
+      {with("c", "[1,[2],3]"), "c", "element 2: an array; a number"},
+      {with("c", "[1,2,{}]"), "c", "element 3: an object; a number"},
+      {with("c", "[1,true,3]"), "c", "element 2: a boolean; a number"},
+      {with("c", "{}"), "c", "an object; an array of three"},
+      {with("precision", ""), "precision", "missing; \"binary32\" or \"binary64\" belongs here"},
+      {with("precision", "32"), "precision", "a number; \"binary32\" or"},
+      {with("precision", "\"float\""), "precision", "unknown precision 'float'; precisions: binary32, binary64"},
+      {with("id", "7"), "id", "a number; a string belongs here"},
+      {with("r", "1,\"r\":2"), "r", "given twice"},
+      {with("r", "1,\"\\u0061\":2"), "a", "given twice"},
+      {with("r", "1,\"x\":1e999"), "x", "1e999 overflows"},
+      {with("r", "1} x"), "r", "malformed JSON"},
+      {with("r", "1}{"), "r", "malformed JSON"},
+      {with("r", "1,"), "r", "malformed JSON"},
+      {with("r", "\"\xff\""), "r", "malformed JSON"},
+      {with("r", "\"1\t\""), "r", "malformed JSON"},
+      {"[1,2,3]", "", "an array; a line is one JSON object"},
+      {"3", "", "a number; a line is one JSON object"},
+      {"hello", "", "malformed JSON at column 1"},
+      {"{", "", "malformed JSON"},
+      {"{}", "precision", "missing"},
+      {std::string("{\"a\0\":1}", 9), "", "a NUL byte"},
+      {good + std::string(1, '\0'), "", "a NUL byte"},
+  };
+  for (const BadLine& b : bad) {
+    const std::string where = b.field.empty() ? "f.jsonl:3: " : "f.jsonl:3: field '" + b.field + "': ";
+    EXPECT_THAT(refusal(good + "\n\n" + b.line + "\n" + good), AllOf(StartsWith(where), HasSubstr(b.reason))) << b.line;
+    EXPECT_THAT(refusal(good + "\n\n" + b.line), Not(HasSubstr("\n"))) << b.line;
+  }
+}
+
+TEST(QueryFile, EveryTruncationOfALineIsAnErrorThatNamesTheLine) {
+  for (std::size_t size = 1; size < good.size(); ++size) {
+    EXPECT_THAT(refusal(good + "\n" + good.substr(0, size)), AllOf(StartsWith("f.jsonl:2: "), HasSubstr("malformed JSON")));
+  }
+  EXPECT_THAT(refusal(good.substr(0, good.find("\"r\""))), HasSubstr("field 'p': malformed JSON"));
+}
+
+TEST(QueryFile, NothingToReadIsAnError) {
+  for (const char* text : {"", "\n\n", " \t\r\n", "\xef\xbb\xbf"}) EXPECT_THAT(refusal(text), StartsWith("f.jsonl: no queries"));
+  EXPECT_THAT(refusal(header + "\n"), StartsWith("f.jsonl: no queries"));
+}
+
+TEST(QueryFile, AbsurdInputIsRefusedInOneShortLine) {
+  const std::vector<std::string> absurd = {
+      std::string(1 << 20, '['), with("x", "") + std::string(1 << 20, 'x'), with("r", std::string(1 << 20, '9')),
+      with("r", "\"" + std::string(1 << 20, '7') + "z\""), with("id", std::string(1 << 20, '{')),
+      with("a", "[" + std::string(1 << 20, ',')), header + "\n" + std::string(1 << 20, ','),
+      std::string(1 << 20, ','), "{\"" + std::string(1 << 20, 'k') + "\":!}", std::string(1000, '\x01'),
+      with("precision", "\"" + std::string(1 << 20, 'b') + "\"")};
+  for (const std::string& text : absurd) {
+    const std::string message = refusal(text);
+    EXPECT_THAT(message, AllOf(StartsWith("f.jsonl:"), Not(HasSubstr("\n"))));
+    EXPECT_LT(message.size(), 700u) << text.substr(0, 100);
+  }
+}
+
+TEST(QueryFile, CsvTakesItsPrecisionFromTheCaller) {
+  const std::string text = "\xef\xbb\xbf\n " + header + " \r\n0,0,0, 1 ,0,0,\t0,0x1p-1,0,nan,-0,inf,0.2\r\n\n";
+  const auto singles = parse_queries(text, "f.csv", Precision::binary32);
+  ASSERT_EQ(singles.size(), 1u);
+  EXPECT_EQ(singles[0].id, "line-3");
+  EXPECT_EQ(std::get<Query<float>>(singles[0].query).r, 0.2f);
+  const auto doubles = parse_queries(text, "f.csv", Precision::binary64);
+  EXPECT_EQ(doubles[0].precision, Precision::binary64);
+  EXPECT_EQ(std::get<Query<double>>(doubles[0].query).r, 0.2);
+  const auto named = parse("id," + header + "\nfirst one,0,0,0,1,0,0,0,1,0,0,0,1,1\n,0,0,0,1,0,0,0,1,0,0,0,1,1\n");
+  EXPECT_EQ(named[0].id, "first one");
+  EXPECT_EQ(named[1].id, "line-3");
+}
+
+TEST(QueryFile, CsvErrorsNameTheColumn) {
+  const std::string zeros = "0,0,0,1,0,0,0,1,0,0,0,1";
+  const std::vector<BadLine> bad = {
+      {header + "\n" + zeros, "r", "12 cells under a header of 13"},
+      {header + "\n" + zeros + ",1,2", "", "14 cells under a header of 13"},
+      {header + "\n" + zeros + ",", "r", "'' is not a number"},
+      {header + "\n" + zeros + ",0x1.9999999p-3", "r", "is not exact in binary32"},
+      {header + "\n0,1e39" + zeros.substr(3) + ",1", "ay", "1e39 overflows binary32"},
+      {"id," + header + "\n\"a\"," + zeros + ",1", "id", "is quoted"},
+      {"id," + header + "\n" + zeros + ",1", "r", "13 cells under a header of 14"},
+  };
+  for (const BadLine& b : bad) {
+    const std::string where = b.field.empty() ? "f.jsonl:2: " : "f.jsonl:2: field '" + b.field + "': ";
+    EXPECT_THAT(refusal(b.line), AllOf(StartsWith(where), HasSubstr(b.reason))) << b.line;
+  }
+  EXPECT_THAT(refusal("ay,ax,az,bx,by,bz,cx,cy,cz,px,py,pz,r\n"), AllOf(StartsWith("f.jsonl:1: field 'ax': column 1"), HasSubstr(header)));
+  EXPECT_THAT(refusal(header.substr(0, header.size() - 2) + "\n"), StartsWith("f.jsonl:1: field 'r': column 13"));
+  EXPECT_THAT(refusal(header + ",id\n"), StartsWith("f.jsonl:1: field 'id': column 14"));
+  EXPECT_THAT(refusal("x,y,z\n1,2,3\n"), AllOf(StartsWith("f.jsonl:1: "), HasSubstr(header)));
+}
+
+template <class Real>
+void line_round_trip() {
+  using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+  Stream random(1, name_hash("query_file_test"), 1, precision_of<Real>, 0);
+  std::string file;
+  std::vector<StoredQuery> written;
+  for (int i = 0; i < 500; ++i) {
+    std::array<Real, coordinate_count> v;
+    for (Real& x : v) x = std::bit_cast<Real>(static_cast<Bits>(random.bits()));
+    written.push_back({"say \"" + std::to_string(i) + "\"\\\n\xc3\xa4", precision_of<Real>, from_coordinates(v)});
+    file += query_line(written.back()) + "\n";
+  }
+  std::istringstream in(file);
+  const auto read = read_queries(in, "f.jsonl", Precision::binary32);
+  ASSERT_EQ(read.size(), written.size());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    EXPECT_EQ(read[i].id, written[i].id);
+    EXPECT_EQ(read[i].precision, precision_of<Real>);
+    EXPECT_EQ(query_line(read[i]), query_line(written[i]));
+    expect_same_bits(std::get<Query<Real>>(read[i].query), std::get<Query<Real>>(written[i].query));
+  }
+}
+TEST(QueryFile, AWrittenLineReadsBackTheSame) {
+  line_round_trip<float>();
+  line_round_trip<double>();
+  EXPECT_EQ(query_line({"parry-76", Precision::binary32, Query<float>{{1, 0, 0}, {0, -0.0f, 0}, {}, {}, 0.2f}}),
+            R"({"id":"parry-76","precision":"binary32","a":["0x1p+0","0x0p+0","0x0p+0"],)"
+            R"("b":["0x0p+0","-0x0p+0","0x0p+0"],"c":["0x0p+0","0x0p+0","0x0p+0"],)"
+            R"("p":["0x0p+0","0x0p+0","0x0p+0"],"r":"0x1.99999ap-3"})");
+  EXPECT_NO_THROW(parse(query_line({"\xff", Precision::binary64, Query<double>{}})));
+}
+
+TEST(QueryFile, AFileThatCannotBeReadIsNamed) {
+  const auto directory = std::filesystem::temp_directory_path();
+  EXPECT_THROW(read_query_file(directory, Precision::binary32), Error);
+  try {
+    read_query_file("/nowhere/at all.jsonl", Precision::binary32);
+    FAIL();
+  } catch (const Error& wrong) {
+    EXPECT_STREQ(wrong.what(), "/nowhere/at all.jsonl: cannot be read: No such file or directory");
+  }
+}
+
+TEST(QuerySource, GivesTheQueriesOfEachPrecisionInOrder) {
+  const std::string path = testing::TempDir() + "axiscert_query_source.jsonl";
+  const std::string text = good + "\n" + with("precision", "\"binary64\"") + "\n" + with("r", "3") + "\n" +
+                           with("a", "[-0,0,0]") + "\n";
+  std::ofstream(path, std::ios::binary) << text;
+  const SourcePtr source = query_file_source(path, Precision::binary32);
+  EXPECT_EQ(source->name(), "queries/axiscert_query_source.jsonl");
+  EXPECT_EQ(source->file()->queries, 4u);
+  EXPECT_EQ(source->file()->kind, "queries");
+  EXPECT_EQ(source->address_name(), "queries-" + source->file()->sha256);
+  EXPECT_EQ(source->fixed_size(Precision::binary32), 3u);
+  EXPECT_EQ(source->fixed_size(Precision::binary64), 1u);
+  EXPECT_EQ(source->base_triangles(3), 2u);  // -0 is not 0, bit for bit
+  EXPECT_EQ(source->base_triangles(1), 1u);
+  Query<float> q;
+  source->make(99, 1, q);
+  EXPECT_EQ(q.r, 3);
+  EXPECT_THROW(source->make(1, 3, q), Error);
+  std::filesystem::remove(path);
+}
+
+TEST(QuerySource, TheHashIsThatOfTheBytes) {
+  const std::string path = testing::TempDir() + "axiscert_query_hash.jsonl";
+  std::ofstream(path, std::ios::binary) << good << "\n";
+  // sha256sum of the same 91 bytes.
+  EXPECT_EQ(query_file_source(path, Precision::binary32)->file()->sha256,
+            "8441caafebdf9af22f997bf0eab8eebb495dc0c2e0437343bdd83f6a439e0aee");
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace axiscert

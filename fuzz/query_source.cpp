@@ -1,0 +1,92 @@
+// A query file as a source: its queries in their order, each under the precision it was written for.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <iostream>
+
+#include "fuzz/file_bytes.h"
+#include "fuzz/query_file.h"
+#include "fuzz/sha256.h"
+#include "fuzz/source.h"
+#include "kernel/error.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+std::uint64_t distinct_triangles(const std::vector<Query<Real>>& queries) {
+  std::vector<std::array<std::uint64_t, 9>> triangles;
+  for (const Query<Real>& q : queries) {
+    auto& bits = triangles.emplace_back();
+    const auto v = coordinates(q);
+    for (std::size_t k = 0; k < bits.size(); ++k) bits[k] = std::bit_cast<std::uint64_t>(static_cast<double>(v[k]));
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return static_cast<std::uint64_t>(std::unique(triangles.begin(), triangles.end()) - triangles.begin());
+}
+
+class QueryFileSource final : public Source {
+ public:
+  QueryFileSource(const std::string& name, const std::string& path, const std::string& bytes, Precision csv_precision) {
+    for (const StoredQuery& stored : parse_queries(bytes, path, csv_precision)) {
+      switch (stored.precision) {
+        case Precision::binary32: binary32_.push_back(std::get<Query<float>>(stored.query)); break;
+        case Precision::binary64: binary64_.push_back(std::get<Query<double>>(stored.query)); break;
+      }
+    }
+    triangles32_ = distinct_triangles(binary32_);
+    triangles64_ = distinct_triangles(binary64_);
+    file_.name = name;
+    file_.kind = "queries";
+    file_.sha256 = sha256_hex(std::as_bytes(std::span(bytes)));
+    file_.queries = binary32_.size() + binary64_.size();
+  }
+
+  std::string name() const override { return "queries/" + file_.name; }
+  std::string address_name() const override { return "queries-" + file_.sha256; }
+  std::string purpose() const override { return "the queries of a file, as they stand"; }
+  int version() const override { return 1; }
+  std::optional<std::uint64_t> fixed_size(Precision precision) const override {
+    switch (precision) {
+      case Precision::binary32: return binary32_.size();
+      case Precision::binary64: return binary64_.size();
+    }
+    return std::nullopt;
+  }
+  // Of the precision that has `trials` queries; of both, where both have, the smaller number, which claims less.
+  std::uint64_t base_triangles(std::uint64_t trials) const override {
+    std::uint64_t least = trials;
+    if (trials == binary32_.size()) least = std::min(least, triangles32_);
+    if (trials == binary64_.size()) least = std::min(least, triangles64_);
+    return least;
+  }
+  std::optional<FileInfo> file() const override { return file_; }
+
+  void make(std::uint64_t, std::uint64_t position, Query<float>& out) const override { out = at(binary32_, position); }
+  void make(std::uint64_t, std::uint64_t position, Query<double>& out) const override { out = at(binary64_, position); }
+
+ private:
+  template <class Real>
+  Query<Real> at(const std::vector<Query<Real>>& queries, std::uint64_t position) const {
+    if (position < queries.size()) return queries[position];
+    throw Error(fmt::format("{}: there is no {} query at position {}; it holds {}", file_.name,
+                            axiscert::name(precision_of<Real>), position, queries.size()));
+  }
+
+  std::vector<Query<float>> binary32_;
+  std::vector<Query<double>> binary64_;
+  std::uint64_t triangles32_, triangles64_;
+  FileInfo file_;
+};
+
+}  // namespace
+
+SourcePtr query_file_source(const std::string& path, Precision csv_precision) {
+  if (path == "-") {
+    return std::make_shared<QueryFileSource>("stdin", "stdin", read_bytes(std::cin, "stdin"), csv_precision);
+  }
+  return std::make_shared<QueryFileSource>(base_name(path), path, read_bytes(path), csv_precision);
+}
+
+}  // namespace axiscert

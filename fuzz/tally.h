@@ -1,0 +1,90 @@
+// What a run counts, per kernel, precision and source. Tallies of units merge in any order to the same result.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact/error_measure.h"
+#include "exact/judge.h"
+
+namespace axiscert {
+
+using LinkCounts = std::array<std::uint64_t, link_count>;
+
+// A query worth keeping, by its position in the source: the record makes it again. The greater rank wins, then the
+// earlier position, so that no order of merging changes what is kept.
+struct Candidate {
+  double rank;
+  std::uint64_t position;
+};
+
+// The best `capacity` candidates.
+class Leaders {
+ public:
+  explicit Leaders(std::size_t capacity = 1) : capacity_(capacity) {}
+  void offer(Candidate candidate);
+  void merge(const Leaders& other);
+  const std::vector<Candidate>& candidates() const { return kept_; }
+  double best() const { return kept_.empty() ? 0 : kept_.front().rank; }
+
+ private:
+  std::size_t capacity_;
+  std::vector<Candidate> kept_;
+};
+
+// Sign errors of one axis or one comparison against the kernel's own formulae in exact arithmetic.
+struct SignTally {
+  std::uint64_t false_separation = 0, missed_separation = 0, masked = 0, decisive = 0;
+  std::uint64_t tolerance_failures = 0;
+  LinkCounts links{};
+};
+
+struct AxisTally : SignTally {
+  std::uint64_t sole_separator = 0;  // in exact arithmetic
+};
+
+struct ComparisonTally : SignTally {
+  std::uint64_t ties = 0, range_events = 0, error_without_scale = 0;
+  Decimal6 max_error;      // in u
+  Leaders largest_error;   // the query that attains it
+  Leaders false_witness, missed_witness;  // decisive ones first
+};
+
+struct VerdictTally {
+  std::uint64_t false_separation = 0, false_contact = 0, undecided = 0, invalid = 0, touching_flips = 0;
+  LinkCounts links{}, masked_links{};
+  Leaders deepest_false_separation{3}, deepest_false_contact{3};  // ranked by depth
+};
+
+struct CriticalRadiusTally {
+  std::vector<double> errors_ulps;  // unsorted
+  std::uint64_t unbounded = 0;      // contact for no finite radius
+};
+
+struct Tally {
+  std::uint64_t trials = 0;
+  std::uint64_t separated = 0, contact = 0, touching = 0, invalid = 0;  // the truth; touching is part of contact
+  VerdictTally verdict;
+  std::array<AxisTally, axis_count> axes;
+  std::array<ComparisonTally, comparison_count> comparisons;
+  CriticalRadiusTally critical_radius;
+
+  void merge(const Tally& other);
+};
+
+// Tolerated error per comparison, in u; none: not checked.
+using Tolerances = std::array<std::optional<Rational>, comparison_count>;
+
+// Counts everything but the errors of the sides. `depth` is that of a wrong verdict.
+void count(Tally& tally, std::uint64_t position, const Truth& truth, const Answer& answer, const Judgement& judgement,
+           std::optional<double> depth);
+
+// Counts the errors of the computed sides of a query with a valid truth.
+template <class Real>
+void count_errors(Tally& tally, std::uint64_t position, const Sides<Ring>& exact, const Sides<Real>& computed,
+                  const Tolerances& tolerances);
+
+}  // namespace axiscert

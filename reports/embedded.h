@@ -1,0 +1,12 @@
+// The text files built into the library, by file name: embed.cmake writes their definitions.
+#pragma once
+
+#include <string_view>
+
+namespace axiscert::embedded {
+
+extern const std::string_view record_schema_json, run_schema_json;
+extern const std::string_view report_html, report_css;
+extern const std::string_view table_js, results_js, witnesses_js, report_js;
+
+}  // namespace axiscert::embedded

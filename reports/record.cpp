@@ -1,0 +1,173 @@
+#include "reports/record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fuzz/tally.h"
+#include "reports/witness.h"
+
+namespace axiscert {
+namespace {
+
+constexpr const char* version = AXISCERT_VERSION;
+
+Json link_counts(const LinkCounts& counts, std::size_t first, std::size_t last) {
+  Json json = Json::object();
+  for (std::size_t i = first; i <= last; ++i) json[std::string(link_names[i])] = counts[i];
+  return json;
+}
+
+// What axes and comparisons have in common. Nobody asked for a tolerance: `null`, not a count of zero failures.
+void put_signs(Json& json, const SignTally& tally, bool has_tolerance, Decimal6 max_error) {
+  json["false_separation"] = tally.false_separation;
+  json["missed_separation"] = tally.missed_separation;
+  json["masked"] = tally.masked;
+  json["decisive"] = tally.decisive;
+  json["tolerance_failures"] = has_tolerance ? Json(tally.tolerance_failures) : Json(nullptr);
+  json["max_error_u"] = max_error.value();
+  json["smallest_passing_tolerance"] = max_error.value();
+  // A specification fault has no comparison flip, and a kernel with bits has a reference: three links remain.
+  json["links"] = link_counts(tally.links, static_cast<std::size_t>(Link::rounding),
+                              static_cast<std::size_t>(Link::implementation));
+}
+
+Json comparison_json(const ComparisonTally& tally, bool has_tolerance) {
+  Json json;
+  put_signs(json, tally, has_tolerance, tally.max_error);
+  json["ties"] = tally.ties;
+  json["range_events"] = tally.range_events;
+  json["error_without_scale"] = tally.error_without_scale;
+  return json;
+}
+
+Json critical_radius_json(std::vector<double> errors, std::uint64_t unbounded) {
+  std::sort(errors.begin(), errors.end());
+  const auto at = [&](std::size_t i) { return errors.empty() ? Json(nullptr) : Json(errors[i]); };
+  return {{"sampled", errors.size() + unbounded},
+          {"median_ulps", at((errors.size() - 1) / 2)},
+          {"largest_ulps", at(errors.size() - 1)},
+          {"unbounded", unbounded}};
+}
+
+Json verdict_json(const VerdictTally& v) {
+  const double separation = v.deepest_false_separation.best(), contact = v.deepest_false_contact.best();
+  constexpr std::size_t last = link_count - 1;
+  return {{"false_separation", v.false_separation},
+          {"false_contact", v.false_contact},
+          {"undecided", v.undecided},
+          {"invalid", v.invalid},
+          {"deepest", std::max(separation, contact)},
+          {"deepest_false_separation", separation},
+          {"deepest_false_contact", contact},
+          {"links", link_counts(v.links, 0, last)},
+          {"masked_links", link_counts(v.masked_links, 0, last)},
+          {"touching_flips", v.touching_flips}};
+}
+
+Json family_json(const Source& source, const Tally& tally, const Tolerances& tolerances) {
+  Json json = {{"trials", tally.trials},
+               {"base_triangles", source.base_triangles(tally.trials)},
+               {"exact_arithmetic", source.exact_arithmetic()},
+               {"truth",
+                {{"separated", tally.separated},
+                 {"contact", tally.contact},
+                 {"touching", tally.touching},
+                 {"invalid", tally.invalid}}},
+               {"verdict", verdict_json(tally.verdict)}};
+  Json& axes = json["axes"] = Json::object();
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    bool has_tolerance = false;
+    Decimal6 max_error;
+    for (std::size_t i = 0; i < comparison_count; ++i) {
+      if (comparisons[i].axis != static_cast<Axis>(a)) continue;
+      has_tolerance |= tolerances[i].has_value();
+      max_error = std::max(max_error, tally.comparisons[i].max_error);
+    }
+    Json& axis = axes[std::string(axis_names[a])];
+    put_signs(axis, tally.axes[a], has_tolerance, max_error);
+    axis["sole_separator"] = tally.axes[a].sole_separator;
+  }
+  Json& all = json["comparisons"] = Json::object();
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    all[std::string(comparisons[i].name)] = comparison_json(tally.comparisons[i], tolerances[i].has_value());
+  }
+  json["critical_radius"] = critical_radius_json(tally.critical_radius.errors_ulps, tally.critical_radius.unbounded);
+  return json;
+}
+
+Json plan_json(const Plan& plan, const CampaignResult& result, const std::string& require) {
+  Json json = {{"axiscert", version}, {"seed", plan.seed}};
+  for (const char* list : {"kernels", "precisions", "families"}) json[list] = Json::array();
+  for (const char* map : {"generators", "trials"}) json[map] = Json::object();
+  json["files"] = Json::array();
+  for (const Kernel* kernel : plan.kernels) json["kernels"].push_back(kernel->id);
+  for (const Precision p : plan.precisions) json["precisions"].push_back(name(p));
+  for (const SourcePtr& source : plan.sources) {
+    json["families"].push_back(source->name());
+    json["generators"][source->name()] = {{"version", source->version()},
+                                          {"exact_arithmetic", source->exact_arithmetic()},
+                                          {"purpose", source->purpose()}};
+    if (const auto file = source->file()) {
+      Json& entry = json["files"].emplace_back(Json{{"name", file->name}, {"kind", file->kind}, {"sha256", file->sha256}});
+      if (file->kind == "queries") entry["queries"] = file->queries;
+      else {
+        entry["triangles"] = file->triangles;
+        entry["degenerate_triangles"] = file->degenerate_triangles;
+        entry["skipped_primitives"] = file->skipped_primitives;
+      }
+    }
+  }
+  Json units = Json::object();
+  for (std::size_t s = 0; s < plan.sources.size(); ++s) {
+    for (const CellResult& cell : result.cells) {
+      if (cell.source != s) continue;
+      const std::string family = plan.sources[s]->name(), precision(name(cell.precision));
+      json["trials"][family][precision] = cell.tallies.empty() ? 0 : cell.tallies[0].trials;
+      units[family][precision] = cell.units_done;
+    }
+  }
+  json["tolerance"] = plan.tolerance_texts;
+  json["require"] = require.empty() ? Json(nullptr) : Json(require);
+  // Without a time limit the trials say which units there were; an interrupted run did the first of them.
+  json["units_done"] = plan.seconds || !result.complete ? units : Json(nullptr);
+  return json;
+}
+
+}  // namespace
+
+Json record_of(const Plan& plan, const CampaignResult& result, const std::string& require) {
+  Json record = {{"schema", record_schema}, {"complete", result.complete}, {"plan", plan_json(plan, result, require)}};
+  Json& kernels = record["kernels"] = Json::array();
+  WitnessWriter witnesses(plan);
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    for (const Precision precision : plan.precisions) {
+      const Kernel& kernel = *plan.kernels[k];
+      Json entry = {{"id", kernel.id},
+                    {"precision", name(precision)},
+                    {"summary", kernel.summary},
+                    {"strictness", kernel.strictness == Strictness::strict ? "strict" : "nonstrict"},
+                    {"exposes", {"verdict", "comparisons", "sides"}},
+                    {"critical_radius", nullptr},
+                    {"families", Json::object()}};
+      CriticalRadiusTally radii;
+      for (std::size_t s = 0; s < plan.sources.size(); ++s) {
+        for (const CellResult& cell : result.cells) {
+          if (cell.source != s || cell.precision != precision || cell.tallies[k].trials == 0) continue;
+          const Tally& tally = cell.tallies[k];
+          entry["families"][plan.sources[s]->name()] = family_json(*plan.sources[s], tally, plan.tolerances);
+          radii.unbounded += tally.critical_radius.unbounded;
+          radii.errors_ulps.insert(radii.errors_ulps.end(), tally.critical_radius.errors_ulps.begin(),
+                                   tally.critical_radius.errors_ulps.end());
+          witnesses.add(kernel, *plan.sources[s], precision, tally);
+        }
+      }
+      entry["critical_radius"] = critical_radius_json(std::move(radii.errors_ulps), radii.unbounded);
+      kernels.push_back(std::move(entry));
+    }
+  }
+  record["witnesses"] = std::move(witnesses).take();
+  return record;
+}
+
+}  // namespace axiscert

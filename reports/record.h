@@ -1,0 +1,32 @@
+// The record: the deterministic result of a run, and run.json, which holds what varies.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+#include "fuzz/campaign.h"
+
+namespace axiscert {
+
+using Json = nlohmann::ordered_json;
+
+inline constexpr const char* record_schema = "axiscert-record/1";
+
+// record.json: no clock, host, thread count, target or compiler in it. `require` is the level as given, or empty.
+// Makes the witnesses' queries again and examines each by all oracles.
+Json record_of(const Plan& plan, const CampaignResult& result, const std::string& require);
+
+// run.json: times, throughput, machine, target, compiler and library versions. `started` is ISO 8601, UTC.
+Json run_info(const Plan& plan, const CampaignResult& result, const std::string& target_asked,
+              const std::string& started, double seconds);
+
+// A query as the query file has it: "a" to "p" as arrays of hex strings, "r".
+template <class Real>
+void put_query(Json& into, const Query<Real>& q);
+// The bits as text, first comparison first.
+std::string bit_string(std::uint32_t bits, std::size_t count);
+// "verdict", ... as `check` and the witnesses list them.
+Json flips_json(const Judgement& judgement);
+
+}  // namespace axiscert

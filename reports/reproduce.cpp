@@ -1,0 +1,145 @@
+#include "reports/reproduce.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <set>
+
+#include "kernel/names.h"
+#include "reports/summary.h"
+
+namespace axiscert {
+namespace {
+
+std::string shell_word(const std::string& text) {
+  const bool is_plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view("-_./:=,").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  if (is_plain) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+// A family's name as the option that brings it in: a mesh is "mesh/FILE", a query file "queries/FILE".
+std::string source_option(const std::string& family) {
+  for (const std::string kind : {"mesh", "queries"}) {
+    if (family.starts_with(kind + "/")) return fmt::format(" --{} {}", kind, shell_word(family.substr(kind.size() + 1)));
+  }
+  return " --family " + shell_word(family);
+}
+
+bool is_file(const std::string& family) { return family.starts_with("mesh/") || family.starts_with("queries/"); }
+
+// The one count of all generated families, if there is one: the value of --trials.
+std::optional<std::uint64_t> common_trials(const Json& plan) {
+  std::set<std::uint64_t> counts;
+  for (const auto& [family, by_precision] : plan["trials"].items()) {
+    if (family.starts_with("queries/")) continue;
+    for (const Json& count : by_precision) counts.insert(count.get<std::uint64_t>());
+  }
+  return counts.size() == 1 ? std::optional(*counts.begin()) : std::nullopt;
+}
+
+std::string joined(const Json& names) { return fmt::format("{}", fmt::join(names.get<std::vector<std::string>>(), ", ")); }
+
+std::string file_fact(const Json& file) {
+  const auto count = [&](const char* member) { return thousands(file[member].get<std::uint64_t>()); };
+  const std::string contents =
+      file["kind"] == "mesh"
+          ? fmt::format("{} triangles, {} of zero area, {} other primitives skipped", count("triangles"),
+                        count("degenerate_triangles"), count("skipped_primitives"))
+          : fmt::format("{} queries", count("queries"));
+  return fmt::format("{}, {}; SHA-256 {}", file["name"].get<std::string>(), contents, file["sha256"].get<std::string>());
+}
+
+}  // namespace
+
+std::string replay_command(const Json& witness) {
+  const std::string family = witness["family"];
+  return fmt::format("axiscert query {}{} > witness.jsonl && axiscert check witness.jsonl --kernel {}",
+                     "'" + witness["address"].get<std::string>() + "'", is_file(family) ? source_option(family) : "",
+                     shell_word(witness["kernel"]));
+}
+
+std::string run_command(const Json& plan) {
+  if (!plan["units_done"].is_null()) return "";
+  std::string command = "axiscert run";
+  for (const Json& kernel : plan["kernels"]) command += " --kernel " + shell_word(kernel);
+  for (const Json& family : plan["families"]) command += source_option(family);
+  if (const auto trials = common_trials(plan)) command += fmt::format(" --trials {}", *trials);
+  command += fmt::format(" --seed {}", plan["seed"].dump());
+  if (plan["precisions"].size() == 1) command += " --precision " + shell_word(plan["precisions"][0]);
+  std::set<std::string> tolerances;
+  for (const Json& tolerance : plan["tolerance"]) tolerances.insert(tolerance.get<std::string>());
+  if (plan["tolerance"].size() == comparison_count && tolerances.size() == 1) {
+    command += " --tolerance " + shell_word(*tolerances.begin());
+  } else {
+    for (const auto& [comparison, tolerance] : plan["tolerance"].items()) {
+      command += " --tolerance " + shell_word(comparison + "=" + tolerance.get<std::string>());
+    }
+  }
+  if (!plan["require"].is_null()) command += " --require " + shell_word(plan["require"]);
+  return command;
+}
+
+std::vector<std::pair<std::string, std::string>> plan_facts(const Run& run) {
+  const Json &plan = run.record["plan"], &info = run.info;
+  std::vector<std::pair<std::string, std::string>> facts = {{"axiscert", plan["axiscert"]},
+                                                            {"seed", plan["seed"].dump()},
+                                                            {"kernels", joined(plan["kernels"])},
+                                                            {"precisions", joined(plan["precisions"])}};
+  for (const Json& file : plan["files"]) facts.emplace_back(file["kind"] == "mesh" ? "mesh" : "query file", file_fact(file));
+  const auto add = [&](const char* label, const Json& from, const char* member, auto&& text) {
+    if (from.contains(member)) facts.emplace_back(label, text(from[member]));
+  };
+  const auto word = [](const Json& value) { return value.get<std::string>(); };
+  if (info.is_null()) return facts;
+  add("started", info, "started", word);
+  add("took", info, "seconds", [](const Json& s) { return fmt::format("{:.1f} s", s.get<double>()); });
+  add("threads", info, "threads", [](const Json& n) { return n.dump(); });
+  if (info.contains("machine")) add("processor", info["machine"], "cpu", word);
+  if (info.contains("target")) {
+    add("target asked for", info["target"], "asked", word);
+    add("target that ran", info["target"], "dispatched", word);
+  }
+  add("compiler", info, "compiler", word);
+  add("flags", info, "flags", word);
+  if (info.contains("versions")) {
+    for (const auto& [part, version] : info["versions"].items()) {
+      if (part != "axiscert") facts.emplace_back(part, version);
+    }
+  }
+  add("decided a second time", info, "second_opinions",
+      [](const Json& n) { return thousands(n.get<std::uint64_t>()) + " queries, by the second oracle"; });
+  return facts;
+}
+
+std::vector<std::string> not_checked(const Json& record) {
+  const Json& plan = record["plan"];
+  std::vector<std::string> open = {"Proofs: none in this version. All that is shown here was observed, not proved."};
+  if (plan["tolerance"].empty()) {
+    open.push_back("Tolerance: none was given (--tolerance), so no comparison's error failed or passed.");
+  } else if (plan["tolerance"].size() < comparison_count) {
+    open.push_back(fmt::format("Tolerance: given for {} of the {} comparisons.", plan["tolerance"].size(), comparison_count));
+  }
+  if (plan["require"].is_null()) open.push_back("Requirement: none was asked (--require), so nothing here failed or passed.");
+  for (const Json& kernel : record["kernels"]) {
+    const std::string who = fmt::format("{} in {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>());
+    if (kernel["exposes"] == Json::array({"verdict"})) {
+      open.push_back(fmt::format("Comparisons and axes of {}: it shows only verdicts.", who));
+    }
+    std::vector<std::string> missing;
+    for (const Json& family : plan["families"]) {
+      if (!kernel["families"].contains(family)) missing.push_back(family);
+    }
+    if (!missing.empty()) open.push_back(fmt::format("Families of the plan without a query for {}: {}.", who, fmt::join(missing, ", ")));
+  }
+  open.push_back(fmt::format("Families that the plan does not name were not run. It names: {}.", joined(plan["families"])));
+  return open;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,22 @@
+// How a run, and each of its witnesses, is made again; and what it did not check.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reports/run_folder.h"
+
+namespace axiscert {
+
+// Shell commands. A name that a shell would read otherwise is quoted.
+std::string replay_command(const Json& witness);
+std::string run_command(const Json& plan);  // empty where the plan depended on the time it had
+
+// Label and value: the plan's, then those of run.json where there is one.
+std::vector<std::pair<std::string, std::string>> plan_facts(const Run& run);
+
+// Sentences, each on one thing that this run leaves open.
+std::vector<std::string> not_checked(const Json& record);
+
+}  // namespace axiscert

@@ -1,0 +1,179 @@
+#include "reports/run_folder.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "fuzz/number_text.h"
+#include "kernel/error.h"
+#include "kernel/names.h"
+#include "reports/embedded.h"
+#include "reports/schema.h"
+
+namespace axiscert {
+namespace {
+
+Json read_json(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
+  if (!in.is_open() || in.bad()) throw Error(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
+  try {
+    return Json::parse(text.view());
+  } catch (const Json::exception& problem) {
+    // "[json.exception.parse_error.101] parse error at line 3, column 7: ...": the bracket says nothing to a user.
+    std::string what = problem.what();
+    if (const auto end = what.find("] "); end != what.npos) what.erase(0, end + 2);
+    throw Error(fmt::format("{}: not JSON, cut off or edited: {} (byte {} is its end)", path.string(), what,
+                            text.view().size()));
+  }
+}
+
+void check_schema(const Json& schema, const Json& value, const std::string& name) {
+  const auto& expected = schema.at("$id").get_ref<const std::string&>();
+  if (!value.is_object() || !value.contains("schema")) {
+    throw Error(fmt::format("{}: has no \"schema\"; a run writes \"schema\": \"{}\" there", name, expected));
+  }
+  if (value["schema"] != expected) {
+    throw Error(fmt::format("{}: its schema is {}, this axiscert reads \"{}\"; use the axiscert that wrote it", name,
+                            shown(value["schema"].dump()), expected));
+  }
+  if (const auto fault = schema_fault(schema, value)) {
+    throw Error(fmt::format("{}: not as {} has it: {}; run it again, or restore the file as it was written", name,
+                            expected, *fault));
+  }
+}
+
+// What the schema cannot say: sums, and names that refer to each other.
+class RecordCheck {
+ public:
+  RecordCheck(const Json& record, const std::string& name) : record_(record), name_(name) {}
+
+  void check() const {
+    const Json& plan = record_["plan"];
+    std::set<Json> entries, cells, families(plan["families"].begin(), plan["families"].end()), ids;
+    for (const Json& kernel : record_["kernels"]) {
+      const Json entry = {kernel["id"], kernel["precision"]};
+      const std::string where = fmt::format("kernel {} in {}", entry[0].dump(), kernel["precision"].get<std::string>());
+      require(entries.insert(entry).second, where, "stands there twice");
+      for (const auto& [family, result] : kernel["families"].items()) {
+        require(families.count(family) != 0, where, fmt::format("family {} is not in the plan", Json(family).dump()));
+        cells.insert({kernel["id"], kernel["precision"], family});
+        check_counts(result, fmt::format("{}, family {}", where, Json(family).dump()));
+      }
+    }
+    for (const Json& witness : record_["witnesses"]) {
+      const std::string where = fmt::format("witness {}", witness["id"].dump());
+      require(ids.insert(witness["id"]).second, where, "stands there twice");
+      check_numbers(witness, where);
+      require(cells.count({witness["kernel"], witness["precision"], witness["family"]}) != 0, where,
+              "its kernel, precision and family are not in the record");
+    }
+  }
+
+ private:
+  void require(bool holds, const std::string& where, const std::string& problem) const {
+    if (!holds) throw Error(fmt::format("{}: {}: {}; restore the file as it was written", name_, where, problem));
+  }
+
+  void check_numbers(const Json& witness, const std::string& where) const {
+    for (const char* member : {"a", "b", "c", "p", "r"}) {
+      const Json list = witness[member].is_array() ? witness[member] : Json::array({witness[member]});
+      for (const Json& number : list) {
+        try {
+          if (witness["precision"] == name(Precision::binary32)) parse_number<float>(number.get<std::string>());
+          else parse_number<double>(number.get<std::string>());
+        } catch (const Error& wrong) {
+          require(false, where + ", " + member, wrong.what());
+        }
+      }
+    }
+  }
+
+  void check_counts(const Json& family, const std::string& where) const {
+    const auto number = [](const Json& count) { return count.get<std::uint64_t>(); };
+    const Json &truth = family["truth"], &verdict = family["verdict"];
+    const std::uint64_t trials = number(family["trials"]), contact = number(truth["contact"]);
+    const std::uint64_t separated = number(truth["separated"]);
+    const std::uint64_t missed = number(verdict["false_separation"]), phantom = number(verdict["false_contact"]);
+    require(separated + contact + number(truth["invalid"]) == trials, where, "the truths do not add up to the trials");
+    require(number(truth["touching"]) <= contact, where, "more touching queries than contacts");
+    require(number(family["base_triangles"]) <= trials, where, "more base_triangles than trials");
+    require(missed <= contact, where, "more false_separation verdicts than contacts");
+    require(phantom <= separated, where, "more false_contact verdicts than separated queries");
+    require(number(verdict["touching_flips"]) <= missed + phantom, where, "more touching_flips than wrong verdicts");
+    for (const char* level : {"axes", "comparisons"}) {
+      if (family[level].is_null()) continue;
+      for (const auto& [sign, tally] : family[level].items()) {
+        require(number(tally["masked"]) + number(tally["decisive"]) ==
+                    number(tally["false_separation"]) + number(tally["missed_separation"]),
+                where + ", " + sign, "masked and decisive do not add up to the flips");
+      }
+    }
+  }
+
+  const Json& record_;
+  const std::string& name_;
+};
+
+}  // namespace
+
+void check_record(const Json& record, const std::string& name) {
+  check_schema(Json::parse(embedded::record_schema_json), record, name);
+  RecordCheck(record, name).check();
+}
+
+void check_run_info(const Json& info, const std::string& name) {
+  check_schema(Json::parse(embedded::run_schema_json), info, name);
+}
+
+Run read_run(const std::filesystem::path& folder) {
+  const auto record = folder / "record.json", info = folder / "run.json";
+  std::error_code ignored;
+  if (!std::filesystem::exists(record, ignored)) {
+    throw Error(fmt::format("{}: does not exist; give the folder that `axiscert run --out` wrote", record.string()));
+  }
+  Run run{read_json(record), nullptr};
+  check_record(run.record, record.string());
+  if (std::filesystem::exists(info, ignored)) {
+    run.info = read_json(info);
+    check_run_info(run.info, info.string());
+  }
+  return run;
+}
+
+void write_files(const std::filesystem::path& folder, const std::map<std::string, std::string>& texts) {
+  struct Part {
+    std::filesystem::path path, target;
+    ~Part() {
+      std::error_code ignored;
+      std::filesystem::remove(path, ignored);  // after the rename there is nothing left of it
+    }
+  };
+  std::vector<Part> parts;
+  parts.reserve(texts.size());  // a Part that moved would remove its file
+  for (const auto& [file, text] : texts) {
+    Part& part = parts.emplace_back(Part{folder / (file + ".part"), folder / file});
+    std::ofstream out(part.path, std::ios::binary);
+    out << text;
+    out.close();
+    if (!out) {
+      throw Error(fmt::format("{}: cannot be written: {}; reports go into the run's own folder", part.path.string(),
+                              std::strerror(errno)));
+    }
+  }
+  for (const Part& part : parts) {
+    std::error_code problem;
+    std::filesystem::rename(part.path, part.target, problem);
+    if (problem) {
+      throw Error(fmt::format("{}: cannot be replaced: {}", part.target.string(), problem.message()));
+    }
+  }
+}
+
+}  // namespace axiscert

@@ -1,0 +1,62 @@
+#include <CGAL/version.h>
+#include <fmt/format.h>
+#include <gmp.h>
+#include <hwy/highway.h>
+#include <mpfr.h>
+
+#include <fstream>
+
+#include "reports/record.h"
+
+namespace axiscert {
+namespace {
+
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+std::string compiler_name() {
+#ifdef __clang__
+  return "clang++ " __clang_version__;
+#else
+  return "g++ " __VERSION__;
+#endif
+}
+
+}  // namespace
+
+Json run_info(const Plan& plan, const CampaignResult& result, const std::string& target_asked,
+              const std::string& started, double seconds) {
+  Json json = {{"schema", "axiscert-run/1"},
+               {"started", started},
+               {"seconds", seconds},
+               {"threads", plan.threads},
+               {"machine", {{"cpu", processor_name()}}},
+               {"compiler", compiler_name()},
+               {"flags", AXISCERT_FLAGS},
+               {"target", {{"asked", target_asked}, {"dispatched", plan.target}}},
+               {"versions",
+                {{"axiscert", AXISCERT_VERSION},
+                 {"cgal", CGAL_STR(CGAL_VERSION)},
+                 {"gmp", gmp_version},
+                 {"mpfr", mpfr_get_version()},
+                 {"highway", fmt::format("{}.{}.{}", HWY_MAJOR, HWY_MINOR, HWY_PATCH)}}},
+               {"throughput", Json::array()},
+               {"second_opinions", result.second_opinions}};
+  for (const CellResult& cell : result.cells) {
+    const std::uint64_t queries = cell.tallies.empty() ? 0 : cell.tallies[0].trials;
+    if (queries == 0) continue;
+    json["throughput"].push_back({{"family", plan.sources[cell.source]->name()},
+                                  {"precision", name(cell.precision)},
+                                  {"queries", queries},
+                                  {"seconds_of_core", cell.core_seconds},
+                                  {"queries_per_second_and_core", static_cast<double>(queries) / cell.core_seconds}});
+  }
+  return json;
+}
+
+}  // namespace axiscert

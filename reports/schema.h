@@ -1,0 +1,15 @@
+// Checks a JSON value against the JSON Schemas of this folder.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "reports/json.h"
+
+namespace axiscert {
+
+// The first fault, with the place as a JSON pointer: "/kernels/0/id: 7 is not a string". Knows the keywords that the
+// schemas here use, and throws std::logic_error for any other: a schema never asks for more than is checked.
+std::optional<std::string> schema_fault(const Json& schema, const Json& value);
+
+}  // namespace axiscert

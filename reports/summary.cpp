@@ -1,0 +1,99 @@
+#include "reports/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace axiscert {
+namespace {
+
+// Members that are maxima over queries; every other number is a count.
+const std::set<std::string, std::less<>> maxima = {"deepest", "deepest_false_separation", "deepest_false_contact",
+                                                   "max_error_u", "smallest_passing_tolerance", "largest_ulps"};
+
+void merge(Json& total, const Json& part, const std::string& name) {
+  if (part.is_null()) return;
+  if (total.is_null()) {
+    total = part;
+  } else if (part.is_object()) {
+    for (const auto& [member, value] : part.items()) merge(total[member], value, member);
+  } else if (part.is_boolean()) {
+    total = total.get<bool>() && part.get<bool>();
+  } else if (maxima.count(name) != 0) {
+    total = std::max(total.get<double>(), part.get<double>());
+  } else {
+    total = total.get<std::uint64_t>() + part.get<std::uint64_t>();
+  }
+}
+
+std::uint64_t valid_queries(const Json& family) {
+  return family["trials"].get<std::uint64_t>() - family["truth"]["invalid"].get<std::uint64_t>();
+}
+
+}  // namespace
+
+const std::array<std::string_view, link_count> link_meanings = {
+    "The formulae are wrong even in exact arithmetic: no precision mends it.",
+    "Rounding each operation to the precision changed the answer, exponents unlimited.",
+    "Overflow or underflow changed the answer: with unlimited exponents it would not have.",
+    "The kernel differs from the scalar reference of its own formulae and order of operations.",
+    "The kernel declares no reference, so the cause of its wrong verdict is not known."};
+
+Json all_families(const Json& kernel) {
+  Json total;
+  for (Json family : kernel["families"]) {
+    family["critical_radius"].erase("median_ulps");
+    merge(total, family, "");
+  }
+  if (total.is_null()) return Json::object();
+  total["critical_radius"] = kernel["critical_radius"];
+  return total;
+}
+
+double zero_limit_per_million(const Json& family) {
+  const std::uint64_t n = std::min(family["base_triangles"].get<std::uint64_t>(), valid_queries(family));
+  return n == 0 ? -1 : -1e6 * std::expm1(std::log(0.05) / static_cast<double>(n));
+}
+
+double per_million(std::uint64_t count, const Json& family) {
+  const std::uint64_t n = valid_queries(family);
+  return n == 0 ? 0 : 1e6 * static_cast<double>(count) / static_cast<double>(n);
+}
+
+std::string with_rate(std::uint64_t count, const Json& family) {
+  if (count > 0) return fmt::format("{} ({} per million)", thousands(count), amount(per_million(count, family), 3));
+  const double limit = zero_limit_per_million(family);
+  return limit < 0 ? "not checked" : fmt::format("0 (< {} per million, 95 %)", amount(limit, 3));
+}
+
+std::string thousands(std::uint64_t count) {
+  std::string text = std::to_string(count);
+  for (auto i = static_cast<std::ptrdiff_t>(text.size()) - 3; i > 0; i -= 3) text.insert(static_cast<std::size_t>(i), 1, ',');
+  return text;
+}
+
+std::string amount(double value, int digits) {
+  // Between 1000 and 1e15 a number reads better in full, with the digits that it has.
+  if (value >= 1000 && value < 1e15) {
+    const double scale = std::pow(10.0, std::floor(std::log10(value)) + 1 - digits);
+    if (scale >= 1) return thousands(static_cast<std::uint64_t>(std::llround(std::round(value / scale) * scale)));
+    const std::string text = fmt::format("{:.{}g}", value, digits);
+    const std::size_t point = text.find('.');
+    if (text.find('e') == text.npos) {
+      return thousands(std::stoull(text.substr(0, point))) + (point == text.npos ? "" : text.substr(point));
+    }
+  }
+  return fmt::format("{:.{}g}", value, digits);
+}
+
+std::vector<const Json*> worst_first(const Json& record) {
+  std::vector<const Json*> witnesses;
+  for (const Json& witness : record["witnesses"]) witnesses.push_back(&witness);
+  const auto depth = [](const Json* w) { return (*w)["depth"].is_null() ? -1.0 : (*w)["depth"].get<double>(); };
+  std::stable_sort(witnesses.begin(), witnesses.end(), [&](const Json* x, const Json* y) { return depth(x) > depth(y); });
+  return witnesses;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,96 @@
+#include "reports/witness.h"
+
+#include <fmt/format.h>
+
+#include "exact/examine.h"
+#include "fuzz/address.h"
+#include "fuzz/number_text.h"
+
+namespace axiscert {
+
+template <class Real>
+void put_query(Json& into, const Query<Real>& q) {
+  const auto vec = [](const Vec3<Real>& v) {
+    return Json{format_number(v.x), format_number(v.y), format_number(v.z)};
+  };
+  into["a"] = vec(q.a);
+  into["b"] = vec(q.b);
+  into["c"] = vec(q.c);
+  into["p"] = vec(q.p);
+  into["r"] = format_number(q.r);
+}
+template void put_query<float>(Json&, const Query<float>&);
+template void put_query<double>(Json&, const Query<double>&);
+
+std::string bit_string(std::uint32_t bits, std::size_t count) {
+  std::string text(count, '0');
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((bits >> i) & 1u) text[i] = '1';
+  }
+  return text;
+}
+
+Json flips_json(const Judgement& judgement) {
+  Json flips = Json::array();
+  for (const Flip& flip : judgement.flips()) {
+    Json links = Json::array();
+    for (std::size_t i = 0; i < link_count; ++i) {
+      if ((flip.links >> i) & 1u) links.push_back(link_names[i]);
+    }
+    flips.push_back({{"level", level_names[static_cast<std::size_t>(flip.level)]},
+                     {"name", name(flip)},
+                     {"kind", flip_kind_names[static_cast<std::size_t>(flip.kind)]},
+                     {"decisive", flip.decisive},
+                     {"links", std::move(links)}});
+  }
+  return flips;
+}
+
+void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally) {
+  Shown shown;
+  const auto note = [&](const Leaders& leaders, auto&& what) {
+    for (const Candidate& candidate : leaders.candidates()) shown[candidate.position].push_back(what(candidate));
+  };
+  note(tally.verdict.deepest_false_separation, [](const Candidate&) { return "deepest false_separation"; });
+  note(tally.verdict.deepest_false_contact, [](const Candidate&) { return "deepest false_contact"; });
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    const ComparisonTally& comparison = tally.comparisons[i];
+    const auto flip = [&](const char* kind) {
+      return [kind, i](const Candidate& c) {
+        return fmt::format("{} {} of {}", c.rank > 0 ? "decisive" : "masked", kind, comparisons[i].name);
+      };
+    };
+    note(comparison.false_witness, flip("false_separation"));
+    note(comparison.missed_witness, flip("missed_separation"));
+    note(comparison.largest_error, [i](const Candidate& c) {
+      return fmt::format("largest error of {}: {} u", comparisons[i].name, c.rank);
+    });
+  }
+  if (precision == Precision::binary32) write<float>(kernel, source, shown);
+  else write<double>(kernel, source, shown);
+}
+
+template <class Real>
+void WitnessWriter::write(const Kernel& kernel, const Source& source, const Shown& shown) {
+  for (const auto& [position, what] : shown) {
+    Query<Real> q;
+    source.make(plan_.seed, position, q);
+    const Examination found = examine(q, kernel, plan_.target);
+    Json witness = {{"id", fmt::format("w{}", witnesses_.size() + 1)}, {"precision", name(precision_of<Real>)}};
+    put_query(witness, q);
+    witness["kernel"] = kernel.id;
+    witness["family"] = source.name();
+    witness["address"] = text(address_of(source, plan_.seed, precision_of<Real>, position));
+    witness["truth"] = name(found.truth.verdict);
+    witness["computed"] = name(found.answer.verdict);
+    witness["touching"] = found.truth.touching;
+    witness["depth"] = found.depth ? Json(*found.depth) : Json(nullptr);
+    witness["exact_comparisons"] = bit_string(found.judgement.exact, comparison_count);
+    witness["computed_comparisons"] = found.answer.bits ? Json(bit_string(*found.answer.bits, comparison_count)) : Json(nullptr);
+    witness["shows"] = what;
+    witness["flips"] = flips_json(found.judgement);
+    witnesses_.push_back(std::move(witness));
+  }
+}
+
+}  // namespace axiscert

@@ -1,0 +1,30 @@
+// Witnesses: the queries that a run keeps, made again from their positions and examined by all oracles.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "reports/record.h"
+
+namespace axiscert {
+
+class WitnessWriter {
+ public:
+  explicit WitnessWriter(const Plan& plan) : plan_(plan) {}
+  // The deepest wrong verdicts of each kind; of each comparison a flip of each kind, a decisive one where there is
+  // one, and the largest error. A query that shows several things is stored once.
+  void add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally);
+  Json take() && { return std::move(witnesses_); }
+
+ private:
+  // What a position shows, in the order found.
+  using Shown = std::map<std::uint64_t, std::vector<std::string>>;
+  template <class Real>
+  void write(const Kernel& kernel, const Source& source, const Shown& shown);
+
+  const Plan& plan_;
+  Json witnesses_ = Json::array();
+};
+
+}  // namespace axiscert
