@@ -15,11 +15,20 @@ struct Decimal6 {
   std::uint32_t mantissa = 0;
   auto operator<=>(const Decimal6&) const = default;
   bool is_zero() const { return mantissa == 0; }
-  double value() const;            // the double nearest to the decimal; its shortest text is the decimal again
+  // The double nearest to the decimal, whose shortest text is the decimal again; infinite beyond binary64's range, where
+  // errors do get: against an exact side of 2^-2148 the least rounding is enough.
+  double value() const;
+  std::string text() const;  // "366.123", "1.5e+620": as a double is written, at any size
+};
+
+// A quotient of non-negative integers, not reduced.
+struct Fraction {
+  mpz_class numerator, denominator;
 };
 
 // The least Decimal6 that is not below q >= 0.
-Decimal6 round_up(const Rational& q);
+Decimal6 round_up(const Fraction& q);
+inline Decimal6 round_up(const Rational& q) { return round_up(Fraction{q.get_num(), q.get_den()}); }
 
 // The error of one comparison, in units of u: |(l^ - r^) - (l - r)| / (u (|l| + |r|)), where l^, r^ are the computed
 // sides, subtracted exactly, l, r the exact ones, and u = 2^-24 or 2^-53. 0/0 is 0.
@@ -40,7 +49,7 @@ class ComparisonError {
   double lower() const { return lower_; }
   double upper() const { return upper_; }
   // The error itself. Only for Kind::finite.
-  Rational exact() const;
+  Fraction exact() const;
   bool exceeds(const Rational& tolerance) const;
 
  private:

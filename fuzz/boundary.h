@@ -5,10 +5,17 @@
 
 namespace axiscert {
 
+// The radius comparison of an axis.
+constexpr Comparison radius_comparison(Axis axis) {
+  std::size_t i = 0;
+  while (comparisons[i].axis != axis || !comparisons[i].is_radius) ++i;
+  return static_cast<Comparison>(i);
+}
+
 // The Real nearest to the radius at which a radius comparison is a tie: sqrt(lhs / rhs at r = 1), exactly rounded.
 // Zero where the tie holds for every radius (a zero-area triangle's plane, a repeated vertex's edge).
 template <class Real>
-Real radius_on_boundary(const Query<Real>& q, Comparison radius_comparison);
+Real radius_on_boundary(const Query<Real>& q, Comparison which);
 
 // The Real nearest to the exact distance between p and the triangle: the verdict's own boundary.
 template <class Real>

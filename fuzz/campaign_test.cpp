@@ -1,6 +1,7 @@
 // The campaign: the same tallies on any number of threads and any target; planted kernels told by their link.
 #include "fuzz/campaign.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <immintrin.h>
 
@@ -113,15 +114,15 @@ TEST(PlantedKernel, AFlushedKernelIsAnImplementationFault) { expect_implementati
 
 std::string fingerprint(const CampaignResult& result) {
   std::string text;
-  const auto put = [&](auto... values) { ((text += std::to_string(values) + ' '), ...); };
+  const auto put = [&](auto... values) { ((text += fmt::format("{} ", values)), ...); };
   for (const CellResult& cell : result.cells) {
     put(cell.source, static_cast<int>(cell.precision), cell.units_done);
     for (const Tally& t : cell.tallies) {
       put(t.trials, t.separated, t.touching, t.verdict.false_separation, t.verdict.false_contact);
-      for (const Candidate& c : t.verdict.deepest_false_contact.candidates()) put(c.rank, c.position);
+      for (const auto& c : t.verdict.deepest_false_contact.candidates()) put(c.rank, c.position);
       for (const ComparisonTally& c : t.comparisons) {
-        put(c.false_separation, c.missed_separation, c.decisive, c.ties, c.range_events, c.max_error.value());
-        for (const Candidate& leader : c.largest_error.candidates()) put(leader.rank, leader.position);
+        put(c.false_separation, c.missed_separation, c.decisive, c.ties, c.range_events);
+        for (const auto& leader : c.largest_error.candidates()) put(leader.rank.text(), leader.position);
       }
     }
   }
@@ -153,13 +154,13 @@ TEST(Campaign, StopsWhenInterruptedAndSaysSo) {
 }
 
 TEST(Leaders, KeepTheGreatestThenTheEarliestInAnyOrder) {
-  const std::vector<Candidate> all = {{1, 9}, {3, 5}, {3, 2}, {2, 1}, {3, 7}};
-  Leaders forward(3), backward(3), halves(3), half(3);
-  for (const Candidate& c : all) forward.offer(c);
+  const std::vector<Candidate<double>> all = {{1, 9}, {3, 5}, {3, 2}, {2, 1}, {3, 7}};
+  Leaders<double> forward(3), backward(3), halves(3), half(3);
+  for (const auto& c : all) forward.offer(c);
   for (auto c = all.rbegin(); c != all.rend(); ++c) backward.offer(*c);
   for (std::size_t i = 0; i < all.size(); ++i) (i % 2 ? half : halves).offer(all[i]);
   halves.merge(half);
-  for (const Leaders* leaders : {&forward, &backward, &halves}) {
+  for (const Leaders<double>* leaders : {&forward, &backward, &halves}) {
     ASSERT_EQ(leaders->candidates().size(), 3u);
     EXPECT_EQ(leaders->candidates()[0].position, 2u);
     EXPECT_EQ(leaders->candidates()[1].position, 5u);

@@ -9,7 +9,22 @@
 #include "kernel/error.h"
 
 #define AXISCERT_FAMILIES(X) \
-  X(general)
+  X(general) \
+  X(tangent) \
+  X(seam) \
+  X(sliver) \
+  X(needle) \
+  X(collinear) \
+  X(repeated) \
+  X(tie) \
+  X(lattice) \
+  X(far) \
+  X(scale) \
+  X(ratio) \
+  X(on) \
+  X(bits) \
+  X(subnormal) \
+  X(nonfinite)
 
 namespace axiscert {
 

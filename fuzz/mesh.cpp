@@ -57,14 +57,16 @@ class MeshSource final : public Source {
   std::string name() const override { return "mesh/" + file_.name; }
   std::string address_name() const override { return "mesh-" + file_.sha256; }
   std::string purpose() const override {
-    return "a real mesh's triangles: spheres resting on them, sinking in, hovering, grazing edges and vertices, centred "
-           "on them, far";
+    return "a real mesh's triangles: spheres resting on them, sinking in, hovering, grazing edges and vertices, "
+           "centred on them, far";
   }
   int version() const override { return 1; }
   std::uint64_t base_triangles(std::uint64_t trials) const override { return std::min(trials, file_.triangles); }
   std::optional<FileInfo> file() const override { return file_; }
 
-  void make(std::uint64_t seed, std::uint64_t position, Query<float>& out) const override { out = at<float>(seed, position); }
+  void make(std::uint64_t seed, std::uint64_t position, Query<float>& out) const override {
+    out = at<float>(seed, position);
+  }
   void make(std::uint64_t seed, std::uint64_t position, Query<double>& out) const override {
     out = at<double>(seed, position);
   }
@@ -84,7 +86,7 @@ class MeshSource final : public Source {
 }  // namespace
 
 Mesh load_mesh(const std::string& path, std::uint64_t file_size) {
-  ImportedMesh imported = import_mesh(path, file_size);
+  ImportedMesh imported = import_mesh(path, limits_for(file_size));
   if (imported.triangles.empty()) {
     throw Error(fmt::format("{}: no triangles in this mesh ({} faces are points, lines or not finite)", path,
                             imported.skipped_primitives));

@@ -28,9 +28,6 @@ static_assert(sizeof(MeshTriangle) == 9 * sizeof(float));
 // What the child sends: a tag, then the count of skipped primitives and the triangles, or a message.
 constexpr char tag_mesh = 'm', tag_error = 'e';
 
-std::uint64_t memory_limit(std::uint64_t file_size) { return (std::uint64_t{4} << 30) + 256 * file_size; }
-std::uint64_t seconds_limit(std::uint64_t file_size) { return 60 + (file_size >> 19); }
-
 std::span<const aiFace> faces_of(const aiMesh& mesh) { return {mesh.mFaces, mesh.mFaces ? mesh.mNumFaces : 0}; }
 
 // The types of primitive that the faces are, whatever the importer wrote there: aiProcess_Triangulate aborts where
@@ -74,7 +71,9 @@ ImportedMesh import_here(const std::string& path) {
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(path, 0);
   if (scene == nullptr) throw Error(importer.GetErrorString());
-  for (unsigned m = 0; m < scene->mNumMeshes; ++m) scene->mMeshes[m]->mPrimitiveTypes = primitive_types(*scene->mMeshes[m]);
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
+    scene->mMeshes[m]->mPrimitiveTypes = primitive_types(*scene->mMeshes[m]);
+  }
   if (scene->mNumMeshes > 0) scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
   if (scene == nullptr) throw Error(importer.GetErrorString());
   ImportedMesh result;
@@ -104,13 +103,13 @@ std::uint64_t address_space() {
   return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-[[noreturn]] void run_child(const std::string& path, std::uint64_t file_size, int to) {
+[[noreturn]] void run_child(const std::string& path, const ImportLimits& limits, int to) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int fatal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGXCPU}) std::signal(fatal, SIG_DFL);
   if (const int null = open("/dev/null", O_RDWR); null >= 0) {
     for (const int standard : {0, 1, 2}) dup2(null, standard);
   }
-  const rlim_t seconds = seconds_limit(file_size), space = address_space() + memory_limit(file_size);
+  const rlim_t seconds = limits.seconds, space = address_space() + limits.bytes;
   const rlimit core{0, 0}, processor{seconds, seconds + 5}, memory{space, space};
   setrlimit(RLIMIT_CORE, &core);
   setrlimit(RLIMIT_CPU, &processor);
@@ -138,10 +137,10 @@ std::string read_all(int from) {
   }
 }
 
-std::string ending(int status, std::uint64_t file_size) {
+std::string ending(int status, const ImportLimits& limits) {
   if (!WIFSIGNALED(status)) return "assimp ended before it had read the file";
   if (WTERMSIG(status) == SIGXCPU) {
-    return fmt::format("assimp was stopped after {} s of processor time", seconds_limit(file_size));
+    return fmt::format("assimp was stopped after {} s of processor time", limits.seconds);
   }
   return fmt::format("assimp crashed while reading it ({})", strsignal(WTERMSIG(status)));
 }
@@ -150,18 +149,19 @@ Error refused(const std::string& path, std::string reason) {
   for (char& c : reason) {
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';
   }
-  return Error(fmt::format("{}: not a mesh that can be read: {}", path, reason.empty() ? "assimp gives no reason" : reason));
+  if (reason.empty()) reason = "assimp gives no reason";
+  return Error(fmt::format("{}: not a mesh that can be read: {}", path, reason));
 }
 
 }  // namespace
 
-ImportedMesh import_mesh(const std::string& path, std::uint64_t file_size) {
+ImportedMesh import_mesh(const std::string& path, const ImportLimits& limits) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw Error(fmt::format("{}: cannot start assimp: {}", path, std::strerror(errno)));
   const pid_t child = fork();
   if (child == 0) {
     close(ends[0]);
-    run_child(path, file_size, ends[1]);
+    run_child(path, limits, ends[1]);
   }
   const int fork_error = errno;
   close(ends[1]);
@@ -174,7 +174,7 @@ ImportedMesh import_mesh(const std::string& path, std::uint64_t file_size) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw refused(path, ending(status, file_size));
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw refused(path, ending(status, limits));
   if (reply[0] == tag_error) throw refused(path, reply.substr(1));
 
   ImportedMesh mesh;

@@ -1,5 +1,6 @@
-// Placing spheres about one triangle of a mesh. All of it in binary64 with + - * / sqrt and ldexp, one draw a statement,
-// so that an address gives the same query everywhere; the query's own precision enters with the last rounding.
+// Placing spheres about one triangle of a mesh. All of it in binary64 with + - * / sqrt and ldexp, one draw a
+// statement, so that an address gives the same query everywhere; the query's own precision enters with the last
+// rounding.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -138,8 +138,8 @@ Real parse_number(std::string_view text) {
   if (hex) body.remove_prefix(2);
   Scanned scanned;
   if (!scan(body, hex ? 16 : 10, scanned)) {
-    throw Error(fmt::format("'{}' is not a number; write C hexadecimal (0x1.8p-3), a decimal (0.1875), nan, inf or -inf",
-                            shown(text)));
+    throw Error(fmt::format(
+        "'{}' is not a number; write C hexadecimal (0x1.8p-3), a decimal (0.1875), nan, inf or -inf", shown(text)));
   }
   if (scanned.digits.empty()) return negative ? -Real(0) : Real(0);
   return hex ? hex_value<Real>(text, negative, scanned) : decimal_value<Real>(text, negative, scanned);
@@ -153,7 +153,7 @@ std::string format_number(Real x) {
   if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
   const char* sign = std::signbit(x) ? "-" : "";
   if (x == 0) return fmt::format("{}0x0p+0", sign);
-  // As a binary64 every binary32 is exact and normal, and frexp normalises binary64's own subnormals: 53 bits either way.
+  // As a binary64 every binary32 is exact and normal, and frexp normalises binary64's own subnormals.
   int exponent;
   const double half = std::frexp(std::abs(static_cast<double>(x)), &exponent);
   const auto significand = static_cast<std::uint64_t>(std::ldexp(half, 53));

@@ -6,9 +6,9 @@
 
 namespace axiscert {
 
-// C hexadecimal ("0x1.8p-3", "-0x1p+0") has to be exact in Real. Decimal ("0.2", "-1e-9") becomes the Real nearest to the
-// text itself, ties to even, subnormals included, as a compiler rounds a literal. "nan", "inf" and "-inf" are values.
-// Anything else is an Error, so is a number beyond the range. Nothing depends on the locale.
+// C hexadecimal ("0x1.8p-3", "-0x1p+0") has to be exact in Real. Decimal ("0.2", "-1e-9") becomes the Real nearest to
+// the text itself, ties to even, subnormals included, as a compiler rounds a literal. "nan", "inf" and "-inf" are
+// values. Anything else is an Error, so is a number beyond the range. Nothing depends on the locale.
 template <class Real>
 Real parse_number(std::string_view text);
 

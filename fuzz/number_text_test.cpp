@@ -100,19 +100,20 @@ TEST(NumberText, ABinary32DecimalIsNotRoundedThroughBinary64) {
 
 TEST(NumberText, DecimalsReachSubnormalsAndZeroCorrectly) {
   EXPECT_EQ(parse_number<float>("1e-45"), 0x1p-149f);
-  EXPECT_EQ(parse_number<float>("7.1e-46"), 0x1p-149f);   // above half of the least subnormal, 7.006e-46
+  EXPECT_EQ(parse_number<float>("7.1e-46"), 0x1p-149f);  // above half of the least subnormal, 7.006e-46
   EXPECT_EQ(parse_number<float>("7.0e-46"), 0.0f);
-  EXPECT_EQ(parse_number<float>("1.1754943e-38"), 0x1.fffffcp-127f);  // the greatest subnormal
+  EXPECT_EQ(parse_number<float>("1.17549421e-38"), 0x1.fffffcp-127f);  // the greatest subnormal
   EXPECT_EQ(parse_number<double>("4.9e-324"), 0x1p-1074);
   EXPECT_EQ(parse_number<double>("2.4e-324"), 0.0);
   EXPECT_EQ(bits(parse_number<double>("-1e-999999999999999999999")), bits(-0.0));
   EXPECT_EQ(parse_number<float>("0." + std::string(100000, '0') + "1e100001"), 1.0f);
-  // 2^-1075 has 752 significant digits: exactly it goes to the even zero, one digit more in place 5000 to 2^-1074.
-  std::string half = "2.4703282292062327208299549665543";  // cut short: below the midpoint
-  EXPECT_EQ(parse_number<double>(half + "e-324"), 0.0);
-  const std::string sticky = "1.00000005960464477539062500" + std::string(5000, '0');  // a midpoint of binary32
-  EXPECT_EQ(parse_number<float>(sticky), 1.0f);
-  EXPECT_EQ(parse_number<float>(sticky + "1"), 0x1.000002p+0f);
+  // 2^-1075, the midpoint between zero and the least binary64, cut short and rounded up.
+  EXPECT_EQ(parse_number<double>("2.4703282292062327208e-324"), 0.0);
+  EXPECT_EQ(parse_number<double>("2.4703282292062327209e-324"), 0x1p-1074);
+  // A midpoint of binary32 goes to even, one digit more in the five-thousandth place up.
+  const std::string midpoint = "1.00000005960464477539062500" + std::string(5000, '0');
+  EXPECT_EQ(parse_number<float>(midpoint), 1.0f);
+  EXPECT_EQ(parse_number<float>(midpoint + "1"), 0x1.000002p+0f);
 }
 
 TEST(NumberText, DecimalsBeyondTheRangeAreErrors) {
@@ -147,9 +148,9 @@ TEST(NumberText, NoOtherSpellingIsANumber) {
   EXPECT_TRUE(std::isnan(parse_number<float>("nan")));
   EXPECT_EQ(parse_number<double>("inf"), std::numeric_limits<double>::infinity());
   EXPECT_EQ(parse_number<float>("-inf"), -std::numeric_limits<float>::infinity());
-  for (const char* text : {"", " ", " 1", "1 ", "+1", "+inf", "-nan", "NaN", "Inf", "INF", "infinity", "Infinity", "nan(1)",
-                           "-", ".", "-.", "1e", "1e+", "e5", "1,5", "1.2.3", "0x", "0xp1", "0x1p", "0x1p+", "0x1.8p-3f",
-                           "1.0f", "--1", "0x-1p0", "1p3", "0x1e5p1.0", "1_000", "\t1", "1\n", "0b1"}) {
+  for (const char* text : {"", " ", " 1", "1 ", "+1", "+inf", "-nan", "NaN", "Inf", "INF", "infinity", "Infinity",
+                           "nan(1)", "-", ".", "-.", "1e", "1e+", "e5", "1,5", "1.2.3", "0x", "0xp1", "0x1p", "0x1p+",
+                           "0x1.8p-3f", "1.0f", "--1", "0x-1p0", "1p3", "0x1e5p1.0", "1_000", "\t1", "1\n", "0b1"}) {
     const std::string message = refusal<float>(text);
     EXPECT_NE(message.find("is not a number"), std::string::npos) << "'" << text << "': " << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;

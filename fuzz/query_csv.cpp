@@ -48,7 +48,8 @@ std::optional<CsvHeader> csv_header(std::string_view line, const Place& place) {
     const std::string_view given = i < cells.size() ? cells[i] : std::string_view();
     if (i >= cells.size() || given != expected) {
       place.fail(expected.empty() ? given : expected,
-                 fmt::format("column {} of the header is '{}'; the header is [id,]{}", i + 1, shown(given), csv_columns));
+                 fmt::format("column {} of the header is '{}'; the header is [id,]{}", i + 1, shown(given),
+                             csv_columns));
     }
   }
   return header;
@@ -65,7 +66,9 @@ StoredQuery query_of_csv(std::string_view line, const CsvHeader& header, Precisi
     place.fail("id", fmt::format("{} is quoted; write the cell without quotes or commas", shown(cells[0])));
   }
   std::array<NumberText, coordinate_count> numbers;
-  for (std::size_t k = 0; k < coordinate_count; ++k) numbers[k] = {coordinate_names[k], "", std::string(cells[first + k])};
+  for (std::size_t k = 0; k < coordinate_count; ++k) {
+    numbers[k] = {coordinate_names[k], "", std::string(cells[first + k])};
+  }
   std::string id = header.has_id && !cells[0].empty() ? std::string(cells[0]) : place.default_id();
   return stored_query(std::move(id), precision, numbers, place);
 }

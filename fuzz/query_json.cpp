@@ -38,7 +38,6 @@ struct CountingIterator {
     return before;
   }
   friend bool operator==(const CountingIterator& i, const CountingIterator& j) { return i.at == j.at; }
-  friend bool operator!=(const CountingIterator& i, const CountingIterator& j) { return i.at != j.at; }
 };
 
 // What a value is, as a message says it.
@@ -124,13 +123,15 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
     }
     std::string line;
     for (const char c : reason.substr(0, 300)) line += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-    place_.fail(key_, fmt::format("malformed JSON at column {}: {}{}", position, line, depth_ == 0 ? outside_object : ""));
+    if (depth_ == 0) line += outside_object();
+    place_.fail(key_, fmt::format("malformed JSON at column {}: {}", position, line));
   }
 
  private:
   static constexpr std::array<std::string_view, 4> vectors = {"a", "b", "c", "p"};
-  static constexpr std::string_view outside_object =
-      "; a line is one JSON object, or the file is CSV under the header [id,]ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r";
+  static std::string outside_object() {
+    return fmt::format("; a line is one JSON object, or the file is CSV under the header [id,]{}", csv_columns);
+  }
 
   // The lexer has read one character past a number, unless the line ended.
   std::string_view number_token() const {
@@ -143,10 +144,11 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
   }
 
   bool scalar(Kind kind, std::string_view text) {
-    if (depth_ == 0) place_.fail("", fmt::format("{}{}", name(kind), outside_object));
+    if (depth_ == 0) place_.fail("", fmt::format("{}{}", name(kind), outside_object()));
     if (current_ == nullptr) return true;
-    if (depth_ == 1) current_->value = {kind, std::string(text)};
-    else if (depth_ == 2 && current_->value.kind == Kind::array) current_->elements.push_back({kind, std::string(text)});
+    Value value{kind, std::string(text)};
+    if (depth_ == 1) current_->value = std::move(value);
+    else if (depth_ == 2 && current_->value.kind == Kind::array) current_->elements.push_back(std::move(value));
     return true;
   }
 
@@ -204,7 +206,8 @@ std::string json_numbers(const Query<Real>& q) {
     return fmt::format(R"("{}":["{}","{}","{}"],)", which, format_number(v[k]), format_number(v[k + 1]),
                        format_number(v[k + 2]));
   };
-  return point("a", 0) + point("b", 3) + point("c", 6) + point("p", 9) + fmt::format(R"("r":"{}")", format_number(v[12]));
+  const std::string radius = fmt::format(R"("r":"{}")", format_number(v[12]));
+  return point("a", 0) + point("b", 3) + point("c", 6) + point("p", 9) + radius;
 }
 
 }  // namespace

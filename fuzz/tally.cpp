@@ -1,6 +1,5 @@
 #include "fuzz/tally.h"
 
-#include <algorithm>
 #include <bit>
 
 namespace axiscert {
@@ -39,19 +38,6 @@ void count_verdict(VerdictTally& tally, std::uint64_t position, bool touching, c
 
 }  // namespace
 
-void Leaders::offer(Candidate candidate) {
-  const auto before = [](const Candidate& a, const Candidate& b) {
-    return a.rank != b.rank ? a.rank > b.rank : a.position < b.position;
-  };
-  if (kept_.size() == capacity_ && !before(candidate, kept_.back())) return;
-  kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, before), candidate);
-  if (kept_.size() > capacity_) kept_.pop_back();
-}
-
-void Leaders::merge(const Leaders& other) {
-  for (const Candidate& candidate : other.kept_) offer(candidate);
-}
-
 void Tally::merge(const Tally& other) {
   trials += other.trials;
   separated += other.separated;
@@ -78,7 +64,6 @@ void Tally::merge(const Tally& other) {
     into.ties += from.ties;
     into.range_events += from.range_events;
     into.error_without_scale += from.error_without_scale;
-    into.max_error = std::max(into.max_error, from.max_error);
     into.largest_error.merge(from.largest_error);
     into.false_witness.merge(from.false_witness);
     into.missed_witness.merge(from.missed_witness);
@@ -120,7 +105,7 @@ void count(Tally& tally, std::uint64_t position, const Truth& truth, const Answe
         ComparisonTally& comparison = tally.comparisons[flip.index];
         count_flip(comparison, flip);
         (flip.kind == FlipKind::false_separation ? comparison.false_witness : comparison.missed_witness)
-            .offer({flip.decisive ? 1.0 : 0.0, position});
+            .offer({flip.decisive, position});
         break;
       }
     }
@@ -143,10 +128,8 @@ void count_errors(Tally& tally, std::uint64_t position, const Sides<Ring>& exact
         break;
       case ComparisonError::Kind::finite:
         // The bound only selects; what is compared and stored is the exact error.
-        if (error.upper() > comparison.largest_error.best()) {
-          const Decimal6 attained = round_up(error.exact());
-          comparison.max_error = std::max(comparison.max_error, attained);
-          if (!attained.is_zero()) comparison.largest_error.offer({attained.value(), position});
+        if (error.upper() > 0 && error.upper() >= comparison.largest_error.best().value()) {
+          comparison.largest_error.offer({round_up(error.exact()), position});
         }
         if (tolerances[i] && error.exceeds(*tolerances[i])) {
           ++comparison.tolerance_failures;

@@ -1,6 +1,7 @@
 // What a run counts, per kernel, precision and source. Tallies of units merge in any order to the same result.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -16,23 +17,34 @@ using LinkCounts = std::array<std::uint64_t, link_count>;
 
 // A query worth keeping, by its position in the source: the record makes it again. The greater rank wins, then the
 // earlier position, so that no order of merging changes what is kept.
+template <class Rank>
 struct Candidate {
-  double rank;
+  Rank rank;
   std::uint64_t position;
 };
 
-// The best `capacity` candidates.
+// The best `capacity` candidates, best first.
+template <class Rank>
 class Leaders {
  public:
   explicit Leaders(std::size_t capacity = 1) : capacity_(capacity) {}
-  void offer(Candidate candidate);
-  void merge(const Leaders& other);
-  const std::vector<Candidate>& candidates() const { return kept_; }
-  double best() const { return kept_.empty() ? 0 : kept_.front().rank; }
+  void offer(Candidate<Rank> candidate) {
+    const auto before = [](const Candidate<Rank>& a, const Candidate<Rank>& b) {
+      return a.rank != b.rank ? a.rank > b.rank : a.position < b.position;
+    };
+    if (kept_.size() == capacity_ && !before(candidate, kept_.back())) return;
+    kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, before), candidate);
+    if (kept_.size() > capacity_) kept_.pop_back();
+  }
+  void merge(const Leaders& other) {
+    for (const Candidate<Rank>& candidate : other.kept_) offer(candidate);
+  }
+  const std::vector<Candidate<Rank>>& candidates() const { return kept_; }
+  Rank best() const { return kept_.empty() ? Rank() : kept_.front().rank; }
 
  private:
   std::size_t capacity_;
-  std::vector<Candidate> kept_;
+  std::vector<Candidate<Rank>> kept_;
 };
 
 // Sign errors of one axis or one comparison against the kernel's own formulae in exact arithmetic.
@@ -48,15 +60,14 @@ struct AxisTally : SignTally {
 
 struct ComparisonTally : SignTally {
   std::uint64_t ties = 0, range_events = 0, error_without_scale = 0;
-  Decimal6 max_error;      // in u
-  Leaders largest_error;   // the query that attains it
-  Leaders false_witness, missed_witness;  // decisive ones first
+  Leaders<Decimal6> largest_error;              // in u, other than zero
+  Leaders<bool> false_witness, missed_witness;  // ranked by whether the flip is decisive
 };
 
 struct VerdictTally {
   std::uint64_t false_separation = 0, false_contact = 0, undecided = 0, invalid = 0, touching_flips = 0;
   LinkCounts links{}, masked_links{};
-  Leaders deepest_false_separation{3}, deepest_false_contact{3};  // ranked by depth
+  Leaders<double> deepest_false_separation{3}, deepest_false_contact{3};  // ranked by depth
 };
 
 struct CriticalRadiusTally {

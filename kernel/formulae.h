@@ -5,14 +5,15 @@
 // Operation order, part of the contract of every kernel that claims these formulae:
 //   dot = (x x' + y y') + z z',   cross.x = y z' - z y' (cyclic),   rr e e = (rr e) e.
 //
-// Included once by ordinary code, and again by simd.cpp for each of Highway's instruction sets: the functions must carry
-// that set's target attribute to be inlined. Hence no guard in that case, and a namespace by target.
-#if defined(HWY_NAMESPACE) || !defined(AXISCERT_KERNEL_FORMULAE_H)
+// Included once by ordinary code, and again by simd.cpp, which defines AXISCERT_PER_TARGET, for each of Highway's
+// instruction sets: the functions must carry that set's target attribute to be inlined. Hence no guard in that case, and
+// a namespace by target.
+#if defined(AXISCERT_PER_TARGET) || !defined(AXISCERT_KERNEL_FORMULAE_H)
 #define AXISCERT_KERNEL_FORMULAE_H
 
 #include "kernel/names.h"
 
-#ifdef HWY_NAMESPACE
+#ifdef AXISCERT_PER_TARGET
 #define AXISCERT_TARGET HWY_NAMESPACE
 HWY_BEFORE_NAMESPACE();
 #else
@@ -110,7 +111,7 @@ AXISCERT_INLINE void published_comparisons(const Centred<T>& query, const T& zer
 }  // namespace AXISCERT_TARGET
 }  // namespace axiscert
 
-#ifdef HWY_NAMESPACE
+#ifdef AXISCERT_PER_TARGET
 HWY_AFTER_NAMESPACE();
 #endif
 #undef AXISCERT_TARGET

@@ -54,14 +54,16 @@ constexpr const ComparisonInfo& info(Comparison c) { return comparisons[static_c
 using ComparisonBits = std::uint16_t;
 using AxisBits = std::uint8_t;
 
-// The comparisons that an axis needs, all of them, to separate.
-constexpr ComparisonBits comparisons_of(Axis axis) {
-  ComparisonBits bits = 0;
+// By axis, the comparisons that it needs, all of them, to separate.
+inline constexpr std::array<ComparisonBits, axis_count> axis_comparisons = [] {
+  std::array<ComparisonBits, axis_count> bits{};
   for (std::size_t i = 0; i < comparison_count; ++i) {
-    if (comparisons[i].axis == axis) bits |= static_cast<ComparisonBits>(1u << i);
+    bits[static_cast<std::size_t>(comparisons[i].axis)] |= static_cast<ComparisonBits>(1u << i);
   }
   return bits;
-}
+}();
+constexpr ComparisonBits comparisons_of(Axis axis) { return axis_comparisons[static_cast<std::size_t>(axis)]; }
+
 inline constexpr ComparisonBits side_comparisons = [] {
   ComparisonBits bits = 0;
   for (std::size_t i = 0; i < comparison_count; ++i) {
@@ -73,8 +75,7 @@ inline constexpr ComparisonBits side_comparisons = [] {
 constexpr AxisBits axes_of(ComparisonBits bits) {
   AxisBits axes = 0;
   for (std::size_t i = 0; i < axis_count; ++i) {
-    const ComparisonBits needed = comparisons_of(static_cast<Axis>(i));
-    if ((bits & needed) == needed) axes |= static_cast<AxisBits>(1u << i);
+    if ((bits & axis_comparisons[i]) == axis_comparisons[i]) axes |= static_cast<AxisBits>(1u << i);
   }
   return axes;
 }

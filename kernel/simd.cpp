@@ -11,6 +11,7 @@
 #include "hwy/foreach_target.h"
 #include "hwy/highway.h"
 
+#define AXISCERT_PER_TARGET
 #include "kernel/formulae.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -8,8 +8,8 @@
 namespace axiscert {
 
 struct Format {
-  const char* file;                    // in the run's folder
-  std::string (*render)(const Run&);   // of a run that read_run accepted
+  const char* file;                   // in the run's folder
+  std::string (*render)(const Run&);  // of a run that read_run accepted
 };
 
 }  // namespace axiscert

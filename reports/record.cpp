@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "fuzz/tally.h"
 #include "reports/witness.h"
@@ -18,6 +19,12 @@ Json link_counts(const LinkCounts& counts, std::size_t first, std::size_t last) 
   return json;
 }
 
+// A JSON number; text where binary64 cannot hold it.
+Json number(Decimal6 decimal) {
+  const double value = decimal.value();
+  return std::isfinite(value) ? Json(value) : Json(decimal.text());
+}
+
 // What axes and comparisons have in common. Nobody asked for a tolerance: `null`, not a count of zero failures.
 void put_signs(Json& json, const SignTally& tally, bool has_tolerance, Decimal6 max_error) {
   json["false_separation"] = tally.false_separation;
@@ -25,8 +32,7 @@ void put_signs(Json& json, const SignTally& tally, bool has_tolerance, Decimal6 
   json["masked"] = tally.masked;
   json["decisive"] = tally.decisive;
   json["tolerance_failures"] = has_tolerance ? Json(tally.tolerance_failures) : Json(nullptr);
-  json["max_error_u"] = max_error.value();
-  json["smallest_passing_tolerance"] = max_error.value();
+  json["max_error_u"] = json["smallest_passing_tolerance"] = number(max_error);
   // A specification fault has no comparison flip, and a kernel with bits has a reference: three links remain.
   json["links"] = link_counts(tally.links, static_cast<std::size_t>(Link::rounding),
                               static_cast<std::size_t>(Link::implementation));
@@ -34,7 +40,7 @@ void put_signs(Json& json, const SignTally& tally, bool has_tolerance, Decimal6 
 
 Json comparison_json(const ComparisonTally& tally, bool has_tolerance) {
   Json json;
-  put_signs(json, tally, has_tolerance, tally.max_error);
+  put_signs(json, tally, has_tolerance, tally.largest_error.best());
   json["ties"] = tally.ties;
   json["range_events"] = tally.range_events;
   json["error_without_scale"] = tally.error_without_scale;
@@ -82,7 +88,7 @@ Json family_json(const Source& source, const Tally& tally, const Tolerances& tol
     for (std::size_t i = 0; i < comparison_count; ++i) {
       if (comparisons[i].axis != static_cast<Axis>(a)) continue;
       has_tolerance |= tolerances[i].has_value();
-      max_error = std::max(max_error, tally.comparisons[i].max_error);
+      max_error = std::max(max_error, tally.comparisons[i].largest_error.best());
     }
     Json& axis = axes[std::string(axis_names[a])];
     put_signs(axis, tally.axes[a], has_tolerance, max_error);

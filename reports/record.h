@@ -1,15 +1,12 @@
 // The record: the deterministic result of a run, and run.json, which holds what varies.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include <string>
 
 #include "fuzz/campaign.h"
+#include "reports/json.h"
 
 namespace axiscert {
-
-using Json = nlohmann::ordered_json;
 
 inline constexpr const char* record_schema = "axiscert-record/1";
 

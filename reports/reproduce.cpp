@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -14,20 +15,24 @@
 namespace axiscert {
 namespace {
 
+std::string quoted(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
 std::string shell_word(const std::string& text) {
   const bool is_plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string_view("-_./:=,").find(static_cast<char>(c)) != std::string_view::npos;
   });
-  if (is_plain) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
+  return is_plain ? text : quoted(text);
 }
 
 // A family's name as the option that brings it in: a mesh is "mesh/FILE", a query file "queries/FILE".
 std::string source_option(const std::string& family) {
   for (const std::string kind : {"mesh", "queries"}) {
-    if (family.starts_with(kind + "/")) return fmt::format(" --{} {}", kind, shell_word(family.substr(kind.size() + 1)));
+    if (family.starts_with(kind + "/"))
+      return fmt::format(" --{} {}", kind, shell_word(family.substr(kind.size() + 1)));
   }
   return " --family " + shell_word(family);
 }
@@ -44,7 +49,26 @@ std::optional<std::uint64_t> common_trials(const Json& plan) {
   return counts.size() == 1 ? std::optional(*counts.begin()) : std::nullopt;
 }
 
-std::string joined(const Json& names) { return fmt::format("{}", fmt::join(names.get<std::vector<std::string>>(), ", ")); }
+// Where every comparison has a tolerance, the most frequent one for all of them, then the exceptions.
+std::string tolerance_options(const Json& tolerances) {
+  std::map<std::string, std::size_t> uses;
+  for (const Json& tolerance : tolerances) ++uses[tolerance];
+  std::string common, options;
+  if (tolerances.size() == comparison_count) {
+    common = std::max_element(uses.begin(), uses.end(), [](const auto& x, const auto& y) {
+               return x.second < y.second;
+             })->first;
+    options = " --tolerance " + shell_word(common);
+  }
+  for (const auto& [comparison, tolerance] : tolerances.items()) {
+    if (tolerance != common) options += " --tolerance " + shell_word(comparison + "=" + tolerance.get<std::string>());
+  }
+  return options;
+}
+
+std::string joined(const Json& names) {
+  return fmt::format("{}", fmt::join(names.get<std::vector<std::string>>(), ", "));
+}
 
 std::string file_fact(const Json& file) {
   const auto count = [&](const char* member) { return thousands(file[member].get<std::uint64_t>()); };
@@ -53,7 +77,8 @@ std::string file_fact(const Json& file) {
           ? fmt::format("{} triangles, {} of zero area, {} other primitives skipped", count("triangles"),
                         count("degenerate_triangles"), count("skipped_primitives"))
           : fmt::format("{} queries", count("queries"));
-  return fmt::format("{}, {}; SHA-256 {}", file["name"].get<std::string>(), contents, file["sha256"].get<std::string>());
+  return fmt::format("{}, {}; SHA-256 {}", file["name"].get<std::string>(), contents,
+                     file["sha256"].get<std::string>());
 }
 
 }  // namespace
@@ -61,7 +86,7 @@ std::string file_fact(const Json& file) {
 std::string replay_command(const Json& witness) {
   const std::string family = witness["family"];
   return fmt::format("axiscert query {}{} > witness.jsonl && axiscert check witness.jsonl --kernel {}",
-                     "'" + witness["address"].get<std::string>() + "'", is_file(family) ? source_option(family) : "",
+                     quoted(witness["address"]), is_file(family) ? source_option(family) : "",
                      shell_word(witness["kernel"]));
 }
 
@@ -73,15 +98,7 @@ std::string run_command(const Json& plan) {
   if (const auto trials = common_trials(plan)) command += fmt::format(" --trials {}", *trials);
   command += fmt::format(" --seed {}", plan["seed"].dump());
   if (plan["precisions"].size() == 1) command += " --precision " + shell_word(plan["precisions"][0]);
-  std::set<std::string> tolerances;
-  for (const Json& tolerance : plan["tolerance"]) tolerances.insert(tolerance.get<std::string>());
-  if (plan["tolerance"].size() == comparison_count && tolerances.size() == 1) {
-    command += " --tolerance " + shell_word(*tolerances.begin());
-  } else {
-    for (const auto& [comparison, tolerance] : plan["tolerance"].items()) {
-      command += " --tolerance " + shell_word(comparison + "=" + tolerance.get<std::string>());
-    }
-  }
+  command += tolerance_options(plan["tolerance"]);
   if (!plan["require"].is_null()) command += " --require " + shell_word(plan["require"]);
   return command;
 }
@@ -92,7 +109,8 @@ std::vector<std::pair<std::string, std::string>> plan_facts(const Run& run) {
                                                             {"seed", plan["seed"].dump()},
                                                             {"kernels", joined(plan["kernels"])},
                                                             {"precisions", joined(plan["precisions"])}};
-  for (const Json& file : plan["files"]) facts.emplace_back(file["kind"] == "mesh" ? "mesh" : "query file", file_fact(file));
+  for (const Json& file : plan["files"])
+    facts.emplace_back(file["kind"] == "mesh" ? "mesh" : "query file", file_fact(file));
   const auto add = [&](const char* label, const Json& from, const char* member, auto&& text) {
     if (from.contains(member)) facts.emplace_back(label, text(from[member]));
   };
@@ -124,11 +142,14 @@ std::vector<std::string> not_checked(const Json& record) {
   if (plan["tolerance"].empty()) {
     open.push_back("Tolerance: none was given (--tolerance), so no comparison's error failed or passed.");
   } else if (plan["tolerance"].size() < comparison_count) {
-    open.push_back(fmt::format("Tolerance: given for {} of the {} comparisons.", plan["tolerance"].size(), comparison_count));
+    open.push_back(
+        fmt::format("Tolerance: given for {} of the {} comparisons.", plan["tolerance"].size(), comparison_count));
   }
-  if (plan["require"].is_null()) open.push_back("Requirement: none was asked (--require), so nothing here failed or passed.");
+  if (plan["require"].is_null())
+    open.push_back("Requirement: none was asked (--require), so nothing here failed or passed.");
   for (const Json& kernel : record["kernels"]) {
-    const std::string who = fmt::format("{} in {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>());
+    const std::string who =
+        fmt::format("{} in {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>());
     if (kernel["exposes"] == Json::array({"verdict"})) {
       open.push_back(fmt::format("Comparisons and axes of {}: it shows only verdicts.", who));
     }
@@ -136,9 +157,11 @@ std::vector<std::string> not_checked(const Json& record) {
     for (const Json& family : plan["families"]) {
       if (!kernel["families"].contains(family)) missing.push_back(family);
     }
-    if (!missing.empty()) open.push_back(fmt::format("Families of the plan without a query for {}: {}.", who, fmt::join(missing, ", ")));
+    if (!missing.empty())
+      open.push_back(fmt::format("Families of the plan without a query for {}: {}.", who, fmt::join(missing, ", ")));
   }
-  open.push_back(fmt::format("Families that the plan does not name were not run. It names: {}.", joined(plan["families"])));
+  open.push_back(
+      fmt::format("Families that the plan does not name were not run. It names: {}.", joined(plan["families"])));
   return open;
 }
 

@@ -37,7 +37,8 @@ class Search {
     const Shows is_missed = [](const Json& flip) { return flip["kind"] == "false_separation"; };
     const Shows is_phantom = [](const Json& flip) { return flip["kind"] == "false_contact"; };
     switch (requirement.level) {
-      case RequirementLevel::logic: return search_links({Link::specification, Link::implementation}, result);
+      case RequirementLevel::logic:
+        return search_links({Link::specification, Link::implementation}, result);
       case RequirementLevel::range:
         return search_links({Link::specification, Link::implementation, Link::range}, result);
       case RequirementLevel::exact:
@@ -48,8 +49,10 @@ class Search {
         add(missed, "missed contacts", is_missed);
         const double deepest = verdict["deepest_false_contact"].get<double>();
         if (deepest > requirement.deepest) {
-          add(phantom, fmt::format("phantom contacts, the deepest by {:.4g} of the scene: {} is allowed", deepest,
-                                   requirement.deepest), is_phantom);
+          add(phantom,
+              fmt::format("phantom contacts, the deepest by {:.4g} of the scene: {} is allowed", deepest,
+                          requirement.deepest),
+              is_phantom);
         }
     }
   }
@@ -60,16 +63,19 @@ class Search {
       // No reference to compare with: on exact arithmetic a wrong verdict can only be wrong logic. Whether touching is
       // contact is a convention, and the kernel's own may differ.
       if (!result["exact_arithmetic"].get<bool>()) return;
-      const std::uint64_t wrong = verdict["false_separation"].get<std::uint64_t>() +
-                                  verdict["false_contact"].get<std::uint64_t>();
-      add(wrong - verdict["touching_flips"].get<std::uint64_t>(), "wrong verdicts in exact arithmetic, touching apart",
+      const std::uint64_t wrong =
+          verdict["false_separation"].get<std::uint64_t>() + verdict["false_contact"].get<std::uint64_t>();
+      add(
+          wrong - verdict["touching_flips"].get<std::uint64_t>(), "wrong verdicts in exact arithmetic, touching apart",
           [](const Json&) { return true; }, false);
       return;
     }
     for (const Link link : links) {
       const std::string name(link_names[static_cast<std::size_t>(link)]);
       add(verdict["links"][name].get<std::uint64_t>(), fmt::format("wrong verdicts with a broken {} link", name),
-          [name](const Json& flip) { return std::find(flip["links"].begin(), flip["links"].end(), name) != flip["links"].end(); });
+          [name](const Json& flip) {
+            return std::find(flip["links"].begin(), flip["links"].end(), name) != flip["links"].end();
+          });
     }
   }
 
@@ -77,14 +83,13 @@ class Search {
     if (count == 0) return;
     const Json* deepest = nullptr;
     for (const Json& witness : record_["witnesses"]) {
-      if (witness["kernel"] != (*kernel_)["id"] || witness["precision"] != (*kernel_)["precision"] ||
-          witness["family"] != family_ || witness["depth"].is_null()) {
-        continue;
-      }
+      const bool is_of_family = witness["family"].get_ref<const std::string&>() == family_ &&
+                                witness["kernel"] == (*kernel_)["id"] &&
+                                witness["precision"] == (*kernel_)["precision"];
+      if (!is_of_family || witness["depth"].is_null()) continue;
       if (witness["touching"].get<bool>() && !touching_counts) continue;
-      const bool is_shown = std::any_of(witness["flips"].begin(), witness["flips"].end(), [&](const Json& flip) {
-        return flip["level"] == "verdict" && shows(flip);
-      });
+      const bool is_shown = std::any_of(witness["flips"].begin(), witness["flips"].end(),
+                                        [&](const Json& flip) { return flip["level"] == "verdict" && shows(flip); });
       if (is_shown && (deepest == nullptr || witness["depth"] > (*deepest)["depth"])) deepest = &witness;
     }
     failures_.push_back({(*kernel_)["id"], (*kernel_)["precision"], family_, count, what,
@@ -106,8 +111,10 @@ std::string Requirement::sentence() const {
       return "no wrong verdict with a broken specification or implementation link; " + verdicts_only;
     case RequirementLevel::range:
       return "no wrong verdict with a broken specification, implementation or range link; " + verdicts_only;
-    case RequirementLevel::exact: return "no wrong verdict";
-    case RequirementLevel::conservative: break;
+    case RequirementLevel::exact:
+      return "no wrong verdict";
+    case RequirementLevel::conservative:
+      break;
   }
   return deepest == std::numeric_limits<double>::infinity()
              ? "no missed contact"
@@ -121,7 +128,8 @@ Requirement parse_requirement(const std::string& text) {
   if (text == "conservative") return {RequirementLevel::conservative};
   const std::string prefix = "conservative=";
   if (!text.starts_with(prefix)) {
-    throw Error(fmt::format("unknown requirement '{}'; levels: logic, range, exact, conservative, conservative=D", text));
+    throw Error(
+        fmt::format("unknown requirement '{}'; levels: logic, range, exact, conservative, conservative=D", text));
   }
   Requirement requirement{RequirementLevel::conservative};
   const char* const end = text.data() + text.size();
@@ -134,7 +142,7 @@ Requirement parse_requirement(const std::string& text) {
 
 std::string Failure::text() const {
   const std::string shown_by = witness.empty() ? "" : fmt::format(" (witness {})", witness);
-  return fmt::format("{} {} on {}: {} {}{}", kernel, precision, family, count, what, shown_by);
+  return fmt::format("{} {} on {}: {}: {}{}", kernel, precision, family, what, count, shown_by);
 }
 
 std::vector<Failure> unmet(const Json& record, const std::string& level) {

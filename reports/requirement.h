@@ -31,8 +31,7 @@ struct Failure {
   std::string text() const;
 };
 
-// Empty where the record meets the level. A missed contact counts as one wrong verdict; so does one on a touching
-// query, except for a kernel that shows only verdicts under `logic` and `range`.
+// Empty where the record meets the level. Throws Error as parse_requirement does.
 std::vector<Failure> unmet(const Json& record, const std::string& level);
 
 }  // namespace axiscert

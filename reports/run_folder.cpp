@@ -22,7 +22,8 @@ Json read_json(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
-  if (!in.is_open() || in.bad()) throw Error(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
+  if (!in.is_open() || in.bad())
+    throw Error(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
   try {
     return Json::parse(text.view());
   } catch (const Json::exception& problem) {
@@ -35,7 +36,7 @@ Json read_json(const std::filesystem::path& path) {
 }
 
 void check_schema(const Json& schema, const Json& value, const std::string& name) {
-  const auto& expected = schema.at("$id").get_ref<const std::string&>();
+  const auto& expected = schema.at("properties").at("schema").at("const").get_ref<const std::string&>();
   if (!value.is_object() || !value.contains("schema")) {
     throw Error(fmt::format("{}: has no \"schema\"; a run writes \"schema\": \"{}\" there", name, expected));
   }
@@ -58,12 +59,12 @@ class RecordCheck {
     const Json& plan = record_["plan"];
     std::set<Json> entries, cells, families(plan["families"].begin(), plan["families"].end()), ids;
     for (const Json& kernel : record_["kernels"]) {
-      const Json entry = {kernel["id"], kernel["precision"]};
+      const Json entry = Json::array({kernel["id"], kernel["precision"]});
       const std::string where = fmt::format("kernel {} in {}", entry[0].dump(), kernel["precision"].get<std::string>());
       require(entries.insert(entry).second, where, "stands there twice");
       for (const auto& [family, result] : kernel["families"].items()) {
         require(families.count(family) != 0, where, fmt::format("family {} is not in the plan", Json(family).dump()));
-        cells.insert({kernel["id"], kernel["precision"], family});
+        cells.insert(Json::array({kernel["id"], kernel["precision"], family}));
         check_counts(result, fmt::format("{}, family {}", where, Json(family).dump()));
       }
     }
@@ -71,7 +72,7 @@ class RecordCheck {
       const std::string where = fmt::format("witness {}", witness["id"].dump());
       require(ids.insert(witness["id"]).second, where, "stands there twice");
       check_numbers(witness, where);
-      require(cells.count({witness["kernel"], witness["precision"], witness["family"]}) != 0, where,
+      require(cells.count(Json::array({witness["kernel"], witness["precision"], witness["family"]})) != 0, where,
               "its kernel, precision and family are not in the record");
     }
   }

@@ -72,7 +72,7 @@ class Checker {
     if (keyword == "items" || keyword == "minItems" || keyword == "maxItems" || keyword == "uniqueItems") {
       return value.is_array() ? check_items(keyword, rule, value, where) : Fault();
     }
-    for (const char* note : {"$schema", "$id", "$defs", "title", "description"}) {
+    for (const char* note : {"$schema", "$defs", "title", "description"}) {
       if (keyword == note) return std::nullopt;
     }
     throw std::logic_error("schema: unknown keyword " + keyword);
@@ -83,7 +83,8 @@ class Checker {
     for (const Json& type : types) {
       if (is_type(value, type.get<std::string>())) return std::nullopt;
     }
-    return wrong(where, value, rule.is_array() ? "is none of " + rule.dump() : "is not of type " + rule.get<std::string>());
+    return wrong(where, value,
+                 rule.is_array() ? "is none of " + rule.dump() : "is not of type " + rule.get<std::string>());
   }
 
   Fault check_any(const Json& rule, const Json& value, const std::string& where) {

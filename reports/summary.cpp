@@ -3,15 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace axiscert {
 namespace {
 
 // Members that are maxima over queries; every other number is a count.
-const std::set<std::string, std::less<>> maxima = {"deepest", "deepest_false_separation", "deepest_false_contact",
+const std::set<std::string, std::less<>> maxima = {"deepest",     "deepest_false_separation",   "deepest_false_contact",
                                                    "max_error_u", "smallest_passing_tolerance", "largest_ulps"};
+
+// Orders numbers and the texts of numbers too large for binary64. Six digits survive the logarithm.
+double magnitude(const Json& number) {
+  if (number.is_number()) return std::log10(number.get<double>());
+  const auto& text = number.get_ref<const std::string&>();
+  const std::size_t e = text.find('e');
+  double mantissa = 0, exponent = 0;
+  std::from_chars(text.data(), text.data() + e, mantissa);
+  std::from_chars(text.data() + e + 2, text.data() + text.size(), exponent);
+  return exponent + std::log10(mantissa);
+}
 
 void merge(Json& total, const Json& part, const std::string& name) {
   if (part.is_null()) return;
@@ -22,7 +35,7 @@ void merge(Json& total, const Json& part, const std::string& name) {
   } else if (part.is_boolean()) {
     total = total.get<bool>() && part.get<bool>();
   } else if (maxima.count(name) != 0) {
-    total = std::max(total.get<double>(), part.get<double>());
+    if (magnitude(part) > magnitude(total)) total = part;
   } else {
     total = total.get<std::uint64_t>() + part.get<std::uint64_t>();
   }
@@ -70,29 +83,43 @@ std::string with_rate(std::uint64_t count, const Json& family) {
 
 std::string thousands(std::uint64_t count) {
   std::string text = std::to_string(count);
-  for (auto i = static_cast<std::ptrdiff_t>(text.size()) - 3; i > 0; i -= 3) text.insert(static_cast<std::size_t>(i), 1, ',');
+  for (auto i = static_cast<std::ptrdiff_t>(text.size()) - 3; i > 0; i -= 3)
+    text.insert(static_cast<std::size_t>(i), 1, ',');
   return text;
 }
 
 std::string amount(double value, int digits) {
-  // Between 1000 and 1e15 a number reads better in full, with the digits that it has.
-  if (value >= 1000 && value < 1e15) {
-    const double scale = std::pow(10.0, std::floor(std::log10(value)) + 1 - digits);
-    if (scale >= 1) return thousands(static_cast<std::uint64_t>(std::llround(std::round(value / scale) * scale)));
-    const std::string text = fmt::format("{:.{}g}", value, digits);
-    const std::size_t point = text.find('.');
-    if (text.find('e') == text.npos) {
-      return thousands(std::stoull(text.substr(0, point))) + (point == text.npos ? "" : text.substr(point));
-    }
-  }
-  return fmt::format("{:.{}g}", value, digits);
+  std::string text = fmt::format("{:.{}g}", value, digits);
+  if (value < 1000 || value >= 1e15) return text;
+  double rounded = 0;
+  std::from_chars(text.data(), text.data() + text.size(), rounded);
+  const std::size_t point = text.find('e') == text.npos ? text.find('.') : text.npos;
+  return thousands(static_cast<std::uint64_t>(rounded)) + (point == text.npos ? "" : text.substr(point));
 }
 
-std::vector<const Json*> worst_first(const Json& record) {
+std::string error_amount(const Json& error) {
+  return error.is_number() ? amount(error.get<double>()) : error.get<std::string>();
+}
+
+std::vector<const Json*> worst_witnesses(const Json& record, std::size_t limit) {
   std::vector<const Json*> witnesses;
   for (const Json& witness : record["witnesses"]) witnesses.push_back(&witness);
   const auto depth = [](const Json* w) { return (*w)["depth"].is_null() ? -1.0 : (*w)["depth"].get<double>(); };
-  std::stable_sort(witnesses.begin(), witnesses.end(), [&](const Json* x, const Json* y) { return depth(x) > depth(y); });
+  const auto deeper = [&](const Json* x, const Json* y) { return depth(x) > depth(y); };
+  std::stable_sort(witnesses.begin(), witnesses.end(), deeper);
+
+  std::map<std::string, std::size_t> seen;  // by kernel, precision, family and kind
+  std::map<const Json*, std::size_t> rank;
+  for (const Json* w : witnesses) {
+    Json group = Json::array({(*w)["kernel"], (*w)["precision"], (*w)["family"]});
+    for (const Json& flip : (*w)["flips"]) {
+      if (flip["level"] == "verdict") group.push_back(flip["kind"]);
+    }
+    rank[w] = seen[group.dump()]++;
+  }
+  std::stable_sort(witnesses.begin(), witnesses.end(), [&](const Json* x, const Json* y) { return rank[x] < rank[y]; });
+  witnesses.resize(std::min(limit, witnesses.size()));
+  std::stable_sort(witnesses.begin(), witnesses.end(), deeper);
   return witnesses;
 }
 

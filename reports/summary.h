@@ -26,10 +26,13 @@ double per_million(std::uint64_t count, const Json& family);
 // "0 (< 11.4 per million, 95 %)", "12 (45.8 per million)"; "not checked" where no valid query was asked.
 std::string with_rate(std::uint64_t count, const Json& family);
 
-std::string thousands(std::uint64_t count);  // "1,234,567"
+std::string thousands(std::uint64_t count);        // "1,234,567"
 std::string amount(double value, int digits = 6);  // significant digits, thousands separated
+// An error in u as the record has it: a number, or its text where binary64 cannot hold it.
+std::string error_amount(const Json& error);
 
-// Deepest first, those without a depth last, otherwise as in the record.
-std::vector<const Json*> worst_first(const Json& record);
+// The deepest of each kernel, precision, family and kind of wrong verdict, then the second of each, up to `limit`, so
+// that one family of deep faults does not hide the others. Deepest first, those without a depth last.
+std::vector<const Json*> worst_witnesses(const Json& record, std::size_t limit);
 
 }  // namespace axiscert

@@ -13,8 +13,8 @@ def faults(validator, path):
     try:
         with open(path, encoding="utf-8") as file:
             value = json.load(file)
-    except ValueError as error:
-        yield f"{path}: not JSON: {error}"
+    except (OSError, ValueError) as error:
+        yield f"{path}: not readable as JSON: {error}"
         return
     for error in validator.iter_errors(value):
         where = "".join(f"/{step}" for step in error.absolute_path) or "/"

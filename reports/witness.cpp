@@ -48,22 +48,22 @@ Json flips_json(const Judgement& judgement) {
 
 void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally) {
   Shown shown;
-  const auto note = [&](const Leaders& leaders, auto&& what) {
-    for (const Candidate& candidate : leaders.candidates()) shown[candidate.position].push_back(what(candidate));
+  const auto note = [&](const auto& leaders, auto&& what) {
+    for (const auto& candidate : leaders.candidates()) shown[candidate.position].push_back(what(candidate));
   };
-  note(tally.verdict.deepest_false_separation, [](const Candidate&) { return "deepest false_separation"; });
-  note(tally.verdict.deepest_false_contact, [](const Candidate&) { return "deepest false_contact"; });
+  note(tally.verdict.deepest_false_separation, [](const auto&) { return "deepest false_separation"; });
+  note(tally.verdict.deepest_false_contact, [](const auto&) { return "deepest false_contact"; });
   for (std::size_t i = 0; i < comparison_count; ++i) {
     const ComparisonTally& comparison = tally.comparisons[i];
     const auto flip = [&](const char* kind) {
-      return [kind, i](const Candidate& c) {
-        return fmt::format("{} {} of {}", c.rank > 0 ? "decisive" : "masked", kind, comparisons[i].name);
+      return [kind, i](const Candidate<bool>& c) {
+        return fmt::format("{} {} of {}", c.rank ? "decisive" : "masked", kind, comparisons[i].name);
       };
     };
     note(comparison.false_witness, flip("false_separation"));
     note(comparison.missed_witness, flip("missed_separation"));
-    note(comparison.largest_error, [i](const Candidate& c) {
-      return fmt::format("largest error of {}: {} u", comparisons[i].name, c.rank);
+    note(comparison.largest_error, [i](const Candidate<Decimal6>& c) {
+      return fmt::format("largest error of {}: {} u", comparisons[i].name, c.rank.text());
     });
   }
   if (precision == Precision::binary32) write<float>(kernel, source, shown);

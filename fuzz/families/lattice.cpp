@@ -1,0 +1,49 @@
+// Small integers on which the published formulae never round, so that a wrong answer can only be the formulae's own.
+#include <algorithm>
+#include <limits>
+
+#include "fuzz/families/shapes.h"
+#include "fuzz/family.h"
+
+namespace axiscert {
+namespace {
+
+// Coordinates in [-m, m], radii that are halves up to `radius_in_halves` / 2. Let D = 2m bound the coordinates of every
+// difference of two points, so that its length is at most sqrt(3) D. With h <= sqrt(3) D the distance from P to a line:
+//   e1 = |AB|^2 <= 3 D^2,  |d1| <= 3 D^2,  |V|^2 = e <= |AB|^2 |AC|^2 <= 9 D^4,  |A . V| <= sqrt(3)^3 D^3
+//   |Q1| = e1 h <= sqrt(27) D^3,  |QC| <= |C| e1 + |Q1| <= 2 sqrt(27) D^3
+//   the partial sums of Q1 . QC: at most |Q1| |QC| <= 54 D^6; of Q1 . Q1 and d d: at most 27 D^6
+//   four times rr e and rr e1 e1 (an integer, r being a half): at most (2r)^2 9 D^4
+// All are integers, exact below 2^digits.
+template <class Real>
+struct Bounds {
+  static constexpr std::int64_t m = sizeof(Real) == 4 ? 4 : 117;
+  static constexpr std::int64_t radius_in_halves = sizeof(Real) == 4 ? 21 : 577;
+};
+template <class Real>
+constexpr bool exact_within_bounds() {
+  constexpr std::int64_t limit = std::int64_t{1} << std::numeric_limits<Real>::digits;
+  constexpr std::int64_t d2 = 4 * Bounds<Real>::m * Bounds<Real>::m, h = Bounds<Real>::radius_in_halves;
+  return 54 * d2 * d2 * d2 <= limit && h * h * 9 * d2 * d2 <= limit;
+}
+static_assert(exact_within_bounds<float>() && exact_within_bounds<double>());
+
+// The smallest lattices, where corners coincide and comparisons tie, take turns with the largest.
+template <class Real>
+Query<Real> lattice(Stream& random, std::uint64_t position) {
+  constexpr std::array<std::int64_t, 3> sizes = {1, 2, Bounds<Real>::m};
+  const std::int64_t m = sizes[position % 3];
+  std::array<Real, coordinate_count> v;
+  for (Real& x : v) x = static_cast<Real>(random.integer(-m, m));
+  // Four m exceeds most distances between lattice points.
+  v[12] = static_cast<Real>(random.integer(0, std::min(8 * m, Bounds<Real>::radius_in_halves))) / 2;
+  return from_coordinates(v);
+}
+
+}  // namespace
+
+extern const Family lattice_family = {
+    "lattice", "small integers, radii in halves: every operation of the formulae is exact", 1, true, lattice<float>,
+    lattice<double>};
+
+}  // namespace axiscert

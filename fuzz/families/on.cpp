@@ -1,0 +1,62 @@
+// Centres exactly on the triangle, at a corner, on an edge or on the face: everything is a contact, at r = 0 touching.
+#include <cmath>
+#include <limits>
+
+#include "fuzz/families/shapes.h"
+#include "fuzz/family.h"
+
+namespace axiscert {
+namespace {
+
+// The weights of the three corners, in sixteenths, that put the centre on the feature.
+std::array<std::int64_t, 3> weights(Stream& random, std::size_t axis) {
+  std::array<std::int64_t, 3> w{};
+  if (axis == 0) {
+    w[0] = random.integer(1, 14);
+    w[1] = random.integer(1, 15 - w[0]);
+    w[2] = 16 - w[0] - w[1];
+  } else if (axis < 4) {
+    w[axis - 1] = 16;
+  } else {
+    w[axis - 4] = random.integer(1, 15);
+    w[shapes::next(axis - 4)] = 16 - w[axis - 4];
+  }
+  return w;
+}
+
+template <class Real>
+Real small_radius(Stream& random, std::uint64_t which) {
+  switch (which) {
+    case 0: return 0;
+    case 1: return Real(-0.0);
+    case 2: return std::numeric_limits<Real>::denorm_min();
+    case 3: {
+      const Real significand = random.unit<Real>();
+      return std::ldexp(significand, -static_cast<int>(random.integer(20, 120)));
+    }
+    default: return random.unit<Real>() / 16;
+  }
+}
+
+// Corners that are sixteen times integers have the centre in integers.
+template <class Real>
+Query<Real> on(Stream& random, std::uint64_t position) {
+  constexpr int digits = sizeof(Real) == 4 ? 20 : 49;
+  const auto w = weights(random, position % axis_count);
+  shapes::Corners<Real> corners;
+  Vec3<Real> p{0, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto corner = shapes::integers<Real>(random, std::int64_t{1} << digits);
+    corners[i] = shapes::scaled(corner, -digits);
+    p = p + shapes::scaled(corner * static_cast<Real>(w[i]), -digits - 4);
+  }
+  return shapes::query(corners, p, small_radius<Real>(random, position / axis_count % 5));
+}
+
+}  // namespace
+
+extern const Family on_family = {
+    "on", "centre exactly on the face, a corner or an edge in turn; r of 0, -0, the least, tiny and small", 1, false,
+    on<float>, on<double>};
+
+}  // namespace axiscert

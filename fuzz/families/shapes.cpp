@@ -1,0 +1,94 @@
+#include "fuzz/families/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fuzz/boundary.h"
+
+namespace axiscert::shapes {
+
+template <class Real>
+Vec3<Real> scaled(const Vec3<Real>& v, int exponent) {
+  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
+
+template <class Real>
+Vec3<Real> at_unit_length(const Vec3<Real>& v) {
+  const Real length = std::sqrt(dot(v, v));
+  return length > 0 ? Vec3<Real>{v.x / length, v.y / length, v.z / length} : v;
+}
+
+template <class Real>
+Directions<Real> directions(const Corners<Real>& corners) {
+  Directions<Real> result;
+  result.normal = at_unit_length(cross(corners[1] - corners[0], corners[2] - corners[0]));
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.outward[i] = at_unit_length(cross(corners[next(i)] - corners[i], result.normal));
+  }
+  return result;
+}
+
+template <class Real>
+Vec3<Real> inside(Stream& random, const Corners<Real>& corners) {
+  std::array<Real, 3> weight;
+  for (Real& w : weight) w = random.unit<Real>() + Real(0x1p-5);
+  const Real sum = (weight[0] + weight[1]) + weight[2];
+  return (corners[0] * (weight[0] / sum) + corners[1] * (weight[1] / sum)) + corners[2] * (weight[2] / sum);
+}
+
+template <class Real>
+Vec3<Real> inside_edge(Stream& random, const Corners<Real>& corners, std::size_t edge) {
+  const Real t = Real(0x1p-5) + random.unit<Real>() * Real(0.9375);
+  return corners[edge] + (corners[next(edge)] - corners[edge]) * t;
+}
+
+template <class Real>
+Real height(Stream& random) {
+  const Real significand = 1 + random.unit<Real>();
+  return std::ldexp(significand, -static_cast<int>(random.below(8)));
+}
+
+template <class Real>
+Query<Real> placed(Stream& random, const Corners<Real>& around_origin, int halvings) {
+  Query<Real> q = query(around_origin, in_cube<Real>(random));
+  if (random.below(4) == 0) q.p = scaled(q.p, -static_cast<int>(random.integer(0, halvings)));
+  if (!random.coin()) return q;
+  const Vec3<Real> offset = in_cube<Real>(random);
+  return {q.a + offset, q.b + offset, q.c + offset, q.p + offset, 0};
+}
+
+template <class Real>
+Real radius_near_distance(Stream& random, const Query<Real>& q, int ulps) {
+  return step_radius(radius_at_distance(q), static_cast<int>(random.integer(-ulps, ulps)));
+}
+
+template <class Real>
+Real aimed_radius(Stream& random, const Query<Real>& q) {
+  switch (random.below(4)) {
+    case 0: return radius_near_distance(random, q, 4);
+    case 1: {
+      const Real sign = random.coin() ? Real(1) : Real(-1);
+      const Real off = std::ldexp(sign, -static_cast<int>(random.integer(1, 20)));
+      return radius_at_distance(q) * (1 + off);
+    }
+    default: {
+      const Vec3<Real> a = q.a - q.p, b = q.b - q.p, c = q.c - q.p;
+      return random.unit<Real>() * std::sqrt(std::max({dot(a, a), dot(b, b), dot(c, c)}));
+    }
+  }
+}
+
+#define AXISCERT_INSTANTIATE(Real)                                                          \
+  template Vec3<Real> scaled<Real>(const Vec3<Real>&, int);                                 \
+  template Vec3<Real> at_unit_length<Real>(const Vec3<Real>&);                              \
+  template Directions<Real> directions<Real>(const Corners<Real>&);                         \
+  template Vec3<Real> inside<Real>(Stream&, const Corners<Real>&);                          \
+  template Vec3<Real> inside_edge<Real>(Stream&, const Corners<Real>&, std::size_t);        \
+  template Real height<Real>(Stream&);                                                      \
+  template Query<Real> placed<Real>(Stream&, const Corners<Real>&, int);                     \
+  template Real radius_near_distance<Real>(Stream&, const Query<Real>&, int);               \
+  template Real aimed_radius<Real>(Stream&, const Query<Real>&);
+AXISCERT_INSTANTIATE(float)
+AXISCERT_INSTANTIATE(double)
+
+}  // namespace axiscert::shapes

@@ -1,0 +1,101 @@
+// What several families are made of: corners, directions, feet on features, radii. Plain arithmetic in Real in a
+// written order, so that the values are the same everywhere; for the same reason no expression reads the stream twice.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "fuzz/random.h"
+#include "kernel/query.h"
+
+namespace axiscert::shapes {
+
+// A, B, C. Edge i runs from corner i to corner i + 1; corner i + 2 lies opposite.
+template <class Real>
+using Corners = std::array<Vec3<Real>, 3>;
+constexpr std::size_t next(std::size_t corner) { return (corner + 1) % 3; }
+constexpr std::size_t opposite(std::size_t edge) { return (edge + 2) % 3; }
+
+// Uniform in the cube [-1, 1)^3, full significands.
+template <class Real>
+Vec3<Real> in_cube(Stream& random) {
+  const Real x = random.symmetric<Real>(), y = random.symmetric<Real>(), z = random.symmetric<Real>();
+  return {x, y, z};
+}
+template <class Real>
+Corners<Real> corners_in_cube(Stream& random) {
+  const Vec3<Real> a = in_cube<Real>(random), b = in_cube<Real>(random), c = in_cube<Real>(random);
+  return {a, b, c};
+}
+
+// Integers in [-bound, bound]; never all zero.
+template <class Integer = std::int64_t>
+Vec3<Integer> integers(Stream& random, std::int64_t bound) {
+  const auto x = static_cast<Integer>(random.integer(-bound, bound));
+  const auto y = static_cast<Integer>(random.integer(-bound, bound));
+  const auto z = static_cast<Integer>(random.integer(-bound, bound));
+  if (x == 0 && y == 0 && z == 0) return {1, 0, 0};
+  return {x, y, z};
+}
+
+// One of the six orders, each as likely.
+template <class Real>
+Corners<Real> shuffled(Stream& random, Corners<Real> corners) {
+  const auto first = static_cast<std::size_t>(random.below(3));
+  std::swap(corners[0], corners[first]);
+  if (random.coin()) std::swap(corners[1], corners[2]);
+  return corners;
+}
+
+template <class Real>
+Query<Real> query(const Corners<Real>& corners, const Vec3<Real>& p, Real r = 0) {
+  return {corners[0], corners[1], corners[2], p, r};
+}
+
+// Every coordinate times 2^exponent, each rounded once.
+template <class Real>
+Vec3<Real> scaled(const Vec3<Real>& v, int exponent);
+
+// v at length one, to rounding; a zero vector stays.
+template <class Real>
+Vec3<Real> at_unit_length(const Vec3<Real>& v);
+
+// Unit directions at a triangle with area. With the normal of either sign, edge i's outward direction spans the half
+// plane of directions whose nearest triangle point lies on edge i; those of a corner's two edges span, with the normal,
+// the cone of directions at that corner.
+template <class Real>
+struct Directions {
+  Vec3<Real> normal;
+  std::array<Vec3<Real>, 3> outward;  // in the plane, across edge i
+};
+template <class Real>
+Directions<Real> directions(const Corners<Real>& corners);
+
+// A point inside the triangle, or on the edge, away from their ends by a few per cent.
+template <class Real>
+Vec3<Real> inside(Stream& random, const Corners<Real>& corners);
+template <class Real>
+Vec3<Real> inside_edge(Stream& random, const Corners<Real>& corners, std::size_t edge);
+
+// A length in [2^-7, 2), its logarithm spread evenly over the octaves.
+template <class Real>
+Real height(Stream& random);
+
+// A triangle built around the origin, where floats are dense, with a centre in the cube or, one in four, up to
+// `halvings` octaves nearer to the origin. Half of the queries are then moved away, where rounding limits how fine a
+// shape can be. The radius is left at zero.
+template <class Real>
+Query<Real> placed(Stream& random, const Corners<Real>& around_origin, int halvings);
+
+// At the exact distance rounded to nearest, and up to `ulps` floats from it.
+template <class Real>
+Real radius_near_distance(Stream& random, const Query<Real>& q, int ulps);
+
+// A quarter of the radii within 4 ulp of the exact distance, a quarter off it by a factor 1 +- 2^-1 .. 2^-20, and half
+// uniform up to the farthest corner.
+template <class Real>
+Real aimed_radius(Stream& random, const Query<Real>& q);
+
+}  // namespace axiscert::shapes

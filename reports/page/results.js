@@ -1,0 +1,149 @@
+// Tables of counts. `data` is the page's data; a kernel entry is one kernel in one precision.
+
+function entry_name(entry) { return `${entry.id}, ${entry.precision}`; }
+
+// One row a family of every kernel entry.
+function family_rows(data) {
+  return data.kernels.flatMap((entry) =>
+    Object.entries(entry.families).map(([family, result]) => ({entry, family, result})));
+}
+
+function family_columns() {
+  return [
+    column.text('family', (row) => row.family, {cell: (th, value, row) => {
+      th.append(el('span', 'name', value));
+      if (row.result.exact_arithmetic) th.append(el('small', '', 'exact_arithmetic'));
+    }}),
+    column.text('kernel', (row) => entry_name(row.entry), {cell: (td, value, row) =>
+      td.append(el('span', 'name', row.entry.id), el('small', '', row.entry.precision))}),
+  ];
+}
+
+function link_chips(counts) {
+  const broken = Object.entries(counts).filter(([, n]) => n > 0);
+  if (broken.length === 0) return el('span', 'zero', 'none');
+  return el('span', 'chips', ...broken.map(([link, n]) => chip(`${link} ${count(n)}`, `link-${link}`)));
+}
+
+function families_table(data, rows) {
+  const {truth, verdict, family} = data.notes;
+  const truth_count = (member) =>
+    column.count(member, (row) => row.result.truth[member], {group: 'truth', note: truth[member]});
+  const wrong = (member, group, alarm) => [
+    column.rate(member, (row) => row.result.verdict[member], (row) => row.result, {group, alarm, note: verdict[member]}),
+    column.amount('deepest', (row) => row.result.verdict[`deepest_${member}`],
+                  {group, digits: 4, note: verdict[`deepest_${member}`]}),
+  ];
+  const answers = (member, label, alarm) => column.count(label ?? member, (row) => row.result.verdict[member],
+                                                         {group: 'other verdicts', note: verdict[member], alarm});
+  return table('Verdicts by family', [
+    ...family_columns(),
+    column.count('trials', (row) => row.result.trials, {note: family.trials}),
+    ...['separated', 'contact', 'touching', 'invalid'].map(truth_count),
+    ...wrong('false_separation', 'missed contacts', 'bad'),
+    ...wrong('false_contact', 'phantom contacts', 'warn'),
+    answers('touching_flips', null, 'warn'), answers('undecided'), answers('invalid', 'invalid answers', 'warn'),
+    column.text('broken links', (row) => Object.values(row.result.verdict.links).reduce((x, y) => x + y, 0),
+                {numeric: true, left: true, note: verdict.links,
+                 cell: (td, value, row) => td.append(link_chips(row.result.verdict.links))}),
+  ], rows);
+}
+
+function show_families(data) {
+  const place = document.getElementById('families-table');
+  const rows = family_rows(data);
+  const entries = [null, ...data.kernels];
+  const show = (index) => {
+    const chosen = rows.filter((row) => entries[index] === null || row.entry === entries[index]);
+    place.replaceChildren(families_table(data, chosen));
+  };
+  document.getElementById('families-controls').append(
+    choice('Kernel', ['all kernels', ...data.kernels.map(entry_name)], show));
+  show(0);
+}
+
+function sign_columns(notes, level) {
+  const of = (member, more) => column.count(member, (row) => row.tally[member], {note: notes[level][member], ...more});
+  const links = ['rounding', 'range', 'implementation'].map((link) =>
+    column.count(link, (row) => row.tally.links[link], {group: 'links broken by flips', note: notes.links[link]}));
+  return [
+    column.text(level, (row) => row.name, {cell: (th, value) => th.append(el('span', 'name', value))}),
+    of('false_separation', {group: 'flips', alarm: 'bad'}), of('missed_separation', {group: 'flips', alarm: 'warn'}),
+    of('decisive', {group: 'flips'}), of('masked', {group: 'flips'}),
+    ...links,
+  ];
+}
+
+function error_columns(notes, level) {
+  const group = 'error, in u';
+  return [
+    column.count('tolerance_failures', (row) => row.tally.tolerance_failures,
+                 {group, alarm: 'bad', note: notes[level].tolerance_failures}),
+    ...['max_error_u', 'smallest_passing_tolerance'].map((member) =>
+      column.error(member, (row) => row.tally[member], {group, note: notes[level][member]})),
+  ];
+}
+
+function show_signs(data) {
+  let entry = 0;
+  let family = 0;
+  const controls = document.getElementById('signs-controls');
+  const family_names = () => ['all families', ...Object.keys(data.kernels[entry].families)];
+  const rows_of = (level, result) => Object.entries(result[level]).map(([name, tally]) => ({name, tally}));
+  const show = () => {
+    const chosen = data.kernels[entry];
+    const result = family === 0 ? chosen.all : Object.values(chosen.families)[family - 1];
+    const title = `${entry_name(chosen)}, ${family_names()[family]}`;
+    const axes = document.getElementById('axes-table');
+    const comparisons = document.getElementById('comparisons-table');
+    if (!result || result.axes === null) {
+      const why = result ? 'Not exposed: this kernel shows only verdicts.' : 'Not checked: no family ran.';
+      axes.replaceChildren(el('p', 'empty', why));
+      comparisons.replaceChildren(el('p', 'empty', why));
+      return;
+    }
+    axes.replaceChildren(table(`Axes: ${title}`, [
+      ...sign_columns(data.notes, 'axis'), ...error_columns(data.notes, 'axis'),
+      column.count('sole_separator', (row) => row.tally.sole_separator, {note: data.notes.axis.sole_separator}),
+    ], rows_of('axes', result)));
+    comparisons.replaceChildren(table(`Comparisons: ${title}`, [
+      ...sign_columns(data.notes, 'comparison'),
+      column.text('tolerance', (row) => data.plan.tolerance[row.name] ?? 'not given',
+                  {group: 'error, in u', numeric: true, key: (value) => Number(value) || 0}),
+      ...error_columns(data.notes, 'comparison'),
+      ...['ties', 'range_events', 'error_without_scale'].map((member) =>
+        column.count(member, (row) => row.tally[member], {group: 'events', note: data.notes.comparison[member]})),
+    ], rows_of('comparisons', result)));
+  };
+  const choose_family = () => choice('Family', family_names(), (index) => { family = index; show(); });
+  const choose_kernel = choice('Kernel', data.kernels.map(entry_name), (index) => {
+    entry = index;
+    family = 0;
+    controls.replaceChildren(choose_kernel, choose_family());
+    show();
+  });
+  if (data.kernels.length === 0) return;
+  controls.append(choose_kernel, choose_family());
+  show();
+}
+
+function show_links(data) {
+  const links = Object.keys(data.links);
+  const group = (label, member) => links.map((link) => column.count(link, (row) => row.result.verdict[member][link], {
+    group: label, note: data.notes.links[link], alarm: member === 'links' ? 'bad' : undefined}));
+  document.getElementById('links-table').append(table('Broken links', [
+    ...family_columns(), ...group('wrong verdicts', 'links'), ...group('cancelled: the verdict is right', 'masked_links'),
+  ], family_rows(data)));
+}
+
+function show_radius(data) {
+  const rows = data.kernels.flatMap((entry) => [
+    {entry, family: 'all families', result: entry, total: true},
+    ...Object.entries(entry.families).map(([family, result]) => ({entry, family, result}))]);
+  const of = (member, type, more) =>
+    column[type](member, (row) => row.result.critical_radius[member], {note: data.notes.critical_radius[member], ...more});
+  document.getElementById('radius-table').append(table('Critical radius error, in ulps', [
+    ...family_columns(), of('sampled', 'count'), of('median_ulps', 'amount', {digits: 6}),
+    of('largest_ulps', 'amount', {digits: 6}), of('unbounded', 'count', {alarm: 'warn'}),
+  ], rows, (row) => (row.total ? 'total' : '')));
+}

@@ -1,0 +1,153 @@
+'use strict';
+// Elements, numbers and tables. All text goes in by textContent: nothing in the data becomes markup.
+
+function el(tag, className, ...children) {
+  const node = document.createElement(tag);
+  if (className) node.className = className;
+  node.append(...children.filter((child) => child !== null && child !== undefined));
+  return node;
+}
+
+function count(n) { return n.toLocaleString('en-US'); }
+
+// As stored, or rounded to `digits` significant digits.
+function amount(x, digits) {
+  const value = digits ? Number(x.toPrecision(digits)) : x;
+  if (value !== 0 && (value < 1e-3 || value >= 1e15)) return value.toExponential();
+  return value.toLocaleString('en-US', {maximumSignificantDigits: 17});
+}
+
+// An error in u: a number, or its text where a number cannot hold it.
+function error_amount(error) { return typeof error === 'number' ? amount(error) : error; }
+function magnitude(error) {
+  if (typeof error === 'number') return Math.log10(error);
+  const [mantissa, exponent] = error.split('e');
+  return Number(exponent) + Math.log10(Number(mantissa));
+}
+
+// "0 (< 11.4 per million, 95 %)": `family` brings its trials, its truth and its limit for zero failures.
+function rate(n, family) {
+  if (n > 0) {
+    const valid = family.trials - family.truth.invalid;
+    return [count(n), `(${amount(1e6 * n / valid, 3)} per million)`];
+  }
+  if (family.zero_limit_per_million === null) return ['not checked', ''];
+  return ['0', `(< ${amount(family.zero_limit_per_million, 3)} per million, 95 %)`];
+}
+
+// A record's name, which may wrap after an underscore.
+function breakable(name) {
+  const node = el('span');
+  name.split(/(?<=_)/).forEach((part, i) => node.append(...(i ? [el('wbr'), part] : [part])));
+  return node;
+}
+
+// Columns. `get` takes a row to its value, `key` that to the number that sorts it; `cell` fills the cell. `alarm`: other than
+// zero is bad news. `left`: numbers sort it, but it is read as text.
+const column = {
+  text: (label, get, more) => ({label, get, cell: (td, value) => td.append(value), ...more}),
+  count: (label, get, more) => ({label, get, numeric: true, ...more, cell: (td, value) => {
+    td.append(value === null || value === undefined ? 'not checked' : count(value));
+    if (value === 0) td.classList.add('zero');
+    if (value > 0 && more?.alarm) td.classList.add(more.alarm);
+  }}),
+  amount: (label, get, more) => ({label, get, numeric: true, ...more, cell: (td, value) => {
+    if (value === null || value === undefined) return td.append(more?.none ?? 'none');
+    td.append(amount(value, more?.digits));
+    if (more?.digits) td.title = String(value);
+    if (value === 0) td.classList.add('zero');
+  }}),
+  error: (label, get, more) => ({label, get, numeric: true, key: magnitude, ...more, cell: (td, value) => {
+    td.append(error_amount(value));
+    if (value === 0) td.classList.add('zero');
+  }}),
+  rate: (label, get, family, more) => ({label, get, numeric: true, ...more, cell: (td, value, row) => {
+    const [number, limit] = rate(value, family(row));
+    td.append(number, el('small', '', limit));
+    td.classList.add(value > 0 ? more?.alarm ?? 'bad' : 'zero');
+  }}),
+};
+
+function header_rows(columns, sort) {
+  const groups = el('tr', 'groups');
+  const names = el('tr');
+  for (let i = 0; i < columns.length;) {
+    let span = 1;
+    while (i + span < columns.length && columns[i + span].group === columns[i].group) ++span;
+    const th = el('th', columns[i].group ? 'group' : '', columns[i].group ?? '');
+    th.colSpan = span;
+    if (columns[i].group) th.scope = 'colgroup';
+    groups.append(th);
+    i += span;
+  }
+  for (const c of columns) {
+    const button = el('button', '', breakable(c.label));
+    button.type = 'button';
+    const th = el('th', c.numeric && !c.left ? 'n' : '', button);
+    th.scope = 'col';
+    if (c.note) button.title = c.note;
+    button.addEventListener('click', () => sort(c, th));
+    names.append(th);
+  }
+  return columns.some((c) => c.group) ? [groups, names] : [names];
+}
+
+// A table whose header cells sort it: the largest numbers first, then the smallest; texts the other way round.
+function table(caption, columns, rows, row_class) {
+  const body = el('tbody');
+  const fill = (ordered) => {
+    body.replaceChildren(...ordered.map((row) => {
+      const tr = el('tr', row_class ? row_class(row) : '');
+      columns.forEach((c, i) => {
+        const cell = el(i === 0 ? 'th' : 'td', c.numeric && !c.left ? 'n' : '');
+        if (i === 0) cell.scope = 'row';
+        c.cell(cell, c.get(row), row);
+        tr.append(cell);
+      });
+      return tr;
+    }));
+  };
+  const head = el('thead');
+  head.append(...header_rows(columns, (c, th) => {
+    const descending = th.getAttribute('aria-sort') === null ? Boolean(c.numeric)
+                                                             : th.getAttribute('aria-sort') === 'ascending';
+    head.querySelectorAll('[aria-sort]').forEach((other) => other.removeAttribute('aria-sort'));
+    th.setAttribute('aria-sort', descending ? 'descending' : 'ascending');
+    const key = (row) => (c.key ? c.key(c.get(row)) : c.numeric ? c.get(row) ?? -1 : String(c.get(row)));
+    const order = (x, y) => (key(x) < key(y) ? -1 : key(x) > key(y) ? 1 : 0);
+    fill([...rows].sort((x, y) => (descending ? order(y, x) : order(x, y))));
+  }));
+  fill(rows);
+  const scroll = el('div', 'scroll', el('table', '', el('caption', '', caption), head, body));
+  scroll.tabIndex = 0;
+  scroll.setAttribute('role', 'region');
+  scroll.setAttribute('aria-label', caption);
+  return scroll;
+}
+
+// A labelled choice; `change` is called with the index of what was chosen.
+function choice(label, options, change) {
+  const select = el('select');
+  options.forEach((text) => select.append(el('option', '', text)));
+  select.addEventListener('change', () => change(select.selectedIndex));
+  return el('label', '', label, select);
+}
+
+function copy_button(text) {
+  const button = el('button', 'copy', 'Copy');
+  button.type = 'button';
+  button.addEventListener('click', async () => {
+    try {
+      await navigator.clipboard.writeText(text);
+      button.textContent = 'Copied';
+    } catch {
+      button.textContent = 'Select it by hand';
+    }
+    setTimeout(() => { button.textContent = 'Copy'; }, 1500);
+  });
+  return button;
+}
+
+function command(text) { return el('div', 'command', el('pre', '', el('code', '', text)), copy_button(text)); }
+
+function chip(text, kind) { return el('span', `chip ${kind ?? ''}`, text); }

@@ -1,0 +1,69 @@
+// For tests: the stored record, and run folders that vanish.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "kernel/error.h"
+#include "reports/json.h"
+#include "reports/render.h"
+
+namespace axiscert {
+
+inline std::string text_of(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  EXPECT_TRUE(in) << path;
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+// testdata/record.json: `published` with flips on `tangent`, none on `lattice` and `mesh/a|b.obj`; `<script>`, which
+// shows only verdicts, with flips on both of its families. Tolerance for plane.radius, requirement `logic`.
+inline Json stored_record() { return Json::parse(text_of(AXISCERT_TESTDATA "/record.json")); }
+inline Json stored_run_info() { return Json::parse(text_of(AXISCERT_TESTDATA "/run.json")); }
+
+class TestFolder {
+ public:
+  TestFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "axiscert-XXXXXX").string();
+    EXPECT_NE(mkdtemp(name.data()), nullptr);
+    path_ = name;
+  }
+  explicit TestFolder(const Json& record) : TestFolder() { write("record.json", record.dump()); }
+  TestFolder(const TestFolder&) = delete;
+  ~TestFolder() { std::filesystem::remove_all(path_); }
+
+  const std::filesystem::path& path() const { return path_; }
+  void write(const std::string& file, const std::string& text) const {
+    std::ofstream(path_ / file, std::ios::binary) << text;
+  }
+  std::string read(const std::string& file) const { return text_of(path_ / file); }
+
+  // The message of the Error that rendering ends in; empty where it succeeds.
+  std::string rendering_error() const {
+    try {
+      render_reports(path_);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::size_t occurrences(const std::string& text, const std::string& piece) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(piece); at != text.npos; at = text.find(piece, at + piece.size())) ++n;
+  return n;
+}
+
+}  // namespace axiscert
