@@ -98,7 +98,7 @@ class BadInput(Case):
     def test_queries(self):
         good = QUERY % 1
         for text, says in {
-            "{": ["-:1", "JSON"],
+            "{": ["stdin:1", "JSON"],
             good + '{"id":"x"}\n': [":2", "precision"],
             good.replace('"c":[3,0,0],', ""): [":1", "'c'"],
             QUERY % '"0x1.0000001p0"': [":1", "'r'", "not exact"],

@@ -87,7 +87,7 @@ TEST(ParseDecimal, IsExactAndRefusesAnythingElse) {
   EXPECT_EQ(parse_decimal("0.1"), Rational(1, 10));
   EXPECT_EQ(parse_decimal("-1.25e-1"), Rational(-1, 8));
   EXPECT_EQ(parse_decimal("3e+2"), 300);
-  for (const char* bad : {"", "-", "1.2.3", "e5", "1e", "0x1p3", "nan", "1 ", "1e99999"}) {
+  for (const char* bad : {"", "-", "1.2.3", "e5", "1e", "0x1p3", "nan", "1 ", "1e99999", "1e+-5"}) {
     EXPECT_THROW(parse_decimal(bad), Error) << bad;
   }
 }

@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "exact/feature_walk.h"
 #include "exact/geometric_oracle.h"
-#include "exact/second_oracle.h"
 #include "exact/truth.h"
 
 namespace axiscert {
@@ -118,7 +118,8 @@ LatticeCount judge_lattice(int n) {
       strict_wrong |= strict != separated;
       count.missed_contacts += strict && !separated;
       count.nonstrict_wrong += nonstrict != separated;
-      count.oracle_differences += distance_order(centred, Ring(0), ring_order) != -offset;
+      const auto walked = walked_squared_distance(centred, Ring(0), Ring(1), ring_order);
+      count.oracle_differences += ring_order(walked.numerator, rr * walked.denominator) != -offset;
     }
     if (strict_wrong) {
       ++count.strict_wrong;

@@ -56,7 +56,7 @@ Rational parse_decimal(std::string_view text) {
   if (e != text.npos) {
     const char* end = text.data() + text.size();
     const char* begin = text.data() + e + 1;
-    if (begin != end && *begin == '+') ++begin;
+    if (begin + 1 < end && begin[0] == '+' && begin[1] != '-') ++begin;
     const auto [stop, problem] = std::from_chars(begin, end, exponent);
     if (problem != std::errc() || stop != end || std::abs(exponent) > 10000) throw fail();
   }

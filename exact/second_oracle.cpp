@@ -1,5 +1,6 @@
 #include "exact/second_oracle.h"
 
+#include "exact/feature_walk.h"
 #include "exact/mpfr_number.h"
 #include "kernel/error.h"
 
@@ -18,10 +19,11 @@ SecondOpinion second_opinion(const Query<Real>& q) {
   using Number = Mpfr<exact_bits<Real>>;
   mpfr_clear_inexflag();
   const auto centred = centred_as<Number>(q, [](Real x) { return Number(x); });
-  const Number zero;
-  const auto sides = published_sides(centred, zero);
+  const Number zero, one(1);
   const auto by_value = [](const Number& x, const Number& y) { return order(x, y); };
-  SecondOpinion opinion{0, 0, distance_order(centred, zero, by_value)};
+  const auto distance = walked_squared_distance(centred, zero, one, by_value);
+  SecondOpinion opinion{0, 0, order(distance.numerator, centred.rr * distance.denominator)};
+  const auto sides = published_sides(centred, zero);
   for (std::size_t i = 0; i < comparison_count; ++i) {
     const int sign = order(sides.lhs[i], sides.rhs[i]);
     if (sign > 0) opinion.strict |= static_cast<ComparisonBits>(1u << i);

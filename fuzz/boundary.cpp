@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/feature_walk.h"
 #include "exact/formula_oracle.h"
 
 namespace axiscert {
@@ -24,39 +25,10 @@ Rational margin(const Query<Real>& q, Comparison which) {
   return rational(truth.sides.lhs[k] - truth.sides.rhs[k]);
 }
 
-// Not negative, over positive.
-struct Ratio {
-  Ring numerator, denominator;
-};
-bool less(const Ratio& x, const Ratio& y) { return x.numerator * y.denominator < y.numerator * x.denominator; }
-
 template <class Real>
-Real root_of(const Ratio& ratio) {
+Real root_of(const Ratio<Ring>& ratio) {
   const Rational n = rational(ratio.numerator), d = rational(ratio.denominator);
   return nearest_sqrt<Real>(n.get_num() * d.get_den(), n.get_den() * d.get_num());
-}
-
-// The squared distance from the origin to the segment xy, which may be a point.
-Ratio squared_distance(const Vec3<Ring>& x, const Vec3<Ring>& y) {
-  const Vec3<Ring> u = y - x;
-  const Ring along = Ring(0) - dot(x, u), length2 = dot(u, u);
-  if (along <= Ring(0)) return {dot(x, x), Ring(1)};
-  if (along >= length2) return {dot(y, y), Ring(1)};
-  return {dot(x, x) * length2 - along * along, length2};
-}
-
-// The squared distance from the origin to the triangle, degenerate or not. A generator needs no independence, so this
-// is not the oracle's, which takes several times longer; the tests hold the two against each other.
-Ratio squared_distance(const portable::Centred<Ring>& t) {
-  const Ring zero(0);
-  const Vec3<Ring> normal = cross(t.b - t.a, t.c - t.a);
-  const Ring normal2 = dot(normal, normal);
-  if (normal2 > zero && dot(cross(t.a, t.b), normal) >= zero && dot(cross(t.b, t.c), normal) >= zero &&
-      dot(cross(t.c, t.a), normal) >= zero) {
-    const Ring height = dot(t.a, normal);
-    return {height * height, normal2};
-  }
-  return std::min({squared_distance(t.a, t.b), squared_distance(t.b, t.c), squared_distance(t.c, t.a)}, less);
 }
 
 }  // namespace
@@ -73,7 +45,9 @@ Real radius_on_boundary(const Query<Real>& q, Comparison which) {
 
 template <class Real>
 Real radius_at_distance(const Query<Real>& q) {
-  return root_of<Real>(squared_distance(centred_as<Ring>(q, ring<Real>)));
+  // Several times faster than CGAL's, and a generator needs no independence; the tests hold the two against each other.
+  const auto by_value = [](const Ring& x, const Ring& y) { return static_cast<int>(CGAL::compare(x, y)); };
+  return root_of<Real>(walked_squared_distance(centred_as<Ring>(q, ring<Real>), Ring(0), Ring(1), by_value));
 }
 
 template <class Real>

@@ -61,7 +61,7 @@ class MeshSource final : public Source {
            "centred on them, far";
   }
   int version() const override { return 1; }
-  std::uint64_t base_triangles(std::uint64_t trials) const override { return std::min(trials, file_.triangles); }
+  std::uint64_t base_triangles(Precision, std::uint64_t trials) const override { return std::min(trials, file_.triangles); }
   std::optional<FileInfo> file() const override { return file_; }
 
   void make(std::uint64_t seed, std::uint64_t position, Query<float>& out) const override {

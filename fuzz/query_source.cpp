@@ -54,12 +54,8 @@ class QueryFileSource final : public Source {
     }
     return std::nullopt;
   }
-  // Of the precision that has `trials` queries; of both, where both have, the smaller number, which claims less.
-  std::uint64_t base_triangles(std::uint64_t trials) const override {
-    std::uint64_t least = trials;
-    if (trials == binary32_.size()) least = std::min(least, triangles32_);
-    if (trials == binary64_.size()) least = std::min(least, triangles64_);
-    return least;
+  std::uint64_t base_triangles(Precision precision, std::uint64_t trials) const override {
+    return std::min(trials, precision == Precision::binary32 ? triangles32_ : triangles64_);
   }
   std::optional<FileInfo> file() const override { return file_; }
 

@@ -87,8 +87,8 @@ TEST(QuerySource, GivesTheQueriesOfEachPrecisionInOrder) {
   EXPECT_EQ(source->address_name(), "queries-" + source->file()->sha256);
   EXPECT_EQ(source->fixed_size(Precision::binary32), 3u);
   EXPECT_EQ(source->fixed_size(Precision::binary64), 1u);
-  EXPECT_EQ(source->base_triangles(3), 2u);  // -0 is not 0, bit for bit
-  EXPECT_EQ(source->base_triangles(1), 1u);
+  EXPECT_EQ(source->base_triangles(Precision::binary32, 3), 2u);  // -0 is not 0, bit for bit
+  EXPECT_EQ(source->base_triangles(Precision::binary64, 1), 1u);
   Query<float> q;
   source->make(99, 1, q);
   EXPECT_EQ(q.r, 3);

@@ -33,7 +33,7 @@ class Source {
   // How many queries there are in this precision, where that is not up to the caller.
   virtual std::optional<std::uint64_t> fixed_size(Precision) const { return std::nullopt; }
   // Queries that share a triangle are not independent: how many triangles `trials` queries are drawn from.
-  virtual std::uint64_t base_triangles(std::uint64_t trials) const { return trials; }
+  virtual std::uint64_t base_triangles(Precision, std::uint64_t trials) const { return trials; }
   virtual std::optional<FileInfo> file() const { return std::nullopt; }
 
   virtual void make(std::uint64_t seed, std::uint64_t position, Query<float>& out) const = 0;

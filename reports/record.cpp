@@ -71,9 +71,9 @@ Json verdict_json(const VerdictTally& v) {
           {"touching_flips", v.touching_flips}};
 }
 
-Json family_json(const Source& source, const Tally& tally, const Tolerances& tolerances) {
+Json family_json(const Source& source, Precision precision, const Tally& tally, const Tolerances& tolerances) {
   Json json = {{"trials", tally.trials},
-               {"base_triangles", source.base_triangles(tally.trials)},
+               {"base_triangles", source.base_triangles(precision, tally.trials)},
                {"exact_arithmetic", source.exact_arithmetic()},
                {"truth",
                 {{"separated", tally.separated},
@@ -161,7 +161,7 @@ Json record_of(const Plan& plan, const CampaignResult& result, const std::string
         for (const CellResult& cell : result.cells) {
           if (cell.source != s || cell.precision != precision || cell.tallies[k].trials == 0) continue;
           const Tally& tally = cell.tallies[k];
-          entry["families"][plan.sources[s]->name()] = family_json(*plan.sources[s], tally, plan.tolerances);
+          entry["families"][plan.sources[s]->name()] = family_json(*plan.sources[s], precision, tally, plan.tolerances);
           radii.unbounded += tally.critical_radius.unbounded;
           radii.errors_ulps.insert(radii.errors_ulps.end(), tally.critical_radius.errors_ulps.begin(),
                                    tally.critical_radius.errors_ulps.end());

@@ -40,7 +40,7 @@ function metric(label, member, total, alarm) {
   const deepest = total.verdict[`deepest_${member}`];
   return el('div', `metric ${total.verdict[member] > 0 ? alarm : ''}`, el('span', 'label', label),
             el('strong', '', number), el('small', '', limit),
-            el('small', '', total.verdict[member] > 0 ? `deepest ${amount(deepest, 4)} of the scene` : 'deepest: none'));
+            el('small', '', deepest > 0 ? `deepest ${amount(deepest, 4)} of the scene` : 'deepest: 0'));
 }
 
 function tolerance_fact(total) {
@@ -78,10 +78,11 @@ function summary_card(data, entry) {
   fact('largest error', largest_error(total));
   fact('critical radius', radius.largest_ulps === null ? 'not sampled'
        : `median ${amount(radius.median_ulps, 3)}, largest ${amount(radius.largest_ulps, 3)} ulps`);
-  card.append(facts, el('p', 'label', 'Broken links of wrong verdicts'), el('div', 'links', links_bar(total.verdict.links),
-                                                                           link_chips(total.verdict.links)));
+  card.append(facts, el('p', 'label', 'Broken links of wrong verdicts'),
+              el('div', 'links', links_bar(total.verdict.links), link_chips(total.verdict.links)));
   if (failures.length > 0) {
-    const list = el('details', '', el('summary', 'label', `Where the requirement is not met: ${count(failures.length)}`),
+    const list = el('details', '',
+                    el('summary', 'label', `Where the requirement is not met: ${count(failures.length)}`),
                     el('ul', 'failures', ...failures.map((failure) => failure_item(data, failure))));
     list.open = failures.length <= 8;
     card.append(list);
@@ -99,11 +100,12 @@ function show_summary(data) {
   document.getElementById('status').append(status_chip(data, data.requirement?.failures ?? [], any));
   const banner = document.getElementById('banner');
   if (!data.complete) {
-    banner.append(el('p', 'banner warn', el('strong', '', 'Incomplete. '), 'The run was interrupted before its plan was ' +
-      'done: what follows is about the queries that were asked.'));
+    banner.append(el('p', 'banner warn', el('strong', '', 'Incomplete. '), 'The run was interrupted before its plan ' +
+      'was done: what follows is about the queries that were asked.'));
   }
   if (data.requirement) {
-    const text = el('p', 'lead', 'Required: ', el('strong', '', data.requirement.level), `, ${data.requirement.sentence}.`);
+    const {level, sentence} = data.requirement;
+    const text = el('p', 'lead', 'Required: ', el('strong', '', level), `, ${sentence}.`);
     document.getElementById('summary-title').after(text);
   }
   document.getElementById('summary-cards').append(...data.kernels.map((entry) => summary_card(data, entry)));
@@ -144,7 +146,8 @@ function show_reproduction(data) {
     column.text('precision', (row) => row.precision),
     column.count('queries', (row) => row.queries),
     column.amount('seconds of core', (row) => row.seconds_of_core, {digits: 3}),
-    column.amount('queries a second and core', (row) => row.queries_per_second_and_core, {digits: 3, none: 'not measured'}),
+    column.amount('queries a second and core', (row) => row.queries_per_second_and_core,
+                  {digits: 3, none: 'not measured'}),
   ], data.throughput));
 }
 

@@ -30,7 +30,8 @@ function families_table(data, rows) {
   const truth_count = (member) =>
     column.count(member, (row) => row.result.truth[member], {group: 'truth', note: truth[member]});
   const wrong = (member, group, alarm) => [
-    column.rate(member, (row) => row.result.verdict[member], (row) => row.result, {group, alarm, note: verdict[member]}),
+    column.rate(member, (row) => row.result.verdict[member], (row) => row.result,
+                {group, alarm, note: verdict[member]}),
     column.amount('deepest', (row) => row.result.verdict[`deepest_${member}`],
                   {group, digits: 4, note: verdict[`deepest_${member}`]}),
   ];
@@ -132,7 +133,8 @@ function show_links(data) {
   const group = (label, member) => links.map((link) => column.count(link, (row) => row.result.verdict[member][link], {
     group: label, note: data.notes.links[link], alarm: member === 'links' ? 'bad' : undefined}));
   document.getElementById('links-table').append(table('Broken links', [
-    ...family_columns(), ...group('wrong verdicts', 'links'), ...group('cancelled: the verdict is right', 'masked_links'),
+    ...family_columns(), ...group('wrong verdicts', 'links'),
+    ...group('cancelled: the verdict is right', 'masked_links'),
   ], family_rows(data)));
 }
 
@@ -140,8 +142,9 @@ function show_radius(data) {
   const rows = data.kernels.flatMap((entry) => [
     {entry, family: 'all families', result: entry, total: true},
     ...Object.entries(entry.families).map(([family, result]) => ({entry, family, result}))]);
+  const note = data.notes.critical_radius;
   const of = (member, type, more) =>
-    column[type](member, (row) => row.result.critical_radius[member], {note: data.notes.critical_radius[member], ...more});
+    column[type](member, (row) => row.result.critical_radius[member], {note: note[member], ...more});
   document.getElementById('radius-table').append(table('Critical radius error, in ulps', [
     ...family_columns(), of('sampled', 'count'), of('median_ulps', 'amount', {digits: 6}),
     of('largest_ulps', 'amount', {digits: 6}), of('unbounded', 'count', {alarm: 'warn'}),

@@ -42,8 +42,8 @@ function breakable(name) {
   return node;
 }
 
-// Columns. `get` takes a row to its value, `key` that to the number that sorts it; `cell` fills the cell. `alarm`: other than
-// zero is bad news. `left`: numbers sort it, but it is read as text.
+// Columns. `get` takes a row to its value, `key` that to the number that sorts it; `cell` fills the cell. `alarm`:
+// more than zero is bad news. `left`: numbers sort it, but it is read as text.
 const column = {
   text: (label, get, more) => ({label, get, cell: (td, value) => td.append(value), ...more}),
   count: (label, get, more) => ({label, get, numeric: true, ...more, cell: (td, value) => {

@@ -22,14 +22,15 @@ function bits_table(witness, names) {
   }
   const axes = el('tr', 'groups', el('th'));
   const kinds = el('tr', '', el('th'));
-  const lines = [['exact', witness.exact_comparisons], ['computed', witness.computed_comparisons]].map(([label, bits]) => {
+  const line = ([label, bits]) => {
     const tr = el('tr', '', el('th', '', label));
     tr.append(...[...bits].map((bit, i) => {
       const differs = witness.exact_comparisons[i] !== witness.computed_comparisons[i];
       return el('td', differs ? 'bit bad' : 'bit', bit);
     }));
     return tr;
-  });
+  };
+  const lines = [['exact', witness.exact_comparisons], ['computed', witness.computed_comparisons]].map(line);
   const marks = el('tr', 'marks', el('th', '', 'differs'));
   names.forEach((name, i) => {
     const [axis, kind] = name.split('.');
