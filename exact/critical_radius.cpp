@@ -8,8 +8,10 @@
 namespace axiscert {
 
 template <class Real>
-double critical_radius_error(const Implementation<Real>& kernel, const Query<Real>& query,
-                             const Rational& squared_distance) {
+std::optional<double> critical_radius_error(const Implementation<Real>& kernel, const Query<Real>& query,
+                                            const Rational& squared_distance) {
+  const Real distance = nearest_sqrt<Real>(squared_distance);
+  if (!std::isfinite(distance)) return std::nullopt;
   using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
   QueryBatch<Real> one(1);
   const auto contact_at = [&](Bits radius) {
@@ -29,12 +31,15 @@ double critical_radius_error(const Implementation<Real>& kernel, const Query<Rea
     if (contact_at(middle)) high = middle;
     else low = middle + 1;
   }
-  const Real distance = nearest_sqrt<Real>(squared_distance);
-  const Real ulp = std::nextafter(distance, std::numeric_limits<Real>::infinity()) - distance;
+  const Real greatest = std::numeric_limits<Real>::max();
+  const Real ulp = distance == greatest ? distance - std::nextafter(distance, Real(0))
+                                        : std::nextafter(distance, greatest) - distance;
   const Real critical = std::bit_cast<Real>(low);
   return Rational(abs(exact(critical) - exact(distance)) / exact(ulp)).get_d();
 }
-template double critical_radius_error<float>(const Implementation<float>&, const Query<float>&, const Rational&);
-template double critical_radius_error<double>(const Implementation<double>&, const Query<double>&, const Rational&);
+template std::optional<double> critical_radius_error<float>(const Implementation<float>&, const Query<float>&,
+                                                            const Rational&);
+template std::optional<double> critical_radius_error<double>(const Implementation<double>&, const Query<double>&,
+                                                             const Rational&);
 
 }  // namespace axiscert

@@ -167,5 +167,16 @@ TEST(CriticalRadius, IsMeasuredInUlpsOfTheExactDistance) {
   EXPECT_EQ(critical_radius_error<float>({never, nullptr}, {{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 0, 0}, 9}, 4), INFINITY);
 }
 
+TEST(CriticalRadius, EndsOfTheRange) {
+  const auto kernel = scalar_implementation<float>(Strictness::strict);
+  const float max = std::numeric_limits<float>::max();
+  const Query<float> beyond{{max, max, 0}, {max, max, 1}, {max, max, 2}, {-max, -max, 0}, 0};
+  EXPECT_FALSE(critical_radius_error<float>(kernel, beyond, squared_distance(beyond)));
+  const Query<float> at_max{{max, 0, 0}, {max, 1, 0}, {max, 0, 1}, {0, 0, 0}, 0};
+  EXPECT_TRUE(critical_radius_error<float>(kernel, at_max, squared_distance(at_max)));
+  const Query<float> at_zero{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, 0};
+  EXPECT_EQ(critical_radius_error<float>(kernel, at_zero, 0), 0);
+}
+
 }  // namespace
 }  // namespace axiscert

@@ -34,6 +34,9 @@ void count_verdict(VerdictTally& tally, std::uint64_t position, bool touching, c
   tally.touching_flips += touching;
   add(tally.links, flip.links);
   (false_separation ? tally.deepest_false_separation : tally.deepest_false_contact).offer({depth, position});
+  for (std::size_t i = 0; i < link_count; ++i) {
+    if ((flip.links >> i) & 1u) tally.deepest_by_link[i].offer({depth, position});
+  }
 }
 
 }  // namespace
@@ -53,6 +56,7 @@ void Tally::merge(const Tally& other) {
   add(verdict.masked_links, other.verdict.masked_links);
   verdict.deepest_false_separation.merge(other.verdict.deepest_false_separation);
   verdict.deepest_false_contact.merge(other.verdict.deepest_false_contact);
+  for (std::size_t i = 0; i < link_count; ++i) verdict.deepest_by_link[i].merge(other.verdict.deepest_by_link[i]);
   for (std::size_t i = 0; i < axis_count; ++i) {
     merge_signs(axes[i], other.axes[i]);
     axes[i].sole_separator += other.axes[i].sole_separator;

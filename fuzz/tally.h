@@ -68,6 +68,7 @@ struct VerdictTally {
   std::uint64_t false_separation = 0, false_contact = 0, undecided = 0, invalid = 0, touching_flips = 0;
   LinkCounts links{}, masked_links{};
   Leaders<double> deepest_false_separation{3}, deepest_false_contact{3};  // ranked by depth
+  std::array<Leaders<double>, link_count> deepest_by_link;                // the deepest with that link broken
 };
 
 struct CriticalRadiusTally {

@@ -91,10 +91,10 @@ void judge_query(const Plan& plan, const std::vector<Runner<Real>>& runners, std
       count_errors(out.tallies[k], position, truth.formula->sides, runner.sides(i), plan.tolerances);
     }
     if (position % critical_radius_stride == 0) {
-      const double error = critical_radius_error(runner.implementation, q, distance.squared());
+      const auto error = critical_radius_error(runner.implementation, q, distance.squared());
       CriticalRadiusTally& tally = out.tallies[k].critical_radius;
-      if (std::isfinite(error)) tally.errors_ulps.push_back(error);
-      else ++tally.unbounded;
+      if (error && std::isfinite(*error)) tally.errors_ulps.push_back(*error);
+      else if (error) ++tally.unbounded;
     }
   }
 }

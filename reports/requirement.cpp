@@ -35,6 +35,7 @@ class Search {
     const auto count = [&](const char* member) { return verdict[member].get<std::uint64_t>(); };
     const std::uint64_t missed = count("false_separation"), phantom = count("false_contact");
     const Shows is_missed = [](const Json& flip) { return flip["kind"] == "false_separation"; };
+    const Shows nothing = [](const Json&) { return false; };  // such an answer is no flip
     const Shows is_phantom = [](const Json& flip) { return flip["kind"] == "false_contact"; };
     switch (requirement.level) {
       case RequirementLevel::logic:
@@ -44,9 +45,11 @@ class Search {
       case RequirementLevel::exact:
         add(missed, "missed contacts", is_missed);
         add(phantom, "phantom contacts", is_phantom);
+        add(count("invalid"), "answers `invalid` to valid queries", nothing);
         return;
       case RequirementLevel::conservative:
         add(missed, "missed contacts", is_missed);
+        add(count("invalid"), "answers `invalid` to valid queries", nothing);
         const double deepest = verdict["deepest_false_contact"].get<double>();
         if (deepest > requirement.deepest) {
           add(phantom,

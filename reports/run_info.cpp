@@ -1,4 +1,5 @@
 #include <CGAL/version.h>
+#include <assimp/version.h>
 #include <fmt/format.h>
 #include <gmp.h>
 #include <hwy/highway.h>
@@ -42,6 +43,8 @@ Json run_info(const Plan& plan, const CampaignResult& result, const std::string&
                {"versions",
                 {{"axiscert", AXISCERT_VERSION},
                  {"cgal", CGAL_STR(CGAL_VERSION)},
+                 // Which triangles a mesh file holds is for assimp to say.
+                 {"assimp", fmt::format("{}.{}.{}", aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch())},
                  {"gmp", gmp_version},
                  {"mpfr", mpfr_get_version()},
                  {"highway", fmt::format("{}.{}.{}", HWY_MAJOR, HWY_MINOR, HWY_PATCH)}}},

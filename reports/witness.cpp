@@ -53,6 +53,10 @@ void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision pr
   };
   note(tally.verdict.deepest_false_separation, [](const auto&) { return "deepest false_separation"; });
   note(tally.verdict.deepest_false_contact, [](const auto&) { return "deepest false_contact"; });
+  for (std::size_t i = 0; i < link_count; ++i) {
+    note(tally.verdict.deepest_by_link[i],
+         [i](const auto&) { return fmt::format("deepest wrong verdict with a broken {} link", link_names[i]); });
+  }
   for (std::size_t i = 0; i < comparison_count; ++i) {
     const ComparisonTally& comparison = tally.comparisons[i];
     const auto flip = [&](const char* kind) {
