@@ -1,37 +1,27 @@
 // A planted fault: the geometric oracle that CGAL's do_intersect seems to offer. It takes the sphere as a surface, so a
 // triangle wholly inside does not intersect it. The cross-checks have to notice; nothing but tests links this.
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Sphere_3.h>
 #include <CGAL/intersections.h>
-#include <CGAL/squared_distance_3.h>
 
-#include "exact/geometric_oracle.h"
+#include "exact/cgal_distance.h"
 
 namespace axiscert {
 namespace {
 
-using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
-
 template <class Real>
 int order_of(const Query<Real>& q) {
-  const auto point = [](const Vec3<Real>& v) { return Epeck::Point_3(v.x, v.y, v.z); };
-  const Epeck::Triangle_3 triangle(point(q.a), point(q.b), point(q.c));
-  if (triangle.is_degenerate()) return static_cast<int>(CGAL::compare(CGAL::squared_distance(point(q.p), triangle), Epeck::FT(q.r) * Epeck::FT(q.r)));
-  return CGAL::do_intersect(Epeck::Sphere_3(point(q.p), Epeck::FT(q.r) * Epeck::FT(q.r)), triangle) ? -1 : 1;
-}
-
-template <class Real>
-Rational rational_of(const Query<Real>& q) {
-  const auto point = [](const Vec3<Real>& v) { return Epeck::Point_3(v.x, v.y, v.z); };
-  const Epeck::FT distance = CGAL::squared_distance(point(q.p), Epeck::Triangle_3(point(q.a), point(q.b), point(q.c)));
-  return CGAL::exact(distance);
+  const Epeck::Triangle_3 triangle = cgal_triangle(q);
+  if (triangle.is_degenerate()) {  // do_intersect asks for a triangle with area
+    return static_cast<int>(CGAL::compare(cgal_squared_distance(q), cgal_squared_radius(q)));
+  }
+  return CGAL::do_intersect(Epeck::Sphere_3(cgal_point(q.p), cgal_squared_radius(q)), triangle) ? -1 : 1;
 }
 
 }  // namespace
 
 int distance_order(const Query<float>& q) { return order_of(q); }
 int distance_order(const Query<double>& q) { return order_of(q); }
-Rational squared_distance(const Query<float>& q) { return rational_of(q); }
-Rational squared_distance(const Query<double>& q) { return rational_of(q); }
+Rational squared_distance(const Query<float>& q) { return rational_squared_distance(q); }
+Rational squared_distance(const Query<double>& q) { return rational_squared_distance(q); }
 
 }  // namespace axiscert
