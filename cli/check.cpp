@@ -39,7 +39,9 @@ void print_text(const std::string& id, const Kernel& kernel, const Examination& 
   if (found.depth) fmt::print(", wrong by {:.3g} of the scene", *found.depth);
   for (const Flip& flip : found.judgement.flips()) {
     fmt::print("; {} {}{} [", name(flip), flip_kind_names[static_cast<std::size_t>(flip.kind)],
-               flip.level == Level::verdict ? "" : flip.decisive ? " decisive" : " masked");
+               flip.level == Level::verdict ? ""
+               : flip.decisive              ? " decisive"
+                                            : " masked");
     const char* separator = "";
     for (std::size_t i = 0; i < link_count; ++i) {
       if (!((flip.links >> i) & 1u)) continue;
@@ -78,7 +80,8 @@ int check(const Options& options) {
 }  // namespace
 
 void add_check(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("check", "Judge each query of a file: exact and computed answers, and why they differ");
+  auto* command =
+      app.add_subcommand("check", "Judge each query of a file: exact and computed answers, and why they differ");
   auto options = std::make_shared<Options>();
   command->add_option("FILE", options->file, "query file, JSON Lines or CSV; - reads standard input")->required();
   command->add_option("--kernel", options->kernel, "kernel id")->capture_default_str();

@@ -8,7 +8,13 @@
 
 namespace axiscert {
 
-enum ExitCode { exit_done = 0, exit_requirement_failed = 1, exit_bad_input = 2, exit_harness_fault = 3, exit_interrupted = 130 };
+enum ExitCode {
+  exit_done = 0,
+  exit_requirement_failed = 1,
+  exit_bad_input = 2,
+  exit_harness_fault = 3,
+  exit_interrupted = 130
+};
 
 // Runs the chosen subcommand and returns an ExitCode. Throws Error and HarnessFault.
 using Action = std::function<int()>;

@@ -29,7 +29,8 @@ int list_kernels(const std::string& format) {
 }  // namespace
 
 void add_kernels(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("kernels", "List the kernels, their precisions, instruction sets and what they expose");
+  auto* command =
+      app.add_subcommand("kernels", "List the kernels, their precisions, instruction sets and what they expose");
   auto format = std::make_shared<std::string>("text");
   add_format(*command, *format, "json");
   command->callback([&action, format] { action = [format] { return list_kernels(*format); }; });

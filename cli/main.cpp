@@ -19,11 +19,13 @@ CLI::Option* add_format(CLI::App& command, std::string& format, const std::strin
 
 int main(int argc, char** argv) {
   using namespace axiscert;
-  CLI::App app{"Runs sphere-triangle kernels beside exact arithmetic and reports where, how far and how often they are wrong."};
+  CLI::App app{
+      "Runs sphere-triangle kernels beside exact arithmetic and reports where, how far and how often they are wrong."};
   app.set_version_flag("--version", "axiscert " AXISCERT_VERSION);
   app.require_subcommand(1);
-  app.footer("Exit codes: 0 done; 1 a requirement failed; 2 bad usage or input, or a target this machine lacks;\n"
-             "3 the oracles disagree, or the harness caught itself wrong; 130 interrupted.");
+  app.footer(
+      "Exit codes: 0 done; 1 a requirement failed; 2 bad usage or input, or a target this machine lacks;\n"
+      "3 the oracles disagree, or the harness caught itself wrong; 130 interrupted.");
   Action action;
   for (const auto add : {add_run, add_check, add_query, add_kernels, add_families, add_report}) add(app, action);
   try {

@@ -27,8 +27,8 @@ SourcePtr source_of(const Address& address, const std::string& mesh, const std::
 template <class Real>
 int print_query(const Address& address, const Source& source) {
   if (const auto size = source.fixed_size(address.precision); size && address.position() >= *size) {
-    throw Error(fmt::format("address '{}': the file has {} queries in {}", text(address), *size,
-                            name(address.precision)));
+    throw Error(
+        fmt::format("address '{}': the file has {} queries in {}", text(address), *size, name(address.precision)));
   }
   Query<Real> q;
   source.make(address.seed, address.position(), q);

@@ -53,14 +53,16 @@ int run(const RunOptions& options) {
   if (!result.complete) return exit_interrupted;
   if (options.require.empty()) return exit_done;
   const auto failures = unmet(record, options.require);
-  for (const auto& failure : failures) fmt::print(stderr, "axiscert: --require {}: {}\n", options.require, failure.text());
+  for (const auto& failure : failures)
+    fmt::print(stderr, "axiscert: --require {}: {}\n", options.require, failure.text());
   return failures.empty() ? exit_done : exit_requirement_failed;
 }
 
 }  // namespace
 
 void add_run(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("run", "Run kernels over families, meshes and query files, judge them and write a report");
+  auto* command =
+      app.add_subcommand("run", "Run kernels over families, meshes and query files, judge them and write a report");
   auto options = std::make_shared<RunOptions>();
   add_run_options(*command, *options);
   command->callback([&action, options] { action = [options] { return run(*options); }; });

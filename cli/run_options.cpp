@@ -42,8 +42,8 @@ void add_tolerance(const std::string& given, Plan& plan) {
   if (found) return;
   std::vector<std::string_view> names;
   for (const ComparisonInfo& c : comparisons) names.push_back(c.name);
-  throw Error(fmt::format("--tolerance {}: unknown comparison '{}'; comparisons: {}", given, which,
-                          fmt::join(names, ", ")));
+  throw Error(
+      fmt::format("--tolerance {}: unknown comparison '{}'; comparisons: {}", given, which, fmt::join(names, ", ")));
 }
 
 void add_sources(const RunOptions& options, Plan& plan) {
@@ -57,7 +57,8 @@ void add_sources(const RunOptions& options, Plan& plan) {
     plan.sources.push_back(std::move(source));
   };
   const bool nothing_given = options.families.empty() && options.meshes.empty() && options.queries.empty();
-  const bool all = nothing_given || std::find(options.families.begin(), options.families.end(), "all") != options.families.end();
+  const bool all =
+      nothing_given || std::find(options.families.begin(), options.families.end(), "all") != options.families.end();
   if (all) {
     for (const Family* family : families()) add(family_source(*family));
   }
@@ -78,10 +79,14 @@ void add_run_options(CLI::App& command, RunOptions& o) {
   command.add_option("--mesh", o.meshes, "mesh file of any format assimp reads, repeatable")->allow_extra_args(false);
   command.add_option("--queries", o.queries, "query file, JSON Lines or CSV, - for standard input, repeatable")
       ->allow_extra_args(false);
-  auto* trials = command.add_option("--trials", o.trials, "queries per family and precision (default: 2^18 in binary32, "
-                                    "2^16 in binary64 with 2^14 for bits)")->check(CLI::PositiveNumber);
+  auto* trials = command
+                     .add_option("--trials", o.trials,
+                                 "queries per family and precision (default: 2^18 in binary32, "
+                                 "2^16 in binary64 with 2^14 for bits)")
+                     ->check(CLI::PositiveNumber);
   command.add_option("--time", o.seconds, "seconds to run instead; units that were begun are finished")
-      ->check(CLI::PositiveNumber)->excludes(trials);
+      ->check(CLI::PositiveNumber)
+      ->excludes(trials);
   command.add_option("--seed", o.seed, "seed of every family")->capture_default_str();
   command.add_option("--precision", o.precision, "binary32 or binary64 (default: both); that of CSV files");
   command.add_option("--target", o.target, "instruction set, see `axiscert kernels`")->capture_default_str();
@@ -99,7 +104,8 @@ Plan plan_of(const RunOptions& options) {
   if (!options.require.empty()) parse_requirement(options.require);
   for (const std::string& id : options.kernels) {
     const Kernel* kernel = &find_kernel(id);
-    if (std::find(plan.kernels.begin(), plan.kernels.end(), kernel) == plan.kernels.end()) plan.kernels.push_back(kernel);
+    if (std::find(plan.kernels.begin(), plan.kernels.end(), kernel) == plan.kernels.end())
+      plan.kernels.push_back(kernel);
   }
   if (plan.kernels.empty()) plan.kernels.push_back(&find_kernel("published"));
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
@@ -109,7 +115,8 @@ Plan plan_of(const RunOptions& options) {
   plan.trials = [trials = options.trials](const Source& source, Precision precision) {
     return trials ? *trials : default_trials(source, precision);
   };
-  plan.threads = options.threads != 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  plan.threads =
+      options.threads != 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   add_sources(options, plan);
   return plan;
 }

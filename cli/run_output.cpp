@@ -24,7 +24,8 @@ void ProgressLine::show(const Progress& p) {
   const double rate = static_cast<double>(p.queries) / p.seconds;
   std::string left;
   if (p.units != 0) {
-    const double remaining = p.seconds * static_cast<double>(p.units - p.units_done) / static_cast<double>(p.units_done);
+    const double remaining =
+        p.seconds * static_cast<double>(p.units - p.units_done) / static_cast<double>(p.units_done);
     left = fmt::format(" of {}, about {:.0f} s left", p.units, remaining);
   }
   fmt::print(stderr, "\r\x1b[K{} units{}; {} queries, {:.0f} a second", p.units_done, left, p.queries, rate);
@@ -80,9 +81,10 @@ void print_summary(const Json& record, double seconds) {
       deepest_missed = std::max(deepest_missed, verdict["deepest_false_separation"].get<double>());
       deepest_phantom = std::max(deepest_phantom, verdict["deepest_false_contact"].get<double>());
     }
-    fmt::print("{} {}: {} queries; {} missed contacts (deepest {:.3g} of the scene), {} phantom contacts (deepest {:.3g})\n",
-               kernel["id"].get<std::string>(), kernel["precision"].get<std::string>(), trials, missed, deepest_missed,
-               phantom, deepest_phantom);
+    fmt::print(
+        "{} {}: {} queries; {} missed contacts (deepest {:.3g} of the scene), {} phantom contacts (deepest {:.3g})\n",
+        kernel["id"].get<std::string>(), kernel["precision"].get<std::string>(), trials, missed, deepest_missed,
+        phantom, deepest_phantom);
   }
   fmt::print("{}{:.1f} s\n", record["complete"].get<bool>() ? "" : "interrupted; ", seconds);
 }

@@ -45,8 +45,8 @@ double estimate(const Rational& dd, const Rational& r, const Rational& ss) {
 template <class Real>
 double depth(const Query<Real>& q, const Rational& dd) {
   const Rational r = exact(q.r);
-  const Rational ss = std::max({squared_length(q.a, q.p), squared_length(q.b, q.p), squared_length(q.c, q.p),
-                                Rational(r * r)});
+  const Rational ss =
+      std::max({squared_length(q.a, q.p), squared_length(q.b, q.p), squared_length(q.c, q.p), Rational(r * r)});
   if (sgn(ss) == 0) return 0;
   // The nearest double is the one between whose midpoints the value lies; on a midpoint, the even one.
   double y = estimate(dd, r, ss);

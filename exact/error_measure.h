@@ -15,8 +15,8 @@ struct Decimal6 {
   std::uint32_t mantissa = 0;
   auto operator<=>(const Decimal6&) const = default;
   bool is_zero() const { return mantissa == 0; }
-  // The double nearest to the decimal, whose shortest text is the decimal again; infinite beyond binary64's range, where
-  // errors do get: against an exact side of 2^-2148 the least rounding is enough.
+  // The double nearest to the decimal, whose shortest text is the decimal again; infinite beyond binary64's range,
+  // where errors do get: against an exact side of 2^-2148 the least rounding is enough.
   double value() const;
   std::string text() const;  // "366.123", "1.5e+620": as a double is written, at any size
 };

@@ -14,8 +14,8 @@ using Ring = CGAL::Mpzf;
 Rational rational(const Ring& x);
 
 struct FormulaTruth {
-  Sides<Ring> sides;               // exact
-  ComparisonBits strict, ties;     // lhs > rhs; lhs == rhs
+  Sides<Ring> sides;            // exact
+  ComparisonBits strict, ties;  // lhs > rhs; lhs == rhs
   ComparisonBits bits(Strictness strictness) const {
     return strictness == Strictness::strict ? strict : static_cast<ComparisonBits>(strict | (ties & side_comparisons));
   }

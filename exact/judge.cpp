@@ -40,8 +40,7 @@ void judge_bits(const Reference& chain, ComparisonBits bits, Verdict verdict, Ju
   out.comparison_flips = chain.exact ^ bits;
   out.axis_flips = exact_axes ^ axes;
   out.broken = broken_links<ComparisonBits>(chain.exact, chain.range_free, chain.reference, bits);
-  out.broken_axes =
-      broken_links<AxisBits>(exact_axes, axes_of(chain.range_free), axes_of(chain.reference), axes);
+  out.broken_axes = broken_links<AxisBits>(exact_axes, axes_of(chain.range_free), axes_of(chain.reference), axes);
   if (verdict == verdict_of(exact_axes)) return;  // nothing flipped the verdict: all masked
   // A verdict that differs points one way; so does every flip that can have caused it: the axes that flipped that way,
   // and in those axes the comparisons that did.
@@ -58,9 +57,12 @@ void judge_bits(const Reference& chain, ComparisonBits bits, Verdict verdict, Ju
 
 std::string_view name(const Flip& flip) {
   switch (flip.level) {
-    case Level::verdict: return "verdict";
-    case Level::axis: return axis_names[flip.index];
-    case Level::comparison: return comparisons[flip.index].name;
+    case Level::verdict:
+      return "verdict";
+    case Level::axis:
+      return axis_names[flip.index];
+    case Level::comparison:
+      return comparisons[flip.index].name;
   }
   return {};
 }
@@ -70,8 +72,7 @@ Judgement judge(const Truth& truth, const std::optional<Reference>& chain, const
   if (truth.verdict == Verdict::invalid) return out;
   const bool decided = answer.verdict == Verdict::separated || answer.verdict == Verdict::contact;
   if (decided && answer.verdict != truth.verdict) {
-    out.verdict_flip =
-        answer.verdict == Verdict::separated ? FlipKind::false_separation : FlipKind::false_contact;
+    out.verdict_flip = answer.verdict == Verdict::separated ? FlipKind::false_separation : FlipKind::false_contact;
   }
   if (!chain) {
     if (out.verdict_flip) out.verdict_links = link_bit(Link::unattributed);

@@ -56,8 +56,8 @@ struct Judgement {
   std::uint8_t axis_flips = 0, axis_decisive = 0;
   std::vector<Flip> flips() const;  // in the order verdict, axes, comparisons
 
-  ComparisonBits exact = 0;                            // the kernel's own formulae in exact arithmetic
-  std::array<ComparisonBits, link_count> broken{};     // per link, the comparisons at which it is broken
+  ComparisonBits exact = 0;                         // the kernel's own formulae in exact arithmetic
+  std::array<ComparisonBits, link_count> broken{};  // per link, the comparisons at which it is broken
   std::array<AxisBits, link_count> broken_axes{};
 };
 

@@ -56,11 +56,10 @@ TEST(HandWorked, NonstrictSidesMendBoth) {
 TEST(HandWorked, OverflowIsARangeFault) {
   const float s = 0x1p30f;
   const auto found = judged({{-s, 2 * s, 0}, {s, 2 * s, 0}, {0, 3 * s, 0}, {0, 0, 0}, s});
-  EXPECT_EQ(told(found.judgement), (Lines{"verdict false_contact decisive range",
-                                          "edge_ab missed_separation decisive range",
-                                          "edge_ab.radius missed_separation decisive range",
-                                          "edge_bc.radius missed_separation masked range",
-                                          "edge_ca.radius missed_separation masked range"}));
+  EXPECT_EQ(told(found.judgement),
+            (Lines{"verdict false_contact decisive range", "edge_ab missed_separation decisive range",
+                   "edge_ab.radius missed_separation decisive range", "edge_bc.radius missed_separation masked range",
+                   "edge_ca.radius missed_separation masked range"}));
   EXPECT_EQ(*found.depth, 1.0 / 3.0);  // (2 - 1) / |C|
 }
 
@@ -69,9 +68,9 @@ const float below_root3 = 0x1.bb67aep0f;
 TEST(HandWorked, ARoundedSquareIsARoundingFault) {
   const auto found = judged({{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {0, 0, 0}, below_root3});
   EXPECT_EQ(found.truth.verdict, Verdict::separated);
-  EXPECT_EQ(told(found.judgement), (Lines{"verdict false_contact decisive rounding",
-                                          "vertex_a missed_separation decisive rounding",
-                                          "vertex_a.radius missed_separation decisive rounding"}));
+  EXPECT_EQ(told(found.judgement),
+            (Lines{"verdict false_contact decisive rounding", "vertex_a missed_separation decisive rounding",
+                   "vertex_a.radius missed_separation decisive rounding"}));
   EXPECT_EQ(*found.depth, 0x1.b411ff795f13ep-27);  // (sqrt(3) - r) / sqrt(6), from 50 decimal digits
 }
 
@@ -105,9 +104,9 @@ TEST(HandWorked, BitsThatAreNotTheReferencesAreAnImplementationFault) {
   EXPECT_EQ(chain.exact, chain.reference);
   const auto wrong = static_cast<ComparisonBits>(chain.reference | comparisons_of(Axis::plane));
   const Judgement judgement = judge(truth, chain, {Verdict::separated, wrong});
-  EXPECT_EQ(told(judgement), (Lines{"verdict false_separation decisive implementation",
-                                    "plane false_separation decisive implementation",
-                                    "plane.radius false_separation decisive implementation"}));
+  EXPECT_EQ(told(judgement),
+            (Lines{"verdict false_separation decisive implementation", "plane false_separation decisive implementation",
+                   "plane.radius false_separation decisive implementation"}));
 }
 
 // 10: two links broken that cancel: the verdict is right, the links are kept apart.
@@ -115,8 +114,8 @@ TEST(HandWorked, LinksThatCancelLeaveTheVerdictRight) {
   const Query<float> q{{2, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 0, 0}, 1};
   const Truth truth = exact_truth(q, true);
   const auto separated = static_cast<ComparisonBits>(truth.formula->strict | comparisons_of(Axis::vertex_a));
-  const Judgement judgement = judge(truth, Reference{truth.formula->strict, separated, separated},
-                                    {Verdict::separated, separated});
+  const Judgement judgement =
+      judge(truth, Reference{truth.formula->strict, separated, separated}, {Verdict::separated, separated});
   EXPECT_FALSE(judgement.verdict_flip);
   EXPECT_EQ(judgement.verdict_links, link_bit(Link::specification) | link_bit(Link::rounding));
   // Against its own exact formulae the kernel's verdict did flip, and the axis that flipped it is decisive.
@@ -132,10 +131,10 @@ TEST(HandWorked, AFlipTheOtherWayIsMasked) {
   auto kernel = static_cast<ComparisonBits>(exact & ~(1u << static_cast<unsigned>(Comparison::edge_ab_radius)));
   kernel |= 1u << static_cast<unsigned>(Comparison::vertex_c_side_a);
   const Judgement judgement = judge(truth, Reference{exact, kernel, kernel}, {Verdict::contact, kernel});
-  EXPECT_EQ(told(judgement), (Lines{"verdict false_contact decisive rounding",
-                                    "edge_ab missed_separation decisive rounding",
-                                    "vertex_c.side_a false_separation masked rounding",
-                                    "edge_ab.radius missed_separation decisive rounding"}));
+  EXPECT_EQ(told(judgement),
+            (Lines{"verdict false_contact decisive rounding", "edge_ab missed_separation decisive rounding",
+                   "vertex_c.side_a false_separation masked rounding",
+                   "edge_ab.radius missed_separation decisive rounding"}));
 }
 
 TEST(Judge, InvalidTruthHasNoFlips) {

@@ -42,7 +42,9 @@ TEST(RoundUp, IsTheLeastDecimalThatIsNotBelow) {
   for (int i = 0; i < 2000; ++i) {
     const Rational q = exact(std::ldexp(static_cast<double>(random()), static_cast<int>(random() % 120) - 90));
     const Decimal6 up = round_up(q);
-    const auto decimal = [](std::uint32_t m, int e) { return parse_decimal(std::to_string(m) + "e" + std::to_string(e)); };
+    const auto decimal = [](std::uint32_t m, int e) {
+      return parse_decimal(std::to_string(m) + "e" + std::to_string(e));
+    };
     EXPECT_GE(decimal(up.mantissa, up.exponent), q);
     EXPECT_LT(decimal(up.mantissa - 1, up.exponent), q);
     EXPECT_GE(up.mantissa, 100000u);
@@ -66,7 +68,9 @@ TEST(ComparisonErrorTest, HandValues) {
 TEST(ComparisonErrorTest, BoundsEncloseTheExactErrorAndToleranceIsExact) {
   std::mt19937_64 random(12);
   for (int i = 0; i < 2000; ++i) {
-    const auto wide = [&] { return std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 900) - 500); };
+    const auto wide = [&] {
+      return std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 900) - 500);
+    };
     const double l = wide(), r = wide();
     const ComparisonError error(static_cast<double>(static_cast<float>(l)), r, Ring(l), Ring(r));
     if (error.kind() != ComparisonError::Kind::finite) continue;
@@ -163,8 +167,11 @@ TEST(CriticalRadius, IsMeasuredInUlpsOfTheExactDistance) {
   const auto kernel = scalar_implementation<float>(Strictness::strict);
   EXPECT_EQ(critical_radius_error<float>(kernel, {{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 0, 0}, 9}, 4), 0);
   EXPECT_EQ(critical_radius_error<float>(kernel, {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {0, 0, 0}, 9}, 3), 0);
-  const auto never = [](const QueryColumns<float>& batch, Verdict* out) { std::fill_n(out, batch.size, Verdict::separated); };
-  EXPECT_EQ(critical_radius_error<float>({never, nullptr}, {{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 0, 0}, 9}, 4), INFINITY);
+  const auto never = [](const QueryColumns<float>& batch, Verdict* out) {
+    std::fill_n(out, batch.size, Verdict::separated);
+  };
+  EXPECT_EQ(critical_radius_error<float>({never, nullptr}, {{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 0, 0}, 9}, 4),
+            INFINITY);
 }
 
 TEST(CriticalRadius, EndsOfTheRange) {

@@ -58,7 +58,8 @@ TYPED_TEST(OracleTest, BadInputIsInvalidAndMinusZeroIsARadius) {
 // numbers there are.
 TYPED_TEST(OracleTest, OraclesAgreeAtTheEndsOfTheRange) {
   using Limits = std::numeric_limits<TypeParam>;
-  const TypeParam ends[] = {0, Limits::denorm_min(), Limits::min(), 1, Limits::max(), -Limits::max(), -Limits::denorm_min()};
+  const TypeParam ends[] = {
+      0, Limits::denorm_min(), Limits::min(), 1, Limits::max(), -Limits::max(), -Limits::denorm_min()};
   std::mt19937_64 random(3);
   for (int i = 0; i < 300; ++i) {
     std::array<TypeParam, coordinate_count> v;
@@ -98,34 +99,38 @@ LatticeCount judge_lattice(int n) {
   const auto vertex = [&](int i) {
     return Vec3<double>{double(i % side - n), double(i / side % side - n), double(i / side / side - n)};
   };
-  for (int i = 0; i < points; ++i) for (int j = 0; j < points; ++j) for (int k = 0; k < points; ++k) {
-    const Query<double> q{vertex(i), vertex(j), vertex(k), {0, 0, 0}, 0};
-    ++count.triangles;
-    const auto normal = portable::cross(q.b - q.a, q.c - q.a);
-    const bool zero_area = portable::dot(normal, normal) == 0;
-    count.zero_area += zero_area;
-    const Rational distance2 = squared_distance(q);
-    const double den = distance2.get_den().get_d(), scaled = distance2.get_num().get_d() * den;
-    const auto scale = [&](const Vec3<double>& v) { return Vec3<Ring>{Ring(v.x * den), Ring(v.y * den), Ring(v.z * den)}; };
-    bool strict_wrong = false;
-    for (const int offset : {-1, 0, 1}) {
-      if (scaled == 0 && offset < 0) continue;  // no radius is below zero
-      const Ring rr = Ring(scaled) + (scaled == 0 ? Ring(offset) : Ring(scaled * offset) * Ring(0x1p-40));
-      const portable::Centred<Ring> centred{scale(q.a), scale(q.b), scale(q.c), rr};
-      const FormulaTruth truth = formula_truth(centred);
-      const bool separated = offset < 0;
-      const bool strict = axes_of(truth.strict) != 0, nonstrict = axes_of(truth.bits(Strictness::nonstrict)) != 0;
-      strict_wrong |= strict != separated;
-      count.missed_contacts += strict && !separated;
-      count.nonstrict_wrong += nonstrict != separated;
-      const auto walked = walked_squared_distance(centred, Ring(0), Ring(1), ring_order);
-      count.oracle_differences += ring_order(walked.numerator, rr * walked.denominator) != -offset;
-    }
-    if (strict_wrong) {
-      ++count.strict_wrong;
-      EXPECT_TRUE(zero_area) << "the strict test is wrong on a triangle with area: " << i << " " << j << " " << k;
-    }
-  }
+  for (int i = 0; i < points; ++i)
+    for (int j = 0; j < points; ++j)
+      for (int k = 0; k < points; ++k) {
+        const Query<double> q{vertex(i), vertex(j), vertex(k), {0, 0, 0}, 0};
+        ++count.triangles;
+        const auto normal = portable::cross(q.b - q.a, q.c - q.a);
+        const bool zero_area = portable::dot(normal, normal) == 0;
+        count.zero_area += zero_area;
+        const Rational distance2 = squared_distance(q);
+        const double den = distance2.get_den().get_d(), scaled = distance2.get_num().get_d() * den;
+        const auto scale = [&](const Vec3<double>& v) {
+          return Vec3<Ring>{Ring(v.x * den), Ring(v.y * den), Ring(v.z * den)};
+        };
+        bool strict_wrong = false;
+        for (const int offset : {-1, 0, 1}) {
+          if (scaled == 0 && offset < 0) continue;  // no radius is below zero
+          const Ring rr = Ring(scaled) + (scaled == 0 ? Ring(offset) : Ring(scaled * offset) * Ring(0x1p-40));
+          const portable::Centred<Ring> centred{scale(q.a), scale(q.b), scale(q.c), rr};
+          const FormulaTruth truth = formula_truth(centred);
+          const bool separated = offset < 0;
+          const bool strict = axes_of(truth.strict) != 0, nonstrict = axes_of(truth.bits(Strictness::nonstrict)) != 0;
+          strict_wrong |= strict != separated;
+          count.missed_contacts += strict && !separated;
+          count.nonstrict_wrong += nonstrict != separated;
+          const auto walked = walked_squared_distance(centred, Ring(0), Ring(1), ring_order);
+          count.oracle_differences += ring_order(walked.numerator, rr * walked.denominator) != -offset;
+        }
+        if (strict_wrong) {
+          ++count.strict_wrong;
+          EXPECT_TRUE(zero_area) << "the strict test is wrong on a triangle with area: " << i << " " << j << " " << k;
+        }
+      }
   return count;
 }
 

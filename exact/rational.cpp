@@ -39,8 +39,8 @@ Real round_once(Set&& set) {
   mpfr_t x;
   mpfr_init2(x, std::numeric_limits<Real>::digits);
   mpfr_subnormalize(x, set(x), MPFR_RNDN);
-  const Real result = sizeof(Real) == 4 ? static_cast<Real>(mpfr_get_flt(x, MPFR_RNDN))
-                                        : static_cast<Real>(mpfr_get_d(x, MPFR_RNDN));
+  const Real result =
+      sizeof(Real) == 4 ? static_cast<Real>(mpfr_get_flt(x, MPFR_RNDN)) : static_cast<Real>(mpfr_get_d(x, MPFR_RNDN));
   mpfr_clear(x);
   return result;
 }

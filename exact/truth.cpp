@@ -10,7 +10,9 @@ namespace {
 
 template <class Real>
 bool has_zero_area(const Query<Real>& q) {
-  const auto vec = [](const Vec3<Real>& v) { return Vec3<Ring>{Ring(double(v.x)), Ring(double(v.y)), Ring(double(v.z))}; };
+  const auto vec = [](const Vec3<Real>& v) {
+    return Vec3<Ring>{Ring(double(v.x)), Ring(double(v.y)), Ring(double(v.z))};
+  };
   const Vec3<Ring> a = vec(q.a), normal = portable::cross(vec(q.b) - a, vec(q.c) - a);
   return normal.x.is_zero() && normal.y.is_zero() && normal.z.is_zero();
 }
@@ -29,16 +31,20 @@ std::optional<std::string> contradiction(const Query<Real>& q, int geometric_ord
                        name(nonstrict));
   }
   if (strict != geometric && (strict == Verdict::separated || !has_zero_area(q))) {
-    return fmt::format("CGAL says {}, the exact strict formulae say {} on a triangle where the theorem allows no such "
-                       "difference", name(geometric), name(strict));
+    return fmt::format(
+        "CGAL says {}, the exact strict formulae say {} on a triangle where the theorem allows no such "
+        "difference",
+        name(geometric), name(strict));
   }
   if (opinion && opinion->distance_order != geometric_order) {
     return fmt::format("distance against radius: CGAL orders them {}, MPFR {}", geometric_order,
                        opinion->distance_order);
   }
   if (opinion && (opinion->strict != formula.strict || opinion->ties != formula.ties)) {
-    return fmt::format("the sixteen signs: ring {:016b} ties {:016b}, MPFR {:016b} ties {:016b} (bit 0 is the first "
-                       "comparison)", formula.strict, formula.ties, opinion->strict, opinion->ties);
+    return fmt::format(
+        "the sixteen signs: ring {:016b} ties {:016b}, MPFR {:016b} ties {:016b} (bit 0 is the first "
+        "comparison)",
+        formula.strict, formula.ties, opinion->strict, opinion->ties);
   }
   return std::nullopt;
 }

@@ -9,8 +9,8 @@
 namespace axiscert {
 
 struct Truth {
-  Verdict verdict;   // separated, contact (touching included) or invalid
-  bool touching;     // distance exactly r
+  Verdict verdict;                      // separated, contact (touching included) or invalid
+  bool touching;                        // distance exactly r
   std::optional<FormulaTruth> formula;  // none where the verdict is `invalid`
 };
 

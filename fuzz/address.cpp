@@ -40,8 +40,10 @@ Precision parse_precision(std::string_view given) {
 
 Address parse_address(std::string_view given) {
   const auto fail = [&](const std::string& what) {
-    return Error(fmt::format("address '{}': {}; the form is SEED:NAME:VERSION:PRECISION:UNIT:INDEX, for instance "
-                             "1:tangent:1:binary32:0:1234", given, what));
+    return Error(
+        fmt::format("address '{}': {}; the form is SEED:NAME:VERSION:PRECISION:UNIT:INDEX, for instance "
+                    "1:tangent:1:binary32:0:1234",
+                    given, what));
   };
   const auto parts = split(given, ':');
   if (parts.size() != 6) throw fail(fmt::format("{} fields instead of 6", parts.size()));

@@ -11,7 +11,9 @@ namespace axiscert {
 namespace {
 
 template <class Real>
-Ring ring(Real x) { return Ring(static_cast<double>(x)); }
+Ring ring(Real x) {
+  return Ring(static_cast<double>(x));
+}
 
 template <class Real>
 Real& coordinate_of(Vec3<Real>& v, int coordinate) {
@@ -75,11 +77,11 @@ Real step_radius(Real r, int ulps) {
   return std::clamp(step_ulps(r, ulps), Real(0), std::numeric_limits<Real>::max());
 }
 
-#define AXISCERT_INSTANTIATE(Real)                                                \
-  template Real radius_on_boundary<Real>(const Query<Real>&, Comparison);         \
-  template Real radius_at_distance<Real>(const Query<Real>&);                     \
+#define AXISCERT_INSTANTIATE(Real)                                                 \
+  template Real radius_on_boundary<Real>(const Query<Real>&, Comparison);          \
+  template Real radius_at_distance<Real>(const Query<Real>&);                      \
   template Real coordinate_on_boundary<Real>(const Query<Real>&, Comparison, int); \
-  template Real step_ulps<Real>(Real, int);                                       \
+  template Real step_ulps<Real>(Real, int);                                        \
   template Real step_radius<Real>(Real, int);
 AXISCERT_INSTANTIATE(float)
 AXISCERT_INSTANTIATE(double)

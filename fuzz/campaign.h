@@ -24,7 +24,7 @@ struct Plan {
   std::optional<double> seconds;  // the time limit; units that were begun are finished
   Tolerances tolerances;
   std::map<std::string, std::string> tolerance_texts;  // by comparison, as given
-  std::string target;  // resolved
+  std::string target;                                  // resolved
   int threads = 1;
 };
 
@@ -33,8 +33,8 @@ struct CellResult {
   std::size_t source;
   Precision precision;
   std::uint64_t units_done = 0;
-  double core_seconds = 0;               // processor time of generating and judging
-  std::vector<Tally> tallies;            // by kernel, in the plan's order
+  double core_seconds = 0;     // processor time of generating and judging
+  std::vector<Tally> tallies;  // by kernel, in the plan's order
 };
 
 struct CampaignResult {

@@ -23,7 +23,9 @@ Plan plan_of(std::vector<const Kernel*> kernels, std::vector<std::string> names,
   return plan;
 }
 
-CampaignResult run(const Plan& plan) { return run_campaign(plan, never, [](const Progress&) {}); }
+CampaignResult run(const Plan& plan) {
+  return run_campaign(plan, never, [](const Progress&) {});
+}
 
 LinkCounts links(const CampaignResult& result, std::size_t kernel) {
   LinkCounts sum{};
@@ -56,6 +58,7 @@ class Flushed {
  public:
   Flushed() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }
   ~Flushed() { _mm_setcsr(before_); }
+
  private:
   unsigned before_;
 };
@@ -76,7 +79,8 @@ void contracted_explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
   for (std::size_t i = 0; i < batch.size; ++i) {
     std::array<Real, coordinate_count> v;
     for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = batch.column[k][i];
-    const auto fused = published_sides<Contracted<Real>>(from_coordinates(v), [](Real x) { return Contracted<Real>{x}; });
+    const auto fused =
+        published_sides<Contracted<Real>>(from_coordinates(v), [](Real x) { return Contracted<Real>{x}; });
     Sides<Real> sides;
     for (std::size_t k = 0; k < comparison_count; ++k) {
       out.lhs[k][i] = sides.lhs[k] = fused.lhs[k].rounded();
@@ -93,10 +97,14 @@ void contracted_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
   for (std::size_t i = 0; i < batch.size; ++i) out[i] = verdict_of(axes_of(answers.bits[i]));
 }
 
-#define AXISCERT_PLANT(name)                                                              \
-  const Kernel name##_kernel = {#name, "planted", Strictness::strict,                      \
-      [](std::string_view) { return Implementation<float>{name##_verdicts<float>, name##_explain<float>}; }, \
-      [](std::string_view) { return Implementation<double>{name##_verdicts<double>, name##_explain<double>}; }}
+#define AXISCERT_PLANT(name)                                                                                      \
+  const Kernel name##_kernel = {#name, "planted", Strictness::strict,                                             \
+                                [](std::string_view) {                                                            \
+                                  return Implementation<float>{name##_verdicts<float>, name##_explain<float>};    \
+                                },                                                                                \
+                                [](std::string_view) {                                                            \
+                                  return Implementation<double>{name##_verdicts<double>, name##_explain<double>}; \
+                                }}
 AXISCERT_PLANT(swapped);
 AXISCERT_PLANT(flushed);
 AXISCERT_PLANT(contracted);
@@ -109,7 +117,9 @@ void expect_implementation_links(const Kernel& planted, const std::string& famil
 }
 
 TEST(PlantedKernel, ASwappedLaneIsAnImplementationFault) { expect_implementation_links(swapped_kernel, "general"); }
-TEST(PlantedKernel, AContractedKernelIsAnImplementationFault) { expect_implementation_links(contracted_kernel, "repeated"); }
+TEST(PlantedKernel, AContractedKernelIsAnImplementationFault) {
+  expect_implementation_links(contracted_kernel, "repeated");
+}
 TEST(PlantedKernel, AFlushedKernelIsAnImplementationFault) { expect_implementation_links(flushed_kernel, "scale"); }
 
 std::string fingerprint(const CampaignResult& result) {

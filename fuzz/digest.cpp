@@ -25,8 +25,10 @@ std::string digest(const Family& family) {
 
 std::string family_digest(const Family& family, Precision precision) {
   switch (precision) {
-    case Precision::binary32: return digest<float>(family);
-    case Precision::binary64: return digest<double>(family);
+    case Precision::binary32:
+      return digest<float>(family);
+    case Precision::binary64:
+      return digest<double>(family);
   }
   return {};
 }

@@ -9,21 +9,21 @@
 #include "kernel/error.h"
 
 #define AXISCERT_FAMILIES(X) \
-  X(general) \
-  X(tangent) \
-  X(seam) \
-  X(sliver) \
-  X(needle) \
-  X(collinear) \
-  X(repeated) \
-  X(tie) \
-  X(lattice) \
-  X(far) \
-  X(scale) \
-  X(ratio) \
-  X(on) \
-  X(bits) \
-  X(subnormal) \
+  X(general)                 \
+  X(tangent)                 \
+  X(seam)                    \
+  X(sliver)                  \
+  X(needle)                  \
+  X(collinear)               \
+  X(repeated)                \
+  X(tie)                     \
+  X(lattice)                 \
+  X(far)                     \
+  X(scale)                   \
+  X(ratio)                   \
+  X(on)                      \
+  X(bits)                    \
+  X(subnormal)               \
   X(nonfinite)
 
 namespace axiscert {

@@ -14,8 +14,8 @@ namespace axiscert {
 namespace {
 
 Error unreadable(const std::string& name, int system_error) {
-  return Error(fmt::format("{}: cannot be read: {}", name,
-                           system_error != 0 ? std::strerror(system_error) : "input error"));
+  return Error(
+      fmt::format("{}: cannot be read: {}", name, system_error != 0 ? std::strerror(system_error) : "input error"));
 }
 
 }  // namespace

@@ -61,7 +61,9 @@ class MeshSource final : public Source {
            "centred on them, far";
   }
   int version() const override { return 1; }
-  std::uint64_t base_triangles(Precision, std::uint64_t trials) const override { return std::min(trials, file_.triangles); }
+  std::uint64_t base_triangles(Precision, std::uint64_t trials) const override {
+    return std::min(trials, file_.triangles);
+  }
   std::optional<FileInfo> file() const override { return file_; }
 
   void make(std::uint64_t seed, std::uint64_t position, Query<float>& out) const override {
@@ -94,8 +96,8 @@ Mesh load_mesh(const std::string& path, std::uint64_t file_size) {
   Mesh mesh;
   mesh.triangles = std::move(imported.triangles);
   mesh.skipped_primitives = imported.skipped_primitives;
-  mesh.degenerate_triangles = static_cast<std::uint64_t>(
-      std::count_if(mesh.triangles.begin(), mesh.triangles.end(), has_zero_area));
+  mesh.degenerate_triangles =
+      static_cast<std::uint64_t>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(), has_zero_area));
   mesh.diagonal = box_diagonal(mesh.triangles);
   return mesh;
 }

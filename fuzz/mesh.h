@@ -19,13 +19,13 @@ Mesh load_mesh(const std::string& path, std::uint64_t file_size);
 
 // How the sphere lies. "Beside": P sees nothing of the triangle but that edge or vertex.
 enum class Placement : std::uint8_t {
-  resting,      // above a point of the face, r the float nearest the exact distance, up to 4 ulps from it
-  sinking,      // the same, r 0.1 to 50 % greater than the distance
-  hovering,     // the same, r 0.1 to 50 % smaller
-  edge_graze,   // beside an edge, r within 4 ulps of the distance
-  vertex_graze, // beside a vertex, r within 4 ulps of the distance
-  centre_on,    // P on a vertex, an edge or the face (but for P's own rounding), r tiny or zero
-  far,          // beyond reach, by up to 2^10 radii
+  resting,       // above a point of the face, r the float nearest the exact distance, up to 4 ulps from it
+  sinking,       // the same, r 0.1 to 50 % greater than the distance
+  hovering,      // the same, r 0.1 to 50 % smaller
+  edge_graze,    // beside an edge, r within 4 ulps of the distance
+  vertex_graze,  // beside a vertex, r within 4 ulps of the distance
+  centre_on,     // P on a vertex, an edge or the face (but for P's own rounding), r tiny or zero
+  far,           // beyond reach, by up to 2^10 radii
 };
 inline constexpr std::uint64_t placement_count = 7;
 

@@ -42,11 +42,19 @@ unsigned primitive_types(const aiMesh& mesh) {
       }
     }
     switch (face.mNumIndices) {
-      case 0: break;
-      case 1: types |= aiPrimitiveType_POINT; break;
-      case 2: types |= aiPrimitiveType_LINE; break;
-      case 3: types |= aiPrimitiveType_TRIANGLE; break;
-      default: types |= aiPrimitiveType_POLYGON;
+      case 0:
+        break;
+      case 1:
+        types |= aiPrimitiveType_POINT;
+        break;
+      case 2:
+        types |= aiPrimitiveType_LINE;
+        break;
+      case 3:
+        types |= aiPrimitiveType_TRIANGLE;
+        break;
+      default:
+        types |= aiPrimitiveType_POLYGON;
     }
   }
   // Zero would mean unknown.

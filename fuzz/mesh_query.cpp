@@ -90,9 +90,7 @@ struct Frame {
     if (!(square > 0)) return {0, 0, 0};
     return unit_of(along * (portable::dot(inner, along) / square) - inner);
   }
-  Point on_edge(std::size_t i, Stream& random) const {
-    return v[i] + (v[(i + 1) % 3] - v[i]) * random.unit<double>();
-  }
+  Point on_edge(std::size_t i, Stream& random) const { return v[i] + (v[(i + 1) % 3] - v[i]) * random.unit<double>(); }
   Point on_face(Stream& random) const {
     double s = random.unit<double>(), t = random.unit<double>();
     if (s + t > 1) {
@@ -164,10 +162,14 @@ Real grazing_radius(const Query<Real>& q, Stream& random) {
 template <class Real>
 Real tiny_radius(const Query<Real>& q, const Frame& frame, Stream& random) {
   switch (random.below(4)) {
-    case 0: return 0;
-    case 1: return std::numeric_limits<Real>::denorm_min();
-    case 2: return grazing_radius(q, random);
-    default: return rounded<Real>(frame.edge * magnitude(random, -26, -6));
+    case 0:
+      return 0;
+    case 1:
+      return std::numeric_limits<Real>::denorm_min();
+    case 2:
+      return grazing_radius(q, random);
+    default:
+      return rounded<Real>(frame.edge * magnitude(random, -26, -6));
   }
 }
 

@@ -41,8 +41,7 @@ std::string refusal(const std::string& path) {
 }
 
 // One triangle with area, a needle whose vertices are collinear, a point thrice; then a line.
-const std::string degenerate_obj =
-    "v 0 0 0\nv 3 0 0\nv 0 2 1\nv 1 1 1\nv 2 2 2\nf 1 2 3\nf 1 4 5\nf 2 2 2\nl 1 2\n";
+const std::string degenerate_obj = "v 0 0 0\nv 3 0 0\nv 0 2 1\nv 1 1 1\nv 2 2 2\nf 1 2 3\nf 1 4 5\nf 2 2 2\nl 1 2\n";
 
 struct Expected {
   const char* file;
@@ -51,9 +50,9 @@ struct Expected {
 
 TEST(Mesh, RealModelsGiveTheirTriangles) {
   const std::vector<Expected> models = {
-      {"OBJ/spider.obj", 1368, 56, 0}, {"STL/Spider_binary.stl", 1368, 56, 0}, {"PLY/cube.ply", 12, 0, 0},
-      {"OFF/Cube.off", 12, 0, 0},      {"OBJ/testmixed.obj", 12, 0, 42},
-      {"glTF2/IndexOutOfRange/IndexOutOfRange.gltf", 11, 0, 0}};
+      {"OBJ/spider.obj", 1368, 56, 0},  {"STL/Spider_binary.stl", 1368, 56, 0},
+      {"PLY/cube.ply", 12, 0, 0},       {"OFF/Cube.off", 12, 0, 0},
+      {"OBJ/testmixed.obj", 12, 0, 42}, {"glTF2/IndexOutOfRange/IndexOutOfRange.gltf", 11, 0, 0}};
   for (const Expected& expected : models) {
     const auto file = mesh_source(model(expected.file))->file();
     EXPECT_EQ(file->triangles, expected.triangles) << expected.file;
@@ -77,8 +76,8 @@ TEST(Mesh, AFileWithoutTrianglesIsRefusedInOneLineThatNamesIt) {
   for (const std::string& path :
        {model("OBJ/point_cloud.obj"), model("OBJ/testline.obj"), infinite, model("glTF2/wrongTypes/badArray.gltf"),
         model("glTF2/IndexOutOfRange/AllIndicesOutOfRange.gltf"), model("glTF2/RecursiveNodes/RecursiveNodes.gltf"),
-        model("invalid/malformed.obj"), model("invalid/empty.ply"),
-        model("nowhere.obj"), model("OBJ"), spaces.path, stranger.path, nothing.path}) {
+        model("invalid/malformed.obj"), model("invalid/empty.ply"), model("nowhere.obj"), model("OBJ"), spaces.path,
+        stranger.path, nothing.path}) {
     const std::string message = refusal(path);
     EXPECT_EQ(message.substr(0, path.size() + 2), path + ": ");
     EXPECT_GT(message.size(), path.size() + 10) << message;
@@ -136,10 +135,16 @@ void expect_placement(const Query<Real>& q, Placement placement) {
   switch (placement) {
     case Placement::resting:
     case Placement::edge_graze:
-    case Placement::vertex_graze: EXPECT_LE(off, graze); break;
-    case Placement::sinking: EXPECT_EQ(truth.verdict, Verdict::contact); break;
+    case Placement::vertex_graze:
+      EXPECT_LE(off, graze);
+      break;
+    case Placement::sinking:
+      EXPECT_EQ(truth.verdict, Verdict::contact);
+      break;
     case Placement::hovering:
-    case Placement::far: EXPECT_EQ(truth.verdict, Verdict::separated); break;
+    case Placement::far:
+      EXPECT_EQ(truth.verdict, Verdict::separated);
+      break;
     case Placement::centre_on: {
       // P's rounding and a few more: 16 ulps of the greatest coordinate.
       Real greatest = 0;
@@ -178,7 +183,8 @@ TEST(Mesh, EveryPlacementKeepsItsPromise) {
 TEST(Mesh, ExtremeCoordinatesGiveFiniteQueries) {
   const float huge = std::numeric_limits<float>::max(), tiny = std::numeric_limits<float>::denorm_min();
   Mesh mesh;
-  mesh.triangles = {{{{-huge, 0, 0}, {huge, huge, 0}, {0, -huge, huge}}}, {{{0, 0, 0}, {tiny, 0, 0}, {0, tiny, 0}}},
+  mesh.triangles = {{{{-huge, 0, 0}, {huge, huge, 0}, {0, -huge, huge}}},
+                    {{{0, 0, 0}, {tiny, 0, 0}, {0, tiny, 0}}},
                     {{{huge, huge, huge}, {huge, huge, huge}, {huge, huge, huge}}},
                     {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}};
   for (const double diagonal : {0.0, 0x1p+129}) {

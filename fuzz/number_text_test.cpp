@@ -17,7 +17,9 @@ template <class Real>
 using BitsOf = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
 
 template <class Real>
-auto bits(Real x) { return std::bit_cast<BitsOf<Real>>(x); }
+auto bits(Real x) {
+  return std::bit_cast<BitsOf<Real>>(x);
+}
 
 template <class Real>
 std::string refusal(std::string_view text) {
@@ -148,9 +150,10 @@ TEST(NumberText, NoOtherSpellingIsANumber) {
   EXPECT_TRUE(std::isnan(parse_number<float>("nan")));
   EXPECT_EQ(parse_number<double>("inf"), std::numeric_limits<double>::infinity());
   EXPECT_EQ(parse_number<float>("-inf"), -std::numeric_limits<float>::infinity());
-  for (const char* text : {"", " ", " 1", "1 ", "+1", "+inf", "-nan", "NaN", "Inf", "INF", "infinity", "Infinity",
-                           "nan(1)", "-", ".", "-.", "1e", "1e+", "e5", "1,5", "1.2.3", "0x", "0xp1", "0x1p", "0x1p+",
-                           "0x1.8p-3f", "1.0f", "--1", "0x-1p0", "1p3", "0x1e5p1.0", "1_000", "\t1", "1\n", "0b1"}) {
+  for (const char* text : {"",    " ",        " 1",       "1 ",        "+1",    "+inf", "-nan",  "NaN",       "Inf",
+                           "INF", "infinity", "Infinity", "nan(1)",    "-",     ".",    "-.",    "1e",        "1e+",
+                           "e5",  "1,5",      "1.2.3",    "0x",        "0xp1",  "0x1p", "0x1p+", "0x1.8p-3f", "1.0f",
+                           "--1", "0x-1p0",   "1p3",      "0x1e5p1.0", "1_000", "\t1",  "1\n",   "0b1"}) {
     const std::string message = refusal<float>(text);
     EXPECT_NE(message.find("is not a number"), std::string::npos) << "'" << text << "': " << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;

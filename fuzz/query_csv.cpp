@@ -47,9 +47,9 @@ std::optional<CsvHeader> csv_header(std::string_view line, const Place& place) {
     const std::string_view expected = column_name(header, i);
     const std::string_view given = i < cells.size() ? cells[i] : std::string_view();
     if (i >= cells.size() || given != expected) {
-      place.fail(expected.empty() ? given : expected,
-                 fmt::format("column {} of the header is '{}'; the header is [id,]{}", i + 1, shown(given),
-                             csv_columns));
+      place.fail(
+          expected.empty() ? given : expected,
+          fmt::format("column {} of the header is '{}'; the header is [id,]{}", i + 1, shown(given), csv_columns));
     }
   }
   return header;

@@ -49,8 +49,12 @@ StoredQuery stored_query(std::string id, Precision precision, const std::array<N
                          const Place& place) {
   StoredQuery stored{std::move(id), precision, {}, place.line};
   switch (precision) {
-    case Precision::binary32: stored.query = query_of<float>(numbers, place); break;
-    case Precision::binary64: stored.query = query_of<double>(numbers, place); break;
+    case Precision::binary32:
+      stored.query = query_of<float>(numbers, place);
+      break;
+    case Precision::binary64:
+      stored.query = query_of<double>(numbers, place);
+      break;
   }
   return stored;
 }

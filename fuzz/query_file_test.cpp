@@ -46,9 +46,14 @@ std::string place(int line, const std::string& field) {
 // A line of JSON with one field's value replaced; an empty value leaves the field out.
 std::string with(const std::string& field, const std::string& value) {
   std::string line = "{";
-  for (const auto& [name, usual] : std::initializer_list<std::pair<std::string, std::string>>{
-           {"id", "\"q\""}, {"precision", "\"binary32\""}, {"a", "[0,0,0]"}, {"b", "[1,0,0]"}, {"c", "[0,1,0]"},
-           {"p", "[0,0,1]"}, {"r", "1"}}) {
+  for (const auto& [name, usual] :
+       std::initializer_list<std::pair<std::string, std::string>>{{"id", "\"q\""},
+                                                                  {"precision", "\"binary32\""},
+                                                                  {"a", "[0,0,0]"},
+                                                                  {"b", "[1,0,0]"},
+                                                                  {"c", "[0,1,0]"},
+                                                                  {"p", "[0,0,1]"},
+                                                                  {"r", "1"}}) {
     const std::string& given = name == field ? value : usual;
     if (!given.empty()) line += fmt::format("{}\"{}\":{}", line.size() > 1 ? "," : "", name, given);
   }
@@ -65,9 +70,9 @@ void expect_same_bits(const Query<Real>& x, const Query<Real>& y) {
 }
 
 TEST(QueryFile, ReadsALineAsTheDesignWritesIt) {
-  const auto queries = parse(
-      R"({"id":"parry-76","precision":"binary32","a":["0x1p+0",-0,"nan"],"b":[1e-45,"inf","-inf"],)"
-      R"("c":["0.2",0.2,16777217],"p":[123456789012345678901234567890,-1.5E+3,0],"r":"0x1.99999ap-3"})");
+  const auto queries =
+      parse(R"({"id":"parry-76","precision":"binary32","a":["0x1p+0",-0,"nan"],"b":[1e-45,"inf","-inf"],)"
+            R"("c":["0.2",0.2,16777217],"p":[123456789012345678901234567890,-1.5E+3,0],"r":"0x1.99999ap-3"})");
   ASSERT_EQ(queries.size(), 1u);
   EXPECT_EQ(queries[0].id, "parry-76");
   EXPECT_EQ(queries[0].line, 1u);
@@ -172,12 +177,17 @@ TEST(QueryFile, NothingToReadIsAnError) {
 }
 
 TEST(QueryFile, AbsurdInputIsRefusedInOneShortLine) {
-  const std::vector<std::string> absurd = {
-      std::string(1 << 20, '['), with("x", "") + std::string(1 << 20, 'x'), with("r", std::string(1 << 20, '9')),
-      with("r", "\"" + std::string(1 << 20, '7') + "z\""), with("id", std::string(1 << 20, '{')),
-      with("a", "[" + std::string(1 << 20, ',')), header + "\n" + std::string(1 << 20, ','),
-      std::string(1 << 20, ','), "{\"" + std::string(1 << 20, 'k') + "\":!}", std::string(1000, '\x01'),
-      with("precision", "\"" + std::string(1 << 20, 'b') + "\"")};
+  const std::vector<std::string> absurd = {std::string(1 << 20, '['),
+                                           with("x", "") + std::string(1 << 20, 'x'),
+                                           with("r", std::string(1 << 20, '9')),
+                                           with("r", "\"" + std::string(1 << 20, '7') + "z\""),
+                                           with("id", std::string(1 << 20, '{')),
+                                           with("a", "[" + std::string(1 << 20, ',')),
+                                           header + "\n" + std::string(1 << 20, ','),
+                                           std::string(1 << 20, ','),
+                                           "{\"" + std::string(1 << 20, 'k') + "\":!}",
+                                           std::string(1000, '\x01'),
+                                           with("precision", "\"" + std::string(1 << 20, 'b') + "\"")};
   for (const std::string& text : absurd) {
     const std::string message = refusal(text);
     expect_message(message, "f.jsonl:", "");

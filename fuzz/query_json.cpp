@@ -42,7 +42,7 @@ struct CountingIterator {
 
 // What a value is, as a message says it.
 enum class Kind { absent, null, boolean, number, string, array, object };
-constexpr std::array<std::string_view, 7> kind_names = {"missing", "null",     "a boolean", "a number",
+constexpr std::array<std::string_view, 7> kind_names = {"missing",  "null",     "a boolean", "a number",
                                                         "a string", "an array", "an object"};
 std::string_view name(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
@@ -195,8 +195,13 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
   std::size_t depth_ = 0;
   std::string key_;           // of the outermost object, the last one read
   Field* current_ = nullptr;  // of key_, where it is one of:
-  std::array<Field, 7> fields_ = {{{"id", {}, {}}, {"precision", {}, {}}, {"a", {}, {}}, {"b", {}, {}}, {"c", {}, {}},
-                                   {"p", {}, {}}, {"r", {}, {}}}};
+  std::array<Field, 7> fields_ = {{{"id", {}, {}},
+                                   {"precision", {}, {}},
+                                   {"a", {}, {}},
+                                   {"b", {}, {}},
+                                   {"c", {}, {}},
+                                   {"p", {}, {}},
+                                   {"r", {}, {}}}};
 };
 
 template <class Real>

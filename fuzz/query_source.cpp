@@ -31,8 +31,12 @@ class QueryFileSource final : public Source {
   QueryFileSource(const std::string& name, const std::string& path, const std::string& bytes, Precision csv_precision) {
     for (const StoredQuery& stored : parse_queries(bytes, path, csv_precision)) {
       switch (stored.precision) {
-        case Precision::binary32: binary32_.push_back(std::get<Query<float>>(stored.query)); break;
-        case Precision::binary64: binary64_.push_back(std::get<Query<double>>(stored.query)); break;
+        case Precision::binary32:
+          binary32_.push_back(std::get<Query<float>>(stored.query));
+          break;
+        case Precision::binary64:
+          binary64_.push_back(std::get<Query<double>>(stored.query));
+          break;
       }
     }
     triangles32_ = distinct_triangles(binary32_);
@@ -49,8 +53,10 @@ class QueryFileSource final : public Source {
   int version() const override { return 1; }
   std::optional<std::uint64_t> fixed_size(Precision precision) const override {
     switch (precision) {
-      case Precision::binary32: return binary32_.size();
-      case Precision::binary64: return binary64_.size();
+      case Precision::binary32:
+        return binary32_.size();
+      case Precision::binary64:
+        return binary64_.size();
     }
     return std::nullopt;
   }

@@ -95,7 +95,8 @@ void count(Tally& tally, std::uint64_t position, const Truth& truth, const Answe
     for (std::size_t i = 0; i < comparison_count; ++i) tally.comparisons[i].ties += (formula.ties >> i) & 1u;
   }
   const AxisBits exact_axes = axes_of(judgement.exact);
-  if (std::has_single_bit(exact_axes)) ++tally.axes[static_cast<std::size_t>(std::countr_zero(exact_axes))].sole_separator;
+  if (std::has_single_bit(exact_axes))
+    ++tally.axes[static_cast<std::size_t>(std::countr_zero(exact_axes))].sole_separator;
 
   for (const Flip& flip : judgement.flips()) {
     switch (flip.level) {

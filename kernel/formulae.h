@@ -1,13 +1,13 @@
-// The sixteen comparisons, stated once, over any number type with + - * (float, double, a SIMD vector, CGAL::Mpzf, MPFR).
-// Straight-line ring arithmetic: no division, no root, no branch on a computed value.
+// The sixteen comparisons, stated once, over any number type with + - * (float, double, a SIMD vector, CGAL::Mpzf,
+// MPFR). Straight-line ring arithmetic: no division, no root, no branch on a computed value.
 //
 // Source: C. Ericson, "Optimizing a sphere-triangle intersection test" (2010), last block of pseudocode.
 // Operation order, part of the contract of every kernel that claims these formulae:
 //   dot = (x x' + y y') + z z',   cross.x = y z' - z y' (cyclic),   rr e e = (rr e) e.
 //
 // Included once by ordinary code, and again by simd.cpp, which defines AXISCERT_PER_TARGET, for each of Highway's
-// instruction sets: the functions must carry that set's target attribute to be inlined. Hence no guard in that case, and
-// a namespace by target.
+// instruction sets: the functions must carry that set's target attribute to be inlined. Hence no guard in that case,
+// and a namespace by target.
 #if defined(AXISCERT_PER_TARGET) || !defined(AXISCERT_KERNEL_FORMULAE_H)
 #define AXISCERT_KERNEL_FORMULAE_H
 

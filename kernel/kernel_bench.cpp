@@ -67,8 +67,8 @@ void time_verdicts(benchmark::State& state, void (*verdicts)(const QueryColumns<
     benchmark::DoNotOptimize(out.data());
     benchmark::ClobberMemory();
   }
-  state.counters["per_query"] = benchmark::Counter(static_cast<double>(query_count),
-      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["per_query"] = benchmark::Counter(
+      static_cast<double>(query_count), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 template <class Real>

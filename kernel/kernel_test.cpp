@@ -16,7 +16,9 @@ namespace axiscert {
 namespace {
 
 template <class Real>
-Query<Real> unit_right_triangle(Vec3<Real> p, Real r) { return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, p, r}; }
+Query<Real> unit_right_triangle(Vec3<Real> p, Real r) {
+  return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, p, r};
+}
 
 TEST(Names, BitsAreInTheOrderOfTheTable) {
   EXPECT_EQ(comparisons[0].name, "plane.radius");
@@ -36,14 +38,14 @@ TEST(Formulae, AgreeWithAHandComputation) {
     return std::pair{sides.lhs[k], sides.rhs[k]};
   };
   using enum Comparison;
-  EXPECT_EQ(at(plane_radius), std::pair(4.f, 1.f));               // V = (0, 0, 1), d = -2
-  EXPECT_EQ(at(vertex_a_radius), std::pair(4.125f, 1.f));         // 1/16 + 1/16 + 4
-  EXPECT_EQ(at(vertex_a_side_b), std::pair(3.875f, 4.125f));      // -3/16 + 1/16 + 4
-  EXPECT_EQ(at(vertex_b_radius), std::pair(4.625f, 1.f));         // 9/16 + 1/16 + 4
-  EXPECT_EQ(at(vertex_b_side_c), std::pair(3.625f, 4.625f));      // -3/16 - 3/16 + 4
-  EXPECT_EQ(at(edge_ab_radius), std::pair(4.0625f, 1.f));         // Q1 = (0, -1/4, -2)
-  EXPECT_EQ(at(edge_ab_side_c), std::pair(-0.25f, 0.f));          // QC = C - Q1 = (-1/4, 1, 0)
-  EXPECT_EQ(at(edge_bc_radius), std::pair(16.5f, 4.f));           // e = 2, distance^2 to the line 4 + 1/8, times e^2
+  EXPECT_EQ(at(plane_radius), std::pair(4.f, 1.f));           // V = (0, 0, 1), d = -2
+  EXPECT_EQ(at(vertex_a_radius), std::pair(4.125f, 1.f));     // 1/16 + 1/16 + 4
+  EXPECT_EQ(at(vertex_a_side_b), std::pair(3.875f, 4.125f));  // -3/16 + 1/16 + 4
+  EXPECT_EQ(at(vertex_b_radius), std::pair(4.625f, 1.f));     // 9/16 + 1/16 + 4
+  EXPECT_EQ(at(vertex_b_side_c), std::pair(3.625f, 4.625f));  // -3/16 - 3/16 + 4
+  EXPECT_EQ(at(edge_ab_radius), std::pair(4.0625f, 1.f));     // Q1 = (0, -1/4, -2)
+  EXPECT_EQ(at(edge_ab_side_c), std::pair(-0.25f, 0.f));      // QC = C - Q1 = (-1/4, 1, 0)
+  EXPECT_EQ(at(edge_bc_radius), std::pair(16.5f, 4.f));       // e = 2, distance^2 to the line 4 + 1/8, times e^2
 }
 
 TEST(Formulae, TheArticlesAxesDecideTheirRegions) {
@@ -76,7 +78,8 @@ TEST(Registry, ListsEveryKernelOnceAndNamesThemForAnUnknownOne) {
     find_kernel("publishd");
     FAIL() << "an unknown kernel was found";
   } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find("unknown kernel 'publishd'; kernels: published, nonstrict"), std::string::npos);
+    EXPECT_NE(std::string(e.what()).find("unknown kernel 'publishd'; kernels: published, nonstrict"),
+              std::string::npos);
   }
 }
 
@@ -99,7 +102,8 @@ void explain_contracted(const QueryColumns<double>& batch, Answers<double>& out)
   for (std::size_t i = 0; i < batch.size; ++i) {
     std::array<double, coordinate_count> v;
     for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = batch.column[k][i];
-    const auto sides = published_sides<Contracted<double>>(from_coordinates(v), [](double x) { return Contracted<double>{x}; });
+    const auto sides =
+        published_sides<Contracted<double>>(from_coordinates(v), [](double x) { return Contracted<double>{x}; });
     for (std::size_t k = 0; k < comparison_count; ++k) {
       out.lhs[k][i] = sides.lhs[k].rounded();
       out.rhs[k][i] = sides.rhs[k].rounded();

@@ -10,10 +10,11 @@ namespace axiscert {
 
 enum class Axis : std::uint8_t { plane, vertex_a, vertex_b, vertex_c, edge_ab, edge_bc, edge_ca };
 inline constexpr std::size_t axis_count = 7;
-inline constexpr std::array<std::string_view, axis_count> axis_names = {
-    "plane", "vertex_a", "vertex_b", "vertex_c", "edge_ab", "edge_bc", "edge_ca"};
+inline constexpr std::array<std::string_view, axis_count> axis_names = {"plane",   "vertex_a", "vertex_b", "vertex_c",
+                                                                        "edge_ab", "edge_bc",  "edge_ca"};
 
 // One `lhs > rhs`. `vertex_a_side_b`: B lies beyond the plane through A with normal A - P.
+// clang-format off
 enum class Comparison : std::uint8_t {
   plane_radius,
   vertex_a_radius, vertex_a_side_b, vertex_a_side_c,
@@ -23,6 +24,7 @@ enum class Comparison : std::uint8_t {
   edge_bc_radius, edge_bc_side_a,
   edge_ca_radius, edge_ca_side_b,
 };
+// clang-format on
 inline constexpr std::size_t comparison_count = 16;
 
 struct ComparisonInfo {

@@ -30,8 +30,8 @@ template <class Real>
 constexpr Query<Real> from_coordinates(const std::array<Real, coordinate_count>& v) {
   return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, {v[9], v[10], v[11]}, v[12]};
 }
-inline constexpr std::array<const char*, coordinate_count> coordinate_names = {
-    "ax", "ay", "az", "bx", "by", "bz", "cx", "cy", "cz", "px", "py", "pz", "r"};
+inline constexpr std::array<const char*, coordinate_count> coordinate_names = {"ax", "ay", "az", "bx", "by", "bz", "cx",
+                                                                               "cy", "cz", "px", "py", "pz", "r"};
 
 // Finite coordinates and a radius that is finite and not negative. Anything else has the truth `invalid`.
 template <class Real>

@@ -6,8 +6,8 @@ namespace {
 template <class Real>
 AXISCERT_INLINE portable::Centred<Real> load(const QueryColumns<Real>& batch, std::size_t i) {
   const auto& k = batch.column;
-  return portable::centred<Real>({k[0][i], k[1][i], k[2][i]}, {k[3][i], k[4][i], k[5][i]},
-                                 {k[6][i], k[7][i], k[8][i]}, {k[9][i], k[10][i], k[11][i]}, k[12][i]);
+  return portable::centred<Real>({k[0][i], k[1][i], k[2][i]}, {k[3][i], k[4][i], k[5][i]}, {k[6][i], k[7][i], k[8][i]},
+                                 {k[9][i], k[10][i], k[11][i]}, k[12][i]);
 }
 
 template <Strictness strictness>

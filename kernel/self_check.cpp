@@ -62,7 +62,8 @@ QueryBatch<Real> check_queries() {
     std::array<Real, coordinate_count> v;
     const Real scale = i % 3 == 2 ? std::numeric_limits<Real>::min() * 4096 : Real(1);
     for (Real& x : v) x = next() * scale;
-    if (i % 3 == 1) for (int k = 0; k < 3; ++k) v[3 + k] = v[k];
+    if (i % 3 == 1)
+      for (int k = 0; k < 3; ++k) v[3 + k] = v[k];
     if (v[12] < 0) v[12] = -v[12];
     batch.push_back(from_coordinates(v));
   }

@@ -142,17 +142,17 @@ template <class Real, Strictness strictness>
 void explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
   using D = hn::ScalableTag<Real>;
   constexpr std::size_t lanes = hn::MaxLanes(D());
-  const auto one_vector = [&](const QueryColumns<Real>& from, std::size_t at, std::size_t i,
-                              std::size_t count) HWY_ATTR {
-    ExplainSink<D, strictness> sink{out, i, count};
-    published_comparisons(load(D(), from, at), LanesOf<D>{hn::Zero(D())}, sink);
-    for (std::size_t j = 0; j < count; ++j) out.bits[i + j] = sink.bits[j];
-  };
+  const auto one_vector = [&](const QueryColumns<Real>& from, std::size_t at, std::size_t i, std::size_t count)
+                              HWY_ATTR {
+                                ExplainSink<D, strictness> sink{out, i, count};
+                                published_comparisons(load(D(), from, at), LanesOf<D>{hn::Zero(D())}, sink);
+                                for (std::size_t j = 0; j < count; ++j) out.bits[i + j] = sink.bits[j];
+                              };
   std::size_t i = 0;
   for (; i + lanes <= batch.size; i += lanes) one_vector(batch, i, i, lanes);
   if (i == batch.size) return;
-  with_padded_tail<Real, lanes>(
-      batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR { one_vector(tail, 0, i, tail.size); });
+  with_padded_tail<Real, lanes>(batch, i,
+                                [&](const QueryColumns<Real>& tail) HWY_ATTR { one_vector(tail, 0, i, tail.size); });
 }
 
 template <class Real>

@@ -115,7 +115,8 @@ Json plan_json(const Plan& plan, const CampaignResult& result, const std::string
                                           {"exact_arithmetic", source->exact_arithmetic()},
                                           {"purpose", source->purpose()}};
     if (const auto file = source->file()) {
-      Json& entry = json["files"].emplace_back(Json{{"name", file->name}, {"kind", file->kind}, {"sha256", file->sha256}});
+      Json& entry =
+          json["files"].emplace_back(Json{{"name", file->name}, {"kind", file->kind}, {"sha256", file->sha256}});
       if (file->kind == "queries") entry["queries"] = file->queries;
       else {
         entry["triangles"] = file->triangles;

@@ -10,9 +10,7 @@ namespace axiscert {
 
 template <class Real>
 void put_query(Json& into, const Query<Real>& q) {
-  const auto vec = [](const Vec3<Real>& v) {
-    return Json{format_number(v.x), format_number(v.y), format_number(v.z)};
-  };
+  const auto vec = [](const Vec3<Real>& v) { return Json{format_number(v.x), format_number(v.y), format_number(v.z)}; };
   into["a"] = vec(q.a);
   into["b"] = vec(q.b);
   into["c"] = vec(q.c);
@@ -90,7 +88,8 @@ void WitnessWriter::write(const Kernel& kernel, const Source& source, const Show
     witness["touching"] = found.truth.touching;
     witness["depth"] = found.depth ? Json(*found.depth) : Json(nullptr);
     witness["exact_comparisons"] = bit_string(found.judgement.exact, comparison_count);
-    witness["computed_comparisons"] = found.answer.bits ? Json(bit_string(*found.answer.bits, comparison_count)) : Json(nullptr);
+    witness["computed_comparisons"] =
+        found.answer.bits ? Json(bit_string(*found.answer.bits, comparison_count)) : Json(nullptr);
     witness["shows"] = what;
     witness["flips"] = flips_json(found.judgement);
     witnesses_.push_back(std::move(witness));

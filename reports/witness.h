@@ -12,8 +12,8 @@ namespace axiscert {
 class WitnessWriter {
  public:
   explicit WitnessWriter(const Plan& plan) : plan_(plan) {}
-  // The deepest wrong verdicts of each kind and with each broken link; of each comparison a flip of each kind, a decisive one where there is
-  // one, and the largest error. A query that shows several things is stored once.
+  // The deepest wrong verdicts of each kind and with each broken link; of each comparison a flip of each kind, a
+  // decisive one where there is one, and the largest error. A query that shows several things is stored once.
   void add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally);
   Json take() && { return std::move(witnesses_); }
 

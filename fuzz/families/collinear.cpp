@@ -25,9 +25,15 @@ Query<Real> collinear(Stream& random, std::uint64_t position) {
 
   Query<Real> q = shapes::query(corners, shapes::in_cube<Real>(random));
   switch (position % 3) {
-    case 0: q.r = random.unit<Real>() * radius_at_distance(q); break;
-    case 1: q.r = shapes::radius_near_distance(random, q, 2); break;
-    default: q.r = radius_at_distance(q) * (1 + random.unit<Real>()); break;
+    case 0:
+      q.r = random.unit<Real>() * radius_at_distance(q);
+      break;
+    case 1:
+      q.r = shapes::radius_near_distance(random, q, 2);
+      break;
+    default:
+      q.r = radius_at_distance(q) * (1 + random.unit<Real>());
+      break;
   }
   return q;
 }
@@ -35,7 +41,11 @@ Query<Real> collinear(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family collinear_family = {
-    "collinear", "three distinct corners exactly on a line; radii below, at and above the distance", 1, false,
-    collinear<float>, collinear<double>};
+    "collinear",
+    "three distinct corners exactly on a line; radii below, at and above the distance",
+    1,
+    false,
+    collinear<float>,
+    collinear<double>};
 
 }  // namespace axiscert

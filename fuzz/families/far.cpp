@@ -19,7 +19,8 @@ Query<Real> far(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family far_family = {
-    "far", "triangles of size one at 10^2 to 10^6 from the origin, half of the radii near the distance", 1, false,
+    "far",      "triangles of size one at 10^2 to 10^6 from the origin, half of the radii near the distance",
+    1,          false,
     far<float>, far<double>};
 
 }  // namespace axiscert

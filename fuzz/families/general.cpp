@@ -15,7 +15,11 @@ Query<Real> general(Stream& random, std::uint64_t) {
 }  // namespace
 
 extern const Family general_family = {
-    "general", "uniform coordinates in [-1, 1), radius in [0, 2): finds nothing, and shows that it does", 1, false,
-    general<float>, general<double>};
+    "general",
+    "uniform coordinates in [-1, 1), radius in [0, 2): finds nothing, and shows that it does",
+    1,
+    false,
+    general<float>,
+    general<double>};
 
 }  // namespace axiscert

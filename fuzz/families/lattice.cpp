@@ -42,8 +42,11 @@ Query<Real> lattice(Stream& random, std::uint64_t position) {
 
 }  // namespace
 
-extern const Family lattice_family = {
-    "lattice", "small integers, radii in halves: every operation of the formulae is exact", 1, true, lattice<float>,
-    lattice<double>};
+extern const Family lattice_family = {"lattice",
+                                      "small integers, radii in halves: every operation of the formulae is exact",
+                                      1,
+                                      true,
+                                      lattice<float>,
+                                      lattice<double>};
 
 }  // namespace axiscert

@@ -22,7 +22,11 @@ Query<Real> needle(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family needle_family = {
-    "needle", "two corners near each other, at 2^-1 to 2^-30 of the distance to the third (2^-60 in binary64)", 1,
-    false, needle<float>, needle<double>};
+    "needle",
+    "two corners near each other, at 2^-1 to 2^-30 of the distance to the third (2^-60 in binary64)",
+    1,
+    false,
+    needle<float>,
+    needle<double>};
 
 }  // namespace axiscert

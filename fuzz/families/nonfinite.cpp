@@ -16,14 +16,22 @@ Real unusual(std::uint64_t kind, Real usual) {
   // A quiet NaN without payload; by its bits, since its sign and payload enter the digests.
   constexpr Bits nan = (~Bits{0} >> 1) & ~((Bits{1} << (Limits::digits - 2)) - 1);
   switch (kind) {
-    case 0: return std::bit_cast<Real>(nan);
-    case 1: return Limits::infinity();
-    case 2: return -Limits::infinity();
-    case 3: return -std::abs(usual);       // an invalid radius
-    case 4: return -Limits::denorm_min();  // the least of those
-    case 5: return Real(0);
-    case 6: return Real(-0.0);
-    default: return Limits::max();         // valid; its square is not finite
+    case 0:
+      return std::bit_cast<Real>(nan);
+    case 1:
+      return Limits::infinity();
+    case 2:
+      return -Limits::infinity();
+    case 3:
+      return -std::abs(usual);  // an invalid radius
+    case 4:
+      return -Limits::denorm_min();  // the least of those
+    case 5:
+      return Real(0);
+    case 6:
+      return Real(-0.0);
+    default:
+      return Limits::max();  // valid; its square is not finite
   }
 }
 
@@ -46,7 +54,11 @@ Query<Real> nonfinite(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family nonfinite_family = {
-    "nonfinite", "NaN, infinities, negative numbers and zeros of both signs in each of the thirteen places in turn", 1,
-    false, nonfinite<float>, nonfinite<double>};
+    "nonfinite",
+    "NaN, infinities, negative numbers and zeros of both signs in each of the thirteen places in turn",
+    1,
+    false,
+    nonfinite<float>,
+    nonfinite<double>};
 
 }  // namespace axiscert

@@ -27,14 +27,18 @@ std::array<std::int64_t, 3> weights(Stream& random, std::size_t axis) {
 template <class Real>
 Real small_radius(Stream& random, std::uint64_t which) {
   switch (which) {
-    case 0: return 0;
-    case 1: return Real(-0.0);
-    case 2: return std::numeric_limits<Real>::denorm_min();
+    case 0:
+      return 0;
+    case 1:
+      return Real(-0.0);
+    case 2:
+      return std::numeric_limits<Real>::denorm_min();
     case 3: {
       const Real significand = random.unit<Real>();
       return std::ldexp(significand, -static_cast<int>(random.integer(20, 120)));
     }
-    default: return random.unit<Real>() / 16;
+    default:
+      return random.unit<Real>() / 16;
   }
 }
 
@@ -56,7 +60,8 @@ Query<Real> on(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family on_family = {
-    "on", "centre exactly on the face, a corner or an edge in turn; r of 0, -0, the least, tiny and small", 1, false,
+    "on",      "centre exactly on the face, a corner or an edge in turn; r of 0, -0, the least, tiny and small",
+    1,         false,
     on<float>, on<double>};
 
 }  // namespace axiscert

@@ -25,8 +25,11 @@ Query<Real> ratio(Stream& random, std::uint64_t position) {
 
 }  // namespace
 
-extern const Family ratio_family = {
-    "ratio", "r / edge and |A - P| / edge over 2^-40 to 2^40, independently, in turn; r = 0 too", 1, false,
-    ratio<float>, ratio<double>};
+extern const Family ratio_family = {"ratio",
+                                    "r / edge and |A - P| / edge over 2^-40 to 2^40, independently, in turn; r = 0 too",
+                                    1,
+                                    false,
+                                    ratio<float>,
+                                    ratio<double>};
 
 }  // namespace axiscert

@@ -21,8 +21,11 @@ Query<Real> repeated(Stream& random, std::uint64_t position) {
 
 }  // namespace
 
-extern const Family repeated_family = {
-    "repeated", "two equal corners (A = B, B = C, C = A) or three, in turn; otherwise arbitrary", 1, false,
-    repeated<float>, repeated<double>};
+extern const Family repeated_family = {"repeated",
+                                       "two equal corners (A = B, B = C, C = A) or three, in turn; otherwise arbitrary",
+                                       1,
+                                       false,
+                                       repeated<float>,
+                                       repeated<double>};
 
 }  // namespace axiscert

@@ -33,7 +33,11 @@ Query<Real> scale(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family scale_family = {
-    "scale", "clear queries (r at most half the distance, or at least twice) times every power of two in turn", 1,
-    false, scale<float>, scale<double>};
+    "scale",
+    "clear queries (r at most half the distance, or at least twice) times every power of two in turn",
+    1,
+    false,
+    scale<float>,
+    scale<double>};
 
 }  // namespace axiscert

@@ -21,10 +21,14 @@ struct Seam {
   std::size_t edge() const { return at_vertex && shapes::next(to) == from ? to : from; }
 };
 constexpr std::array<Seam, 9> seams = {{
-    {Comparison::vertex_a_side_b, true, 0, 1}, {Comparison::vertex_a_side_c, true, 0, 2},
-    {Comparison::vertex_b_side_a, true, 1, 0}, {Comparison::vertex_b_side_c, true, 1, 2},
-    {Comparison::vertex_c_side_a, true, 2, 0}, {Comparison::vertex_c_side_b, true, 2, 1},
-    {Comparison::edge_ab_side_c, false, 0, 2}, {Comparison::edge_bc_side_a, false, 1, 0},
+    {Comparison::vertex_a_side_b, true, 0, 1},
+    {Comparison::vertex_a_side_c, true, 0, 2},
+    {Comparison::vertex_b_side_a, true, 1, 0},
+    {Comparison::vertex_b_side_c, true, 1, 2},
+    {Comparison::vertex_c_side_a, true, 2, 0},
+    {Comparison::vertex_c_side_b, true, 2, 1},
+    {Comparison::edge_ab_side_c, false, 0, 2},
+    {Comparison::edge_bc_side_a, false, 1, 0},
     {Comparison::edge_ca_side_b, false, 2, 1},
 }};
 
@@ -65,7 +69,11 @@ Query<Real> seam(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family seam_family = {
-    "seam", "centre on the boundary of each side comparison in turn, -4 to +4 ulp, half of the radii at the distance",
-    1, false, seam<float>, seam<double>};
+    "seam",
+    "centre on the boundary of each side comparison in turn, -4 to +4 ulp, half of the radii at the distance",
+    1,
+    false,
+    seam<float>,
+    seam<double>};
 
 }  // namespace axiscert

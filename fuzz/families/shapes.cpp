@@ -65,7 +65,8 @@ Real radius_near_distance(Stream& random, const Query<Real>& q, int ulps) {
 template <class Real>
 Real aimed_radius(Stream& random, const Query<Real>& q) {
   switch (random.below(4)) {
-    case 0: return radius_near_distance(random, q, 4);
+    case 0:
+      return radius_near_distance(random, q, 4);
     case 1: {
       const Real sign = random.coin() ? Real(1) : Real(-1);
       const Real off = std::ldexp(sign, -static_cast<int>(random.integer(1, 20)));
@@ -78,15 +79,15 @@ Real aimed_radius(Stream& random, const Query<Real>& q) {
   }
 }
 
-#define AXISCERT_INSTANTIATE(Real)                                                          \
-  template Vec3<Real> scaled<Real>(const Vec3<Real>&, int);                                 \
-  template Vec3<Real> at_unit_length<Real>(const Vec3<Real>&);                              \
-  template Directions<Real> directions<Real>(const Corners<Real>&);                         \
-  template Vec3<Real> inside<Real>(Stream&, const Corners<Real>&);                          \
-  template Vec3<Real> inside_edge<Real>(Stream&, const Corners<Real>&, std::size_t);        \
-  template Real height<Real>(Stream&);                                                      \
-  template Query<Real> placed<Real>(Stream&, const Corners<Real>&, int);                     \
-  template Real radius_near_distance<Real>(Stream&, const Query<Real>&, int);               \
+#define AXISCERT_INSTANTIATE(Real)                                                   \
+  template Vec3<Real> scaled<Real>(const Vec3<Real>&, int);                          \
+  template Vec3<Real> at_unit_length<Real>(const Vec3<Real>&);                       \
+  template Directions<Real> directions<Real>(const Corners<Real>&);                  \
+  template Vec3<Real> inside<Real>(Stream&, const Corners<Real>&);                   \
+  template Vec3<Real> inside_edge<Real>(Stream&, const Corners<Real>&, std::size_t); \
+  template Real height<Real>(Stream&);                                               \
+  template Query<Real> placed<Real>(Stream&, const Corners<Real>&, int);             \
+  template Real radius_near_distance<Real>(Stream&, const Query<Real>&, int);        \
   template Real aimed_radius<Real>(Stream&, const Query<Real>&);
 AXISCERT_INSTANTIATE(float)
 AXISCERT_INSTANTIATE(double)

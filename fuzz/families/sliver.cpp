@@ -33,7 +33,11 @@ Query<Real> sliver(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family sliver_family = {
-    "sliver", "one corner near the segment of the other two, at 2^-1 to 2^-40 of its length (2^-80 in binary64)", 1,
-    false, sliver<float>, sliver<double>};
+    "sliver",
+    "one corner near the segment of the other two, at 2^-1 to 2^-40 of its length (2^-80 in binary64)",
+    1,
+    false,
+    sliver<float>,
+    sliver<double>};
 
 }  // namespace axiscert

@@ -24,7 +24,11 @@ Query<Real> subnormal(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family subnormal_family = {
-    "subnormal", "all subnormal, or within 2^12 of the least normal number; a quarter of the radii at the distance", 1,
-    false, subnormal<float>, subnormal<double>};
+    "subnormal",
+    "all subnormal, or within 2^12 of the least normal number; a quarter of the radii at the distance",
+    1,
+    false,
+    subnormal<float>,
+    subnormal<double>};
 
 }  // namespace axiscert

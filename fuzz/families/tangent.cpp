@@ -37,7 +37,11 @@ Query<Real> tangent(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family tangent_family = {
-    "tangent", "radius on the boundary of each radius comparison in turn, -4 to +4 ulp, where that axis decides", 1,
-    false, tangent<float>, tangent<double>};
+    "tangent",
+    "radius on the boundary of each radius comparison in turn, -4 to +4 ulp, where that axis decides",
+    1,
+    false,
+    tangent<float>,
+    tangent<double>};
 
 }  // namespace axiscert
