@@ -138,21 +138,25 @@ struct ExplainSink {
   }
 };
 
+// The vector that begins at `at` of `from`, into entries i to i + count of `out`.
+template <class Real, Strictness strictness>
+AXISCERT_INLINE void explain_vector(const QueryColumns<Real>& from, std::size_t at, std::size_t i, std::size_t count,
+                                    Answers<Real>& out) {
+  using D = hn::ScalableTag<Real>;
+  ExplainSink<D, strictness> sink{out, i, count};
+  published_comparisons(load(D(), from, at), LanesOf<D>{hn::Zero(D())}, sink);
+  for (std::size_t j = 0; j < count; ++j) out.bits[i + j] = sink.bits[j];
+}
+
 template <class Real, Strictness strictness>
 void explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
-  using D = hn::ScalableTag<Real>;
-  constexpr std::size_t lanes = hn::MaxLanes(D());
-  const auto one_vector = [&](const QueryColumns<Real>& from, std::size_t at, std::size_t i, std::size_t count)
-                              HWY_ATTR {
-                                ExplainSink<D, strictness> sink{out, i, count};
-                                published_comparisons(load(D(), from, at), LanesOf<D>{hn::Zero(D())}, sink);
-                                for (std::size_t j = 0; j < count; ++j) out.bits[i + j] = sink.bits[j];
-                              };
+  constexpr std::size_t lanes = hn::MaxLanes(hn::ScalableTag<Real>());
   std::size_t i = 0;
-  for (; i + lanes <= batch.size; i += lanes) one_vector(batch, i, i, lanes);
+  for (; i + lanes <= batch.size; i += lanes) explain_vector<Real, strictness>(batch, i, i, lanes, out);
   if (i == batch.size) return;
-  with_padded_tail<Real, lanes>(batch, i,
-                                [&](const QueryColumns<Real>& tail) HWY_ATTR { one_vector(tail, 0, i, tail.size); });
+  with_padded_tail<Real, lanes>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
+    explain_vector<Real, strictness>(tail, 0, i, tail.size, out);
+  });
 }
 
 template <class Real>

@@ -57,7 +57,7 @@ std::string verdict_outcome(const Json& require, const std::vector<Failure>& fai
   if (require.is_null()) return skipped("no requirement was asked (--require)");
   std::string detail;
   for (const Failure& f : failures) {
-    if (f.family == family && f.kernel == kernel["id"] && f.precision == kernel["precision"]) detail += f.text() + "\n";
+    if (f.family == family && f.is_of(kernel)) detail += f.text() + "\n";
   }
   if (detail.empty()) return "";
   const std::string level = require;

@@ -98,9 +98,8 @@ class Report {
  private:
   std::string requirement_of(const Json& kernel) const {
     if (plan_["require"].is_null()) return "none asked";
-    const bool is_met = std::none_of(failures_.begin(), failures_.end(), [&](const Failure& failure) {
-      return failure.kernel == kernel["id"] && failure.precision == kernel["precision"];
-    });
+    const bool is_met =
+        std::none_of(failures_.begin(), failures_.end(), [&](const Failure& failure) { return failure.is_of(kernel); });
     if (is_met && kernel["families"].empty()) return "not checked";
     return is_met ? "met" : "**not met**";
   }

@@ -143,6 +143,11 @@ Requirement parse_requirement(const std::string& text) {
   return requirement;
 }
 
+bool Failure::is_of(const Json& entry) const {
+  return entry["id"].get_ref<const std::string&>() == kernel &&
+         entry["precision"].get_ref<const std::string&>() == precision;
+}
+
 std::string Failure::text() const {
   const std::string shown_by = witness.empty() ? "" : fmt::format(" (witness {})", witness);
   return fmt::format("{} {} on {}: {}: {}{}", kernel, precision, family, what, count, shown_by);

@@ -28,6 +28,7 @@ struct Failure {
   std::string what;     // "missed contacts"
   std::string witness;  // the deepest one that shows it; empty where none was stored
 
+  bool is_of(const Json& kernel) const;  // an entry of the record's "kernels"
   std::string text() const;
 };
 
