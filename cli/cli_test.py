@@ -123,7 +123,10 @@ class BadInput(Case):
         self.refused("run", "--require", "nosuch", says=["nosuch", "logic"])
         self.refused("run", "--tolerance", "plane.radios=3", says=["plane.radios", "plane.radius"])
         self.refused("run", "--tolerance", "plane.radius=three", says=["three", "decimal"])
-        self.refused("run", "--trials", "0", says=["--trials"])
+        for option, wrong in (("--trials", "0"), ("--trials", "-5"), ("--trials", "many"), ("--seed", "-1"),
+                              ("--time", "0"), ("--threads", "0")):
+            done = self.refused("run", option, wrong, says=[option, wrong])
+            self.assertLess(len(done.stderr), 200, done.stderr)
         self.refused("run", "--trials", "5", "--time", "1", says=["--time"])
         self.refused("check", self.folder / "none.jsonl", says=["none.jsonl"])
         self.refused("frobnicate", says=[])

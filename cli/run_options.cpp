@@ -70,6 +70,30 @@ void add_sources(const RunOptions& options, Plan& plan) {
   for (const std::string& path : options.queries) add(query_file_source(path, csv_precision));
 }
 
+// A query file may hold queries in the precision that --precision leaves out.
+void say_what_is_left_out(const Plan& plan) {
+  for (const SourcePtr& source : plan.sources) {
+    for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+      const bool runs = std::find(plan.precisions.begin(), plan.precisions.end(), precision) != plan.precisions.end();
+      const std::uint64_t left_out = runs ? 0 : source->fixed_size(precision).value_or(0);
+      if (left_out == 0) continue;
+      fmt::print(stderr, "axiscert: {}: --precision leaves out {} queries in {}\n", source->name(), left_out,
+                 name(precision));
+    }
+  }
+}
+
+// Digits only: CLI11 would take "-1" for the greatest number there is.
+std::string whole_number(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+  return digits ? "" : fmt::format("'{}' is not a whole number from 0 on", text);
+}
+
+std::string above_zero(const std::string& text) {
+  double value = 0;
+  return CLI::detail::lexical_cast(text, value) && value > 0 ? "" : fmt::format("'{}' is not a number above 0", text);
+}
+
 }  // namespace
 
 void add_run_options(CLI::App& command, RunOptions& o) {
@@ -83,11 +107,12 @@ void add_run_options(CLI::App& command, RunOptions& o) {
                      .add_option("--trials", o.trials,
                                  "queries per family and precision (default: 2^18 in binary32, "
                                  "2^16 in binary64 with 2^14 for bits)")
-                     ->check(CLI::PositiveNumber);
+                     ->check(whole_number)
+                     ->check(above_zero);
   command.add_option("--time", o.seconds, "seconds to run instead; units that were begun are finished")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero)
       ->excludes(trials);
-  command.add_option("--seed", o.seed, "seed of every family")->capture_default_str();
+  command.add_option("--seed", o.seed, "seed of every family")->check(whole_number)->capture_default_str();
   command.add_option("--precision", o.precision, "binary32 or binary64 (default: both); that of CSV files");
   command.add_option("--target", o.target, "instruction set, see `axiscert kernels`")->capture_default_str();
   command.add_option("--threads", o.threads, "worker threads (default: all cores)")->check(CLI::Range(1, 4096));
@@ -118,6 +143,7 @@ Plan plan_of(const RunOptions& options) {
   plan.threads =
       options.threads != 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   add_sources(options, plan);
+  say_what_is_left_out(plan);
   return plan;
 }
 

@@ -68,7 +68,7 @@ TEST(Sliver, MissesContactsDeeply) {
   EXPECT_GT(deepest, 0.3);
 }
 
-TYPED_TEST(FamilyShapes, CollinearHasNoAreaAndDistinctCornersInAllOrders) {
+TYPED_TEST(FamilyShapes, CollinearHasNoAreaAndDistinctVerticesInAllOrders) {
   std::array<std::size_t, 3> middle{};
   for_each_query<TypeParam>("collinear", 3000, [&](const Query<TypeParam>& q, std::uint64_t position) {
     const auto [shortest, longest, height] = edge_lengths(q);
@@ -83,7 +83,7 @@ TYPED_TEST(FamilyShapes, CollinearHasNoAreaAndDistinctCornersInAllOrders) {
       EXPECT_LE(order, 0);
     }
   });
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_GE(middle[i], 800u) << "corner " << i << " between the other two";
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_GE(middle[i], 800u) << "vertex " << i << " between the other two";
 }
 
 TYPED_TEST(FamilyShapes, RepeatedRepeatsEachPairInTurn) {
@@ -152,9 +152,9 @@ TYPED_TEST(FamilyShapes, OnIsAtDistanceZero) {
   std::size_t minus_zero = 0, zero = 0, least = 0;
   for_each_query<TypeParam>("on", 7 * 5 * 40, [&](const Query<TypeParam>& q, std::uint64_t position) {
     EXPECT_EQ(squared_distance(q), 0);
-    const std::array<Vec3<TypeParam>, 3> corners = {q.a, q.b, q.c};
+    const std::array<Vec3<TypeParam>, 3> vertices = {q.a, q.b, q.c};
     if (const std::size_t axis = position % 7; axis >= 1 && axis < 4) {
-      const auto offset = corners[axis - 1] - q.p;
+      const auto offset = vertices[axis - 1] - q.p;
       EXPECT_EQ(dot(offset, offset), 0);
     }
     EXPECT_LT(q.r, 0.0625);

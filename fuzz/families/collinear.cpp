@@ -9,7 +9,7 @@
 namespace axiscert {
 namespace {
 
-// Corners base + t D in integers, each coordinate below 2^24 (2^53): 2^22 + 2^8 2^14 and 2^51 + 2^11 2^40.
+// Vertices base + t D in integers, each coordinate below 2^24 (2^53): 2^22 + 2^8 2^14 and 2^51 + 2^11 2^40.
 template <class Real>
 Query<Real> collinear(Stream& random, std::uint64_t position) {
   constexpr bool single = sizeof(Real) == 4;
@@ -20,10 +20,10 @@ Query<Real> collinear(Stream& random, std::uint64_t position) {
   const std::int64_t first = random.integer(-steps, 0), second = first + random.integer(1, steps / 2);
   const std::int64_t third = second + random.integer(1, steps / 2);
   const auto at = [&](std::int64_t t) { return shapes::scaled(base + direction * static_cast<Real>(t), -base_digits); };
-  // The order of the corners says which of them lies between the other two.
-  const auto corners = shapes::shuffled<Real>(random, {at(first), at(second), at(third)});
+  // The order of the vertices says which of them lies between the other two.
+  const auto vertices = shapes::shuffled<Real>(random, {at(first), at(second), at(third)});
 
-  Query<Real> q = shapes::query(corners, shapes::in_cube<Real>(random));
+  Query<Real> q = shapes::query(vertices, shapes::in_cube<Real>(random));
   switch (position % 3) {
     case 0:
       q.r = random.unit<Real>() * radius_at_distance(q);
@@ -42,7 +42,7 @@ Query<Real> collinear(Stream& random, std::uint64_t position) {
 
 extern const Family collinear_family = {
     "collinear",
-    "three distinct corners exactly on a line; radii below, at and above the distance",
+    "three distinct vertices exactly on a line; radii below, at and above the distance",
     1,
     false,
     collinear<float>,

@@ -28,7 +28,7 @@ constexpr bool exact_within_bounds() {
 }
 static_assert(exact_within_bounds<float>() && exact_within_bounds<double>());
 
-// The smallest lattices, where corners coincide and comparisons tie, take turns with the largest.
+// The smallest lattices, where vertices coincide and comparisons tie, take turns with the largest.
 template <class Real>
 Query<Real> lattice(Stream& random, std::uint64_t position) {
   constexpr std::array<std::int64_t, 3> sizes = {1, 2, Bounds<Real>::m};

@@ -1,4 +1,4 @@
-// Centres exactly on the triangle, at a corner, on an edge or on the face: everything is a contact, at r = 0 touching.
+// Centres exactly on the triangle, at a vertex, on an edge or on the face: everything is a contact, at r = 0 touching.
 #include <cmath>
 #include <limits>
 
@@ -8,7 +8,7 @@
 namespace axiscert {
 namespace {
 
-// The weights of the three corners, in sixteenths, that put the centre on the feature.
+// The weights of the three vertices, in sixteenths, that put the centre on the feature.
 std::array<std::int64_t, 3> weights(Stream& random, std::size_t axis) {
   std::array<std::int64_t, 3> w{};
   if (axis == 0) {
@@ -42,25 +42,25 @@ Real small_radius(Stream& random, std::uint64_t which) {
   }
 }
 
-// Corners that are sixteen times integers have the centre in integers.
+// Vertices that are sixteen times integers have the centre in integers.
 template <class Real>
 Query<Real> on(Stream& random, std::uint64_t position) {
   constexpr int digits = sizeof(Real) == 4 ? 20 : 49;
   const auto w = weights(random, position % axis_count);
-  shapes::Corners<Real> corners;
+  shapes::Vertices<Real> vertices;
   Vec3<Real> p{0, 0, 0};
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto corner = shapes::integers<Real>(random, std::int64_t{1} << digits);
-    corners[i] = shapes::scaled(corner, -digits);
-    p = p + shapes::scaled(corner * static_cast<Real>(w[i]), -digits - 4);
+    const auto vertex = shapes::integers<Real>(random, std::int64_t{1} << digits);
+    vertices[i] = shapes::scaled(vertex, -digits);
+    p = p + shapes::scaled(vertex * static_cast<Real>(w[i]), -digits - 4);
   }
-  return shapes::query(corners, p, small_radius<Real>(random, position / axis_count % 5));
+  return shapes::query(vertices, p, small_radius<Real>(random, position / axis_count % 5));
 }
 
 }  // namespace
 
 extern const Family on_family = {
-    "on",      "centre exactly on the face, a corner or an edge in turn; r of 0, -0, the least, tiny and small",
+    "on",      "centre exactly on the face, a vertex or an edge in turn; r of 0, -0, the least, tiny and small",
     1,         false,
     on<float>, on<double>};
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int most_halvings = 40, steps = 2 * most_halvings + 1;
 
-// One corner is the origin, so that the centre can be as near to it as it likes.
+// One vertex is the origin, so that the centre can be as near to it as it likes.
 template <class Real>
 Query<Real> ratio(Stream& random, std::uint64_t position) {
   const int distance_exponent = static_cast<int>(position % steps) - most_halvings;

@@ -1,4 +1,4 @@
-// Triangles with equal corners: each pair in turn, then all three.
+// Triangles with equal vertices: each pair in turn, then all three.
 #include "fuzz/families/shapes.h"
 #include "fuzz/family.h"
 
@@ -7,25 +7,26 @@ namespace {
 
 template <class Real>
 Query<Real> repeated(Stream& random, std::uint64_t position) {
-  auto corners = shapes::corners_in_cube<Real>(random);
+  auto vertices = shapes::vertices_in_cube<Real>(random);
   const std::size_t which = position % 4;
   if (which < 3) {
-    corners[shapes::next(which)] = corners[which];
+    vertices[shapes::next(which)] = vertices[which];
   } else {
-    corners[1] = corners[2] = corners[0];
+    vertices[1] = vertices[2] = vertices[0];
   }
-  Query<Real> q = shapes::query(corners, shapes::in_cube<Real>(random));
+  Query<Real> q = shapes::query(vertices, shapes::in_cube<Real>(random));
   q.r = shapes::aimed_radius(random, q);
   return q;
 }
 
 }  // namespace
 
-extern const Family repeated_family = {"repeated",
-                                       "two equal corners (A = B, B = C, C = A) or three, in turn; otherwise arbitrary",
-                                       1,
-                                       false,
-                                       repeated<float>,
-                                       repeated<double>};
+extern const Family repeated_family = {
+    "repeated",
+    "two equal vertices (A = B, B = C, C = A) or three, in turn; otherwise arbitrary",
+    1,
+    false,
+    repeated<float>,
+    repeated<double>};
 
 }  // namespace axiscert

@@ -19,8 +19,8 @@ int exponent(std::uint64_t position) {
 
 template <class Real>
 Query<Real> scale(Stream& random, std::uint64_t position) {
-  const auto corners = shapes::corners_in_cube<Real>(random);
-  Query<Real> q = shapes::query(corners, shapes::in_cube<Real>(random));
+  const auto vertices = shapes::vertices_in_cube<Real>(random);
+  Query<Real> q = shapes::query(vertices, shapes::in_cube<Real>(random));
   // Half the distance or less, or twice the distance or more, and below two.
   const Real share = random.unit<Real>() / 2, distance = radius_at_distance(q);
   const bool separated = random.coin() || distance >= Real(0.5);

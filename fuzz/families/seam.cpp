@@ -15,9 +15,9 @@ namespace {
 
 struct Seam {
   Comparison side;
-  bool at_vertex;  // between the regions of corner `from` and of the edge towards `to`; else of edge `from` and face
+  bool at_vertex;  // between the regions of vertex `from` and of the edge towards `to`; else of edge `from` and face
   std::size_t from, to;
-  // The edge whose outward direction lies in the seam's region: at a vertex, the edge that joins the two corners.
+  // The edge whose outward direction lies in the seam's region: at a vertex, the edge that joins the two vertices.
   std::size_t edge() const { return at_vertex && shapes::next(to) == from ? to : from; }
 };
 constexpr std::array<Seam, 9> seams = {{
@@ -51,14 +51,14 @@ Query<Real> seam(Stream& random, std::uint64_t position) {
   const bool radius_at_boundary = position / 9 % 2 == 0;
   const int ulps = static_cast<int>(position / 18 % 9) - 4;
 
-  const auto corners = shapes::corners_in_cube<Real>(random);
-  const auto [normal, outward] = shapes::directions(corners);
-  Vec3<Real> foot = corners[which.from], direction = normal * random.symmetric<Real>();
+  const auto vertices = shapes::vertices_in_cube<Real>(random);
+  const auto [normal, outward] = shapes::directions(vertices);
+  Vec3<Real> foot = vertices[which.from], direction = normal * random.symmetric<Real>();
   if (which.at_vertex) direction = direction + outward[which.edge()] * (random.unit<Real>() + Real(0x1p-5));
-  else foot = shapes::inside_edge(random, corners, which.from);
-  Query<Real> q = shapes::query(corners, foot + shapes::at_unit_length(direction) * shapes::height<Real>(random));
+  else foot = shapes::inside_edge(random, vertices, which.from);
+  Query<Real> q = shapes::query(vertices, foot + shapes::at_unit_length(direction) * shapes::height<Real>(random));
 
-  const Vec3<Real> gradient = which.at_vertex ? corners[which.to] - corners[which.from] : outward[which.from];
+  const Vec3<Real> gradient = which.at_vertex ? vertices[which.to] - vertices[which.from] : outward[which.from];
   const int coordinate = effective_coordinate(random, gradient);
   Real& x = coordinate == 0 ? q.p.x : coordinate == 1 ? q.p.y : q.p.z;
   x = step_ulps(coordinate_on_boundary(q, which.side, coordinate), ulps);

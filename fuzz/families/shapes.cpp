@@ -19,27 +19,27 @@ Vec3<Real> at_unit_length(const Vec3<Real>& v) {
 }
 
 template <class Real>
-Directions<Real> directions(const Corners<Real>& corners) {
+Directions<Real> directions(const Vertices<Real>& vertices) {
   Directions<Real> result;
-  result.normal = at_unit_length(cross(corners[1] - corners[0], corners[2] - corners[0]));
+  result.normal = at_unit_length(cross(vertices[1] - vertices[0], vertices[2] - vertices[0]));
   for (std::size_t i = 0; i < 3; ++i) {
-    result.outward[i] = at_unit_length(cross(corners[next(i)] - corners[i], result.normal));
+    result.outward[i] = at_unit_length(cross(vertices[next(i)] - vertices[i], result.normal));
   }
   return result;
 }
 
 template <class Real>
-Vec3<Real> inside(Stream& random, const Corners<Real>& corners) {
+Vec3<Real> inside(Stream& random, const Vertices<Real>& vertices) {
   std::array<Real, 3> weight;
   for (Real& w : weight) w = random.unit<Real>() + Real(0x1p-5);
   const Real sum = (weight[0] + weight[1]) + weight[2];
-  return (corners[0] * (weight[0] / sum) + corners[1] * (weight[1] / sum)) + corners[2] * (weight[2] / sum);
+  return (vertices[0] * (weight[0] / sum) + vertices[1] * (weight[1] / sum)) + vertices[2] * (weight[2] / sum);
 }
 
 template <class Real>
-Vec3<Real> inside_edge(Stream& random, const Corners<Real>& corners, std::size_t edge) {
+Vec3<Real> inside_edge(Stream& random, const Vertices<Real>& vertices, std::size_t edge) {
   const Real t = Real(0x1p-5) + random.unit<Real>() * Real(0.9375);
-  return corners[edge] + (corners[next(edge)] - corners[edge]) * t;
+  return vertices[edge] + (vertices[next(edge)] - vertices[edge]) * t;
 }
 
 template <class Real>
@@ -49,7 +49,7 @@ Real height(Stream& random) {
 }
 
 template <class Real>
-Query<Real> placed(Stream& random, const Corners<Real>& around_origin, int halvings) {
+Query<Real> placed(Stream& random, const Vertices<Real>& around_origin, int halvings) {
   Query<Real> q = query(around_origin, in_cube<Real>(random));
   if (random.below(4) == 0) q.p = scaled(q.p, -static_cast<int>(random.integer(0, halvings)));
   if (!random.coin()) return q;
@@ -79,15 +79,15 @@ Real aimed_radius(Stream& random, const Query<Real>& q) {
   }
 }
 
-#define AXISCERT_INSTANTIATE(Real)                                                   \
-  template Vec3<Real> scaled<Real>(const Vec3<Real>&, int);                          \
-  template Vec3<Real> at_unit_length<Real>(const Vec3<Real>&);                       \
-  template Directions<Real> directions<Real>(const Corners<Real>&);                  \
-  template Vec3<Real> inside<Real>(Stream&, const Corners<Real>&);                   \
-  template Vec3<Real> inside_edge<Real>(Stream&, const Corners<Real>&, std::size_t); \
-  template Real height<Real>(Stream&);                                               \
-  template Query<Real> placed<Real>(Stream&, const Corners<Real>&, int);             \
-  template Real radius_near_distance<Real>(Stream&, const Query<Real>&, int);        \
+#define AXISCERT_INSTANTIATE(Real)                                                    \
+  template Vec3<Real> scaled<Real>(const Vec3<Real>&, int);                           \
+  template Vec3<Real> at_unit_length<Real>(const Vec3<Real>&);                        \
+  template Directions<Real> directions<Real>(const Vertices<Real>&);                  \
+  template Vec3<Real> inside<Real>(Stream&, const Vertices<Real>&);                   \
+  template Vec3<Real> inside_edge<Real>(Stream&, const Vertices<Real>&, std::size_t); \
+  template Real height<Real>(Stream&);                                                \
+  template Query<Real> placed<Real>(Stream&, const Vertices<Real>&, int);             \
+  template Real radius_near_distance<Real>(Stream&, const Query<Real>&, int);         \
   template Real aimed_radius<Real>(Stream&, const Query<Real>&);
 AXISCERT_INSTANTIATE(float)
 AXISCERT_INSTANTIATE(double)

@@ -1,4 +1,4 @@
-// What several families are made of: corners, directions, feet on features, radii. Plain arithmetic in Real in a
+// What several families are made of: vertices, directions, feet on features, radii. Plain arithmetic in Real in a
 // written order, so that the values are the same everywhere; for the same reason no expression reads the stream twice.
 #pragma once
 
@@ -12,10 +12,10 @@
 
 namespace axiscert::shapes {
 
-// A, B, C. Edge i runs from corner i to corner i + 1; corner i + 2 lies opposite.
+// A, B, C. Edge i runs from vertex i to vertex i + 1; vertex i + 2 lies opposite.
 template <class Real>
-using Corners = std::array<Vec3<Real>, 3>;
-constexpr std::size_t next(std::size_t corner) { return (corner + 1) % 3; }
+using Vertices = std::array<Vec3<Real>, 3>;
+constexpr std::size_t next(std::size_t vertex) { return (vertex + 1) % 3; }
 constexpr std::size_t opposite(std::size_t edge) { return (edge + 2) % 3; }
 
 // Uniform in the cube [-1, 1)^3, full significands.
@@ -25,7 +25,7 @@ Vec3<Real> in_cube(Stream& random) {
   return {x, y, z};
 }
 template <class Real>
-Corners<Real> corners_in_cube(Stream& random) {
+Vertices<Real> vertices_in_cube(Stream& random) {
   const Vec3<Real> a = in_cube<Real>(random), b = in_cube<Real>(random), c = in_cube<Real>(random);
   return {a, b, c};
 }
@@ -42,16 +42,16 @@ Vec3<Integer> integers(Stream& random, std::int64_t bound) {
 
 // One of the six orders, each as likely.
 template <class Real>
-Corners<Real> shuffled(Stream& random, Corners<Real> corners) {
+Vertices<Real> shuffled(Stream& random, Vertices<Real> vertices) {
   const auto first = static_cast<std::size_t>(random.below(3));
-  std::swap(corners[0], corners[first]);
-  if (random.coin()) std::swap(corners[1], corners[2]);
-  return corners;
+  std::swap(vertices[0], vertices[first]);
+  if (random.coin()) std::swap(vertices[1], vertices[2]);
+  return vertices;
 }
 
 template <class Real>
-Query<Real> query(const Corners<Real>& corners, const Vec3<Real>& p, Real r = 0) {
-  return {corners[0], corners[1], corners[2], p, r};
+Query<Real> query(const Vertices<Real>& vertices, const Vec3<Real>& p, Real r = 0) {
+  return {vertices[0], vertices[1], vertices[2], p, r};
 }
 
 // Every coordinate times 2^exponent, each rounded once.
@@ -63,21 +63,21 @@ template <class Real>
 Vec3<Real> at_unit_length(const Vec3<Real>& v);
 
 // Unit directions at a triangle with area. With the normal of either sign, edge i's outward direction spans the half
-// plane of directions whose nearest triangle point lies on edge i; those of a corner's two edges span, with the normal,
-// the cone of directions at that corner.
+// plane of directions whose nearest triangle point lies on edge i; those of a vertex's two edges span, with the normal,
+// the cone of directions at that vertex.
 template <class Real>
 struct Directions {
   Vec3<Real> normal;
   std::array<Vec3<Real>, 3> outward;  // in the plane, across edge i
 };
 template <class Real>
-Directions<Real> directions(const Corners<Real>& corners);
+Directions<Real> directions(const Vertices<Real>& vertices);
 
 // A point inside the triangle, or on the edge, away from their ends by a few per cent.
 template <class Real>
-Vec3<Real> inside(Stream& random, const Corners<Real>& corners);
+Vec3<Real> inside(Stream& random, const Vertices<Real>& vertices);
 template <class Real>
-Vec3<Real> inside_edge(Stream& random, const Corners<Real>& corners, std::size_t edge);
+Vec3<Real> inside_edge(Stream& random, const Vertices<Real>& vertices, std::size_t edge);
 
 // A length in [2^-7, 2), its logarithm spread evenly over the octaves.
 template <class Real>
@@ -87,14 +87,14 @@ Real height(Stream& random);
 // `halvings` octaves nearer to the origin. Half of the queries are then moved away, where rounding limits how fine a
 // shape can be. The radius is left at zero.
 template <class Real>
-Query<Real> placed(Stream& random, const Corners<Real>& around_origin, int halvings);
+Query<Real> placed(Stream& random, const Vertices<Real>& around_origin, int halvings);
 
 // At the exact distance rounded to nearest, and up to `ulps` floats from it.
 template <class Real>
 Real radius_near_distance(Stream& random, const Query<Real>& q, int ulps);
 
 // A quarter of the radii within 4 ulp of the exact distance, a quarter off it by a factor 1 +- 2^-1 .. 2^-20, and half
-// uniform up to the farthest corner.
+// uniform up to the farthest vertex.
 template <class Real>
 Real aimed_radius(Stream& random, const Query<Real>& q);
 

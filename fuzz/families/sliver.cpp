@@ -1,4 +1,4 @@
-// Triangles with one corner almost on the segment of the other two, down to heights far below the rounding of their
+// Triangles with one vertex almost on the segment of the other two, down to heights far below the rounding of their
 // coordinates.
 #include <cmath>
 
@@ -8,7 +8,7 @@
 namespace axiscert {
 namespace {
 
-// The segment runs through the origin exactly, from -m D to n D in few-bit integers, so that the third corner, near the
+// The segment runs through the origin exactly, from -m D to n D in few-bit integers, so that the third vertex, near the
 // origin where floats are dense, can be as near to it as it likes. Half of the triangles are then moved away, where
 // rounding the coordinates limits the ratio.
 template <class Real>
@@ -23,9 +23,9 @@ Query<Real> sliver(Stream& random, std::uint64_t position) {
 
   const Vec3<Real> along = y - x, aside = shapes::at_unit_length(cross(along, shapes::in_cube<Real>(random)));
   const Vec3<Real> z = shapes::scaled(aside * std::sqrt(dot(along, along)), -halvings);
-  const auto corners = shapes::shuffled<Real>(random, {x, y, z});
+  const auto vertices = shapes::shuffled<Real>(random, {x, y, z});
 
-  Query<Real> q = shapes::placed(random, corners, halvings);
+  Query<Real> q = shapes::placed(random, vertices, halvings);
   q.r = shapes::aimed_radius(random, q);
   return q;
 }
@@ -34,7 +34,7 @@ Query<Real> sliver(Stream& random, std::uint64_t position) {
 
 extern const Family sliver_family = {
     "sliver",
-    "one corner near the segment of the other two, at 2^-1 to 2^-40 of its length (2^-80 in binary64)",
+    "one vertex near the segment of the other two, at 2^-1 to 2^-40 of its length (2^-80 in binary64)",
     1,
     false,
     sliver<float>,

@@ -23,8 +23,8 @@ Rotation rotation(Stream& random, std::int64_t bound) {
 }
 
 // A triangle whose point nearest to every centre (0, 0, z), z > 0, is the origin, inside the feature.
-std::array<Integers, 3> local_corners(Stream& random, std::size_t axis, std::int64_t bound) {
-  if (axis == 0) {  // in the plane z = 0, the origin a positive combination of the corners
+std::array<Integers, 3> local_vertices(Stream& random, std::size_t axis, std::int64_t bound) {
+  if (axis == 0) {  // in the plane z = 0, the origin a positive combination of the vertices
     Integers u = shapes::integers(random, bound / 4), v = shapes::integers(random, bound / 4);
     if (u.x == 0 && u.y == 0) u.x = 1;
     if (u.x * v.y - u.y * v.x == 0) v = {-u.y, u.x, 0};
@@ -32,28 +32,28 @@ std::array<Integers, 3> local_corners(Stream& random, std::size_t axis, std::int
     const std::int64_t s = random.integer(1, 2), t = random.integer(1, 2);
     return {u, v, u * -s - v * t};
   }
-  // The other corners lie strictly below the plane z = 0.
+  // The other vertices lie strictly below the plane z = 0.
   const auto below = [&] {
     Integers v = shapes::integers(random, bound);
     v.z = -random.integer(1, bound);
     return v;
   };
-  std::array<Integers, 3> corners;
+  std::array<Integers, 3> vertices;
   if (axis < 4) {
     const std::size_t i = axis - 1;
-    corners[i] = {0, 0, 0};
-    corners[shapes::next(i)] = below();
-    corners[shapes::opposite(i)] = below();
+    vertices[i] = {0, 0, 0};
+    vertices[shapes::next(i)] = below();
+    vertices[shapes::opposite(i)] = below();
   } else {
     const std::size_t i = axis - 4;
     Integers along = shapes::integers(random, bound / 4);
     if (along.x == 0 && along.y == 0) along.x = 1;
     along.z = 0;
-    corners[i] = along * -random.integer(1, 4);
-    corners[shapes::next(i)] = along * random.integer(1, 4);
-    corners[shapes::opposite(i)] = below();
+    vertices[i] = along * -random.integer(1, 4);
+    vertices[shapes::next(i)] = along * random.integer(1, 4);
+    vertices[shapes::opposite(i)] = below();
   }
-  return corners;
+  return vertices;
 }
 
 // Bounds on the quaternion's components, the local coordinates and the final move. With n <= 4 q^2 a rotated coordinate
@@ -72,7 +72,7 @@ template <class Real>
 Query<Real> tie(Stream& random, std::uint64_t position) {
   const Size& size = sizes<Real>[position / axis_count % 3];
   const Rotation rotate = rotation(random, size.quaternion);
-  const auto local = local_corners(random, position % axis_count, size.local);
+  const auto local = local_vertices(random, position % axis_count, size.local);
   const std::int64_t z = random.integer(1, size.local);
   const Integers move = shapes::integers(random, size.move);
   const auto real = [&](const Integers& v) {
