@@ -75,21 +75,6 @@ void flushed_explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
 
 // Planted: x y + z fused wherever a compiler could.
 template <class Real>
-void contracted_explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
-  for (std::size_t i = 0; i < batch.size; ++i) {
-    std::array<Real, coordinate_count> v;
-    for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = batch.column[k][i];
-    const auto fused =
-        published_sides<Contracted<Real>>(from_coordinates(v), [](Real x) { return Contracted<Real>{x}; });
-    Sides<Real> sides;
-    for (std::size_t k = 0; k < comparison_count; ++k) {
-      out.lhs[k][i] = sides.lhs[k] = fused.lhs[k].rounded();
-      out.rhs[k][i] = sides.rhs[k] = fused.rhs[k].rounded();
-    }
-    out.bits[i] = bits_of(sides, Strictness::strict);
-  }
-}
-template <class Real>
 void contracted_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
   Answers<Real> answers;
   answers.resize(batch.size);

@@ -81,12 +81,7 @@ double deepest_missed_contact_when_contracted() {
   double deepest = 0;
   for (std::uint64_t position = 0; position < 4000; ++position) {
     const auto q = find_family("repeated").make<Real>(5, position);
-    const auto fused = published_sides<Contracted<Real>>(q, [](Real x) { return Contracted<Real>{x}; });
-    Sides<Real> sides;
-    for (std::size_t k = 0; k < comparison_count; ++k) {
-      sides.lhs[k] = fused.lhs[k].rounded();
-      sides.rhs[k] = fused.rhs[k].rounded();
-    }
+    const auto sides = contracted_sides(q);
     const bool separated = axes_of(bits_of(sides, Strictness::strict)) != 0;
     if (separated && distance_order(q) <= 0) deepest = std::max(deepest, depth(q, squared_distance(q)));
   }

@@ -98,21 +98,8 @@ TEST(SelfCheck, AcceptsEveryKernelOnEveryTarget) {
   for (const std::string& target : available_targets()) EXPECT_NO_THROW(require_uncontracted(target)) << target;
 }
 
-void explain_contracted(const QueryColumns<double>& batch, Answers<double>& out) {
-  for (std::size_t i = 0; i < batch.size; ++i) {
-    std::array<double, coordinate_count> v;
-    for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = batch.column[k][i];
-    const auto sides =
-        published_sides<Contracted<double>>(from_coordinates(v), [](double x) { return Contracted<double>{x}; });
-    for (std::size_t k = 0; k < comparison_count; ++k) {
-      out.lhs[k][i] = sides.lhs[k].rounded();
-      out.rhs[k][i] = sides.rhs[k].rounded();
-    }
-  }
-}
-
 TEST(SelfCheck, RefusesAContractedKernel) {
-  const auto wrong = self_check<double>("contracted", "scalar", {nullptr, explain_contracted});
+  const auto wrong = self_check<double>("contracted", "scalar", {nullptr, contracted_explain<double>});
   ASSERT_TRUE(wrong.has_value());
   EXPECT_NE(wrong->find("-ffp-contract=off"), std::string::npos) << *wrong;
 }
