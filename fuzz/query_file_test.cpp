@@ -1,4 +1,5 @@
 #include "fuzz/query_file.h"
+#include "fuzz/query_testing.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -58,15 +59,6 @@ std::string with(const std::string& field, const std::string& value) {
     if (!given.empty()) line += fmt::format("{}\"{}\":{}", line.size() > 1 ? "," : "", name, given);
   }
   return line + "}";
-}
-
-template <class Real>
-void expect_same_bits(const Query<Real>& x, const Query<Real>& y) {
-  const auto u = coordinates(x), v = coordinates(y);
-  for (std::size_t k = 0; k < coordinate_count; ++k) {
-    if (std::isnan(u[k])) EXPECT_TRUE(std::isnan(v[k]));
-    else EXPECT_TRUE(u[k] == v[k] && std::signbit(u[k]) == std::signbit(v[k])) << coordinate_names[k] << " " << u[k];
-  }
 }
 
 TEST(QueryFile, ReadsALineAsTheDesignWritesIt) {

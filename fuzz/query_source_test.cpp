@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "fuzz/query_file.h"
+#include "fuzz/query_testing.h"
 #include "fuzz/random.h"
 #include "fuzz/source.h"
 #include "kernel/error.h"
@@ -19,15 +20,6 @@ namespace {
 std::string line(const std::string& precision, const std::string& r, const std::string& ax = "0") {
   return R"({"id":"ok","precision":")" + precision + R"(","a":[)" + ax +
          R"(,0,0],"b":[1,0,0],"c":[0,1,0],"p":[0,0,1],"r":)" + r + "}";
-}
-
-template <class Real>
-void expect_same_bits(const Query<Real>& x, const Query<Real>& y) {
-  const auto u = coordinates(x), v = coordinates(y);
-  for (std::size_t k = 0; k < coordinate_count; ++k) {
-    if (std::isnan(u[k])) EXPECT_TRUE(std::isnan(v[k]));
-    else EXPECT_TRUE(u[k] == v[k] && std::signbit(u[k]) == std::signbit(v[k])) << coordinate_names[k] << " " << u[k];
-  }
 }
 
 template <class Real>
