@@ -62,6 +62,10 @@ int check(const Options& options) {
   const std::string target = resolve_target(options.target);
   const auto queries = read_query_file(options.file, parse_precision(options.precision));
   for (const StoredQuery& stored : queries) {
+    if (!kernel.has(stored.precision)) {
+      throw Error(fmt::format("{}: query '{}' is in {}, in which kernel {} does not exist", options.file, stored.id,
+                              name(stored.precision), kernel.id));
+    }
     const Examination found = std::visit([&](const auto& q) { return examine(q, kernel, target); }, stored.query);
     if (options.format == "text") {
       print_text(stored.id, kernel, found);

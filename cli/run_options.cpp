@@ -70,6 +70,20 @@ void add_sources(const RunOptions& options, Plan& plan) {
   for (const std::string& path : options.queries) add(query_file_source(path, csv_precision));
 }
 
+// A precision in which no kernel exists is left out of the plan; one that was asked for by name is an error for each
+// kernel that lacks it.
+void drop_idle_precisions(Plan& plan, const std::string& asked) {
+  for (const Kernel* kernel : plan.kernels) {
+    if (asked.empty() || kernel->has(plan.precisions.front())) continue;
+    throw Error(fmt::format("--precision {}: kernel {} exists in {} only", asked, kernel->id,
+                            kernel->has(Precision::binary32) ? "binary32" : "binary64"));
+  }
+  std::erase_if(plan.precisions, [&](Precision precision) {
+    return std::none_of(plan.kernels.begin(), plan.kernels.end(),
+                        [&](const Kernel* kernel) { return kernel->has(precision); });
+  });
+}
+
 // A query file may hold queries in the precision that --precision leaves out.
 void say_what_is_left_out(const Plan& plan) {
   for (const SourcePtr& source : plan.sources) {
@@ -135,6 +149,7 @@ Plan plan_of(const RunOptions& options) {
   if (plan.kernels.empty()) plan.kernels.push_back(&find_kernel("published"));
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};
+  drop_idle_precisions(plan, options.precision);
   for (const std::string& tolerance : options.tolerances) add_tolerance(tolerance, plan);
   plan.seconds = options.seconds;
   plan.trials = [trials = options.trials](const Source& source, Precision precision) {

@@ -10,7 +10,7 @@ template <class Real>
 Answer answer_of(const Query<Real>& q, const Implementation<Real>& kernel) {
   QueryBatch<Real> one(1);
   one.push_back(q);
-  Answer answer;
+  Answer answer{Verdict::invalid, std::nullopt};
   kernel.verdicts(one.columns(), &answer.verdict);
   if (kernel.explain) {
     Answers<Real> answers;
@@ -28,7 +28,7 @@ Examination examine(const Query<Real>& q, const Kernel& kernel, std::string_view
   Examination out{exact_truth(q, true), {}, answer_of(q, kernel.on<Real>(target)), {}, {}};
   std::optional<Reference> chain;
   if (out.truth.formula) {
-    chain = reference_chain(q, *out.truth.formula, kernel.strictness);
+    chain = Claims<Real>(q, *out.truth.formula).chain(kernel);
     out.squared_distance = squared_distance(q);
   }
   out.judgement = judge(out.truth, chain, out.answer);

@@ -1,8 +1,8 @@
 // Everything about one query and one kernel: what `check` prints and what a witness is made of.
 #pragma once
 
+#include "exact/claim.h"
 #include "exact/error_measure.h"
-#include "exact/judge.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

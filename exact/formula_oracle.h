@@ -1,31 +1,50 @@
-// Formula truth E: the kernel's own formulae in exact ring arithmetic.
+// Formula truth E: a kernel's own formulae in exact arithmetic.
 #pragma once
 
-#include <CGAL/Mpzf.h>
+#include <vector>
 
 #include "exact/rational.h"
+#include "exact/surd.h"
 #include "kernel/evaluate.h"
+#include "kernel/formulae_list.h"
 
 namespace axiscert {
 
-// Exact over the whole range of binary64, subnormals included. A ring: it has no division.
-using Ring = CGAL::Mpzf;
-
 Rational rational(const Ring& x);
 
+// The exact sides of one comparison: lhs / denominator, or sqrt(lhs) / denominator where rooted, and rhs / denominator.
+struct ExactComparison {
+  const Ring &lhs, &rhs, &denominator;
+  bool rooted, undefined;
+};
+
 struct FormulaTruth {
-  Sides<Ring> sides;            // exact
-  ComparisonBits strict, ties;  // lhs > rhs; lhs == rhs
+  Sides<Ring> sides;             // exact where the formulae are a ring; else to be read through comparison()
+  ComparisonBits strict, ties;   // lhs > rhs; lhs == rhs
+  ComparisonBits undefined = 0;  // 0/0 in exact arithmetic: the comparison does not hold and has no sides
+  ComparisonBits rooted = 0;
+  std::vector<Ring> denominators{};  // positive; empty: all 1
+
   ComparisonBits bits(Strictness strictness) const {
     return strictness == Strictness::strict ? strict : static_cast<ComparisonBits>(strict | (ties & side_comparisons));
   }
+  ExactComparison comparison(std::size_t i) const;
 };
 
-// For every valid query (finite, r >= 0).
+// Of a valid query (finite, r >= 0). `formulae` have comparisons.
 template <class Real>
-FormulaTruth formula_truth(const Query<Real>& q);
+FormulaTruth formula_truth(Formulae formulae, const Query<Real>& q);
 
+// Of the published formulae.
+template <class Real>
+FormulaTruth formula_truth(const Query<Real>& q) {
+  return formula_truth(Formulae::published, q);
+}
 // The published sides of a problem already centred, for the places that solve on a boundary or scale a lattice.
 FormulaTruth formula_truth(const portable::Centred<Ring>& centred);
+
+// The verdict of a method, which has no comparisons.
+template <class Real>
+Verdict exact_verdict(Formulae method, const Query<Real>& q);
 
 }  // namespace axiscert

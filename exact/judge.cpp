@@ -23,24 +23,25 @@ LinkBits links_at(const std::array<Bits, link_count>& broken, std::size_t i) {
 }
 
 LinkBits verdict_links(Verdict geometric, const Reference& chain, Verdict kernel) {
-  const auto verdict = [](ComparisonBits bits) { return verdict_of(axes_of(bits)); };
   LinkBits links = 0;
   const auto compare = [&](Verdict before, Verdict after, Link link) {
     if (before != after) links |= link_bit(link);
   };
-  compare(geometric, verdict(chain.exact), Link::specification);
-  compare(verdict(chain.exact), verdict(chain.range_free), Link::rounding);
-  compare(verdict(chain.range_free), verdict(chain.reference), Link::range);
-  compare(verdict(chain.reference), kernel, Link::implementation);
+  compare(geometric, chain.exact.verdict, Link::specification);
+  compare(chain.exact.verdict, chain.range_free.verdict, Link::rounding);
+  compare(chain.range_free.verdict, chain.reference.verdict, Link::range);
+  compare(chain.reference.verdict, kernel, Link::implementation);
   return links;
 }
 
 void judge_bits(const Reference& chain, ComparisonBits bits, Verdict verdict, Judgement& out) {
-  const AxisBits axes = axes_of(bits), exact_axes = axes_of(chain.exact);
-  out.comparison_flips = chain.exact ^ bits;
+  const ComparisonBits exact = *chain.exact.bits, range_free = *chain.range_free.bits,
+                       reference = *chain.reference.bits;
+  const AxisBits axes = axes_of(bits), exact_axes = axes_of(exact);
+  out.comparison_flips = exact ^ bits;
   out.axis_flips = exact_axes ^ axes;
-  out.broken = broken_links<ComparisonBits>(chain.exact, chain.range_free, chain.reference, bits);
-  out.broken_axes = broken_links<AxisBits>(exact_axes, axes_of(chain.range_free), axes_of(chain.reference), axes);
+  out.broken = broken_links<ComparisonBits>(exact, range_free, reference, bits);
+  out.broken_axes = broken_links<AxisBits>(exact_axes, axes_of(range_free), axes_of(reference), axes);
   if (verdict == verdict_of(exact_axes)) return;  // nothing flipped the verdict: all masked
   // A verdict that differs points one way; so does every flip that can have caused it: the axes that flipped that way,
   // and in those axes the comparisons that did.
@@ -50,7 +51,7 @@ void judge_bits(const Reference& chain, ComparisonBits bits, Verdict verdict, Ju
   for (std::size_t i = 0; i < axis_count; ++i) {
     if ((out.axis_decisive >> i) & 1u) in_those_axes |= comparisons_of(static_cast<Axis>(i));
   }
-  out.comparison_decisive = out.comparison_flips & in_those_axes & (false_separation ? bits : chain.exact);
+  out.comparison_decisive = out.comparison_flips & in_those_axes & (false_separation ? bits : exact);
 }
 
 }  // namespace
@@ -78,9 +79,9 @@ Judgement judge(const Truth& truth, const std::optional<Reference>& chain, const
     if (out.verdict_flip) out.verdict_links = link_bit(Link::unattributed);
     return out;
   }
-  out.exact = chain->exact;
+  out.exact = chain->exact.bits;
   if (decided) out.verdict_links = verdict_links(truth.verdict, *chain, answer.verdict);
-  if (decided && answer.bits) judge_bits(*chain, *answer.bits, answer.verdict, out);
+  if (decided && answer.bits && chain->exact.bits) judge_bits(*chain, *answer.bits, answer.verdict, out);
   return out;
 }
 
@@ -88,7 +89,8 @@ std::vector<Flip> Judgement::flips() const {
   std::vector<Flip> all;
   if (verdict_flip) all.push_back({Level::verdict, 0, *verdict_flip, true, verdict_links});
   const auto kind = [](bool exact_bit) { return exact_bit ? FlipKind::missed_separation : FlipKind::false_separation; };
-  const AxisBits exact_axes = axes_of(exact);
+  const ComparisonBits exact_bits = exact.value_or(0);
+  const AxisBits exact_axes = axes_of(exact_bits);
   for (std::size_t i = 0; i < axis_count; ++i) {
     if (!((axis_flips >> i) & 1u)) continue;
     all.push_back({Level::axis, static_cast<std::uint8_t>(i), kind((exact_axes >> i) & 1u),
@@ -96,7 +98,7 @@ std::vector<Flip> Judgement::flips() const {
   }
   for (std::size_t i = 0; i < comparison_count; ++i) {
     if (!((comparison_flips >> i) & 1u)) continue;
-    all.push_back({Level::comparison, static_cast<std::uint8_t>(i), kind((exact >> i) & 1u),
+    all.push_back({Level::comparison, static_cast<std::uint8_t>(i), kind((exact_bits >> i) & 1u),
                    ((comparison_decisive >> i) & 1u) != 0, links_at(broken, i)});
   }
   return all;

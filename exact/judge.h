@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/range_free.h"
 #include "exact/truth.h"
+#include "exact/unbounded.h"
 
 namespace axiscert {
 
@@ -39,14 +39,12 @@ struct Flip {
 std::string_view name(const Flip& flip);  // "verdict", "edge_ab", "edge_ab.radius"
 
 // What a kernel answered: its verdict and, where it exposes them, its comparison bits.
-struct Answer {
-  Verdict verdict;
-  std::optional<ComparisonBits> bits;
-};
+using Answer = Outcome;
 
-// The bits along the chain, for a kernel that claims formulae of the given strictness.
+// What the formulae that a kernel claims decide, along the chain E -> R-infinity -> R. Verdicts alone for a method that
+// has no comparisons.
 struct Reference {
-  ComparisonBits exact, range_free, reference;
+  Outcome exact, range_free, reference;
 };
 
 struct Judgement {
@@ -56,7 +54,7 @@ struct Judgement {
   std::uint8_t axis_flips = 0, axis_decisive = 0;
   std::vector<Flip> flips() const;  // in the order verdict, axes, comparisons
 
-  ComparisonBits exact = 0;                         // the kernel's own formulae in exact arithmetic
+  std::optional<ComparisonBits> exact;              // the kernel's own formulae in exact arithmetic
   std::array<ComparisonBits, link_count> broken{};  // per link, the comparisons at which it is broken
   std::array<AxisBits, link_count> broken_axes{};
 };
@@ -64,12 +62,5 @@ struct Judgement {
 // `reference` is empty for a kernel that claims no formulae: only its verdict is judged. Where the truth is `invalid`
 // there is no flip.
 Judgement judge(const Truth& truth, const std::optional<Reference>& reference, const Answer& answer);
-
-// The reference chain of a valid query.
-template <class Real>
-Reference reference_chain(const Query<Real>& q, const FormulaTruth& truth, Strictness strictness) {
-  const RoundedBits rounded = rounded_bits(q, strictness);
-  return {truth.bits(strictness), rounded.range_free, rounded.reference};
-}
 
 }  // namespace axiscert

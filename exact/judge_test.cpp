@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "exact/examine.h"
+#include "exact/claim.h"
 
 namespace axiscert {
 namespace {
@@ -100,10 +101,10 @@ TEST(HandWorked, TouchingIsContact) {
 TEST(HandWorked, BitsThatAreNotTheReferencesAreAnImplementationFault) {
   const Query<float> q{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 2};
   const Truth truth = exact_truth(q, true);
-  const Reference chain = reference_chain(q, *truth.formula, Strictness::strict);
+  const Reference chain = *Claims(q, *truth.formula).chain(find_kernel("published"));
   EXPECT_EQ(chain.exact, chain.reference);
-  const auto wrong = static_cast<ComparisonBits>(chain.reference | comparisons_of(Axis::plane));
-  const Judgement judgement = judge(truth, chain, {Verdict::separated, wrong});
+  const auto wrong = static_cast<ComparisonBits>(*chain.reference.bits | comparisons_of(Axis::plane));
+  const Judgement judgement = judge(truth, chain, outcome_of(wrong));
   EXPECT_EQ(told(judgement),
             (Lines{"verdict false_separation decisive implementation", "plane false_separation decisive implementation",
                    "plane.radius false_separation decisive implementation"}));
@@ -115,7 +116,8 @@ TEST(HandWorked, LinksThatCancelLeaveTheVerdictRight) {
   const Truth truth = exact_truth(q, true);
   const auto separated = static_cast<ComparisonBits>(truth.formula->strict | comparisons_of(Axis::vertex_a));
   const Judgement judgement =
-      judge(truth, Reference{truth.formula->strict, separated, separated}, {Verdict::separated, separated});
+      judge(truth, {{outcome_of(truth.formula->strict), outcome_of(separated), outcome_of(separated)}},
+            outcome_of(separated));
   EXPECT_FALSE(judgement.verdict_flip);
   EXPECT_EQ(judgement.verdict_links, link_bit(Link::specification) | link_bit(Link::rounding));
   // Against its own exact formulae the kernel's verdict did flip, and the axis that flipped it is decisive.
@@ -130,7 +132,8 @@ TEST(HandWorked, AFlipTheOtherWayIsMasked) {
   const ComparisonBits exact = truth.formula->strict;
   auto kernel = static_cast<ComparisonBits>(exact & ~(1u << static_cast<unsigned>(Comparison::edge_ab_radius)));
   kernel |= 1u << static_cast<unsigned>(Comparison::vertex_c_side_a);
-  const Judgement judgement = judge(truth, Reference{exact, kernel, kernel}, {Verdict::contact, kernel});
+  const Judgement judgement =
+      judge(truth, {{outcome_of(exact), outcome_of(kernel), outcome_of(kernel)}}, outcome_of(kernel));
   EXPECT_EQ(told(judgement),
             (Lines{"verdict false_contact decisive rounding", "edge_ab missed_separation decisive rounding",
                    "vertex_c.side_a false_separation masked rounding",

@@ -52,17 +52,22 @@ TEST(RoundUp, IsTheLeastDecimalThatIsNotBelow) {
 }
 
 // |(l^ - r^) - (l - r)| / (u (|l| + |r|)), with u = 2^-24.
+template <class Real>
+ComparisonError error_of(Real computed_lhs, Real computed_rhs, const Ring& lhs, const Ring& rhs) {
+  return {computed_lhs, computed_rhs, {lhs, rhs, Ring(1), false, false}};
+}
+
 TEST(ComparisonErrorTest, HandValues) {
   using Kind = ComparisonError::Kind;
-  const ComparisonError exact_one(3.f, 1.f, Ring(3), Ring(1));
+  const ComparisonError exact_one = error_of(3.f, 1.f, Ring(3), Ring(1));
   EXPECT_EQ(exact_one.kind(), Kind::finite);
   EXPECT_EQ(rational_of(exact_one.exact()), 0);
-  EXPECT_EQ(rational_of(ComparisonError(3.f, 1.f, Ring(2), Ring(1)).exact()), Rational(1 << 24) / 3);
-  EXPECT_EQ(rational_of(ComparisonError(3.0, 1.0, Ring(2), Ring(-2)).exact()), Rational(mpz_class(1) << 53) * 2 / 4);
-  EXPECT_EQ(rational_of(ComparisonError(0.f, 0.f, Ring(0), Ring(0)).exact()), 0);
-  EXPECT_EQ(ComparisonError(1.f, 0.f, Ring(0), Ring(0)).kind(), Kind::without_scale);
-  EXPECT_EQ(ComparisonError(INFINITY, 0.f, Ring(1), Ring(0)).kind(), Kind::range_event);
-  EXPECT_EQ(ComparisonError(0.f, NAN, Ring(1), Ring(0)).kind(), Kind::range_event);
+  EXPECT_EQ(rational_of(error_of(3.f, 1.f, Ring(2), Ring(1)).exact()), Rational(1 << 24) / 3);
+  EXPECT_EQ(rational_of(error_of(3.0, 1.0, Ring(2), Ring(-2)).exact()), Rational(mpz_class(1) << 53) * 2 / 4);
+  EXPECT_EQ(rational_of(error_of(0.f, 0.f, Ring(0), Ring(0)).exact()), 0);
+  EXPECT_EQ(error_of(1.f, 0.f, Ring(0), Ring(0)).kind(), Kind::without_scale);
+  EXPECT_EQ(error_of(INFINITY, 0.f, Ring(1), Ring(0)).kind(), Kind::range_event);
+  EXPECT_EQ(error_of(0.f, NAN, Ring(1), Ring(0)).kind(), Kind::range_event);
 }
 
 TEST(ComparisonErrorTest, BoundsEncloseTheExactErrorAndToleranceIsExact) {
@@ -72,7 +77,7 @@ TEST(ComparisonErrorTest, BoundsEncloseTheExactErrorAndToleranceIsExact) {
       return std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 900) - 500);
     };
     const double l = wide(), r = wide();
-    const ComparisonError error(static_cast<double>(static_cast<float>(l)), r, Ring(l), Ring(r));
+    const ComparisonError error = error_of(static_cast<double>(static_cast<float>(l)), r, Ring(l), Ring(r));
     if (error.kind() != ComparisonError::Kind::finite) continue;
     const Rational exactly = rational_of(error.exact());
     EXPECT_LE(exact(error.lower()), exactly);
@@ -164,7 +169,7 @@ TEST(Depth, TiesGoToEven) {
 
 // For a vertex at distance 2 the published test changes its answer at r = 2 exactly; at sqrt(3) one ulp below.
 TEST(CriticalRadius, IsMeasuredInUlpsOfTheExactDistance) {
-  const auto kernel = scalar_implementation<float>(Strictness::strict);
+  const auto kernel = find_kernel("published").on<float>(scalar_target);
   EXPECT_EQ(critical_radius_error<float>(kernel, {{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 0, 0}, 9}, 4), 0);
   EXPECT_EQ(critical_radius_error<float>(kernel, {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {0, 0, 0}, 9}, 3), 0);
   const auto never = [](const QueryColumns<float>& batch, Verdict* out) {
@@ -175,7 +180,7 @@ TEST(CriticalRadius, IsMeasuredInUlpsOfTheExactDistance) {
 }
 
 TEST(CriticalRadius, EndsOfTheRange) {
-  const auto kernel = scalar_implementation<float>(Strictness::strict);
+  const auto kernel = find_kernel("published").on<float>(scalar_target);
   const float max = std::numeric_limits<float>::max();
   const Query<float> beyond{{max, max, 0}, {max, max, 1}, {max, max, 2}, {-max, -max, 0}, 0};
   EXPECT_FALSE(critical_radius_error<float>(kernel, beyond, squared_distance(beyond)));

@@ -15,15 +15,31 @@ class Mpfr {
     mpfr_custom_init_set(value_, MPFR_ZERO_KIND, 0, Bits, limbs_);
   }
   explicit Mpfr(double x) : Mpfr() { mpfr_set_d(value_, x, MPFR_RNDN); }
+  template <int Others>  // rounds where Bits is less
+  explicit Mpfr(const Mpfr<Others>& other) : Mpfr() {
+    mpfr_set(value_, other.get(), MPFR_RNDN);
+  }
   Mpfr(const Mpfr& other) : Mpfr() { mpfr_set(value_, other.value_, MPFR_RNDN); }
   Mpfr& operator=(const Mpfr& other) {
     mpfr_set(value_, other.value_, MPFR_RNDN);
     return *this;
   }
+  mpfr_srcptr get() const { return value_; }
 
   friend Mpfr operator+(const Mpfr& a, const Mpfr& b) { return apply(mpfr_add, a, b); }
   friend Mpfr operator-(const Mpfr& a, const Mpfr& b) { return apply(mpfr_sub, a, b); }
   friend Mpfr operator*(const Mpfr& a, const Mpfr& b) { return apply(mpfr_mul, a, b); }
+  friend Mpfr operator/(const Mpfr& a, const Mpfr& b) { return apply(mpfr_div, a, b); }
+  friend Mpfr square_root(const Mpfr& a) {
+    Mpfr result;
+    mpfr_sqrt(result.value_, a.value_, MPFR_RNDN);
+    return result;
+  }
+  friend Mpfr magnitude(const Mpfr& a) {
+    Mpfr result;
+    mpfr_abs(result.value_, a.value_, MPFR_RNDN);
+    return result;
+  }
   friend bool operator>(const Mpfr& a, const Mpfr& b) { return mpfr_greater_p(a.value_, b.value_) != 0; }
   friend bool operator>=(const Mpfr& a, const Mpfr& b) { return mpfr_greaterequal_p(a.value_, b.value_) != 0; }
   // -1, 0 or 1 as a is less than, equal to or greater than b.

@@ -60,12 +60,8 @@ Truth exact_truth(const Query<Real>& q, bool with_second_opinion) {
   if (with_second_opinion) opinion = second_opinion(q);
   if (auto wrong = contradiction(q, geometric_order, formula, opinion)) {
     const SecondOpinion mpfr = second_opinion(q);
-    std::array<double, coordinate_count> numbers;
-    const auto given = coordinates(q);
-    std::copy(given.begin(), given.end(), numbers.begin());
-    throw OracleDisagreement(fmt::format("the oracles disagree: {}; MPFR's own verdict is {}", *wrong,
-                                         name(separated_if(mpfr.distance_order > 0))),
-                             precision_of<Real>, numbers);
+    throw OracleDisagreement(
+        fmt::format("{}; MPFR's own verdict is {}", *wrong, name(separated_if(mpfr.distance_order > 0))), q);
   }
   return {separated_if(geometric_order > 0), geometric_order == 0, std::move(formula)};
 }

@@ -16,8 +16,9 @@ struct Truth {
 
 // Two oracles differ, or one contradicts the theorem. Carries the query for saving (a float widens exactly).
 struct OracleDisagreement : HarnessFault {
-  OracleDisagreement(const std::string& what, Precision precision, const std::array<double, coordinate_count>& query)
-      : HarnessFault(what), precision(precision), query(query) {}
+  template <class Real>
+  OracleDisagreement(const std::string& what, const Query<Real>& q)
+      : HarnessFault("the oracles disagree: " + what), precision(precision_of<Real>), query(coordinates(widened(q))) {}
   Precision precision;
   std::array<double, coordinate_count> query;
 };

@@ -59,7 +59,7 @@ CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupt
   for (const Precision precision : {Precision::binary64, Precision::binary32}) {
     if (std::find(plan.precisions.begin(), plan.precisions.end(), precision) == plan.precisions.end()) continue;
     for (std::size_t s = 0; s < plan.sources.size(); ++s) {
-      result.cells.push_back({s, precision, 0, 0, std::vector<Tally>(plan.kernels.size())});
+      result.cells.push_back({s, precision, 0, 0, 0, std::vector<Tally>(plan.kernels.size())});
     }
   }
   UnitQueue queue(plan, result.cells);
@@ -94,6 +94,7 @@ CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupt
       for (std::size_t k = 0; k < plan.kernels.size(); ++k) into.tallies[k].merge(done.tallies[k]);
       into.core_seconds += done.core_seconds;
       ++into.units_done;
+      into.queries += unit->size;
       result.second_opinions += done.second_opinions;
       queries_done += unit->size;
       report({++units_done, queue.total(), queries_done, elapsed()});

@@ -32,7 +32,7 @@ struct Plan {
 struct CellResult {
   std::size_t source;
   Precision precision;
-  std::uint64_t units_done = 0;
+  std::uint64_t units_done = 0, queries = 0;
   double core_seconds = 0;     // processor time of generating and judging
   std::vector<Tally> tallies;  // by kernel, in the plan's order
 };

@@ -6,7 +6,7 @@
 #include <immintrin.h>
 
 #include "kernel/contracted.h"
-#include "kernel/scalar.h"
+#include "kernel/scalar_kernel.h"
 
 namespace axiscert {
 namespace {
@@ -38,12 +38,12 @@ LinkCounts links(const CampaignResult& result, std::size_t kernel) {
 // Planted: every pair of neighbouring lanes exchanged.
 template <class Real>
 void swapped_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
-  scalar_implementation<Real>(Strictness::strict).verdicts(batch, out);
+  scalar_implementation<Formulae::published, Strictness::strict, Real>().verdicts(batch, out);
   for (std::size_t i = 0; i + 1 < batch.size; i += 2) std::swap(out[i], out[i + 1]);
 }
 template <class Real>
 void swapped_explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
-  scalar_implementation<Real>(Strictness::strict).explain(batch, out);
+  scalar_implementation<Formulae::published, Strictness::strict, Real>().explain(batch, out);
   for (std::size_t i = 0; i + 1 < batch.size; i += 2) {
     std::swap(out.bits[i], out.bits[i + 1]);
     for (std::size_t k = 0; k < comparison_count; ++k) {
@@ -65,12 +65,12 @@ class Flushed {
 template <class Real>
 void flushed_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
   const Flushed mode;
-  scalar_implementation<Real>(Strictness::strict).verdicts(batch, out);
+  scalar_implementation<Formulae::published, Strictness::strict, Real>().verdicts(batch, out);
 }
 template <class Real>
 void flushed_explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
   const Flushed mode;
-  scalar_implementation<Real>(Strictness::strict).explain(batch, out);
+  scalar_implementation<Formulae::published, Strictness::strict, Real>().explain(batch, out);
 }
 
 // Planted: x y + z fused wherever a compiler could.
@@ -82,14 +82,18 @@ void contracted_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
   for (std::size_t i = 0; i < batch.size; ++i) out[i] = verdict_of(axes_of(answers.bits[i]));
 }
 
-#define AXISCERT_PLANT(name)                                                                                      \
-  const Kernel name##_kernel = {#name, "planted", Strictness::strict,                                             \
-                                [](std::string_view) {                                                            \
-                                  return Implementation<float>{name##_verdicts<float>, name##_explain<float>};    \
-                                },                                                                                \
-                                [](std::string_view) {                                                            \
-                                  return Implementation<double>{name##_verdicts<double>, name##_explain<double>}; \
-                                }}
+Kernel planted(const char* id, Implementation<float> binary32, Implementation<double> binary64) {
+  Kernel kernel;
+  kernel.id = id;
+  kernel.summary = "planted";
+  kernel.binary32 = [=](std::string_view) { return binary32; };
+  kernel.binary64 = [=](std::string_view) { return binary64; };
+  return kernel;
+}
+
+#define AXISCERT_PLANT(name)                                                                   \
+  const Kernel name##_kernel = planted(#name, {name##_verdicts<float>, name##_explain<float>}, \
+                                       {name##_verdicts<double>, name##_explain<double>})
 AXISCERT_PLANT(swapped);
 AXISCERT_PLANT(flushed);
 AXISCERT_PLANT(contracted);

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "exact/judge.h"
+#include "exact/claim.h"
 #include "fuzz/family.h"
 
 namespace axiscert {
@@ -17,8 +17,8 @@ inline bool has(ComparisonBits bits, Comparison which) { return ((bits >> static
 template <class Real>
 Judgement judge_published(const Query<Real>& q) {
   const Truth truth = exact_truth(q, false);
-  const Reference chain = reference_chain(q, *truth.formula, Strictness::strict);
-  return judge(truth, chain, {verdict_of(axes_of(chain.reference)), chain.reference});
+  const Reference chain = *Claims(q, *truth.formula).chain(find_kernel("published"));
+  return judge(truth, chain, chain.reference);
 }
 
 // Calls check(query, position) for the first `count` positions at seed 1, and stops at the first that fails.

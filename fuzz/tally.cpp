@@ -77,8 +77,8 @@ void Tally::merge(const Tally& other) {
   critical_radius.unbounded += other.critical_radius.unbounded;
 }
 
-void count(Tally& tally, std::uint64_t position, const Truth& truth, const Answer& answer, const Judgement& judgement,
-           std::optional<double> depth) {
+void count(Tally& tally, std::uint64_t position, const Truth& truth, const FormulaTruth* sides, const Answer& answer,
+           const Judgement& judgement, std::optional<double> depth) {
   ++tally.trials;
   if (truth.verdict == Verdict::invalid) {
     ++tally.invalid;
@@ -90,11 +90,10 @@ void count(Tally& tally, std::uint64_t position, const Truth& truth, const Answe
   tally.verdict.invalid += answer.verdict == Verdict::invalid;
   if (!judgement.verdict_flip) add(tally.verdict.masked_links, judgement.verdict_links);
 
-  const FormulaTruth& formula = *truth.formula;
-  if (formula.ties != 0) {
-    for (std::size_t i = 0; i < comparison_count; ++i) tally.comparisons[i].ties += (formula.ties >> i) & 1u;
+  if (sides && sides->ties != 0) {
+    for (std::size_t i = 0; i < comparison_count; ++i) tally.comparisons[i].ties += (sides->ties >> i) & 1u;
   }
-  const AxisBits exact_axes = axes_of(judgement.exact);
+  const AxisBits exact_axes = axes_of(judgement.exact.value_or(0));
   if (std::has_single_bit(exact_axes))
     ++tally.axes[static_cast<std::size_t>(std::countr_zero(exact_axes))].sole_separator;
 
@@ -118,12 +117,12 @@ void count(Tally& tally, std::uint64_t position, const Truth& truth, const Answe
 }
 
 template <class Real>
-void count_errors(Tally& tally, std::uint64_t position, const Sides<Ring>& exact, const Sides<Real>& computed,
+void count_errors(Tally& tally, std::uint64_t position, const FormulaTruth& exact, const Sides<Real>& computed,
                   const Tolerances& tolerances) {
   AxisBits failing_axes = 0;
   for (std::size_t i = 0; i < comparison_count; ++i) {
     ComparisonTally& comparison = tally.comparisons[i];
-    const ComparisonError error(computed.lhs[i], computed.rhs[i], exact.lhs[i], exact.rhs[i]);
+    const ComparisonError error(computed.lhs[i], computed.rhs[i], exact.comparison(i));
     switch (error.kind()) {
       case ComparisonError::Kind::range_event:
         ++comparison.range_events;
@@ -134,7 +133,7 @@ void count_errors(Tally& tally, std::uint64_t position, const Sides<Ring>& exact
       case ComparisonError::Kind::finite:
         // The bound only selects; what is compared and stored is the exact error.
         if (error.upper() > 0 && error.upper() >= comparison.largest_error.best().value()) {
-          comparison.largest_error.offer({round_up(error.exact()), position});
+          comparison.largest_error.offer({error.rounded_up(), position});
         }
         if (tolerances[i] && error.exceeds(*tolerances[i])) {
           ++comparison.tolerance_failures;
@@ -145,7 +144,7 @@ void count_errors(Tally& tally, std::uint64_t position, const Sides<Ring>& exact
   }
   for (std::size_t i = 0; i < axis_count; ++i) tally.axes[i].tolerance_failures += (failing_axes >> i) & 1u;
 }
-template void count_errors<float>(Tally&, std::uint64_t, const Sides<Ring>&, const Sides<float>&, const Tolerances&);
-template void count_errors<double>(Tally&, std::uint64_t, const Sides<Ring>&, const Sides<double>&, const Tolerances&);
+template void count_errors<float>(Tally&, std::uint64_t, const FormulaTruth&, const Sides<float>&, const Tolerances&);
+template void count_errors<double>(Tally&, std::uint64_t, const FormulaTruth&, const Sides<double>&, const Tolerances&);
 
 }  // namespace axiscert

@@ -90,13 +90,14 @@ struct Tally {
 // Tolerated error per comparison, in u; none: not checked.
 using Tolerances = std::array<std::optional<Rational>, comparison_count>;
 
-// Counts everything but the errors of the sides. `depth` is that of a wrong verdict.
-void count(Tally& tally, std::uint64_t position, const Truth& truth, const Answer& answer, const Judgement& judgement,
-           std::optional<double> depth);
+// Counts everything but the errors of the sides. `sides` are the kernel's own formulae in exact arithmetic, where they
+// have comparisons; `depth` is that of a wrong verdict.
+void count(Tally& tally, std::uint64_t position, const Truth& truth, const FormulaTruth* sides, const Answer& answer,
+           const Judgement& judgement, std::optional<double> depth);
 
 // Counts the errors of the computed sides of a query with a valid truth.
 template <class Real>
-void count_errors(Tally& tally, std::uint64_t position, const Sides<Ring>& exact, const Sides<Real>& computed,
+void count_errors(Tally& tally, std::uint64_t position, const FormulaTruth& exact, const Sides<Real>& computed,
                   const Tolerances& tolerances);
 
 }  // namespace axiscert

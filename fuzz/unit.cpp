@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "exact/claim.h"
 #include "exact/critical_radius.h"
 #include "exact/depth.h"
 #include "exact/geometric_oracle.h"
@@ -23,12 +24,13 @@ double thread_seconds() {
 template <class Real>
 struct Runner {
   const Kernel& kernel;
+  std::size_t place;  // in the plan
   Implementation<Real> implementation;
   std::vector<Verdict> verdicts;
   Answers<Real> answers;
 
-  Runner(const Kernel& k, std::string_view target)
-      : kernel(k), implementation(k.on<Real>(target)), verdicts(batch_size) {
+  Runner(const Kernel& k, std::size_t place_in_plan, std::string_view target)
+      : kernel(k), place(place_in_plan), implementation(k.on<Real>(target)), verdicts(batch_size) {
     answers.resize(batch_size);
   }
   void run(const QueryColumns<Real>& batch) {
@@ -77,22 +79,27 @@ void judge_query(const Plan& plan, const std::vector<Runner<Real>>& runners, std
   const Truth truth = exact_truth(q, second_opinion);
   out.second_opinions += second_opinion && truth.formula;
   LazyDistance<Real> distance(q);
-  for (std::size_t k = 0; k < runners.size(); ++k) {
-    const Runner<Real>& runner = runners[k];
+  std::optional<Claims<Real>> claims;
+  if (truth.formula) claims.emplace(q, *truth.formula);
+  for (const Runner<Real>& runner : runners) {
     const Answer answer = runner.answer(i);
     std::optional<Reference> chain;
-    if (truth.formula) chain = reference_chain(q, *truth.formula, runner.kernel.strictness);
+    const FormulaTruth* sides = nullptr;
+    if (claims) {
+      chain = claims->chain(runner.kernel);
+      sides = claims->sides(runner.kernel.formulae);
+    }
     const Judgement judgement = judge(truth, chain, answer);
     std::optional<double> depth;
     if (judgement.verdict_flip) depth = distance.depth();
-    count(out.tallies[k], position, truth, answer, judgement, depth);
+    count(out.tallies[runner.place], position, truth, sides, answer, judgement, depth);
     if (!truth.formula) continue;
-    if (runner.implementation.explain) {
-      count_errors(out.tallies[k], position, truth.formula->sides, runner.sides(i), plan.tolerances);
+    if (sides && runner.kernel.exposes == Exposure::sides) {
+      count_errors(out.tallies[runner.place], position, *sides, runner.sides(i), plan.tolerances);
     }
     if (position % critical_radius_stride == 0) {
       const auto error = critical_radius_error(runner.implementation, q, distance.squared());
-      CriticalRadiusTally& tally = out.tallies[k].critical_radius;
+      CriticalRadiusTally& tally = out.tallies[runner.place].critical_radius;
       if (error && std::isfinite(*error)) tally.errors_ulps.push_back(*error);
       else if (error) ++tally.unbounded;
     }
@@ -102,7 +109,9 @@ void judge_query(const Plan& plan, const std::vector<Runner<Real>>& runners, std
 template <class Real>
 void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint64_t size, UnitResult& out) {
   std::vector<Runner<Real>> runners;
-  for (const Kernel* kernel : plan.kernels) runners.emplace_back(*kernel, plan.target);
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    if (plan.kernels[k]->has(precision_of<Real>)) runners.emplace_back(*plan.kernels[k], k, plan.target);
+  }
   QueryBatch<Real> batch(batch_size);
   for (std::uint64_t done = 0; done < size; done += batch.size()) {
     batch.clear();

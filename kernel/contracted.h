@@ -23,7 +23,8 @@ struct Contracted {
 // The published sides of a query as a contracted build computes them.
 template <class Real>
 Sides<Real> contracted_sides(const Query<Real>& q) {
-  const auto fused = published_sides<Contracted<Real>>(q, [](Real x) { return Contracted<Real>{x}; });
+  const auto fused =
+      sides_of<portable::Published>(problem_as<Contracted<Real>>(q, [](Real x) { return Contracted<Real>{x}; }));
   Sides<Real> sides;
   for (std::size_t k = 0; k < comparison_count; ++k) {
     sides.lhs[k] = fused.lhs[k].rounded();

@@ -1,12 +1,15 @@
-// What a kernel is to the harness: functions over a batch, per precision and instruction set.
+// What a kernel is to the harness: functions over a batch, per precision and instruction set, and what they claim to
+// compute.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "kernel/names.h"
+#include "kernel/arithmetic_list.h"
+#include "kernel/formulae_list.h"
 #include "kernel/query.h"
 
 namespace axiscert {
@@ -28,9 +31,9 @@ struct Answers {
 template <class Real>
 struct Implementation {
   // Verdict only; `out` holds batch.size entries. `separated` or `contact`: a kernel does not look for bad input.
-  void (*verdicts)(const QueryColumns<Real>& batch, Verdict* out) = nullptr;
-  // Comparison bits and computed sides; `out` is sized to the batch. Null for a kernel that shows only verdicts.
-  void (*explain)(const QueryColumns<Real>& batch, Answers<Real>& out) = nullptr;
+  std::function<void(const QueryColumns<Real>& batch, Verdict* out)> verdicts;
+  // Comparison bits and computed sides; `out` is sized to the batch. Empty for a kernel that shows only verdicts.
+  std::function<void(const QueryColumns<Real>& batch, Answers<Real>& out)> explain;
 };
 
 // An instruction set that a kernel can be asked to run on. `scalar` is the reference itself; the rest are Highway's
@@ -40,22 +43,52 @@ inline constexpr std::string_view scalar_target = "scalar";
 // The name as `available_targets` spells it (any case is accepted; `auto` is the best). Throws Error with what exists.
 std::string resolve_target(std::string_view name);
 
+// What a kernel shows beside its verdict. Each includes the one before.
+enum class Exposure : std::uint8_t { verdict, comparisons, sides };
+inline constexpr std::array<std::string_view, 3> exposure_names = {"verdict", "comparisons", "sides"};
+
 struct Kernel {
-  std::string_view id;
-  std::string_view summary;  // one line
-  Strictness strictness;     // of the formulae that it claims to compute
-  Implementation<float> (*binary32)(std::string_view target);
-  Implementation<double> (*binary64)(std::string_view target);
+  std::string id;
+  std::string summary;  // one line
+  // What it claims to compute: these formulae, with these side comparisons, in this arithmetic.
+  Formulae formulae = Formulae::published;
+  Strictness strictness = Strictness::strict;
+  Arithmetic arithmetic = Arithmetic::plain;
+  Exposure exposes = Exposure::sides;
+  // Empty where it does not exist in that precision. A kernel that has one form runs it on every target.
+  std::function<Implementation<float>(std::string_view target)> binary32;
+  std::function<Implementation<double>(std::string_view target)> binary64;
+  bool has_simd = false;          // other instructions on other targets
+  bool is_reference = true;       // claims the scalar reference's bits and sides, bit for bit
+  bool takes_arithmetic = false;  // is the rung of RUNG+ARITHMETIC
 
   template <class Real>
   Implementation<Real> on(std::string_view target) const {
-    if constexpr (sizeof(Real) == 4) return binary32(target);
-    else return binary64(target);
+    if constexpr (sizeof(Real) == 4) return binary32 ? binary32(target) : Implementation<Real>{};
+    else return binary64 ? binary64(target) : Implementation<Real>{};
+  }
+  bool has(Precision precision) const {
+    return precision == Precision::binary32 ? binary32 != nullptr : binary64 != nullptr;
   }
 };
 
+// As ids spell them: "closest_point" is "closest-point". `none` is empty.
+std::string name(Formulae formulae);
+std::string name(Arithmetic arithmetic);
+
+// What an arithmetic is called and does; see arithmetic_list.h.
+struct ArithmeticInfo {
+  std::string name, summary;
+  Arithmetic arithmetic;
+  bool in_binary32, in_binary64;
+  Exposure exposes;
+};
+const std::vector<ArithmeticInfo>& arithmetics();
+
+// The kernels that stand in the registry.
 std::span<const Kernel> kernels();
-// Throws Error naming the kernels that exist.
+// One of those; or RUNG+ARITHMETIC, for the scalar form of a rung in one of arithmetics(). Throws Error naming what
+// exists. The reference is good for the life of the program.
 const Kernel& find_kernel(std::string_view id);
 
 }  // namespace axiscert

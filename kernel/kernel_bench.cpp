@@ -59,7 +59,7 @@ void plain_loop(const QueryColumns<Real>& batch, Verdict* out) {
 }
 
 template <class Real>
-void time_verdicts(benchmark::State& state, void (*verdicts)(const QueryColumns<Real>&, Verdict*)) {
+void time_verdicts(benchmark::State& state, const std::function<void(const QueryColumns<Real>&, Verdict*)>& verdicts) {
   const auto columns = queries<Real>().columns();
   std::vector<Verdict> out(query_count);
   for (auto _ : state) {
@@ -77,6 +77,7 @@ void add() {
   benchmark::RegisterBenchmark(("plain loop/" + precision).c_str(), time_verdicts<Real>, plain_loop<Real>);
   for (const std::string& target : available_targets()) {
     for (const Kernel& kernel : kernels()) {
+      if (target != scalar_target && !kernel.has_simd) continue;
       benchmark::RegisterBenchmark((std::string(kernel.id) + "/" + precision + "/" + target).c_str(),
                                    time_verdicts<Real>, kernel.on<Real>(target).verdicts);
     }

@@ -90,8 +90,29 @@ constexpr std::string_view name(Verdict v) { return verdict_names[static_cast<st
 // Any separating axis separates.
 constexpr Verdict verdict_of(AxisBits axes) { return axes != 0 ? Verdict::separated : Verdict::contact; }
 
-// Which relation the nine side comparisons use; the seven radius comparisons are `>` in both.
-enum class Strictness : std::uint8_t { strict, nonstrict };
+// Which relation the nine side comparisons use; the seven radius comparisons are `>` in each. `not_less` is `>=` as
+// hardware without it has it, !(rhs > lhs): the same on numbers, but a NaN side makes it hold.
+enum class Strictness : std::uint8_t { strict, nonstrict, not_less };
+inline constexpr std::array<std::string_view, 3> strictness_names = {"strict", "nonstrict", "not_less"};
+constexpr std::string_view name(Strictness s) { return strictness_names[static_cast<std::size_t>(s)]; }
+
+template <Strictness strictness, class T>
+constexpr bool holds(Comparison which, const T& lhs, const T& rhs) {
+  if (strictness == Strictness::strict || info(which).is_radius) return lhs > rhs;
+  return strictness == Strictness::nonstrict ? lhs >= rhs : !(rhs > lhs);
+}
+template <class T>
+constexpr bool holds(Strictness strictness, Comparison which, const T& lhs, const T& rhs) {
+  switch (strictness) {
+    case Strictness::strict:
+      return holds<Strictness::strict>(which, lhs, rhs);
+    case Strictness::nonstrict:
+      return holds<Strictness::nonstrict>(which, lhs, rhs);
+    case Strictness::not_less:
+      return holds<Strictness::not_less>(which, lhs, rhs);
+  }
+  return false;
+}
 
 enum class Precision : std::uint8_t { binary32, binary64 };
 inline constexpr std::array<std::string_view, 2> precision_names = {"binary32", "binary64"};

@@ -6,7 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "kernel/formulae.h"
+#include "kernel/geometry.h"
+#include "kernel/names.h"
 
 namespace axiscert {
 
@@ -32,6 +33,13 @@ constexpr Query<Real> from_coordinates(const std::array<Real, coordinate_count>&
 }
 inline constexpr std::array<const char*, coordinate_count> coordinate_names = {"ax", "ay", "az", "bx", "by", "bz", "cx",
                                                                                "cy", "cz", "px", "py", "pz", "r"};
+
+// The same query in binary64: exact.
+inline Query<double> widened(const Query<float>& q) {
+  const auto vec = [](const Vec3<float>& v) { return Vec3<double>{v.x, v.y, v.z}; };
+  return {vec(q.a), vec(q.b), vec(q.c), vec(q.p), q.r};
+}
+inline const Query<double>& widened(const Query<double>& q) { return q; }
 
 // Finite coordinates and a radius that is finite and not negative. Anything else has the truth `invalid`.
 template <class Real>

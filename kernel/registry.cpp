@@ -4,27 +4,138 @@
 
 #include <algorithm>
 #include <cctype>
+#include <deque>
+#include <mutex>
 
+#include "kernel/eigen.h"
 #include "kernel/error.h"
-#include "kernel/kernel.h"
-#include "kernel/scalar.h"
+#include "kernel/packed.h"
+#include "kernel/scalar_kernel.h"
 #include "kernel/simd.h"
 
 namespace axiscert {
 namespace {
 
-template <class Real, Strictness strictness>
-Implementation<Real> sat7(std::string_view target) {
-  return target == scalar_target ? scalar_implementation<Real>(strictness)
-                                 : simd_implementation<Real>(strictness, target);
+constexpr auto strict = Strictness::strict, nonstrict = Strictness::nonstrict, not_less = Strictness::not_less;
+
+// The scalar form alone.
+template <Formulae formulae, Strictness strictness = strict>
+Kernel scalar(std::string id, std::string summary) {
+  return {.id = std::move(id),
+          .summary = std::move(summary),
+          .formulae = formulae,
+          .strictness = strictness,
+          .exposes = has_comparisons(formulae) ? Exposure::sides : Exposure::verdict,
+          .binary32 = [](std::string_view) { return scalar_implementation<formulae, strictness, float>(); },
+          .binary64 = [](std::string_view) { return scalar_implementation<formulae, strictness, double>(); },
+          .takes_arithmetic = kind_of(formulae) == FormulaeKind::rung};
 }
 
-constexpr Kernel registry[] = {
-    {"published", "the article's last block: sixteen strict comparisons, seven axes", Strictness::strict,
-     sat7<float, Strictness::strict>, sat7<double, Strictness::strict>},
-    {"nonstrict", "the same with >= in the nine side comparisons: right for degenerate triangles too",
-     Strictness::nonstrict, sat7<float, Strictness::nonstrict>, sat7<double, Strictness::nonstrict>},
-};
+// The scalar form, and one query a lane on every other target.
+template <Formulae formulae, Strictness strictness, const SimdForms& (*simd)()>
+Kernel vectorised(std::string id, std::string summary) {
+  Kernel kernel = scalar<formulae, strictness>(std::move(id), std::move(summary));
+  kernel.has_simd = true;
+  kernel.binary32 = [](std::string_view target) {
+    return target == scalar_target ? scalar_implementation<formulae, strictness, float>()
+                                   : simd().on<float>(target, strictness);
+  };
+  kernel.binary64 = [](std::string_view target) {
+    return target == scalar_target ? scalar_implementation<formulae, strictness, double>()
+                                   : simd().on<double>(target, strictness);
+  };
+  return kernel;
+}
+
+template <Strictness strictness>
+Kernel packed(std::string id, std::string summary) {
+  Kernel kernel = scalar<Formulae::published, strictness>(std::move(id), std::move(summary));
+  kernel.takes_arithmetic = false;
+  kernel.binary32 = [](std::string_view) { return packed_implementation<strictness, float>(); };
+  kernel.binary64 = [](std::string_view) { return packed_implementation<strictness, double>(); };
+  return kernel;
+}
+
+Kernel eigen(std::string id, std::string summary) {
+  Kernel kernel = scalar<Formulae::published>(std::move(id), std::move(summary));
+  kernel.is_reference = false;
+  kernel.takes_arithmetic = false;
+  kernel.binary32 = [](std::string_view) { return eigen_implementation<float>(); };
+  kernel.binary64 = [](std::string_view) { return eigen_implementation<double>(); };
+  return kernel;
+}
+
+// clang-format off
+const std::vector<Kernel>& registry() {
+  using enum Formulae;
+  static const std::vector<Kernel> all = {
+      vectorised<published, strict, simd_published>("published", "the article's last block: sixteen strict comparisons, seven axes"),
+      vectorised<published, nonstrict, simd_published>("nonstrict", "the same with >= in the nine side comparisons: right for degenerate triangles too"),
+      vectorised<reduced, strict, simd_reduced>("reduced", "edge axes of degree 4, |A x AB|^2 > rr e: the published signs with less rounding"),
+      vectorised<reduced, nonstrict, simd_reduced>("reduced-nonstrict", "the same with >= in the nine side comparisons: right for every triangle"),
+      scalar<reduced_by_ends>("reduced-by-ends", "reduced, the edge normals from their ends: A x B for A x AB"),
+      scalar<reduced_determinant>("reduced-determinant", "reduced, the plane's offset as a determinant: C.(A x B) for A.V"),
+      scalar<reduced_shared>("reduced-shared", "reduced, V = A x B + B x C + C x A from the edges' normals: fewest operations"),
+      scalar<ladder_0>("ladder-0", "nothing rewritten: normals of length 1, roots, divisions"),
+      scalar<ladder_1>("ladder-1", "then the plane: squared, one division by |V|"),
+      scalar<ladder_2>("ladder-2", "then the plane: no root, (A.V)^2 / (V.V) > rr"),
+      scalar<ladder_3>("ladder-3", "then the plane: no division, cross-multiplied"),
+      scalar<ladder_4>("ladder-4", "then the vertices: squared, differences distributed, A.B > A.A"),
+      scalar<ladder_5>("ladder-5", "then the edges: squared"),
+      scalar<ladder_6>("ladder-6", "then the edges: multiplied by e^2"),
+      scalar<ladder_7>("ladder-7", "then the edges: no division, Q = A e + d AB"),
+      scalar<ladder_8>("ladder-8", "then the edges: centred, d = A.AB"),
+      scalar<ladder_9>("ladder-9", "then the edges: d = A.B - A.A; this is published, bit for bit"),
+      scalar<minkowski>("minkowski", "the centre against three spheres, three cylinders and a prism; right for every triangle"),
+      scalar<closest_point>("closest-point", "closest point by Voronoi regions, then a distance; A = B gives 0/0"),
+      scalar<segments>("segments", "edge axes through the closest point of each segment, no vertex axes"),
+      packed<strict>("packed", "published, one pair at a time: sixteen comparisons in four 4-lane compares"),
+      packed<not_less>("packed-nonstrict", "the same with a >= b as !(b > a) in the sides: a NaN side holds"),
+      eigen("eigen", "published, written with Eigen's vectors, whose reductions choose their order"),
+      scalar<first_publication>("first-publication", "the article as first published: QC = C e + Q, wrong in exact arithmetic"),
+      scalar<vertex_typo>("vertex-typo", "the vertex section as printed: ac = dot(B, B), wrong in exact arithmetic"),
+  };
+  return all;
+}
+// clang-format on
+
+const Kernel* registered(std::string_view id) {
+  for (const Kernel& kernel : registry()) {
+    if (kernel.id == id) return &kernel;
+  }
+  return nullptr;
+}
+
+// "RUNG+ARITHMETIC", made when it is first asked for and kept.
+const Kernel& composed(std::string_view id, const Kernel& rung, const ArithmeticInfo& arithmetic) {
+  static std::mutex mutex;
+  static std::deque<Kernel> made;
+  const std::lock_guard lock(mutex);
+  for (const Kernel& kernel : made) {
+    if (kernel.id == id) return kernel;
+  }
+  Kernel& kernel = made.emplace_back(Kernel{.id = std::string(id),
+                                            .summary = fmt::format("{}; {}", rung.summary, arithmetic.summary),
+                                            .formulae = rung.formulae,
+                                            .strictness = rung.strictness,
+                                            .arithmetic = arithmetic.arithmetic,
+                                            .exposes = arithmetic.exposes,
+                                            .binary32 = {},
+                                            .binary64 = {}});
+  const auto implementation = [f = rung.formulae, a = arithmetic.arithmetic, s = rung.strictness]<class Real>() {
+    return reference_implementation<Real>(f, a, s);
+  };
+  if (arithmetic.in_binary32)
+    kernel.binary32 = [=](std::string_view) { return implementation.template operator()<float>(); };
+  if (arithmetic.in_binary64)
+    kernel.binary64 = [=](std::string_view) { return implementation.template operator()<double>(); };
+  return kernel;
+}
+
+std::string with_dashes(std::string name) {
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
 
 bool same_letters(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -33,15 +144,66 @@ bool same_letters(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::span<const Kernel> kernels() { return registry; }
+std::string name(Formulae formulae) {
+  constexpr const char* names[] = {
+#define AXISCERT_NAME(name, type, kind) #name,
+      AXISCERT_FORMULAE(AXISCERT_NAME)
+#undef AXISCERT_NAME
+          ""};
+  return with_dashes(names[static_cast<std::size_t>(formulae)]);
+}
+
+std::string name(Arithmetic arithmetic) {
+  constexpr const char* names[] = {
+#define AXISCERT_NAME(name, type, summary) #name,
+      AXISCERT_ARITHMETICS(AXISCERT_NAME)
+#undef AXISCERT_NAME
+  };
+  return with_dashes(names[static_cast<std::size_t>(arithmetic)]);
+}
+
+std::span<const Kernel> kernels() { return registry(); }
+
+const std::vector<ArithmeticInfo>& arithmetics() {
+  static const std::vector<ArithmeticInfo> all = {
+#define AXISCERT_INFO(name, type, summary) \
+  {with_dashes(#name),                     \
+   summary,                                \
+   Arithmetic::name,                       \
+   arithmetic::type::in_binary32,          \
+   arithmetic::type::in_binary64,          \
+   arithmetic::type::exposes_sides ? Exposure::sides : Exposure::comparisons},
+      AXISCERT_ARITHMETICS(AXISCERT_INFO)
+#undef AXISCERT_INFO
+  };
+  return all;
+}
 
 const Kernel& find_kernel(std::string_view id) {
-  std::vector<std::string_view> known;
-  for (const Kernel& kernel : registry) {
-    if (kernel.id == id) return kernel;
-    known.push_back(kernel.id);
+  if (const Kernel* kernel = registered(id)) return *kernel;
+  const std::size_t plus = id.find('+');
+  if (plus == id.npos) {
+    std::vector<std::string_view> known;
+    for (const Kernel& kernel : registry()) known.push_back(kernel.id);
+    throw Error(fmt::format("unknown kernel '{}'; kernels: {}", id, fmt::join(known, ", ")));
   }
-  throw Error(fmt::format("unknown kernel '{}'; kernels: {}", id, fmt::join(known, ", ")));
+  const std::string_view rung_id = id.substr(0, plus), arithmetic_name = id.substr(plus + 1);
+  const Kernel* rung = registered(rung_id);
+  std::vector<std::string_view> known;
+  for (const Kernel& kernel : registry()) {
+    if (kernel.takes_arithmetic) known.push_back(kernel.id);
+  }
+  if (!rung || !rung->takes_arithmetic) {
+    throw Error(fmt::format("kernel '{}': '{}' is no rung that takes another arithmetic; those: {}", id, rung_id,
+                            fmt::join(known, ", ")));
+  }
+  known.clear();
+  for (const ArithmeticInfo& arithmetic : arithmetics()) {
+    if (arithmetic.name == arithmetic_name) return composed(id, *rung, arithmetic);
+    known.push_back(arithmetic.name);
+  }
+  throw Error(fmt::format("kernel '{}': unknown arithmetic '{}'; arithmetics: {}", id, arithmetic_name,
+                          fmt::join(known, ", ")));
 }
 
 std::vector<std::string> available_targets() {

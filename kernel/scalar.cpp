@@ -1,68 +1,33 @@
 #include "kernel/scalar.h"
 
+#include "kernel/reference_table.h"
+
 namespace axiscert {
-namespace {
+
+#define AXISCERT_DECLARE(name, type, summary) const ReferenceTable& reference_table_##name();
+AXISCERT_ARITHMETICS(AXISCERT_DECLARE)
+#undef AXISCERT_DECLARE
 
 template <class Real>
-AXISCERT_INLINE portable::Centred<Real> load(const QueryColumns<Real>& batch, std::size_t i) {
-  const auto& k = batch.column;
-  return portable::centred<Real>({k[0][i], k[1][i], k[2][i]}, {k[3][i], k[4][i], k[5][i]}, {k[6][i], k[7][i], k[8][i]},
-                                 {k[9][i], k[10][i], k[11][i]}, k[12][i]);
+Outcome reference(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q,
+                  Sides<Real>* sides) noexcept {
+  static constexpr const ReferenceTable& (*tables[])() = {
+#define AXISCERT_TABLE(name, type, summary) reference_table_##name,
+      AXISCERT_ARITHMETICS(AXISCERT_TABLE)
+#undef AXISCERT_TABLE
+  };
+  const ReferenceTable& table = tables[static_cast<std::size_t>(arithmetic)]();
+  if constexpr (sizeof(Real) == 4) return table.binary32[static_cast<std::size_t>(formulae)](q, strictness, sides);
+  else return table.binary64[static_cast<std::size_t>(formulae)](q, strictness, sides);
 }
-
-template <Strictness strictness>
-struct Relation {
-  template <class Real>
-  AXISCERT_INLINE static bool holds(Comparison which, Real lhs, Real rhs) {
-    return strictness == Strictness::strict || info(which).is_radius ? lhs > rhs : lhs >= rhs;
-  }
-};
-
-template <class Real, Strictness strictness>
-void verdicts(const QueryColumns<Real>& batch, Verdict* out) {
-  for (std::size_t i = 0; i < batch.size; ++i) {
-    // Bitwise, as the article has it: a branch per comparison would cost more than it saves.
-    std::array<bool, axis_count> separates;
-    separates.fill(true);
-    portable::published_comparisons(load(batch, i), Real(0), [&](Comparison which, Real lhs, Real rhs) {
-      separates[static_cast<std::size_t>(info(which).axis)] &= Relation<strictness>::holds(which, lhs, rhs);
-    });
-    bool any = false;
-    for (const bool axis : separates) any |= axis;
-    out[i] = static_cast<Verdict>(any);
-  }
-}
-
-template <class Real, Strictness strictness>
-void explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
-  for (std::size_t i = 0; i < batch.size; ++i) {
-    ComparisonBits bits = 0;
-    portable::published_comparisons(load(batch, i), Real(0), [&](Comparison which, Real lhs, Real rhs) {
-      const auto k = static_cast<std::size_t>(which);
-      bits |= static_cast<ComparisonBits>(Relation<strictness>::holds(which, lhs, rhs) << k);
-      out.lhs[k][i] = lhs;
-      out.rhs[k][i] = rhs;
-    });
-    out.bits[i] = bits;
-  }
-}
-
-}  // namespace
+template Outcome reference<float>(Formulae, Arithmetic, Strictness, const Query<float>&, Sides<float>*) noexcept;
+template Outcome reference<double>(Formulae, Arithmetic, Strictness, const Query<double>&, Sides<double>*) noexcept;
 
 Sides<float> reference_sides(const Query<float>& q) noexcept {
-  return published_sides<float>(q, [](float x) { return x; });
+  return sides_of<portable::Published>(problem_as<float>(q, [](float x) { return x; }));
 }
 Sides<double> reference_sides(const Query<double>& q) noexcept {
-  return published_sides<double>(q, [](double x) { return x; });
+  return sides_of<portable::Published>(problem_as<double>(q, [](double x) { return x; }));
 }
-
-template <class Real>
-Implementation<Real> scalar_implementation(Strictness strictness) {
-  return strictness == Strictness::strict
-             ? Implementation<Real>{verdicts<Real, Strictness::strict>, explain<Real, Strictness::strict>}
-             : Implementation<Real>{verdicts<Real, Strictness::nonstrict>, explain<Real, Strictness::nonstrict>};
-}
-template Implementation<float> scalar_implementation<float>(Strictness);
-template Implementation<double> scalar_implementation<double>(Strictness);
 
 }  // namespace axiscert

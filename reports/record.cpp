@@ -130,7 +130,7 @@ Json plan_json(const Plan& plan, const CampaignResult& result, const std::string
     for (const CellResult& cell : result.cells) {
       if (cell.source != s) continue;
       const std::string family = plan.sources[s]->name(), precision(name(cell.precision));
-      json["trials"][family][precision] = cell.tallies.empty() ? 0 : cell.tallies[0].trials;
+      json["trials"][family][precision] = cell.queries;
       units[family][precision] = cell.units_done;
     }
   }
@@ -143,6 +143,12 @@ Json plan_json(const Plan& plan, const CampaignResult& result, const std::string
 
 }  // namespace
 
+Json exposures_json(const Kernel& kernel) {
+  Json names = Json::array();
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(kernel.exposes); ++i) names.push_back(exposure_names[i]);
+  return names;
+}
+
 Json record_of(const Plan& plan, const CampaignResult& result, const std::string& require) {
   Json record = {{"schema", record_schema}, {"complete", result.complete}, {"plan", plan_json(plan, result, require)}};
   Json& kernels = record["kernels"] = Json::array();
@@ -150,11 +156,15 @@ Json record_of(const Plan& plan, const CampaignResult& result, const std::string
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     for (const Precision precision : plan.precisions) {
       const Kernel& kernel = *plan.kernels[k];
+      if (!kernel.has(precision)) continue;
+      const bool claimed = kernel.formulae != Formulae::none;
       Json entry = {{"id", kernel.id},
                     {"precision", name(precision)},
                     {"summary", kernel.summary},
-                    {"strictness", kernel.strictness == Strictness::strict ? "strict" : "nonstrict"},
-                    {"exposes", {"verdict", "comparisons", "sides"}},
+                    {"formulae", claimed ? Json(name(kernel.formulae)) : Json(nullptr)},
+                    {"arithmetic", claimed ? Json(name(kernel.arithmetic)) : Json(nullptr)},
+                    {"strictness", has_comparisons(kernel.formulae) ? Json(name(kernel.strictness)) : Json(nullptr)},
+                    {"exposes", exposures_json(kernel)},
                     {"critical_radius", nullptr},
                     {"families", Json::object()}};
       CriticalRadiusTally radii;

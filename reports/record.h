@@ -21,6 +21,8 @@ Json run_info(const Plan& plan, const CampaignResult& result, const std::string&
 // A query as the query file has it: "a" to "p" as arrays of hex strings, "r".
 template <class Real>
 void put_query(Json& into, const Query<Real>& q);
+// What a kernel shows: "verdict", and "comparisons" and "sides" where it does.
+Json exposures_json(const Kernel& kernel);
 // The bits as text, first comparison first.
 std::string bit_string(std::uint32_t bits, std::size_t count);
 // "verdict", ... as `check` and the witnesses list them.

@@ -62,7 +62,7 @@ class Search {
 
   void search_links(std::initializer_list<Link> links, const Json& result) {
     const Json& verdict = result["verdict"];
-    if ((*kernel_)["exposes"] == Json::array({"verdict"})) {
+    if ((*kernel_)["formulae"].is_null()) {
       // No reference to compare with: on exact arithmetic a wrong verdict can only be wrong logic. Whether touching is
       // contact is a convention, and the kernel's own may differ.
       if (!result["exact_arithmetic"].get<bool>()) return;

@@ -51,7 +51,7 @@ Json run_info(const Plan& plan, const CampaignResult& result, const std::string&
                {"throughput", Json::array()},
                {"second_opinions", result.second_opinions}};
   for (const CellResult& cell : result.cells) {
-    const std::uint64_t queries = cell.tallies.empty() ? 0 : cell.tallies[0].trials;
+    const std::uint64_t queries = cell.queries;
     if (queries == 0) continue;
     json["throughput"].push_back({{"family", plan.sources[cell.source]->name()},
                                   {"precision", name(cell.precision)},

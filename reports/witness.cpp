@@ -87,7 +87,8 @@ void WitnessWriter::write(const Kernel& kernel, const Source& source, const Show
     witness["computed"] = name(found.answer.verdict);
     witness["touching"] = found.truth.touching;
     witness["depth"] = found.depth ? Json(*found.depth) : Json(nullptr);
-    witness["exact_comparisons"] = bit_string(found.judgement.exact, comparison_count);
+    witness["exact_comparisons"] =
+        found.judgement.exact ? Json(bit_string(*found.judgement.exact, comparison_count)) : Json(nullptr);
     witness["computed_comparisons"] =
         found.answer.bits ? Json(bit_string(*found.answer.bits, comparison_count)) : Json(nullptr);
     witness["shows"] = what;

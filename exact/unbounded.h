@@ -1,0 +1,23 @@
+// R-infinity: a kernel's precision, operation order and rounding with an exponent that never ends. What differs from it
+// is range.
+#pragma once
+
+#include "kernel/scalar.h"
+
+namespace axiscert {
+
+// What the scalar reference (R) decides, and the same rounding steps without over- or underflow (R-infinity), for a valid
+// query. MPFR at the arithmetic's precision where the reference raised the overflow or underflow flag; where it raised
+// neither, every result was in the normal range or exact, so that the two evaluations are the same. An arithmetic in which
+// the flags do not tell is always evaluated by MPFR.
+struct Rounded {
+  Outcome range_free, reference;
+};
+template <class Real>
+Rounded rounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q);
+
+// R-infinity itself.
+template <class Real>
+Outcome unbounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q);
+
+}  // namespace axiscert

@@ -1,0 +1,103 @@
+// Number types of other machines: the article's own, and the mixed precision of large worlds.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "kernel/arithmetic/number.h"
+
+namespace axiscert::arithmetic {
+
+// Single precision of the Cell's synergistic processor: results are chopped; what would be subnormal is zero; exponent
+// 255 is a number like the others; beyond the greatest, (2 - 2^-23) 2^128, results stay there; no infinity, no NaN, no
+// negative zero. Source: Synergistic Processor Unit Instruction Set Architecture, "Single precision (extended-range
+// mode)". Division and root, estimates refined in software there, are the chopped exact ones here.
+// Held in a double: 24 significant bits, exponents from -126 to 128.
+class Spu {
+ public:
+  Spu() = default;
+  explicit Spu(float x) : value_(decoded(x)) {}
+  // Beyond binary32's greatest number, infinity stands for what binary32 cannot hold.
+  explicit operator float() const { return static_cast<float>(value_); }
+
+  friend Spu operator+(const Spu& a, const Spu& b) {
+    const double sum = a.value_ + b.value_, of_b = sum - a.value_;
+    return chopped(sum, (a.value_ - (sum - of_b)) + (b.value_ - of_b));
+  }
+  friend Spu operator-(const Spu& a, const Spu& b) { return a + chopped(-b.value_, 0); }
+  friend Spu operator*(const Spu& a, const Spu& b) { return chopped(a.value_ * b.value_, 0); }  // 48 bits: exact
+  friend Spu operator/(const Spu& a, const Spu& b) {
+    if (b.value_ == 0) return chopped(std::copysign(greatest, a.value_), 0);
+    const double quotient = a.value_ / b.value_;
+    return chopped(quotient, std::fma(-quotient, b.value_, a.value_) * (b.value_ < 0 ? -1 : 1));
+  }
+  friend Spu square_root(const Spu& a) {
+    const double root = std::sqrt(std::fabs(a.value_));
+    return chopped(root, std::fma(-root, root, std::fabs(a.value_)));
+  }
+  friend Spu magnitude(const Spu& a) { return chopped(std::fabs(a.value_), 0); }
+  friend bool operator>(const Spu& a, const Spu& b) { return a.value_ > b.value_; }
+  friend bool operator>=(const Spu& a, const Spu& b) { return a.value_ >= b.value_; }
+
+ private:
+  static constexpr double greatest = 0x1.fffffep+128, least = 0x1p-126;
+
+  // Toward zero from the exact value near + rest; only the sign of the rest is read.
+  static Spu chopped(double near, double rest) {
+    constexpr std::uint64_t below_binary32 = (std::uint64_t{1} << 29) - 1;
+    auto bits = std::bit_cast<std::uint64_t>(near);
+    // Rounding to double reached a binary32 number from beyond: the exact value is on the near side of it.
+    if ((bits & below_binary32) == 0 && near != 0 && (near > 0) != (rest > 0) && rest != 0) --bits;
+    double value = std::bit_cast<double>(bits & ~below_binary32);
+    if (std::fabs(value) < least) value = 0;
+    if (std::fabs(value) > greatest) value = std::copysign(greatest, value);
+    Spu result;
+    result.value_ = value;
+    return result;
+  }
+  static double decoded(float x) {
+    const auto bits = std::bit_cast<std::uint32_t>(x);
+    const int exponent = static_cast<int>((bits >> 23) & 0xff);
+    if (exponent == 0) return 0;
+    const double size = std::ldexp(1.0 + (bits & 0x7fffff) * 0x1p-23, exponent - 127);
+    return (bits >> 31) != 0 ? -size : size;
+  }
+
+  double value_ = 0;
+};
+
+// Large-world practice: vertices and centre in the wide type, their difference taken there and rounded, the test in the
+// narrow type. A radius, too, is rounded.
+template <class Wide, class Narrow>
+struct LargeWorld {
+  Wide value;
+
+  LargeWorld() = default;
+  explicit LargeWorld(const Wide& v) : value(v) {}
+  explicit operator Wide() const { return value; }
+
+  static LargeWorld translated(const LargeWorld& x, const LargeWorld& p) {
+    return LargeWorld(Wide(Narrow(Wide(x.value - p.value))));
+  }
+  friend LargeWorld operator+(const LargeWorld& a, const LargeWorld& b) { return wide(a.narrow() + b.narrow()); }
+  friend LargeWorld operator-(const LargeWorld& a, const LargeWorld& b) { return wide(a.narrow() - b.narrow()); }
+  friend LargeWorld operator*(const LargeWorld& a, const LargeWorld& b) { return wide(a.narrow() * b.narrow()); }
+  friend LargeWorld operator/(const LargeWorld& a, const LargeWorld& b) { return wide(a.narrow() / b.narrow()); }
+  friend LargeWorld square_root(const LargeWorld& a) {
+    using portable::square_root;
+    return wide(square_root(a.narrow()));
+  }
+  friend LargeWorld magnitude(const LargeWorld& a) {
+    using portable::magnitude;
+    return wide(magnitude(a.narrow()));
+  }
+  friend bool operator>(const LargeWorld& a, const LargeWorld& b) { return a.narrow() > b.narrow(); }
+  friend bool operator>=(const LargeWorld& a, const LargeWorld& b) { return a.narrow() >= b.narrow(); }
+
+ private:
+  Narrow narrow() const { return Narrow(value); }
+  static LargeWorld wide(const Narrow& x) { return LargeWorld(Wide(x)); }
+};
+
+}  // namespace axiscert::arithmetic

@@ -1,0 +1,54 @@
+// The processor's floating-point modes, set for a scope.
+#pragma once
+
+#include <cfenv>
+#include <cstdint>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+namespace axiscert {
+
+enum class Rounding : std::uint8_t { nearest, upward, downward, toward_zero };
+
+// Sets a rounding mode and, where asked, that subnormal results and operands become zero (FTZ and DAZ); restores both.
+// Code in its scope must keep its operations there: call a function that reads its operands from memory and writes its
+// results there, compiled with -frounding-math.
+class FloatingEnvironment {
+ public:
+  FloatingEnvironment(Rounding rounding, bool flush) : rounding_(std::fegetround()), control_(control()) {
+    constexpr int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    std::fesetround(modes[static_cast<std::size_t>(rounding)]);
+    if (flush) set_control(control() | flush_bits);
+  }
+  ~FloatingEnvironment() {
+    // The status flags that the scope raised stay raised.
+    if ((control_ & flush_bits) != (control() & flush_bits)) set_control(control() & ~flush_bits);
+    std::fesetround(rounding_);
+  }
+  FloatingEnvironment(const FloatingEnvironment&) = delete;
+  FloatingEnvironment& operator=(const FloatingEnvironment&) = delete;
+
+ private:
+#if defined(__SSE2__)
+  static constexpr std::uint64_t flush_bits = 0x8040;  // FTZ, DAZ
+  static std::uint64_t control() { return _mm_getcsr(); }
+  static void set_control(std::uint64_t bits) { _mm_setcsr(static_cast<unsigned>(bits)); }
+#elif defined(__aarch64__)
+  static constexpr std::uint64_t flush_bits = std::uint64_t{1} << 24;  // FZ: both
+  static std::uint64_t control() {
+    std::uint64_t bits;
+    asm volatile("mrs %0, fpcr" : "=r"(bits));
+    return bits;
+  }
+  static void set_control(std::uint64_t bits) { asm volatile("msr fpcr, %0" ::"r"(bits)); }
+#else
+#error "how this processor flushes subnormal numbers to zero is not known here"
+#endif
+
+  int rounding_;
+  std::uint64_t control_;
+};
+
+}  // namespace axiscert

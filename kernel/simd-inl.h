@@ -1,0 +1,163 @@
+// A set of ring formulae over Highway vectors, one query a lane, for the instruction set that foreach_target is at. The
+// including file has defined AXISCERT_PER_TARGET and included the formulae.
+#include <cstring>
+
+HWY_BEFORE_NAMESPACE();
+namespace axiscert {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// The number type of the formulae: N queries at once, one rounding an operation.
+template <class V>
+struct Lanes {
+  V v;
+  AXISCERT_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) { return {hn::Add(a.v, b.v)}; }
+  AXISCERT_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) { return {hn::Sub(a.v, b.v)}; }
+  AXISCERT_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) { return {hn::Mul(a.v, b.v)}; }
+};
+
+template <class D>
+using LanesOf = Lanes<hn::Vec<D>>;
+
+template <class D, class Real = hn::TFromD<D>>
+AXISCERT_INLINE Problem<LanesOf<D>> load(D d, const QueryColumns<Real>& batch, std::size_t i) {
+  using T = LanesOf<D>;
+  const auto lanes = [&](std::size_t k) HWY_ATTR { return T{hn::LoadU(d, batch.column[k] + i)}; };
+  return {{lanes(0), lanes(1), lanes(2)},
+          {lanes(3), lanes(4), lanes(5)},
+          {lanes(6), lanes(7), lanes(8)},
+          {lanes(9), lanes(10), lanes(11)},
+          lanes(12),
+          T{hn::Zero(d)}};
+}
+
+template <Strictness strictness, class T>
+AXISCERT_INLINE auto lanes_hold(Comparison which, const T& lhs, const T& rhs) {
+  const bool nonstrict = strictness == Strictness::nonstrict && !info(which).is_radius;
+  return nonstrict ? hn::Ge(lhs.v, rhs.v) : hn::Gt(lhs.v, rhs.v);
+}
+
+// Keeps, per axis, the lanes in which every comparison so far holds; comparisons of an axis come together.
+template <class D, Strictness strictness>
+struct VerdictSink {
+  using M = hn::Mask<D>;
+  M any, axis;
+  template <class T>
+  AXISCERT_INLINE void operator()(Comparison which, const T& lhs, const T& rhs) {
+    const M m = lanes_hold<strictness>(which, lhs, rhs);
+    axis = info(which).is_radius ? m : hn::And(axis, m);
+    const bool last = static_cast<std::size_t>(which) + 1 == comparison_count ||
+                      comparisons[static_cast<std::size_t>(which) + 1].is_radius;
+    if (last) any = hn::Or(any, axis);
+  }
+};
+
+// Spreads the low eight bits over eight bytes of 0 or 1: the verdicts `contact` and `separated`.
+AXISCERT_INLINE void store_verdicts(std::uint8_t bits, Verdict* out) {
+  const std::uint64_t each = (bits * 0x0101010101010101ull) & 0x8040201008040201ull;
+  const std::uint64_t ones = ((each + 0x7f7f7f7f7f7f7f7full) >> 7) & 0x0101010101010101ull;
+  std::memcpy(out, &ones, sizeof ones);
+}
+
+template <class F, class Real, Strictness strictness>
+AXISCERT_INLINE std::uint64_t separated_mask(const QueryColumns<Real>& batch, std::size_t i) {
+  const hn::ScalableTag<Real> d;
+  const auto none = hn::MaskFromVec(hn::Zero(d));
+  VerdictSink<decltype(d), strictness> sink{none, none};
+  F::comparisons(load(d, batch, i), sink);
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, sink.any, bytes);
+  std::uint64_t bits;
+  std::memcpy(&bits, bytes, sizeof bits);
+  return bits;
+}
+
+// Runs body on a padded copy of what is left after whole blocks, so that no lane reads outside the batch.
+template <class Real, std::size_t block, class Body>
+void with_padded_tail(const QueryColumns<Real>& batch, std::size_t begin, Body&& body) {
+  Real storage[coordinate_count][block] = {};
+  QueryColumns<Real> tail{{}, batch.size - begin};
+  for (std::size_t k = 0; k < coordinate_count; ++k) {
+    std::memcpy(storage[k], batch.column[k] + begin, tail.size * sizeof(Real));
+    tail.column[k] = storage[k];
+  }
+  body(tail);
+}
+
+template <class F, class Real, Strictness strictness>
+void verdicts(const QueryColumns<Real>& batch, Verdict* out) {
+  constexpr std::size_t lanes = hn::MaxLanes(hn::ScalableTag<Real>());
+  constexpr std::size_t block = lanes > 8 ? lanes : 8;
+  const auto one_block = [](const QueryColumns<Real>& from, std::size_t i, Verdict* to) HWY_ATTR {
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < block; k += lanes) bits |= separated_mask<F, Real, strictness>(from, i + k) << k;
+    for (std::size_t k = 0; k < block; k += 8) store_verdicts(static_cast<std::uint8_t>(bits >> k), to + k);
+  };
+  std::size_t i = 0;
+  for (; i + block <= batch.size; i += block) one_block(batch, i, out + i);
+  if (i == batch.size) return;
+  with_padded_tail<Real, block>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
+    Verdict padded[block];
+    one_block(tail, 0, padded);
+    std::memcpy(out + i, padded, tail.size * sizeof(Verdict));
+  });
+}
+
+template <class D, Strictness strictness>
+struct ExplainSink {
+  using Real = hn::TFromD<D>;
+  static constexpr std::size_t lanes = hn::MaxLanes(D());
+  Answers<Real>& out;
+  std::size_t i, count;  // first query and how many of the lanes are queries
+  std::array<ComparisonBits, lanes> bits{};
+
+  template <class T>
+  AXISCERT_INLINE void operator()(Comparison which, const T& lhs, const T& rhs) {
+    const auto k = static_cast<std::size_t>(which);
+    store(lhs.v, out.lhs[k]);
+    store(rhs.v, out.rhs[k]);
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(D(), lanes_hold<strictness>(which, lhs, rhs), bytes);
+    for (std::size_t j = 0; j < lanes; ++j) {
+      bits[j] |= static_cast<ComparisonBits>(((bytes[j / 8] >> (j % 8)) & 1u) << k);
+    }
+  }
+  template <class V>
+  AXISCERT_INLINE void store(const V& v, std::vector<Real>& column) {
+    Real buffer[lanes];
+    hn::StoreU(v, D(), buffer);
+    std::memcpy(column.data() + i, buffer, count * sizeof(Real));
+  }
+};
+
+// The vector that begins at `at` of `from`, into entries i to i + count of `out`.
+template <class F, class Real, Strictness strictness>
+AXISCERT_INLINE void explain_vector(const QueryColumns<Real>& from, std::size_t at, std::size_t i, std::size_t count,
+                                    Answers<Real>& out) {
+  using D = hn::ScalableTag<Real>;
+  ExplainSink<D, strictness> sink{out, i, count};
+  F::comparisons(load(D(), from, at), sink);
+  for (std::size_t j = 0; j < count; ++j) out.bits[i + j] = sink.bits[j];
+}
+
+template <class F, class Real, Strictness strictness>
+void explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
+  constexpr std::size_t lanes = hn::MaxLanes(hn::ScalableTag<Real>());
+  std::size_t i = 0;
+  for (; i + lanes <= batch.size; i += lanes) explain_vector<F, Real, strictness>(batch, i, i, lanes, out);
+  if (i == batch.size) return;
+  with_padded_tail<Real, lanes>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
+    explain_vector<F, Real, strictness>(tail, 0, i, tail.size, out);
+  });
+}
+
+template <class F, class Real>
+Implementation<Real> implementation(Strictness strictness) {
+  return strictness == Strictness::strict
+             ? Implementation<Real>{verdicts<F, Real, Strictness::strict>, explain<F, Real, Strictness::strict>}
+             : Implementation<Real>{verdicts<F, Real, Strictness::nonstrict>, explain<F, Real, Strictness::nonstrict>};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace axiscert
+HWY_AFTER_NAMESPACE();
