@@ -10,9 +10,10 @@ std::optional<std::string> contradiction(const FormulaTruth& rung, const Formula
   const auto defined = static_cast<ComparisonBits>(~rung.undefined);
   const bool same_ties = (rung.ties & defined) == (published.ties & defined);
   if (rung.strict == published.strict && same_ties) return std::nullopt;
-  return fmt::format("exact signs {:016b} ties {:016b} undefined {:016b}, published {:016b} ties {:016b} (bit 0 is the "
-                     "first comparison)",
-                     rung.strict, rung.ties, rung.undefined, published.strict, published.ties);
+  return fmt::format(
+      "exact signs {:016b} ties {:016b} undefined {:016b}, published {:016b} ties {:016b} (bit 0 is the "
+      "first comparison)",
+      rung.strict, rung.ties, rung.undefined, published.strict, published.ties);
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ class Claims {
  public:
   Claims(const Query<Real>& q, const FormulaTruth& published) : query_(q), published_(published) {}
 
-  // The exact sides of a set of formulae; null for `none` and for a method, which has none. A rung whose signs differ from
-  // the published ones, where it defines them, throws OracleDisagreement: over the reals there is no such query.
+  // The exact sides of a set of formulae; null for `none` and for a method, which has none. A rung whose signs differ
+  // from the published ones, where it defines them, throws OracleDisagreement: over the reals there is no such query.
   const FormulaTruth* sides(Formulae formulae);
   // The chain of a kernel's claim; nothing where it claims no formulae.
   std::optional<Reference> chain(const Kernel& kernel);

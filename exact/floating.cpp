@@ -6,8 +6,8 @@ namespace {
 thread_local FloatingFormat format;
 thread_local mpfr_rnd_t rounding = MPFR_RNDN;
 
-// MPFR's own exponent range belongs to the thread as well. Its significands lie in [1/2, 1): exponents are one more than
-// IEEE's. The least exponent is that of the least subnormal number of `precision` bits.
+// MPFR's own exponent range belongs to the thread as well. Its significands lie in [1/2, 1): exponents are one more
+// than IEEE's. The least exponent is that of the least subnormal number of `precision` bits.
 void put_in_force(const FloatingFormat& wanted) {
   constexpr mpfr_rnd_t modes[] = {MPFR_RNDN, MPFR_RNDU, MPFR_RNDD, MPFR_RNDZ};
   format = wanted;
@@ -42,9 +42,7 @@ Floating operator+(const Floating& a, const Floating& b) { return Floating::roun
 Floating operator-(const Floating& a, const Floating& b) { return Floating::rounded(mpfr_sub, a, b); }
 Floating operator*(const Floating& a, const Floating& b) { return Floating::rounded(mpfr_mul, a, b); }
 Floating operator/(const Floating& a, const Floating& b) { return Floating::rounded(mpfr_div, a, b); }
-Floating fused(const Floating& a, const Floating& b, const Floating& c) {
-  return Floating::rounded(mpfr_fma, a, b, c);
-}
+Floating fused(const Floating& a, const Floating& b, const Floating& c) { return Floating::rounded(mpfr_fma, a, b, c); }
 Floating square_root(const Floating& a) { return Floating::rounded(mpfr_sqrt, a); }
 Floating magnitude(const Floating& a) {
   return Floating::rounded([](mpfr_ptr to, mpfr_srcptr x, mpfr_rnd_t mode) { return mpfr_abs(to, x, mode); }, a);

@@ -33,8 +33,8 @@ class FloatingScope {
   FloatingFormat before_;
 };
 
-// Every operation rounds its exact result once, to the format in force. A number made from a double is that double: it is
-// not rounded, whatever the format. Holds its limbs itself: no allocation.
+// Every operation rounds its exact result once, to the format in force. A number made from a double is that double: it
+// is not rounded, whatever the format. Holds its limbs itself: no allocation.
 class Floating {
  public:
   Floating() : Floating(0.0) {}

@@ -10,8 +10,9 @@ namespace axiscert {
 // Exact over the whole range of binary64, subnormals included. A ring: it has no division.
 using Ring = CGAL::Mpzf;
 
-// The early forms of the derivation divide and take one root, never a root of a root nor a sum of two different roots; this
-// is closed under what they do. 0/0 and x/0 are undefined, as is all that is made of them, and no comparison with one holds.
+// The early forms of the derivation divide and take one root, never a root of a root nor a sum of two different roots;
+// this is closed under what they do. 0/0 and x/0 are undefined, as is all that is made of them, and no comparison with
+// one holds.
 class Surd {
  public:
   Surd() : Surd(Ring(0)) {}

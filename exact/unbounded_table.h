@@ -53,8 +53,9 @@ UnboundedTable unbounded_table() {
         table.functions[i] = unbounded_outcome<FormulaeType<formulae>, UnboundedNumber<A>>;
       }
     };
-    [&]<std::size_t... i>(std::index_sequence<i...>) { (fill.template operator()<i>(), ...); }
-    (std::make_index_sequence<formulae_count>());
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (fill.template operator()<i>(), ...);
+    }(std::make_index_sequence<formulae_count>());
   }
   return table;
 }

@@ -9,22 +9,22 @@
 #include "kernel/names.h"
 
 // X(name, type, summary)
-#define AXISCERT_ARITHMETICS(X)                                                                                      \
-  X(plain, Plain, "one rounding an operation, to nearest")                                                           \
-  X(fma, FusedProducts, "dot and cross products with fused multiply-add")                                            \
-  X(kahan, KahanProducts, "cross by Kahan's difference of two products, dot by his sum and one fma")                 \
-  X(ftz, Flushed, "subnormal results and operands are zero (FTZ and DAZ)")                                           \
-  X(up, Upward, "every operation rounded toward +infinity")                                                          \
-  X(down, Downward, "every operation rounded toward -infinity")                                                      \
-  X(chop, TowardZero, "every operation rounded toward zero")                                                         \
-  X(spu, SpuSingle, "the article's machine: chopped, flushed, saturating, no infinity or NaN")                       \
-  X(dot_yz_x, DotFromTheEnd, "dot products as x + (y + z)")                                                          \
-  X(dot_xz_y, DotOuterFirst, "dot products as (x + z) + y")                                                          \
-  X(rr_ee, RadiusLast, "rr (e e) for (rr e) e")                                                                      \
-  X(compensated, CompensatedProducts, "dot and cross products as if in twice the precision")                         \
-  X(exact_translation, TranslationKept, "A - P with its rounding error, carried to first order")                     \
-  X(prescaled, Prescaled, "translated, then scaled by the power of two that brings the greatest number to [1, 2)")   \
-  X(in_double, InDouble, "binary32 queries, computed in binary64")                                                   \
+#define AXISCERT_ARITHMETICS(X)                                                                                    \
+  X(plain, Plain, "one rounding an operation, to nearest")                                                         \
+  X(fma, FusedProducts, "dot and cross products with fused multiply-add")                                          \
+  X(kahan, KahanProducts, "cross by Kahan's difference of two products, dot by his sum and one fma")               \
+  X(ftz, Flushed, "subnormal results and operands are zero (FTZ and DAZ)")                                         \
+  X(up, Upward, "every operation rounded toward +infinity")                                                        \
+  X(down, Downward, "every operation rounded toward -infinity")                                                    \
+  X(chop, TowardZero, "every operation rounded toward zero")                                                       \
+  X(spu, SpuSingle, "the article's machine: chopped, flushed, saturating, no infinity or NaN")                     \
+  X(dot_yz_x, DotFromTheEnd, "dot products as x + (y + z)")                                                        \
+  X(dot_xz_y, DotOuterFirst, "dot products as (x + z) + y")                                                        \
+  X(rr_ee, RadiusLast, "rr (e e) for (rr e) e")                                                                    \
+  X(compensated, CompensatedProducts, "dot and cross products as if in twice the precision")                       \
+  X(exact_translation, TranslationKept, "A - P with its rounding error, carried to first order")                   \
+  X(prescaled, Prescaled, "translated, then scaled by the power of two that brings the greatest number to [1, 2)") \
+  X(in_double, InDouble, "binary32 queries, computed in binary64")                                                 \
   X(world_double, WorldDouble, "binary64 queries, translated in binary64, rounded, computed in binary32")
 
 namespace axiscert {
@@ -49,12 +49,12 @@ struct Plain {
   static constexpr bool flags_tell_range = true;
 };
 
-#define AXISCERT_NUMBER(name, type)  \
-  struct name : Plain {              \
-    template <class Base>            \
-    using Number = type;             \
-    template <class Base>            \
-    using Unbounded = Number<Base>;  \
+#define AXISCERT_NUMBER(name, type) \
+  struct name : Plain {             \
+    template <class Base>           \
+    using Number = type;            \
+    template <class Base>           \
+    using Unbounded = Number<Base>; \
   }
 AXISCERT_NUMBER(FusedProducts, Fused<Base>);
 AXISCERT_NUMBER(KahanProducts, Kahan<Base>);
@@ -117,10 +117,10 @@ enum class Arithmetic : std::uint8_t {
 
 template <Arithmetic a>
 struct ArithmeticTypeOf;
-#define AXISCERT_TYPE(name, type_, summary)    \
-  template <>                                  \
-  struct ArithmeticTypeOf<Arithmetic::name> {  \
-    using type = arithmetic::type_;            \
+#define AXISCERT_TYPE(name, type_, summary)   \
+  template <>                                 \
+  struct ArithmeticTypeOf<Arithmetic::name> { \
+    using type = arithmetic::type_;           \
   };
 AXISCERT_ARITHMETICS(AXISCERT_TYPE)
 #undef AXISCERT_TYPE

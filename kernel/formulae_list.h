@@ -17,26 +17,26 @@
 //   rung     sixteen comparisons whose signs are those of the published ones on every query, where they are defined
 //   variant  sixteen comparisons of its own
 //   method   a verdict, with no comparison to name
-#define AXISCERT_FORMULAE(X)                                   \
-  X(published, portable::Published, rung)                      \
-  X(ladder_0, rungs::Ladder0, rung)                            \
-  X(ladder_1, rungs::Ladder1, rung)                            \
-  X(ladder_2, rungs::Ladder2, rung)                            \
-  X(ladder_3, rungs::Ladder3, rung)                            \
-  X(ladder_4, rungs::Ladder4, rung)                            \
-  X(ladder_5, rungs::Ladder5, rung)                            \
-  X(ladder_6, rungs::Ladder6, rung)                            \
-  X(ladder_7, rungs::Ladder7, rung)                            \
-  X(ladder_8, rungs::Ladder8, rung)                            \
-  X(ladder_9, rungs::Ladder9, rung)                            \
-  X(reduced, portable::Reduced, rung)                          \
-  X(reduced_by_ends, portable::ReducedByEnds, rung)            \
-  X(reduced_determinant, portable::ReducedDeterminant, rung)   \
-  X(reduced_shared, portable::ReducedShared, rung)             \
-  X(first_publication, rungs::FirstPublication, variant)       \
-  X(vertex_typo, rungs::VertexTypo, variant)                   \
-  X(segments, methods::Segments, variant)                      \
-  X(minkowski, methods::Minkowski, method)                     \
+#define AXISCERT_FORMULAE(X)                                 \
+  X(published, portable::Published, rung)                    \
+  X(ladder_0, rungs::Ladder0, rung)                          \
+  X(ladder_1, rungs::Ladder1, rung)                          \
+  X(ladder_2, rungs::Ladder2, rung)                          \
+  X(ladder_3, rungs::Ladder3, rung)                          \
+  X(ladder_4, rungs::Ladder4, rung)                          \
+  X(ladder_5, rungs::Ladder5, rung)                          \
+  X(ladder_6, rungs::Ladder6, rung)                          \
+  X(ladder_7, rungs::Ladder7, rung)                          \
+  X(ladder_8, rungs::Ladder8, rung)                          \
+  X(ladder_9, rungs::Ladder9, rung)                          \
+  X(reduced, portable::Reduced, rung)                        \
+  X(reduced_by_ends, portable::ReducedByEnds, rung)          \
+  X(reduced_determinant, portable::ReducedDeterminant, rung) \
+  X(reduced_shared, portable::ReducedShared, rung)           \
+  X(first_publication, rungs::FirstPublication, variant)     \
+  X(vertex_typo, rungs::VertexTypo, variant)                 \
+  X(segments, methods::Segments, variant)                    \
+  X(minkowski, methods::Minkowski, method)                   \
   X(closest_point, methods::ClosestPoint, method)
 
 namespace axiscert {
@@ -61,10 +61,10 @@ constexpr bool has_comparisons(Formulae f) { return f != Formulae::none && kind_
 
 template <Formulae f>
 struct FormulaeTypeOf;
-#define AXISCERT_TYPE(name, type_, kind)       \
-  template <>                                  \
-  struct FormulaeTypeOf<Formulae::name> {      \
-    using type = type_;                        \
+#define AXISCERT_TYPE(name, type_, kind)  \
+  template <>                             \
+  struct FormulaeTypeOf<Formulae::name> { \
+    using type = type_;                   \
   };
 AXISCERT_FORMULAE(AXISCERT_TYPE)
 #undef AXISCERT_TYPE

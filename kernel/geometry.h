@@ -5,9 +5,9 @@
 // A number type may replace these by static members `dot`, `cross`, `times_square` and `translated` of its own: that is
 // how an arithmetic (fused, compensated, another order) is put under an unchanged formula.
 //
-// Included once by ordinary code, and again by each simd_*.cpp, which defines AXISCERT_PER_TARGET, for each of Highway's
-// instruction sets: the functions must carry that set's target attribute to be inlined. Hence no guard in that case,
-// and a namespace by target.
+// Included once by ordinary code, and again by each simd_*.cpp, which defines AXISCERT_PER_TARGET, for each of
+// Highway's instruction sets: the functions must carry that set's target attribute to be inlined. Hence no guard in
+// that case, and a namespace by target.
 #if defined(AXISCERT_PER_TARGET) || !defined(AXISCERT_KERNEL_GEOMETRY_H)
 #define AXISCERT_KERNEL_GEOMETRY_H
 

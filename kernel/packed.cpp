@@ -47,8 +47,8 @@ PackedSides<Real> packed_sides(const Query<Real>& q) {
   const auto from = lanes(A, B, C, A), to = lanes(B, C, A, A), opposite = lanes(C, A, B, A), along = to - from;
   const Lanes<Real> radius{Four<Real>{rr, rr, rr, rr}};
   const Four<Real> zero{};
-  const Lanes<Real> squares = dot(from, from);   // aa, bb, cc
-  const Lanes<Real> products = dot(from, to);    // ab, bc, ca
+  const Lanes<Real> squares = dot(from, from);  // aa, bb, cc
+  const Lanes<Real> products = dot(from, to);   // ab, bc, ca
   const Lanes<Real> t = products - squares, lengths = dot(along, along);
   const auto Q = from * lengths - along * t;
   const Lanes<Real> distances = dot(Q, Q), bounds = portable::times_square(radius, lengths);

@@ -16,8 +16,8 @@ struct ReferenceTable {
   std::array<ReferenceFunction<double>, formulae_count> binary64{};
 };
 
-// Translated to the sphere's centre, and scaled by the power of two that brings the greatest number to [1, 2). Exact, but
-// for the translation and for numbers 2^126 times less than the greatest.
+// Translated to the sphere's centre, and scaled by the power of two that brings the greatest number to [1, 2). Exact,
+// but for the translation and for numbers 2^126 times less than the greatest.
 template <class Real>
 Query<Real> prescaled(const Query<Real>& q) {
   const Query<Real> moved{q.a - q.p, q.b - q.p, q.c - q.p, {0, 0, 0}, q.r};
@@ -75,8 +75,9 @@ constexpr ReferenceTable reference_table() {
       if constexpr (A::in_binary64) table.binary64[i] = reference_in_environment<F, A, double>;
     }
   };
-  [&]<std::size_t... i>(std::index_sequence<i...>) { (fill.template operator()<i>(), ...); }
-  (std::make_index_sequence<formulae_count>());
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    (fill.template operator()<i>(), ...);
+  }(std::make_index_sequence<formulae_count>());
   return table;
 }
 

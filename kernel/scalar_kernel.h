@@ -8,8 +8,11 @@ namespace axiscert {
 template <class Real>
 AXISCERT_INLINE Query<Real> query_at(const QueryColumns<Real>& batch, std::size_t i) {
   const auto& k = batch.column;
-  return {{k[0][i], k[1][i], k[2][i]}, {k[3][i], k[4][i], k[5][i]}, {k[6][i], k[7][i], k[8][i]},
-          {k[9][i], k[10][i], k[11][i]}, k[12][i]};
+  return {{k[0][i], k[1][i], k[2][i]},
+          {k[3][i], k[4][i], k[5][i]},
+          {k[6][i], k[7][i], k[8][i]},
+          {k[9][i], k[10][i], k[11][i]},
+          k[12][i]};
 }
 
 // Verdicts by the plain formulae, in a loop that the compiler sees whole: what is timed.

@@ -6,8 +6,8 @@
 namespace axiscert {
 namespace {
 
-// Calls visit(name) with each instruction set chosen, best first. Highway keeps its choice in a global: it is left as it
-// was.
+// Calls visit(name) with each instruction set chosen, best first. Highway keeps its choice in a global: it is left as
+// it was.
 template <class Visit>
 void for_each_simd_target(Visit&& visit) {
   // HWY_SCALAR is no instruction set: the scalar reference stands for it.

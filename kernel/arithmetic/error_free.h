@@ -1,5 +1,5 @@
-// Arithmetic that keeps some of its rounding errors, by error-free transformations (Ogita, Rump and Oishi, "Accurate sum
-// and dot product", 2005).
+// Arithmetic that keeps some of its rounding errors, by error-free transformations (Ogita, Rump and Oishi, "Accurate
+// sum and dot product", 2005).
 #pragma once
 
 #include "kernel/arithmetic/fused.h"

@@ -20,7 +20,8 @@ struct Fused : Number<Fused<Base>, Base> {
   }
 };
 
-// a b + c d with an error of 1.5 ulp: W. Kahan's algorithm (analysed by Jeannerod, Louvet and Muller, Math. Comp. 2013).
+// a b + c d with an error of 1.5 ulp: W. Kahan's algorithm (analysed by Jeannerod, Louvet and Muller, Math. Comp.
+// 2013).
 template <class Base>
 Base kahan_sum(const Base& a, const Base& b, const Base& c, const Base& d) {
   const Base product = c * d;

@@ -1,5 +1,5 @@
-// A reader's variant of the test: the edge axes through the closest point of each *segment*, which makes the vertex axes
-// superfluous. Seven comparisons; the vertex ones are emitted as 0 > 0, which never holds.
+// A reader's variant of the test: the edge axes through the closest point of each *segment*, which makes the vertex
+// axes superfluous. Seven comparisons; the vertex ones are emitted as 0 > 0, which never holds.
 //
 // Source: the discussion below C. Ericson, "Optimizing a sphere-triangle intersection test" (2010), comment 4.
 #pragma once

@@ -1,9 +1,9 @@
 // One rung after the article: the edge axes at degree 4 in place of 6, with the signs of the published pair on every
 // input.
 //
-// With N = A x B = A x AB, Q = A e - AB d and e = |AB|^2:  Q.Q = e |N|^2  and  Q.QC = -e (N.V).  Where e > 0 both factors
-// e drop out of the comparisons; where e = 0, AB and N vanish and all four sides are zero, in the published pair too.
-// Also d = A.V = det(A, B, C) = C.(A x B)  and  V = A x B + B x C + C x A.
+// With N = A x B = A x AB, Q = A e - AB d and e = |AB|^2:  Q.Q = e |N|^2  and  Q.QC = -e (N.V).  Where e > 0 both
+// factors e drop out of the comparisons; where e = 0, AB and N vanish and all four sides are zero, in the published
+// pair too. Also d = A.V = det(A, B, C) = C.(A x B)  and  V = A x B + B x C + C x A.
 #if defined(AXISCERT_PER_TARGET) || !defined(AXISCERT_KERNEL_RUNGS_REDUCED_H)
 #define AXISCERT_KERNEL_RUNGS_REDUCED_H
 
@@ -14,7 +14,8 @@ AXISCERT_BEFORE_NAMESPACE();
 namespace axiscert {
 namespace AXISCERT_TARGET {
 
-// How N of an edge is computed: along the edge loses nothing to the distance from the sphere, by its ends can be shared.
+// How N of an edge is computed: along the edge loses nothing to the distance from the sphere, by its ends can be
+// shared.
 enum class EdgeNormal { along, by_ends };
 // How the plane's normal V and offset d are computed. `shared` takes both from the edges' normals by their ends.
 enum class PlaneTerms { published, determinant, shared };
@@ -39,7 +40,9 @@ struct ReducedForm {
     };
     const Vec3<T> N1 = normal(A, B, AB), N2 = normal(B, C, BC), N3 = normal(C, A, CA);
     const Vec3<T> V = plane == PlaneTerms::shared ? (N1 + N2) + N3 : cross(AB, C - A);
-    const T d = plane == PlaneTerms::published ? dot(A, V) : plane == PlaneTerms::shared ? dot(C, N1) : dot(C, cross(A, B));
+    const T d = plane == PlaneTerms::published ? dot(A, V)
+                : plane == PlaneTerms::shared  ? dot(C, N1)
+                                               : dot(C, cross(A, B));
     emit(plane_radius, d * d, rr * dot(V, V));
 
     const T aa = dot(A, A), ab = dot(A, B), ac = dot(A, C);

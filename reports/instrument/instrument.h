@@ -1,0 +1,49 @@
+// What a measuring subcommand (`ladder`, `precision`, ...) shows: tables, plots and notes, for the terminal and for a page,
+// beside the same figures as JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/json.h"
+
+namespace axiscert {
+
+// A cell is text that is ready to read; numbers are aligned right.
+struct InstrumentTable {
+  std::string caption;
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+
+struct InstrumentSeries {
+  std::string name;
+  std::vector<std::pair<double, double>> points;  // finite; none at or below 0 on a logarithmic axis
+  std::vector<std::string> labels;                // one a point, or none
+};
+
+struct InstrumentPlot {
+  enum class Kind { line, scatter };
+  std::string caption, x_label, y_label;
+  Kind kind = Kind::line;
+  bool x_log = false, y_log = false;
+  std::vector<InstrumentSeries> series;
+};
+
+struct InstrumentReport {
+  std::string name;     // of the subcommand
+  std::string title;
+  std::string command;  // that makes it again
+  std::vector<std::string> notes;  // what was measured, in which units, and what it does not cover; one paragraph each
+  std::vector<InstrumentTable> tables;
+  std::vector<InstrumentPlot> plots;
+  Json data;  // every figure, by name
+};
+
+// The tables as aligned columns, and the notes.
+std::string instrument_text(const InstrumentReport& report);
+// One self-contained HTML file, for a browser without a network.
+std::string instrument_page(const InstrumentReport& report);
+
+}  // namespace axiscert
