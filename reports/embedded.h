@@ -7,6 +7,7 @@ namespace axiscert::embedded {
 
 extern const std::string_view record_schema_json, run_schema_json;
 extern const std::string_view report_html, report_css;
+extern const std::string_view instrument_html, instrument_js, chart_min_js;  // the last is Chart.js, MIT licence
 extern const std::string_view table_js, results_js, witnesses_js, report_js;
 
 }  // namespace axiscert::embedded

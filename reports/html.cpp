@@ -7,6 +7,7 @@
 #include "kernel/names.h"
 #include "reports/embedded.h"
 #include "reports/format.h"
+#include "reports/page_template.h"
 #include "reports/reproduce.h"
 #include "reports/requirement.h"
 #include "reports/summary.h"
@@ -15,24 +16,6 @@ namespace axiscert {
 namespace {
 
 constexpr std::size_t witness_limit = 200;
-
-// JSON that stays JSON inside a script element, whatever its strings hold. These characters occur in strings only.
-std::string inert(const Json& data) {
-  std::string text;
-  const std::string json = data.dump();
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const bool is_separator =
-        json.compare(i, 2, "\xE2\x80") == 0 && i + 2 < json.size() && (json[i + 2] == '\xA8' || json[i + 2] == '\xA9');
-    if (json[i] == '<') text += "\\u003c";
-    else if (json[i] == '>') text += "\\u003e";
-    else if (json[i] == '&') text += "\\u0026";
-    else if (is_separator) {
-      text += json[i + 2] == '\xA8' ? "\\u2028" : "\\u2029";
-      i += 2;
-    } else text += json[i];
-  }
-  return text;
-}
 
 // What the schema says of each counter: the page's column notes.
 Json notes() {
@@ -124,22 +107,12 @@ Json page_data(const Run& run) {
 }
 
 std::string render(const Run& run) {
-  const std::string data = inert(page_data(run));
-  const std::pair<std::string_view, std::string> parts[] = {
+  const std::pair<std::string_view, std::string> places[] = {
       {"/*CSS*/", std::string(embedded::report_css)},
-      {"/*DATA*/", data},
+      {"/*DATA*/", inert_json(page_data(run))},
       {"/*JS*/", fmt::format("{}\n{}\n{}\n{}", embedded::table_js, embedded::results_js, embedded::witnesses_js,
                              embedded::report_js)}};
-  // Places are found in the template only, in its order, so that nothing in the data is taken for one.
-  std::string page;
-  std::string_view rest = embedded::report_html;
-  for (const auto& [place, text] : parts) {
-    const std::size_t at = rest.find(place);
-    if (at == rest.npos) throw std::logic_error(fmt::format("report.html has no place {}", place));
-    page.append(rest.substr(0, at)).append(text);
-    rest.remove_prefix(at + place.size());
-  }
-  return page.append(rest);
+  return filled(embedded::report_html, places);
 }
 
 }  // namespace

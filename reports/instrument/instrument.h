@@ -1,5 +1,5 @@
-// What a measuring subcommand (`ladder`, `precision`, ...) shows: tables, plots and notes, for the terminal and for a page,
-// beside the same figures as JSON.
+// What a measuring subcommand (`ladder`, `precision`, ...) shows: tables, plots and notes, for the terminal and for a
+// page, beside the same figures as JSON.
 #pragma once
 
 #include <optional>
@@ -32,15 +32,17 @@ struct InstrumentPlot {
 };
 
 struct InstrumentReport {
-  std::string name;     // of the subcommand
+  std::string name;  // of the subcommand
   std::string title;
-  std::string command;  // that makes it again
+  std::string command;             // that makes it again
   std::vector<std::string> notes;  // what was measured, in which units, and what it does not cover; one paragraph each
   std::vector<InstrumentTable> tables;
   std::vector<InstrumentPlot> plots;
   Json data;  // every figure, by name
 };
 
+// Whether a cell is one number, perhaps with a sign: such cells are aligned right.
+bool is_number(const std::string& cell);
 // The tables as aligned columns, and the notes.
 std::string instrument_text(const InstrumentReport& report);
 // One self-contained HTML file, for a browser without a network.

@@ -1,8 +1,87 @@
-// An instrument's page.
+// An instrument's page: tables as HTML, plots drawn by Chart.js from the figures beneath them.
+#include <fmt/format.h>
+
+#include "reports/embedded.h"
 #include "reports/instrument/instrument.h"
+#include "reports/page_template.h"
 
 namespace axiscert {
+namespace {
 
-std::string instrument_page(const InstrumentReport& report) { return instrument_text(report); }
+std::string cells(const std::vector<std::string>& row, const char* tag) {
+  std::string html;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const char* element = i == 0 ? "th" : tag;
+    const bool number = is_number(row[i]);
+    html += fmt::format("<{0}{1}>{2}</{0}>", element, i > 0 && number ? " class=\"n\"" : "", html_text(row[i]));
+  }
+  return html;
+}
+
+std::string table_html(const InstrumentTable& table) {
+  std::string html = fmt::format(
+      "<section><h2>{}</h2>\n<div class=\"scroll\" tabindex=\"0\"><table><thead><tr>{}</tr></thead>"
+      "<tbody>\n",
+      html_text(table.caption), cells(table.columns, "th"));
+  for (const auto& row : table.rows) html += fmt::format("<tr>{}</tr>\n", cells(row, "td"));
+  return html + "</tbody></table></div></section>\n";
+}
+
+// The figures of a plot, for a reader without a picture of it.
+std::string figures_html(const InstrumentPlot& plot) {
+  std::string html = fmt::format(
+      "<details><summary>The figures</summary><table><thead><tr><th>series</th><th>{}</th>"
+      "<th>{}</th></tr></thead><tbody>",
+      html_text(plot.x_label), html_text(plot.y_label));
+  for (const InstrumentSeries& series : plot.series) {
+    for (std::size_t i = 0; i < series.points.size(); ++i) {
+      const std::string& label = i < series.labels.size() ? series.labels[i] : series.name;
+      html += fmt::format("<tr><th>{}</th><td class=\"n\">{:.6g}</td><td class=\"n\">{:.6g}</td></tr>\n",
+                          html_text(label), series.points[i].first, series.points[i].second);
+    }
+  }
+  return html + "</tbody></table></details>";
+}
+
+std::string plot_html(const InstrumentPlot& plot) {
+  return fmt::format(
+      "<section><h2>{0}</h2>\n<div class=\"plot\"><canvas role=\"img\" aria-label=\"{0}\"></canvas></div>\n{1}"
+      "</section>\n",
+      html_text(plot.caption), figures_html(plot));
+}
+
+Json plot_data(const InstrumentPlot& plot) {
+  Json data = {{"kind", plot.kind == InstrumentPlot::Kind::line ? "line" : "scatter"},
+               {"x", {{"label", plot.x_label}, {"log", plot.x_log}}},
+               {"y", {{"label", plot.y_label}, {"log", plot.y_log}}},
+               {"series", Json::array()}};
+  for (const InstrumentSeries& series : plot.series) {
+    data["series"].push_back({{"name", series.name}, {"points", series.points}, {"labels", series.labels}});
+  }
+  return data;
+}
+
+}  // namespace
+
+std::string instrument_page(const InstrumentReport& report) {
+  std::string notes, body;
+  for (const std::string& note : report.notes) notes += fmt::format("<p class=\"lead\">{}</p>\n", html_text(note));
+  Json plots = Json::array();
+  for (const InstrumentPlot& plot : report.plots) {
+    body += plot_html(plot);
+    plots.push_back(plot_data(plot));
+  }
+  for (const InstrumentTable& table : report.tables) body += table_html(table);
+  const std::pair<std::string_view, std::string> places[] = {
+      {"<!--TITLE-->", html_text(report.title)},
+      {"/*CSS*/", std::string(embedded::report_css)},
+      {"<!--HEADING-->", html_text(report.title)},
+      {"<!--COMMAND-->", html_text(report.command)},
+      {"<!--NOTES-->", notes},
+      {"<!--BODY-->", body},
+      {"/*DATA*/", inert_json(plots)},
+      {"/*JS*/", fmt::format("{}\n{}", embedded::chart_min_js, embedded::instrument_js)}};
+  return filled(embedded::instrument_html, places);
+}
 
 }  // namespace axiscert

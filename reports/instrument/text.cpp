@@ -9,10 +9,6 @@
 namespace axiscert {
 namespace {
 
-bool is_number(const std::string& cell) {
-  return !cell.empty() && (std::isdigit(static_cast<unsigned char>(cell[0])) || cell[0] == '-' || cell[0] == '+');
-}
-
 std::string table_text(const InstrumentTable& table) {
   std::vector<std::size_t> widths;
   for (const std::string& column : table.columns) widths.push_back(column.size());
@@ -35,6 +31,10 @@ std::string table_text(const InstrumentTable& table) {
 }
 
 }  // namespace
+
+bool is_number(const std::string& cell) {
+  return !cell.empty() && (std::isdigit(static_cast<unsigned char>(cell[0])) || cell[0] == '-' || cell[0] == '+');
+}
 
 std::string instrument_text(const InstrumentReport& report) {
   std::string text = report.title + "\n\n";

@@ -1,0 +1,46 @@
+// An instrument's text and page.
+#include "reports/instrument/instrument.h"
+
+#include <gtest/gtest.h>
+
+namespace axiscert {
+namespace {
+
+InstrumentReport hostile_report() {
+  InstrumentReport report;
+  report.name = "ladder";
+  report.title = "A <title> & more";
+  report.command = "axiscert ladder --kernel '</script>'";
+  report.notes = {"In ulps; </section> is text."};
+  report.tables = {{"Errors <u>", {"kernel", "error"}, {{"published", "1.5"}, {"/*JS*/", "-12.25"}}}};
+  InstrumentPlot plot;
+  plot.caption = "A plot";
+  plot.x_label = "p";
+  plot.y_label = "flips";
+  plot.series = {{"</script><script>alert(1)", {{1, 2}, {3, 4}}, {}}};
+  report.plots = {plot};
+  return report;
+}
+
+TEST(InstrumentText, AlignsNumbersRightAndNamesLeft) {
+  EXPECT_NE(instrument_text(hostile_report()).find("  published     1.5\n  /*JS*/     -12.25\n"), std::string::npos)
+      << instrument_text(hostile_report());
+}
+
+TEST(InstrumentPage, KeepsWhatItIsGivenAsText) {
+  const std::string page = instrument_page(hostile_report());
+  EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+  EXPECT_EQ(page.find("<title>A <title>"), std::string::npos);
+  EXPECT_NE(page.find("<h1>A &lt;title&gt; &amp; more</h1>"), std::string::npos);
+  EXPECT_NE(page.find("<th>/*JS*/</th><td class=\"n\">-12.25</td>"), std::string::npos);
+  EXPECT_NE(page.find("drawPlots();"), std::string::npos) << "the script stands in its own place";
+}
+
+TEST(InstrumentPage, NeedsNothingFromANetwork) {
+  const std::string page = instrument_page(hostile_report());
+  EXPECT_EQ(page.find("src="), std::string::npos);
+  EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace axiscert
