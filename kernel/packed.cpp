@@ -1,5 +1,9 @@
 #include "kernel/packed.h"
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 #include "kernel/scalar_kernel.h"
 
 namespace axiscert {
@@ -65,17 +69,47 @@ PackedSides<Real> packed_sides(const Query<Real>& q) {
   return packed;
 }
 
+// Bit k: lhs > rhs in lane k.
+template <class Real>
+unsigned greater_mask(const Four<Real>& lhs, const Four<Real>& rhs) {
+#if defined(__SSE2__)
+  if constexpr (sizeof(Real) == 4) {
+    return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(lhs > rhs)));
+  } else {
+    const auto half = [&](int k) {
+      return static_cast<unsigned>(
+          _mm_movemask_pd(_mm_cmpgt_pd(__m128d{lhs[k], lhs[k + 1]}, __m128d{rhs[k], rhs[k + 1]})));
+    };
+    return half(0) | half(2) << 2;
+  }
+#else
+  unsigned mask = 0;
+  for (int k = 0; k < 4; ++k) mask |= static_cast<unsigned>(lhs[k] > rhs[k]) << k;
+  return mask;
+#endif
+}
+
+// By compare and mask, the comparisons that hold.
+constexpr auto bits_of_mask = [] {
+  std::array<std::array<ComparisonBits, 16>, 4> bits{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (unsigned mask = 0; mask < 16; ++mask) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        if ((mask >> k) & 1u) bits[i][mask] |= static_cast<ComparisonBits>(1u << static_cast<unsigned>(layout[i][k]));
+      }
+    }
+  }
+  return bits;
+}();
+
 template <Strictness strictness, class Real>
 ComparisonBits packed_bits(const PackedSides<Real>& sides) {
-  ComparisonBits bits = 0;
-  for (int i = 0; i < 4; ++i) {
-    // The first compare has radius comparisons only, the others one, in the last lane.
-    const auto greater = sides.lhs[i] > sides.rhs[i], less = sides.rhs[i] > sides.lhs[i];
-    for (int k = 0; k < 4; ++k) {
-      const bool radius = i == 0 || k == 3;
-      const bool holds = strictness == Strictness::strict || radius ? greater[k] != 0 : less[k] == 0;
-      bits |= static_cast<ComparisonBits>(holds << static_cast<int>(layout[i][k]));
-    }
+  ComparisonBits bits = bits_of_mask[0][greater_mask<Real>(sides.lhs[0], sides.rhs[0])];
+  for (std::size_t i = 1; i < 4; ++i) {
+    unsigned mask = greater_mask<Real>(sides.lhs[i], sides.rhs[i]);
+    // Three sides, and in the last lane a radius comparison, which stays strict.
+    if (strictness != Strictness::strict) mask = (mask & 8u) | (~greater_mask<Real>(sides.rhs[i], sides.lhs[i]) & 7u);
+    bits |= bits_of_mask[i][mask];
   }
   return bits;
 }

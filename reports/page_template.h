@@ -14,8 +14,8 @@ namespace axiscert {
 std::string inert_json(const Json& data);
 // Text as the content of an HTML element.
 std::string html_text(std::string_view text);
-// The template with each place replaced by its text. Places are found in the template only, in its order, so that nothing in
-// the data is taken for one. Throws std::logic_error for a place that it does not have.
+// The template with each place replaced by its text. Places are found in the template only, in its order, so that
+// nothing in the data is taken for one. Throws std::logic_error for a place that it does not have.
 std::string filled(std::string_view page_template, std::span<const std::pair<std::string_view, std::string>> places);
 
 }  // namespace axiscert
