@@ -13,10 +13,8 @@ struct Timed {
   Implementation<Real> implementation;
   std::vector<double> ns;  // a query, by repetition
 
-  double median() {
-    std::sort(ns.begin(), ns.end());
-    return ns[(ns.size() - 1) / 2];
-  }
+  void sort() { std::sort(ns.begin(), ns.end()); }
+  double median() const { return ns[(ns.size() - 1) / 2]; }
 };
 
 }  // namespace
@@ -54,9 +52,12 @@ std::vector<KernelSpeed> measure_speed(const std::vector<const Kernel*>& kernels
     }
   }
 
+  for (auto* all : {&scalar, &simd}) {
+    for (Timed<Real>& timed : *all) timed.sort();
+  }
   std::vector<KernelSpeed> speeds;
   for (std::size_t k = 0; k < kernels.size(); ++k) {
-    KernelSpeed& speed = speeds.emplace_back(KernelSpeed{scalar[k].median(), std::nullopt});
+    KernelSpeed& speed = speeds.emplace_back(KernelSpeed{scalar[k].median(), scalar[k].ns.front(), std::nullopt});
     if (!simd[k].ns.empty()) speed.best_target = {best, simd[k].median()};
   }
   return speeds;

@@ -13,10 +13,10 @@ namespace axiscert {
 // 2^17 distinct queries of family `general`, more than the caches of one core hold; each kernel answers them once in
 // every repetition, so that what slows the machine down for a while meets all of them.
 inline constexpr std::size_t speed_queries = std::size_t{1} << 17;
-inline constexpr int speed_repetitions = 9;
+inline constexpr int speed_repetitions = 21;
 
 struct KernelSpeed {
-  double scalar_ns = 0;                                       // a query, median of the repetitions
+  double scalar_ns = 0, least_scalar_ns = 0;                  // a query: the median of the repetitions, and the least
   std::optional<std::pair<std::string, double>> best_target;  // the best instruction set, where it has one, and its ns
 };
 

@@ -42,15 +42,26 @@ void count_verdict(KernelAccuracy& into, const Truth& truth, Verdict verdict) {
   into.touching_flips += truth.touching;
 }
 
+// Of these flips, those that range alone explains: the reference has them too, an unbounded exponent has not.
 template <class Real>
-void count_comparisons(KernelAccuracy& into, const Kernel& kernel, const FormulaTruth& exact,
+ComparisonBits flips_by_range(ComparisonBits flips, const Kernel& kernel, ComparisonBits exact, const Query<Real>& q) {
+  if (flips == 0) return 0;
+  const Rounded found = rounded(kernel.formulae, kernel.arithmetic, kernel.strictness, q);
+  return static_cast<ComparisonBits>(flips & (*found.reference.bits ^ exact) & ~(*found.range_free.bits ^ exact));
+}
+
+template <class Real>
+void count_comparisons(KernelAccuracy& into, const Kernel& kernel, const FormulaTruth& truth, const Query<Real>& q,
                        const Answered<Real>& answered, std::size_t i) {
-  const ComparisonBits computed = answered.answers.bits[i], flips = computed ^ exact.bits(kernel.strictness);
+  const ComparisonBits computed = answered.answers.bits[i], exact = truth.bits(kernel.strictness);
+  const auto flips = static_cast<ComparisonBits>(computed ^ exact);
+  const ComparisonBits by_range = flips_by_range(flips, kernel, exact, q);
   for (std::size_t k = 0; k < comparison_count; ++k) {
     ComparisonAccuracy& comparison = into.comparisons[k];
     if ((flips >> k) & 1u) ++((computed >> k) & 1u ? comparison.false_separation : comparison.missed_separation);
+    comparison.by_range += (by_range >> k) & 1u;
     if (kernel.exposes != Exposure::sides) continue;
-    const ComparisonError error(answered.answers.lhs[k][i], answered.answers.rhs[k][i], exact.comparison(k));
+    const ComparisonError error(answered.answers.lhs[k][i], answered.answers.rhs[k][i], truth.comparison(k));
     switch (error.kind()) {
       case ComparisonError::Kind::range_event:
         ++comparison.range_events;
@@ -95,7 +106,7 @@ void judge_block(const LadderPlan& plan, const Source& source, std::uint64_t fir
     if (position % critical_radius_stride == 0) distance = squared_distance(q);
     for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
       count_verdict(into[k], truth, answered[k].verdicts[i]);
-      count_comparisons(into[k], *plan.kernels[k], *claims.sides(plan.kernels[k]->formulae), answered[k], i);
+      count_comparisons(into[k], *plan.kernels[k], *claims.sides(plan.kernels[k]->formulae), q, answered[k], i);
       if (distance) count_critical_radius(into[k], answered[k].implementation, q, *distance);
     }
   }
@@ -134,6 +145,7 @@ void measure_range_and_speed(const LadderPlan& plan, std::vector<LadderEntry>& e
 void ComparisonAccuracy::merge(const ComparisonAccuracy& other) {
   false_separation += other.false_separation;
   missed_separation += other.missed_separation;
+  by_range += other.by_range;
   range_events += other.range_events;
   without_scale += other.without_scale;
   errors.merge(other.errors);

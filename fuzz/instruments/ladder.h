@@ -21,11 +21,14 @@ struct LadderPlan {
 // One comparison, or several together, against the kernel's own formulae in exact arithmetic.
 struct ComparisonAccuracy {
   std::uint64_t false_separation = 0, missed_separation = 0;
+  // Of those, the ones that the same operations get right with an unbounded exponent.
+  std::uint64_t by_range = 0;
   // A computed side that is not finite; an error over |l| + |r| = 0. Neither is among the errors.
   std::uint64_t range_events = 0, without_scale = 0;
   ErrorSpread errors;  // none where the kernel does not show its sides
 
   std::uint64_t sign_errors() const { return false_separation + missed_separation; }
+  std::uint64_t rounding_sign_errors() const { return sign_errors() - by_range; }
   void merge(const ComparisonAccuracy& other);
   bool operator==(const ComparisonAccuracy&) const = default;
 };

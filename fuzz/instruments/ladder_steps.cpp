@@ -87,7 +87,7 @@ std::vector<LadderStep> ladder_steps(const std::vector<LadderEntry>& entries) {
 CostliestSteps costliest_steps(const std::vector<LadderEntry>& entries, const std::vector<LadderStep>& steps,
                                AxisKind kind) {
   CostliestSteps costliest;
-  double most_signs = 0, most_error = 0, most_range = 0;
+  double most_signs = 0, most_rounding = 0, most_error = 0, most_range = 0;
   const auto take = [](std::optional<std::size_t>& place, double& most, std::size_t step, double cost) {
     if (!(cost > most)) return;
     most = cost;
@@ -97,8 +97,12 @@ CostliestSteps costliest_steps(const std::vector<LadderEntry>& entries, const st
     const LadderEntry &from = entries[steps[i].from], &to = entries[steps[i].to];
     const ComparisonBits which = comparisons_of_kind(kind);
     const ComparisonAccuracy before = from.all.of(which), after = to.all.of(which);
-    take(costliest.sign_errors, most_signs, i,
-         static_cast<double>(after.sign_errors()) - static_cast<double>(before.sign_errors()));
+    const auto increase = [](std::uint64_t a, std::uint64_t b) {
+      return static_cast<double>(b) - static_cast<double>(a);
+    };
+    take(costliest.sign_errors, most_signs, i, increase(before.sign_errors(), after.sign_errors()));
+    take(costliest.rounding_sign_errors, most_rounding, i,
+         increase(before.rounding_sign_errors(), after.rounding_sign_errors()));
     if (!before.errors.worst().is_zero() && !after.errors.worst().is_zero()) {
       take(costliest.worst_error, most_error, i, log10_of(after.errors.worst()) - log10_of(before.errors.worst()));
     }

@@ -28,9 +28,10 @@ std::vector<LadderStep> ladder_steps(const std::vector<LadderEntry>& entries);
 
 // The step that makes a figure worst, of the steps that worsen it at all.
 struct CostliestSteps {
-  std::optional<std::size_t> sign_errors;  // the greatest increase
-  std::optional<std::size_t> worst_error;  // the greatest factor
-  std::optional<std::size_t> range;        // the most octaves lost
+  std::optional<std::size_t> sign_errors;           // the greatest increase
+  std::optional<std::size_t> rounding_sign_errors;  // that, of those that are not by range
+  std::optional<std::size_t> worst_error;           // the greatest factor
+  std::optional<std::size_t> range;                 // the most octaves lost
 };
 CostliestSteps costliest_steps(const std::vector<LadderEntry>& entries, const std::vector<LadderStep>& steps,
                                AxisKind kind);

@@ -75,6 +75,14 @@ TEST(Ladder, APlantedErrorShowsOnItsAxisAndNowhereElse) {
   EXPECT_LT(radius.errors.worst().value(), 0x1p15);
 }
 
+TEST(Ladder, SignErrorsAreToldApartByRange) {
+  const auto entries = measure_ladder(plan_of({&find_kernel("published")}, {"tangent", "scale"}, 1000));
+  const ComparisonAccuracy tangent = entries[0].by_source[0].of(0xffff), scale = entries[0].by_source[1].of(0xffff);
+  EXPECT_GT(tangent.rounding_sign_errors(), 0u);
+  EXPECT_EQ(tangent.by_range, 0u);
+  EXPECT_GT(scale.by_range, 10 * scale.rounding_sign_errors());
+}
+
 TEST(Ladder, ThreadsChangeNothing) {
   LadderPlan plan = plan_of({&find_kernel("ladder-0"), &find_kernel("reduced-shared")}, {"general", "far"}, 6000);
   plan.threads = 1;
@@ -158,7 +166,7 @@ TEST(LadderSteps, TheFrontHoldsWhatNothingBeats) {
   const double ns[] = {10, 20, 30, 15};
   const std::uint64_t flips[] = {500, 100, 100, 600};
   for (std::size_t i = 0; i < 4; ++i) {
-    entries[i].speed = KernelSpeed{ns[i], std::nullopt};
+    entries[i].speed = KernelSpeed{ns[i], ns[i], std::nullopt};
     entries[i].all.false_contact = flips[i];
   }
   EXPECT_EQ(accuracy_speed_front(entries), (std::vector<std::size_t>{0, 1}));
