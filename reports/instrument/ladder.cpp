@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "fuzz/campaign.h"
 #include "fuzz/instruments/ladder_steps.h"
 
 namespace axiscert {
@@ -22,7 +24,9 @@ std::string quantile(const ComparisonAccuracy& accuracy, unsigned percent) {
   return value ? fmt::format("{:.4g}", *value) : "";
 }
 std::string worst(const ComparisonAccuracy& accuracy) {
-  return accuracy.errors.count() == 0 ? "" : accuracy.errors.worst().text();
+  if (accuracy.errors.count() == 0) return "";
+  const Decimal6 error = accuracy.errors.worst();
+  return std::isfinite(error.value()) ? fmt::format("{:.6g}", error.value()) : error.text();  // six digits: all it has
 }
 std::string text(const std::optional<ExponentWindow>& window) {
   return window ? fmt::format("{}..{}", window->low, window->high) : "none";
@@ -243,7 +247,7 @@ std::vector<std::string> notes(const LadderPlan& plan, const Entries& entries) {
                   "from a change of sign, by 2^m changes no bit of the axis from what an unbounded exponent gives, and "
                   "no side is infinite or NaN. Scanned: {}..{}, beyond which a query cannot be scaled exactly.",
                   scanned.low, scanned.high),
-      fmt::format("The critical radius is found for every {}th query.", 256),
+      fmt::format("The critical radius is found for every {}th query.", critical_radius_stride),
       "The figures are of these queries and bound nothing."};
   if (plan.speed) {
     all.push_back(fmt::format(
