@@ -280,6 +280,52 @@ class Run(Case):
         self.refused("report", self.folder / "nowhere", says=["nowhere"])
 
 
+class Ladder(Case):
+    AXES = ("plane", "vertex_a", "vertex_b", "vertex_c", "edge_ab", "edge_bc", "edge_ca")
+    PLAN = ("ladder", "--trials", 300, "--kernel", "ladder-8", "--kernel", "ladder-9", "--kernel", "reduced",
+            "--kernel", "ladder-9+in-double")
+
+    def test_figures_as_json(self):
+        done = axiscert(*self.PLAN, "--format", "json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        data = json.loads(done.stdout)
+        self.assertEqual([k["id"] for k in data["kernels"]], ["ladder-8", "ladder-9", "reduced", "ladder-9+in-double"])
+        for kernel in data["kernels"]:
+            self.assertEqual(tuple(kernel["axes"]), self.AXES)
+            for axis in kernel["axes"].values():
+                self.assertEqual("worst_u" in axis, kernel["shows_sides"])
+            self.assertEqual(sum(f["queries"] for f in kernel["families"].values()), kernel["queries"])
+        self.assertEqual([(s["from"], s["to"]) for s in data["steps"]],
+                         [("ladder-8", "ladder-9"), ("ladder-9", "reduced"), ("ladder-9", "ladder-9+in-double")])
+        self.assertIn("reduced", data["speed"]["kernels"])
+
+    def test_without_times_it_repeats_to_the_byte(self):
+        first, second = (axiscert(*self.PLAN, "--no-speed", "--format", "json").stdout for _ in range(2))
+        self.assertEqual(first, second)
+        self.assertNotIn("speed", json.loads(first))
+
+    def test_text_has_every_axis_and_out_gets_both_files(self):
+        done = axiscert(*self.PLAN, "--precision", "binary64", "--kernel", "segments", "--no-speed", "--out",
+                        self.folder / "out")
+        self.assertEqual(done.returncode, 2, "in-double is of binary32 alone")
+        self.assertIn("ladder-9+in-double", done.stderr)
+        done = axiscert(*self.PLAN, "--no-speed", "--out", self.folder / "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for axis in self.AXES:
+            self.assertIn(axis, done.stdout)
+        self.assertIn("no sides shown", done.stdout)
+        self.assertTrue(json.loads((self.folder / "out/ladder.json").read_text())["kernels"])
+        self.assertTrue((self.folder / "out/ladder.html").stat().st_size > 0)
+
+    def test_bad_input(self):
+        self.refused("ladder", "--kernel", "nosuch", says=["unknown kernel 'nosuch'", "ladder-9"])
+        self.refused("ladder", "--kernel", "minkowski", says=["minkowski", "only its verdict", "ladder-0"])
+        self.refused("ladder", "--kernel", "minkowski+fma", says=["minkowski"])
+        self.refused("ladder", "--family", "nosuch", says=["unknown family 'nosuch'"])
+        self.refused("ladder", "--precision", "binary16", says=["binary16"])
+        self.refused("ladder", "--trials", "0", says=["--trials"])
+
+
 class Planted(Case):
     """Faults put into the harness itself: it has to catch each and exit 3."""
 

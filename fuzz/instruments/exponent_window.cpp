@@ -1,0 +1,139 @@
+#include "fuzz/instruments/exponent_window.h"
+
+#include <cmath>
+#include <limits>
+
+#include "exact/formula_oracle.h"
+#include "exact/unbounded.h"
+#include "fuzz/family.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::size_t reference_count = 256;
+
+// |l - r| >= (l + r) / 32; both sides are not negative.
+bool far_apart(const Ring& l, const Ring& r) {
+  const Ring difference = (l - r) * Ring(32), sum = l + r;
+  return difference >= sum || -difference >= sum;
+}
+// |cos(u, v)| >= 1/32.
+bool far_from_right_angle(const Vec3<Ring>& u, const Vec3<Ring>& v) {
+  const Ring d = dot(u, v) * Ring(32);
+  return d * d >= dot(u, u) * dot(v, v);
+}
+
+template <class Real>
+bool is_far_from_every_change(const Query<Real>& q) {
+  const auto t = centred_as<Ring>(q, [](Real x) { return Ring(static_cast<double>(x)); });
+  const Vec3<Ring> normal = cross(t.b - t.a, t.c - t.a);
+  const Ring d = dot(t.a, normal);
+  if (!far_apart(d * d, t.rr * dot(normal, normal))) return false;
+  const Vec3<Ring> vertices[] = {t.a, t.b, t.c};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3<Ring>&a = vertices[i], &b = vertices[(i + 1) % 3], &c = vertices[(i + 2) % 3];
+    const Vec3<Ring> along = b - a, edge_normal = cross(a, b);
+    // Side comparisons: the angles at the vertex; and between the planes of the edge with the centre and of ABC.
+    if (!far_apart(dot(a, a), t.rr) || !far_apart(dot(edge_normal, edge_normal), t.rr * dot(along, along)) ||
+        !far_from_right_angle(a, along) || !far_from_right_angle(a, c - a) ||
+        !far_from_right_angle(edge_normal, normal)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <class Real>
+QueryBatch<Real> scaled(const std::vector<Query<Real>>& queries, int exponent) {
+  QueryBatch<Real> batch(queries.size());
+  for (const Query<Real>& q : queries) {
+    auto v = coordinates(q);
+    for (Real& x : v) x = std::ldexp(x, exponent);
+    batch.push_back(from_coordinates(v));
+  }
+  return batch;
+}
+
+// The axes that are as the unbounded exponent has them on every query of the batch.
+template <class Real>
+AxisBits sound_axes(const Kernel& kernel, const Implementation<Real>& implementation, const QueryBatch<Real>& batch,
+                    const std::vector<ComparisonBits>& expected) {
+  Answers<Real> answers;
+  answers.resize(batch.size());
+  implementation.explain(batch.columns(), answers);
+  ComparisonBits broken = 0;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    broken |= static_cast<ComparisonBits>(answers.bits[i] ^ expected[i]);
+    if (kernel.exposes != Exposure::sides) continue;
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      if (!std::isfinite(answers.lhs[k][i]) || !std::isfinite(answers.rhs[k][i])) {
+        broken |= static_cast<ComparisonBits>(1u << k);
+      }
+    }
+  }
+  AxisBits sound = 0;
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    if ((broken & axis_comparisons[i]) == 0) sound |= static_cast<AxisBits>(1u << i);
+  }
+  return sound;
+}
+
+}  // namespace
+
+template <class Real>
+std::vector<Query<Real>> window_queries() {
+  const Family& general = find_family("general");
+  std::vector<Query<Real>> queries;
+  for (std::uint64_t position = 0; queries.size() < reference_count; ++position) {
+    const Query<Real> q = general.make<Real>(1, position);
+    if (is_far_from_every_change(q)) queries.push_back(q);
+  }
+  return queries;
+}
+template std::vector<Query<float>> window_queries<float>();
+template std::vector<Query<double>> window_queries<double>();
+
+// The family's numbers are multiples of u below 2: u 2^m must not be below the least subnormal number, 2 2^m not above
+// the greatest power of two.
+ExponentWindow scanned_exponents(Precision precision) {
+  if (precision == Precision::binary32)
+    return {std::numeric_limits<float>::min_exponent, std::numeric_limits<float>::max_exponent - 1};
+  return {std::numeric_limits<double>::min_exponent, std::numeric_limits<double>::max_exponent - 1};
+}
+
+template <class Real>
+AxisWindows exponent_windows(const Kernel& kernel) {
+  const std::vector<Query<Real>> queries = window_queries<Real>();
+  // Both sides of every comparison are homogeneous, of one degree, and an unbounded exponent rounds 2^k x as it rounds
+  // x: these bits hold at every scale.
+  std::vector<ComparisonBits> expected;
+  for (const Query<Real>& q : queries) {
+    expected.push_back(*unbounded(kernel.formulae, kernel.arithmetic, kernel.strictness, q).bits);
+  }
+  const Implementation<Real> implementation = kernel.on<Real>(scalar_target);
+  const auto sound_at = [&](int m) { return sound_axes(kernel, implementation, scaled(queries, m), expected); };
+  AxisWindows windows;
+  const auto each = [](AxisBits axes, auto&& visit) {
+    for (std::size_t i = 0; i < axis_count; ++i) {
+      if ((axes >> i) & 1u) visit(i);
+    }
+  };
+  const AxisBits at_zero = sound_at(0);
+  each(at_zero, [&](std::size_t i) { windows[i] = ExponentWindow{0, 0}; });
+  const ExponentWindow scanned = scanned_exponents(precision_of<Real>);
+  AxisBits sound = at_zero;
+  for (int m = 1; m <= scanned.high && sound != 0; ++m) {
+    sound &= sound_at(m);
+    each(sound, [&](std::size_t i) { windows[i]->high = m; });
+  }
+  sound = at_zero;
+  for (int m = -1; m >= scanned.low && sound != 0; --m) {
+    sound &= sound_at(m);
+    each(sound, [&](std::size_t i) { windows[i]->low = m; });
+  }
+  return windows;
+}
+template AxisWindows exponent_windows<float>(const Kernel&);
+template AxisWindows exponent_windows<double>(const Kernel&);
+
+}  // namespace axiscert

@@ -1,0 +1,68 @@
+#include "fuzz/instruments/kernel_speed.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "fuzz/family.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+struct Timed {
+  Implementation<Real> implementation;
+  std::vector<double> ns;  // a query, by repetition
+
+  void sort() { std::sort(ns.begin(), ns.end()); }
+  double median() const { return ns[(ns.size() - 1) / 2]; }
+};
+
+}  // namespace
+
+template <class Real>
+std::vector<KernelSpeed> measure_speed(const std::vector<const Kernel*>& kernels) {
+  const std::string best = available_targets().front();
+  std::vector<Timed<Real>> scalar, simd;
+  for (const Kernel* kernel : kernels) {
+    scalar.push_back({kernel->on<Real>(scalar_target), {}});
+    simd.push_back({kernel->has_simd && best != scalar_target ? kernel->on<Real>(best) : Implementation<Real>{}, {}});
+  }
+
+  const Family& general = find_family("general");
+  QueryBatch<Real> batch(speed_queries);
+  for (std::uint64_t position = 0; position < speed_queries; ++position)
+    batch.push_back(general.make<Real>(1, position));
+  std::vector<Verdict> verdicts(speed_queries);
+  const auto time = [&](Timed<Real>& timed) {
+    if (!timed.implementation.verdicts) return;
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    timed.implementation.verdicts(batch.columns(), verdicts.data());
+    const std::chrono::duration<double, std::nano> taken = Clock::now() - start;
+    timed.ns.push_back(taken.count() / static_cast<double>(speed_queries));
+  };
+  for (int repetition = -1; repetition < speed_repetitions; ++repetition) {
+    for (std::size_t k = 0; k < kernels.size(); ++k) {
+      time(scalar[k]);
+      time(simd[k]);
+    }
+    if (repetition >= 0) continue;
+    for (auto* all : {&scalar, &simd}) {  // the first round only brings code and data in
+      for (Timed<Real>& timed : *all) timed.ns.clear();
+    }
+  }
+
+  for (auto* all : {&scalar, &simd}) {
+    for (Timed<Real>& timed : *all) timed.sort();
+  }
+  std::vector<KernelSpeed> speeds;
+  for (std::size_t k = 0; k < kernels.size(); ++k) {
+    KernelSpeed& speed = speeds.emplace_back(KernelSpeed{scalar[k].median(), scalar[k].ns.front(), std::nullopt});
+    if (!simd[k].ns.empty()) speed.best_target = {best, simd[k].median()};
+  }
+  return speeds;
+}
+template std::vector<KernelSpeed> measure_speed<float>(const std::vector<const Kernel*>&);
+template std::vector<KernelSpeed> measure_speed<double>(const std::vector<const Kernel*>&);
+
+}  // namespace axiscert

@@ -1,0 +1,197 @@
+#include "fuzz/instruments/ladder.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_reduce.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact/claim.h"
+#include "exact/critical_radius.h"
+#include "exact/geometric_oracle.h"
+#include "fuzz/campaign.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::uint64_t block_size = 1024;
+
+using Accuracies = std::vector<KernelAccuracy>;  // source by source, in each the kernels
+
+// A kernel on a block of queries.
+template <class Real>
+struct Answered {
+  Implementation<Real> implementation;
+  std::vector<Verdict> verdicts;
+  Answers<Real> answers;
+
+  Answered(const Kernel& kernel, const QueryColumns<Real>& block)
+      : implementation(kernel.on<Real>(scalar_target)), verdicts(block.size) {
+    answers.resize(block.size);
+    implementation.verdicts(block, verdicts.data());
+    implementation.explain(block, answers);
+  }
+};
+
+void count_verdict(KernelAccuracy& into, const Truth& truth, Verdict verdict) {
+  ++into.queries;
+  if (verdict == truth.verdict) return;
+  ++(verdict == Verdict::separated ? into.false_separation : into.false_contact);
+  into.touching_flips += truth.touching;
+}
+
+// Of these flips, those that range alone explains: the reference has them too, an unbounded exponent has not.
+template <class Real>
+ComparisonBits flips_by_range(ComparisonBits flips, const Kernel& kernel, ComparisonBits exact, const Query<Real>& q) {
+  if (flips == 0) return 0;
+  const Rounded found = rounded(kernel.formulae, kernel.arithmetic, kernel.strictness, q);
+  return static_cast<ComparisonBits>(flips & (*found.reference.bits ^ exact) & ~(*found.range_free.bits ^ exact));
+}
+
+template <class Real>
+void count_comparisons(KernelAccuracy& into, const Kernel& kernel, const FormulaTruth& truth, const Query<Real>& q,
+                       const Answered<Real>& answered, std::size_t i) {
+  const ComparisonBits computed = answered.answers.bits[i], exact = truth.bits(kernel.strictness);
+  const auto flips = static_cast<ComparisonBits>(computed ^ exact);
+  const ComparisonBits by_range = flips_by_range(flips, kernel, exact, q);
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    ComparisonAccuracy& comparison = into.comparisons[k];
+    if ((flips >> k) & 1u) ++((computed >> k) & 1u ? comparison.false_separation : comparison.missed_separation);
+    comparison.by_range += (by_range >> k) & 1u;
+    if (kernel.exposes != Exposure::sides) continue;
+    const ComparisonError error(answered.answers.lhs[k][i], answered.answers.rhs[k][i], truth.comparison(k));
+    switch (error.kind()) {
+      case ComparisonError::Kind::range_event:
+        ++comparison.range_events;
+        break;
+      case ComparisonError::Kind::without_scale:
+        ++comparison.without_scale;
+        break;
+      case ComparisonError::Kind::finite:
+        comparison.errors.add(error);
+        break;
+    }
+  }
+}
+
+template <class Real>
+void count_critical_radius(KernelAccuracy& into, const Implementation<Real>& kernel, const Query<Real>& q,
+                           const Rational& squared_distance) {
+  const auto error = critical_radius_error(kernel, q, squared_distance);
+  if (error && std::isfinite(*error)) into.radius_errors_ulps.push_back(*error);
+  else if (error) ++into.radius_unbounded;
+}
+
+// The block of a source from position `first` on; `into` are the kernels on that source.
+template <class Real>
+void judge_block(const LadderPlan& plan, const Source& source, std::uint64_t first, KernelAccuracy* into) {
+  const std::uint64_t size = std::min(block_size, plan.trials - first);
+  QueryBatch<Real> batch(size);
+  for (std::uint64_t i = 0; i < size; ++i) {
+    Query<Real> q;
+    source.make(plan.seed, first + i, q);
+    batch.push_back(q);
+  }
+  std::vector<Answered<Real>> answered;
+  for (const Kernel* kernel : plan.kernels) answered.emplace_back(*kernel, batch.columns());
+  for (std::uint64_t i = 0; i < size; ++i) {
+    const std::uint64_t position = first + i;
+    const Query<Real> q = batch[i];
+    const Truth truth = exact_truth(q, position % second_opinion_stride == 0);
+    if (!truth.formula) continue;
+    Claims<Real> claims(q, *truth.formula);
+    std::optional<Rational> distance;
+    if (position % critical_radius_stride == 0) distance = squared_distance(q);
+    for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+      count_verdict(into[k], truth, answered[k].verdicts[i]);
+      count_comparisons(into[k], *plan.kernels[k], *claims.sides(plan.kernels[k]->formulae), q, answered[k], i);
+      if (distance) count_critical_radius(into[k], answered[k].implementation, q, *distance);
+    }
+  }
+}
+
+Accuracies accuracies(const LadderPlan& plan) {
+  const std::uint64_t blocks = (plan.trials + block_size - 1) / block_size;
+  const Accuracies none(plan.sources.size() * plan.kernels.size());
+  const auto judge = [&](const tbb::blocked_range<std::uint64_t>& range, Accuracies found) {
+    for (std::uint64_t i = range.begin(); i < range.end(); ++i) {
+      const std::uint64_t source = i / blocks, first = i % blocks * block_size;
+      KernelAccuracy* into = found.data() + source * plan.kernels.size();
+      if (plan.precision == Precision::binary32) judge_block<float>(plan, *plan.sources[source], first, into);
+      else judge_block<double>(plan, *plan.sources[source], first, into);
+    }
+    return found;
+  };
+  const auto merge = [](Accuracies a, const Accuracies& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i].merge(b[i]);
+    return a;
+  };
+  return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::uint64_t>(0, plan.sources.size() * blocks, 4), none,
+                                            judge, merge);
+}
+
+template <class Real>
+void measure_range_and_speed(const LadderPlan& plan, std::vector<LadderEntry>& entries) {
+  for (LadderEntry& entry : entries) entry.windows = exponent_windows<Real>(*entry.kernel);
+  if (!plan.speed) return;
+  const std::vector<KernelSpeed> speeds = measure_speed<Real>(plan.kernels);
+  for (std::size_t k = 0; k < entries.size(); ++k) entries[k].speed = speeds[k];
+}
+
+}  // namespace
+
+void ComparisonAccuracy::merge(const ComparisonAccuracy& other) {
+  false_separation += other.false_separation;
+  missed_separation += other.missed_separation;
+  by_range += other.by_range;
+  range_events += other.range_events;
+  without_scale += other.without_scale;
+  errors.merge(other.errors);
+}
+
+ComparisonAccuracy KernelAccuracy::of(ComparisonBits which) const {
+  ComparisonAccuracy sum;
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    if ((which >> i) & 1u) sum.merge(comparisons[i]);
+  }
+  return sum;
+}
+
+void KernelAccuracy::merge(const KernelAccuracy& other) {
+  queries += other.queries;
+  false_separation += other.false_separation;
+  false_contact += other.false_contact;
+  touching_flips += other.touching_flips;
+  for (std::size_t i = 0; i < comparison_count; ++i) comparisons[i].merge(other.comparisons[i]);
+  radius_errors_ulps.insert(radius_errors_ulps.end(), other.radius_errors_ulps.begin(), other.radius_errors_ulps.end());
+  radius_unbounded += other.radius_unbounded;
+}
+
+std::vector<LadderEntry> measure_ladder(const LadderPlan& plan) {
+  std::optional<tbb::global_control> limit;
+  if (plan.threads > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(plan.threads));
+  }
+  tbb::task_arena arena(plan.threads > 0 ? plan.threads : tbb::task_arena::automatic);
+  Accuracies found;
+  arena.execute([&] { found = accuracies(plan); });
+  std::vector<LadderEntry> entries;
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    LadderEntry& entry = entries.emplace_back();
+    entry.kernel = plan.kernels[k];
+    for (std::size_t s = 0; s < plan.sources.size(); ++s) {
+      KernelAccuracy& one = found[s * plan.kernels.size() + k];
+      std::sort(one.radius_errors_ulps.begin(), one.radius_errors_ulps.end());
+      entry.all.merge(one);
+      entry.by_source.push_back(std::move(one));
+    }
+    std::sort(entry.all.radius_errors_ulps.begin(), entry.all.radius_errors_ulps.end());
+  }
+  if (plan.precision == Precision::binary32) measure_range_and_speed<float>(plan, entries);
+  else measure_range_and_speed<double>(plan, entries);
+  return entries;
+}
+
+}  // namespace axiscert
