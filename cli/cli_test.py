@@ -326,6 +326,47 @@ class Ladder(Case):
         self.refused("ladder", "--trials", "0", says=["--trials"])
 
 
+class Precision(Case):
+    KERNELS = ["--kernel", "ladder-0", "--kernel", "published", "--kernel", "nonstrict"]
+
+    def test_figures_for_programs_and_a_page(self):
+        done = axiscert("precision", *self.KERNELS, "--family", "tangent", "--family", "lattice", "--trials", 90,
+                        "--bits", 12, "--bits", 256, "--bits", 24, "--format", "json", "--out", self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figures = json.loads(done.stdout)
+        self.assertEqual(figures["bits"], [12, 24, 256])
+        self.assertEqual(set(figures["families"]), {"tangent", "lattice"})
+        self.assertEqual(figures["all"]["queries"], 180)
+        twelve, single, most = figures["families"]["tangent"]["kernels"]["published"]["precisions"]
+        self.assertGreater(twelve["rounding"], single["rounding"])
+        self.assertEqual(most["unlimited"]["comparisons"]["plane.radius"], 0)
+        plane = figures["sufficient"]["published"]["comparisons"]["plane.radius"]
+        self.assertEqual((plane["degree_lhs"], plane["integer_bits"]), (6, {"per_bit": 6, "constant": 16}))
+        self.assertIsNone(figures["sufficient"]["ladder-0"]["comparisons"]["plane.radius"]["integer_bits"])
+        exact = {k: v["exact"] for k, v in figures["all"]["kernels"].items()}
+        self.assertEqual(exact["published"], exact["ladder-0"])
+        self.assertEqual(exact["nonstrict"], {"false_separation": 0, "false_contact": 0})
+        self.assertEqual(json.loads((self.folder / "precision.json").read_text()), figures)
+        self.assertTrue((self.folder / "precision.html").exists())
+        again = axiscert(*figures["command"].split()[1:], "--format", "json")
+        self.assertEqual(json.loads(again.stdout), figures)
+
+    def test_text(self):
+        done = axiscert("precision", "--family", "general", "--trials", 2, "--precision", "binary64", "--bits", 53)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for part in ("exponents of binary64", "reduced-nonstrict", "6 b + 16", "exact"):
+            self.assertIn(part, done.stdout)
+
+    def test_bad_input(self):
+        for bits in ("1", "300", "-24"):
+            self.refused("precision", "--bits", bits, says=[f"--bits {bits}", "2 to 256"])
+        self.refused("precision", "--bits", "many", says=["--bits", "many"])
+        self.refused("precision", "--kernel", "nosuch", says=["unknown kernel 'nosuch'", "published"])
+        self.refused("precision", "--family", "nosuch", says=["unknown family 'nosuch'"])
+        self.refused("precision", "--precision", "binary16", says=["binary16", "binary64"])
+        self.refused("precision", "--kernel", "published+fma", says=["published+fma", "plain arithmetic"])
+
+
 class Planted(Case):
     """Faults put into the harness itself: it has to catch each and exit 3."""
 

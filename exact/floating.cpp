@@ -6,20 +6,35 @@ namespace {
 thread_local FloatingFormat format;
 thread_local mpfr_rnd_t rounding = MPFR_RNDN;
 
-// MPFR's own exponent range belongs to the thread as well. Its significands lie in [1/2, 1): exponents are one more
-// than IEEE's. The least exponent is that of the least subnormal number of `precision` bits.
+// MPFR's own exponent range belongs to the thread as well. Outside `limit` it is the widest there is, so that a number
+// made from a double is that double even where it lies outside the format's range.
+void set_widest_exponents() {
+  mpfr_set_emin(mpfr_get_emin_min());
+  mpfr_set_emax(mpfr_get_emax_max());
+}
+
 void put_in_force(const FloatingFormat& wanted) {
   constexpr mpfr_rnd_t modes[] = {MPFR_RNDN, MPFR_RNDU, MPFR_RNDD, MPFR_RNDZ};
   format = wanted;
   rounding = modes[static_cast<std::size_t>(wanted.rounding)];
-  if (!wanted.exponents) {
-    mpfr_set_emin(mpfr_get_emin_min());
-    mpfr_set_emax(mpfr_get_emax_max());
-    return;
-  }
-  const bool single = *wanted.exponents == Precision::binary32;
-  mpfr_set_emin((single ? -124 : -1020) - wanted.precision);
-  mpfr_set_emax(single ? 128 : 1024);
+  set_widest_exponents();
+}
+
+// Brings a result with unbounded exponent into the format's range: overflow, and gradual underflow without a second
+// rounding, for which MPFR needs to know on which side of the exact result this one lies (`ternary`). MPFR's
+// significands lie in [1/2, 1): exponents are one more than IEEE's.
+void limit(mpfr_ptr value, int ternary) {
+  const bool single = *format.exponents == Precision::binary32;
+  const mpfr_exp_t least_normal = single ? -125 : -1021, greatest = single ? 128 : 1024;
+  if (!mpfr_regular_p(value)) return;
+  const mpfr_exp_t exponent = mpfr_get_exp(value);
+  if (exponent >= least_normal && exponent <= greatest) return;
+  mpfr_set_emin(least_normal - format.precision + 1);  // of the least subnormal number
+  mpfr_set_emax(greatest);
+  ternary = mpfr_check_range(value, ternary, rounding);
+  mpfr_subnormalize(value, ternary, rounding);
+  if (exponent < least_normal) mpfr_set_underflow();
+  set_widest_exponents();
 }
 
 }  // namespace
@@ -33,7 +48,7 @@ template <class Operation, class... Operands>
 Floating Floating::rounded(Operation operation, const Operands&... operands) {
   Floating result{Uninitialised()};
   const int ternary = operation(result.value_, operands.value_..., rounding);
-  if (format.exponents) mpfr_subnormalize(result.value_, ternary, rounding);
+  if (format.exponents) limit(result.value_, ternary);
   return result;
 }
 

@@ -1,0 +1,173 @@
+#include "fuzz/instruments/precision.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <limits>
+
+#include "exact/at_precision.h"
+#include "exact/claim.h"
+#include "fuzz/campaign.h"
+
+namespace axiscert {
+namespace {
+
+using enum ExponentRange;
+
+constexpr std::size_t block = 32;  // queries; a query costs milliseconds
+
+PrecisionTally empty_tally(const PrecisionPlan& plan) {
+  PrecisionTally tally;
+  tally.kernels.resize(plan.kernels.size());
+  for (KernelPrecision& kernel : tally.kernels) kernel.steps.resize(plan.bits.size());
+  return tally;
+}
+
+void count(VerdictFlips& flips, Verdict found, Verdict truth) {
+  flips.false_separation += found == Verdict::separated && truth == Verdict::contact;
+  flips.false_contact += found == Verdict::contact && truth == Verdict::separated;
+}
+
+void count(PrecisionCounts& counts, const Outcome& found, const Outcome& exact, Verdict truth) {
+  count(counts.verdict, found.verdict, truth);
+  if (!exact.bits) return;
+  const auto flips = static_cast<ComparisonBits>(*found.bits ^ *exact.bits);
+  for (std::size_t i = 0; i < comparison_count; ++i) counts.comparisons[i] += (flips >> i) & 1u;
+}
+
+template <class Real>
+void measure_kernel(const PrecisionPlan& plan, const Kernel& kernel, const Query<Real>& q, const Outcome& exact,
+                    Verdict truth, KernelPrecision& out) {
+  count(out.exact, exact.verdict, truth);
+  for (std::size_t i = 0; i < plan.bits.size(); ++i) {
+    const BothRanges found =
+        at_precision_in_both_ranges(kernel.formulae, kernel.strictness, q, plan.bits[i], plan.precision);
+    if (plan.bits[i] == std::numeric_limits<Real>::digits) {
+      const Outcome reference = axiscert::reference(kernel.formulae, Arithmetic::plain, kernel.strictness, q);
+      if (!(found.limited == reference)) {
+        throw HarnessFault(
+            fmt::format("kernel {}: MPFR at {} bits with the exponents of {} is not the scalar reference", kernel.id,
+                        plan.bits[i], name(plan.precision)));
+      }
+    }
+    PrecisionStep& step = out.steps[i];
+    count(step.ranges[static_cast<std::size_t>(unlimited)], found.unlimited, exact, truth);
+    count(step.ranges[static_cast<std::size_t>(limited)], found.limited, exact, truth);
+    step.rounding += found.unlimited.verdict != exact.verdict;
+    step.range += found.limited.verdict != found.unlimited.verdict;
+  }
+}
+
+template <class Real>
+void measure_query(const PrecisionPlan& plan, const Source& source, std::uint64_t position, PrecisionTally& tally) {
+  Query<Real> q;
+  source.make(plan.seed, position, q);
+  const Truth truth = exact_truth(q, position % second_opinion_stride == 0);
+  if (!truth.formula) return;
+  ++tally.queries;
+  Claims<Real> claims(q, *truth.formula);
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    const Kernel& kernel = *plan.kernels[k];
+    const FormulaTruth* own = claims.sides(kernel.formulae);
+    const Outcome exact =
+        own ? outcome_of(own->bits(kernel.strictness)) : Outcome{exact_verdict(kernel.formulae, q), std::nullopt};
+    measure_kernel(plan, kernel, q, exact, truth.verdict, tally.kernels[k]);
+  }
+}
+
+PrecisionTally measure_source(const PrecisionPlan& plan, const Source& source) {
+  const auto measure_range = [&](const tbb::blocked_range<std::uint64_t>& positions, PrecisionTally tally) {
+    for (std::uint64_t position = positions.begin(); position != positions.end(); ++position) {
+      if (plan.precision == Precision::binary32) measure_query<float>(plan, source, position, tally);
+      else measure_query<double>(plan, source, position, tally);
+    }
+    return tally;
+  };
+  const auto join = [](PrecisionTally a, const PrecisionTally& b) {
+    a.merge(b);
+    return a;
+  };
+  return tbb::parallel_reduce(tbb::blocked_range<std::uint64_t>(0, plan.trials, block), empty_tally(plan),
+                              measure_range, join);
+}
+
+void merge(VerdictFlips& into, const VerdictFlips& other) {
+  into.false_separation += other.false_separation;
+  into.false_contact += other.false_contact;
+}
+
+void merge(PrecisionStep& into, const PrecisionStep& other) {
+  for (std::size_t r = 0; r < into.ranges.size(); ++r) {
+    merge(into.ranges[r].verdict, other.ranges[r].verdict);
+    for (std::size_t i = 0; i < comparison_count; ++i) {
+      into.ranges[r].comparisons[i] += other.ranges[r].comparisons[i];
+    }
+  }
+  into.rounding += other.rounding;
+  into.range += other.range;
+}
+
+// The least of the bits from which on `flips` counts none.
+template <class Flips>
+std::optional<int> sufficient(const PrecisionPlan& plan, const KernelPrecision& kernel, Flips&& flips) {
+  std::optional<int> least;
+  for (std::size_t i = plan.bits.size(); i-- > 0;) {
+    if (flips(kernel.steps[i]) != 0) break;
+    least = plan.bits[i];
+  }
+  return least;
+}
+
+}  // namespace
+
+std::vector<int> default_precision_bits() {
+  return {8, 10, 11, 12, 14, 16, 18, 20, 22, 24, 26, 28, 32, 36, 40, 44, 48, 53, 64, 80, 96, 113, 128, 160, 192, 256};
+}
+
+void KernelPrecision::merge(const KernelPrecision& other) {
+  axiscert::merge(exact, other.exact);
+  for (std::size_t i = 0; i < steps.size(); ++i) axiscert::merge(steps[i], other.steps[i]);
+}
+
+void PrecisionTally::merge(const PrecisionTally& other) {
+  queries += other.queries;
+  for (std::size_t k = 0; k < kernels.size(); ++k) kernels[k].merge(other.kernels[k]);
+}
+
+std::vector<PrecisionTally> measure_precision(const PrecisionPlan& plan) {
+  for (const Kernel* kernel : plan.kernels) {
+    if (kernel->formulae == Formulae::none || kernel->arithmetic != Arithmetic::plain) {
+      throw Error(
+          fmt::format("kernel {}: claims no formulae in plain arithmetic, so there is nothing to evaluate at "
+                      "another precision",
+                      kernel->id));
+    }
+  }
+  std::vector<PrecisionTally> tallies;
+  for (const SourcePtr& source : plan.sources) tallies.push_back(measure_source(plan, *source));
+  return tallies;
+}
+
+PrecisionTally total(const std::vector<PrecisionTally>& tallies) {
+  PrecisionTally sum = tallies.front();
+  for (std::size_t i = 1; i < tallies.size(); ++i) sum.merge(tallies[i]);
+  return sum;
+}
+
+SufficientVerdictBits sufficient_verdict_bits(const PrecisionPlan& plan, const KernelPrecision& kernel) {
+  return {sufficient(plan, kernel, [](const PrecisionStep& step) { return step.in(unlimited).verdict.total(); }),
+          sufficient(plan, kernel, [](const PrecisionStep& step) { return step.rounding; })};
+}
+
+std::optional<int> sufficient_bits(const PrecisionPlan& plan, const KernelPrecision& kernel, ComparisonBits which) {
+  return sufficient(plan, kernel, [which](const PrecisionStep& step) {
+    std::uint64_t flips = 0;
+    for (std::size_t i = 0; i < comparison_count; ++i) {
+      if ((which >> i) & 1u) flips += step.in(unlimited).comparisons[i];
+    }
+    return flips;
+  });
+}
+
+}  // namespace axiscert

@@ -1,0 +1,196 @@
+// Evaluation at any precision: the scalar reference's bits where the formats agree, no flip where the bits suffice, and
+// tallies that depend on the plan alone.
+#include "fuzz/instruments/precision.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <bit>
+#include <limits>
+
+#include "exact/at_precision.h"
+#include "exact/degree.h"
+#include "exact/unbounded.h"
+#include "fuzz/family_testing.h"
+#include "kernel/error.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+class AtPrecisionTest : public testing::Test {};
+TYPED_TEST_SUITE(AtPrecisionTest, Reals);
+
+constexpr std::array<Strictness, 3> strictnesses = {Strictness::strict, Strictness::nonstrict, Strictness::not_less};
+
+// Families in which most operations leave the range take more of the queries.
+template <class Real, class Check>
+void for_each_family(std::uint64_t few, std::uint64_t many, Check&& check) {
+  for (const Family* family : families()) {
+    const bool at_the_ends = family->name == "bits" || family->name == "subnormal" || family->name == "scale";
+    for_each_query<Real>(family->name, at_the_ends ? many : few, check);
+  }
+}
+
+TYPED_TEST(AtPrecisionTest, TheFormatsOwnBitsAndExponentsGiveTheScalarReference) {
+  constexpr int digits = std::numeric_limits<TypeParam>::digits;
+  for_each_family<TypeParam>(100, 1200, [](const Query<TypeParam>& q, std::uint64_t position) {
+    const Strictness strictness = strictnesses[position % 3];
+    for (std::size_t i = 0; i < formulae_count; ++i) {
+      const auto formulae = static_cast<Formulae>(i);
+      const Outcome reference = axiscert::reference(formulae, Arithmetic::plain, strictness, q);
+      EXPECT_EQ(at_precision(formulae, strictness, q, digits, precision_of<TypeParam>), reference) << name(formulae);
+    }
+  });
+}
+
+TYPED_TEST(AtPrecisionTest, UnlimitedExponentsGiveTheUnboundedEvaluation) {
+  constexpr int digits = std::numeric_limits<TypeParam>::digits;
+  for_each_family<TypeParam>(60, 200, [](const Query<TypeParam>& q, std::uint64_t position) {
+    const Strictness strictness = strictnesses[position % 3];
+    for (std::size_t i = 0; i < formulae_count; ++i) {
+      const auto formulae = static_cast<Formulae>(i);
+      EXPECT_EQ(at_precision(formulae, strictness, q, digits, std::nullopt),
+                unbounded(formulae, Arithmetic::plain, strictness, q))
+          << name(formulae);
+    }
+  });
+}
+
+TYPED_TEST(AtPrecisionTest, WhatIsLeftOutWouldRepeat) {
+  for_each_family<TypeParam>(20, 100, [](const Query<TypeParam>& q, std::uint64_t position) {
+    for (const int bits : {8, 24, 53, 113}) {
+      const auto formulae = static_cast<Formulae>(position % formulae_count);
+      const BothRanges both =
+          at_precision_in_both_ranges(formulae, Strictness::strict, q, bits, precision_of<TypeParam>);
+      EXPECT_EQ(both.unlimited, at_precision(formulae, Strictness::strict, q, bits, std::nullopt));
+      EXPECT_EQ(both.limited, at_precision(formulae, Strictness::strict, q, bits, precision_of<TypeParam>));
+    }
+  });
+}
+
+// Planted: one bit less than the format has.
+TYPED_TEST(AtPrecisionTest, OneBitLessIsSeenOnTangent) {
+  constexpr int digits = std::numeric_limits<TypeParam>::digits;
+  int differences = 0, more_flips = 0;
+  for_each_query<TypeParam>("tangent", 2000, [&](const Query<TypeParam>& q, std::uint64_t) {
+    const auto exact = formula_truth(q).strict;
+    const auto bits_at = [&](int bits) {
+      return *at_precision(Formulae::published, Strictness::strict, q, bits, precision_of<TypeParam>).bits;
+    };
+    const auto full = bits_at(digits), less = bits_at(digits - 1);
+    differences += less != full;
+    more_flips +=
+        std::popcount(static_cast<unsigned>(less ^ exact)) - std::popcount(static_cast<unsigned>(full ^ exact));
+  });
+  EXPECT_GT(differences, 50);
+  EXPECT_GT(more_flips, 10);
+}
+
+// The least b for which all coordinates and the radius are integers of b bits, once multiplied by a power of two.
+template <class Real>
+int integer_bits(const Query<Real>& q) {
+  int lowest = std::numeric_limits<int>::max(), highest = std::numeric_limits<int>::min();
+  for (const Real x : coordinates(q)) {
+    if (x == 0) continue;
+    const Rational value = exact(static_cast<double>(std::abs(x)));
+    const auto bits = [](const mpz_class& n) { return static_cast<int>(mpz_sizeinbase(n.get_mpz_t(), 2)); };
+    const int denominator = bits(value.get_den()) - 1;  // a power of two
+    lowest = std::min(lowest, static_cast<int>(mpz_scan1(value.get_num_mpz_t(), 0)) - denominator);
+    highest = std::max(highest, bits(value.get_num()) - denominator);
+  }
+  return lowest > highest ? 1 : highest - lowest;
+}
+
+template <class Real>
+void expect_no_flip_at_the_bit_length(const char* family, std::uint64_t queries) {
+  int comparisons_checked = 0;
+  for_each_query<Real>(family, queries, [&](const Query<Real>& q, std::uint64_t position) {
+    const auto formulae = static_cast<Formulae>(position % formulae_count);
+    const auto degrees = degrees_of(formulae);
+    if (!degrees) return;
+    const ComparisonBits exact = formula_truth(formulae, q).strict;
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      if (!(*degrees)[k].bits) continue;
+      const int bits = std::max(least_bits, (*degrees)[k].bits->at(integer_bits(q)));
+      ASSERT_LE(bits, greatest_bits);
+      const Outcome found = at_precision(formulae, Strictness::strict, q, bits, std::nullopt);
+      EXPECT_EQ((*found.bits >> k) & 1u, (exact >> k) & 1u) << name(formulae) << " " << comparisons[k].name;
+      ++comparisons_checked;
+    }
+  });
+  EXPECT_GT(comparisons_checked, 1000) << family;
+}
+
+// Large ties of binary64 need 6 * 53 + 19 bits, which are more than there are.
+TEST(AtPrecision, IntegersDoNotFlipAtTheRecordedBitLength) {
+  expect_no_flip_at_the_bit_length<float>("lattice", 1000);
+  expect_no_flip_at_the_bit_length<double>("lattice", 1000);
+  expect_no_flip_at_the_bit_length<float>("tie", 1000);
+}
+
+PrecisionPlan plan_of(std::vector<const char*> kernels, std::vector<const char*> families, std::uint64_t trials) {
+  PrecisionPlan plan;
+  plan.trials = trials;
+  for (const char* id : kernels) plan.kernels.push_back(&find_kernel(id));
+  for (const char* family : families) plan.sources.push_back(family_source(find_family(family)));
+  plan.bits = {8, 16, 24, 53, 256};
+  return plan;
+}
+
+TEST(MeasurePrecision, ThreadsChangeNothing) {
+  const PrecisionPlan plan = plan_of({"ladder-0", "ladder-9", "reduced", "minkowski"}, {"tangent", "scale"}, 300);
+  std::vector<std::vector<PrecisionTally>> found;
+  for (const std::size_t threads : {1, 2, 5}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    found.push_back(measure_precision(plan));
+  }
+  EXPECT_EQ(found[0], found[1]);
+  EXPECT_EQ(found[0], found[2]);
+}
+
+TEST(MeasurePrecision, TellsRoundingFromRangeAndBothFromTheFormulae) {
+  const PrecisionPlan plan =
+      plan_of({"ladder-9", "reduced", "nonstrict"}, {"tangent", "scale", "lattice", "nonfinite"}, 600);
+  const auto found = measure_precision(plan);
+  const std::size_t at_24 = 2, at_256 = 4;
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    const KernelPrecision &tangent = found[0].kernels[k], &scale = found[1].kernels[k], &lattice = found[2].kernels[k];
+    EXPECT_GT(tangent.steps[0].rounding, tangent.steps[at_24].rounding);
+    EXPECT_GT(tangent.steps[at_24].rounding, 0u);
+    EXPECT_EQ(tangent.steps[at_24].range, 0u);
+    EXPECT_EQ(scale.steps[at_24].rounding, 0u);
+    EXPECT_GT(scale.steps[at_24].range, 100u);
+    EXPECT_GT(scale.steps[at_256].range, 100u) << "no number of bits mends a range";
+    EXPECT_EQ(lattice.steps[at_256].in(ExponentRange::unlimited).verdict, lattice.exact);
+  }
+  EXPECT_GT(found[2].kernels[0].exact.false_contact, 0u) << "strict sides on degenerate triangles";
+  EXPECT_EQ(found[2].kernels[0].exact, found[2].kernels[1].exact) << "published and reduced agree in exact arithmetic";
+  EXPECT_EQ(found[2].kernels[2].exact.total(), 0u);
+  EXPECT_LT(found[3].queries, plan.trials) << "invalid queries are not counted";
+}
+
+TEST(MeasurePrecision, SufficientBitsAreTheLastRunWithoutAFlip) {
+  PrecisionPlan plan = plan_of({"published"}, {}, 1);
+  KernelPrecision kernel;
+  kernel.steps.resize(plan.bits.size());
+  const auto side_c = static_cast<std::size_t>(Comparison::vertex_a_side_c);
+  auto& flips = kernel.steps[1].ranges[0];
+  flips.comparisons[side_c] = 1;
+  flips.verdict.false_contact = 1;
+  kernel.steps[3].ranges[1].comparisons[side_c] = 1;  // limited exponents do not count
+  kernel.steps[3].rounding = 1;
+  EXPECT_EQ(sufficient_bits(plan, kernel, ComparisonBits{1u << side_c}), 24);
+  EXPECT_EQ(sufficient_bits(plan, kernel, ComparisonBits{1u << (side_c + 1)}), 8);
+  EXPECT_EQ(sufficient_verdict_bits(plan, kernel).verdict, 24);
+  EXPECT_EQ(sufficient_verdict_bits(plan, kernel).own_verdict, 256);
+  kernel.steps[4].ranges[0].comparisons[side_c] = 1;
+  EXPECT_EQ(sufficient_bits(plan, kernel, ComparisonBits{1u << side_c}), std::nullopt);
+}
+
+TEST(MeasurePrecision, AnotherArithmeticIsRefused) {
+  EXPECT_THROW(measure_precision(plan_of({"published+fma"}, {"general"}, 1)), Error);
+}
+
+}  // namespace
+}  // namespace axiscert

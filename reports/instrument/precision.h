@@ -1,0 +1,13 @@
+// The report of `axiscert precision`.
+#pragma once
+
+#include "fuzz/instruments/precision.h"
+#include "reports/instrument/instrument.h"
+
+namespace axiscert {
+
+// `tallies` by source; `command` makes them again.
+InstrumentReport precision_report(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies,
+                                  const std::string& command);
+
+}  // namespace axiscert
