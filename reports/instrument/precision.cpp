@@ -248,8 +248,9 @@ std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& 
                   "checked on every query.",
                   name(plan.precision), own_digits(plan)),
       "A wrong verdict is one that differs from the geometry; the row `exact` has those of the formulae in exact "
-      "arithmetic, which no number of bits mends. Forms of one strictness agree there on every query: that is checked "
-      "as well. A flip of a comparison is a difference from the kernel's own exact sign.",
+      "arithmetic, which no number of bits mends. Rungs of one strictness agree there on every query: that is checked "
+      "as well. With strict sides the count can rise with the bits: noise breaks the ties that the formulae answer "
+      "wrongly. A flip of a comparison is a difference from the kernel's own exact sign.",
       "Degree: all coordinates and the radius times s multiply a side by s to that power. Bits for integers: enough to "
       "evaluate the comparison without a rounding where coordinates and radius are integers of b bits, sign apart; "
       "none "
