@@ -8,7 +8,8 @@ A figure is a block
     <!-- $ axiscert NAME ARGS -->
     (text, generated)
     <!-- end -->
-whose text is the command's output, or with `<!-- plot N of: $ axiscert NAME ARGS -->` its N-th plot, as plots/*.svg.
+whose text is the command's output; with `<!-- table N of: $ axiscert NAME ARGS -->` its N-th table, from 0; with
+`<!-- plot N of: ... -->` the N-th plot of its page, as plots/*.svg.
 Commands are deterministic: what varies from run to run (times) is not among them.
 """
 import html
@@ -29,7 +30,7 @@ matplotlib.rcParams.update({"svg.hashsalt": "axiscert", "svg.fonttype": "none", 
 import matplotlib.pyplot as plt
 
 COLOURS = ["#0a58b0", "#b3540e", "#14632d", "#a8201a", "#6d3fb0", "#00707a", "#8a6d00", "#7a3b62"]
-BLOCK = re.compile(r"<!-- (?:plot (?P<plot>\d+) of: )?\$ axiscert (?P<command>[^\n]*?) -->\n.*?<!-- end -->\n", re.S)
+BLOCK = re.compile(r"<!-- (?:(?P<part>plot|table) (?P<number>\d+) of: )?\$ axiscert (?P<command>[^\n]*?) -->\n.*?<!-- end -->\n", re.S)
 
 
 class Commands:
@@ -70,6 +71,8 @@ def draw(plot, caption, path):
         axis.set_label_text(plot[name]["label"])
         if plot[name]["log"]:
             getattr(axes, f"set_{name}scale")("log")
+        if plot[name].get("names"):
+            axis.set_ticks(range(len(plot[name]["names"])), plot[name]["names"], rotation=40, ha="right")
     axes.set_title(caption, fontsize=11)
     axes.legend(fontsize=8, frameon=False)
     figure.savefig(path, metadata={"Date": None}, bbox_inches="tight")
@@ -81,9 +84,10 @@ def figure_of(match, commands, folder):
     command = match["command"]
     text, plots, captions = commands.run(command)
     head = match[0].split("\n", 1)[0]
-    if match["plot"] is None:
-        return f"{head}\n```\n$ axiscert {command}\n{text}\n```\n<!-- end -->\n"
-    number = int(match["plot"])
+    number = int(match["number"] or 0)
+    if match["part"] != "plot":
+        shown = text.split("\n\n")[1 + number] if match["part"] == "table" else text
+        return f"{head}\n```\n$ axiscert {command}\n{shown}\n```\n<!-- end -->\n"
     name = f"{command.split()[0]}-{number}-" + re.sub(r"[^a-z0-9]+", "-", captions[number].lower()).strip("-") + ".svg"
     folder.mkdir(exist_ok=True)
     draw(plots[number], captions[number], folder / name)

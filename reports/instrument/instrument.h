@@ -29,6 +29,7 @@ struct InstrumentPlot {
   Kind kind = Kind::line;
   bool x_log = false, y_log = false;
   std::vector<InstrumentSeries> series;
+  std::vector<std::string> x_names{};  // of x = 0, 1, ... where x counts named things; else empty
 };
 
 struct InstrumentReport {

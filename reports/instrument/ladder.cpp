@@ -178,20 +178,21 @@ InstrumentSeries by_kernel(std::string series_name, const Entries& entries, Figu
   return series;
 }
 
+std::vector<std::string> ids(const Entries& entries) {
+  std::vector<std::string> all;
+  for (const LadderEntry& entry : entries) all.push_back(entry.kernel->id);
+  return all;
+}
+
 template <class Figure>
 InstrumentPlot by_kind(std::string caption, std::string y_label, const Entries& entries, Figure&& figure) {
-  InstrumentPlot plot{std::move(caption),
-                      "kernel, in the order of the tables",
-                      std::move(y_label),
-                      InstrumentPlot::Kind::line,
-                      false,
-                      true,
-                      {}};
+  InstrumentPlot plot{std::move(caption), "kernel", std::move(y_label), InstrumentPlot::Kind::line, false, true, {}};
   for (const AxisKind kind : all_kinds) {
     plot.series.push_back(by_kernel(name(kind), entries, [&](const LadderEntry& entry) -> std::optional<double> {
       return figure(entry.all.of(comparisons_of_kind(kind)));
     }));
   }
+  plot.x_names = ids(entries);
   return plot;
 }
 
@@ -205,12 +206,13 @@ void add_plots(InstrumentReport& report, const LadderPlan& plan, const Entries& 
   if (!plan.speed) return;
   const auto scalar_ns = [](const LadderEntry& entry) { return std::optional(entry.speed->scalar_ns); };
   report.plots.push_back({"Time by rung",
-                          "kernel, in the order of the tables",
+                          "kernel",
                           "ns a query, scalar",
                           InstrumentPlot::Kind::line,
                           false,
                           false,
-                          {by_kernel("scalar", entries, scalar_ns)}});
+                          {by_kernel("scalar", entries, scalar_ns)},
+                          ids(entries)});
   InstrumentSeries front{"front", {}, {}}, others{"beaten", {}, {}};
   const auto best = accuracy_speed_front(entries);
   for (std::size_t i = 0; i < entries.size(); ++i) {

@@ -52,7 +52,7 @@ std::string plot_html(const InstrumentPlot& plot) {
 
 Json plot_data(const InstrumentPlot& plot) {
   Json data = {{"kind", plot.kind == InstrumentPlot::Kind::line ? "line" : "scatter"},
-               {"x", {{"label", plot.x_label}, {"log", plot.x_log}}},
+               {"x", {{"label", plot.x_label}, {"log", plot.x_log}, {"names", plot.x_names}}},
                {"y", {{"label", plot.y_label}, {"log", plot.y_log}}},
                {"series", Json::array()}};
   for (const InstrumentSeries& series : plot.series) {

@@ -17,7 +17,9 @@ function drawPlots() {
   const scale = (axis) => ({
     type: axis.log ? 'logarithmic' : 'linear',
     title: { display: true, text: axis.label, color: text },
-    ticks: { color: text },
+    ticks: axis.names && axis.names.length > 0
+      ? { color: text, stepSize: 1, autoSkip: false, maxRotation: 60, callback: (value) => axis.names[value] || '' }
+      : { color: text },
     grid: { color: line },
   });
   const dataset = (series, i, kind) => ({
