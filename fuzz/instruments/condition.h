@@ -35,12 +35,14 @@ struct ConditionCounts {
   std::optional<Measured> greatest_right;  // kappa u of those
 
   void add(const ConditionCounts& other);
+  bool operator==(const ConditionCounts&) const = default;
 };
 
 // How far the centre has to move for the answer to be right, relative to the scene: exact/depth.h.
 struct WrongVerdict {
   double depth;
   std::uint64_t position;
+  bool operator==(const WrongVerdict&) const = default;
 };
 
 // One kernel on one source.
@@ -52,12 +54,14 @@ struct ConditionCell {
   std::optional<WrongVerdict> deepest;  // the first of them
 
   ConditionCounts total() const;
+  bool operator==(const ConditionCell&) const = default;
 };
 
 struct ConditionResult {
   std::vector<std::uint64_t> invalid;               // queries left out, by source
   std::vector<std::vector<ConditionCell>> cells;    // by kernel, by source
   std::vector<std::vector<Decimal6>> flip_kappa_u;  // by kernel: of each evaluated flip where it is finite; sorted
+  bool operator==(const ConditionResult&) const = default;
 };
 
 // The scalar form of each kernel, on all cores; the result depends on the plan alone. Throws OracleDisagreement.

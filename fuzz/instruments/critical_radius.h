@@ -22,6 +22,7 @@ struct CriticalRadiusPlan {
 struct ReversalWitness {
   std::uint64_t position;
   std::string contact, separated;  // in order of r
+  bool operator==(const ReversalWitness&) const = default;
 };
 
 // One kernel on one source. Errors are in ulps of the exact distance, from the exact critical radius, which is the
@@ -42,11 +43,13 @@ struct CriticalRadii {
   // measured.
   std::optional<Decimal6> quantile(double share) const;
   std::uint64_t within(const Decimal6& error) const;
+  bool operator==(const CriticalRadii&) const = default;
 };
 
 struct CriticalRadiusResult {
   std::vector<std::uint64_t> left_out;            // by source: invalid queries, and distances beyond the precision
   std::vector<std::vector<CriticalRadii>> cells;  // by kernel, by source
+  bool operator==(const CriticalRadiusResult&) const = default;
 };
 
 // The scalar form of each kernel, on all cores; the result depends on the plan alone.

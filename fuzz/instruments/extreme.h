@@ -11,6 +11,7 @@ namespace axiscert {
 struct Measured {
   Decimal6 value;
   std::uint64_t position;
+  bool operator==(const Measured&) const = default;
 };
 
 // Of equal values the one at the earlier position stays.

@@ -57,14 +57,16 @@ class Report {
         "Of wrong verdicts, held against the geometry, the depth in u: how far the centre has to move for the answer "
         "to "
         "be right, relative to the greatest of |A-P|, |B-P|, |C-P| and r. The median is the lower one.",
-        "Shares are of these families' queries. kappa is relative to the numbers as given: a scene far from the origin "
+        "Ill-conditioned excuses a formula; it does not say that no formula does better. kappa is relative to the "
+        "numbers as given: a scene far from the origin "
         "is "
         "ill-conditioned because its coordinates are, whatever the formula."};
   }
 
   static std::vector<std::string> count_cells(const ConditionCounts& c) {
     std::vector<std::string> cells;
-    for (const auto n : {c.flips, c.evaluated, c.ill_conditioned, c.unstable, c.range, c.undefined, c.not_decided}) {
+    for (const auto n :
+         {c.flips, c.evaluated, c.ill_conditioned, c.ties, c.unstable, c.range, c.undefined, c.not_decided}) {
       cells.push_back(thousands(n));
     }
     return cells;
@@ -73,8 +75,8 @@ class Report {
   InstrumentTable by_family() const {
     InstrumentTable table{
         "Flips by kernel and family",
-        {"kernel", "family", "flips", "evaluated", "ill-conditioned", "unstable", "range", "undefined", "not decided",
-         "greatest kappa u of a right one", "least of an unstable flip", "address"},
+        {"kernel", "family", "flips", "evaluated", "ill-conditioned", "ties", "unstable", "range", "undefined",
+         "not decided", "greatest kappa u of a right one", "least of an unstable flip", "address"},
         {}};
     for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
       for (std::size_t s = 0; s < plan_.sources.size(); ++s) {
@@ -90,25 +92,26 @@ class Report {
     return table;
   }
 
-  // One comparison of a kernel over the families, and the source that its least unstable flip is in.
+  // One comparison of a kernel over the families, and the family that its least unstable flip is in.
   std::pair<ConditionCounts, std::size_t> over_families(std::size_t k, std::size_t comparison) const {
     ConditionCounts sum;
-    std::size_t least = 0;
+    std::optional<Measured> least;
+    std::size_t family = 0;
     for (std::size_t s = 0; s < plan_.sources.size(); ++s) {
       const ConditionCounts& counts = result_.cells[k][s].comparisons[comparison];
-      const auto& least_here = counts.least_unstable;
-      if (least_here && (!sum.least_unstable || least_here->value < sum.least_unstable->value)) least = s;
-      ConditionCounts others = counts;
-      if (least != s) others.least_unstable.reset();
-      else sum.least_unstable.reset();
-      sum.add(others);
+      sum.add(counts);
+      if (counts.least_unstable && (!least || counts.least_unstable->value < least->value)) {
+        least = counts.least_unstable;
+        family = s;
+      }
     }
-    return {sum, least};
+    sum.least_unstable = least;
+    return {sum, family};
   }
 
   InstrumentTable by_comparison() const {
     InstrumentTable table{"Flips by kernel and comparison, over these families (comparisons without a flip left out)",
-                          {"kernel", "comparison", "flips", "evaluated", "ill-conditioned", "unstable", "range",
+                          {"kernel", "comparison", "flips", "evaluated", "ill-conditioned", "ties", "unstable", "range",
                            "undefined", "not decided", "least kappa u of an unstable flip", "address"},
                           {}};
     for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
