@@ -1,3 +1,4 @@
+// The report of `axiscert condition`.
 #pragma once
 
 #include "fuzz/instruments/condition.h"

@@ -40,6 +40,7 @@ class Report {
         "that one, in ulps of the exact distance, which is correctly rounded for that. Too early: contact for a radius "
         "below the distance, a phantom; too late: separated for one that is not below it, a missed contact. Unbounded: "
         "separated at the greatest finite radius; the median and the 99 % quantile count it as infinite.",
+        "An error can be many ulps long: those of a distance near 0 are short, the least subnormal for 0 itself.",
         "Not monotone: contact at a radius and separated at a greater one, among 0, the greatest finite radius, every "
         "power "
         "of two and every float within 32 of the kernel's and of the exact critical radius. None found proves nothing.",

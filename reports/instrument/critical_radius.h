@@ -1,3 +1,4 @@
+// The report of `axiscert critical-radius`.
 #pragma once
 
 #include "fuzz/instruments/critical_radius.h"
