@@ -367,6 +367,72 @@ class Precision(Case):
         self.refused("precision", "--kernel", "published+fma", says=["published+fma", "plain arithmetic"])
 
 
+class Condition(Case):
+    def measure(self, *args):
+        done = axiscert("condition", "--format", "json", *args)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_every_flip_is_accounted_for_and_its_address_shows_it(self):
+        found = self.measure("--trials", 500, "--family", "tangent", "--family", "ratio", "--flips", 20)
+        self.assertEqual({row["kernel"] for row in found["rows"]}, {"published", "reduced", "ladder-0"})
+        for row in found["rows"]:
+            for name, counts in row["comparisons"].items():
+                self.assertEqual(counts["evaluated"], min(counts["flips"], 20))
+                self.assertEqual(counts["evaluated"], sum(counts[k] for k in ("ill_conditioned", "unstable", "undefined",
+                                                                              "not_decided")))
+                if counts["least_unstable"]:
+                    self.assertLess(counts["least_unstable"]["kappa_u"], 1.00001)
+                    query = axiscert("query", counts["least_unstable"]["address"]).stdout
+                    line = json.loads(axiscert("check", "-", "--format", "jsonl", "--kernel", row["kernel"],
+                                               stdin=query).stdout)
+                    self.assertIn(name, [flip["name"] for flip in line["flips"]])
+
+    def test_text_and_files(self):
+        plan = ["condition", "--trials", 200, "--family", "tangent", "--precision", "binary64"]
+        done = axiscert(*plan, "--out", self.folder / "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("ill-conditioned", done.stdout)
+        stored = json.loads((self.folder / "out/condition.json").read_text())
+        self.assertEqual(stored, self.measure(*plan[1:]))
+        self.assertTrue((self.folder / "out/condition.html").exists())
+
+    def test_bad_input(self):
+        self.refused("condition", "--kernel", "minkowski", says=["minkowski", "verdict alone"])
+        self.refused("condition", "--kernel", "nosuch", says=["nosuch", "published"])
+        self.refused("condition", "--family", "nosuch", says=["nosuch", "tangent"])
+        self.refused("condition", "--flips", "-1", says=["--flips", "-1"])
+        self.refused("condition", "--kernel", "published+in-double", "--precision", "binary64", says=["in-double"])
+
+
+class CriticalRadius(Case):
+    def measure(self, *args):
+        done = axiscert("critical-radius", "--format", "json", *args)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_every_triangle_is_accounted_for(self):
+        found = self.measure("--trials", 64)
+        self.assertEqual(len(found["rows"]), 64)
+        for row in found["rows"]:
+            self.assertEqual(row["measured"], row["right"] + row["early"] + row["late"] + row["unbounded"])
+            self.assertEqual(row["not_monotone"], 0, row["kernel"])
+
+    def test_a_witness_against_monotonicity_replays(self):
+        kernel = "ladder-0+prescaled"
+        (row,) = self.measure("--trials", 64, "--kernel", kernel, "--family", "scale")["rows"]
+        self.assertGreater(row["not_monotone"], 0)
+        pair = "".join(json.dumps(line) + "\n" for line in row["not_monotone_witness"])
+        done = axiscert("check", "-", "--format", "jsonl", "--kernel", kernel, stdin=pair)
+        verdicts = [json.loads(line)["computed"]["verdict"] for line in done.stdout.splitlines()]
+        self.assertEqual(verdicts, ["contact", "separated"])
+
+    def test_bad_input(self):
+        self.refused("critical-radius", "--kernel", "nosuch", says=["nosuch", "published"])
+        self.refused("critical-radius", "--trials", "0", says=["--trials", "0"])
+        self.refused("critical-radius", "--precision", "binary16", says=["binary16", "binary64"])
+
+
 class Planted(Case):
     """Faults put into the harness itself: it has to catch each and exit 3."""
 

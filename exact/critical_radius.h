@@ -1,18 +1,45 @@
-// The critical radius: for fixed A, B, C, P the smallest radius for which a kernel says contact.
+// The critical radius: for fixed A, B, C, P the smallest radius for which a kernel says contact. `query.r` is not read.
 #pragma once
 
 #include <optional>
 
+#include "exact/error_measure.h"
 #include "exact/rational.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
 
-// |critical radius - d| in ulps of d, the exact distance correctly rounded; found by bisection over the floats, so a
-// kernel whose answers are not monotone in r is measured at one of its changes. Infinity where the kernel says contact
-// for no finite radius; nothing where d itself is beyond the precision's range. `query.r` is not read.
+// Found by bisection over the floats, so a kernel whose answers are not monotone in r is measured at one of its
+// changes. Nothing where the kernel does not say contact at the greatest finite radius.
+template <class Real>
+std::optional<Real> critical_radius(const Implementation<Real>& kernel, const Query<Real>& query);
+
+// The truth's: the least float that is not below the exact distance. Nothing where that is beyond the greatest.
+template <class Real>
+std::optional<Real> exact_critical_radius(const Rational& squared_distance);
+
+// |radius - from| in ulps of d, the exact distance correctly rounded; rounded up to six digits.
+template <class Real>
+Decimal6 radius_error_ulps(Real radius, Real from, const Rational& squared_distance);
+
+// |critical radius - d| in ulps of d, the exact distance correctly rounded. Infinity where there is no critical radius;
+// nothing where d itself is beyond the precision's range.
 template <class Real>
 std::optional<double> critical_radius_error(const Implementation<Real>& kernel, const Query<Real>& query,
                                             const Rational& squared_distance);
+
+// Two radii that no monotone kernel has: the smaller sphere touches, the greater one is separated.
+template <class Real>
+struct RadiusReversal {
+  Real contact, separated;  // contact < separated
+  bool operator==(const RadiusReversal&) const = default;
+};
+
+// Asks the kernel at 0, the greatest finite radius, each power of two, and every float within 32 of `critical` and of
+// `exact_radius`, where there are such. The first of these at which it says separated after contact, with the last
+// contact before it; or nothing, which proves no monotonicity.
+template <class Real>
+std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>& kernel, const Query<Real>& query,
+                                                    std::optional<Real> critical, std::optional<Real> exact_radius);
 
 }  // namespace axiscert

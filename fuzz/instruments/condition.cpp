@@ -1,0 +1,239 @@
+#include "fuzz/instruments/condition.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "exact/claim.h"
+#include "exact/condition.h"
+#include "exact/depth.h"
+#include "exact/geometric_oracle.h"
+#include "fuzz/campaign.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::uint64_t block_size = 512;
+
+using ByComparison = std::array<std::uint64_t, comparison_count>;
+
+struct Block {
+  std::size_t source;
+  std::uint64_t first, size;
+};
+
+// Comparisons of one kernel's answer to one query, to be evaluated.
+struct Request {
+  std::uint64_t position;
+  ComparisonBits flips, others;
+};
+
+struct KernelFindings {
+  ByComparison flips{};
+  std::vector<Request> requests;  // by position
+  std::uint64_t false_separation = 0, false_contact = 0;
+  std::vector<WrongVerdict> wrong;
+};
+
+struct Findings {
+  std::uint64_t invalid = 0;
+  std::vector<KernelFindings> kernels;
+};
+
+constexpr bool has_bit(ComparisonBits bits, std::size_t i) { return ((bits >> i) & 1u) != 0; }
+
+// Takes out of `flips` those whose count has reached the limit, and counts the rest.
+ComparisonBits within_limit(ComparisonBits flips, std::uint64_t limit, ByComparison& taken) {
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    if (!has_bit(flips, i)) continue;
+    if (taken[i] >= limit) flips = static_cast<ComparisonBits>(flips & ~(1u << i));
+    else ++taken[i];
+  }
+  return flips;
+}
+
+template <class Real>
+std::pair<Verdict, ComparisonBits> answer_of(const Implementation<Real>& kernel, const Query<Real>& q,
+                                             QueryBatch<Real>& one, Answers<Real>& answers) {
+  one.clear();
+  one.push_back(q);
+  Verdict verdict;
+  kernel.verdicts(one.columns(), &verdict);
+  kernel.explain(one.columns(), answers);
+  return {verdict, answers.bits[0]};
+}
+
+// Every flip and every wrong verdict among the queries of a block.
+template <class Real>
+Findings search(const ConditionPlan& plan, const std::vector<Implementation<Real>>& kernels, const Block& block) {
+  Findings found{0, std::vector<KernelFindings>(kernels.size())};
+  const Source& source = *plan.sources[block.source];
+  const std::uint64_t stride = plan.sample == 0 ? 0 : (plan.trials + plan.sample - 1) / plan.sample;
+  std::vector<ByComparison> taken(kernels.size());
+  QueryBatch<Real> one(1);
+  Answers<Real> answers;
+  answers.resize(1);
+  for (std::uint64_t position = block.first; position < block.first + block.size; ++position) {
+    Query<Real> q;
+    source.make(plan.seed, position, q);
+    const Truth truth = exact_truth(q, position % second_opinion_stride == 0);
+    if (!truth.formula) {
+      ++found.invalid;
+      continue;
+    }
+    Claims<Real> claims(q, *truth.formula);
+    std::optional<double> depth;
+    for (std::size_t k = 0; k < kernels.size(); ++k) {
+      const Kernel& kernel = *plan.kernels[k];
+      KernelFindings& findings = found.kernels[k];
+      const auto [verdict, bits] = answer_of(kernels[k], q, one, answers);
+      const auto flips = static_cast<ComparisonBits>(bits ^ claims.sides(kernel.formulae)->bits(kernel.strictness));
+      for (std::size_t i = 0; i < comparison_count; ++i) findings.flips[i] += has_bit(flips, i);
+      const bool sampled = stride != 0 && position % stride == 0;
+      const Request request{position, within_limit(flips, plan.flip_limit, taken[k]),
+                            sampled ? static_cast<ComparisonBits>(~flips) : ComparisonBits{0}};
+      if (request.flips != 0 || request.others != 0) findings.requests.push_back(request);
+      if (verdict == truth.verdict || (verdict != Verdict::separated && verdict != Verdict::contact)) continue;
+      ++(verdict == Verdict::separated ? findings.false_separation : findings.false_contact);
+      if (!depth) depth = axiscert::depth(q, squared_distance(q));
+      findings.wrong.push_back({*depth, position});
+    }
+  }
+  return found;
+}
+
+// One request, evaluated: what it adds to its cell.
+struct Evaluated {
+  std::array<ConditionCounts, comparison_count> comparisons;
+  std::vector<Decimal6> flip_kappa_u;
+};
+
+template <class Real>
+Evaluated evaluate(const ConditionPlan& plan, const Kernel& kernel, const Source& source, const Request& request) {
+  using Kind = Condition::Kind;
+  Evaluated result;
+  Query<Real> q;
+  source.make(plan.seed, request.position, q);
+  const auto found = conditions(kernel.formulae, q, static_cast<ComparisonBits>(request.flips | request.others));
+  ComparisonBits range = 0;  // lost by the bounded exponent: R-infinity agrees with E, R does not
+  if (request.flips != 0) {
+    const Rounded chain = rounded(kernel.formulae, kernel.arithmetic, kernel.strictness, q);
+    const ComparisonBits exact = formula_truth(kernel.formulae, q).bits(kernel.strictness);
+    range = static_cast<ComparisonBits>(~(*chain.range_free.bits ^ exact) & (*chain.reference.bits ^ exact));
+  }
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    ConditionCounts& counts = result.comparisons[i];
+    const Measured measured{found[i].kappa_u, request.position};
+    if (has_bit(request.others, i) && found[i].kind == Kind::finite) {
+      ++counts.sampled;
+      keep_greatest(counts.greatest_right, measured);
+    }
+    if (!has_bit(request.flips, i)) continue;
+    ++counts.evaluated;
+    counts.undefined += found[i].kind == Kind::undefined;
+    counts.not_decided += found[i].kind == Kind::not_decided;
+    counts.ties += found[i].kind == Kind::infinite;
+    counts.ill_conditioned += found[i].ill_conditioned;
+    if (found[i].kind != Kind::finite) continue;
+    result.flip_kappa_u.push_back(measured.value);
+    if (found[i].ill_conditioned) continue;
+    ++counts.unstable;
+    if (has_bit(range, i)) ++counts.range;
+    else keep_least(counts.least_unstable, measured);
+  }
+  return result;
+}
+
+struct Job {
+  std::size_t kernel, source;
+  Request request;
+};
+
+void merge(const Findings& found, std::size_t source, const ConditionPlan& plan,
+           std::vector<std::vector<ByComparison>>& taken, ConditionResult& result, std::vector<Job>& jobs) {
+  result.invalid[source] += found.invalid;
+  for (std::size_t k = 0; k < found.kernels.size(); ++k) {
+    const KernelFindings& findings = found.kernels[k];
+    ConditionCell& cell = result.cells[k][source];
+    for (std::size_t i = 0; i < comparison_count; ++i) cell.comparisons[i].flips += findings.flips[i];
+    cell.false_separation += findings.false_separation;
+    cell.false_contact += findings.false_contact;
+    for (const WrongVerdict& wrong : findings.wrong) {
+      cell.depths.push_back(wrong.depth);
+      if (!cell.deepest || wrong.depth > cell.deepest->depth) cell.deepest = wrong;
+    }
+    for (Request request : findings.requests) {
+      request.flips = within_limit(request.flips, plan.flip_limit, taken[k][source]);
+      if (request.flips != 0 || request.others != 0) jobs.push_back({k, source, request});
+    }
+  }
+}
+
+template <class Real>
+ConditionResult measure(const ConditionPlan& plan) {
+  std::vector<Implementation<Real>> kernels;
+  for (const Kernel* kernel : plan.kernels) kernels.push_back(kernel->on<Real>(scalar_target));
+  std::vector<Block> blocks;
+  for (std::size_t s = 0; s < plan.sources.size(); ++s) {
+    for (std::uint64_t first = 0; first < plan.trials; first += block_size) {
+      blocks.push_back({s, first, std::min(block_size, plan.trials - first)});
+    }
+  }
+  std::vector<Findings> findings(blocks.size());
+  tbb::parallel_for(std::size_t{0}, blocks.size(),
+                    [&](std::size_t i) { findings[i] = search(plan, kernels, blocks[i]); });
+
+  ConditionResult result;
+  result.invalid.resize(plan.sources.size());
+  result.cells.assign(kernels.size(), std::vector<ConditionCell>(plan.sources.size()));
+  result.flip_kappa_u.resize(kernels.size());
+  std::vector<std::vector<ByComparison>> taken(kernels.size());
+  for (auto& by_source : taken) by_source.resize(plan.sources.size());
+  std::vector<Job> jobs;
+  for (std::size_t i = 0; i < blocks.size(); ++i) merge(findings[i], blocks[i].source, plan, taken, result, jobs);
+
+  std::vector<Evaluated> evaluated(jobs.size());
+  tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
+    const Job& job = jobs[i];
+    evaluated[i] = evaluate<Real>(plan, *plan.kernels[job.kernel], *plan.sources[job.source], job.request);
+  });
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    ConditionCell& cell = result.cells[jobs[i].kernel][jobs[i].source];
+    for (std::size_t c = 0; c < comparison_count; ++c) cell.comparisons[c].add(evaluated[i].comparisons[c]);
+    auto& kappa_u = result.flip_kappa_u[jobs[i].kernel];
+    kappa_u.insert(kappa_u.end(), evaluated[i].flip_kappa_u.begin(), evaluated[i].flip_kappa_u.end());
+  }
+  for (auto& by_source : result.cells) {
+    for (ConditionCell& cell : by_source) std::sort(cell.depths.begin(), cell.depths.end());
+  }
+  for (auto& kappa_u : result.flip_kappa_u) std::sort(kappa_u.begin(), kappa_u.end());
+  return result;
+}
+
+}  // namespace
+
+void ConditionCounts::add(const ConditionCounts& other) {
+  flips += other.flips;
+  evaluated += other.evaluated;
+  ill_conditioned += other.ill_conditioned;
+  ties += other.ties;
+  unstable += other.unstable;
+  range += other.range;
+  undefined += other.undefined;
+  not_decided += other.not_decided;
+  sampled += other.sampled;
+  if (other.least_unstable) keep_least(least_unstable, *other.least_unstable);
+  if (other.greatest_right) keep_greatest(greatest_right, *other.greatest_right);
+}
+
+ConditionCounts ConditionCell::total() const {
+  ConditionCounts sum;
+  for (const ConditionCounts& counts : comparisons) sum.add(counts);
+  return sum;
+}
+
+ConditionResult measure_condition(const ConditionPlan& plan) {
+  return plan.precision == Precision::binary32 ? measure<float>(plan) : measure<double>(plan);
+}
+
+}  // namespace axiscert

@@ -1,0 +1,147 @@
+#include "fuzz/instruments/critical_radius.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+#include "exact/critical_radius.h"
+#include "exact/geometric_oracle.h"
+#include "fuzz/address.h"
+#include "fuzz/query_file.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::uint64_t block_size = 256;
+
+struct Block {
+  std::size_t source;
+  std::uint64_t first, size;
+};
+
+struct BlockResult {
+  std::uint64_t left_out = 0;
+  std::vector<CriticalRadii> cells;  // by kernel
+};
+
+template <class Real>
+ReversalWitness witness_of(const RadiusReversal<Real>& reversal, Query<Real> q, std::string address,
+                           std::uint64_t position) {
+  const auto line = [&](Real radius, const char* answer) {
+    q.r = radius;
+    return query_line({address + " " + answer, precision_of<Real>, q});
+  };
+  return {position, line(reversal.contact, "contact"), line(reversal.separated, "separated")};
+}
+
+template <class Real>
+void measure(const Implementation<Real>& kernel, const Query<Real>& q, const Rational& squared_distance,
+             Real exact_radius, const Address& address, CriticalRadii& cell) {
+  const std::uint64_t position = address.position();
+  ++cell.measured;
+  const auto radius = critical_radius(kernel, q);
+  if (!radius) {
+    ++cell.unbounded;
+  } else {
+    const Decimal6 error = radius_error_ulps(*radius, exact_radius, squared_distance);
+    ++cell.errors[error];
+    if (*radius < exact_radius) {
+      ++cell.early;
+      keep_greatest(cell.worst_early, {error, position});
+    } else if (*radius > exact_radius) {
+      ++cell.late;
+      keep_greatest(cell.worst_late, {error, position});
+    } else {
+      ++cell.right;
+    }
+  }
+  if (const auto reversal = radius_reversal<Real>(kernel, q, radius, exact_radius)) {
+    ++cell.reversals;
+    if (!cell.first_reversal) cell.first_reversal = witness_of(*reversal, q, text(address), position);
+  }
+}
+
+template <class Real>
+BlockResult run(const CriticalRadiusPlan& plan, const std::vector<Implementation<Real>>& kernels, const Block& block) {
+  BlockResult result{0, std::vector<CriticalRadii>(kernels.size())};
+  const Source& source = *plan.sources[block.source];
+  for (std::uint64_t position = block.first; position < block.first + block.size; ++position) {
+    Query<Real> q;
+    source.make(plan.seed, position, q);
+    std::optional<Rational> squared;
+    std::optional<Real> exact_radius;
+    if (is_valid(q)) {
+      squared = squared_distance(q);
+      exact_radius = exact_critical_radius<Real>(*squared);
+    }
+    if (!exact_radius) {
+      ++result.left_out;
+      continue;
+    }
+    const Address address = address_of(source, plan.seed, plan.precision, position);
+    for (std::size_t k = 0; k < kernels.size(); ++k) {
+      measure(kernels[k], q, *squared, *exact_radius, address, result.cells[k]);
+    }
+  }
+  return result;
+}
+
+template <class Real>
+CriticalRadiusResult measure_all(const CriticalRadiusPlan& plan) {
+  std::vector<Implementation<Real>> kernels;
+  for (const Kernel* kernel : plan.kernels) kernels.push_back(kernel->on<Real>(scalar_target));
+  std::vector<Block> blocks;
+  for (std::size_t s = 0; s < plan.sources.size(); ++s) {
+    for (std::uint64_t first = 0; first < plan.trials; first += block_size) {
+      blocks.push_back({s, first, std::min(block_size, plan.trials - first)});
+    }
+  }
+  std::vector<BlockResult> results(blocks.size());
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) { results[i] = run(plan, kernels, blocks[i]); });
+
+  CriticalRadiusResult merged;
+  merged.left_out.resize(plan.sources.size());
+  merged.cells.assign(kernels.size(), std::vector<CriticalRadii>(plan.sources.size()));
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    merged.left_out[blocks[i].source] += results[i].left_out;
+    for (std::size_t k = 0; k < kernels.size(); ++k) merged.cells[k][blocks[i].source].merge(results[i].cells[k]);
+  }
+  return merged;
+}
+
+}  // namespace
+
+void CriticalRadii::merge(const CriticalRadii& later) {
+  measured += later.measured;
+  right += later.right;
+  early += later.early;
+  late += later.late;
+  unbounded += later.unbounded;
+  reversals += later.reversals;
+  for (const auto& [error, count] : later.errors) errors[error] += count;
+  if (later.worst_early) keep_greatest(worst_early, *later.worst_early);
+  if (later.worst_late) keep_greatest(worst_late, *later.worst_late);
+  if (!first_reversal) first_reversal = later.first_reversal;
+}
+
+std::optional<Decimal6> CriticalRadii::quantile(double share) const {
+  const auto wanted = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(measured)));
+  std::uint64_t reached = 0;
+  for (const auto& [error, count] : errors) {
+    reached += count;
+    if (reached >= wanted) return error;
+  }
+  return std::nullopt;
+}
+
+std::uint64_t CriticalRadii::within(const Decimal6& error) const {
+  std::uint64_t count = 0;
+  for (auto it = errors.begin(); it != errors.end() && it->first <= error; ++it) count += it->second;
+  return count;
+}
+
+CriticalRadiusResult measure_critical_radii(const CriticalRadiusPlan& plan) {
+  return plan.precision == Precision::binary32 ? measure_all<float>(plan) : measure_all<double>(plan);
+}
+
+}  // namespace axiscert

@@ -1,0 +1,58 @@
+// The critical radii of kernels over families: how far from the exact one, to which side, and whether they are one.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fuzz/instruments/extreme.h"
+#include "fuzz/source.h"
+#include "kernel/kernel.h"
+
+namespace axiscert {
+
+struct CriticalRadiusPlan {
+  std::vector<const Kernel*> kernels;
+  std::vector<SourcePtr> sources;
+  Precision precision = Precision::binary32;
+  std::uint64_t trials = 0, seed = 1;  // trials: of each source
+};
+
+// The first reversal of a kernel on a source: two lines of a query file, that differ in r alone.
+struct ReversalWitness {
+  std::uint64_t position;
+  std::string contact, separated;  // in order of r
+  bool operator==(const ReversalWitness&) const = default;
+};
+
+// One kernel on one source. Errors are in ulps of the exact distance, from the exact critical radius, which is the
+// least float not below that distance; measured = right + early + late + unbounded.
+struct CriticalRadii {
+  std::uint64_t measured = 0;
+  std::uint64_t right = 0;                   // the exact critical radius
+  std::uint64_t early = 0;                   // contact for a radius below the distance: a phantom
+  std::uint64_t late = 0;                    // separated for a radius not below it: missed
+  std::uint64_t unbounded = 0;               // separated at the greatest finite radius
+  std::uint64_t reversals = 0;               // queries on which the answers are not monotone
+  std::map<Decimal6, std::uint64_t> errors;  // all but the unbounded ones, and how often
+  std::optional<Measured> worst_early, worst_late;
+  std::optional<ReversalWitness> first_reversal;
+
+  void merge(const CriticalRadii& later);  // of later positions
+  // The least error that `share` of those measured do not exceed; nothing where that is an unbounded one, or none was
+  // measured.
+  std::optional<Decimal6> quantile(double share) const;
+  std::uint64_t within(const Decimal6& error) const;
+  bool operator==(const CriticalRadii&) const = default;
+};
+
+struct CriticalRadiusResult {
+  std::vector<std::uint64_t> left_out;            // by source: invalid queries, and distances beyond the precision
+  std::vector<std::vector<CriticalRadii>> cells;  // by kernel, by source
+  bool operator==(const CriticalRadiusResult&) const = default;
+};
+
+// The scalar form of each kernel, on all cores; the result depends on the plan alone.
+CriticalRadiusResult measure_critical_radii(const CriticalRadiusPlan& plan);
+
+}  // namespace axiscert

@@ -1,0 +1,84 @@
+// Distributions of critical radii: kernels that are known to be monotone, and one planted that is not.
+#include "fuzz/instruments/critical_radius.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "fuzz/family.h"
+#include "fuzz/instruments/instruments_testing.h"
+#include "fuzz/query_file.h"
+
+namespace axiscert {
+namespace {
+
+CriticalRadiusPlan plan_of(std::vector<const Kernel*> kernels, std::vector<std::string_view> families) {
+  CriticalRadiusPlan plan;
+  plan.kernels = std::move(kernels);
+  for (const auto name : families) plan.sources.push_back(family_source(find_family(name)));
+  plan.trials = 600;
+  return plan;
+}
+
+void expect_consistent(const CriticalRadii& cell) {
+  EXPECT_EQ(cell.measured, cell.right + cell.early + cell.late + cell.unbounded);
+  EXPECT_EQ(cell.within({}), cell.right) << "no error is the exact critical radius, and nothing else";
+  EXPECT_EQ(cell.worst_early.has_value(), cell.early > 0);
+  EXPECT_EQ(cell.worst_late.has_value(), cell.late > 0);
+}
+
+TEST(CriticalRadiusInstrument, MonotoneKernelsAreNotAccused) {
+  for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+    auto plan = plan_of({&find_kernel("published"), &find_kernel("minkowski")}, {"general", "sliver", "scale"});
+    plan.precision = precision;
+    plan.trials = precision == Precision::binary32 ? 600 : 100;
+    for (const auto& by_family : measure_critical_radii(plan).cells) {
+      for (const CriticalRadii& cell : by_family) {
+        expect_consistent(cell);
+        EXPECT_EQ(cell.measured, plan.trials);
+        EXPECT_EQ(cell.reversals, 0u);
+      }
+      EXPECT_LE(by_family[0].quantile(0.5)->value(), 1) << "general triangles: within a float of the truth";
+    }
+  }
+}
+
+TEST(CriticalRadiusInstrument, APlantedGapIsFoundOnEveryTriangleWithAValidPair) {
+  const Kernel planted = published_with_a_gap();
+  const auto plan = plan_of({&planted}, {"general"});
+  const CriticalRadii cell = measure_critical_radii(plan).cells[0][0];
+  expect_consistent(cell);
+  EXPECT_EQ(cell.reversals, cell.measured);
+  ASSERT_TRUE(cell.first_reversal);
+  EXPECT_EQ(cell.first_reversal->position, 0u);
+  const auto stored =
+      parse_queries(cell.first_reversal->contact + "\n" + cell.first_reversal->separated, "witness", plan.precision);
+  ASSERT_EQ(stored.size(), 2u);
+  QueryBatch<float> batch(2);
+  for (const StoredQuery& query : stored) batch.push_back(std::get<Query<float>>(query.query));
+  EXPECT_LT(batch[0].r, batch[1].r);
+  Verdict verdicts[2];
+  planted.on<float>(scalar_target).verdicts(batch.columns(), verdicts);
+  EXPECT_EQ(verdicts[0], Verdict::contact);
+  EXPECT_EQ(verdicts[1], Verdict::separated);
+}
+
+TEST(CriticalRadiusInstrument, InvalidQueriesAndDistancesBeyondThePrecisionAreLeftOut) {
+  const auto plan = plan_of({&find_kernel("published")}, {"nonfinite"});
+  const CriticalRadiusResult result = measure_critical_radii(plan);
+  EXPECT_EQ(result.left_out[0] + result.cells[0][0].measured, plan.trials);
+  EXPECT_GT(result.left_out[0], 0u);
+}
+
+TEST(CriticalRadiusInstrument, DoesNotDependOnThreads) {
+  const Kernel planted = published_with_a_gap();
+  const auto plan = plan_of({&planted, &find_kernel("ladder-0+prescaled")}, {"repeated", "ratio"});
+  std::vector<CriticalRadiusResult> results;
+  for (const std::size_t threads : {1, 4}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    results.push_back(measure_critical_radii(plan));
+  }
+  EXPECT_TRUE(results[0] == results[1]);
+}
+
+}  // namespace
+}  // namespace axiscert

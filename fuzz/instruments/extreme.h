@@ -1,0 +1,29 @@
+// The least or the greatest of what an instrument measures, and where: whatever the order of merging, the same one.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "exact/error_measure.h"
+
+namespace axiscert {
+
+struct Measured {
+  Decimal6 value;
+  std::uint64_t position;
+  bool operator==(const Measured&) const = default;
+};
+
+// Of equal values the one at the earlier position stays.
+inline void keep_greatest(std::optional<Measured>& kept, const Measured& other) {
+  if (!kept || other.value > kept->value || (other.value == kept->value && other.position < kept->position)) {
+    kept = other;
+  }
+}
+inline void keep_least(std::optional<Measured>& kept, const Measured& other) {
+  if (!kept || other.value < kept->value || (other.value == kept->value && other.position < kept->position)) {
+    kept = other;
+  }
+}
+
+}  // namespace axiscert

@@ -1,0 +1,48 @@
+// Kernels with a fault planted in them, for the tests of the instruments.
+#pragma once
+
+#include <string>
+
+#include "kernel/kernel.h"
+
+namespace axiscert {
+
+// `published` with each answer to one comparison inverted; its verdicts are left alone.
+inline Kernel published_with_a_wrong_bit(Comparison which) {
+  Kernel kernel = find_kernel("published");
+  kernel.id = "wrong-bit";
+  kernel.is_reference = false;
+  const auto inverted = [which]<class Real>(Implementation<Real> right) {
+    return Implementation<Real>{right.verdicts, [=](const QueryColumns<Real>& batch, Answers<Real>& out) {
+                                  right.explain(batch, out);
+                                  for (std::size_t i = 0; i < batch.size; ++i) {
+                                    out.bits[i] ^= static_cast<ComparisonBits>(1u << static_cast<unsigned>(which));
+                                  }
+                                }};
+  };
+  kernel.binary32 = [=](std::string_view target) { return inverted(find_kernel("published").on<float>(target)); };
+  kernel.binary64 = [=](std::string_view target) { return inverted(find_kernel("published").on<double>(target)); };
+  return kernel;
+}
+
+// `published`, but separated for every radius from 2^20 to 2^30.
+inline Kernel published_with_a_gap() {
+  Kernel kernel = find_kernel("published");
+  kernel.id = "gap";
+  kernel.is_reference = false;
+  const auto with_gap = []<class Real>(Implementation<Real> right) {
+    return Implementation<Real>{[=](const QueryColumns<Real>& batch, Verdict* out) {
+                                  right.verdicts(batch, out);
+                                  for (std::size_t i = 0; i < batch.size; ++i) {
+                                    const Real r = batch.column[12][i];
+                                    if (r >= Real(0x1p20) && r <= Real(0x1p30)) out[i] = Verdict::separated;
+                                  }
+                                },
+                                right.explain};
+  };
+  kernel.binary32 = [=](std::string_view target) { return with_gap(find_kernel("published").on<float>(target)); };
+  kernel.binary64 = [=](std::string_view target) { return with_gap(find_kernel("published").on<double>(target)); };
+  return kernel;
+}
+
+}  // namespace axiscert

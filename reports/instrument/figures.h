@@ -1,0 +1,41 @@
+// How the instruments write the figures that several of them have.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "fuzz/address.h"
+#include "fuzz/instruments/extreme.h"
+#include "reports/json.h"
+#include "reports/summary.h"
+
+namespace axiscert {
+
+// A JSON number; text where binary64 cannot hold it.
+inline Json number_json(const Decimal6& decimal) {
+  const double value = decimal.value();
+  return std::isfinite(value) ? Json(value) : Json(decimal.text());
+}
+// To four significant digits.
+inline std::string shown(const Decimal6& decimal) {
+  const double value = decimal.value();
+  return std::isfinite(value) ? amount(value, 4) : decimal.text();
+}
+
+// Where the queries of an instrument come from, for addresses.
+struct QueryOrigin {
+  std::uint64_t seed;
+  Precision precision;
+
+  std::string address(const Source& source, std::uint64_t position) const {
+    return text(address_of(source, seed, precision, position));
+  }
+  // {NAME: value, "address": ...}, or null.
+  Json measured_json(const std::optional<Measured>& measured, const char* name, const Source& source) const {
+    if (!measured) return nullptr;
+    return {{name, number_json(measured->value)}, {"address", address(source, measured->position)}};
+  }
+};
+
+}  // namespace axiscert
