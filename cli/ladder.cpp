@@ -25,7 +25,7 @@ const std::vector<std::string> default_kernels = {"ladder-0",
                                                   "ladder-8",
                                                   "ladder-9",
                                                   "reduced",
-                                                  "reduced-by-ends",
+                                                  "reduced-along",
                                                   "reduced-determinant",
                                                   "reduced-shared"};
 const std::vector<std::string> default_families = {"general", "tangent", "seam", "sliver", "far", "scale"};

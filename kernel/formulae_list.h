@@ -30,7 +30,7 @@
   X(ladder_8, rungs::Ladder8, rung)                          \
   X(ladder_9, rungs::Ladder9, rung)                          \
   X(reduced, portable::Reduced, rung)                        \
-  X(reduced_by_ends, portable::ReducedByEnds, rung)          \
+  X(reduced_along, portable::ReducedAlong, rung)             \
   X(reduced_determinant, portable::ReducedDeterminant, rung) \
   X(reduced_shared, portable::ReducedShared, rung)           \
   X(first_publication, rungs::FirstPublication, variant)     \

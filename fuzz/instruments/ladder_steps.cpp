@@ -21,7 +21,7 @@ std::vector<Formulae> origins(Formulae formulae) {
     case ladder_9:
       return {static_cast<Formulae>(static_cast<int>(formulae) - 1)};
     case reduced:
-    case reduced_by_ends:
+    case reduced_along:
     case reduced_determinant:
     case reduced_shared:
       return {ladder_9, published};

@@ -14,9 +14,10 @@ AXISCERT_BEFORE_NAMESPACE();
 namespace axiscert {
 namespace AXISCERT_TARGET {
 
-// How N of an edge is computed: along the edge loses nothing to the distance from the sphere, by its ends can be
-// shared.
-enum class EdgeNormal { along, by_ends };
+// How N of an edge is computed: A x B from its ends, or A x AB along it. A x AB looks the better for a small triangle
+// far from the sphere, where A x B cancels; but the rounding of A - P and B - P costs as much there before either
+// begins, and B - A rounds once more. docs/precision.md has the figures.
+enum class EdgeNormal { by_ends, along };
 // How the plane's normal V and offset d are computed. `shared` takes both from the edges' normals by their ends.
 enum class PlaneTerms { published, determinant, shared };
 
@@ -66,9 +67,9 @@ struct ReducedForm {
   }
 };
 
-using Reduced = ReducedForm<EdgeNormal::along, PlaneTerms::published>;
-using ReducedByEnds = ReducedForm<EdgeNormal::by_ends, PlaneTerms::published>;
-using ReducedDeterminant = ReducedForm<EdgeNormal::along, PlaneTerms::determinant>;
+using Reduced = ReducedForm<EdgeNormal::by_ends, PlaneTerms::published>;
+using ReducedAlong = ReducedForm<EdgeNormal::along, PlaneTerms::published>;
+using ReducedDeterminant = ReducedForm<EdgeNormal::by_ends, PlaneTerms::determinant>;
 using ReducedShared = ReducedForm<EdgeNormal::by_ends, PlaneTerms::shared>;
 
 }  // namespace AXISCERT_TARGET
