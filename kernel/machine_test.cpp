@@ -62,6 +62,7 @@ TEST(Spu, NoSubnormalNumbersNoNaNAndNoNegativeZero) {
   EXPECT_EQ(sum(0x1p-127f, 0), 0) << "a subnormal operand";
   EXPECT_EQ(sum(inf, -inf), 0);
   EXPECT_EQ(product(0, inf), 0);
+  EXPECT_EQ(float(Spu(0) / Spu(0)), 0);
   for (const float zero : {product(-1, 0), product(-0x1p-126f, 0.5f), sum(-0.0f, -0.0f), float(Spu(0) - Spu(0))}) {
     EXPECT_EQ(zero, 0);
     EXPECT_FALSE(std::signbit(zero));
