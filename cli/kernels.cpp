@@ -8,39 +8,53 @@
 namespace axiscert {
 namespace {
 
-int list_kernels(const std::string& format) {
+std::vector<std::string_view> precisions_of(const ArithmeticInfo& arithmetic) {
+  std::vector<std::string_view> names;
+  if (arithmetic.in_binary32) names.push_back(name(Precision::binary32));
+  if (arithmetic.in_binary64) names.push_back(name(Precision::binary64));
+  return names;
+}
+
+void print_kernels() {
   const auto targets = available_targets();
+  for (const Kernel& kernel : kernels()) {
+    fmt::print("{:<20} {}; {}; {}; exposes {}\n", kernel.id, kernel.summary, fmt::join(precision_names, " "),
+               kernel.has_simd ? fmt::format("{}", fmt::join(targets, " ")) : scalar_target,
+               fmt::join(exposures_json(kernel).get<std::vector<std::string>>(), ", "));
+  }
+  fmt::print(
+      "\nKERNEL+ARITHMETIC, for each kernel from published to ladder-9, is its scalar form in another arithmetic:\n");
+  for (const ArithmeticInfo& arithmetic : arithmetics()) {
+    fmt::print("{:<20} {}; {}\n", "+" + arithmetic.name, arithmetic.summary, fmt::join(precisions_of(arithmetic), " "));
+  }
+}
+
+// A kernel that takes other arithmetics has their ids with it.
+Json kernels_json() {
   Json all = Json::array();
   for (const Kernel& kernel : kernels()) {
-    if (format == "text") {
-      fmt::print("{:<20} {}; {}; {}; exposes {}\n", kernel.id, kernel.summary, fmt::join(precision_names, " "),
-                 kernel.has_simd ? fmt::format("{}", fmt::join(targets, " ")) : scalar_target,
-                 fmt::join(exposures_json(kernel).get<std::vector<std::string>>(), ", "));
+    Json composed = Json::array();
+    for (const ArithmeticInfo& arithmetic : arithmetics()) {
+      if (!kernel.takes_arithmetic) break;
+      composed.push_back({{"id", kernel.id + "+" + arithmetic.name},
+                          {"arithmetic", arithmetic.name},
+                          {"summary", arithmetic.summary},
+                          {"precisions", precisions_of(arithmetic)}});
     }
     all.push_back({{"id", kernel.id},
                    {"summary", kernel.summary},
                    {"formulae", name(kernel.formulae)},
                    {"precisions", precision_names},
-                   {"targets", kernel.has_simd ? Json(targets) : Json{scalar_target}},
+                   {"targets", kernel.has_simd ? Json(available_targets()) : Json{scalar_target}},
                    {"exposes", exposures_json(kernel)},
-                   {"takes_arithmetic", kernel.takes_arithmetic}});
+                   {"arithmetics", composed}});
   }
-  if (format == "text") {
-    fmt::print(
-        "\nKERNEL+ARITHMETIC, for each kernel from published to ladder-9, is its scalar form in another arithmetic:\n");
-  }
-  Json others = Json::array();
-  for (const ArithmeticInfo& arithmetic : arithmetics()) {
-    Json precisions = Json::array();
-    if (arithmetic.in_binary32) precisions.push_back(name(Precision::binary32));
-    if (arithmetic.in_binary64) precisions.push_back(name(Precision::binary64));
-    if (format == "text") {
-      fmt::print("{:<20} {}; {}\n", "+" + arithmetic.name, arithmetic.summary,
-                 fmt::join(precisions.get<std::vector<std::string>>(), " "));
-    }
-    others.push_back({{"id", arithmetic.name}, {"summary", arithmetic.summary}, {"precisions", precisions}});
-  }
-  if (format == "json") fmt::print("{}\n", all.dump(2));
+  return all;
+}
+
+int list_kernels(const std::string& format) {
+  if (format == "text") print_kernels();
+  else fmt::print("{}\n", kernels_json().dump(2));
   return exit_done;
 }
 

@@ -28,10 +28,16 @@ struct UnboundedNumber<arithmetic::WorldDouble> {
   using Type = arithmetic::LargeWorld<Mpfr<53>, Mpfr<24>>;
 };
 
-template <class F, class Number>
+// Scaling by a power of two rounds nothing, but the translation before it does, and then every form is centred.
+template <class F, class Number, bool translated_first>
 Outcome unbounded_outcome(const Query<double>& q, Strictness strictness) {
   using T = typename Number::Type;
-  return outcome_of<F>(problem_as<T>(q, [](double x) { return T(typename Number::Base(x)); }), strictness);
+  auto problem = problem_as<T>(q, [](double x) { return T(typename Number::Base(x)); });
+  if constexpr (translated_first) {
+    const auto& [a, b, c, p, r, zero] = problem;
+    problem = {a - p, b - p, c - p, {zero, zero, zero}, r, zero};
+  }
+  return outcome_of<F>(problem, strictness);
 }
 
 // Arithmetics that are plain but for a mode share the plain functions.
@@ -44,13 +50,14 @@ UnboundedTable unbounded_table() {
                         std::numeric_limits<typename A::template BaseOf<double>>::digits},
                        A::unbounded_rounding,
                        A::flags_tell_range};
-  if constexpr (arithmetic != Arithmetic::plain && std::is_same_v<typename UnboundedNumber<A>::Type, Floating>) {
+  constexpr bool plain_but_for_a_mode = std::is_same_v<typename UnboundedNumber<A>::Type, Floating> && !A::prescaled;
+  if constexpr (arithmetic != Arithmetic::plain && plain_but_for_a_mode) {
     table.functions = unbounded_table_plain().functions;
   } else {
     const auto fill = [&]<std::size_t i>() {
       constexpr auto formulae = static_cast<Formulae>(i);
       if constexpr (arithmetic == Arithmetic::plain || kind_of(formulae) == FormulaeKind::rung) {
-        table.functions[i] = unbounded_outcome<FormulaeType<formulae>, UnboundedNumber<A>>;
+        table.functions[i] = unbounded_outcome<FormulaeType<formulae>, UnboundedNumber<A>, A::prescaled>;
       }
     };
     [&]<std::size_t... i>(std::index_sequence<i...>) {

@@ -24,7 +24,9 @@ class FloatingEnvironment {
   }
   ~FloatingEnvironment() {
     // The status flags that the scope raised stay raised.
-    if ((control_ & flush_bits) != (control() & flush_bits)) set_control(control() & ~flush_bits);
+    if ((control_ & flush_bits) != (control() & flush_bits)) {
+      set_control((control() & ~flush_bits) | (control_ & flush_bits));
+    }
     std::fesetround(rounding_);
   }
   FloatingEnvironment(const FloatingEnvironment&) = delete;

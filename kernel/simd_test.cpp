@@ -3,35 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <cstring>
 #include <limits>
 #include <random>
 
 #include "kernel/scalar_kernel.h"
+#include "kernel/testing/random.h"
 
 namespace axiscert {
 namespace {
 
-template <class Real>
-using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-
-// NaN payloads are not part of the contract: which operand's payload survives depends on operand order.
-template <class Real>
-bool same(Real a, Real b) {
-  return std::bit_cast<Bits<Real>>(a) == std::bit_cast<Bits<Real>>(b) || (a != a && b != b);
-}
-
-template <class Real>
-Query<Real> random_query(std::mt19937_64& random, bool any_bits) {
-  std::array<Real, coordinate_count> v;
-  for (Real& x : v) {
-    const auto bits = static_cast<Bits<Real>>(random());
-    x = any_bits ? std::bit_cast<Real>(bits)
-                 : static_cast<Real>(static_cast<std::int64_t>(random()) >> 11) * Real(0x1p-52);
-  }
-  return from_coordinates(v);
-}
+using testing_support::random_query, testing_support::same;
 
 template <class Real>
 Query<Real> garbage(std::size_t i) {

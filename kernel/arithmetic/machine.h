@@ -12,7 +12,8 @@ namespace axiscert::arithmetic {
 // Single precision of the Cell's synergistic processor: results are chopped; what would be subnormal is zero; exponent
 // 255 is a number like the others; beyond the greatest, (2 - 2^-23) 2^128, results stay there; no infinity, no NaN, no
 // negative zero. Source: Synergistic Processor Unit Instruction Set Architecture, "Single precision (extended-range
-// mode)". Division and root, estimates refined in software there, are the chopped exact ones here.
+// mode)". Division and root, estimates refined in software there, are the chopped exact ones here; x/0 is the greatest,
+// and 0/0 is 0, as 0 times the greatest.
 // Held in a double: 24 significant bits, exponents from -126 to 128.
 class Spu {
  public:
@@ -28,7 +29,7 @@ class Spu {
   friend Spu operator-(const Spu& a, const Spu& b) { return a + chopped(-b.value_, 0); }
   friend Spu operator*(const Spu& a, const Spu& b) { return chopped(a.value_ * b.value_, 0); }  // 48 bits: exact
   friend Spu operator/(const Spu& a, const Spu& b) {
-    if (b.value_ == 0) return chopped(std::copysign(greatest, a.value_), 0);
+    if (b.value_ == 0) return chopped(a.value_ == 0 ? 0 : std::copysign(greatest, a.value_), 0);
     const double quotient = a.value_ / b.value_;
     return chopped(quotient, std::fma(-quotient, b.value_, a.value_) * (b.value_ < 0 ? -1 : 1));
   }
