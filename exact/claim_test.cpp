@@ -1,9 +1,10 @@
-// What the kernels claim, in exact arithmetic, over the lattice.
+// What the kernels claim, in exact arithmetic, over small integer triangles.
 #include "exact/claim.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "exact/geometric_oracle.h"
 
@@ -38,51 +39,51 @@ struct Found {
   std::uint64_t wrong_inside = 0, wrong_outside = 0;  // of its domain
 };
 
-// All triangles with vertices in {-n..n}^3, the first in {first..n}^3 with x <= y <= z; centre at the origin. Radii:
-// the binary64 numbers next to the exact distance on both sides, and the distance where it is one.
-std::vector<Found> judge_lattice(int n, int first, std::uint64_t& triangles) {
-  std::vector<Found> found(kernels().size());
-  const int side = 2 * n + 1, points = side * side * side;
-  const auto vertex = [&](int i) {
-    return Vec3<double>{double(i % side - n), double(i / side % side - n), double(i / side / side - n)};
-  };
-  const auto is_first = [&](const Vec3<double>& v) {
-    return first == -n || (v.x >= first && v.x <= v.y && v.y <= v.z);
-  };
-  for (int i = 0; i < points; ++i) {
-    if (!is_first(vertex(i))) continue;
-    for (int j = 0; j < points; ++j)
-      for (int k = 0; k < points; ++k) {
-        ++triangles;
-        Query<double> q{vertex(i), vertex(j), vertex(k), {0, 0, 0}, 0};
-        const Rational distance2 = squared_distance(q);
-        const double near = nearest_sqrt<double>(distance2);
-        for (const double r : {std::nextafter(near, 0), near, std::nextafter(near, INFINITY)}) {
-          const int order = cmp(distance2, Rational(exact(r) * exact(r)));
-          // Of the two that are not the distance, one on each side is enough.
-          if (r != near && cmp(exact(near) * exact(near), distance2) != 0 &&
-              (order > 0) == (cmp(distance2, exact(near) * exact(near)) > 0))
-            continue;
-          q.r = r;
-          const Verdict truth = order > 0 ? Verdict::separated : Verdict::contact;
-          const FormulaTruth published = formula_truth(q);
-          Claims<double> claims(q, published);
-          for (std::size_t which = 0; which < kernels().size(); ++which) {
-            const Kernel& kernel = kernels()[which];
-            const FormulaTruth* sides = claims.sides(kernel.formulae);  // throws where a rung's signs are not published
-            const Verdict verdict =
-                sides ? outcome_of(sides->bits(kernel.strictness)).verdict : exact_verdict(kernel.formulae, q);
-            if (verdict == truth) continue;
-            const Domain domain = domain_of(kernel);
-            ++(domain && domain(q) ? found[which].wrong_inside : found[which].wrong_outside);
-          }
-        }
-      }
+using FoundByKernel = std::vector<Found>;
+
+// One triangle, the centre at the origin. Radii: the binary64 numbers next to the exact distance on both sides, and the
+// distance where it is one.
+void judge_triangle(Query<double> q, FoundByKernel& found) {
+  found.resize(kernels().size());
+  const Rational distance2 = squared_distance(q);
+  const double near = nearest_sqrt<double>(distance2);
+  const auto order_at = [&](double r) { return cmp(distance2, Rational(exact(r) * exact(r))); };
+  for (const double r : {std::nextafter(near, 0), near, std::nextafter(near, INFINITY)}) {
+    const int order = order_at(r);
+    if (r != near && order == order_at(near)) continue;  // one on each side is enough
+    q.r = r;
+    const Verdict truth = order > 0 ? Verdict::separated : Verdict::contact;
+    const FormulaTruth published = formula_truth(q);
+    Claims<double> claims(q, published);
+    for (std::size_t which = 0; which < kernels().size(); ++which) {
+      const Kernel& kernel = kernels()[which];
+      const FormulaTruth* sides = claims.sides(kernel.formulae);  // throws where a rung's signs are not published
+      const Verdict verdict =
+          sides ? outcome_of(sides->bits(kernel.strictness)).verdict : exact_verdict(kernel.formulae, q);
+      if (verdict == truth) continue;
+      const Domain domain = domain_of(kernel);
+      ++(domain && domain(q) ? found[which].wrong_inside : found[which].wrong_outside);
+    }
   }
-  return found;
 }
 
-void expect_claims_hold(const std::vector<Found>& found) {
+// All triangles with vertices in {-1, 0, 1}^3; `first` chooses among the first vertices. Returns how many.
+template <class First>
+int judge_lattice(First&& first, FoundByKernel& found) {
+  int triangles = 0;
+  const auto vertex = [](int i) { return Vec3<double>{double(i % 3 - 1), double(i / 3 % 3 - 1), double(i / 9 - 1)}; };
+  for (int i = 0; i < 27; ++i) {
+    if (!first(vertex(i))) continue;
+    for (int j = 0; j < 27; ++j) {
+      for (int k = 0; k < 27; ++k, ++triangles) {
+        judge_triangle({vertex(i), vertex(j), vertex(k), {0, 0, 0}, 0}, found);
+      }
+    }
+  }
+  return triangles;
+}
+
+void expect_claims_hold(const FoundByKernel& found) {
   for (std::size_t which = 0; which < kernels().size(); ++which) {
     const Kernel& kernel = kernels()[which];
     EXPECT_EQ(found[which].wrong_inside, 0u) << kernel.id;
@@ -92,16 +93,34 @@ void expect_claims_hold(const std::vector<Found>& found) {
   }
 }
 
-// Each triangle of {-1, 0, 1}^3 is one of these, turned or mirrored by a symmetry of the cube.
+// Each triangle of the lattice is one of these, turned or mirrored by a symmetry of the cube.
 TEST(Claims, HoldOnTheLatticeUpToItsSymmetries) {
-  std::uint64_t triangles = 0;
-  expect_claims_hold(judge_lattice(1, 0, triangles));
-  EXPECT_EQ(triangles, 4u * 27 * 27);
+  FoundByKernel found;
+  EXPECT_EQ(judge_lattice([](const Vec3<double>& v) { return 0 <= v.x && v.x <= v.y && v.y <= v.z; }, found),
+            4 * 27 * 27);
+  expect_claims_hold(found);
 }
 TEST(ClaimsLong, HoldOnTheWholeLattice) {
-  std::uint64_t triangles = 0;
-  expect_claims_hold(judge_lattice(1, -1, triangles));
-  EXPECT_EQ(triangles, 19683u);
+  FoundByKernel found;
+  EXPECT_EQ(judge_lattice([](const Vec3<double>&) { return true; }, found), 19683);
+  expect_claims_hold(found);
+}
+
+// The lattice has no query whose centre lies beyond the end of an edge: with coordinates in {-1, 0, 1}, A.B <= B.B.
+TEST(Claims, HoldOnIntegerTrianglesInEveryRegion) {
+  constexpr int seed = 81;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  std::mt19937_64 random(seed);
+  FoundByKernel found;
+  for (int i = 0; i < 2000; ++i) {
+    const auto integer = [&] { return static_cast<double>(random() % 9) - 4; };
+    const auto vertex = [&] { return Vec3<double>{integer(), integer(), integer()}; };
+    Query<double> q{vertex(), vertex(), vertex(), {0, 0, 0}, 0};
+    if (i % 8 == 0) (i % 3 == 0 ? q.a : i % 3 == 1 ? q.b : q.c) = i % 3 == 0 ? q.b : q.a;
+    if (i % 8 == 1) q.c = q.a + (q.b - q.a) * integer();
+    judge_triangle(q, found);
+  }
+  expect_claims_hold(found);
 }
 
 }  // namespace

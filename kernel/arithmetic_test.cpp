@@ -215,7 +215,8 @@ TEST(ArithmeticNames, AnUnknownOneIsRefusedWithWhatThereIs) {
       "dot-yz-x, dot-xz-y, rr-ee, compensated, exact-translation, prescaled, in-double, world-double");
   const std::string rungs =
       "is no rung that takes another arithmetic; those: published, nonstrict, reduced, reduced-nonstrict, "
-      "reduced-by-ends, reduced-determinant, reduced-shared, ladder-0, ladder-1, ladder-2, ladder-3, ladder-4, "
+      "reduced-along, reduced-determinant, reduced-shared, reduced-shared-nonstrict, ladder-0, ladder-1, ladder-2, "
+      "ladder-3, ladder-4, "
       "ladder-5, "
       "ladder-6, ladder-7, ladder-8, ladder-9";
   EXPECT_EQ(refusal("minkowski+fma"), "kernel 'minkowski+fma': 'minkowski' " + rungs);

@@ -57,8 +57,7 @@ TYPED_TEST(RungsTest, ThePlaneLosesItsRootThenItsDivision) {
   EXPECT_EQ(plane("ladder-0"), (Pair{3, 2}));  // |A.N|, r
   EXPECT_EQ(plane("ladder-1"), (Pair{9, 4}));
   EXPECT_EQ(plane("ladder-2"), (Pair{9, 4}));
-  for (const char* id :
-       {"ladder-3", "ladder-9", "reduced", "reduced-by-ends", "reduced-determinant", "reduced-shared"}) {
+  for (const char* id : {"ladder-3", "ladder-9", "reduced", "reduced-along", "reduced-determinant", "reduced-shared"}) {
     EXPECT_EQ(plane(id), (Pair{9 * 256, 4 * 256})) << id;
   }
 }
@@ -86,7 +85,7 @@ TYPED_TEST(RungsTest, TheEdgesAreSquaredScaledUndividedCentredAndReduced) {
     EXPECT_EQ(radius(id), (Pair{9 * 256, 4 * 256})) << id;
   }
   for (const char* id : {"ladder-8", "ladder-9"}) EXPECT_EQ(side(id), (Pair{12 * 256, 0})) << id;
-  for (const char* id : {"reduced", "reduced-by-ends", "reduced-determinant", "reduced-shared"}) {
+  for (const char* id : {"reduced", "reduced-along", "reduced-determinant", "reduced-shared"}) {
     EXPECT_EQ(radius(id), (Pair{9 * 16, 4 * 16})) << id;
     EXPECT_EQ(side(id), (Pair{0, -192})) << id;
   }
