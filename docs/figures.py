@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Writes the figures of the documents from the commands that stand beside them.
 
 figures.py AXISCERT FILE.md...            runs each command and replaces what is below it
