@@ -126,17 +126,21 @@ std::array<Condition, comparison_count> conditions_of(const Query<Real>& q, Comp
   return found;
 }
 
+template <class Real>
+using ConditionFunction = std::array<Condition, comparison_count> (*)(const Query<Real>&, ComparisonBits);
+
+template <class F, class Real>
+constexpr ConditionFunction<Real> condition_function() {
+  if constexpr (requires(portable::Problem<Real> p) { F::separated(p); }) return nullptr;
+  else return conditions_of<F, Real>;
+}
+
 }  // namespace
 
 template <class Real>
 std::array<Condition, comparison_count> conditions(Formulae formulae, const Query<Real>& q, ComparisonBits wanted) {
-  using Function = std::array<Condition, comparison_count> (*)(const Query<Real>&, ComparisonBits);
-  static constexpr auto function_of = []<class F>() -> Function {
-    if constexpr (requires(portable::Problem<Real> p) { F::separated(p); }) return nullptr;
-    else return conditions_of<F, Real>;
-  };
-  static constexpr Function functions[] = {
-#define AXISCERT_FUNCTION(name, type, kind) function_of.template operator()<type>(),
+  static constexpr ConditionFunction<Real> functions[] = {
+#define AXISCERT_FUNCTION(name, type, kind) condition_function<type, Real>(),
       AXISCERT_FORMULAE(AXISCERT_FUNCTION)
 #undef AXISCERT_FUNCTION
   };

@@ -61,7 +61,6 @@ class Degree {
   }
   friend Degree magnitude(const Degree& a) { return a; }
   friend bool operator>(const Degree&, const Degree&) { return branches.take(); }
-  friend bool operator>=(const Degree&, const Degree&) { return branches.take(); }
 
  private:
   Degree() = default;

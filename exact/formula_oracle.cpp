@@ -51,6 +51,12 @@ FormulaTruth truth_of(const Query<Real>& q) {
   return with_signs(sides_of<F>(exact_problem<ExactNumber<F>>(q)));
 }
 
+template <class F, class Real>
+constexpr auto truth_function() -> FormulaTruth (*)(const Query<Real>&) {
+  if constexpr (requires(portable::Problem<Real> p) { F::separated(p); }) return nullptr;
+  else return truth_of<F, Real>;
+}
+
 }  // namespace
 
 Rational rational(const Ring& x) {
@@ -67,12 +73,8 @@ ExactComparison FormulaTruth::comparison(std::size_t i) const {
 
 template <class Real>
 FormulaTruth formula_truth(Formulae formulae, const Query<Real>& q) {
-  static constexpr auto function_of = []<class F>() -> FormulaTruth (*)(const Query<Real>&) {
-    if constexpr (requires(portable::Problem<Real> p) { F::separated(p); }) return nullptr;
-    else return truth_of<F, Real>;
-  };
   static constexpr FormulaTruth (*functions[])(const Query<Real>&) = {
-#define AXISCERT_FUNCTION(name, type, kind) function_of.template operator()<type>(),
+#define AXISCERT_FUNCTION(name, type, kind) truth_function<type, Real>(),
       AXISCERT_FORMULAE(AXISCERT_FUNCTION)
 #undef AXISCERT_FUNCTION
   };

@@ -79,21 +79,22 @@ QueryBatch<Real> check_queries() {
 template <class Real>
 using StoredSides = Sides<Stored<Real>> (*)(const Query<Real>&);
 
+template <class F, class Real>
+Sides<Stored<Real>> sides_through_memory(const Query<Real>& q) {
+  return sides_of<F>(problem_as<Stored<Real>>(q, [](Real x) { return Stored<Real>{x}; }));
+}
+
+template <class F, class Real>
+constexpr StoredSides<Real> stored_function() {
+  if constexpr (requires(portable::Problem<Real> p) { F::separated(p); }) return nullptr;
+  else return sides_through_memory<F, Real>;
+}
+
 // The sides of any set of formulae that has comparisons.
 template <class Real>
 Sides<Stored<Real>> stored_sides(Formulae formulae, const Query<Real>& q) {
-  static constexpr auto function_of = []<class F>() -> StoredSides<Real> {
-    if constexpr (
-        requires { F::is_ring; } && !requires(portable::Problem<Real> p) { F::separated(p); }) {
-      return [](const Query<Real>& query) {
-        return sides_of<F>(problem_as<Stored<Real>>(query, [](Real x) { return Stored<Real>{x}; }));
-      };
-    } else {
-      return nullptr;
-    }
-  };
   static constexpr StoredSides<Real> functions[] = {
-#define AXISCERT_FUNCTION(name, type, kind) function_of.template operator()<type>(),
+#define AXISCERT_FUNCTION(name, type, kind) stored_function<type, Real>(),
       AXISCERT_FORMULAE(AXISCERT_FUNCTION)
 #undef AXISCERT_FUNCTION
   };

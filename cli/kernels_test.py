@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""The kernels and arithmetics as a user meets them."""
+import json
+import unittest
+
+from command import DIVISOR, QUERY, ROOT, Case, axiscert, family
+
+
+class Kernels(Case):
+    """The rungs, the other methods and the arithmetics, by their ids."""
+
+    def listed(self):
+        done = axiscert("kernels", "--format", "json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_every_kernel_and_every_arithmetic_is_listed_once(self):
+        listed = self.listed()
+        ids = [kernel["id"] for kernel in listed] + [c["id"] for kernel in listed for c in kernel["arithmetics"]]
+        self.assertEqual(len(ids), len(set(ids)))
+        arithmetics = [c["arithmetic"] for c in listed[0]["arithmetics"]]
+        self.assertEqual(len(arithmetics), len(set(arithmetics)))
+        for kernel in listed:
+            self.assertIn([c["arithmetic"] for c in kernel["arithmetics"]], [arithmetics, []], kernel["id"])
+        refused = axiscert("check", "-", "--kernel", "nosuch").stderr.strip()
+        self.assertEqual(refused.split("; kernels: ")[1].split(", "), [kernel["id"] for kernel in listed])
+        refused = axiscert("check", "-", "--kernel", "published+nosuch").stderr.strip()
+        self.assertEqual(refused.split("; arithmetics: ")[1].split(", "), arithmetics)
+        text = axiscert("kernels").stdout.splitlines()
+        for name in [kernel["id"] for kernel in listed] + ["+" + a for a in arithmetics]:
+            self.assertEqual(len([line for line in text if line.split()[:1] == [name]]), 1, name)
+
+    def test_what_is_listed_exists_in_the_precisions_it_says(self):
+        queries = {p: QUERY.replace("binary32", p) % 1 for p in ("binary32", "binary64")}
+        for composed in self.listed()[2]["arithmetics"] + self.listed():
+            for precision, query in queries.items():
+                done = axiscert("check", "-", "--kernel", composed["id"], stdin=query)
+                self.assertEqual(done.returncode, 0 if precision in composed["precisions"] else 2, done.stderr)
+
+    def test_the_documentation_names_what_is_registered(self):
+        tables, header = {}, None
+        for line in (ROOT / "docs/kernels.md").read_text().splitlines():
+            cells = [cell.strip() for cell in line.strip("|").split(" | ")] if line.startswith("|") else None
+            if cells is None:
+                header = None
+            elif header is None:
+                header = tuple(cells)
+                tables[header] = []
+            elif cells[0].startswith("`"):
+                tables[header].append([cell.strip("`") for cell in cells])
+        named = {header: [row[0] for row in rows] for header, rows in tables.items()}
+        listed = self.listed()
+        ids, arithmetics = [k["id"] for k in listed], [c["arithmetic"] for c in listed[0]["arithmetics"]]
+        self.assertEqual([names for header, names in named.items() if header[0] == "kernel"], [ids, ids])
+        self.assertEqual([names for header, names in named.items() if header[0] == "arithmetic"], [arithmetics])
+        (shown,) = [rows for header, rows in tables.items() if header[-1] == "exposes"]
+        for row, kernel in zip(shown, listed):
+            self.assertIn(row[-1], kernel["exposes"], kernel["id"])
+            self.assertEqual("sides" in kernel["exposes"], row[-1] == "sides", kernel["id"])
+
+    def test_the_slips_are_specification_faults(self):
+        for kernel in ("first-publication", "vertex-typo"):
+            record = self.run_ok("--kernel", kernel, "--family", "general", "--trials", 100000 // DIVISOR,
+                                 "--precision", "binary32", "--require", "logic", code=1)
+            self.assertGreater(family(record, "general", kernel=kernel)["verdict"]["links"]["specification"], 0)
+
+    def test_the_reduced_test_has_no_fault_of_logic(self):
+        self.run_ok("--kernel", "reduced-nonstrict", "--family", "all", "--trials", 1000, "--require", "logic")
+
+    def test_every_kernel_is_judged_by_its_own_formulae(self):
+        listed = self.listed()
+        plan = [f"--kernel={kernel['id']}" for kernel in listed]
+        plan += [f"--kernel={c['id']}" for c in listed[0]["arithmetics"] if c["precisions"] == ["binary32", "binary64"]]
+        record = self.run_ok(*plan, "--family", "sliver", "--family", "repeated", "--family", "scale", "--trials", 200)
+        self.assertEqual(len(record["kernels"]), 2 * len(plan))
+        for entry in record["kernels"]:
+            for name, found in entry["families"].items():
+                # Eigen chooses its own order of operations: there, what differs from the reference is its own.
+                if entry["id"] != "eigen":
+                    self.assertEqual(found["verdict"]["links"]["implementation"], 0, (entry["id"], name))
+
+    def test_a_precision_that_an_arithmetic_lacks(self):
+        self.refused("run", "--kernel", "published+spu", "--precision", "binary64", "--out", self.folder / "out",
+                     says=["--precision binary64", "published+spu", "binary32 only"])
+        self.refused("check", "-", "--kernel", "published+world-double", stdin=QUERY % 1,
+                     says=["query 'q'", "binary32", "published+world-double"])
+        for wrong, says in (("published+nope", "unknown arithmetic 'nope'"), ("minkowski+fma", "'minkowski' is no rung"),
+                            ("nope+fma", "'nope' is no rung")):
+            done = self.refused("run", "--kernel", wrong, says=[wrong, says])
+            self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
