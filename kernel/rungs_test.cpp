@@ -99,7 +99,8 @@ TYPED_TEST(RungsTest, TheSlipsChangeTheirOwnComparisonsOnly) {
     const auto found = sides_in(find_kernel(id), q);
     ComparisonBits bits = 0;
     for (std::size_t k = 0; k < comparison_count; ++k) {
-      if (found.lhs[k] != published.lhs[k] || found.rhs[k] != published.rhs[k]) bits |= 1u << k;
+      if (found.lhs[k] != published.lhs[k] || found.rhs[k] != published.rhs[k])
+        bits |= static_cast<ComparisonBits>(1u << k);
     }
     return bits;
   };

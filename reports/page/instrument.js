@@ -14,12 +14,20 @@ function drawPlots() {
   const colours = schemeColours[dark ? 'dark' : 'light'];
   const marks = ['circle', 'rectRot', 'triangle', 'rect', 'cross', 'star'];
 
+  // Powers of ten alone where there are many.
+  function logarithmicTick(...given) {
+    if (Math.log10(this.max / this.min) < 4) return Chart.Ticks.formatters.logarithmic.apply(this, given);
+    const exponent = Math.log10(given[0]);
+    if (Math.abs(exponent - Math.round(exponent)) > 1e-9) return '';
+    return given[0] < 1e-3 || given[0] >= 1e5 ? `1e${Math.round(exponent)}` : String(given[0]);
+  }
+
   const scale = (axis) => ({
     type: axis.log ? 'logarithmic' : 'linear',
     title: { display: true, text: axis.label, color: text },
     ticks: axis.names && axis.names.length > 0
       ? { color: text, stepSize: 1, autoSkip: false, maxRotation: 60, callback: (value) => axis.names[value] || '' }
-      : { color: text },
+      : axis.log ? { color: text, maxRotation: 0, callback: logarithmicTick } : { color: text },
     grid: { color: line },
   });
   const dataset = (series, i, kind) => ({
