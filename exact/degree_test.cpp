@@ -45,8 +45,10 @@ TEST(Degree, PublishedByHand) {
 
 TEST(Degree, ReducedByHand) {
   expect_degree(Formulae::reduced, plane_radius, 6, 6, BitLength{6, 16});
-  expect_degree(Formulae::reduced, edge_ab_radius, 4, 4, BitLength{4, 10});             // N: 2b+4
-  expect_degree(Formulae::reduced, edge_ca_side_b, std::nullopt, 4, BitLength{4, 11});  // V: 2b+5
+  expect_degree(Formulae::reduced, edge_ab_radius, 4, 4, BitLength{4, 8});              // N = A x B: 2b+3
+  expect_degree(Formulae::reduced, edge_ca_side_b, std::nullopt, 4, BitLength{4, 10});  // V: 2b+5
+  expect_degree(Formulae::reduced_along, edge_ab_radius, 4, 4, BitLength{4, 10});       // N = A x AB: 2b+4
+  expect_degree(Formulae::reduced_along, edge_ca_side_b, std::nullopt, 4, BitLength{4, 11});
 }
 
 TEST(Degree, TheFirstRungHasRootsAndDivisions) {

@@ -13,6 +13,31 @@ AXISCERT_BEFORE_NAMESPACE();
 namespace axiscert {
 namespace AXISCERT_TARGET {
 
+template <class T>
+struct DotProducts {
+  T aa, ab, ac, bb, bc, cc;
+};
+template <class T>
+AXISCERT_INLINE DotProducts<T> dot_products(const Centred<T>& q) {
+  return {dot(q.a, q.a), dot(q.a, q.b), dot(q.a, q.c), dot(q.b, q.b), dot(q.b, q.c), dot(q.c, q.c)};
+}
+
+// The nine comparisons of the vertex axes, in their order.
+template <class T, class Emit>
+AXISCERT_INLINE void vertex_comparisons(const DotProducts<T>& dots, const T& rr, Emit&& emit) {
+  using enum Comparison;
+  const auto& [aa, ab, ac, bb, bc, cc] = dots;
+  emit(vertex_a_radius, aa, rr);
+  emit(vertex_a_side_b, ab, aa);
+  emit(vertex_a_side_c, ac, aa);
+  emit(vertex_b_radius, bb, rr);
+  emit(vertex_b_side_a, ab, bb);
+  emit(vertex_b_side_c, bc, bb);
+  emit(vertex_c_radius, cc, rr);
+  emit(vertex_c_side_a, ac, cc);
+  emit(vertex_c_side_b, bc, cc);
+}
+
 // Emits all sixteen comparisons, in their order, as emit(which, lhs, rhs).
 //
 // plane.radius   beyond the plane of ABC                     degree 6; zero area: 0 > 0, never separates
@@ -35,17 +60,9 @@ AXISCERT_INLINE void published_comparisons(const Centred<T>& query, const T& zer
   const T e = dot(V, V);
   emit(plane_radius, d * d, rr * e);
 
-  const T aa = dot(A, A), ab = dot(A, B), ac = dot(A, C);
-  const T bb = dot(B, B), bc = dot(B, C), cc = dot(C, C);
-  emit(vertex_a_radius, aa, rr);
-  emit(vertex_a_side_b, ab, aa);
-  emit(vertex_a_side_c, ac, aa);
-  emit(vertex_b_radius, bb, rr);
-  emit(vertex_b_side_a, ab, bb);
-  emit(vertex_b_side_c, bc, bb);
-  emit(vertex_c_radius, cc, rr);
-  emit(vertex_c_side_a, ac, cc);
-  emit(vertex_c_side_b, bc, cc);
+  const DotProducts<T> dots = dot_products(query);
+  const auto& [aa, ab, ac, bb, bc, cc] = dots;
+  vertex_comparisons(dots, rr, emit);
 
   const T d1 = ab - aa, e1 = dot(AB, AB);
   const Vec3<T> Q1 = A * e1 - AB * d1;

@@ -7,8 +7,7 @@
 #if defined(AXISCERT_PER_TARGET) || !defined(AXISCERT_KERNEL_RUNGS_REDUCED_H)
 #define AXISCERT_KERNEL_RUNGS_REDUCED_H
 
-#include "kernel/geometry.h"
-#include "kernel/names.h"
+#include "kernel/formulae.h"
 
 AXISCERT_BEFORE_NAMESPACE();
 namespace axiscert {
@@ -33,7 +32,8 @@ struct ReducedForm {
   template <class T, class Emit>
   AXISCERT_INLINE static void comparisons(const Problem<T>& query, Emit&& emit) {
     using enum Comparison;
-    const auto [A, B, C, rr] = centred(query);
+    const Centred<T> centred = AXISCERT_TARGET::centred(query);
+    const auto& [A, B, C, rr] = centred;
     const Vec3<T> AB = B - A, BC = C - B, CA = A - C;
     const auto normal = [](const Vec3<T>& from, const Vec3<T>& to, const Vec3<T>& along) {
       if constexpr (edge_normal == EdgeNormal::along) return cross(from, along);
@@ -46,17 +46,7 @@ struct ReducedForm {
                                                : dot(C, cross(A, B));
     emit(plane_radius, d * d, rr * dot(V, V));
 
-    const T aa = dot(A, A), ab = dot(A, B), ac = dot(A, C);
-    const T bb = dot(B, B), bc = dot(B, C), cc = dot(C, C);
-    emit(vertex_a_radius, aa, rr);
-    emit(vertex_a_side_b, ab, aa);
-    emit(vertex_a_side_c, ac, aa);
-    emit(vertex_b_radius, bb, rr);
-    emit(vertex_b_side_a, ab, bb);
-    emit(vertex_b_side_c, bc, bb);
-    emit(vertex_c_radius, cc, rr);
-    emit(vertex_c_side_a, ac, cc);
-    emit(vertex_c_side_b, bc, cc);
+    vertex_comparisons(dot_products(centred), centred.rr, emit);
 
     emit(edge_ab_radius, dot(N1, N1), rr * dot(AB, AB));
     emit(edge_ab_side_c, query.zero, dot(N1, V));
