@@ -38,9 +38,10 @@ template <class Real>
 std::optional<Reference> Claims<Real>::chain(const Kernel& kernel) {
   if (kernel.formulae == Formulae::none) return std::nullopt;
   const FormulaTruth* own = sides(kernel.formulae);
-  const Rounded found = rounded(kernel.formulae, kernel.arithmetic, kernel.strictness, query_);
-  return Reference{own ? outcome_of(own->bits(kernel.strictness)) : Outcome{exact_verdict(kernel.formulae, query_), {}},
-                   found.range_free, found.reference};
+  Reference chain{own ? outcome_of(own->bits(kernel.strictness)) : Outcome{exact_verdict(kernel.formulae, query_), {}},
+                  std::nullopt};
+  if (kernel.is_reference) chain.rounded = rounded(kernel.formulae, kernel.arithmetic, kernel.strictness, query_);
+  return chain;
 }
 
 template class Claims<float>;

@@ -1,17 +1,29 @@
 #include "exact/judge.h"
 
 #include <bit>
+#include <type_traits>
 
 namespace axiscert {
 namespace {
 
-// Per link, the bits at which the chain E -> R-infinity -> R -> K breaks, on one level's own bits.
-template <class Bits>
-std::array<Bits, link_count> broken_links(Bits exact, Bits range_free, Bits reference, Bits kernel) {
+// Per link, the bits at which the chain E -> R-infinity -> R -> K breaks, on one level's own bits; `of` takes these
+// from an outcome.
+template <class Of>
+auto broken_links(const Reference& chain, std::invoke_result_t<Of, ComparisonBits> kernel, Of&& of) {
+  using Bits = std::invoke_result_t<Of, ComparisonBits>;
   std::array<Bits, link_count> broken{};
-  broken[static_cast<std::size_t>(Link::rounding)] = static_cast<Bits>(exact ^ range_free);
-  broken[static_cast<std::size_t>(Link::range)] = static_cast<Bits>(range_free ^ reference);
-  broken[static_cast<std::size_t>(Link::implementation)] = static_cast<Bits>(reference ^ kernel);
+  const auto put = [&](Link link, Bits before, Bits after) {
+    broken[static_cast<std::size_t>(link)] = static_cast<Bits>(before ^ after);
+  };
+  const Bits exact = of(*chain.exact.bits);
+  if (!chain.rounded) {
+    put(Link::unattributed, exact, kernel);
+    return broken;
+  }
+  const Bits range_free = of(*chain.rounded->range_free.bits), reference = of(*chain.rounded->reference.bits);
+  put(Link::rounding, exact, range_free);
+  put(Link::range, range_free, reference);
+  put(Link::implementation, reference, kernel);
   return broken;
 }
 
@@ -28,20 +40,23 @@ LinkBits verdict_links(Verdict geometric, const Reference& chain, Verdict kernel
     if (before != after) links |= link_bit(link);
   };
   compare(geometric, chain.exact.verdict, Link::specification);
-  compare(chain.exact.verdict, chain.range_free.verdict, Link::rounding);
-  compare(chain.range_free.verdict, chain.reference.verdict, Link::range);
-  compare(chain.reference.verdict, kernel, Link::implementation);
+  if (!chain.rounded) {
+    compare(chain.exact.verdict, kernel, Link::unattributed);
+    return links;
+  }
+  compare(chain.exact.verdict, chain.rounded->range_free.verdict, Link::rounding);
+  compare(chain.rounded->range_free.verdict, chain.rounded->reference.verdict, Link::range);
+  compare(chain.rounded->reference.verdict, kernel, Link::implementation);
   return links;
 }
 
 void judge_bits(const Reference& chain, ComparisonBits bits, Verdict verdict, Judgement& out) {
-  const ComparisonBits exact = *chain.exact.bits, range_free = *chain.range_free.bits,
-                       reference = *chain.reference.bits;
+  const ComparisonBits exact = *chain.exact.bits;
   const AxisBits axes = axes_of(bits), exact_axes = axes_of(exact);
   out.comparison_flips = exact ^ bits;
   out.axis_flips = exact_axes ^ axes;
-  out.broken = broken_links<ComparisonBits>(exact, range_free, reference, bits);
-  out.broken_axes = broken_links<AxisBits>(exact_axes, axes_of(range_free), axes_of(reference), axes);
+  out.broken = broken_links(chain, bits, [](ComparisonBits own) { return own; });
+  out.broken_axes = broken_links(chain, axes, axes_of);
   if (verdict == verdict_of(exact_axes)) return;  // nothing flipped the verdict: all masked
   // A verdict that differs points one way; so does every flip that can have caused it: the axes that flipped that way,
   // and in those axes the comparisons that did.

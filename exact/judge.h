@@ -42,9 +42,11 @@ std::string_view name(const Flip& flip);  // "verdict", "edge_ab", "edge_ab.radi
 using Answer = Outcome;
 
 // What the formulae that a kernel claims decide, along the chain E -> R-infinity -> R. Verdicts alone for a method that
-// has no comparisons.
+// has no comparisons. Without `rounded` the kernel evaluates them in its own way, and what differs from E is
+// `unattributed`.
 struct Reference {
-  Outcome exact, range_free, reference;
+  Outcome exact;
+  std::optional<Rounded> rounded;
 };
 
 struct Judgement {

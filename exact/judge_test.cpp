@@ -102,8 +102,8 @@ TEST(HandWorked, BitsThatAreNotTheReferencesAreAnImplementationFault) {
   const Query<float> q{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 2};
   const Truth truth = exact_truth(q, true);
   const Reference chain = *Claims(q, *truth.formula).chain(find_kernel("published"));
-  EXPECT_EQ(chain.exact, chain.reference);
-  const auto wrong = static_cast<ComparisonBits>(*chain.reference.bits | comparisons_of(Axis::plane));
+  EXPECT_EQ(chain.exact, chain.rounded->reference);
+  const auto wrong = static_cast<ComparisonBits>(*chain.rounded->reference.bits | comparisons_of(Axis::plane));
   const Judgement judgement = judge(truth, chain, outcome_of(wrong));
   EXPECT_EQ(told(judgement),
             (Lines{"verdict false_separation decisive implementation", "plane false_separation decisive implementation",
@@ -116,7 +116,7 @@ TEST(HandWorked, LinksThatCancelLeaveTheVerdictRight) {
   const Truth truth = exact_truth(q, true);
   const auto separated = static_cast<ComparisonBits>(truth.formula->strict | comparisons_of(Axis::vertex_a));
   const Judgement judgement =
-      judge(truth, {{outcome_of(truth.formula->strict), outcome_of(separated), outcome_of(separated)}},
+      judge(truth, Reference{outcome_of(truth.formula->strict), Rounded{outcome_of(separated), outcome_of(separated)}},
             outcome_of(separated));
   EXPECT_FALSE(judgement.verdict_flip);
   EXPECT_EQ(judgement.verdict_links, link_bit(Link::specification) | link_bit(Link::rounding));
@@ -133,7 +133,7 @@ TEST(HandWorked, AFlipTheOtherWayIsMasked) {
   auto kernel = static_cast<ComparisonBits>(exact & ~(1u << static_cast<unsigned>(Comparison::edge_ab_radius)));
   kernel |= 1u << static_cast<unsigned>(Comparison::vertex_c_side_a);
   const Judgement judgement =
-      judge(truth, {{outcome_of(exact), outcome_of(kernel), outcome_of(kernel)}}, outcome_of(kernel));
+      judge(truth, Reference{outcome_of(exact), Rounded{outcome_of(kernel), outcome_of(kernel)}}, outcome_of(kernel));
   EXPECT_EQ(told(judgement),
             (Lines{"verdict false_contact decisive rounding", "edge_ab missed_separation decisive rounding",
                    "vertex_c.side_a false_separation masked rounding",

@@ -18,7 +18,7 @@ template <class Real>
 Judgement judge_published(const Query<Real>& q) {
   const Truth truth = exact_truth(q, false);
   const Reference chain = *Claims(q, *truth.formula).chain(find_kernel("published"));
-  return judge(truth, chain, chain.reference);
+  return judge(truth, chain, chain.rounded->reference);
 }
 
 // Calls check(query, position) for the first `count` positions at seed 1, and stops at the first that fails.

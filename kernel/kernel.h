@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kernel/arithmetic_list.h"
+#include "kernel/finding.h"
 #include "kernel/formulae_list.h"
 #include "kernel/query.h"
 
@@ -33,7 +34,21 @@ struct Implementation {
   // Verdict only; `out` holds batch.size entries. `separated` or `contact`: a kernel does not look for bad input.
   std::function<void(const QueryColumns<Real>& batch, Verdict* out)> verdicts;
   // Comparison bits and computed sides; `out` is sized to the batch. Empty for a kernel that shows only verdicts.
-  std::function<void(const QueryColumns<Real>& batch, Answers<Real>& out)> explain;
+  std::function<void(const QueryColumns<Real>& batch, Answers<Real>& out)> explain = {};
+  // For somebody else's code: both at once, run again in other arrangements and watched. Appends what it did wrong;
+  // a query that got no answer is `unanswered`. Empty for a built-in kernel.
+  std::function<void(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>& answers,
+                     std::vector<Finding>& findings)>
+      supervised = {};
+};
+
+// Within what a kernel promises to be right, inclusive; 0: no limit. A wrong answer outside fails no requirement.
+struct Limits {
+  double least_coordinate = 0, greatest_coordinate = 0;  // of |x| of A, B, C, P; the least of those that are not zero
+  double least_area = 0;                                 // of the triangle
+  double least_radius = 0, greatest_radius = 0;
+  bool operator==(const Limits&) const = default;
+  bool any() const { return *this != Limits{}; }
 };
 
 // An instruction set that a kernel can be asked to run on. `scalar` is the reference itself; the rest are Highway's
@@ -58,9 +73,13 @@ struct Kernel {
   // Empty where it does not exist in that precision. A kernel that has one form runs it on every target.
   std::function<Implementation<float>(std::string_view target)> binary32;
   std::function<Implementation<double>(std::string_view target)> binary64;
-  bool has_simd = false;          // other instructions on other targets
-  bool is_reference = true;       // claims the scalar reference's bits and sides, bit for bit
+  bool has_simd = false;     // other instructions on other targets
+  bool is_reference = true;  // claims the scalar reference's bits and sides, bit for bit; else none is judged by it
   bool takes_arithmetic = false;  // is the rung of RUNG+ARITHMETIC
+  Touching touching = Touching::contact;
+  Limits limits = {};
+  std::string file = {};               // of a plug-in: its path
+  std::vector<Finding> findings = {};  // of loading it, whatever is asked
 
   template <class Real>
   Implementation<Real> on(std::string_view target) const {

@@ -82,13 +82,20 @@ constexpr AxisBits axes_of(ComparisonBits bits) {
   return axes;
 }
 
-// `contact` and `separated` are 0 and 1 so that a separation bit is a verdict.
-enum class Verdict : std::uint8_t { contact = 0, separated = 1, undecided = 2, invalid = 3 };
-inline constexpr std::array<std::string_view, 4> verdict_names = {"contact", "separated", "undecided", "invalid"};
+// `contact` and `separated` are 0 and 1 so that a separation bit is a verdict. `unanswered` is no kernel's word: it
+// crashed, hung, or was not asked because of that.
+enum class Verdict : std::uint8_t { contact = 0, separated = 1, undecided = 2, invalid = 3, unanswered = 4 };
+inline constexpr std::array<std::string_view, 5> verdict_names = {"contact", "separated", "undecided", "invalid",
+                                                                  "unanswered"};
 constexpr std::string_view name(Verdict v) { return verdict_names[static_cast<std::size_t>(v)]; }
 
 // Any separating axis separates.
 constexpr Verdict verdict_of(AxisBits axes) { return axes != 0 ? Verdict::separated : Verdict::contact; }
+
+// What a kernel means to say of a sphere that touches the triangle; with `either`, neither answer is wrong.
+enum class Touching : std::uint8_t { contact, separated, either };
+inline constexpr std::array<std::string_view, 3> touching_names = {"contact", "separated", "either"};
+constexpr std::string_view name(Touching t) { return touching_names[static_cast<std::size_t>(t)]; }
 
 // Which relation the nine side comparisons use; the seven radius comparisons are `>` in each. `not_less` is `>=` as
 // hardware without it has it, !(rhs > lhs): the same on numbers, but a NaN side makes it hold.

@@ -1,0 +1,35 @@
+// What a kernel did wrong beside a wrong answer, found while it ran.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace axiscert {
+
+enum class FindingKind : std::uint8_t {
+  load,              // cannot be loaded, or what it says of itself cannot be true
+  abi,               // made for a version of the interface that axiscert does not know
+  crash,             // a signal, or the process left
+  hang,              // no answer within the time limit
+  out_of_bounds,     // touched what lies beside an array, or wrote to an input
+  nondeterministic,  // another answer to the same batch
+  batch_dependent,   // another answer to the same query in another lane, batch length or alignment
+  environment,       // left the floating-point environment changed
+  inconsistent,      // no verdict at all, or one that its own comparisons contradict
+};
+inline constexpr std::size_t finding_kind_count = 9;
+inline constexpr std::array<std::string_view, finding_kind_count> finding_kind_names = {
+    "load",        "abi",         "crash", "hang", "out_of_bounds", "nondeterministic", "batch_dependent",
+    "environment", "inconsistent"};
+constexpr std::string_view name(FindingKind kind) { return finding_kind_names[static_cast<std::size_t>(kind)]; }
+
+struct Finding {
+  FindingKind kind;
+  std::size_t index;   // of the query in its batch; 0 where there was none
+  std::string detail;  // one line, the same on every run
+};
+
+}  // namespace axiscert
