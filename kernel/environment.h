@@ -32,18 +32,23 @@ class FloatingEnvironment {
   FloatingEnvironment(const FloatingEnvironment&) = delete;
   FloatingEnvironment& operator=(const FloatingEnvironment&) = delete;
 
- private:
+  // The register that holds the modes, as it stands.
 #if defined(__SSE2__)
-  static constexpr std::uint64_t flush_bits = 0x8040;  // FTZ, DAZ
   static std::uint64_t control() { return _mm_getcsr(); }
-  static void set_control(std::uint64_t bits) { _mm_setcsr(static_cast<unsigned>(bits)); }
 #elif defined(__aarch64__)
-  static constexpr std::uint64_t flush_bits = std::uint64_t{1} << 24;  // FZ: both
   static std::uint64_t control() {
     std::uint64_t bits;
     asm volatile("mrs %0, fpcr" : "=r"(bits));
     return bits;
   }
+#endif
+
+ private:
+#if defined(__SSE2__)
+  static constexpr std::uint64_t flush_bits = 0x8040;  // FTZ, DAZ
+  static void set_control(std::uint64_t bits) { _mm_setcsr(static_cast<unsigned>(bits)); }
+#elif defined(__aarch64__)
+  static constexpr std::uint64_t flush_bits = std::uint64_t{1} << 24;  // FZ: both
   static void set_control(std::uint64_t bits) { asm volatile("msr fpcr, %0" ::"r"(bits)); }
 #else
 #error "how this processor flushes subnormal numbers to zero is not known here"

@@ -106,8 +106,9 @@ const std::vector<ArithmeticInfo>& arithmetics();
 
 // The kernels that stand in the registry.
 std::span<const Kernel> kernels();
-// One of those; or RUNG+ARITHMETIC, for the scalar form of a rung in one of arithmetics(). Throws Error naming what
-// exists. The reference is good for the life of the program.
+// One of those; RUNG+ARITHMETIC, for the scalar form of a rung in one of arithmetics(); plugin:PATH for a plug-in
+// (kernel/plugin.h); or peer/NAME for one that comes with axiscert. Throws Error naming what exists. The reference is
+// good for the life of the program.
 const Kernel& find_kernel(std::string_view id);
 
 }  // namespace axiscert

@@ -6,10 +6,12 @@
 #include <cctype>
 #include <deque>
 #include <mutex>
+#include <optional>
 
 #include "kernel/eigen.h"
 #include "kernel/error.h"
 #include "kernel/packed.h"
+#include "kernel/plugin/load.h"
 #include "kernel/scalar_kernel.h"
 #include "kernel/simd.h"
 
@@ -107,22 +109,31 @@ const Kernel* registered(std::string_view id) {
   return nullptr;
 }
 
-// "RUNG+ARITHMETIC", made when it is first asked for and kept.
-const Kernel& composed(std::string_view id, const Kernel& rung, const ArithmeticInfo& arithmetic) {
+// A kernel that is no line of the registry: made when it is first asked for, and kept.
+template <class Make>
+const Kernel& kept(std::string_view id, const Make& make) {
   static std::mutex mutex;
   static std::deque<Kernel> made;
-  const std::lock_guard lock(mutex);
-  for (const Kernel& kernel : made) {
-    if (kernel.id == id) return kernel;
+  {
+    const std::lock_guard lock(mutex);
+    for (const Kernel& kernel : made) {
+      if (kernel.id == id) return kernel;
+    }
   }
-  Kernel& kernel = made.emplace_back(Kernel{.id = std::string(id),
-                                            .summary = fmt::format("{}; {}", rung.summary, arithmetic.summary),
-                                            .formulae = rung.formulae,
-                                            .strictness = rung.strictness,
-                                            .arithmetic = arithmetic.arithmetic,
-                                            .exposes = arithmetic.exposes,
-                                            .binary32 = {},
-                                            .binary64 = {}});
+  Kernel kernel = make();  // a plug-in's claim is looked up here
+  const std::lock_guard lock(mutex);
+  return made.emplace_back(std::move(kernel));
+}
+
+// "RUNG+ARITHMETIC".
+Kernel composed(std::string_view id, const Kernel& rung, const ArithmeticInfo& arithmetic) {
+  Kernel kernel;
+  kernel.id = id;
+  kernel.summary = fmt::format("{}; {}", rung.summary, arithmetic.summary);
+  kernel.formulae = rung.formulae;
+  kernel.strictness = rung.strictness;
+  kernel.arithmetic = arithmetic.arithmetic;
+  kernel.exposes = arithmetic.exposes;
   const auto implementation = [f = rung.formulae, a = arithmetic.arithmetic, s = rung.strictness]<class Real>() {
     return reference_implementation<Real>(f, a, s);
   };
@@ -131,6 +142,13 @@ const Kernel& composed(std::string_view id, const Kernel& rung, const Arithmetic
   if (arithmetic.in_binary64)
     kernel.binary64 = [=](std::string_view) { return implementation.template operator()<double>(); };
   return kernel;
+}
+
+// Of "plugin:PATH" and "peer/NAME": the file. Throws Error where there is no such peer.
+std::optional<std::string> plugin_path(std::string_view id) {
+  if (id.starts_with(plugin::plugin_prefix)) return std::string(id.substr(plugin::plugin_prefix.size()));
+  if (id.starts_with(plugin::peer_prefix)) return plugin::peer_path(id.substr(plugin::peer_prefix.size()));
+  return std::nullopt;
 }
 
 std::string with_dashes(std::string name) {
@@ -182,11 +200,12 @@ const std::vector<ArithmeticInfo>& arithmetics() {
 
 const Kernel& find_kernel(std::string_view id) {
   if (const Kernel* kernel = registered(id)) return *kernel;
+  if (const auto path = plugin_path(id)) return kept(id, [&] { return plugin::load_plugin(std::string(id), *path); });
   const std::size_t plus = id.find('+');
   if (plus == id.npos) {
     std::vector<std::string_view> known;
     for (const Kernel& kernel : registry()) known.push_back(kernel.id);
-    throw Error(fmt::format("unknown kernel '{}'; kernels: {}", id, fmt::join(known, ", ")));
+    throw Error(fmt::format("unknown kernel '{}'; kernels: {}; plugin:PATH.so; peer/NAME", id, fmt::join(known, ", ")));
   }
   const std::string_view rung_id = id.substr(0, plus), arithmetic_name = id.substr(plus + 1);
   const Kernel* rung = registered(rung_id);
@@ -200,7 +219,7 @@ const Kernel& find_kernel(std::string_view id) {
   }
   known.clear();
   for (const ArithmeticInfo& arithmetic : arithmetics()) {
-    if (arithmetic.name == arithmetic_name) return composed(id, *rung, arithmetic);
+    if (arithmetic.name == arithmetic_name) return kept(id, [&] { return composed(id, *rung, arithmetic); });
     known.push_back(arithmetic.name);
   }
   throw Error(fmt::format("kernel '{}': unknown arithmetic '{}'; arithmetics: {}", id, arithmetic_name,

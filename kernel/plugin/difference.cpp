@@ -1,0 +1,57 @@
+#include "kernel/plugin/difference.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+
+namespace axiscert::plugin {
+namespace {
+
+template <class Real>
+bool same(Real a, Real b) {
+  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
+  return a == b && std::signbit(a) == std::signbit(b);
+}
+
+template <class Real>
+std::optional<std::string> difference_at(const Outputs<Real>& a, std::size_t i, const Outputs<Real>& b, std::size_t j) {
+  if (a.verdicts[i] != b.verdicts[j]) {
+    return fmt::format("verdict {}, then {}", verdict_text(a.verdicts[i]), verdict_text(b.verdicts[j]));
+  }
+  if (b.answers.bits.empty()) return std::nullopt;
+  if (const auto flipped = static_cast<ComparisonBits>(a.answers.bits[i] ^ b.answers.bits[j])) {
+    const int which = std::countr_zero(flipped);
+    const int before = (a.answers.bits[i] >> which) & 1;
+    return fmt::format("comparison {} {}, then {}", comparisons[static_cast<std::size_t>(which)].name, before,
+                       1 - before);
+  }
+  for (std::size_t k = 0; k < comparison_count && !b.answers.lhs[k].empty(); ++k) {
+    for (const auto& [side, before, after] : {std::tuple{"lhs", a.answers.lhs[k][i], b.answers.lhs[k][j]},
+                                              std::tuple{"rhs", a.answers.rhs[k][i], b.answers.rhs[k][j]}}) {
+      if (!same(before, after)) {
+        return fmt::format("{} of {} {:a}, then {:a}", side, comparisons[k].name, before, after);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string verdict_text(std::uint8_t verdict) {
+  if (is_verdict(verdict)) return std::string(name(static_cast<Verdict>(verdict)));
+  return fmt::format("{}, which is no verdict", verdict);
+}
+
+template <class Real>
+std::optional<Difference> first_difference(const Outputs<Real>& a, std::size_t first, const Outputs<Real>& b) {
+  for (std::size_t i = 0; i < b.verdicts.size(); ++i) {
+    if (auto detail = difference_at(a, first + i, b, i)) return Difference{i, std::move(*detail)};
+  }
+  return std::nullopt;
+}
+template std::optional<Difference> first_difference(const Outputs<float>&, std::size_t, const Outputs<float>&);
+template std::optional<Difference> first_difference(const Outputs<double>&, std::size_t, const Outputs<double>&);
+
+}  // namespace axiscert::plugin

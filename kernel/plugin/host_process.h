@@ -1,0 +1,61 @@
+// A process that hosts a plug-in, from axiscert's side: started when it is first asked, and again after it has died.
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+
+#include "kernel/finding.h"
+#include "kernel/plugin/shared_memory.h"
+
+namespace axiscert::plugin {
+
+// A call that got no answer, and why.
+struct Stop {
+  FindingKind kind;  // crash, hang or out_of_bounds
+  std::string detail;
+  std::optional<std::size_t> query;  // of the call, where the fault says which
+};
+
+// As plugin.h calls it: "ax", "verdict", "lhs[3]".
+std::string array_name(std::size_t array);
+
+class HostProcess {
+ public:
+  // Throws Error where no process can be made. Nothing of the plug-in runs yet.
+  explicit HostProcess(std::string path);
+  ~HostProcess();
+  HostProcess(const HostProcess&) = delete;
+  HostProcess& operator=(const HostProcess&) = delete;
+
+  // Loads the plug-in, unless it runs already. What it says of itself is in control() then.
+  std::optional<Stop> start(double seconds);
+  const Control& control() const { return *control_; }
+  // A call; its inputs and outputs are at array(). After a stop the process is dead, and the next call starts another.
+  // `seconds`: of the process's own time; twenty times that by the clock, for one that sleeps.
+  std::optional<Stop> call(const Request& request, double seconds, Reply& reply);
+  // The area of an array, area_bytes() long; array_offset() says where in it a call's array lies.
+  std::byte* area(std::size_t array) const;
+  std::size_t area_bytes() const { return area_size(page_); }
+
+ private:
+  void spawn();
+  void end();
+  std::optional<Stop> receive(double seconds, Reply& reply);
+  Stop how_it_died();
+
+  std::string path_;
+  std::size_t page_;
+  int memory_ = -1, socket_ = -1;
+  pid_t child_ = -1;
+  std::byte* mapped_ = nullptr;
+  Control* control_ = nullptr;
+};
+
+// The program that hosts plug-ins and the folder of the peers: beside this executable, or where they are installed.
+// Throws Error where there is none.
+std::string host_program();
+std::string peers_folder();
+
+}  // namespace axiscert::plugin

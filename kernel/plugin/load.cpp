@@ -1,0 +1,178 @@
+#include "kernel/plugin/load.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "kernel/error.h"
+#include "kernel/plugin.h"
+#include "kernel/plugin/supervisor.h"
+
+namespace axiscert::plugin {
+namespace {
+
+constexpr double load_seconds = 20;  // of processor time; large libraries take their time
+
+// What is wrong with what a plug-in says of itself; thrown here, a finding outside.
+struct Refused {
+  FindingKind kind;
+  std::string detail;
+};
+[[noreturn]] void refuse(std::string detail) { throw Refused{FindingKind::load, std::move(detail)}; }
+
+template <class Enum>
+Enum one_of(std::uint32_t value, std::size_t count, const char* member) {
+  if (value >= count) refuse(fmt::format("its {} is {}; known: 0 to {}", member, value, count - 1));
+  return static_cast<Enum>(value);
+}
+
+const Kernel& builtin(const char* member, const char* id) {
+  try {
+    const Kernel& kernel = find_kernel(id);
+    if (kernel.file.empty()) return kernel;
+  } catch (const Error&) {
+  }
+  refuse(fmt::format("its {} is '{}', which is no built-in kernel; `axiscert kernels` lists those", member, id));
+}
+
+Limits limits_of(const Description& d) {
+  const Limits limits{d.limits[0], d.limits[1], d.limits[2], d.limits[3], d.limits[4]};
+  for (const double limit : d.limits) {
+    if (!(limit >= 0) || !std::isfinite(limit)) refuse(fmt::format("a limit is {}; known: finite, from 0 on", limit));
+  }
+  return limits;
+}
+
+// Texts are shown in reports; one line, and no longer than the host passes on.
+std::string text_of(const char* text) {
+  std::string clean = text;
+  for (char& c : clean) {
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  }
+  return clean;
+}
+
+void claim(const Description& d, Kernel& kernel) {
+  kernel.is_reference = d.has_conforms_to;
+  kernel.formulae = Formulae::none;
+  if (d.has_conforms_to) {
+    const Kernel& own = builtin("conforms_to", d.conforms_to);
+    kernel.formulae = own.formulae;
+    kernel.strictness = own.strictness;
+    kernel.arithmetic = own.arithmetic;
+    if (!own.is_reference) refuse(fmt::format("it conforms_to '{}', whose bits depend on its target", own.id));
+  } else if (d.has_formulae || kernel.exposes != Exposure::verdict) {
+    const Kernel& own = builtin("formulae", d.has_formulae ? d.formulae : "published");
+    kernel.formulae = own.formulae;
+    kernel.strictness = own.strictness;
+  }
+  if (kernel.exposes != Exposure::verdict && !has_comparisons(kernel.formulae)) {
+    refuse(fmt::format("it exposes comparisons, but formulae '{}' have none", name(kernel.formulae)));
+  }
+}
+
+void add(const Description& d, std::uint32_t index, const std::string& path, Kernel& kernel) {
+  if (d.abi != AXISCERT_PLUGIN_ABI) {
+    throw Refused{FindingKind::abi,
+                  fmt::format("it was made for version {} of the plug-in interface; this axiscert knows {}", d.abi,
+                              AXISCERT_PLUGIN_ABI)};
+  }
+  if (d.precision != 32 && d.precision != 64) refuse(fmt::format("its precision is {}; known: 32, 64", d.precision));
+  if (!d.has_run) refuse("it has no function `run`");
+  if (d.is_truncated) refuse("one of its texts is too long");
+  Kernel described;
+  described.exposes = one_of<Exposure>(d.exposes, exposure_names.size(), "exposure");
+  described.touching = one_of<Touching>(d.touching, touching_names.size(), "touching convention");
+  described.limits = limits_of(d);
+  described.summary = d.summary[0] != 0 ? fmt::format("{}: {}", text_of(d.name), text_of(d.summary)) : text_of(d.name);
+  if (described.summary.empty()) refuse("it has no name");
+  claim(d, described);
+  const bool is_first = !kernel.binary32 && !kernel.binary64;
+  if (!is_first && (described.exposes != kernel.exposes || described.touching != kernel.touching ||
+                    described.limits != kernel.limits || described.formulae != kernel.formulae ||
+                    described.strictness != kernel.strictness || described.arithmetic != kernel.arithmetic ||
+                    described.is_reference != kernel.is_reference)) {
+    refuse("its kernels in binary32 and in binary64 say different things of themselves; make two plug-ins of them");
+  }
+  const Supervised supervised{path, index, described.exposes, described.strictness};
+  if (d.precision == 32 ? kernel.binary32 != nullptr : kernel.binary64 != nullptr) {
+    refuse(fmt::format("it has two kernels of precision {}", d.precision));
+  }
+  if (d.precision == 32) {
+    described.binary32 = [=](std::string_view) { return supervised_implementation<float>(supervised); };
+    described.binary64 = kernel.binary64;
+  } else {
+    described.binary64 = [=](std::string_view) { return supervised_implementation<double>(supervised); };
+    described.binary32 = kernel.binary32;
+  }
+  described.id = kernel.id;
+  described.file = kernel.file;
+  kernel = std::move(described);
+}
+
+}  // namespace
+
+Kernel load_plugin(std::string id, const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) {
+    throw Error(fmt::format("kernel '{}': there is no file {}; give the path of a plug-in's shared object", id, path));
+  }
+  // With a slash, so that it is this file and not one of that name in the library path.
+  const std::string absolute = std::filesystem::absolute(path).string();
+  Kernel kernel;
+  kernel.id = id;
+  kernel.file = path;
+  try {
+    HostProcess host(absolute);
+    if (const auto stop = host.start(load_seconds)) throw Refused{stop->kind, "while it was loaded: " + stop->detail};
+    const Control& control = host.control();
+    if (control.load_error[0] != 0) refuse(fmt::format("it cannot be loaded: {}", text_of(control.load_error)));
+    if (control.kernel_count == 0) refuse("its axiscert_plugin(0) gives no kernel");
+    if (control.kernel_count > most_kernels) refuse(fmt::format("it has more than {} kernels", most_kernels));
+    for (std::uint32_t i = 0; i < control.kernel_count; ++i) add(control.kernels[i], i, absolute, kernel);
+  } catch (const Refused& refused) {
+    Kernel unusable;
+    unusable.id = std::move(id);
+    unusable.file = path;
+    unusable.summary = "not loaded";
+    unusable.formulae = Formulae::none;
+    unusable.is_reference = false;
+    unusable.exposes = Exposure::verdict;
+    unusable.findings.push_back({refused.kind, 0, refused.detail});
+    return unusable;
+  }
+  return kernel;
+}
+
+Peers peers() {
+  Peers found;
+  const std::filesystem::path folder = peers_folder();
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".so") found.names.push_back(entry.path().stem().string());
+  }
+  std::sort(found.names.begin(), found.names.end());
+  std::ifstream list(folder / "absent.txt");
+  for (std::string line; std::getline(list, line);) {
+    const std::size_t tab = line.find('\t');
+    if (tab != line.npos) found.absent.push_back({line.substr(0, tab), line.substr(tab + 1)});
+  }
+  return found;
+}
+
+std::string peer_path(std::string_view name) {
+  const Peers known = peers();
+  if (std::find(known.names.begin(), known.names.end(), name) != known.names.end()) {
+    return fmt::format("{}/{}.so", peers_folder(), name);
+  }
+  for (const Peers::Absent& absent : known.absent) {
+    if (absent.name == name) {
+      throw Error(fmt::format("peer '{}' was not built, for want of the Debian package {}", name, absent.package));
+    }
+  }
+  throw Error(fmt::format("unknown peer '{}'; peers: {}", name, fmt::join(known.names, ", ")));
+}
+
+}  // namespace axiscert::plugin

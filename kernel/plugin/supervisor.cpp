@@ -1,0 +1,263 @@
+#include "kernel/plugin/supervisor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "kernel/plugin/difference.h"
+
+namespace axiscert::plugin {
+namespace {
+
+constexpr std::uint8_t filling = 0xa5, other_filling = 0x5a;  // neither is a verdict
+constexpr std::uint64_t rearranged_every = 8;                 // chunks
+
+// A batch in pieces of every length up to two vectors of sixteen lanes and one more, so that each query comes to other
+// lanes and other alignments, the last of a ragged batch among them.
+constexpr std::size_t longest_piece = 33;
+constexpr Placement piece_placements[] = {{Anchor::begin, 0}, {Anchor::end, 0},    {Anchor::middle, 1},
+                                          {Anchor::begin, 3}, {Anchor::middle, 2}, {Anchor::end, 0},
+                                          {Anchor::middle, 5}};
+
+double seconds_for(std::size_t queries) {
+  return batch_seconds * std::max(0.1, static_cast<double>(queries) / static_cast<double>(batch_capacity));
+}
+
+std::string placed(const Placement& placement) {
+  if (placement.anchor == Anchor::end) return "arrays ending with a page";
+  if (placement.shift == 0) return "arrays beginning with a page";
+  return fmt::format("arrays {} past an alignment of 64 bytes",
+                     placement.shift == 1 ? "1 entry" : fmt::format("{} entries", placement.shift));
+}
+
+std::string changed_modes(std::uint32_t changed) {
+  std::string modes;
+  const auto add = [&](std::uint32_t bit, const char* mode) {
+    if (changed & bit) modes += (modes.empty() ? "" : ", ") + std::string(mode);
+  };
+  add(changed_rounding, "the rounding mode");
+  add(changed_flushing, "flushing of subnormal numbers to zero");
+  add(changed_traps, "which exceptions trap");
+  add(changed_other, "another control bit");
+  return modes;
+}
+
+}  // namespace
+
+// A part of a batch that one call can take, and where what is learned of it goes.
+template <class Real>
+struct Supervisor<Real>::Chunk {
+  const QueryColumns<Real>& batch;
+  Verdict* out;
+  Answers<Real>* explained;        // null: not asked
+  std::vector<Finding>* findings;  // null: the answers alone
+  std::size_t first, size;
+
+  Chunk part(std::size_t from, std::size_t count) const {
+    return {batch, out, explained, findings, first + from, count};
+  }
+};
+
+template <class Real>
+auto Supervisor<Real>::ask(const Chunk& chunk, const Arrangement& arrangement, Outputs<Real>& outputs) -> Result {
+  Result result = caller_.call(chunk.batch, chunk.first, chunk.size, arrangement, seconds_for(chunk.size), outputs);
+  stops_ += result.stop.has_value();
+  return result;
+}
+
+template <class Real>
+void Supervisor<Real>::tell(const Chunk& chunk, FindingKind kind, std::size_t query, std::string detail) {
+  const bool is_stop = kind == FindingKind::crash || kind == FindingKind::hang;
+  bool& told = told_[static_cast<std::size_t>(kind)];
+  if (!chunk.findings || (told && !is_stop)) return;
+  told = true;
+  chunk.findings->push_back({kind, chunk.first + query, std::move(detail)});
+}
+
+template <class Real>
+void Supervisor<Real>::tell_stray(const Chunk& chunk, const Result& result) {
+  if (result.stray) tell(chunk, result.stray->kind, *result.stray->query, result.stray->detail);
+}
+
+template <class Real>
+void Supervisor<Real>::unanswered(const Chunk& chunk) {
+  std::fill_n(chunk.out + chunk.first, chunk.size, Verdict::unanswered);
+}
+
+template <class Real>
+void Supervisor<Real>::take(const Chunk& chunk, const Outputs<Real>& outputs) {
+  std::transform(outputs.verdicts.begin(), outputs.verdicts.end(), chunk.out + chunk.first, [](std::uint8_t verdict) {
+    return is_verdict(verdict) ? static_cast<Verdict>(verdict) : Verdict::unanswered;
+  });
+  if (!chunk.explained) return;
+  const auto put = [&](const auto& from, auto& to) {
+    std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(chunk.first));
+  };
+  put(outputs.answers.bits, chunk.explained->bits);
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    put(outputs.answers.lhs[k], chunk.explained->lhs[k]);
+    put(outputs.answers.rhs[k], chunk.explained->rhs[k]);
+  }
+}
+
+template <class Real>
+void Supervisor<Real>::run_chunk(const Chunk& chunk) {
+  if (stops_ >= most_stops) return unanswered(chunk);
+  const Exposure asked = chunk.explained ? kernel_.exposes : Exposure::verdict;
+  Outputs<Real> outputs;
+  Result result = ask(chunk, {{anchor_}, asked, filling}, outputs);
+  if (result.stop && result.stop->kind == FindingKind::out_of_bounds && anchor_ == Anchor::end) {
+    // With room around its arrays it may yet answer.
+    tell(chunk, result.stop->kind, result.stop->query.value_or(0), result.stop->detail);
+    anchor_ = Anchor::middle;
+    result = ask(chunk, {{anchor_}, asked, filling}, outputs);
+  }
+  if (result.stop) {
+    if (chunk.size > 1) return run_singly(chunk, *result.stop);
+    tell(chunk, result.stop->kind, 0, result.stop->detail);
+    return unanswered(chunk);
+  }
+  take(chunk, outputs);
+  if (!chunk.findings) return;
+  tell_stray(chunk, result);
+  if (result.reply.changed != 0) look_for_changed_environment(chunk, result.reply.changed);
+  if (chunk.size > 1) {
+    const bool is_due = chunks_++ % rearranged_every == 0;
+    if (repeats(chunk, outputs) && is_due) rearrange(chunk, outputs);
+  }
+  look_for_contradictions(chunk, outputs);
+}
+
+template <class Real>
+void Supervisor<Real>::run_singly(const Chunk& chunk, const Stop& of_batch) {
+  asks_singly_ = true;
+  const int stops = stops_;
+  for (std::size_t i = 0; i < chunk.size; ++i) run_chunk(chunk.part(i, 1));
+  if (stops_ == stops) {
+    tell(chunk, of_batch.kind, of_batch.query.value_or(0),
+         fmt::format("{} for a batch of {}; none for its queries one by one", of_batch.detail, chunk.size));
+  }
+}
+
+template <class Real>
+bool Supervisor<Real>::repeats(const Chunk& chunk, const Outputs<Real>& outputs) {
+  Outputs<Real> again;
+  const Arrangement same{{anchor_}, chunk.explained ? kernel_.exposes : Exposure::verdict, other_filling};
+  const Result result = ask(chunk, same, again);
+  if (result.stop) {
+    tell(chunk, result.stop->kind, result.stop->query.value_or(0), result.stop->detail + ", asked the same again");
+    return false;
+  }
+  for (std::size_t i = 0; i < chunk.size; ++i) {
+    if (outputs.verdicts[i] != filling || again.verdicts[i] != other_filling) continue;
+    tell(chunk, FindingKind::inconsistent, i, "it wrote no verdict");
+    return false;
+  }
+  const auto difference = first_difference(outputs, 0, again);
+  if (!difference) return true;
+  tell(chunk, FindingKind::nondeterministic, difference->query, difference->detail + " for the same batch");
+  return false;
+}
+
+template <class Real>
+void Supervisor<Real>::rearrange(const Chunk& chunk, const Outputs<Real>& outputs) {
+  Outputs<Real> found;
+  std::size_t number = 0;
+  for (std::size_t first = 0, size; first < chunk.size && rearranges_; first += size, ++number) {
+    size = std::min(1 + number % longest_piece, chunk.size - first);
+    const Chunk piece = chunk.part(first, size);
+    Placement placement = piece_placements[number % std::size(piece_placements)];
+    if (anchor_ == Anchor::middle) placement.anchor = anchor_;
+    const bool verdict_alone = !chunk.explained || number % 2 == 1;
+    const Result result = ask(piece, {placement, verdict_alone ? Exposure::verdict : kernel_.exposes, filling}, found);
+    if (result.stop) {
+      tell(piece, result.stop->kind, result.stop->query.value_or(0),
+           fmt::format("{} (a batch of {}, {})", result.stop->detail, size, placed(placement)));
+      rearranges_ = false;
+      return;
+    }
+    tell_stray(piece, result);
+    if (const auto difference = first_difference(outputs, first, found)) {
+      tell(piece, FindingKind::batch_dependent, difference->query,
+           fmt::format("{}: as query {} of {}, {}{}", difference->detail, difference->query + 1, size,
+                       placed(placement), verdict_alone && chunk.explained ? ", asked for the verdict alone" : ""));
+    }
+  }
+}
+
+template <class Real>
+void Supervisor<Real>::look_for_changed_environment(const Chunk& chunk, std::uint32_t changed) {
+  if (told_[static_cast<std::size_t>(FindingKind::environment)]) return;
+  std::size_t which = 0;
+  Outputs<Real> outputs;
+  for (std::size_t i = 0; i < chunk.size && chunk.size > 1; ++i) {
+    const Result result = ask(chunk.part(i, 1), {{anchor_}, Exposure::verdict, filling}, outputs);
+    if (!result.stop && result.reply.changed == 0) continue;
+    which = result.stop ? 0 : i;
+    break;
+  }
+  tell(chunk, FindingKind::environment, which, "left changed: " + changed_modes(changed));
+}
+
+template <class Real>
+void Supervisor<Real>::look_for_contradictions(const Chunk& chunk, const Outputs<Real>& outputs) {
+  const auto contradiction = [&](std::size_t i) -> std::string {
+    if (!is_verdict(outputs.verdicts[i])) return "verdict " + verdict_text(outputs.verdicts[i]);
+    const auto verdict = static_cast<Verdict>(outputs.verdicts[i]);
+    if (outputs.answers.bits.empty() || (verdict != Verdict::contact && verdict != Verdict::separated)) return {};
+    const ComparisonBits bits = outputs.answers.bits[i];
+    if (verdict_of(axes_of(bits)) != verdict) {
+      return fmt::format("verdict {}, but its comparisons say {}", name(verdict), name(verdict_of(axes_of(bits))));
+    }
+    for (std::size_t k = 0; k < comparison_count && !outputs.answers.lhs[k].empty(); ++k) {
+      const Real lhs = outputs.answers.lhs[k][i], rhs = outputs.answers.rhs[k][i];
+      if (holds(kernel_.strictness, static_cast<Comparison>(k), lhs, rhs) == (((bits >> k) & 1u) != 0)) continue;
+      return fmt::format("comparison {} is {}, but its sides are {:a} and {:a}", comparisons[k].name, (bits >> k) & 1u,
+                         lhs, rhs);
+    }
+    return {};
+  };
+  for (std::size_t i = 0; i < chunk.size; ++i) {
+    std::string detail = contradiction(i);
+    if (!detail.empty()) return tell(chunk, FindingKind::inconsistent, i, std::move(detail));
+  }
+}
+
+template <class Real>
+void Supervisor<Real>::run(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>* explained,
+                           std::vector<Finding>* findings) {
+  const std::lock_guard lock(mutex_);
+  for (std::size_t first = 0, step; first < batch.size; first += step) {
+    step = std::min(asks_singly_ ? 1 : batch_capacity, batch.size - first);
+    run_chunk({batch, out, explained, findings, first, step});
+  }
+}
+
+template class Supervisor<float>;
+template class Supervisor<double>;
+
+template <class Real>
+Implementation<Real> supervised_implementation(const Supervised& kernel) {
+  // A process each: what a plain question does to the plug-in is no part of what is watched.
+  const auto plain = std::make_shared<Supervisor<Real>>(kernel), watched = std::make_shared<Supervisor<Real>>(kernel);
+  const bool verdict_alone = kernel.exposes == Exposure::verdict;
+  Implementation<Real> implementation;
+  implementation.verdicts = [=](const QueryColumns<Real>& batch, Verdict* out) {
+    plain->run(batch, out, nullptr, nullptr);
+  };
+  implementation.supervised = [=](const QueryColumns<Real>& batch, Verdict* out, Answers<Real>& answers,
+                                  std::vector<Finding>& findings) {
+    watched->run(batch, out, verdict_alone ? nullptr : &answers, &findings);
+  };
+  if (verdict_alone) return implementation;
+  implementation.explain = [=](const QueryColumns<Real>& batch, Answers<Real>& out) {
+    std::vector<Verdict> verdicts(batch.size);
+    plain->run(batch, verdicts.data(), &out, nullptr);
+  };
+  return implementation;
+}
+template Implementation<float> supervised_implementation(const Supervised&);
+template Implementation<double> supervised_implementation(const Supervised&);
+
+}  // namespace axiscert::plugin

@@ -1,0 +1,65 @@
+// Runs a plug-in's kernel over batches, again in other arrangements, and tells what it does wrong beside its answers.
+#pragma once
+
+#include <mutex>
+
+#include "kernel/plugin/caller.h"
+
+namespace axiscert::plugin {
+
+// Processor time that a plug-in may take, in seconds: for a batch of batch_capacity, in proportion for a shorter one,
+// but never less than a tenth. Set before the first plug-in is loaded.
+inline double batch_seconds = 1;
+
+// What the supervisor has to know of a kernel.
+struct Supervised {
+  std::string path;
+  std::uint32_t index;  // in the plug-in
+  Exposure exposes;
+  Strictness strictness;
+};
+
+// Holds one process, started when it is first asked. Asked from one thread at a time; others wait.
+template <class Real>
+class Supervisor {
+ public:
+  explicit Supervisor(const Supervised& kernel) : kernel_(kernel), caller_(kernel.path, kernel.index) {}
+
+  // The kernel's answers; `unanswered` where there is none. `explained` is null where the verdicts are enough. After
+  // the first stop that is no guard page's, the plug-in is asked query by query, so that the one is found that did it;
+  // after `most_stops`, not at all. With `findings`, each batch is looked at for the faults of FindingKind. Crashes and
+  // hangs are told each; of the other kinds the first.
+  void run(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>* explained, std::vector<Finding>* findings);
+
+  static constexpr int most_stops = 16;
+
+ private:
+  struct Chunk;
+  using Result = typename Caller<Real>::Result;
+
+  Result ask(const Chunk& chunk, const Arrangement& arrangement, Outputs<Real>& out);
+  void tell(const Chunk& chunk, FindingKind kind, std::size_t query, std::string detail);
+  void tell_stray(const Chunk& chunk, const Result& result);
+  void unanswered(const Chunk& chunk);
+  void take(const Chunk& chunk, const Outputs<Real>& outputs);
+  void run_chunk(const Chunk& chunk);
+  void run_singly(const Chunk& chunk, const Stop& of_batch);
+  bool repeats(const Chunk& chunk, const Outputs<Real>& outputs);
+  void rearrange(const Chunk& chunk, const Outputs<Real>& outputs);
+  void look_for_changed_environment(const Chunk& chunk, std::uint32_t changed);
+  void look_for_contradictions(const Chunk& chunk, const Outputs<Real>& outputs);
+
+  Supervised kernel_;
+  Caller<Real> caller_;
+  std::mutex mutex_;
+  int stops_ = 0;
+  bool asks_singly_ = false, rearranges_ = true;
+  Anchor anchor_ = Anchor::end;
+  std::uint64_t chunks_ = 0;
+  std::array<bool, finding_kind_count> told_ = {};
+};
+
+template <class Real>
+Implementation<Real> supervised_implementation(const Supervised& kernel);
+
+}  // namespace axiscert::plugin
