@@ -91,6 +91,7 @@ void add_check(CLI::App& app, Action& action) {
   command->add_option("--kernel", options->kernel, "kernel id")->capture_default_str();
   command->add_option("--target", options->target, "instruction set, or auto")->capture_default_str();
   command->add_option("--precision", options->precision, "of a CSV file, which does not say")->capture_default_str();
+  add_plugin_seconds(*command);
   add_format(*command, options->format, "jsonl");
   command->callback([&action, options] { action = [options] { return check(*options); }; });
 }

@@ -32,5 +32,7 @@ void add_critical_radius(CLI::App& app, Action& action);
 
 // The `--format` option of the commands that also write for programs.
 CLI::Option* add_format(CLI::App& command, std::string& format, const std::string& machine_format);
+// The `--plugin-seconds` option of the commands that run kernels.
+void add_plugin_seconds(CLI::App& command);
 
 }  // namespace axiscert

@@ -29,7 +29,10 @@ void add_instrument_options(CLI::App& command, InstrumentOptions& o, std::uint64
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 48))
       ->capture_default_str();
   command.add_option("--seed", o.seed, "seed of every family")->capture_default_str();
-  command.add_option("--precision", o.precision, "binary32 or binary64")->capture_default_str();
+  auto* precision = command.add_option("--precision", o.precision, "binary32 or binary64");
+  if (o.precision.empty()) precision->default_str("both");
+  else precision->capture_default_str();
+  add_plugin_seconds(command);
   add_format(command, o.format, "json");
   command.add_option("--out", o.out, "folder for the figures as JSON and as a page");
 }
@@ -59,8 +62,8 @@ std::string instrument_command(const std::string& name, const InstrumentOptions&
   std::string command = "axiscert " + name;
   for (const std::string& kernel : options.kernels) command += " --kernel " + kernel;
   for (const std::string& family : options.families) command += " --family " + family;
-  return command +
-         fmt::format(" --trials {} --seed {} --precision {}", options.trials, options.seed, options.precision);
+  command += fmt::format(" --trials {} --seed {}", options.trials, options.seed);
+  return options.precision.empty() ? command : command + " --precision " + options.precision;
 }
 
 int put_instrument(const InstrumentReport& report, const InstrumentOptions& options) {

@@ -6,12 +6,21 @@
 #include "cli/commands.h"
 #include "exact/truth.h"
 #include "kernel/error.h"
+#include "kernel/plugin/supervisor.h"
 
 namespace axiscert {
 
 CLI::Option* add_format(CLI::App& command, std::string& format, const std::string& machine_format) {
   return command.add_option("--format", format, "text, or " + machine_format + " for programs")
       ->check(CLI::IsMember({std::string("text"), machine_format}))
+      ->capture_default_str();
+}
+
+void add_plugin_seconds(CLI::App& command) {
+  command
+      .add_option("--plugin-seconds", plugin::batch_seconds,
+                  "processor time that a plug-in may take for a batch of 1024 queries before it counts as hung")
+      ->check(CLI::Range(1e-3, 1e6))
       ->capture_default_str();
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "cli/commands.h"
 #include "fuzz/address.h"
 #include "kernel/error.h"
 #include "reports/requirement.h"
@@ -71,13 +72,17 @@ void add_sources(const RunOptions& options, Plan& plan) {
 }
 
 // A precision in which no kernel exists is left out of the plan; one that was asked for by name is an error for each
-// kernel that lacks it.
+// kernel that lacks it. A plug-in that cannot be loaded exists in none, which its findings say.
 void drop_idle_precisions(Plan& plan, const std::string& asked) {
   for (const Kernel* kernel : plan.kernels) {
-    if (asked.empty() || kernel->has(plan.precisions.front())) continue;
+    if (asked.empty() || kernel->has(plan.precisions.front()) || !kernel->findings.empty()) continue;
     throw Error(fmt::format("--precision {}: kernel {} exists in {} only", asked, kernel->id,
                             kernel->has(Precision::binary32) ? "binary32" : "binary64"));
   }
+  const auto in_any = [](const Kernel* kernel) {
+    return kernel->has(Precision::binary32) || kernel->has(Precision::binary64);
+  };
+  if (std::none_of(plan.kernels.begin(), plan.kernels.end(), in_any)) return;
   std::erase_if(plan.precisions, [&](Precision precision) {
     return std::none_of(plan.kernels.begin(), plan.kernels.end(),
                         [&](const Kernel* kernel) { return kernel->has(precision); });
@@ -132,6 +137,7 @@ void add_run_options(CLI::App& command, RunOptions& o) {
   command.add_option("--threads", o.threads, "worker threads (default: all cores)")->check(CLI::Range(1, 4096));
   command.add_option("--tolerance", o.tolerances, "[COMPARISON=]T: count errors above T u, repeatable")
       ->allow_extra_args(false);
+  add_plugin_seconds(command);
   command.add_option("--require", o.require, "logic, range, exact or conservative[=D]: exit 1 where it is not met");
   command.add_option("--out", o.out, "folder for record, reports and witnesses")->capture_default_str();
 }

@@ -40,6 +40,9 @@ struct Implementation {
   std::function<void(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>& answers,
                      std::vector<Finding>& findings)>
       supervised = {};
+  // `verdicts`, and how long the kernel itself took, in nanoseconds, where it runs in another process. Empty for a
+  // built-in kernel.
+  std::function<double(const QueryColumns<Real>& batch, Verdict* out)> timed = {};
 };
 
 // Within what a kernel promises to be right, inclusive; 0: no limit. A wrong answer outside fails no requirement.
@@ -107,8 +110,8 @@ const std::vector<ArithmeticInfo>& arithmetics();
 // The kernels that stand in the registry.
 std::span<const Kernel> kernels();
 // One of those; RUNG+ARITHMETIC, for the scalar form of a rung in one of arithmetics(); plugin:PATH for a plug-in
-// (kernel/plugin.h); or peer/NAME for one that comes with axiscert. Throws Error naming what exists. The reference is
-// good for the life of the program.
+// (kernel/plugin.h), peer/NAME or fault/NAME for one that comes with axiscert. Throws Error naming what exists. The
+// reference is good for the life of the program.
 const Kernel& find_kernel(std::string_view id);
 
 }  // namespace axiscert

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <deque>
 #include <mutex>
-#include <optional>
 
 #include "kernel/eigen.h"
 #include "kernel/error.h"
@@ -144,13 +143,6 @@ Kernel composed(std::string_view id, const Kernel& rung, const ArithmeticInfo& a
   return kernel;
 }
 
-// Of "plugin:PATH" and "peer/NAME": the file. Throws Error where there is no such peer.
-std::optional<std::string> plugin_path(std::string_view id) {
-  if (id.starts_with(plugin::plugin_prefix)) return std::string(id.substr(plugin::plugin_prefix.size()));
-  if (id.starts_with(plugin::peer_prefix)) return plugin::peer_path(id.substr(plugin::peer_prefix.size()));
-  return std::nullopt;
-}
-
 std::string with_dashes(std::string name) {
   std::replace(name.begin(), name.end(), '_', '-');
   return name;
@@ -200,12 +192,14 @@ const std::vector<ArithmeticInfo>& arithmetics() {
 
 const Kernel& find_kernel(std::string_view id) {
   if (const Kernel* kernel = registered(id)) return *kernel;
-  if (const auto path = plugin_path(id)) return kept(id, [&] { return plugin::load_plugin(std::string(id), *path); });
+  if (const auto path = plugin::plugin_path(id))
+    return kept(id, [&] { return plugin::load_plugin(std::string(id), *path); });
   const std::size_t plus = id.find('+');
   if (plus == id.npos) {
     std::vector<std::string_view> known;
     for (const Kernel& kernel : registry()) known.push_back(kernel.id);
-    throw Error(fmt::format("unknown kernel '{}'; kernels: {}; plugin:PATH.so; peer/NAME", id, fmt::join(known, ", ")));
+    throw Error(
+        fmt::format("unknown kernel '{}'; plugin:PATH.so is one of your own; kernels: {}", id, fmt::join(known, ", ")));
   }
   const std::string_view rung_id = id.substr(0, plus), arithmetic_name = id.substr(plus + 1);
   const Kernel* rung = registered(rung_id);

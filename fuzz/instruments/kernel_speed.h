@@ -22,6 +22,6 @@ struct KernelSpeed {
 
 // One thread; verdicts alone.
 template <class Real>
-std::vector<KernelSpeed> measure_speed(const std::vector<const Kernel*>& kernels);
+std::vector<KernelSpeed> measure_speed(const std::vector<const Kernel*>& kernels, int repetitions = speed_repetitions);
 
 }  // namespace axiscert

@@ -205,12 +205,12 @@ std::string host_program() {
                           (here / "axiscert").string()));
 }
 
-std::string peers_folder() {
+std::optional<std::string> shipped_folder(std::string_view name) {
   const auto here = beside_this_program();
-  for (const auto& folder : {here / "peers", here / "../lib/axiscert/peers"}) {
+  for (const auto& folder : {here / name, here / "../lib/axiscert" / name}) {
     if (std::filesystem::is_directory(folder)) return folder.string();
   }
-  throw Error("this axiscert was built without peers: configure it with AXISCERT_PEERS=ON");
+  return std::nullopt;
 }
 
 }  // namespace axiscert::plugin

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "kernel/finding.h"
 #include "kernel/plugin/shared_memory.h"
@@ -53,9 +54,9 @@ class HostProcess {
   Control* control_ = nullptr;
 };
 
-// The program that hosts plug-ins and the folder of the peers: beside this executable, or where they are installed.
-// Throws Error where there is none.
+// The program that hosts plug-ins: beside this executable, or where it is installed. Throws Error where there is none.
 std::string host_program();
-std::string peers_folder();
+// A folder of plug-ins that come with axiscert, found in the same way; none where it was not built.
+std::optional<std::string> shipped_folder(std::string_view name);
 
 }  // namespace axiscert::plugin

@@ -17,6 +17,11 @@ namespace {
 
 constexpr double load_seconds = 20;  // of processor time; large libraries take their time
 
+struct Kind {
+  std::string_view prefix, folder;
+};
+constexpr Kind kinds[] = {{"peer/", "peers"}, {"fault/", "faults"}};
+
 // What is wrong with what a plug-in says of itself; thrown here, a finding outside.
 struct Refused {
   FindingKind kind;
@@ -147,32 +152,47 @@ Kernel load_plugin(std::string id, const std::string& path) {
   return kernel;
 }
 
-Peers peers() {
-  Peers found;
-  const std::filesystem::path folder = peers_folder();
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".so") found.names.push_back(entry.path().stem().string());
-  }
-  std::sort(found.names.begin(), found.names.end());
-  std::ifstream list(folder / "absent.txt");
-  for (std::string line; std::getline(list, line);) {
-    const std::size_t tab = line.find('\t');
-    if (tab != line.npos) found.absent.push_back({line.substr(0, tab), line.substr(tab + 1)});
-  }
-  return found;
-}
-
-std::string peer_path(std::string_view name) {
-  const Peers known = peers();
-  if (std::find(known.names.begin(), known.names.end(), name) != known.names.end()) {
-    return fmt::format("{}/{}.so", peers_folder(), name);
-  }
-  for (const Peers::Absent& absent : known.absent) {
-    if (absent.name == name) {
-      throw Error(fmt::format("peer '{}' was not built, for want of the Debian package {}", name, absent.package));
+std::vector<Shipped> shipped_plugins() {
+  std::vector<Shipped> all;
+  for (const Kind& kind : kinds) {
+    Shipped& found = all.emplace_back();
+    found.prefix = kind.prefix;
+    const auto folder = shipped_folder(kind.folder);
+    if (!folder) continue;
+    for (const auto& entry : std::filesystem::directory_iterator(*folder)) {
+      if (entry.path().extension() == ".so") found.names.push_back(entry.path().stem().string());
+    }
+    std::sort(found.names.begin(), found.names.end());
+    std::ifstream list(std::filesystem::path(*folder) / "absent.txt");
+    for (std::string line; std::getline(list, line);) {
+      const std::size_t tab = line.find('\t');
+      if (tab != line.npos) found.absent.push_back({line.substr(0, tab), line.substr(tab + 1)});
     }
   }
-  throw Error(fmt::format("unknown peer '{}'; peers: {}", name, fmt::join(known.names, ", ")));
+  return all;
+}
+
+std::optional<std::string> plugin_path(std::string_view id) {
+  constexpr std::string_view by_path = "plugin:";
+  if (id.starts_with(by_path)) return std::string(id.substr(by_path.size()));
+  const std::vector<Shipped> all = shipped_plugins();
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Shipped& shipped = all[k];
+    if (!id.starts_with(shipped.prefix)) continue;
+    const std::string_view name = id.substr(shipped.prefix.size());
+    if (std::find(shipped.names.begin(), shipped.names.end(), name) != shipped.names.end()) {
+      return fmt::format("{}/{}.so", *shipped_folder(kinds[k].folder), name);
+    }
+    for (const Shipped::Absent& absent : shipped.absent) {
+      if (absent.name == name) {
+        throw Error(fmt::format("kernel '{}' was not built, for want of the Debian package {}", id, absent.package));
+      }
+    }
+    throw Error(fmt::format("unknown kernel '{}'; those of {}: {}", id, shipped.prefix,
+                            shipped.names.empty() ? "none, this axiscert was built without them"
+                                                  : fmt::format("{}", fmt::join(shipped.names, ", "))));
+  }
+  return std::nullopt;
 }
 
 }  // namespace axiscert::plugin

@@ -1,6 +1,7 @@
 // A plug-in as a kernel.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,22 +10,23 @@
 
 namespace axiscert::plugin {
 
-inline constexpr std::string_view plugin_prefix = "plugin:", peer_prefix = "peer/";
-
 // The kernel of the shared object at `path`, under the id as given. What is wrong with it is among its findings, and it
 // then exists in no precision. Throws Error where there is no such file.
 Kernel load_plugin(std::string id, const std::string& path);
 
-// The plug-ins that come with axiscert: libraries that answer the same question.
-struct Peers {
+// Plug-ins that come with axiscert, by the prefix of their ids.
+struct Shipped {
   struct Absent {
     std::string name, package;
   };
+  std::string_view prefix;         // "peer/": libraries that answer the same question; "fault/": kernels with a fault
   std::vector<std::string> names;  // that were built, in the order of the alphabet
   std::vector<Absent> absent;      // for want of a package
 };
-Peers peers();
-// Throws Error naming those that there are.
-std::string peer_path(std::string_view name);
+std::vector<Shipped> shipped_plugins();
+
+// Of an id "plugin:PATH", "peer/NAME" or "fault/NAME", the file; nothing for any other. Throws Error where there is no
+// such peer or fault.
+std::optional<std::string> plugin_path(std::string_view id);
 
 }  // namespace axiscert::plugin

@@ -63,6 +63,7 @@ template <class Real>
 auto Supervisor<Real>::ask(const Chunk& chunk, const Arrangement& arrangement, Outputs<Real>& outputs) -> Result {
   Result result = caller_.call(chunk.batch, chunk.first, chunk.size, arrangement, seconds_for(chunk.size), outputs);
   stops_ += result.stop.has_value();
+  nanoseconds_ += static_cast<double>(result.reply.nanoseconds);
   return result;
 }
 
@@ -245,6 +246,11 @@ Implementation<Real> supervised_implementation(const Supervised& kernel) {
   Implementation<Real> implementation;
   implementation.verdicts = [=](const QueryColumns<Real>& batch, Verdict* out) {
     plain->run(batch, out, nullptr, nullptr);
+  };
+  implementation.timed = [=](const QueryColumns<Real>& batch, Verdict* out) {
+    const double before = plain->nanoseconds();
+    plain->run(batch, out, nullptr, nullptr);
+    return plain->nanoseconds() - before;
   };
   implementation.supervised = [=](const QueryColumns<Real>& batch, Verdict* out, Answers<Real>& answers,
                                   std::vector<Finding>& findings) {

@@ -32,6 +32,8 @@ class Supervisor {
   void run(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>* explained, std::vector<Finding>* findings);
 
   static constexpr int most_stops = 16;
+  // Of the plug-in's calls so far.
+  double nanoseconds() const { return nanoseconds_; }
 
  private:
   struct Chunk;
@@ -53,6 +55,7 @@ class Supervisor {
   Caller<Real> caller_;
   std::mutex mutex_;
   int stops_ = 0;
+  double nanoseconds_ = 0;
   bool asks_singly_ = false, rearranges_ = true;
   Anchor anchor_ = Anchor::end;
   std::uint64_t chunks_ = 0;

@@ -1,0 +1,202 @@
+// Plug-ins that misbehave, each in one way: what the supervisor tells of them, and that all else is answered rightly.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "kernel/error.h"
+#include "kernel/kernel.h"
+#include "kernel/plugin/load.h"
+
+namespace axiscert {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::size_t wrong_query = 700;  // of the batch: the one that the crashing and the hanging plug-in stop at
+
+// Spheres about the origin and triangles a unit away, so that half of them touch; one sphere is enormous.
+const QueryBatch<float>& queries() {
+  static const QueryBatch<float> batch = [] {
+    QueryBatch<float> all(1021);  // no multiple of a vector's lanes
+    std::mt19937 random(7);
+    const auto uniform = [&] { return static_cast<float>(random()) * 0x1p-31f - 1; };
+    for (std::size_t i = 0; i < 1021; ++i) {
+      const auto vertex = [&] { return Vec3<float>{uniform() + 1.5f, uniform(), uniform()}; };
+      const float r = i == wrong_query ? 1e30f : 0.5f + 0.4f * uniform();
+      all.push_back({vertex(), vertex(), vertex(), {0, 0, 0}, r});
+    }
+    return all;
+  }();
+  return batch;
+}
+
+struct Seen {
+  std::vector<Verdict> verdicts;
+  std::vector<Finding> findings;
+};
+
+std::string path_of(const std::string& name) { return fmt::format("{}/{}.so", MISBEHAVING, name); }
+
+Seen supervise(const std::string& name) {
+  const Kernel& kernel = find_kernel("plugin:" + path_of(name));
+  EXPECT_TRUE(kernel.findings.empty()) << kernel.findings.front().detail;
+  Seen seen;
+  seen.verdicts.resize(queries().size());
+  Answers<float> answers;
+  answers.resize(queries().size());
+  kernel.on<float>(scalar_target).supervised(queries().columns(), seen.verdicts.data(), answers, seen.findings);
+  return seen;
+}
+
+std::vector<Verdict> right_verdicts() {
+  std::vector<Verdict> verdicts(queries().size());
+  find_kernel("nonstrict").on<float>(scalar_target).verdicts(queries().columns(), verdicts.data());
+  return verdicts;
+}
+
+std::size_t unanswered(const Seen& seen) {
+  return static_cast<std::size_t>(std::count(seen.verdicts.begin(), seen.verdicts.end(), Verdict::unanswered));
+}
+
+// All but the given queries are answered, and as the right test answers them.
+void expect_right_but(const Seen& seen, std::initializer_list<std::size_t> without_answer) {
+  std::vector<Verdict> expected = right_verdicts();
+  for (const std::size_t i : without_answer) expected[i] = Verdict::unanswered;
+  EXPECT_EQ(seen.verdicts, expected);
+}
+
+Finding only_finding(const Seen& seen) {
+  EXPECT_EQ(seen.findings.size(), 1u);
+  for (const Finding& finding : seen.findings) {
+    SCOPED_TRACE(fmt::format("{} at {}: {}", name(finding.kind), finding.index, finding.detail));
+    EXPECT_LT(finding.index, queries().size());
+  }
+  return seen.findings.empty() ? Finding{} : seen.findings.front();
+}
+
+TEST(Plugin, ACrashCostsItsQueryAlone) {
+  const Seen seen = supervise("crash");
+  const Finding finding = only_finding(seen);
+  EXPECT_EQ(finding.kind, FindingKind::crash);
+  EXPECT_EQ(finding.index, wrong_query);
+  EXPECT_THAT(finding.detail, HasSubstr("SIGSEGV"));
+  expect_right_but(seen, {wrong_query});
+}
+
+TEST(Plugin, AHangCostsItsQueryAlone) {
+  const Seen seen = supervise("hang");
+  const Finding finding = only_finding(seen);
+  EXPECT_EQ(finding.kind, FindingKind::hang);
+  EXPECT_EQ(finding.index, wrong_query);
+  expect_right_but(seen, {wrong_query});
+}
+
+TEST(Plugin, LeavingTheProcessIsACrash) {
+  const Seen seen = supervise("exits");
+  ASSERT_FALSE(seen.findings.empty());
+  EXPECT_EQ(seen.findings.front().kind, FindingKind::crash);
+  EXPECT_THAT(seen.findings.front().detail, HasSubstr("exit code 0"));
+}
+
+TEST(Plugin, AFullStackIsSaid) {
+  const Seen seen = supervise("stack_overflow");
+  ASSERT_FALSE(seen.findings.empty());
+  EXPECT_EQ(seen.findings.front().kind, FindingKind::crash);
+  EXPECT_THAT(seen.findings.front().detail, HasSubstr("out of stack"));
+}
+
+TEST(Plugin, AWriteBeyondItsOutputIsFoundAndItsAnswersCount) {
+  for (const char* name : {"out_of_bounds", "underrun"}) {
+    SCOPED_TRACE(name);
+    const Seen seen = supervise(name);
+    const Finding finding = only_finding(seen);
+    EXPECT_EQ(finding.kind, FindingKind::out_of_bounds);
+    EXPECT_THAT(finding.detail, HasSubstr("verdict"));
+    expect_right_but(seen, {});
+  }
+}
+
+TEST(Plugin, AWriteToAnInputIsFound) {
+  const Seen seen = supervise("writes_input");
+  ASSERT_FALSE(seen.findings.empty());
+  EXPECT_EQ(seen.findings.front().kind, FindingKind::out_of_bounds);
+  EXPECT_THAT(seen.findings.front().detail, HasSubstr("read-only"));
+}
+
+TEST(Plugin, RandomAnswersAreNondeterministic) {
+  EXPECT_EQ(only_finding(supervise("random")).kind, FindingKind::nondeterministic);
+}
+
+TEST(Plugin, AWrongLastLaneIsFoundThoughItsBatchIsOnlySometimesRagged) {
+  const Finding finding = only_finding(supervise("last_lane"));
+  EXPECT_EQ(finding.kind, FindingKind::batch_dependent);
+  EXPECT_THAT(finding.detail, HasSubstr("as query"));
+}
+
+TEST(Plugin, AnswersThatDependOnAlignmentAreFound) {
+  EXPECT_EQ(only_finding(supervise("alignment")).kind, FindingKind::batch_dependent);
+}
+
+TEST(Plugin, FlushToZeroLeftOnIsFound) {
+  const Seen seen = supervise("flush_to_zero");
+  const Finding finding = only_finding(seen);
+  EXPECT_EQ(finding.kind, FindingKind::environment);
+  EXPECT_THAT(finding.detail, HasSubstr("flushing"));
+  expect_right_but(seen, {});
+}
+
+TEST(Plugin, WhatIsNoVerdictIsNoAnswer) {
+  const Seen seen = supervise("not_a_verdict");
+  EXPECT_EQ(only_finding(seen).kind, FindingKind::inconsistent);
+  EXPECT_GT(unanswered(seen), 0u);
+}
+
+TEST(Plugin, ComparisonsThatContradictTheVerdictAreFound) {
+  EXPECT_EQ(only_finding(supervise("inconsistent")).kind, FindingKind::inconsistent);
+}
+
+TEST(Plugin, WhatCannotBeLoadedIsAKernelWithAFinding) {
+  for (const auto& [name, kind, says] : {std::tuple{"wrong_abi", FindingKind::abi, "version"},
+                                         std::tuple{"no_symbol", FindingKind::load, "axiscert_plugin"}}) {
+    const Kernel& kernel = find_kernel("plugin:" + path_of(name));
+    EXPECT_FALSE(kernel.has(Precision::binary32) || kernel.has(Precision::binary64));
+    ASSERT_EQ(kernel.findings.size(), 1u);
+    EXPECT_EQ(kernel.findings[0].kind, kind);
+    EXPECT_THAT(kernel.findings[0].detail, HasSubstr(says));
+  }
+}
+
+TEST(Plugin, AFileThatIsNoneIsRefused) {
+  EXPECT_THROW(find_kernel("plugin:/nosuch.so"), Error);
+  const auto text = std::filesystem::temp_directory_path() / "axiscert_plugin_test.so";
+  std::ofstream(text) << "not a shared object\n";
+  const Kernel& kernel = find_kernel("plugin:" + text.string());
+  std::filesystem::remove(text);
+  ASSERT_EQ(kernel.findings.size(), 1u);
+  EXPECT_EQ(kernel.findings[0].kind, FindingKind::load);
+}
+
+// The process that answers plain questions is another one, and comes again after every stop.
+TEST(Plugin, PlainQuestionsAreAnsweredTooAndACrashIsNoAnswer) {
+  const Implementation<float> crash = find_kernel("plugin:" + path_of("crash")).on<float>(scalar_target);
+  std::vector<Verdict> verdicts(queries().size());
+  for (int repetition = 0; repetition < 2; ++repetition) {
+    crash.verdicts(queries().columns(), verdicts.data());
+    expect_right_but({verdicts, {}}, {wrong_query});
+  }
+}
+
+// Nothing else is asked of a plug-in that stops again and again, and what was not asked is not answered.
+TEST(Plugin, AfterManyStopsNothingIsAsked) {
+  const Seen seen = supervise("exits");
+  EXPECT_LE(seen.findings.size(), 16u);
+}
+
+}  // namespace
+}  // namespace axiscert
