@@ -61,12 +61,13 @@ int check(const Options& options) {
   const Kernel& kernel = find_kernel(options.kernel);
   const std::string target = resolve_target(options.target);
   const auto queries = read_query_file(options.file, parse_precision(options.precision));
+  Examiner examiner(kernel, target);
   for (const StoredQuery& stored : queries) {
     if (!kernel.has(stored.precision)) {
       throw Error(fmt::format("{}: query '{}' is in {}, in which kernel {} does not exist", options.file, stored.id,
                               name(stored.precision), kernel.id));
     }
-    const Examination found = std::visit([&](const auto& q) { return examine(q, kernel, target); }, stored.query);
+    const Examination found = std::visit([&](const auto& q) { return examiner.examine(q); }, stored.query);
     if (options.format == "text") {
       print_text(stored.id, kernel, found);
       continue;

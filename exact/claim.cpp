@@ -39,7 +39,7 @@ std::optional<Reference> Claims<Real>::chain(const Kernel& kernel) {
   if (kernel.formulae == Formulae::none) return std::nullopt;
   const FormulaTruth* own = sides(kernel.formulae);
   Reference chain{own ? outcome_of(own->bits(kernel.strictness)) : Outcome{exact_verdict(kernel.formulae, query_), {}},
-                  std::nullopt};
+                  std::nullopt, own ? own->ties : ComparisonBits{0}};
   if (kernel.is_reference) chain.rounded = rounded(kernel.formulae, kernel.arithmetic, kernel.strictness, query_);
   return chain;
 }

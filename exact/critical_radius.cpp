@@ -60,26 +60,21 @@ std::vector<BitsOf<Real>> probes(std::optional<Real> critical, std::optional<Rea
 }  // namespace
 
 template <class Real>
-std::optional<Real> critical_radius(const Implementation<Real>& kernel, const Query<Real>& query) {
+CriticalRadius<Real> critical_radius(const Implementation<Real>& kernel, const Query<Real>& query,
+                                     const RadiusRange<Real>& range) {
   using Bits = BitsOf<Real>;
-  QueryBatch<Real> one(1);
-  const auto contact_at = [&](Bits radius) {
-    Query<Real> q = query;
-    q.r = std::bit_cast<Real>(radius);
-    one.clear();
-    one.push_back(q);
-    Verdict verdict;
-    kernel.verdicts(one.columns(), &verdict);
-    return verdict == Verdict::contact;
-  };
-  Bits low = 0, high = std::bit_cast<Bits>(greatest<Real>);
-  if (!contact_at(high)) return std::nullopt;
+  const auto verdict_at = [&](Bits radius) { return verdicts_at(kernel, query, {radius}).front(); };
+  Bits low = std::bit_cast<Bits>(range.least), high = std::bit_cast<Bits>(range.greatest);
+  Verdict verdict = verdict_at(high);
+  if (verdict != Verdict::contact) return {std::nullopt, verdict != Verdict::unanswered};
   while (low < high) {
     const Bits middle = low + (high - low) / 2;
-    if (contact_at(middle)) high = middle;
+    verdict = verdict_at(middle);
+    if (verdict == Verdict::unanswered) return {std::nullopt, false};
+    if (verdict == Verdict::contact) high = middle;
     else low = middle + 1;
   }
-  return std::bit_cast<Real>(low);
+  return {std::bit_cast<Real>(low)};
 }
 
 template <class Real>
@@ -99,13 +94,14 @@ Decimal6 radius_error_ulps(Real radius, Real from, const Rational& squared_dista
 }
 
 template <class Real>
-std::optional<double> critical_radius_error(const Implementation<Real>& kernel, const Query<Real>& query,
-                                            const Rational& squared_distance) {
+CriticalRadiusError critical_radius_error(const Implementation<Real>& kernel, const Query<Real>& query,
+                                          const Rational& squared_distance, const RadiusRange<Real>& range) {
   const Real distance = nearest_sqrt<Real>(squared_distance);
-  if (!std::isfinite(distance)) return std::nullopt;
-  const auto critical = critical_radius(kernel, query);
-  if (!critical) return std::numeric_limits<double>::infinity();
-  return Rational(abs(exact(*critical) - exact(distance)) / exact(ulp_of(distance))).get_d();
+  if (!std::isfinite(distance) || distance < range.least || distance > range.greatest) return {};
+  const auto critical = critical_radius(kernel, query, range);
+  if (!critical.answered) return {std::nullopt, false};
+  if (!critical.radius) return {std::numeric_limits<double>::infinity()};
+  return {Rational(abs(exact(*critical.radius) - exact(distance)) / exact(ulp_of(distance))).get_d()};
 }
 
 template <class Real>
@@ -122,13 +118,14 @@ std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>& 
   return std::nullopt;
 }
 
-#define AXISCERT_INSTANTIATE(Real)                                                                              \
-  template std::optional<Real> critical_radius(const Implementation<Real>&, const Query<Real>&);                \
-  template std::optional<Real> exact_critical_radius<Real>(const Rational&);                                    \
-  template Decimal6 radius_error_ulps(Real, Real, const Rational&);                                             \
-  template std::optional<double> critical_radius_error(const Implementation<Real>&, const Query<Real>&,         \
-                                                       const Rational&);                                        \
-  template std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>&, const Query<Real>&, \
+#define AXISCERT_INSTANTIATE(Real)                                                                                     \
+  template CriticalRadius<Real> critical_radius(const Implementation<Real>&, const Query<Real>&,                       \
+                                                const RadiusRange<Real>&);                                             \
+  template std::optional<Real> exact_critical_radius<Real>(const Rational&);                                           \
+  template Decimal6 radius_error_ulps(Real, Real, const Rational&);                                                    \
+  template CriticalRadiusError critical_radius_error(const Implementation<Real>&, const Query<Real>&, const Rational&, \
+                                                     const RadiusRange<Real>&);                                        \
+  template std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>&, const Query<Real>&,        \
                                                                std::optional<Real>, std::optional<Real>);
 AXISCERT_INSTANTIATE(float)
 AXISCERT_INSTANTIATE(double)

@@ -4,15 +4,24 @@
 #include <optional>
 
 #include "exact/error_measure.h"
+#include "exact/limits.h"
 #include "exact/rational.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
 
-// Found by bisection over the floats, so a kernel whose answers are not monotone in r is measured at one of its
-// changes. Nothing where the kernel does not say contact at the greatest finite radius.
 template <class Real>
-std::optional<Real> critical_radius(const Implementation<Real>& kernel, const Query<Real>& query);
+struct CriticalRadius {
+  std::optional<Real> radius;  // nothing where the kernel does not say contact at the greatest radius of the range
+  bool answered = true;        // false: a radius that was asked got no answer, and nothing was measured
+  bool operator==(const CriticalRadius&) const = default;
+};
+
+// Found by bisection over the floats of a range, so a kernel whose answers are not monotone in r is measured at one of
+// its changes. The range is not empty.
+template <class Real>
+CriticalRadius<Real> critical_radius(const Implementation<Real>& kernel, const Query<Real>& query,
+                                     const RadiusRange<Real>& range = {});
 
 // The truth's: the least float that is not below the exact distance. Nothing where that is beyond the greatest.
 template <class Real>
@@ -22,11 +31,16 @@ std::optional<Real> exact_critical_radius(const Rational& squared_distance);
 template <class Real>
 Decimal6 radius_error_ulps(Real radius, Real from, const Rational& squared_distance);
 
-// |critical radius - d| in ulps of d, the exact distance correctly rounded. Infinity where there is no critical radius;
-// nothing where d itself is beyond the precision's range.
+struct CriticalRadiusError {
+  std::optional<double> ulps;  // infinity where there is no critical radius; nothing where none was sought or measured
+  bool answered = true;        // as CriticalRadius has it
+};
+
+// |critical radius - d| in ulps of d, the exact distance correctly rounded. None is sought where d itself is beyond the
+// precision or the range.
 template <class Real>
-std::optional<double> critical_radius_error(const Implementation<Real>& kernel, const Query<Real>& query,
-                                            const Rational& squared_distance);
+CriticalRadiusError critical_radius_error(const Implementation<Real>& kernel, const Query<Real>& query,
+                                          const Rational& squared_distance, const RadiusRange<Real>& range = {});
 
 // Two radii that no monotone kernel has: the smaller sphere touches, the greater one is separated.
 template <class Real>

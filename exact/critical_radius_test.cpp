@@ -43,8 +43,43 @@ TEST(CriticalRadius, ErrorsAreInUlpsOfTheDistance) {
   EXPECT_EQ(radius_error_ulps(2.f - 0x1p-23f, 2.f, Rational(4)), round_up(Rational(1, 2))) << "below a power of two";
 }
 
+// Answers but at one radius.
+Implementation<float> silent_at(float radius) {
+  return {[radius](const QueryColumns<float>& batch, Verdict* out) {
+            for (std::size_t i = 0; i < batch.size; ++i) {
+              const float r = batch.column[12][i];
+              out[i] = r == radius ? Verdict::unanswered : r >= 2 ? Verdict::contact : Verdict::separated;
+            }
+          },
+          nullptr};
+}
+
+TEST(CriticalRadius, ARadiusWithoutAnAnswerIsToldFromNoRadius) {
+  const float max = std::numeric_limits<float>::max();
+  for (const float silent : {max, std::nextafter(2.f, 0.f), 2.f}) {
+    EXPECT_EQ(critical_radius(silent_at(silent), query), (CriticalRadius<float>{std::nullopt, false})) << silent;
+    const auto error = critical_radius_error<float>(silent_at(silent), query, 4);
+    EXPECT_FALSE(error.answered) << silent;
+    EXPECT_FALSE(error.ulps) << silent;
+  }
+  EXPECT_EQ(critical_radius(by_radius([](float) { return false; }), query),
+            (CriticalRadius<float>{std::nullopt, true}));
+  EXPECT_EQ(critical_radius(by_radius([](float r) { return r >= 2; }), query), (CriticalRadius<float>{2.f, true}));
+}
+
+// A kernel that promises nothing beyond 8 may answer anything there.
+TEST(CriticalRadius, IsSoughtWithinTheRangeAlone) {
+  const auto limited = by_radius([](float r) { return r >= 2 && r <= 8; });
+  EXPECT_FALSE(critical_radius(limited, query).radius);
+  EXPECT_EQ(critical_radius(limited, query, {1, 8}).radius, 2.f);
+  EXPECT_EQ(critical_radius_error<float>(limited, query, 4, {1, 8}).ulps, 0);
+  EXPECT_FALSE(critical_radius_error<float>(limited, query, 4, {3, 8}).ulps) << "the distance is 2";
+  EXPECT_FALSE(critical_radius_error<float>(limited, query, 4, {0, 1}).ulps);
+  EXPECT_TRUE(critical_radius_error<float>(limited, query, 4, {3, 8}).answered);
+}
+
 void expect_reversal(const Implementation<float>& kernel, const std::string& what) {
-  const auto found = radius_reversal<float>(kernel, query, critical_radius(kernel, query), 2.f);
+  const auto found = radius_reversal<float>(kernel, query, critical_radius(kernel, query).radius, 2.f);
   ASSERT_TRUE(found) << what;
   EXPECT_LT(found->contact, found->separated) << what;
   QueryBatch<float> batch(2);
@@ -69,7 +104,7 @@ TEST(CriticalRadius, AKernelThatIsNotMonotoneIsFoundWithAValidPair) {
 TEST(CriticalRadius, MonotoneKernelsAreNotAccused) {
   for (const auto& kernel : {by_radius([](float r) { return r >= 2; }), by_radius([](float) { return true; }),
                              by_radius([](float) { return false; })}) {
-    EXPECT_FALSE(radius_reversal<float>(kernel, query, critical_radius(kernel, query), 2.f));
+    EXPECT_FALSE(radius_reversal<float>(kernel, query, critical_radius(kernel, query).radius, 2.f));
   }
   // Radius sides that grow with r, side comparisons that do not read it.
   std::mt19937_64 random(31);
@@ -80,7 +115,7 @@ TEST(CriticalRadius, MonotoneKernelsAreNotAccused) {
       for (float& v : x) v = std::ldexp(static_cast<float>(static_cast<std::int32_t>(random() >> 32)), -31);
       const auto q = from_coordinates(x);
       const auto exact_radius = exact_critical_radius<float>(squared_distance(q));
-      EXPECT_FALSE(radius_reversal<float>(kernel, q, critical_radius(kernel, q), exact_radius))
+      EXPECT_FALSE(radius_reversal<float>(kernel, q, critical_radius(kernel, q).radius, exact_radius))
           << id << ", query " << trial << " of seed 31";
     }
   }

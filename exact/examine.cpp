@@ -2,40 +2,27 @@
 
 #include "exact/depth.h"
 #include "exact/geometric_oracle.h"
+#include "kernel/ask.h"
 
 namespace axiscert {
-namespace {
 
 template <class Real>
-Answer answer_of(const Query<Real>& q, const Implementation<Real>& kernel) {
-  QueryBatch<Real> one(1);
-  one.push_back(q);
-  Answer answer{Verdict::invalid, std::nullopt};
-  kernel.verdicts(one.columns(), &answer.verdict);
-  if (kernel.explain) {
-    Answers<Real> answers;
-    answers.resize(1);
-    kernel.explain(one.columns(), answers);
-    answer.bits = answers.bits[0];
-  }
-  return answer;
-}
-
-}  // namespace
-
-template <class Real>
-Examination examine(const Query<Real>& q, const Kernel& kernel, std::string_view target) {
-  Examination out{exact_truth(q, true), {}, answer_of(q, kernel.on<Real>(target)), {}, {}};
+Examination Examiner::examine(const Query<Real>& q) {
+  auto& implementation = std::get<std::optional<Implementation<Real>>>(begun_);
+  if (!implementation) implementation = kernel_.on<Real>(target_);
+  Reply<Real> reply = ask(*implementation, q);
+  Examination out{exact_truth(q, true), {}, reply.outcome(0), {}, {}, std::move(reply.findings)};
+  if (out.answer.verdict == Verdict::unanswered) implementation.reset();
   std::optional<Reference> chain;
   if (out.truth.formula) {
-    chain = Claims<Real>(q, *out.truth.formula).chain(kernel);
+    chain = Claims<Real>(q, *out.truth.formula).chain(kernel_);
     out.squared_distance = squared_distance(q);
   }
-  out.judgement = judge(out.truth, chain, out.answer);
+  out.judgement = judge(out.truth, chain, out.answer, kernel_.touching);
   if (out.judgement.verdict_flip) out.depth = depth(q, *out.squared_distance);
   return out;
 }
-template Examination examine<float>(const Query<float>&, const Kernel&, std::string_view);
-template Examination examine<double>(const Query<double>&, const Kernel&, std::string_view);
+template Examination Examiner::examine(const Query<float>&);
+template Examination Examiner::examine(const Query<double>&);
 
 }  // namespace axiscert

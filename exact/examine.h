@@ -1,6 +1,8 @@
 // Everything about one query and one kernel: what `check` prints and what a witness is made of.
 #pragma once
 
+#include <tuple>
+
 #include "exact/claim.h"
 #include "exact/error_measure.h"
 #include "kernel/kernel.h"
@@ -12,11 +14,26 @@ struct Examination {
   std::optional<Rational> squared_distance;  // exact; none where the truth is `invalid`
   Answer answer;
   Judgement judgement;
-  std::optional<double> depth;  // of a wrong verdict
+  std::optional<double> depth;    // of a wrong verdict
+  std::vector<Finding> findings;  // what the kernel did wrong beside
 };
 
-// Cross-checked by all oracles. Throws OracleDisagreement.
-template <class Real>
-Examination examine(const Query<Real>& q, const Kernel& kernel, std::string_view target);
+// Examines queries by all oracles. In each precision the kernel is begun once, since somebody else's code is a process;
+// and again after a query that it did not answer.
+class Examiner {
+ public:
+  // Both have to outlive it.
+  Examiner(const Kernel& kernel, std::string_view target) : kernel_(kernel), target_(target) {}
+  const Kernel& kernel() const { return kernel_; }
+
+  // The kernel exists in this precision. Throws OracleDisagreement.
+  template <class Real>
+  Examination examine(const Query<Real>& q);
+
+ private:
+  const Kernel& kernel_;
+  std::string_view target_;
+  std::tuple<std::optional<Implementation<float>>, std::optional<Implementation<double>>> begun_;
+};
 
 }  // namespace axiscert

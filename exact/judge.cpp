@@ -34,12 +34,12 @@ LinkBits links_at(const std::array<Bits, link_count>& broken, std::size_t i) {
   return links;
 }
 
-LinkBits verdict_links(Verdict geometric, const Reference& chain, Verdict kernel) {
+LinkBits verdict_links(Verdict right, const Reference& chain, Verdict kernel) {
   LinkBits links = 0;
   const auto compare = [&](Verdict before, Verdict after, Link link) {
     if (before != after) links |= link_bit(link);
   };
-  compare(geometric, chain.exact.verdict, Link::specification);
+  compare(right, chain.exact.verdict, Link::specification);
   if (!chain.rounded) {
     compare(chain.exact.verdict, kernel, Link::unattributed);
     return links;
@@ -69,6 +69,18 @@ void judge_bits(const Reference& chain, ComparisonBits bits, Verdict verdict, Ju
   out.comparison_decisive = out.comparison_flips & in_those_axes & (false_separation ? bits : exact);
 }
 
+// The reference on a touching query, its radius ties decided by a convention other than `contact`.
+Reference by_convention(Reference chain, Touching touching, const Answer& answer) {
+  if (!chain.exact.bits) {
+    chain.exact.verdict = touching == Touching::separated ? Verdict::separated : answer.verdict;
+    return chain;
+  }
+  const auto open = static_cast<ComparisonBits>(chain.ties & ~side_comparisons);
+  const ComparisonBits decided = touching == Touching::separated ? open : answer.bits.value_or(0);
+  chain.exact = outcome_of(static_cast<ComparisonBits>((*chain.exact.bits & ~open) | (decided & open)));
+  return chain;
+}
+
 }  // namespace
 
 std::string_view name(const Flip& flip) {
@@ -83,20 +95,37 @@ std::string_view name(const Flip& flip) {
   return {};
 }
 
-Judgement judge(const Truth& truth, const std::optional<Reference>& chain, const Answer& answer) {
+std::optional<Verdict> right_verdict(const Truth& truth, Touching touching) {
+  if (!truth.touching) return truth.verdict;
+  switch (touching) {
+    case Touching::contact:
+      return Verdict::contact;
+    case Touching::separated:
+      return Verdict::separated;
+    case Touching::either:
+      return std::nullopt;
+  }
+  return truth.verdict;
+}
+
+Judgement judge(const Truth& truth, const std::optional<Reference>& reference, const Answer& answer,
+                Touching touching) {
   Judgement out;
   if (truth.verdict == Verdict::invalid) return out;
   const bool decided = answer.verdict == Verdict::separated || answer.verdict == Verdict::contact;
-  if (decided && answer.verdict != truth.verdict) {
+  const std::optional<Verdict> right = right_verdict(truth, touching);
+  if (decided && right && answer.verdict != *right) {
     out.verdict_flip = answer.verdict == Verdict::separated ? FlipKind::false_separation : FlipKind::false_contact;
   }
-  if (!chain) {
+  if (!reference) {
     if (out.verdict_flip) out.verdict_links = link_bit(Link::unattributed);
     return out;
   }
-  out.exact = chain->exact.bits;
-  if (decided) out.verdict_links = verdict_links(truth.verdict, *chain, answer.verdict);
-  if (decided && answer.bits && chain->exact.bits) judge_bits(*chain, *answer.bits, answer.verdict, out);
+  const bool conventional = truth.touching && touching != Touching::contact && !reference->rounded;
+  const Reference chain = conventional ? by_convention(*reference, touching, answer) : *reference;
+  out.exact = chain.exact.bits;
+  if (decided && right) out.verdict_links = verdict_links(*right, chain, answer.verdict);
+  if (decided && answer.bits && chain.exact.bits) judge_bits(chain, *answer.bits, answer.verdict, out);
   return out;
 }
 

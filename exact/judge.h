@@ -47,10 +47,11 @@ using Answer = Outcome;
 struct Reference {
   Outcome exact;
   std::optional<Rounded> rounded;
+  ComparisonBits ties = 0;  // of the exact formulae: lhs == rhs
 };
 
 struct Judgement {
-  std::optional<FlipKind> verdict_flip;  // against the geometric truth; none where that is `invalid`
+  std::optional<FlipKind> verdict_flip;  // against right_verdict(); none where the truth is `invalid`
   LinkBits verdict_links = 0;            // broken on the way, whether the verdict came out wrong or right
   std::uint16_t comparison_flips = 0, comparison_decisive = 0;  // bit i is comparison i; decisive is a subset
   std::uint8_t axis_flips = 0, axis_decisive = 0;
@@ -61,8 +62,20 @@ struct Judgement {
   std::array<AxisBits, link_count> broken_axes{};
 };
 
+// What a kernel with this convention is to say of a valid query; nothing where neither answer is wrong.
+std::optional<Verdict> right_verdict(const Truth& truth, Touching touching);
+
 // `reference` is empty for a kernel that claims no formulae: only its verdict is judged. Where the truth is `invalid`
-// there is no flip.
-Judgement judge(const Truth& truth, const std::optional<Reference>& reference, const Answer& answer);
+// or there is no answer, there is no flip.
+//
+// On a touching query a kernel is held to its convention, and so are the formulae that it evaluates in its own way. A
+// sphere touches where a radius comparison is a tie, and which relation that comparison uses, `>` or `>=`, is all that
+// a convention can mean: with `separated`, their radius ties hold there; with `either`, they are as the kernel has
+// them, and no link is broken. Otherwise each right answer would break links, and each rounding at a tie would be laid
+// on the specification. On any other query the formulae are taken as named: a `>=` that also separates a zero-area
+// triangle by 0 >= 0 is a fault. A reference bit for bit has the relation that it has, so there a convention other than
+// `contact` contradicts its own formulae: `specification`.
+Judgement judge(const Truth& truth, const std::optional<Reference>& reference, const Answer& answer,
+                Touching touching = Touching::contact);
 
 }  // namespace axiscert

@@ -13,7 +13,7 @@ namespace axiscert {
 namespace {
 
 Examination judged(const Query<float>& q, const char* kernel = "published") {
-  return examine(q, find_kernel(kernel), scalar_target);
+  return Examiner(find_kernel(kernel), scalar_target).examine(q);
 }
 
 // Every flip as "name kind decisive|masked link...", in order.

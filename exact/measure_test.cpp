@@ -170,12 +170,12 @@ TEST(Depth, TiesGoToEven) {
 // For a vertex at distance 2 the published test changes its answer at r = 2 exactly; at sqrt(3) one ulp below.
 TEST(CriticalRadius, IsMeasuredInUlpsOfTheExactDistance) {
   const auto kernel = find_kernel("published").on<float>(scalar_target);
-  EXPECT_EQ(critical_radius_error<float>(kernel, {{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 0, 0}, 9}, 4), 0);
-  EXPECT_EQ(critical_radius_error<float>(kernel, {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {0, 0, 0}, 9}, 3), 0);
+  EXPECT_EQ(critical_radius_error<float>(kernel, {{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 0, 0}, 9}, 4).ulps, 0);
+  EXPECT_EQ(critical_radius_error<float>(kernel, {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {0, 0, 0}, 9}, 3).ulps, 0);
   const auto never = [](const QueryColumns<float>& batch, Verdict* out) {
     std::fill_n(out, batch.size, Verdict::separated);
   };
-  EXPECT_EQ(critical_radius_error<float>({never, nullptr}, {{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 0, 0}, 9}, 4),
+  EXPECT_EQ(critical_radius_error<float>({never, nullptr}, {{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 0, 0}, 9}, 4).ulps,
             INFINITY);
 }
 
@@ -183,11 +183,11 @@ TEST(CriticalRadius, EndsOfTheRange) {
   const auto kernel = find_kernel("published").on<float>(scalar_target);
   const float max = std::numeric_limits<float>::max();
   const Query<float> beyond{{max, max, 0}, {max, max, 1}, {max, max, 2}, {-max, -max, 0}, 0};
-  EXPECT_FALSE(critical_radius_error<float>(kernel, beyond, squared_distance(beyond)));
+  EXPECT_FALSE(critical_radius_error<float>(kernel, beyond, squared_distance(beyond)).ulps);
   const Query<float> at_max{{max, 0, 0}, {max, 1, 0}, {max, 0, 1}, {0, 0, 0}, 0};
-  EXPECT_TRUE(critical_radius_error<float>(kernel, at_max, squared_distance(at_max)));
+  EXPECT_TRUE(critical_radius_error<float>(kernel, at_max, squared_distance(at_max)).ulps);
   const Query<float> at_zero{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, 0};
-  EXPECT_EQ(critical_radius_error<float>(kernel, at_zero, 0), 0);
+  EXPECT_EQ(critical_radius_error<float>(kernel, at_zero, 0).ulps, 0);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "exact/area.h"
 #include "exact/geometric_oracle.h"
 #include "exact/second_oracle.h"
 
@@ -10,10 +11,7 @@ namespace {
 
 template <class Real>
 bool has_zero_area(const Query<Real>& q) {
-  const auto vec = [](const Vec3<Real>& v) {
-    return Vec3<Ring>{Ring(double(v.x)), Ring(double(v.y)), Ring(double(v.z))};
-  };
-  const Vec3<Ring> a = vec(q.a), normal = portable::cross(vec(q.b) - a, vec(q.c) - a);
+  const Vec3<Ring> normal = exact_normal(q);
   return normal.x.is_zero() && normal.y.is_zero() && normal.z.is_zero();
 }
 

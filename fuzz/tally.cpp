@@ -28,14 +28,67 @@ void count_flip(SignTally& tally, const Flip& flip) {
   add(tally.links, flip.links);
 }
 
+void keep_first(std::optional<std::uint64_t>& first, std::optional<std::uint64_t> position) {
+  if (position && (!first || *position < *first)) first = position;
+}
+
+void merge_finding(FindingTally& into, const FindingTally& from) {
+  if (from.count == 0) return;
+  if (into.count == 0 || from.first < into.first) {
+    into.first = from.first;
+    into.detail = from.detail;
+  }
+  into.count += from.count;
+}
+
+void merge_outside(OutsideTally& into, const OutsideTally& from) {
+  into.trials += from.trials;
+  into.false_separation += from.false_separation;
+  into.false_contact += from.false_contact;
+  into.unanswered += from.unanswered;
+  into.deepest = std::max(into.deepest, from.deepest);
+}
+
+void merge_verdict(VerdictTally& into, const VerdictTally& from) {
+  into.false_separation += from.false_separation;
+  into.false_contact += from.false_contact;
+  into.undecided += from.undecided;
+  into.invalid += from.invalid;
+  into.unanswered += from.unanswered;
+  into.touching_flips += from.touching_flips;
+  add(into.links, from.links);
+  add(into.masked_links, from.masked_links);
+  add(into.touching_links, from.touching_links);
+  into.deepest_false_separation.merge(from.deepest_false_separation);
+  into.deepest_false_contact.merge(from.deepest_false_contact);
+  for (std::size_t i = 0; i < link_count; ++i) {
+    into.deepest_by_link[i].merge(from.deepest_by_link[i]);
+    keep_first(into.first_by_link[i], from.first_by_link[i]);
+  }
+  merge_outside(into.outside_limits, from.outside_limits);
+}
+
+void count_truth(Tally& tally, const Truth& truth) {
+  ++tally.trials;
+  if (truth.verdict == Verdict::invalid) {
+    ++tally.invalid;
+    return;
+  }
+  ++(truth.verdict == Verdict::separated ? tally.separated : tally.contact);
+  tally.touching += truth.touching;
+}
+
 void count_verdict(VerdictTally& tally, std::uint64_t position, bool touching, const Flip& flip, double depth) {
   const bool false_separation = flip.kind == FlipKind::false_separation;
   ++(false_separation ? tally.false_separation : tally.false_contact);
   tally.touching_flips += touching;
   add(tally.links, flip.links);
+  if (touching) add(tally.touching_links, flip.links);
   (false_separation ? tally.deepest_false_separation : tally.deepest_false_contact).offer({depth, position});
   for (std::size_t i = 0; i < link_count; ++i) {
-    if ((flip.links >> i) & 1u) tally.deepest_by_link[i].offer({depth, position});
+    if (!((flip.links >> i) & 1u)) continue;
+    tally.deepest_by_link[i].offer({depth, position});
+    if (!touching) keep_first(tally.first_by_link[i], position);
   }
 }
 
@@ -47,16 +100,7 @@ void Tally::merge(const Tally& other) {
   contact += other.contact;
   touching += other.touching;
   invalid += other.invalid;
-  verdict.false_separation += other.verdict.false_separation;
-  verdict.false_contact += other.verdict.false_contact;
-  verdict.undecided += other.verdict.undecided;
-  verdict.invalid += other.verdict.invalid;
-  verdict.touching_flips += other.verdict.touching_flips;
-  add(verdict.links, other.verdict.links);
-  add(verdict.masked_links, other.verdict.masked_links);
-  verdict.deepest_false_separation.merge(other.verdict.deepest_false_separation);
-  verdict.deepest_false_contact.merge(other.verdict.deepest_false_contact);
-  for (std::size_t i = 0; i < link_count; ++i) verdict.deepest_by_link[i].merge(other.verdict.deepest_by_link[i]);
+  merge_verdict(verdict, other.verdict);
   for (std::size_t i = 0; i < axis_count; ++i) {
     merge_signs(axes[i], other.axes[i]);
     axes[i].sole_separator += other.axes[i].sole_separator;
@@ -75,19 +119,17 @@ void Tally::merge(const Tally& other) {
   critical_radius.errors_ulps.insert(critical_radius.errors_ulps.end(), other.critical_radius.errors_ulps.begin(),
                                      other.critical_radius.errors_ulps.end());
   critical_radius.unbounded += other.critical_radius.unbounded;
+  critical_radius.unanswered += other.critical_radius.unanswered;
+  for (std::size_t i = 0; i < finding_kind_count; ++i) merge_finding(findings[i], other.findings[i]);
 }
 
 void count(Tally& tally, std::uint64_t position, const Truth& truth, const FormulaTruth* sides, const Answer& answer,
            const Judgement& judgement, std::optional<double> depth) {
-  ++tally.trials;
-  if (truth.verdict == Verdict::invalid) {
-    ++tally.invalid;
-    return;
-  }
-  ++(truth.verdict == Verdict::separated ? tally.separated : tally.contact);
-  tally.touching += truth.touching;
+  count_truth(tally, truth);
+  if (truth.verdict == Verdict::invalid) return;
   tally.verdict.undecided += answer.verdict == Verdict::undecided;
   tally.verdict.invalid += answer.verdict == Verdict::invalid;
+  tally.verdict.unanswered += answer.verdict == Verdict::unanswered;
   if (!judgement.verdict_flip) add(tally.verdict.masked_links, judgement.verdict_links);
 
   if (sides && sides->ties != 0) {
@@ -114,6 +156,21 @@ void count(Tally& tally, std::uint64_t position, const Truth& truth, const Formu
       }
     }
   }
+}
+
+void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const Judgement& judgement,
+                   std::optional<double> depth) {
+  count_truth(tally, truth);
+  OutsideTally& outside = tally.verdict.outside_limits;
+  ++outside.trials;
+  outside.unanswered += answer.verdict == Verdict::unanswered;
+  if (!judgement.verdict_flip) return;
+  ++(*judgement.verdict_flip == FlipKind::false_separation ? outside.false_separation : outside.false_contact);
+  outside.deepest = std::max(outside.deepest, depth.value_or(0));
+}
+
+void count_finding(Tally& tally, FindingKind kind, std::uint64_t position, const std::string& detail) {
+  merge_finding(tally.findings[static_cast<std::size_t>(kind)], {1, position, detail});
 }
 
 template <class Real>

@@ -10,6 +10,7 @@
 
 #include "exact/error_measure.h"
 #include "exact/judge.h"
+#include "kernel/finding.h"
 
 namespace axiscert {
 
@@ -64,16 +65,33 @@ struct ComparisonTally : SignTally {
   Leaders<bool> false_witness, missed_witness;  // ranked by whether the flip is decisive
 };
 
+// What happens on valid queries outside the limits that a kernel declares; it enters no other count but the truth's.
+struct OutsideTally {
+  std::uint64_t trials = 0, false_separation = 0, false_contact = 0, unanswered = 0;
+  double deepest = 0;
+};
+
 struct VerdictTally {
-  std::uint64_t false_separation = 0, false_contact = 0, undecided = 0, invalid = 0, touching_flips = 0;
-  LinkCounts links{}, masked_links{};
+  std::uint64_t false_separation = 0, false_contact = 0, undecided = 0, invalid = 0, unanswered = 0;
+  std::uint64_t touching_flips = 0;
+  LinkCounts links{}, masked_links{}, touching_links{};                   // touching_links: those of touching_flips
   Leaders<double> deepest_false_separation{3}, deepest_false_contact{3};  // ranked by depth
   std::array<Leaders<double>, link_count> deepest_by_link;                // the deepest with that link broken
+  // The first wrong verdict with that link broken, on a query that does not touch.
+  std::array<std::optional<std::uint64_t>, link_count> first_by_link;
+  OutsideTally outside_limits;
 };
 
 struct CriticalRadiusTally {
   std::vector<double> errors_ulps;  // unsorted
-  std::uint64_t unbounded = 0;      // contact for no finite radius
+  std::uint64_t unbounded = 0;      // contact for no radius, finite and within the limits
+  std::uint64_t unanswered = 0;     // not measured: a radius got no answer
+};
+
+// One kind of finding: how often, and the first of them.
+struct FindingTally {
+  std::uint64_t count = 0, first = 0;
+  std::string detail;  // of the first
 };
 
 struct Tally {
@@ -83,6 +101,7 @@ struct Tally {
   std::array<AxisTally, axis_count> axes;
   std::array<ComparisonTally, comparison_count> comparisons;
   CriticalRadiusTally critical_radius;
+  std::array<FindingTally, finding_kind_count> findings;  // by FindingKind
 
   void merge(const Tally& other);
 };
@@ -90,10 +109,16 @@ struct Tally {
 // Tolerated error per comparison, in u; none: not checked.
 using Tolerances = std::array<std::optional<Rational>, comparison_count>;
 
-// Counts everything but the errors of the sides. `sides` are the kernel's own formulae in exact arithmetic, where they
-// have comparisons; `depth` is that of a wrong verdict.
+// Counts everything of a query within the kernel's limits but the errors of the sides. `sides` are the kernel's own
+// formulae in exact arithmetic, where they have comparisons; `depth` is that of a wrong verdict.
 void count(Tally& tally, std::uint64_t position, const Truth& truth, const FormulaTruth* sides, const Answer& answer,
            const Judgement& judgement, std::optional<double> depth);
+
+// Counts a valid query outside the kernel's limits.
+void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const Judgement& judgement,
+                   std::optional<double> depth);
+
+void count_finding(Tally& tally, FindingKind kind, std::uint64_t position, const std::string& detail);
 
 // Counts the errors of the computed sides of a query with a valid truth.
 template <class Real>

@@ -8,6 +8,8 @@
 #include "exact/critical_radius.h"
 #include "exact/depth.h"
 #include "exact/geometric_oracle.h"
+#include "exact/limits.h"
+#include "kernel/ask.h"
 
 namespace axiscert {
 namespace {
@@ -20,36 +22,18 @@ double thread_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-// A kernel at work on batches of one precision.
+// A kernel at work on batches of one precision. Somebody else's code is a process, begun with the unit: so what it does
+// depends on the unit alone, and not on what the thread did before.
 template <class Real>
 struct Runner {
   const Kernel& kernel;
   std::size_t place;  // in the plan
   Implementation<Real> implementation;
-  std::vector<Verdict> verdicts;
-  Answers<Real> answers;
+  RadiusRange<Real> radii;
+  Reply<Real> reply;
 
   Runner(const Kernel& k, std::size_t place_in_plan, std::string_view target)
-      : kernel(k), place(place_in_plan), implementation(k.on<Real>(target)), verdicts(batch_size) {
-    answers.resize(batch_size);
-  }
-  void run(const QueryColumns<Real>& batch) {
-    implementation.verdicts(batch, verdicts.data());
-    if (implementation.explain) implementation.explain(batch, answers);
-  }
-  Answer answer(std::size_t i) const {
-    Answer a{verdicts[i], std::nullopt};
-    if (implementation.explain) a.bits = answers.bits[i];
-    return a;
-  }
-  Sides<Real> sides(std::size_t i) const {
-    Sides<Real> s;
-    for (std::size_t k = 0; k < comparison_count; ++k) {
-      s.lhs[k] = answers.lhs[k][i];
-      s.rhs[k] = answers.rhs[k][i];
-    }
-    return s;
-  }
+      : kernel(k), place(place_in_plan), implementation(k.on<Real>(target)), radii(radii_within<Real>(k.limits)) {}
 };
 
 // The exact squared distance of one query, computed when first asked for: few queries need it.
@@ -73,6 +57,15 @@ class LazyDistance {
 };
 
 template <class Real>
+void measure_critical_radius(const Runner<Real>& runner, const Query<Real>& q, const Rational& squared_distance,
+                             CriticalRadiusTally& tally) {
+  const CriticalRadiusError error = critical_radius_error(runner.implementation, q, squared_distance, runner.radii);
+  if (!error.answered) ++tally.unanswered;
+  else if (error.ulps && std::isfinite(*error.ulps)) tally.errors_ulps.push_back(*error.ulps);
+  else if (error.ulps) ++tally.unbounded;
+}
+
+template <class Real>
 void judge_query(const Plan& plan, const std::vector<Runner<Real>>& runners, std::size_t i, std::uint64_t position,
                  const Query<Real>& q, UnitResult& out) {
   const bool second_opinion = position % second_opinion_stride == 0;
@@ -82,26 +75,29 @@ void judge_query(const Plan& plan, const std::vector<Runner<Real>>& runners, std
   std::optional<Claims<Real>> claims;
   if (truth.formula) claims.emplace(q, *truth.formula);
   for (const Runner<Real>& runner : runners) {
-    const Answer answer = runner.answer(i);
+    const Kernel& kernel = runner.kernel;
+    Tally& tally = out.tallies[runner.place];
+    const Answer answer = runner.reply.outcome(i);
     std::optional<Reference> chain;
     const FormulaTruth* sides = nullptr;
     if (claims) {
-      chain = claims->chain(runner.kernel);
-      sides = claims->sides(runner.kernel.formulae);
+      chain = claims->chain(kernel);
+      sides = claims->sides(kernel.formulae);
     }
-    const Judgement judgement = judge(truth, chain, answer);
+    const Judgement judgement = judge(truth, chain, answer, kernel.touching);
     std::optional<double> depth;
     if (judgement.verdict_flip) depth = distance.depth();
-    count(out.tallies[runner.place], position, truth, sides, answer, judgement, depth);
-    if (!truth.formula) continue;
-    if (sides && runner.kernel.exposes == Exposure::sides) {
-      count_errors(out.tallies[runner.place], position, *sides, runner.sides(i), plan.tolerances);
+    if (truth.formula && kernel.limits.any() && !is_within(kernel.limits, q)) {
+      count_outside(tally, truth, answer, judgement, depth);
+      continue;
+    }
+    count(tally, position, truth, sides, answer, judgement, depth);
+    if (!truth.formula || answer.verdict == Verdict::unanswered) continue;
+    if (sides && kernel.exposes == Exposure::sides) {
+      count_errors(tally, position, *sides, runner.reply.sides(i), plan.tolerances);
     }
     if (position % critical_radius_stride == 0) {
-      const auto error = critical_radius_error(runner.implementation, q, distance.squared());
-      CriticalRadiusTally& tally = out.tallies[runner.place].critical_radius;
-      if (error && std::isfinite(*error)) tally.errors_ulps.push_back(*error);
-      else if (error) ++tally.unbounded;
+      measure_critical_radius(runner, q, distance.squared(), tally.critical_radius);
     }
   }
 }
@@ -120,7 +116,12 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
       source.make(plan.seed, first + done + batch.size(), q);
       batch.push_back(q);
     }
-    for (Runner<Real>& runner : runners) runner.run(batch.columns());
+    for (Runner<Real>& runner : runners) {
+      ask(runner.implementation, batch.columns(), runner.reply);
+      for (const Finding& finding : runner.reply.findings) {
+        count_finding(out.tallies[runner.place], finding.kind, first + done + finding.index, finding.detail);
+      }
+    }
     for (std::size_t i = 0; i < batch.size(); ++i) judge_query(plan, runners, i, first + done + i, batch[i], out);
   }
 }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "exact/examine.h"
 #include "fuzz/address.h"
 #include "fuzz/number_text.h"
 
@@ -68,6 +67,7 @@ void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision pr
       return fmt::format("largest error of {}: {} u", comparisons[i].name, c.rank.text());
     });
   }
+  if (!examiner_ || &examiner_->kernel() != &kernel) examiner_.emplace(kernel, plan_.target);
   if (precision == Precision::binary32) write<float>(kernel, source, shown);
   else write<double>(kernel, source, shown);
 }
@@ -77,7 +77,7 @@ void WitnessWriter::write(const Kernel& kernel, const Source& source, const Show
   for (const auto& [position, what] : shown) {
     Query<Real> q;
     source.make(plan_.seed, position, q);
-    const Examination found = examine(q, kernel, plan_.target);
+    const Examination found = examiner_->examine(q);
     Json witness = {{"id", fmt::format("w{}", witnesses_.size() + 1)}, {"precision", name(precision_of<Real>)}};
     put_query(witness, q);
     witness["kernel"] = kernel.id;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "exact/examine.h"
 #include "reports/record.h"
 
 namespace axiscert {
@@ -24,6 +26,7 @@ class WitnessWriter {
   void write(const Kernel& kernel, const Source& source, const Shown& shown);
 
   const Plan& plan_;
+  std::optional<Examiner> examiner_;  // of the kernel that was added last
   Json witnesses_ = Json::array();
 };
 

@@ -38,8 +38,13 @@ template <class Real>
 void measure(const Implementation<Real>& kernel, const Query<Real>& q, const Rational& squared_distance,
              Real exact_radius, const Address& address, CriticalRadii& cell) {
   const std::uint64_t position = address.position();
+  const auto critical = critical_radius(kernel, q);
+  if (!critical.answered) {
+    ++cell.unanswered;
+    return;
+  }
   ++cell.measured;
-  const auto radius = critical_radius(kernel, q);
+  const auto& radius = critical.radius;
   if (!radius) {
     ++cell.unbounded;
   } else {
@@ -117,6 +122,7 @@ void CriticalRadii::merge(const CriticalRadii& later) {
   early += later.early;
   late += later.late;
   unbounded += later.unbounded;
+  unanswered += later.unanswered;
   reversals += later.reversals;
   for (const auto& [error, count] : later.errors) errors[error] += count;
   if (later.worst_early) keep_greatest(worst_early, *later.worst_early);

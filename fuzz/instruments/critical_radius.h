@@ -33,6 +33,7 @@ struct CriticalRadii {
   std::uint64_t early = 0;                   // contact for a radius below the distance: a phantom
   std::uint64_t late = 0;                    // separated for a radius not below it: missed
   std::uint64_t unbounded = 0;               // separated at the greatest finite radius
+  std::uint64_t unanswered = 0;              // not measured: a radius got no answer
   std::uint64_t reversals = 0;               // queries on which the answers are not monotone
   std::map<Decimal6, std::uint64_t> errors;  // all but the unbounded ones, and how often
   std::optional<Measured> worst_early, worst_late;

@@ -79,7 +79,7 @@ void count_comparisons(KernelAccuracy& into, const Kernel& kernel, const Formula
 template <class Real>
 void count_critical_radius(KernelAccuracy& into, const Implementation<Real>& kernel, const Query<Real>& q,
                            const Rational& squared_distance) {
-  const auto error = critical_radius_error(kernel, q, squared_distance);
+  const auto error = critical_radius_error(kernel, q, squared_distance).ulps;
   if (error && std::isfinite(*error)) into.radius_errors_ulps.push_back(*error);
   else if (error) ++into.radius_unbounded;
 }

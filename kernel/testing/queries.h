@@ -5,8 +5,7 @@
 
 #include <string_view>
 
-#include "kernel/evaluate.h"
-#include "kernel/kernel.h"
+#include "kernel/ask.h"
 
 namespace axiscert::testing_support {
 
@@ -24,35 +23,15 @@ void for_each_vertex_order(const Query<Real>& q, Body&& body) {
 // A kernel's verdict and, where it exposes them, its comparison bits, which have to make that verdict.
 template <class Real>
 Outcome answer(const Kernel& kernel, const Query<Real>& q, std::string_view target = scalar_target) {
-  const Implementation<Real> implementation = kernel.on<Real>(target);
-  QueryBatch<Real> one(1);
-  one.push_back(q);
-  Outcome found{Verdict::invalid, std::nullopt};
-  implementation.verdicts(one.columns(), &found.verdict);
-  if (implementation.explain) {
-    Answers<Real> answers;
-    answers.resize(1);
-    implementation.explain(one.columns(), answers);
-    found.bits = answers.bits[0];
-    EXPECT_EQ(verdict_of(axes_of(*found.bits)), found.verdict) << kernel.id << " on " << target;
-  }
+  const Outcome found = ask(kernel.on<Real>(target), q).outcome(0);
+  if (found.bits) EXPECT_EQ(verdict_of(axes_of(*found.bits)), found.verdict) << kernel.id << " on " << target;
   return found;
 }
 
 // The computed sides of one query.
 template <class Real>
 Sides<Real> sides_in(const Kernel& kernel, const Query<Real>& q, std::string_view target = scalar_target) {
-  QueryBatch<Real> one(1);
-  one.push_back(q);
-  Answers<Real> answers;
-  answers.resize(1);
-  kernel.on<Real>(target).explain(one.columns(), answers);
-  Sides<Real> sides;
-  for (std::size_t k = 0; k < comparison_count; ++k) {
-    sides.lhs[k] = answers.lhs[k][0];
-    sides.rhs[k] = answers.rhs[k][0];
-  }
-  return sides;
+  return ask(kernel.on<Real>(target), q).sides(0);
 }
 
 }  // namespace axiscert::testing_support

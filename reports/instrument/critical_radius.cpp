@@ -31,8 +31,8 @@ class Report {
  private:
   const Source& source(std::size_t s) const { return *plan_.sources[s]; }
 
-  static std::vector<std::string> notes() {
-    return {
+  std::vector<std::string> notes() const {
+    std::vector<std::string> all = {
         "The critical radius: for fixed A, B, C, P the smallest radius for which a kernel says contact, by bisection "
         "over "
         "the floats. Exactly right: the least float that is not below the exact distance. The error is the distance "
@@ -49,6 +49,13 @@ class Report {
         "not valid, and those farther away than the greatest radius, are left out. `axiscert run` measures from the "
         "distance "
         "rounded to nearest instead: its errors differ by up to one ulp."};
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      const CriticalRadii sum = this->all(k);
+      if (sum.unanswered == 0) continue;
+      all.push_back(fmt::format("{} gave no answer at a radius of {} queries: these are not measured.",
+                                plan_.kernels[k]->id, thousands(sum.unanswered)));
+    }
+    return all;
   }
 
   static std::string share(std::uint64_t count, std::uint64_t of) {
@@ -163,9 +170,16 @@ class Report {
       const auto error = cell.quantile(q);
       return error ? number_json(*error) : Json(nullptr);
     };
-    return {{"measured", cell.measured}, {"right", cell.right},         {"within_1_ulp", cell.within(one_ulp)},
-            {"median_ulps", at(0.5)},    {"p99_ulps", at(0.99)},        {"early", cell.early},
-            {"late", cell.late},         {"unbounded", cell.unbounded}, {"not_monotone", cell.reversals}};
+    return {{"measured", cell.measured},
+            {"right", cell.right},
+            {"within_1_ulp", cell.within(one_ulp)},
+            {"median_ulps", at(0.5)},
+            {"p99_ulps", at(0.99)},
+            {"early", cell.early},
+            {"late", cell.late},
+            {"unbounded", cell.unbounded},
+            {"not_monotone", cell.reversals},
+            {"unanswered", cell.unanswered}};
   }
 
   Json data() const {

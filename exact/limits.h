@@ -1,0 +1,24 @@
+// What a kernel promises to be right on, decided exactly.
+#pragma once
+
+#include <limits>
+
+#include "kernel/kernel.h"
+
+namespace axiscert {
+
+// Whether a valid query lies within limits, which are finite and not negative. The bounds themselves are within.
+template <class Real>
+bool is_within(const Limits& limits, const Query<Real>& q);
+
+template <class Real>
+struct RadiusRange {
+  Real least = 0, greatest = std::numeric_limits<Real>::max();
+  bool operator==(const RadiusRange&) const = default;
+};
+// The radii within limits: the least and the greatest such number of the precision. Empty, least > greatest, where no
+// number of the precision is within.
+template <class Real>
+RadiusRange<Real> radii_within(const Limits& limits);
+
+}  // namespace axiscert
