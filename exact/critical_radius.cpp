@@ -60,21 +60,50 @@ std::vector<BitsOf<Real>> probes(std::optional<Real> critical, std::optional<Rea
 }  // namespace
 
 template <class Real>
+std::vector<CriticalRadius<Real>> critical_radii(const Implementation<Real>& kernel,
+                                                 const std::vector<Query<Real>>& queries,
+                                                 const RadiusRange<Real>& range) {
+  using Bits = BitsOf<Real>;
+  struct Search {
+    std::size_t query;
+    Bits low, high, asked;
+  };
+  std::vector<CriticalRadius<Real>> found(queries.size());
+  std::vector<Search> searches;
+  const Bits least = std::bit_cast<Bits>(range.least), greatest = std::bit_cast<Bits>(range.greatest);
+  for (std::size_t i = 0; i < queries.size(); ++i) searches.push_back({i, least, greatest, greatest});
+
+  QueryBatch<Real> batch(queries.size());
+  std::vector<Verdict> verdicts(queries.size());
+  for (bool is_first = true; !searches.empty(); is_first = false) {
+    batch.clear();
+    for (Search& search : searches) {
+      if (!is_first) search.asked = search.low + (search.high - search.low) / 2;
+      Query<Real> q = queries[search.query];
+      q.r = std::bit_cast<Real>(search.asked);
+      batch.push_back(q);
+    }
+    kernel.verdicts(batch.columns(), verdicts.data());
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < searches.size(); ++i) {
+      Search search = searches[i];
+      CriticalRadius<Real>& result = found[search.query];
+      result.answered = verdicts[i] != Verdict::unanswered;
+      if (!result.answered || (is_first && verdicts[i] != Verdict::contact)) continue;
+      if (verdicts[i] == Verdict::contact) search.high = search.asked;
+      else search.low = search.asked + 1;
+      if (search.low < search.high) searches[left++] = search;
+      else result.radius = std::bit_cast<Real>(search.low);
+    }
+    searches.resize(left);
+  }
+  return found;
+}
+
+template <class Real>
 CriticalRadius<Real> critical_radius(const Implementation<Real>& kernel, const Query<Real>& query,
                                      const RadiusRange<Real>& range) {
-  using Bits = BitsOf<Real>;
-  const auto verdict_at = [&](Bits radius) { return verdicts_at(kernel, query, {radius}).front(); };
-  Bits low = std::bit_cast<Bits>(range.least), high = std::bit_cast<Bits>(range.greatest);
-  Verdict verdict = verdict_at(high);
-  if (verdict != Verdict::contact) return {std::nullopt, verdict != Verdict::unanswered};
-  while (low < high) {
-    const Bits middle = low + (high - low) / 2;
-    verdict = verdict_at(middle);
-    if (verdict == Verdict::unanswered) return {std::nullopt, false};
-    if (verdict == Verdict::contact) high = middle;
-    else low = middle + 1;
-  }
-  return {std::bit_cast<Real>(low)};
+  return critical_radii(kernel, {query}, range).front();
 }
 
 template <class Real>
@@ -94,14 +123,24 @@ Decimal6 radius_error_ulps(Real radius, Real from, const Rational& squared_dista
 }
 
 template <class Real>
-CriticalRadiusError critical_radius_error(const Implementation<Real>& kernel, const Query<Real>& query,
-                                          const Rational& squared_distance, const RadiusRange<Real>& range) {
+std::optional<Real> distance_within(const Rational& squared_distance, const RadiusRange<Real>& range) {
   const Real distance = nearest_sqrt<Real>(squared_distance);
-  if (!std::isfinite(distance) || distance < range.least || distance > range.greatest) return {};
-  const auto critical = critical_radius(kernel, query, range);
+  if (!std::isfinite(distance) || distance < range.least || distance > range.greatest) return std::nullopt;
+  return distance;
+}
+
+template <class Real>
+CriticalRadiusError critical_radius_error(const CriticalRadius<Real>& critical, Real distance) {
   if (!critical.answered) return {std::nullopt, false};
   if (!critical.radius) return {std::numeric_limits<double>::infinity()};
   return {Rational(abs(exact(*critical.radius) - exact(distance)) / exact(ulp_of(distance))).get_d()};
+}
+
+template <class Real>
+CriticalRadiusError critical_radius_error(const Implementation<Real>& kernel, const Query<Real>& query,
+                                          const Rational& squared_distance, const RadiusRange<Real>& range) {
+  const auto distance = distance_within(squared_distance, range);
+  return distance ? critical_radius_error(critical_radius(kernel, query, range), *distance) : CriticalRadiusError{};
 }
 
 template <class Real>
@@ -121,6 +160,10 @@ std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>& 
 #define AXISCERT_INSTANTIATE(Real)                                                                                     \
   template CriticalRadius<Real> critical_radius(const Implementation<Real>&, const Query<Real>&,                       \
                                                 const RadiusRange<Real>&);                                             \
+  template std::vector<CriticalRadius<Real>> critical_radii(                                                           \
+      const Implementation<Real>&, const std::vector<Query<Real>>&, const RadiusRange<Real>&);                         \
+  template std::optional<Real> distance_within(const Rational&, const RadiusRange<Real>&);                             \
+  template CriticalRadiusError critical_radius_error(const CriticalRadius<Real>&, Real);                               \
   template std::optional<Real> exact_critical_radius<Real>(const Rational&);                                           \
   template Decimal6 radius_error_ulps(Real, Real, const Rational&);                                                    \
   template CriticalRadiusError critical_radius_error(const Implementation<Real>&, const Query<Real>&, const Rational&, \

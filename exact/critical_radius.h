@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "exact/error_measure.h"
 #include "exact/limits.h"
@@ -22,6 +23,11 @@ struct CriticalRadius {
 template <class Real>
 CriticalRadius<Real> critical_radius(const Implementation<Real>& kernel, const Query<Real>& query,
                                      const RadiusRange<Real>& range = {});
+// The same of each query, all of them in step: the kernel is asked as often as for one.
+template <class Real>
+std::vector<CriticalRadius<Real>> critical_radii(const Implementation<Real>& kernel,
+                                                 const std::vector<Query<Real>>& queries,
+                                                 const RadiusRange<Real>& range = {});
 
 // The truth's: the least float that is not below the exact distance. Nothing where that is beyond the greatest.
 template <class Real>
@@ -36,8 +42,14 @@ struct CriticalRadiusError {
   bool answered = true;        // as CriticalRadius has it
 };
 
+// The exact distance correctly rounded; nothing where that is beyond the precision or the range.
+template <class Real>
+std::optional<Real> distance_within(const Rational& squared_distance, const RadiusRange<Real>& range);
+
 // |critical radius - d| in ulps of d, the exact distance correctly rounded. None is sought where d itself is beyond the
 // precision or the range.
+template <class Real>
+CriticalRadiusError critical_radius_error(const CriticalRadius<Real>& critical, Real distance);
 template <class Real>
 CriticalRadiusError critical_radius_error(const Implementation<Real>& kernel, const Query<Real>& query,
                                           const Rational& squared_distance, const RadiusRange<Real>& range = {});

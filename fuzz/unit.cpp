@@ -31,6 +31,9 @@ struct Runner {
   Implementation<Real> implementation;
   RadiusRange<Real> radii;
   Reply<Real> reply;
+  // Every 256th query, for its critical radius, and its exact distance.
+  std::vector<Query<Real>> sampled;
+  std::vector<Real> distances;
 
   Runner(const Kernel& k, std::size_t place_in_plan, std::string_view target)
       : kernel(k), place(place_in_plan), implementation(k.on<Real>(target)), radii(radii_within<Real>(k.limits)) {}
@@ -56,17 +59,20 @@ class LazyDistance {
   std::optional<double> depth_;
 };
 
+// Of a unit's sample at once: a kernel in another process takes longer to ask than to answer.
 template <class Real>
-void measure_critical_radius(const Runner<Real>& runner, const Query<Real>& q, const Rational& squared_distance,
-                             CriticalRadiusTally& tally) {
-  const CriticalRadiusError error = critical_radius_error(runner.implementation, q, squared_distance, runner.radii);
-  if (!error.answered) ++tally.unanswered;
-  else if (error.ulps && std::isfinite(*error.ulps)) tally.errors_ulps.push_back(*error.ulps);
-  else if (error.ulps) ++tally.unbounded;
+void measure_critical_radii(const Runner<Real>& runner, CriticalRadiusTally& tally) {
+  const auto critical = critical_radii(runner.implementation, runner.sampled, runner.radii);
+  for (std::size_t i = 0; i < critical.size(); ++i) {
+    const CriticalRadiusError error = critical_radius_error(critical[i], runner.distances[i]);
+    if (!error.answered) ++tally.unanswered;
+    else if (std::isfinite(*error.ulps)) tally.errors_ulps.push_back(*error.ulps);
+    else ++tally.unbounded;
+  }
 }
 
 template <class Real>
-void judge_query(const Plan& plan, const std::vector<Runner<Real>>& runners, std::size_t i, std::uint64_t position,
+void judge_query(const Plan& plan, std::vector<Runner<Real>>& runners, std::size_t i, std::uint64_t position,
                  const Query<Real>& q, UnitResult& out) {
   const bool second_opinion = position % second_opinion_stride == 0;
   const Truth truth = exact_truth(q, second_opinion);
@@ -74,7 +80,7 @@ void judge_query(const Plan& plan, const std::vector<Runner<Real>>& runners, std
   LazyDistance<Real> distance(q);
   std::optional<Claims<Real>> claims;
   if (truth.formula) claims.emplace(q, *truth.formula);
-  for (const Runner<Real>& runner : runners) {
+  for (Runner<Real>& runner : runners) {
     const Kernel& kernel = runner.kernel;
     Tally& tally = out.tallies[runner.place];
     const Answer answer = runner.reply.outcome(i);
@@ -96,8 +102,10 @@ void judge_query(const Plan& plan, const std::vector<Runner<Real>>& runners, std
     if (sides && kernel.exposes == Exposure::sides) {
       count_errors(tally, position, *sides, runner.reply.sides(i), plan.tolerances);
     }
-    if (position % critical_radius_stride == 0) {
-      measure_critical_radius(runner, q, distance.squared(), tally.critical_radius);
+    if (position % critical_radius_stride != 0) continue;
+    if (const auto within = distance_within(distance.squared(), runner.radii)) {
+      runner.sampled.push_back(q);
+      runner.distances.push_back(*within);
     }
   }
 }
@@ -108,6 +116,7 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     if (plan.kernels[k]->has(precision_of<Real>)) runners.emplace_back(*plan.kernels[k], k, plan.target);
   }
+  if (runners.empty()) return;
   QueryBatch<Real> batch(batch_size);
   for (std::uint64_t done = 0; done < size; done += batch.size()) {
     batch.clear();
@@ -123,6 +132,9 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
       }
     }
     for (std::size_t i = 0; i < batch.size(); ++i) judge_query(plan, runners, i, first + done + i, batch[i], out);
+  }
+  for (const Runner<Real>& runner : runners) {
+    measure_critical_radii(runner, out.tallies[runner.place].critical_radius);
   }
 }
 
