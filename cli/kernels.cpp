@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "kernel/kernel.h"
+#include "kernel/plugin/load.h"
 #include "reports/record.h"
 
 namespace axiscert {
@@ -15,21 +16,60 @@ std::vector<std::string_view> precisions_of(const ArithmeticInfo& arithmetic) {
   return names;
 }
 
+std::vector<std::string_view> precisions_of(const Kernel& kernel) {
+  std::vector<std::string_view> names;
+  for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+    if (kernel.has(precision)) names.push_back(name(precision));
+  }
+  return names;
+}
+
+// The plug-ins that come with axiscert, by their ids.
+std::vector<const Kernel*> shipped_kernels() {
+  std::vector<const Kernel*> all;
+  for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
+    for (const std::string& name : shipped.names) all.push_back(&find_kernel(std::string(shipped.prefix) + name));
+  }
+  return all;
+}
+
+void print_kernel(const Kernel& kernel, const std::string& targets) {
+  fmt::print("{:<20} {}; {}; {}; exposes {}\n", kernel.id, kernel.summary, fmt::join(precisions_of(kernel), " "),
+             targets, fmt::join(exposures_json(kernel).get<std::vector<std::string>>(), ", "));
+}
+
 void print_kernels() {
   const auto targets = available_targets();
   for (const Kernel& kernel : kernels()) {
-    fmt::print("{:<20} {}; {}; {}; exposes {}\n", kernel.id, kernel.summary, fmt::join(precision_names, " "),
-               kernel.has_simd ? fmt::format("{}", fmt::join(targets, " ")) : scalar_target,
-               fmt::join(exposures_json(kernel).get<std::vector<std::string>>(), ", "));
+    print_kernel(kernel, kernel.has_simd ? fmt::format("{}", fmt::join(targets, " ")) : std::string(scalar_target));
   }
   fmt::print(
       "\nKERNEL+ARITHMETIC, for each kernel from published to ladder-9, is its scalar form in another arithmetic:\n");
   for (const ArithmeticInfo& arithmetic : arithmetics()) {
     fmt::print("{:<20} {}; {}\n", "+" + arithmetic.name, arithmetic.summary, fmt::join(precisions_of(arithmetic), " "));
   }
+  fmt::print(
+      "\nPlug-ins: plugin:PATH.so is one of your own; peer/ are libraries, fault/ kernels with a planted fault:\n");
+  for (const Kernel* kernel : shipped_kernels()) print_kernel(*kernel, "plug-in");
+  for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
+    for (const auto& absent : shipped.absent) {
+      fmt::print("{:<20} NOT BUILT, for want of the Debian package {}\n",
+                 fmt::format("{}{}", shipped.prefix, absent.name), absent.package);
+    }
+  }
 }
 
-// A kernel that takes other arithmetics has their ids with it.
+Json plugin_json(const Kernel& kernel) {
+  return {{"id", kernel.id},
+          {"summary", kernel.summary},
+          {"formulae", name(kernel.formulae)},
+          {"precisions", precisions_of(kernel)},
+          {"targets", Json::array()},
+          {"exposes", exposures_json(kernel)},
+          {"arithmetics", Json::array()}};
+}
+
+// A kernel that takes other arithmetics has their ids with it; a plug-in runs on no target of ours.
 Json kernels_json() {
   Json all = Json::array();
   for (const Kernel& kernel : kernels()) {
@@ -49,6 +89,7 @@ Json kernels_json() {
                    {"exposes", exposures_json(kernel)},
                    {"arithmetics", composed}});
   }
+  for (const Kernel* kernel : shipped_kernels()) all.push_back(plugin_json(*kernel));
   return all;
 }
 

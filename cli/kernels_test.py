@@ -10,9 +10,10 @@ class Kernels(Case):
     """The rungs, the other methods and the arithmetics, by their ids."""
 
     def listed(self):
+        """The built-in ones; the plug-ins that come with axiscert have a '/' in their ids."""
         done = axiscert("kernels", "--format", "json")
         self.assertEqual(done.returncode, 0, done.stderr)
-        return json.loads(done.stdout)
+        return [kernel for kernel in json.loads(done.stdout) if "/" not in kernel["id"]]
 
     def test_every_kernel_and_every_arithmetic_is_listed_once(self):
         listed = self.listed()
