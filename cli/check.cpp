@@ -4,7 +4,7 @@
 #include "exact/examine.h"
 #include "fuzz/address.h"
 #include "fuzz/query_file.h"
-#include "reports/record.h"
+#include "reports/finding.h"
 
 namespace axiscert {
 namespace {
@@ -33,9 +33,31 @@ Json computed_json(const Answer& answer) {
   return json;
 }
 
+Json findings_json(const std::vector<Finding>& findings) {
+  Json all = Json::array();
+  for (const Finding& finding : findings) all.push_back({{"kind", name(finding.kind)}, {"detail", finding.detail}});
+  return all;
+}
+
+// " (touching)", and what the kernel means to say of it where that is not contact.
+std::string touching_text(const Truth& truth, const Kernel& kernel) {
+  if (!truth.touching) return "";
+  switch (kernel.touching) {
+    case Touching::contact:
+      return " (touching)";
+    case Touching::separated:
+      return fmt::format(" (touching, which {} calls separated)", kernel.id);
+    case Touching::either:
+      return fmt::format(" (touching, where {} may say either)", kernel.id);
+  }
+  return "";
+}
+
 void print_text(const std::string& id, const Kernel& kernel, const Examination& found) {
-  fmt::print("{}: exact {}{}, {} {}", id, name(found.truth.verdict), found.truth.touching ? " (touching)" : "",
-             kernel.id, name(found.answer.verdict));
+  const bool answered = found.answer.verdict != Verdict::unanswered;
+  fmt::print("{}: exact {}{}, {} {}", id, name(found.truth.verdict), touching_text(found.truth, kernel), kernel.id,
+             answered ? name(found.answer.verdict) : "gave no answer");
+  if (found.truth.formula && !found.within_limits) fmt::print(" (outside the limits that it declares)");
   if (found.depth) fmt::print(", wrong by {:.3g} of the scene", *found.depth);
   for (const Flip& flip : found.judgement.flips()) {
     fmt::print("; {} {}{} [", name(flip), flip_kind_names[static_cast<std::size_t>(flip.kind)],
@@ -50,6 +72,7 @@ void print_text(const std::string& id, const Kernel& kernel, const Examination& 
     }
     fmt::print("]");
   }
+  for (const Finding& finding : found.findings) fmt::print("; {}: {}", name(finding.kind), finding.detail);
   fmt::print("\n");
 }
 
@@ -59,6 +82,7 @@ struct Options {
 
 int check(const Options& options) {
   const Kernel& kernel = find_kernel(options.kernel);
+  require_loaded(kernel);
   const std::string target = resolve_target(options.target);
   const auto queries = read_query_file(options.file, parse_precision(options.precision));
   Examiner examiner(kernel, target);
@@ -76,6 +100,8 @@ int check(const Options& options) {
                        {"kernel", kernel.id},
                        {"exact", exact_json(found)},
                        {"computed", computed_json(found.answer)},
+                       {"within_limits", found.within_limits},
+                       {"findings", findings_json(found.findings)},
                        {"flips", flips_json(found.judgement)}};
     fmt::print("{}\n", line.dump());
   }
