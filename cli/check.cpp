@@ -1,57 +1,14 @@
 #include <fmt/format.h>
 
+#include "cli/check_output.h"
 #include "cli/commands.h"
 #include "exact/examine.h"
 #include "fuzz/address.h"
 #include "fuzz/query_file.h"
-#include "reports/record.h"
+#include "reports/finding.h"
 
 namespace axiscert {
 namespace {
-
-std::string bits16(ComparisonBits bits) { return bit_string(bits, comparison_count); }
-std::string bits7(ComparisonBits bits) { return bit_string(axes_of(bits), axis_count); }
-
-Json exact_json(const Examination& found) {
-  Json json = {{"verdict", name(found.truth.verdict)}, {"touching", found.truth.touching}};
-  const auto& formula = found.truth.formula;
-  json["squared_distance"] = nullptr;
-  if (found.squared_distance) {
-    const Rational& d = *found.squared_distance;
-    json["squared_distance"] = d.get_num().get_str() + "/" + d.get_den().get_str();
-  }
-  json["comparisons"] = formula ? Json(bits16(formula->strict)) : Json(nullptr);
-  json["axes"] = formula ? Json(bits7(formula->strict)) : Json(nullptr);
-  json["ties"] = formula ? Json(bits16(formula->ties)) : Json(nullptr);
-  return json;
-}
-
-Json computed_json(const Answer& answer) {
-  Json json = {{"verdict", name(answer.verdict)}};
-  json["comparisons"] = answer.bits ? Json(bits16(*answer.bits)) : Json(nullptr);
-  json["axes"] = answer.bits ? Json(bits7(*answer.bits)) : Json(nullptr);
-  return json;
-}
-
-void print_text(const std::string& id, const Kernel& kernel, const Examination& found) {
-  fmt::print("{}: exact {}{}, {} {}", id, name(found.truth.verdict), found.truth.touching ? " (touching)" : "",
-             kernel.id, name(found.answer.verdict));
-  if (found.depth) fmt::print(", wrong by {:.3g} of the scene", *found.depth);
-  for (const Flip& flip : found.judgement.flips()) {
-    fmt::print("; {} {}{} [", name(flip), flip_kind_names[static_cast<std::size_t>(flip.kind)],
-               flip.level == Level::verdict ? ""
-               : flip.decisive              ? " decisive"
-                                            : " masked");
-    const char* separator = "";
-    for (std::size_t i = 0; i < link_count; ++i) {
-      if (!((flip.links >> i) & 1u)) continue;
-      fmt::print("{}{}", separator, link_names[i]);
-      separator = " ";
-    }
-    fmt::print("]");
-  }
-  fmt::print("\n");
-}
 
 struct Options {
   std::string file, kernel = "published", format = "text", target = "auto", precision = "binary32";
@@ -59,6 +16,7 @@ struct Options {
 
 int check(const Options& options) {
   const Kernel& kernel = find_kernel(options.kernel);
+  require_loaded(kernel);
   const std::string target = resolve_target(options.target);
   const auto queries = read_query_file(options.file, parse_precision(options.precision));
   Examiner examiner(kernel, target);
@@ -68,16 +26,8 @@ int check(const Options& options) {
                               name(stored.precision), kernel.id));
     }
     const Examination found = std::visit([&](const auto& q) { return examiner.examine(q); }, stored.query);
-    if (options.format == "text") {
-      print_text(stored.id, kernel, found);
-      continue;
-    }
-    const Json line = {{"id", stored.id},
-                       {"kernel", kernel.id},
-                       {"exact", exact_json(found)},
-                       {"computed", computed_json(found.answer)},
-                       {"flips", flips_json(found.judgement)}};
-    fmt::print("{}\n", line.dump());
+    if (options.format == "text") fmt::print("{}\n", check_text(stored.id, kernel, found));
+    else fmt::print("{}\n", check_json(stored.id, kernel, found).dump());
   }
   return exit_done;
 }

@@ -8,6 +8,7 @@
 #include "fuzz/address.h"
 #include "fuzz/family.h"
 #include "kernel/error.h"
+#include "reports/finding.h"
 
 namespace axiscert {
 namespace {
@@ -42,6 +43,7 @@ std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, 
   std::vector<const Kernel*> kernels;
   for (const std::string& id : options.kernels.empty() ? defaults : options.kernels) {
     const Kernel& kernel = find_kernel(id);
+    require_loaded(kernel);
     if (!kernel.has(precision)) {
       throw Error(fmt::format("--precision {}: kernel {} does not exist in it", options.precision, id));
     }

@@ -75,10 +75,18 @@ class Kernels(Case):
         record = self.run_ok(*plan, "--family", "sliver", "--family", "repeated", "--family", "scale", "--trials", 200)
         self.assertEqual(len(record["kernels"]), 2 * len(plan))
         for entry in record["kernels"]:
+            # Eigen chooses its own order of operations: no reference, and what differs has no known link.
+            self.assertEqual(entry["reference"], entry["id"] != "eigen")
             for name, found in entry["families"].items():
-                # Eigen chooses its own order of operations: there, what differs from the reference is its own.
+                links = found["verdict"]["links"]
+                self.assertEqual(links["implementation"], 0, (entry["id"], name))
                 if entry["id"] != "eigen":
-                    self.assertEqual(found["verdict"]["links"]["implementation"], 0, (entry["id"], name))
+                    self.assertEqual(links["unattributed"], 0, (entry["id"], name))
+        found = family(record, "sliver", kernel="eigen")
+        self.assertGreater(found["verdict"]["links"]["unattributed"], 0)
+        self.assertEqual(found["verdict"]["links"]["rounding"], 0)
+        self.assertGreater(found["comparisons"]["plane.radius"]["links"]["unattributed"], 0)
+        self.assertIsNone(family(record, "sliver", kernel="minkowski")["comparisons"])
 
     def test_a_precision_that_an_arithmetic_lacks(self):
         self.refused("run", "--kernel", "published+spu", "--precision", "binary64", "--out", self.folder / "out",

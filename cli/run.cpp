@@ -47,8 +47,7 @@ int run(const RunOptions& options) {
   folder.write("run.json", run_info(plan, result, options.target, iso_time(started), seconds));
   render_reports(options.out);
 
-  print_summary(record, seconds);
-  fmt::print("{}/report.html\n", options.out);
+  fmt::print("{}{}/report.html\n", summary_text(record, seconds), options.out);
   if (!result.complete) return exit_interrupted;
   if (options.require.empty()) return exit_done;
   const auto failures = unmet(record, options.require);

@@ -8,6 +8,8 @@
 
 #include "cli/commands.h"
 #include "fuzz/address.h"
+#include "fuzz/file_bytes.h"
+#include "fuzz/sha256.h"
 #include "kernel/error.h"
 #include "reports/requirement.h"
 
@@ -71,18 +73,34 @@ void add_sources(const RunOptions& options, Plan& plan) {
   for (const std::string& path : options.queries) add(query_file_source(path, csv_precision));
 }
 
+// What the record says of a plug-in that was given by its path. One that cannot be read has no hash: that it could not
+// be loaded is a finding.
+void add_plugin(const Kernel& kernel, Plan& plan) {
+  if (!kernel.id.starts_with("plugin:") || kernel.file.empty()) return;
+  FileInfo& file = plan.plugins.emplace_back();
+  file.name = base_name(kernel.file);
+  file.kind = "plugin";
+  try {
+    const std::string bytes = read_bytes(kernel.file);
+    file.sha256 = sha256_hex(std::as_bytes(std::span(bytes)));
+  } catch (const Error&) {
+    if (kernel.findings.empty()) throw;
+  }
+}
+
+// Could not be loaded: in no precision, whatever is asked.
+bool is_unloadable(const Kernel* kernel) {
+  return !kernel->has(Precision::binary32) && !kernel->has(Precision::binary64);
+}
+
 // A precision in which no kernel exists is left out of the plan; one that was asked for by name is an error for each
 // kernel that lacks it. A plug-in that cannot be loaded exists in none, which its findings say.
 void drop_idle_precisions(Plan& plan, const std::string& asked) {
   for (const Kernel* kernel : plan.kernels) {
-    if (asked.empty() || kernel->has(plan.precisions.front()) || !kernel->findings.empty()) continue;
+    if (asked.empty() || is_unloadable(kernel) || kernel->has(plan.precisions.front())) continue;
     throw Error(fmt::format("--precision {}: kernel {} exists in {} only", asked, kernel->id,
                             kernel->has(Precision::binary32) ? "binary32" : "binary64"));
   }
-  const auto in_any = [](const Kernel* kernel) {
-    return kernel->has(Precision::binary32) || kernel->has(Precision::binary64);
-  };
-  if (std::none_of(plan.kernels.begin(), plan.kernels.end(), in_any)) return;
   std::erase_if(plan.precisions, [&](Precision precision) {
     return std::none_of(plan.kernels.begin(), plan.kernels.end(),
                         [&](const Kernel* kernel) { return kernel->has(precision); });
@@ -149,8 +167,9 @@ Plan plan_of(const RunOptions& options) {
   if (!options.require.empty()) parse_requirement(options.require);
   for (const std::string& id : options.kernels) {
     const Kernel* kernel = &find_kernel(id);
-    if (std::find(plan.kernels.begin(), plan.kernels.end(), kernel) == plan.kernels.end())
-      plan.kernels.push_back(kernel);
+    if (std::find(plan.kernels.begin(), plan.kernels.end(), kernel) != plan.kernels.end()) continue;
+    plan.kernels.push_back(kernel);
+    add_plugin(*kernel, plan);
   }
   if (plan.kernels.empty()) plan.kernels.push_back(&find_kernel("published"));
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};

@@ -9,6 +9,8 @@
 
 #include "fuzz/query_file.h"
 #include "kernel/error.h"
+#include "reports/finding.h"
+#include "reports/reproduce.h"
 
 namespace axiscert {
 
@@ -69,24 +71,41 @@ std::string iso_time(std::chrono::system_clock::time_point time) {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(time)));
 }
 
-void print_summary(const Json& record, double seconds) {
+std::string summary_text(const Json& record, double seconds) {
+  std::string text;
+  for (const Json& finding : record["findings"]) {
+    text += fmt::format("{}\n", finding_text(finding));
+    if (!finding["address"].is_null()) text += fmt::format("  {}\n", replay_command(finding));
+  }
+  for (const std::string& kernel : not_judged(record))
+    text += fmt::format("{}: NOT JUDGED: it could not be loaded\n", kernel);
   for (const Json& kernel : record["kernels"]) {
-    std::uint64_t trials = 0, missed = 0, phantom = 0;
+    std::uint64_t trials = 0, missed = 0, phantom = 0, unanswered = 0, outside = 0, outside_wrong = 0;
     double deepest_missed = 0, deepest_phantom = 0;
     for (const Json& family : kernel["families"]) {
       const Json& verdict = family["verdict"];
       trials += family["trials"].get<std::uint64_t>();
       missed += verdict["false_separation"].get<std::uint64_t>();
       phantom += verdict["false_contact"].get<std::uint64_t>();
+      unanswered += verdict["unanswered"].get<std::uint64_t>();
+      if (const Json& apart = verdict["outside_limits"]; !apart.is_null()) {
+        outside += apart["trials"].get<std::uint64_t>();
+        outside_wrong += apart["false_separation"].get<std::uint64_t>() + apart["false_contact"].get<std::uint64_t>();
+      }
       deepest_missed = std::max(deepest_missed, verdict["deepest_false_separation"].get<double>());
       deepest_phantom = std::max(deepest_phantom, verdict["deepest_false_contact"].get<double>());
     }
-    fmt::print(
-        "{} {}: {} queries; {} missed contacts (deepest {:.3g} of the scene), {} phantom contacts (deepest {:.3g})\n",
+    text += fmt::format(
+        "{} {}: {} queries; {} missed contacts (deepest {:.3g} of the scene), {} phantom contacts (deepest {:.3g})",
         kernel["id"].get<std::string>(), kernel["precision"].get<std::string>(), trials, missed, deepest_missed,
         phantom, deepest_phantom);
+    if (unanswered != 0) text += fmt::format("; {} without an answer", unanswered);
+    if (outside != 0)
+      text += fmt::format("; {} outside its limits, {} of them wrong, counted apart", outside, outside_wrong);
+    text += "\n";
   }
-  fmt::print("{}{:.1f} s\n", record["complete"].get<bool>() ? "" : "interrupted; ", seconds);
+  text += fmt::format("{}{:.1f} s\n", record["complete"].get<bool>() ? "" : "interrupted; ", seconds);
+  return text;
 }
 
 }  // namespace axiscert

@@ -39,6 +39,8 @@ class RunFolder {
 };
 
 std::string iso_time(std::chrono::system_clock::time_point time);
-void print_summary(const Json& record, double seconds);
+// What `run` prints in the end: findings first, each with the command that shows it again, then a line a kernel and
+// precision.
+std::string summary_text(const Json& record, double seconds);
 
 }  // namespace axiscert

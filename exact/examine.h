@@ -15,6 +15,7 @@ struct Examination {
   Answer answer;
   Judgement judgement;
   std::optional<double> depth;    // of a wrong verdict
+  bool within_limits = true;      // those that the kernel declares; also where the truth is `invalid`
   std::vector<Finding> findings;  // what the kernel did wrong beside
 };
 

@@ -17,6 +17,7 @@ namespace axiscert {
 struct Plan {
   std::uint64_t seed = 1;
   std::vector<const Kernel*> kernels;
+  std::vector<FileInfo> plugins;  // the files of kernels that were given by path, as they were loaded
   std::vector<SourcePtr> sources;
   std::vector<Precision> precisions;
   // How many queries of a source in a precision; not read under a time limit.

@@ -6,6 +6,7 @@
 #include "fuzz/number_text.h"
 #include "kernel/names.h"
 #include "reports/embedded.h"
+#include "reports/finding.h"
 #include "reports/format.h"
 #include "reports/page_template.h"
 #include "reports/reproduce.h"
@@ -21,8 +22,8 @@ constexpr std::size_t witness_limit = 200;
 Json notes() {
   const Json schema = Json::parse(embedded::record_schema_json);
   Json notes;
-  for (const char* part :
-       {"family", "truth", "verdict", "links", "axis", "comparison", "critical_radius", "axes", "comparisons"}) {
+  for (const char* part : {"family", "truth", "verdict", "links", "axis", "comparison", "critical_radius", "axes",
+                           "comparisons", "outside_limits", "finding"}) {
     for (const auto& [member, rule] : schema["$defs"][part]["properties"].items()) {
       notes[part][member] = rule.value("description", "");
     }
@@ -67,9 +68,23 @@ Json kernel_data(const Json& kernel) {
     return per_million < 0 ? Json(nullptr) : Json(per_million);
   };
   for (Json& family : data["families"]) family["zero_limit_per_million"] = limit(family);
+  data["touching_text"] = touching_text(kernel);
+  data["limits_text"] = limits_text(kernel);
   data["all"] = all_families(kernel);
   if (data["all"].empty()) data["all"] = nullptr;
   else data["all"]["zero_limit_per_million"] = limit(data["all"]);
+  return data;
+}
+
+Json findings_data(const Json& record) {
+  Json data = Json::array();
+  for (const Json& finding : record["findings"]) {
+    Json& shown = data.emplace_back();
+    for (const char* member : {"kernel", "precision", "family", "kind", "count", "detail", "address"}) {
+      shown[member] = finding[member];
+    }
+    shown["command"] = finding["address"].is_null() ? "" : replay_command(finding);
+  }
   return data;
 }
 
@@ -95,6 +110,8 @@ Json page_data(const Run& run) {
   data["plan"].erase("seed");  // 64 bits: a number in a page holds 53; the facts have it as text
   for (std::size_t i = 0; i < link_count; ++i) data["links"][std::string(link_names[i])] = link_meanings[i];
   for (const Json& kernel : record["kernels"]) data["kernels"].push_back(kernel_data(kernel));
+  data["findings"] = findings_data(record);
+  data["not_judged"] = not_judged(record);
   data["witnesses"] = {{"total", record["witnesses"].size()}, {"cards", Json::array()}};
   for (const Json* witness : worst_witnesses(record, witness_limit)) {
     data["witnesses"]["cards"].push_back(witness_card(*witness));

@@ -1,11 +1,14 @@
 // junit.xml: one suite a kernel and precision, for CI systems. A case a family for the verdict, failed where the run's
-// requirement is not met there; a case a family and comparison that has a tolerance, failed where an error exceeds it.
+// requirement is not met there; a case a finding, always failed; a case a family and comparison that has a tolerance,
+// failed where an error exceeds it.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "kernel/names.h"
+#include "reports/finding.h"
 #include "reports/format.h"
+#include "reports/reproduce.h"
 #include "reports/requirement.h"
 #include "reports/summary.h"
 
@@ -73,9 +76,28 @@ std::string tolerance_outcome(const Json& tally, const std::string& tolerance) {
   return failure(message, message);
 }
 
+void add_finding(Suite& suite, const Json& finding) {
+  const std::string family = finding["family"].is_null() ? "loading" : finding["family"].get<std::string>();
+  const std::string replay = finding["address"].is_null() ? "" : "\n" + replay_command(finding);
+  const std::string text = finding_text(finding);
+  suite.add(family + " " + finding["kind"].get<std::string>(), failure(text, text + replay), finding);
+}
+
+// A kernel that could not be loaded.
+Suite suite_of_findings(const Run& run, const std::string& kernel) {
+  Suite suite{kernel, ""};
+  for (const Json& finding : run.record["findings"]) {
+    if (finding["kernel"] == kernel) add_finding(suite, finding);
+  }
+  return suite;
+}
+
 Suite suite_of(const Run& run, const Json& kernel, const std::vector<Failure>& failures) {
   const Json& plan = run.record["plan"];
   Suite suite{fmt::format("{} {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>()), ""};
+  for (const Json& finding : run.record["findings"]) {
+    if (is_about(finding, kernel)) add_finding(suite, finding);
+  }
   for (const Json& name : plan["families"]) {
     const std::string family = name;
     if (!kernel["families"].contains(family)) {
@@ -103,8 +125,10 @@ std::string render(const Run& run) {
   const std::vector<Failure> failures = require.is_null() ? std::vector<Failure>() : unmet(run.record, require);
   std::string suites;
   Suite all;
-  for (const Json& kernel : run.record["kernels"]) {
-    const Suite suite = suite_of(run, kernel, failures);
+  std::vector<Suite> listed;
+  for (const std::string& kernel : not_judged(run.record)) listed.push_back(suite_of_findings(run, kernel));
+  for (const Json& kernel : run.record["kernels"]) listed.push_back(suite_of(run, kernel, failures));
+  for (const Suite& suite : listed) {
     suites += fmt::format(
         "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n{}  </testsuite>\n",
         xml(suite.name), suite.tests, suite.failures, suite.skipped, suite.cases);

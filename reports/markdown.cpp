@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "reports/finding.h"
 #include "reports/format.h"
 #include "reports/reproduce.h"
 #include "reports/requirement.h"
@@ -12,7 +13,7 @@
 namespace axiscert {
 namespace {
 
-constexpr std::size_t section_limit = 96 * 1024;  // bytes; ten sections stay under 1 MiB
+constexpr std::size_t section_limit = 88 * 1024;  // bytes; eleven sections at most: 1 MiB
 constexpr std::size_t witness_limit = 10;
 
 // A text as it is, wherever it stands: one line, cut short, nothing in it that Markdown or HTML would read.
@@ -91,8 +92,8 @@ class Report {
     if (!record_["complete"].get<bool>()) {
       text += "\n> **INCOMPLETE**: the run was interrupted. What follows is about the queries that were asked.\n";
     }
-    return text + summary() + families() + signs("axes", "axis") + signs("comparisons", "comparison") + broken_links() +
-           witnesses() + critical_radius() + reproduce();
+    return text + findings() + summary() + families() + outside() + signs("axes", "axis") +
+           signs("comparisons", "comparison") + broken_links() + witnesses() + critical_radius() + reproduce();
   }
 
  private:
@@ -104,25 +105,49 @@ class Report {
     return is_met ? "met" : "**not met**";
   }
 
+  std::string findings() const {
+    if (record_["findings"].empty()) return "";
+    Section section("Findings");
+    section.line("What plug-ins did wrong beside their answers. No requirement is met by a kernel with a finding.");
+    for (const std::string& kernel : not_judged(record_)) {
+      section.line(fmt::format("\n**{} was not judged**: it could not be loaded.", plain(kernel)));
+    }
+    for (const Json& finding : record_["findings"]) {
+      const std::string replay = finding["address"].is_null() ? "" : "\n" + code_block(replay_command(finding));
+      section.add(fmt::format("\n- {}\n{}", plain(finding_text(finding), 2000), replay));
+    }
+    return section.text();
+  }
+
   std::string summary() const {
     Section section("Summary");
-    section.head({"kernel", "precision", "requirement", "broken links", "trials", "false_separation (missed contacts)",
-                  "deepest", "false_contact (phantom contacts)", "deepest", "undecided", "invalid answers"},
-                 4);
+    section.head(
+        {"kernel", "precision", "requirement", "broken links", "trials", "false_separation (missed contacts)",
+         "deepest", "false_contact (phantom contacts)", "deepest", "undecided", "invalid answers", "no answer"},
+        4);
+    for (const std::string& kernel : not_judged(record_)) {
+      section.row(
+          {plain(kernel), "", "**not judged**", "could not be loaded, see Findings", "0", "", "", "", "", "", "", ""});
+    }
     for (std::size_t k = 0; k < totals_.size(); ++k) {
       const Json &kernel = record_["kernels"][k], &total = totals_[k];
       std::vector<std::string> cells = {plain(kernel["id"]), kernel["precision"], requirement_of(kernel)};
       if (total.empty()) {
-        cells.insert(cells.end(), {"not checked: no family ran", "0", "", "", "", "", "", ""});
+        cells.insert(cells.end(), {"not checked: no family ran", "0", "", "", "", "", "", "", ""});
       } else {
         const Json& verdict = total["verdict"];
-        cells.insert(
-            cells.end(),
-            {links(verdict["links"]), count(total["trials"]), with_rate(number(verdict["false_separation"]), total),
-             depth(verdict["deepest_false_separation"]), with_rate(number(verdict["false_contact"]), total),
-             depth(verdict["deepest_false_contact"]), count(verdict["undecided"]), count(verdict["invalid"])});
+        cells.insert(cells.end(),
+                     {links(verdict["links"]), count(total["trials"]),
+                      with_rate(number(verdict["false_separation"]), total), depth(verdict["deepest_false_separation"]),
+                      with_rate(number(verdict["false_contact"]), total), depth(verdict["deepest_false_contact"]),
+                      count(verdict["undecided"]), count(verdict["invalid"]), count(verdict["unanswered"])});
       }
       section.row(cells);
+    }
+    for (const Json& kernel : record_["kernels"]) {
+      if (kernel["touching"] == name(Touching::contact) && kernel["limits"].is_null()) continue;
+      section.line(fmt::format("\n{} {} says of itself: {}; limits: {}.", plain(kernel["id"]),
+                               kernel["precision"].get<std::string>(), touching_text(kernel), limits_text(kernel)));
     }
     section.line(
         "\nDepth is a share of the scene: |d - r| / max(|A-P|, |B-P|, |C-P|, r). A limit for zero failures holds for "
@@ -138,7 +163,8 @@ class Report {
   }
 
   static std::string plain_failure(const Failure& f) {
-    return fmt::format("{} {} on {}: {}: {}{}", plain(f.kernel), f.precision, plain(f.family), f.what,
+    if (f.family.empty()) return fmt::format("{}: {}", plain(f.kernel), plain(f.what, 2000));
+    return fmt::format("{} {} on {}: {}: {}{}", plain(f.kernel), f.precision, plain(f.family), plain(f.what, 2000),
                        thousands(f.count), f.witness.empty() ? "" : ", witness " + plain(f.witness));
   }
 
@@ -153,21 +179,41 @@ class Report {
 
   std::string families() const {
     Section section("Kernels and families");
-    section.head({"kernel", "precision", "family", "broken links", "trials", "separated", "contact", "touching",
-                  "invalid", "false_separation", "deepest", "false_contact", "deepest", "touching flips", "undecided"},
-                 4);
+    section.head(
+        {"kernel", "precision", "family", "broken links", "trials", "separated", "contact", "touching", "invalid",
+         "false_separation", "deepest", "false_contact", "deepest", "touching flips", "undecided", "no answer"},
+        4);
     for_each_family([&](std::vector<std::string> cells, const Json& result) {
       const Json &truth = result["truth"], &verdict = result["verdict"];
       if (result["exact_arithmetic"].get<bool>()) cells.back() += " (exact arithmetic)";
-      cells.insert(
-          cells.end(),
-          {links(verdict["links"]), count(result["trials"]), count(truth["separated"]), count(truth["contact"]),
-           count(truth["touching"]), count(truth["invalid"]), with_rate(number(verdict["false_separation"]), result),
-           depth(verdict["deepest_false_separation"]), with_rate(number(verdict["false_contact"]), result),
-           depth(verdict["deepest_false_contact"]), count(verdict["touching_flips"]), count(verdict["undecided"])});
+      cells.insert(cells.end(),
+                   {links(verdict["links"]), count(result["trials"]), count(truth["separated"]),
+                    count(truth["contact"]), count(truth["touching"]), count(truth["invalid"]),
+                    with_rate(number(verdict["false_separation"]), result), depth(verdict["deepest_false_separation"]),
+                    with_rate(number(verdict["false_contact"]), result), depth(verdict["deepest_false_contact"]),
+                    count(verdict["touching_flips"]), count(verdict["undecided"]), count(verdict["unanswered"])});
       section.row(cells);
     });
     return section.text();
+  }
+
+  std::string outside() const {
+    Section section("Outside the limits");
+    section.line(
+        "Valid queries outside what a kernel promises: counted here and nowhere else, and no requirement reads "
+        "them.\n");
+    bool any = false;
+    section.head(
+        {"kernel", "precision", "family", "queries", "false_separation", "false_contact", "deepest", "no answer"}, 3);
+    for_each_family([&](std::vector<std::string> cells, const Json& result) {
+      const Json& apart = result["verdict"]["outside_limits"];
+      if (apart.is_null()) return;
+      any = true;
+      cells.insert(cells.end(), {count(apart["trials"]), count(apart["false_separation"]),
+                                 count(apart["false_contact"]), depth(apart["deepest"]), count(apart["unanswered"])});
+      section.row(cells);
+    });
+    return any ? section.text() : "";
   }
 
   // The axes or the comparisons over all families, those with a flip first.
@@ -208,15 +254,27 @@ class Report {
     return section.text();
   }
 
+  // Links without a first query left out.
+  static Json first_of(const Json& first_by_link) {
+    Json found = Json::object();
+    for (const auto& [link, position] : first_by_link.items()) {
+      if (!position.is_null()) found[link] = position;
+    }
+    return found;
+  }
+
   std::string broken_links() const {
     Section section("Broken links by family");
     bool any = false;
     for_each_family([&](std::vector<std::string> cells, const Json& result) {
       const std::string wrong = links(result["verdict"]["links"]), masked = links(result["verdict"]["masked_links"]);
       if (wrong == "none" && masked == "none") return;
-      if (!any) section.head({"kernel", "precision", "family", "of wrong verdicts", "cancelled, verdict right"}, 5);
+      if (!any)
+        section.head(
+            {"kernel", "precision", "family", "of wrong verdicts", "first query with it", "cancelled, verdict right"},
+            6);
       any = true;
-      cells.insert(cells.end(), {wrong, masked});
+      cells.insert(cells.end(), {wrong, links(first_of(result["verdict"]["first_by_link"])), masked});
       section.row(cells);
     });
     if (!any) section.line("None.");
@@ -246,10 +304,11 @@ class Report {
     section.line(
         "Of the smallest radius for which the kernel says contact, in ulps of the exact distance; unbounded: contact "
         "for no finite radius.\n");
-    section.head({"kernel", "precision", "family", "sampled", "median", "largest", "unbounded"}, 3);
+    section.head({"kernel", "precision", "family", "sampled", "median", "largest", "unbounded", "no answer"}, 3);
     const auto row = [&](std::vector<std::string> cells, const Json& radius) {
-      cells.insert(cells.end(), {count(radius["sampled"]), optional_amount(radius["median_ulps"]),
-                                 optional_amount(radius["largest_ulps"]), count(radius["unbounded"])});
+      cells.insert(cells.end(),
+                   {count(radius["sampled"]), optional_amount(radius["median_ulps"]),
+                    optional_amount(radius["largest_ulps"]), count(radius["unbounded"]), count(radius["unanswered"])});
       section.row(cells);
     };
     for (const Json& kernel : record_["kernels"]) {

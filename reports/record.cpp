@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fuzz/tally.h"
+#include "reports/finding.h"
 #include "reports/witness.h"
 
 namespace axiscert {
@@ -33,9 +34,8 @@ void put_signs(Json& json, const SignTally& tally, bool has_tolerance, Decimal6 
   json["decisive"] = tally.decisive;
   json["tolerance_failures"] = has_tolerance ? Json(tally.tolerance_failures) : Json(nullptr);
   json["max_error_u"] = json["smallest_passing_tolerance"] = number(max_error);
-  // A specification fault has no comparison flip, and a kernel with bits has a reference: three links remain.
-  json["links"] = link_counts(tally.links, static_cast<std::size_t>(Link::rounding),
-                              static_cast<std::size_t>(Link::implementation));
+  // Flips are held against the kernel's own exact formulae: a specification fault is none.
+  json["links"] = link_counts(tally.links, static_cast<std::size_t>(Link::rounding), link_count - 1);
 }
 
 Json comparison_json(const ComparisonTally& tally, bool has_tolerance) {
@@ -47,31 +47,54 @@ Json comparison_json(const ComparisonTally& tally, bool has_tolerance) {
   return json;
 }
 
-Json critical_radius_json(std::vector<double> errors, std::uint64_t unbounded) {
+Json critical_radius_json(CriticalRadiusTally tally) {
+  std::vector<double>& errors = tally.errors_ulps;
   std::sort(errors.begin(), errors.end());
   const auto at = [&](std::size_t i) { return errors.empty() ? Json(nullptr) : Json(errors[i]); };
-  return {{"sampled", errors.size() + unbounded},
+  return {{"sampled", errors.size() + tally.unbounded},
           {"median_ulps", at((errors.size() - 1) / 2)},
           {"largest_ulps", at(errors.size() - 1)},
-          {"unbounded", unbounded}};
+          {"unbounded", tally.unbounded},
+          {"unanswered", tally.unanswered}};
 }
 
-Json verdict_json(const VerdictTally& v) {
+Json first_by_link_json(const VerdictTally& v) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < link_count; ++i) {
+    json[std::string(link_names[i])] = v.first_by_link[i] ? Json(*v.first_by_link[i] + 1) : Json(nullptr);
+  }
+  return json;
+}
+
+Json outside_json(const OutsideTally& outside) {
+  return {{"trials", outside.trials},
+          {"false_separation", outside.false_separation},
+          {"false_contact", outside.false_contact},
+          {"unanswered", outside.unanswered},
+          {"deepest", outside.deepest}};
+}
+
+Json verdict_json(const VerdictTally& v, const Limits& limits) {
   const double separation = v.deepest_false_separation.best(), contact = v.deepest_false_contact.best();
   constexpr std::size_t last = link_count - 1;
   return {{"false_separation", v.false_separation},
           {"false_contact", v.false_contact},
           {"undecided", v.undecided},
           {"invalid", v.invalid},
+          {"unanswered", v.unanswered},
           {"deepest", std::max(separation, contact)},
           {"deepest_false_separation", separation},
           {"deepest_false_contact", contact},
           {"links", link_counts(v.links, 0, last)},
           {"masked_links", link_counts(v.masked_links, 0, last)},
-          {"touching_flips", v.touching_flips}};
+          {"first_by_link", first_by_link_json(v)},
+          {"touching_flips", v.touching_flips},
+          {"touching_links", link_counts(v.touching_links, 0, last)},
+          {"outside_limits", limits.any() ? outside_json(v.outside_limits) : Json(nullptr)}};
 }
 
-Json family_json(const Source& source, Precision precision, const Tally& tally, const Tolerances& tolerances) {
+Json family_json(const Source& source, Precision precision, const Kernel& kernel, const Tally& tally,
+                 const Tolerances& tolerances) {
   Json json = {{"trials", tally.trials},
                {"base_triangles", source.base_triangles(precision, tally.trials)},
                {"exact_arithmetic", source.exact_arithmetic()},
@@ -80,8 +103,13 @@ Json family_json(const Source& source, Precision precision, const Tally& tally, 
                  {"contact", tally.contact},
                  {"touching", tally.touching},
                  {"invalid", tally.invalid}}},
-               {"verdict", verdict_json(tally.verdict)}};
-  Json& axes = json["axes"] = Json::object();
+               {"verdict", verdict_json(tally.verdict, kernel.limits)},
+               {"axes", nullptr},
+               {"comparisons", nullptr},
+               {"critical_radius", critical_radius_json(tally.critical_radius)}};
+  Json &axes = json["axes"], &all = json["comparisons"];
+  if (kernel.exposes == Exposure::verdict) return json;
+  axes = all = Json::object();
   for (std::size_t a = 0; a < axis_count; ++a) {
     bool has_tolerance = false;
     Decimal6 max_error;
@@ -94,11 +122,9 @@ Json family_json(const Source& source, Precision precision, const Tally& tally, 
     put_signs(axis, tally.axes[a], has_tolerance, max_error);
     axis["sole_separator"] = tally.axes[a].sole_separator;
   }
-  Json& all = json["comparisons"] = Json::object();
   for (std::size_t i = 0; i < comparison_count; ++i) {
     all[std::string(comparisons[i].name)] = comparison_json(tally.comparisons[i], tolerances[i].has_value());
   }
-  json["critical_radius"] = critical_radius_json(tally.critical_radius.errors_ulps, tally.critical_radius.unbounded);
   return json;
 }
 
@@ -125,6 +151,11 @@ Json plan_json(const Plan& plan, const CampaignResult& result, const std::string
       }
     }
   }
+  for (const FileInfo& file : plan.plugins) {
+    json["files"].push_back({{"name", file.name},
+                             {"kind", file.kind},
+                             {"sha256", file.sha256.empty() ? Json(nullptr) : Json(file.sha256)}});
+  }
   Json units = Json::object();
   for (std::size_t s = 0; s < plan.sources.size(); ++s) {
     for (const CellResult& cell : result.cells) {
@@ -149,13 +180,25 @@ Json exposures_json(const Kernel& kernel) {
   return names;
 }
 
+Json limits_json(const Limits& limits) {
+  if (!limits.any()) return nullptr;
+  const auto bound = [](double value) { return value == 0 ? Json(nullptr) : Json(value); };
+  return {{"least_coordinate", bound(limits.least_coordinate)},
+          {"greatest_coordinate", bound(limits.greatest_coordinate)},
+          {"least_area", bound(limits.least_area)},
+          {"least_radius", bound(limits.least_radius)},
+          {"greatest_radius", bound(limits.greatest_radius)}};
+}
+
 Json record_of(const Plan& plan, const CampaignResult& result, const std::string& require) {
   Json record = {{"schema", record_schema}, {"complete", result.complete}, {"plan", plan_json(plan, result, require)}};
   Json& kernels = record["kernels"] = Json::array();
   WitnessWriter witnesses(plan);
+  Json findings = Json::array();
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    const Kernel& kernel = *plan.kernels[k];
+    put_loading_findings(findings, kernel);
     for (const Precision precision : plan.precisions) {
-      const Kernel& kernel = *plan.kernels[k];
       if (!kernel.has(precision)) continue;
       const bool claimed = kernel.formulae != Formulae::none;
       Json entry = {{"id", kernel.id},
@@ -164,7 +207,10 @@ Json record_of(const Plan& plan, const CampaignResult& result, const std::string
                     {"formulae", claimed ? Json(name(kernel.formulae)) : Json(nullptr)},
                     {"arithmetic", claimed ? Json(name(kernel.arithmetic)) : Json(nullptr)},
                     {"strictness", has_comparisons(kernel.formulae) ? Json(name(kernel.strictness)) : Json(nullptr)},
+                    {"reference", claimed ? Json(kernel.is_reference) : Json(nullptr)},
                     {"exposes", exposures_json(kernel)},
+                    {"touching", name(kernel.touching)},
+                    {"limits", limits_json(kernel.limits)},
                     {"critical_radius", nullptr},
                     {"families", Json::object()}};
       CriticalRadiusTally radii;
@@ -172,17 +218,21 @@ Json record_of(const Plan& plan, const CampaignResult& result, const std::string
         for (const CellResult& cell : result.cells) {
           if (cell.source != s || cell.precision != precision || cell.tallies[k].trials == 0) continue;
           const Tally& tally = cell.tallies[k];
-          entry["families"][plan.sources[s]->name()] = family_json(*plan.sources[s], precision, tally, plan.tolerances);
+          entry["families"][plan.sources[s]->name()] =
+              family_json(*plan.sources[s], precision, kernel, tally, plan.tolerances);
           radii.unbounded += tally.critical_radius.unbounded;
+          radii.unanswered += tally.critical_radius.unanswered;
           radii.errors_ulps.insert(radii.errors_ulps.end(), tally.critical_radius.errors_ulps.begin(),
                                    tally.critical_radius.errors_ulps.end());
+          put_findings(findings, kernel, plan.seed, *plan.sources[s], precision, tally);
           witnesses.add(kernel, *plan.sources[s], precision, tally);
         }
       }
-      entry["critical_radius"] = critical_radius_json(std::move(radii.errors_ulps), radii.unbounded);
+      entry["critical_radius"] = critical_radius_json(std::move(radii));
       kernels.push_back(std::move(entry));
     }
   }
+  record["findings"] = std::move(findings);
   record["witnesses"] = std::move(witnesses).take();
   return record;
 }

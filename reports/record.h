@@ -23,6 +23,8 @@ template <class Real>
 void put_query(Json& into, const Query<Real>& q);
 // What a kernel shows: "verdict", and "comparisons" and "sides" where it does.
 Json exposures_json(const Kernel& kernel);
+// The limits that a kernel declares, null where it has none; null for each that it does not set.
+Json limits_json(const Limits& limits);
 // The bits as text, first comparison first.
 std::string bit_string(std::uint32_t bits, std::size_t count);
 // "verdict", ... as `check` and the witnesses list them.

@@ -9,13 +9,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// The page's data, read back as a browser does.
-Json page_data(const std::string& html) {
-  const std::string open = "<script type=\"application/json\" id=\"data\">";
-  const std::size_t begin = html.find(open) + open.size();
-  return Json::parse(html.substr(begin, html.find("</script>", begin) - begin));
-}
-
 // A record whose kernel, family, mesh and witness carry `name`.
 Json named(const std::string& name) {
   std::string text = stored_record().dump();

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "kernel/names.h"
+#include "reports/finding.h"
 #include "reports/summary.h"
 
 namespace axiscert {
@@ -70,15 +71,24 @@ std::string joined(const Json& names) {
   return fmt::format("{}", fmt::join(names.get<std::vector<std::string>>(), ", "));
 }
 
+std::string file_kind(const Json& file) {
+  if (file["kind"] == "mesh") return "mesh";
+  return file["kind"] == "plugin" ? "plug-in" : "query file";
+}
+
 std::string file_fact(const Json& file) {
+  const std::string name = file["name"];
+  if (file["kind"] == "plugin") {
+    return file["sha256"].is_null() ? name + ", which could not be read"
+                                    : fmt::format("{}; SHA-256 {}", name, file["sha256"].get<std::string>());
+  }
   const auto count = [&](const char* member) { return thousands(file[member].get<std::uint64_t>()); };
   const std::string contents =
       file["kind"] == "mesh"
           ? fmt::format("{} triangles, {} of zero area, {} other primitives skipped", count("triangles"),
                         count("degenerate_triangles"), count("skipped_primitives"))
           : fmt::format("{} queries", count("queries"));
-  return fmt::format("{}, {}; SHA-256 {}", file["name"].get<std::string>(), contents,
-                     file["sha256"].get<std::string>());
+  return fmt::format("{}, {}; SHA-256 {}", name, contents, file["sha256"].get<std::string>());
 }
 
 }  // namespace
@@ -109,8 +119,7 @@ std::vector<std::pair<std::string, std::string>> plan_facts(const Run& run) {
                                                             {"seed", plan["seed"].dump()},
                                                             {"kernels", joined(plan["kernels"])},
                                                             {"precisions", joined(plan["precisions"])}};
-  for (const Json& file : plan["files"])
-    facts.emplace_back(file["kind"] == "mesh" ? "mesh" : "query file", file_fact(file));
+  for (const Json& file : plan["files"]) facts.emplace_back(file_kind(file), file_fact(file));
   const auto add = [&](const char* label, const Json& from, const char* member, auto&& text) {
     if (from.contains(member)) facts.emplace_back(label, text(from[member]));
   };
@@ -147,11 +156,23 @@ std::vector<std::string> not_checked(const Json& record) {
   }
   if (plan["require"].is_null())
     open.push_back("Requirement: none was asked (--require), so nothing here failed or passed.");
+  for (const std::string& id : not_judged(record)) {
+    open.push_back(fmt::format("{}: it could not be loaded, so nothing of it was judged. Its findings say why.", id));
+  }
   for (const Json& kernel : record["kernels"]) {
     const std::string who =
         fmt::format("{} in {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>());
     if (kernel["exposes"] == Json::array({"verdict"})) {
       open.push_back(fmt::format("Comparisons and axes of {}: it shows only verdicts.", who));
+    }
+    std::uint64_t outside = 0;
+    for (const Json& family : kernel["families"]) {
+      const Json& counted = family["verdict"]["outside_limits"];
+      if (!counted.is_null()) outside += counted["trials"].get<std::uint64_t>();
+    }
+    if (outside != 0) {
+      open.push_back(fmt::format("{} queries outside the limits that {} declares: counted apart, and no requirement.",
+                                 thousands(outside), who));
     }
     std::vector<std::string> missing;
     for (const Json& family : plan["families"]) {

@@ -65,9 +65,12 @@ class RecordCheck {
       for (const auto& [family, result] : kernel["families"].items()) {
         require(families.count(family) != 0, where, fmt::format("family {} is not in the plan", Json(family).dump()));
         cells.insert(Json::array({kernel["id"], kernel["precision"], family}));
-        check_counts(result, fmt::format("{}, family {}", where, Json(family).dump()));
+        check_counts(kernel, result, fmt::format("{}, family {}", where, Json(family).dump()));
       }
+      require(kernel["reference"].is_null() == kernel["formulae"].is_null(), where,
+              "a reference is one of formulae: both are null or neither");
     }
+    check_findings(cells);
     for (const Json& witness : record_["witnesses"]) {
       const std::string where = fmt::format("witness {}", witness["id"].dump());
       require(ids.insert(witness["id"]).second, where, "stands there twice");
@@ -80,6 +83,80 @@ class RecordCheck {
  private:
   void require(bool holds, const std::string& where, const std::string& problem) const {
     if (!holds) throw Error(fmt::format("{}: {}: {}; restore the file as it was written", name_, where, problem));
+  }
+
+  void check_findings(const std::set<Json>& cells) const {
+    std::set<Json> kinds, explained;
+    for (const Json& finding : record_["findings"]) {
+      const Json kind = Json::array({finding["kernel"], finding["precision"], finding["family"], finding["kind"]});
+      const std::string where =
+          fmt::format("finding {} of kernel {}", finding["kind"].dump(), finding["kernel"].dump());
+      const bool of_loading = finding["family"].is_null();
+      for (const char* member : {"precision", "address", "a", "b", "c", "p", "r"}) {
+        require(finding[member].is_null() == of_loading, where,
+                fmt::format("family and {} go together: both are null, or neither", member));
+      }
+      if (of_loading) {
+        explained.insert(finding["kernel"]);
+        continue;
+      }
+      require(kinds.insert(kind).second, where, "stands there twice");
+      require(finding["count"] != 0, where, "a count of zero");
+      require(cells.count(Json::array({kind[0], kind[1], kind[2]})) != 0, where,
+              "its kernel, precision and family are not in the record");
+      check_numbers(finding, where);
+    }
+    std::set<Json> planned(record_["plan"]["kernels"].begin(), record_["plan"]["kernels"].end()), judged;
+    for (const Json& kernel : record_["kernels"]) judged.insert(kernel["id"]);
+    for (const Json& id : planned) {
+      require(judged.count(id) + explained.count(id) != 0, fmt::format("kernel {}", id.dump()),
+              "is in the plan alone, and no finding of loading says why");
+    }
+    for (const Json& id : explained) {
+      require(planned.count(id) != 0, fmt::format("kernel {}", id.dump()), "has a finding and is not in the plan");
+    }
+  }
+
+  // What a kernel is held to where the sphere touches decides which verdicts can be wrong there.
+  void check_verdict(const Json& kernel, const Json& family, const std::string& where) const {
+    const auto number = [](const Json& count) { return count.get<std::uint64_t>(); };
+    const Json &truth = family["truth"], &verdict = family["verdict"], &outside = verdict["outside_limits"];
+    const std::uint64_t touching = number(truth["touching"]), contact = number(truth["contact"]);
+    const std::uint64_t separated = number(truth["separated"]), valid = contact + separated;
+    const std::string convention = kernel["touching"];
+    const std::uint64_t must_touch = convention == name(Touching::contact) ? contact : contact - touching;
+    const std::uint64_t must_not = convention == name(Touching::separated) ? separated + touching : separated;
+    require(outside.is_null() == kernel["limits"].is_null(), where,
+            "outside_limits is counted where the kernel declares limits, and only there");
+    std::uint64_t missed = number(verdict["false_separation"]), phantom = number(verdict["false_contact"]);
+    const std::uint64_t wrong = missed + phantom;
+    std::uint64_t outside_trials = 0;
+    if (!outside.is_null()) {
+      outside_trials = number(outside["trials"]);
+      missed += number(outside["false_separation"]);
+      phantom += number(outside["false_contact"]);
+      require(outside_trials <= valid, where, "more queries outside the limits than valid ones");
+      require(number(outside["false_separation"]) + number(outside["false_contact"]) + number(outside["unanswered"]) <=
+                  outside_trials,
+              where, "more wrong and missing answers outside the limits than queries there");
+    }
+    require(missed <= must_touch, where, "more false_separation verdicts than contacts");
+    require(phantom <= must_not, where, "more false_contact verdicts than separated queries");
+    require(wrong + number(verdict["undecided"]) + number(verdict["invalid"]) + number(verdict["unanswered"]) <=
+                valid - outside_trials,
+            where, "more wrong, undecided, invalid and unanswered verdicts than valid queries");
+    require(number(verdict["touching_flips"]) <= wrong, where, "more touching_flips than wrong verdicts");
+    for (const auto& [link, count] : verdict["links"].items()) {
+      const std::uint64_t of_touching = number(verdict["touching_links"][link]);
+      require(number(count) <= wrong, where, fmt::format("more broken {} links than wrong verdicts", link));
+      require(of_touching <= number(count) && of_touching <= number(verdict["touching_flips"]), where,
+              fmt::format("more broken {} links of touching queries than there can be", link));
+      const Json& first = verdict["first_by_link"][link];
+      require(first.is_null() == (of_touching == number(count)), where,
+              fmt::format("first_by_link and links do not agree on {}", link));
+      require(first.is_null() || (first != 0 && number(first) <= number(family["trials"])), where,
+              fmt::format("first_by_link of {} is no query of the family", link));
+    }
   }
 
   void check_numbers(const Json& witness, const std::string& where) const {
@@ -96,18 +173,15 @@ class RecordCheck {
     }
   }
 
-  void check_counts(const Json& family, const std::string& where) const {
+  void check_counts(const Json& kernel, const Json& family, const std::string& where) const {
     const auto number = [](const Json& count) { return count.get<std::uint64_t>(); };
-    const Json &truth = family["truth"], &verdict = family["verdict"];
+    const Json& truth = family["truth"];
     const std::uint64_t trials = number(family["trials"]), contact = number(truth["contact"]);
     const std::uint64_t separated = number(truth["separated"]);
-    const std::uint64_t missed = number(verdict["false_separation"]), phantom = number(verdict["false_contact"]);
     require(separated + contact + number(truth["invalid"]) == trials, where, "the truths do not add up to the trials");
     require(number(truth["touching"]) <= contact, where, "more touching queries than contacts");
     require(number(family["base_triangles"]) <= trials, where, "more base_triangles than trials");
-    require(missed <= contact, where, "more false_separation verdicts than contacts");
-    require(phantom <= separated, where, "more false_contact verdicts than separated queries");
-    require(number(verdict["touching_flips"]) <= missed + phantom, where, "more touching_flips than wrong verdicts");
+    check_verdict(kernel, family, where);
     for (const char* level : {"axes", "comparisons"}) {
       if (family[level].is_null()) continue;
       for (const auto& [sign, tally] : family[level].items()) {

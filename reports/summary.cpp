@@ -1,6 +1,7 @@
 #include "reports/summary.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -41,8 +42,11 @@ void merge(Json& total, const Json& part, const std::string& name) {
   }
 }
 
+// Those that can count as a failure: valid, and within the kernel's limits.
 std::uint64_t valid_queries(const Json& family) {
-  return family["trials"].get<std::uint64_t>() - family["truth"]["invalid"].get<std::uint64_t>();
+  const Json& outside = family["verdict"]["outside_limits"];
+  return family["trials"].get<std::uint64_t>() - family["truth"]["invalid"].get<std::uint64_t>() -
+         (outside.is_null() ? 0 : outside["trials"].get<std::uint64_t>());
 }
 
 }  // namespace
@@ -52,12 +56,15 @@ const std::array<std::string_view, link_count> link_meanings = {
     "Rounding each operation to the precision changed the answer, exponents unlimited.",
     "Overflow or underflow changed the answer: with unlimited exponents it would not have.",
     "The kernel differs from the scalar reference of its own formulae and order of operations.",
-    "The kernel declares no reference, so the cause of its wrong verdict is not known."};
+    "The kernel has no reference to be held against: which link its own arithmetic breaks between the exact formulae, "
+    "or "
+    "the truth where it claims none, and its answer is not known."};
 
 Json all_families(const Json& kernel) {
   Json total;
   for (Json family : kernel["families"]) {
     family["critical_radius"].erase("median_ulps");
+    family["verdict"].erase("first_by_link");  // places in a family do not add up
     merge(total, family, "");
   }
   if (total.is_null()) return Json::object();
@@ -99,6 +106,28 @@ std::string amount(double value, int digits) {
 
 std::string error_amount(const Json& error) {
   return error.is_number() ? amount(error.get<double>()) : error.get<std::string>();
+}
+
+std::string touching_text(const Json& kernel) {
+  if (kernel["touching"] == name(Touching::separated)) return "a touching sphere is separated";
+  if (kernel["touching"] == name(Touching::either)) return "of a touching sphere it may say either";
+  return "a touching sphere is in contact";
+}
+
+std::string limits_text(const Json& kernel) {
+  const Json& limits = kernel["limits"];
+  if (limits.is_null()) return "none: it promises to be right everywhere";
+  std::vector<std::string> parts;
+  const auto range = [&](const std::string& what, const Json& least, const Json& greatest) {
+    std::string part = what;
+    if (!least.is_null()) part += fmt::format(" from {:.6g}", least.get<double>());
+    if (!greatest.is_null()) part += fmt::format(" to {:.6g}", greatest.get<double>());
+    if (part != what) parts.push_back(part);
+  };
+  range("|coordinates|", limits["least_coordinate"], limits["greatest_coordinate"]);
+  range("area", limits["least_area"], nullptr);
+  range("radius", limits["least_radius"], limits["greatest_radius"]);
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::vector<const Json*> worst_witnesses(const Json& record, std::size_t limit) {

@@ -31,6 +31,10 @@ std::string amount(double value, int digits = 6);  // significant digits, thousa
 // An error in u as the record has it: a number, or its text where binary64 cannot hold it.
 std::string error_amount(const Json& error);
 
+// What a kernel entry says of touching spheres, and within what it promises to be right.
+std::string touching_text(const Json& kernel);
+std::string limits_text(const Json& kernel);
+
 // The deepest of each kernel, precision, family and kind of wrong verdict, then the second of each, up to `limit`, so
 // that one family of deep faults does not hide the others. Deepest first, those without a depth last.
 std::vector<const Json*> worst_witnesses(const Json& record, std::size_t limit);

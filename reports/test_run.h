@@ -60,6 +60,13 @@ class TestFolder {
   std::filesystem::path path_;
 };
 
+// The page's data, read back as a browser does.
+inline Json page_data(const std::string& html) {
+  const std::string open = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t begin = html.find(open) + open.size();
+  return Json::parse(html.substr(begin, html.find("</script>", begin) - begin));
+}
+
 inline std::size_t occurrences(const std::string& text, const std::string& piece) {
   std::size_t n = 0;
   for (std::size_t at = text.find(piece); at != text.npos; at = text.find(piece, at + piece.size())) ++n;

@@ -1,7 +1,8 @@
 // The summary, the reproduction, and the start.
 
 function failures_of(data, entry) {
-  return data.requirement?.failures.filter((f) => f.kernel === entry.id && f.precision === entry.precision) ?? [];
+  return data.requirement?.failures.filter((f) => f.kernel === entry.id &&
+    (f.precision === '' || f.precision === entry.precision)) ?? [];
 }
 
 function status_chip(data, failures, ran) {
@@ -14,7 +15,8 @@ function status_chip(data, failures, ran) {
 
 function failure_item(data, failure) {
   const shown = data.witnesses.cards.some((witness) => witness.id === failure.witness);
-  const item = el('li', '', el('span', 'name', failure.family), `: ${failure.what}: ${count(failure.count)}`);
+  const item = failure.family === '' ? el('li', '', failure.what)
+    : el('li', '', el('span', 'name', failure.family), `: ${failure.what}: ${count(failure.count)}`);
   if (failure.witness === '') return item;
   const link = el(shown ? 'a' : 'span', 'name', failure.witness);
   if (shown) link.href = `#witness-${encodeURIComponent(failure.witness)}`;
@@ -56,6 +58,14 @@ function largest_error(total) {
   return `${error_amount(tally.max_error_u)} u, ${name}`;
 }
 
+// A kernel of the plan that could not be loaded.
+function not_judged_card(data, id) {
+  const why = data.findings.filter((finding) => finding.kernel === id);
+  return el('article', 'card', el('h3', '', el('span', 'name', id)), el('p', 'status', chip('not judged', 'bad')),
+            el('p', 'lead', 'It could not be loaded, so nothing of it was judged.'),
+            el('ul', 'failures', ...why.map((finding) => el('li', '', `${finding.kind}: ${finding.detail}`))));
+}
+
 function summary_card(data, entry) {
   const failures = failures_of(data, entry);
   const total = entry.all;
@@ -73,6 +83,14 @@ function summary_card(data, entry) {
   fact('trials', `${count(total.trials)} in ${count(Object.keys(entry.families).length)} families`);
   fact('undecided', count(total.verdict.undecided));
   fact('invalid answers', count(total.verdict.invalid));
+  fact('without an answer', count(total.verdict.unanswered));
+  fact('says of itself', entry.touching_text);
+  fact('limits', entry.limits_text);
+  const outside = total.verdict.outside_limits;
+  if (outside !== null) {
+    fact('outside its limits', `${count(outside.trials)} queries, ` +
+         `${count(outside.false_separation + outside.false_contact)} wrong, counted apart`);
+  }
   fact('wrong on touching', count(total.verdict.touching_flips));
   fact('tolerance failures', tolerance_fact(total));
   fact('largest error', largest_error(total));
@@ -108,10 +126,30 @@ function show_summary(data) {
     const text = el('p', 'lead', 'Required: ', el('strong', '', level), `, ${sentence}.`);
     document.getElementById('summary-title').after(text);
   }
+  document.getElementById('summary-cards').append(...data.not_judged.map((id) => not_judged_card(data, id)));
   document.getElementById('summary-cards').append(...data.kernels.map((entry) => summary_card(data, entry)));
   for (const [link, meaning] of Object.entries(data.links)) {
     document.getElementById('meanings').append(el('dt', '', chip(link, `link-${link}`)), el('dd', '', meaning));
   }
+}
+
+function finding_card(data, finding) {
+  const where = finding.family === null ? 'in loading'
+    : el('span', '', 'on ', el('span', 'name', finding.family), finding.count === 1 ? ', once' : `, ${count(finding.count)} times`);
+  const kind = chip(finding.kind, 'bad');
+  kind.title = data.notes.finding.kind;
+  const card = el('article', 'finding', el('p', 'status', kind, ' ', el('span', 'name', finding.kernel),
+                  finding.precision === null ? '' : ` ${finding.precision} `, ' ', where), el('p', '', finding.detail));
+  if (finding.address !== null) {
+    card.append(el('p', 'label', 'First at ', el('code', '', finding.address)), command(finding.command));
+  }
+  return card;
+}
+
+function show_findings(data) {
+  if (data.findings.length === 0) return;
+  document.getElementById('findings').hidden = false;
+  document.getElementById('findings-list').append(...data.findings.map((finding) => finding_card(data, finding)));
 }
 
 function show_reproduction(data) {
@@ -153,6 +191,7 @@ function show_reproduction(data) {
 
 function show_report() {
   const data = JSON.parse(document.getElementById('data').textContent);
+  show_findings(data);
   show_summary(data);
   show_families(data);
   show_signs(data);

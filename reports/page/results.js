@@ -37,6 +37,10 @@ function families_table(data, rows) {
   ];
   const answers = (member, label, alarm) => column.count(label ?? member, (row) => row.result.verdict[member],
                                                          {group: 'other verdicts', note: verdict[member], alarm});
+  const limited = rows.some((row) => row.result.verdict.outside_limits !== null);
+  const outside = !limited ? [] : ['trials', 'false_separation', 'false_contact', 'unanswered'].map((member) =>
+    column.count(member, (row) => row.result.verdict.outside_limits?.[member] ?? null,
+                 {group: 'outside its limits', note: data.notes.outside_limits[member], none: 'no limits'}));
   return table('Verdicts by family', [
     ...family_columns(),
     column.count('trials', (row) => row.result.trials, {note: family.trials}),
@@ -44,6 +48,8 @@ function families_table(data, rows) {
     ...wrong('false_separation', 'missed contacts', 'bad'),
     ...wrong('false_contact', 'phantom contacts', 'warn'),
     answers('touching_flips', null, 'warn'), answers('undecided'), answers('invalid', 'invalid answers', 'warn'),
+    answers('unanswered', 'no answer', 'bad'),
+    ...outside,
     column.text('broken links', (row) => Object.values(row.result.verdict.links).reduce((x, y) => x + y, 0),
                 {numeric: true, left: true, note: verdict.links,
                  cell: (td, value, row) => td.append(link_chips(row.result.verdict.links))}),
@@ -65,7 +71,7 @@ function show_families(data) {
 
 function sign_columns(notes, level) {
   const of = (member, more) => column.count(member, (row) => row.tally[member], {note: notes[level][member], ...more});
-  const links = ['rounding', 'range', 'implementation'].map((link) =>
+  const links = ['rounding', 'range', 'implementation', 'unattributed'].map((link) =>
     column.count(link, (row) => row.tally.links[link], {group: 'links broken by flips', note: notes.links[link]}));
   return [
     column.text(level, (row) => row.name, {cell: (th, value) => th.append(el('span', 'name', value))}),
@@ -134,6 +140,8 @@ function show_links(data) {
     group: label, note: data.notes.links[link], alarm: member === 'links' ? 'bad' : undefined}));
   document.getElementById('links-table').append(table('Broken links', [
     ...family_columns(), ...group('wrong verdicts', 'links'),
+    ...links.map((link) => column.count(link, (row) => row.result.verdict.first_by_link[link],
+      {group: 'first query with it', note: data.notes.verdict.first_by_link, none: 'none'})),
     ...group('cancelled: the verdict is right', 'masked_links'),
   ], family_rows(data)));
 }
@@ -148,5 +156,6 @@ function show_radius(data) {
   document.getElementById('radius-table').append(table('Critical radius error, in ulps', [
     ...family_columns(), of('sampled', 'count'), of('median_ulps', 'amount', {digits: 6}),
     of('largest_ulps', 'amount', {digits: 6}), of('unbounded', 'count', {alarm: 'warn'}),
+    of('unanswered', 'count', {alarm: 'bad'}),
   ], rows, (row) => (row.total ? 'total' : '')));
 }

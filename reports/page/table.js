@@ -28,7 +28,7 @@ function magnitude(error) {
 // "0 (< 11.4 per million, 95 %)": `family` brings its trials, its truth and its limit for zero failures.
 function rate(n, family) {
   if (n > 0) {
-    const valid = family.trials - family.truth.invalid;
+    const valid = family.trials - family.truth.invalid - (family.verdict.outside_limits?.trials ?? 0);
     return [count(n), `(${amount(1e6 * n / valid, 3)} per million)`];
   }
   if (family.zero_limit_per_million === null) return ['not checked', ''];
@@ -47,7 +47,7 @@ function breakable(name) {
 const column = {
   text: (label, get, more) => ({label, get, cell: (td, value) => td.append(value), ...more}),
   count: (label, get, more) => ({label, get, numeric: true, ...more, cell: (td, value) => {
-    td.append(value === null || value === undefined ? 'not checked' : count(value));
+    td.append(value === null || value === undefined ? more?.none ?? 'not checked' : count(value));
     if (value === 0) td.classList.add('zero');
     if (value > 0 && more?.alarm) td.classList.add(more.alarm);
   }}),
