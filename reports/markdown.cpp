@@ -112,9 +112,11 @@ class Report {
     for (const std::string& kernel : not_judged(record_)) {
       section.line(fmt::format("\n**{} was not judged**: it could not be loaded.", plain(kernel)));
     }
-    for (const Json& finding : record_["findings"]) {
-      const std::string replay = finding["address"].is_null() ? "" : "\n" + code_block(replay_command(finding));
-      section.add(fmt::format("\n- {}\n{}", plain(finding_text(finding), 2000), replay));
+    for (const FindingGroup& group : finding_groups(record_)) {
+      const Json& first = *group.first;
+      const std::string others = group.others.empty() ? "" : "; " + plain(group.others_text(), 2000);
+      const std::string replay = first["address"].is_null() ? "" : "\n" + code_block(replay_command(first));
+      section.add(fmt::format("\n- {}{}\n{}", plain(finding_text(first), 2000), others, replay));
     }
     return section.text();
   }
