@@ -24,7 +24,9 @@ void for_each_vertex_order(const Query<Real>& q, Body&& body) {
 template <class Real>
 Outcome answer(const Kernel& kernel, const Query<Real>& q, std::string_view target = scalar_target) {
   const Outcome found = ask(kernel.on<Real>(target), q).outcome(0);
-  if (found.bits) EXPECT_EQ(verdict_of(axes_of(*found.bits)), found.verdict) << kernel.id << " on " << target;
+  if (found.bits) {
+    EXPECT_EQ(verdict_of(axes_of(*found.bits)), found.verdict) << kernel.id << " on " << target;
+  }
   return found;
 }
 
