@@ -73,9 +73,10 @@ std::string iso_time(std::chrono::system_clock::time_point time) {
 
 std::string summary_text(const Json& record, double seconds) {
   std::string text;
-  for (const Json& finding : record["findings"]) {
-    text += fmt::format("{}\n", finding_text(finding));
-    if (!finding["address"].is_null()) text += fmt::format("  {}\n", replay_command(finding));
+  for (const FindingGroup& group : finding_groups(record)) {
+    text += finding_text(*group.first) + "\n";
+    if (!group.others.empty()) text += fmt::format("  {}\n", group.others_text());
+    if (!(*group.first)["address"].is_null()) text += fmt::format("  {}\n", replay_command(*group.first));
   }
   for (const std::string& kernel : not_judged(record))
     text += fmt::format("{}: NOT JUDGED: it could not be loaded\n", kernel);

@@ -1,6 +1,7 @@
 #include "reports/finding.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -17,6 +18,8 @@ void put_query_of(Json& into, std::uint64_t seed, const Source& source, std::uin
   source.make(seed, position, q);
   put_query(into, q);
 }
+
+std::string times(const Json& count) { return count == 1 ? "once" : thousands(count.get<std::uint64_t>()) + " times"; }
 
 }  // namespace
 
@@ -57,10 +60,29 @@ void put_findings(Json& findings, const Kernel& kernel, std::uint64_t seed, cons
 std::string finding_text(const Json& finding) {
   const auto text = [&](const char* member) { return finding[member].get<std::string>(); };
   if (finding["family"].is_null()) return fmt::format("{}: {}: {}", text("kernel"), text("kind"), text("detail"));
-  const auto count = finding["count"].get<std::uint64_t>();
   return fmt::format("{} {}: {} on family {}, {}, first at {}: {}", text("kernel"), text("precision"), text("kind"),
-                     text("family"), count == 1 ? "once" : thousands(count) + " times", text("address"),
-                     text("detail"));
+                     text("family"), times(finding["count"]), text("address"), text("detail"));
+}
+
+std::string FindingGroup::others_text() const {
+  std::vector<std::string> families;
+  for (const Json* other : others) {
+    families.push_back(fmt::format("{} ({})", (*other)["family"].get<std::string>(), times((*other)["count"])));
+  }
+  return families.empty() ? "" : fmt::format("also on family {}", fmt::join(families, ", "));
+}
+
+std::vector<FindingGroup> finding_groups(const Json& record) {
+  std::vector<FindingGroup> groups;
+  for (const Json& finding : record["findings"]) {
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const FindingGroup& group) {
+      const auto equal = [&](const char* member) { return (*group.first)[member] == finding[member]; };
+      return equal("kernel") && equal("precision") && equal("kind") && !finding["family"].is_null();
+    });
+    if (same == groups.end()) groups.push_back({&finding, {}});
+    else same->others.push_back(&finding);
+  }
+  return groups;
 }
 
 bool is_about(const Json& finding, const Json& kernel) {

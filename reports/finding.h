@@ -20,6 +20,16 @@ void put_findings(Json& findings, const Kernel& kernel, std::uint64_t seed, cons
 // "plugin:x.so binary32: out_of_bounds on family general, 3 times, first at ADDRESS: DETAIL"; of loading,
 // "plugin:x.so: load: DETAIL".
 std::string finding_text(const Json& finding);
+// The findings of a record, those of one kind, kernel and precision together: the first of them, then on which other
+// families it showed. In the record's order.
+struct FindingGroup {
+  const Json* first;
+  std::vector<const Json*> others;
+
+  // "also on family tangent (4 times), scale (once)"; empty where there are no others.
+  std::string others_text() const;
+};
+std::vector<FindingGroup> finding_groups(const Json& record);
 // Whether it is about a record's kernel entry; one of loading is about every entry of its kernel.
 bool is_about(const Json& finding, const Json& kernel);
 // The kernels of the plan that exist in no precision, because they could not be loaded.

@@ -78,11 +78,13 @@ Json kernel_data(const Json& kernel) {
 
 Json findings_data(const Json& record) {
   Json data = Json::array();
-  for (const Json& finding : record["findings"]) {
+  for (const FindingGroup& group : finding_groups(record)) {
+    const Json& finding = *group.first;
     Json& shown = data.emplace_back();
     for (const char* member : {"kernel", "precision", "family", "kind", "count", "detail", "address"}) {
       shown[member] = finding[member];
     }
+    shown["others"] = group.others_text();
     shown["command"] = finding["address"].is_null() ? "" : replay_command(finding);
   }
   return data;

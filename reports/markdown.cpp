@@ -6,6 +6,7 @@
 
 #include "reports/finding.h"
 #include "reports/format.h"
+#include "reports/markdown_text.h"
 #include "reports/reproduce.h"
 #include "reports/requirement.h"
 #include "reports/summary.h"
@@ -13,29 +14,7 @@
 namespace axiscert {
 namespace {
 
-constexpr std::size_t section_limit = 88 * 1024;  // bytes; eleven sections at most: 1 MiB
 constexpr std::size_t witness_limit = 10;
-
-// A text as it is, wherever it stands: one line, cut short, nothing in it that Markdown or HTML would read.
-std::string plain(const std::string& given, std::size_t limit = 120) {
-  std::size_t end = std::min(limit, given.size());
-  while (end < given.size() && end > 0 && (static_cast<unsigned char>(given[end]) & 0xc0) == 0x80) --end;
-  std::string text;
-  for (const char c : given.substr(0, end)) {
-    if (c == '<') text += "&lt;";
-    else if (c == '&') text += "&amp;";
-    else if (static_cast<unsigned char>(c) < 0x20) text += ' ';
-    else if (std::string_view("\\`*[]|~#").find(c) != std::string_view::npos) text += std::string("\\") + c;
-    else text += c;
-  }
-  return end < given.size() ? text + " ..." : text;
-}
-
-std::string code_block(const std::string& text) {
-  std::string fence = "```";
-  while (text.find(fence) != text.npos) fence += "`";
-  return fmt::format("{}\n{}\n{}\n", fence, text, fence);
-}
 
 std::string count(const Json& value) { return value.is_null() ? "not checked" : thousands(value.get<std::uint64_t>()); }
 std::string depth(const Json& value) { return amount(value.get<double>(), 4); }
@@ -50,35 +29,6 @@ std::string links(const Json& counts) {
   }
   return broken.empty() ? "none" : fmt::format("{}", fmt::join(broken, ", "));
 }
-
-// A section that takes what fits, in the order given, and says how much did not.
-class Section {
- public:
-  explicit Section(const std::string& title) : text_(fmt::format("\n## {}\n\n", title)) {}
-
-  void add(const std::string& piece) {
-    if (left_out_ > 0 || text_.size() + piece.size() > section_limit) ++left_out_;
-    else text_ += piece;
-  }
-  void line(const std::string& piece) { add(piece + "\n"); }
-  // `columns`: the names, the first `texts` of them left-aligned.
-  void head(const std::vector<std::string>& columns, std::size_t texts) {
-    text_ += fmt::format("| {} |\n|", fmt::join(columns, " | "));
-    for (std::size_t i = 0; i < columns.size(); ++i) text_ += i < texts ? " --- |" : " ---: |";
-    text_ += "\n";
-  }
-  void row(const std::vector<std::string>& cells) { line(fmt::format("| {} |", fmt::join(cells, " | "))); }
-  std::string text() const {
-    if (left_out_ == 0) return text_;
-    return text_ +
-           fmt::format("\n{} more left out here to keep this file short; report.html and record.json have them.\n",
-                       thousands(left_out_));
-  }
-
- private:
-  std::string text_;
-  std::uint64_t left_out_ = 0;
-};
 
 class Report {
  public:
@@ -112,9 +62,11 @@ class Report {
     for (const std::string& kernel : not_judged(record_)) {
       section.line(fmt::format("\n**{} was not judged**: it could not be loaded.", plain(kernel)));
     }
-    for (const Json& finding : record_["findings"]) {
-      const std::string replay = finding["address"].is_null() ? "" : "\n" + code_block(replay_command(finding));
-      section.add(fmt::format("\n- {}\n{}", plain(finding_text(finding), 2000), replay));
+    for (const FindingGroup& group : finding_groups(record_)) {
+      const Json& first = *group.first;
+      const std::string others = group.others.empty() ? "" : "; " + plain(group.others_text(), 2000);
+      const std::string replay = first["address"].is_null() ? "" : "\n" + code_block(replay_command(first));
+      section.add(fmt::format("\n- {}{}\n{}", plain(finding_text(first), 2000), others, replay));
     }
     return section.text();
   }

@@ -140,6 +140,7 @@ function finding_card(data, finding) {
   kind.title = data.notes.finding.kind;
   const card = el('article', 'finding', el('p', 'status', kind, ' ', el('span', 'name', finding.kernel),
                   finding.precision === null ? '' : ` ${finding.precision} `, ' ', where), el('p', '', finding.detail));
+  if (finding.others !== '') card.append(el('p', 'label', finding.others));
   if (finding.address !== null) {
     card.append(el('p', 'label', 'First at ', el('code', '', finding.address)), command(finding.command));
   }
@@ -149,6 +150,7 @@ function finding_card(data, finding) {
 function show_findings(data) {
   if (data.findings.length === 0) return;
   document.getElementById('findings').hidden = false;
+  document.getElementById('findings-link').hidden = false;
   document.getElementById('findings-list').append(...data.findings.map((finding) => finding_card(data, finding)));
 }
 
