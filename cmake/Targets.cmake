@@ -53,3 +53,15 @@ function(axiscert_instances variable list template result)
   endforeach()
   set(${result} ${sources} PARENT_SCOPE)
 endfunction()
+
+# axiscert_c_plugin(folder name options...): NAME.c as a plug-in, ${PROJECT_BINARY_DIR}/FOLDER/NAME.so, for tests. Never
+# sanitized: what is wrong with it is for axiscert to find, and the process that loads it need not be sanitized.
+function(axiscert_c_plugin folder name)
+  set(target ${folder}_${name})
+  add_library(${target} MODULE ${name}.c)
+  set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${name} C_VISIBILITY_PRESET hidden
+                                             LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_options(${target} PRIVATE -fno-sanitize=all ${ARGN})
+  target_link_libraries(${target} PRIVATE kernel_fp axiscert_warnings)
+endfunction()
