@@ -88,7 +88,9 @@ void count_verdict(VerdictTally& tally, std::uint64_t position, bool touching, c
   for (std::size_t i = 0; i < link_count; ++i) {
     if (!((flip.links >> i) & 1u)) continue;
     tally.deepest_by_link[i].offer({depth, position});
-    if (!touching) keep_first(tally.first_by_link[i], position);
+    // No convention explains a difference from the reference.
+    const bool is_explained = touching && static_cast<Link>(i) != Link::implementation;
+    if (!is_explained) keep_first(tally.first_by_link[i], position);
   }
 }
 

@@ -77,7 +77,7 @@ struct VerdictTally {
   LinkCounts links{}, masked_links{}, touching_links{};                   // touching_links: those of touching_flips
   Leaders<double> deepest_false_separation{3}, deepest_false_contact{3};  // ranked by depth
   std::array<Leaders<double>, link_count> deepest_by_link;                // the deepest with that link broken
-  // The first wrong verdict with that link broken, on a query that does not touch.
+  // The first wrong verdict with that link broken; but for `implementation`, on a query that does not touch.
   std::array<std::optional<std::uint64_t>, link_count> first_by_link;
   OutsideTally outside_limits;
 };
