@@ -45,6 +45,7 @@ std::string path_of(const std::string& name) { return fmt::format("{}/{}.so", MI
 
 Seen supervise(const std::string& name) {
   const Kernel& kernel = find_kernel("plugin:" + path_of(name));
+  if (!kernel.has(Precision::binary32)) throw Error(kernel.id + ": not built");
   EXPECT_TRUE(kernel.findings.empty()) << kernel.findings.front().detail;
   Seen seen;
   seen.verdicts.resize(queries().size());

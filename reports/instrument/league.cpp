@@ -152,7 +152,7 @@ class Report {
     InstrumentTable table{
         fmt::format(
             "{}: kernels with a planted fault: after how many queries of each family the first verdict is wrong "
-            "by it, touching apart; - where none was",
+                    "by it; - where none was",
             name(precision)),
         families({"kernel", "first caught by"}),
         {}};
