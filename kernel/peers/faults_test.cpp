@@ -75,6 +75,17 @@ TEST(FclGjkFaults, AnEllipsoidOfRadiusZeroNeverHits) {
   expect_wrong<double>("fcl-gjk", {sphere(1.0, 1.0, 0.0, 0.0), 'c'}, 's');
 }
 
+// Found by the family of random bit patterns.
+TEST(FclGjkFaults, ItDoesNotComeBackFromSomeQueries) {
+  const Query<double> scattered = {{-0x1.1c97dp+27, 0x1.730ed8p-62, 0x1.719ea6p-2},
+                                   {0x1.eda724p+80, 0x1.2b5842p+105, -0x1.b9d094p+58},
+                                   {-0x1.c7c416p-35, -0x1.6b809ap+39, 0x1.3ff196p-60},
+                                   {0x1.de23cp-99, 0x1.37bf9ep+16, -0x1.0f6d08p+14},
+                                   0x1.9a59d4p-124};
+  EXPECT_EQ(ask<double>("fcl-gjk", {scattered}).signal, SIGXCPU);
+  EXPECT_EQ(ask<double>("cgal-epick", {scattered}).bytes, "s");
+}
+
 TEST(LibccdFaults, GjkMissesShallowContacts) {
   expect_wrong<double>("libccd-gjk", {sphere(-3.0, -4.0, 0.0, 5 + 0x1p-30), 'c'}, 's');
 }

@@ -2,8 +2,9 @@
 // test of its own: a sphere would get fcl_detector.h, an ellipsoid of three equal radii gets this. Known for FCL 0.7.0
 // over libccd 2.1.
 //
-// Asked for a yes or no, FCL calls libccd's MPR here, whatever the solver's name says; so what libccd_mpr.cpp tells
-// holds. An ellipsoid of radius 0 has 0/0 for a support point and never hits. Tracker: fcl 375, 527, 569.
+// Asked for a yes or no, FCL calls libccd's MPR here, whatever the solver's name says; so it may never
+// answer; its tolerance is smaller than libccd's own. An ellipsoid of radius 0 has 0/0 for a support point and never
+// hits. Tracker: fcl 375, 527, 569.
 #include <fcl/narrowphase/detail/gjk_solver_libccd.h>
 
 #include "kernel/peers/fcl_detector.h"

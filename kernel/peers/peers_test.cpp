@@ -44,7 +44,7 @@ class Peer : public testing::TestWithParam<Expected> {
   }
 };
 
-// PEER_NAMES: those that are built, each followed by a space.
+// PEER_NAMES: those that are built, spaces between.
 std::vector<std::string> built_names() {
   std::istringstream all(PEER_NAMES);
   return {std::istream_iterator<std::string>(all), {}};
