@@ -1,0 +1,49 @@
+// Bullet's general convex test in float: btGjkPairDetector over btVoronoiSimplexSolver, EPA for the depth where it
+// penetrates. Known for Bullet 3.24. Its thresholds are lengths: scenes of 1e-5 and smaller are contacts, whatever the
+// distance.
+#include <BulletCollision/CollisionShapes/btTriangleShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
+#include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
+#include <btBulletCollisionCommon.h>
+
+#include "kernel/peers/peer.h"
+
+namespace axiscert::peer {
+namespace {
+
+static_assert(sizeof(btScalar) == 4);
+
+btVector3 vector(const Vec3<float>& v) { return {v.x, v.y, v.z}; }
+
+struct BulletGjk {
+  using Real = float;
+
+  // All of it anew: the detector begins at the separating axis of its last query, the solver with its last simplex.
+  int operator()(const Query<float>& q) const {
+    btSphereShape sphere(q.r);
+    btTriangleShape triangle(vector(q.a), vector(q.b), vector(q.c));
+    triangle.setMargin(0);  // as thick as it is; the sphere's margin is its radius
+    btVoronoiSimplexSolver simplex;
+    btGjkEpaPenetrationDepthSolver depth;
+    btGjkPairDetector detector(&sphere, &triangle, &simplex, &depth);
+    btGjkPairDetector::ClosestPointInput input;
+    input.m_transformA.setIdentity();
+    input.m_transformA.setOrigin(vector(q.p));
+    input.m_transformB.setIdentity();
+    btPointCollector nearest;
+    detector.getClosestPoints(input, nearest, nullptr);
+    // No result is what Bullet gives beyond the greatest distance asked for, and where it finds no valid direction.
+    if (!nearest.m_hasResult) return AXISCERT_SEPARATED;
+    return verdict_within(nearest.m_distance, 0.0F);
+  }
+};
+
+}  // namespace
+}  // namespace axiscert::peer
+
+// It gives a signed distance, of which 0 says touching: contact.
+const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
+  return axiscert::peer::kernel<axiscert::peer::BulletGjk>(
+      index, {"bullet-gjk", "Bullet's btGjkPairDetector with EPA, float", AXISCERT_TOUCHING_IS_CONTACT});
+}

@@ -1,0 +1,123 @@
+// What each library is known to get wrong, by the shape of the fault: when one of these changes, so does
+// docs/league.md. cgal-epick is right on every query here.
+#include <csignal>
+
+#include "kernel/peers/peers_testing.h"
+
+namespace axiscert::peer {
+namespace {
+
+template <class Real>
+struct Asked {
+  Query<Real> query;
+  char truth;
+};
+
+// `peer` gives `letter` to the query, which is wrong, and CGAL's exact predicate the truth.
+template <class Real>
+void expect_wrong(const char* peer, const Asked<Real>& asked, char letter) {
+  EXPECT_NE(letter, asked.truth);
+  EXPECT_EQ(ask<Real>(peer, {asked.query}).bytes, std::string(1, letter)) << peer;
+  EXPECT_EQ(ask<Real>("cgal-epick", {asked.query}).bytes, std::string(1, asked.truth));
+}
+
+template <class Real>
+Query<Real> sphere(Real x, Real y, Real z, Real r) {
+  return {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {x, y, z}, r};
+}
+template <class Real>
+Query<Real> scaled(const Query<Real>& q, Real factor) {
+  auto v = coordinates(q);
+  for (Real& x : v) x *= factor;
+  return from_coordinates(v);
+}
+
+template <class Real>
+std::vector<Asked<Real>> degenerate_contacts() {
+  return {{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, Real{0.5}, 0}, 1}, 'c'},   // in a line
+          {{{1, 0, 0}, {1, 0, 0}, {5, 0, 0}, {3, Real{0.5}, 0}, 1}, 'c'},   // two vertices the same
+          {{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, Real{0.5}, 0}, 1}, 'c'}};  // a point
+}
+
+TEST(BulletFaults, DegenerateTrianglesAreMissed) {
+  for (const auto& asked : degenerate_contacts<float>()) expect_wrong("bullet", asked, 's');
+  for (const auto& asked : degenerate_contacts<double>()) expect_wrong("bullet-double", asked, 's');
+}
+
+// The normal of a triangle of edge 4s has length 16 s^2, against 1.19e-7 or 2.2e-16.
+TEST(BulletFaults, SmallScenesAreMissed) {
+  expect_wrong<float>("bullet", {scaled(sphere(1.0f, 1.0f, 0.5f, 1.0f), 0x1p-14f), 'c'}, 's');
+  expect_wrong<double>("bullet-double", {scaled(sphere(1.0, 1.0, 0.5, 1.0), 0x1p-29), 'c'}, 's');
+}
+
+TEST(BulletGjkFaults, SmallScenesAreContacts) {
+  expect_wrong<float>("bullet-gjk", {scaled(sphere(1.0f, 1.0f, 3.0f, 1.0f), 0x1p-30f), 's'}, 'c');
+}
+
+TEST(OdeFaults, DegenerateTrianglesAreMissed) {
+  for (const auto& asked : degenerate_contacts<double>()) expect_wrong("ode", asked, 's');
+}
+
+TEST(OdeFaults, ACentreOnTheTriangleHasNoDepth) { expect_wrong<double>("ode", {sphere(1.0, 1.0, 0.0, 0.5), 'c'}, 'i'); }
+
+TEST(FclFaults, ADegenerateTriangleHitsAtAnyDistance) {
+  const Query<double> far = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1e6, 0}, 1};
+  expect_wrong<double>("fcl", {far, 's'}, 'c');
+  expect_wrong<float>("fcl-float", {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1e6f, 0}, 1}, 's'}, 'c');
+}
+
+TEST(FclFaults, ItsEpsilonIsALength) {
+  expect_wrong<double>("fcl", {sphere(1.0, 1.0, 0x1p-60, 0.0), 's'}, 'c');
+  expect_wrong<float>("fcl-float", {scaled(sphere(1.0f, 1.0f, 3.0f, 1.0f), 0x1p-30f), 's'}, 'c');
+}
+
+TEST(FclGjkFaults, AnEllipsoidOfRadiusZeroNeverHits) {
+  expect_wrong<double>("fcl-gjk", {sphere(1.0, 1.0, 0.0, 0.0), 'c'}, 's');
+}
+
+// Found by the family of random bit patterns.
+TEST(FclGjkFaults, ItDoesNotComeBackFromSomeQueries) {
+  const Query<double> scattered = {{-0x1.1c97dp+27, 0x1.730ed8p-62, 0x1.719ea6p-2},
+                                   {0x1.eda724p+80, 0x1.2b5842p+105, -0x1.b9d094p+58},
+                                   {-0x1.c7c416p-35, -0x1.6b809ap+39, 0x1.3ff196p-60},
+                                   {0x1.de23cp-99, 0x1.37bf9ep+16, -0x1.0f6d08p+14},
+                                   0x1.9a59d4p-124};
+  EXPECT_EQ(ask<double>("fcl-gjk", {scattered}).signal, SIGXCPU);
+  EXPECT_EQ(ask<double>("cgal-epick", {scattered}).bytes, "s");
+}
+
+TEST(LibccdFaults, GjkMissesShallowContacts) {
+  expect_wrong<double>("libccd-gjk", {sphere(-3.0, -4.0, 0.0, 5 + 0x1p-30), 'c'}, 's');
+}
+
+TEST(LibccdFaults, GjkHasPhantomContactsInSmallScenes) {
+  expect_wrong<double>("libccd-gjk", {scaled(sphere(1.0, 1.0, 1.5, 1.0), 0x1p-20), 's'}, 'c');
+}
+
+// By 2^-16, against an mpr_tolerance of 1e-4.
+TEST(LibccdFaults, MprMissesShallowContacts) {
+  expect_wrong<double>("libccd-mpr", {sphere(-3.0, -4.0, 0.0, 5 + 0x1p-16), 'c'}, 's');
+}
+
+TEST(LibccdFaults, MprDoesNotComeBackFromSomeQueries) {
+  const Query<double> on_the_triangle = {{-12, -20, 32}, {32, 28, -20}, {12, 4, -8}, {11, 4, -1}, 0};
+  EXPECT_EQ(ask<double>("libccd-mpr", {on_the_triangle}).signal, SIGXCPU);
+  EXPECT_EQ(ask<double>("cgal-epick", {on_the_triangle}).bytes, "c");
+}
+
+// Overflow: of the numerator alone, and a little further on of both.
+TEST(CgalFloatFaults, LargeScenesAreMissedAndLargerOnesNaN) {
+  const Query<float> deep = sphere(1.0f, 1.0f, 0.5f, 1.0f);
+  expect_wrong<float>("cgal-float", {scaled(deep, 1e9f), 'c'}, 's');
+  expect_wrong<float>("cgal-float", {scaled(deep, 0x1p30f), 'c'}, 'i');
+}
+
+// Underflow: r r to 0 and the distance with it, then 0/0.
+TEST(CgalFloatFaults, SmallScenesAreContactsAndSmallerOnesNaN) {
+  const Query<float> apart = sphere(1.0f, 1.0f, 3.0f, 1.0f);
+  expect_wrong<float>("cgal-float", {scaled(apart, 0x1p-30f), 's'}, 'c');
+  expect_wrong<float>("cgal-float", {scaled(apart, 0x1p-40f), 's'}, 'i');
+}
+
+}  // namespace
+}  // namespace axiscert::peer

@@ -1,0 +1,7 @@
+// FCL in double, as it is used by default. What it does and gets wrong: fcl_detector.h.
+#include "kernel/peers/fcl_detector.h"
+
+const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
+  using Detector = axiscert::peer::FclDetector<double>;
+  return axiscert::peer::kernel<Detector>(index, {"fcl", "FCL's sphereTriangleIntersect<double>", Detector::touching});
+}

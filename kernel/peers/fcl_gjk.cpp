@@ -1,0 +1,33 @@
+// FCL's general convex test in double, GJKSolver_libccd::shapeTriangleIntersect, as it stands for a shape without a
+// test of its own: a sphere would get fcl_detector.h, an ellipsoid of three equal radii gets this. Known for FCL 0.7.0
+// over libccd 2.1.
+//
+// Asked for a yes or no, FCL calls libccd's MPR here, whatever the solver's name says; so it may never
+// answer; its tolerance is smaller than libccd's own. An ellipsoid of radius 0 has 0/0 for a support point and never
+// hits. Tracker: fcl 375, 527, 569.
+#include <fcl/narrowphase/detail/gjk_solver_libccd.h>
+
+#include "kernel/peers/fcl_detector.h"
+
+namespace axiscert::peer {
+namespace {
+
+struct FclGjk {
+  using Real = double;
+
+  int operator()(const Query<double>& q) const {
+    const fcl::detail::GJKSolver_libccd<double> solver;
+    return verdict_of(solver.shapeTriangleIntersect(fcl::Ellipsoid<double>(q.r, q.r, q.r), fcl_translation(q.p),
+                                                    fcl_vector(q.a), fcl_vector(q.b), fcl_vector(q.c), nullptr, nullptr,
+                                                    nullptr));
+  }
+};
+
+}  // namespace
+}  // namespace axiscert::peer
+
+// As for libccd's MPR.
+const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
+  return axiscert::peer::kernel<axiscert::peer::FclGjk>(
+      index, {"fcl-gjk", "FCL's GJKSolver_libccd on an ellipsoid of equal radii, double", AXISCERT_TOUCHING_IS_EITHER});
+}

@@ -1,0 +1,25 @@
+// libccd's MPR in double: ccdMPRIntersect. It gives up where a step gains less than mpr_tolerance, 1e-4 as a length:
+// most shallower contacts are missed. Its loops ignore max_iterations, and on some queries (centre on the triangle,
+// radius 0) they never end: that is left to the time limit of whoever runs this.
+#include "kernel/peers/libccd_shapes.h"
+
+namespace axiscert::peer {
+namespace {
+
+struct LibccdMpr {
+  using Real = double;
+
+  int operator()(const Query<double>& q) const {
+    const ccd_t ccd = sphere_and_triangle();
+    return verdict_of(ccdMPRIntersect(&q, &q, &ccd) != 0);
+  }
+};
+
+}  // namespace
+}  // namespace axiscert::peer
+
+// While it looks for a portal the origin on its surface is outside, once it has one it is inside.
+const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
+  return axiscert::peer::kernel<axiscert::peer::LibccdMpr>(
+      index, {"libccd-mpr", "libccd's ccdMPRIntersect, double", AXISCERT_TOUCHING_IS_EITHER});
+}

@@ -1,0 +1,78 @@
+// What the plug-ins around production libraries share: a batch for a function of one query, and what no library is
+// asked.
+//
+// One policy on NaN for all: a query that is none (a coordinate that is not finite, a negative radius) is `invalid`,
+// said before the library is called, since several loop or abort on NaN; and so is a distance or depth that comes back
+// as NaN. What a library makes of a NaN inside, while it hands out a plain yes or no, is its answer.
+//
+// A peer is a type with a number type, `Real`, and `int operator()(const Query<Real>&)`, which gives an
+// axiscert_verdict. It lives for one batch, and keeps nothing from query to query.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+
+#include "kernel/plugin.h"
+#include "kernel/query.h"
+
+namespace axiscert::peer {
+
+struct Description {
+  const char* name;  // the file's, without .so
+  const char* summary;
+  axiscert_touching touching;
+};
+
+constexpr int verdict_of(bool contact) { return contact ? AXISCERT_CONTACT : AXISCERT_SEPARATED; }
+
+// Of a library that gives a distance: contact where it is at most `reach`.
+template <std::floating_point Real>
+int verdict_within(Real distance, Real reach) {
+  return std::isnan(distance) ? AXISCERT_INVALID : verdict_of(distance <= reach);
+}
+
+// Answers to queries in `Input`, which are exact in the peer's own number type.
+template <class Peer, std::floating_point Input>
+void run(const axiscert_batch* batch, const axiscert_answers* answers) {
+  Peer peer;
+  for (std::size_t i = 0; i < batch->size; ++i) {
+    std::array<Input, coordinate_count> v;
+    for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = static_cast<const Input*>(batch->coordinate[k])[i];
+    const Query<Input> q = from_coordinates(v);
+    int verdict = AXISCERT_INVALID;
+    if (is_valid(q)) {
+      if constexpr (std::same_as<typename Peer::Real, Input>) verdict = peer(q);
+      else verdict = peer(widened(q));
+    }
+    answers->verdict[i] = static_cast<std::uint8_t>(verdict);
+  }
+}
+
+template <class Peer, std::floating_point Input>
+constexpr axiscert_kernel kernel_in(const Description& says) {
+  return {.abi = AXISCERT_PLUGIN_ABI,
+          .precision = 8 * sizeof(Input),
+          .name = says.name,
+          .run = run<Peer, Input>,
+          .summary = says.summary,
+          .exposes = AXISCERT_VERDICT_ONLY,
+          .touching = says.touching,
+          .conforms_to = nullptr,
+          .formulae = nullptr,
+          .limits = {},
+          .reserved = {}};
+}
+
+// For axiscert_plugin: binary32, and of a library that computes in double also binary64.
+template <class Peer>
+const axiscert_kernel* kernel(std::uint32_t index, const Description& says) {
+  static const axiscert_kernel binary32 = kernel_in<Peer, float>(says);
+  if (index == 0) return &binary32;
+  if constexpr (std::same_as<typename Peer::Real, double>) {
+    static const axiscert_kernel binary64 = kernel_in<Peer, double>(says);
+    if (index == 1) return &binary64;
+  }
+  return nullptr;
+}
+
+}  // namespace axiscert::peer

@@ -1,0 +1,83 @@
+// What the tests of peers share: asking one in a process of its own. Two libraries of one name in two number types
+// export the same symbols, some of them unique in a process; and one of them does not come back from every query.
+#pragma once
+
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "kernel/plugin.h"
+#include "kernel/query.h"
+
+namespace axiscert::peer {
+
+// What `body` wrote and how its process ended: 0, or the signal that ended it.
+struct Reply {
+  std::string bytes;
+  int signal = 0;
+};
+
+// Runs body(plugin, write) with the plug-in's axiscert_plugin loaded. A body that takes 2 s of processor time is ended
+// by SIGXCPU. PEERS_FOLDER is the test program's.
+using AxiscertPlugin = const axiscert_kernel*(std::uint32_t);
+inline Reply in_peer(const std::string& name, const std::function<std::string(AxiscertPlugin*)>& body) {
+  const std::string path = std::string(PEERS_FOLDER) + "/" + name + ".so";
+  int ends[2];
+  if (pipe(ends) != 0) return {"pipe failed", -1};
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit seconds{2, 3}, none{0, 0};
+    setrlimit(RLIMIT_CPU, &seconds);
+    setrlimit(RLIMIT_CORE, &none);
+    void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) {
+      fprintf(stderr, "%s\n", dlerror());
+      _exit(1);
+    }
+    const std::string bytes = body(reinterpret_cast<AxiscertPlugin*>(dlsym(library, "axiscert_plugin")));
+    const bool is_written = write(ends[1], bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
+    _exit(is_written ? 0 : 1);
+  }
+  close(ends[1]);
+  Reply reply;
+  char buffer[4096];
+  for (ssize_t n; (n = read(ends[0], buffer, sizeof buffer)) > 0;)
+    reply.bytes.append(buffer, static_cast<std::size_t>(n));
+  close(ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (WIFSIGNALED(status)) reply.signal = WTERMSIG(status);
+  else EXPECT_EQ(WEXITSTATUS(status), 0) << name << " (" << path << ")";
+  return reply;
+}
+
+// Its verdicts on a batch: a letter each, 'c'ontact, 's'eparated, 'u'ndecided, 'i'nvalid; '-' alone where it has no
+// kernel of that precision.
+template <class Real>
+Reply ask(const std::string& name, const std::vector<Query<Real>>& queries) {
+  return in_peer(name, [&](AxiscertPlugin* plugin) -> std::string {
+    const axiscert_kernel* kernel = nullptr;
+    for (std::uint32_t i = 0; (kernel = plugin(i)) != nullptr && kernel->precision != 8 * sizeof(Real);) ++i;
+    if (kernel == nullptr) return "-";
+    QueryBatch<Real> batch(queries.size());
+    for (const Query<Real>& q : queries) batch.push_back(q);
+    const QueryColumns<Real> columns = batch.columns();
+    axiscert_batch asked{columns.size, {}};
+    for (std::size_t k = 0; k < coordinate_count; ++k) asked.coordinate[k] = columns.column[k];
+    std::vector<std::uint8_t> verdicts(queries.size(), 255);
+    axiscert_answers answers{};
+    answers.verdict = verdicts.data();
+    kernel->run(&asked, &answers);
+    std::string letters;
+    for (const std::uint8_t verdict : verdicts) letters += verdict < 4 ? "csui"[verdict] : '?';
+    return letters;
+  });
+}
+
+}  // namespace axiscert::peer
