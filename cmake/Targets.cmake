@@ -54,7 +54,7 @@ function(axiscert_instances variable list template result)
   set(${result} ${sources} PARENT_SCOPE)
 endfunction()
 
-# axiscert_c_plugin(folder name options...): NAME.c as a plug-in, ${PROJECT_BINARY_DIR}/FOLDER/NAME.so. Never
+# axiscert_c_plugin(folder name options...): NAME.c as a plug-in with a fault, ${PROJECT_BINARY_DIR}/FOLDER/NAME.so. Never
 # sanitized: what is wrong with it is for axiscert to find, and the process that loads it need not be sanitized.
 function(axiscert_c_plugin folder name)
   set(target ${folder}_${name})

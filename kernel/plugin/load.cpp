@@ -75,6 +75,10 @@ void claim(const Description& d, Kernel& kernel) {
     kernel.formulae = own.formulae;
     kernel.strictness = own.strictness;
   }
+  if (kernel.is_reference && kernel.touching != Touching::contact) {
+    refuse(fmt::format("it conforms_to '{}', for which touching is contact, and says that for it touching is '{}'",
+                       d.conforms_to, name(kernel.touching)));
+  }
   if (kernel.exposes != Exposure::verdict && !has_comparisons(kernel.formulae)) {
     refuse(fmt::format("it exposes comparisons, but formulae '{}' have none", name(kernel.formulae)));
   }

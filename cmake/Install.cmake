@@ -1,0 +1,42 @@
+# What `cmake --install build/release --prefix P` puts where. The command finds its host and its plug-ins relative to
+# itself, and the package file finds the rest relative to it: P can be moved.
+include(CMakePackageConfigHelpers)
+set(package_folder lib/cmake/axiscert)
+
+install(TARGETS axiscert EXPORT axiscertTargets RUNTIME DESTINATION bin)
+if(TARGET axiscert_plugin_host)
+  install(TARGETS axiscert_plugin_host RUNTIME DESTINATION libexec/axiscert)
+endif()
+
+# Plug-ins that come along: `peer/NAME` and `fault/NAME`.
+foreach(folder peers faults)
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/kernel/${folder}/CMakeLists.txt)
+    continue()
+  endif()
+  get_property(targets DIRECTORY ${PROJECT_SOURCE_DIR}/kernel/${folder} PROPERTY BUILDSYSTEM_TARGETS)
+  foreach(target ${targets})
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL MODULE_LIBRARY)
+      install(TARGETS ${target} LIBRARY DESTINATION lib/axiscert/${folder})
+    endif()
+  endforeach()
+  # Which ones this build lacks, and for want of what.
+  install(FILES ${PROJECT_BINARY_DIR}/${folder}/absent.txt DESTINATION lib/axiscert/${folder} OPTIONAL)
+endforeach()
+
+# For plug-ins: one header, and find_package(axiscert).
+add_library(axiscert_plugin INTERFACE)
+target_include_directories(axiscert_plugin INTERFACE $<INSTALL_INTERFACE:include>)
+set_target_properties(axiscert_plugin PROPERTIES EXPORT_NAME plugin)
+install(TARGETS axiscert_plugin EXPORT axiscertTargets)
+install(FILES kernel/plugin.h DESTINATION include/axiscert)
+
+install(EXPORT axiscertTargets NAMESPACE axiscert:: DESTINATION ${package_folder})
+configure_package_config_file(cmake/axiscertConfig.cmake.in ${PROJECT_BINARY_DIR}/axiscertConfig.cmake
+                              INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/axiscertConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/axiscertConfig.cmake ${PROJECT_BINARY_DIR}/axiscertConfigVersion.cmake
+              cmake/axiscertAddPlugin.cmake
+        DESTINATION ${package_folder})
+
+install(FILES README.md LICENSE NOTICE CHANGELOG.md DESTINATION share/doc/axiscert)
