@@ -25,7 +25,14 @@ Answer answer_of(const Query<Real>& q, const Implementation<Real>& kernel) {
 
 template <class Real>
 Examination examine(const Query<Real>& q, const Kernel& kernel, std::string_view target) {
-  Examination out{exact_truth(q, true), {}, answer_of(q, kernel.on<Real>(target)), {}, {}};
+  return examine(q, kernel, answer_of(q, kernel.on<Real>(target)));
+}
+template Examination examine<float>(const Query<float>&, const Kernel&, std::string_view);
+template Examination examine<double>(const Query<double>&, const Kernel&, std::string_view);
+
+template <class Real>
+Examination examine(const Query<Real>& q, const Kernel& kernel, const Answer& answer) {
+  Examination out{exact_truth(q, true), {}, answer, {}, {}};
   std::optional<Reference> chain;
   if (out.truth.formula) {
     chain = Claims<Real>(q, *out.truth.formula).chain(kernel);
@@ -35,7 +42,7 @@ Examination examine(const Query<Real>& q, const Kernel& kernel, std::string_view
   if (out.judgement.verdict_flip) out.depth = depth(q, *out.squared_distance);
   return out;
 }
-template Examination examine<float>(const Query<float>&, const Kernel&, std::string_view);
-template Examination examine<double>(const Query<double>&, const Kernel&, std::string_view);
+template Examination examine<float>(const Query<float>&, const Kernel&, const Answer&);
+template Examination examine<double>(const Query<double>&, const Kernel&, const Answer&);
 
 }  // namespace axiscert

@@ -18,5 +18,8 @@ struct Examination {
 // Cross-checked by all oracles. Throws OracleDisagreement.
 template <class Real>
 Examination examine(const Query<Real>& q, const Kernel& kernel, std::string_view target);
+// With the answer that the kernel gave earlier.
+template <class Real>
+Examination examine(const Query<Real>& q, const Kernel& kernel, const Answer& answer);
 
 }  // namespace axiscert

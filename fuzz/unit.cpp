@@ -73,8 +73,8 @@ class LazyDistance {
 };
 
 template <class Real>
-void judge_query(const Plan& plan, const std::vector<Runner<Real>>& runners, std::size_t i, std::uint64_t position,
-                 const Query<Real>& q, UnitResult& out) {
+void judge_query(const Plan& plan, const Source& source, const std::vector<Runner<Real>>& runners, std::size_t i,
+                 std::uint64_t position, const Query<Real>& q, UnitResult& out) {
   const bool second_opinion = position % second_opinion_stride == 0;
   const Truth truth = exact_truth(q, second_opinion);
   out.second_opinions += second_opinion && truth.formula;
@@ -82,7 +82,7 @@ void judge_query(const Plan& plan, const std::vector<Runner<Real>>& runners, std
   std::optional<Claims<Real>> claims;
   if (truth.formula) claims.emplace(q, *truth.formula);
   for (const Runner<Real>& runner : runners) {
-    const Answer answer = runner.answer(i);
+    const Answer answer = plan.replies ? plan.replies->at(source, precision_of<Real>, position) : runner.answer(i);
     std::optional<Reference> chain;
     const FormulaTruth* sides = nullptr;
     if (claims) {
@@ -97,7 +97,7 @@ void judge_query(const Plan& plan, const std::vector<Runner<Real>>& runners, std
     if (sides && runner.kernel.exposes == Exposure::sides) {
       count_errors(out.tallies[runner.place], position, *sides, runner.sides(i), plan.tolerances);
     }
-    if (position % critical_radius_stride == 0) {
+    if (position % critical_radius_stride == 0 && !plan.replies) {
       const auto error = critical_radius_error(runner.implementation, q, distance.squared());
       CriticalRadiusTally& tally = out.tallies[runner.place].critical_radius;
       if (error && std::isfinite(*error)) tally.errors_ulps.push_back(*error);
@@ -120,8 +120,11 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
       source.make(plan.seed, first + done + batch.size(), q);
       batch.push_back(q);
     }
-    for (Runner<Real>& runner : runners) runner.run(batch.columns());
-    for (std::size_t i = 0; i < batch.size(); ++i) judge_query(plan, runners, i, first + done + i, batch[i], out);
+    for (Runner<Real>& runner : runners) {
+      if (!plan.replies) runner.run(batch.columns());
+    }
+    for (std::size_t i = 0; i < batch.size(); ++i)
+      judge_query(plan, source, runners, i, first + done + i, batch[i], out);
   }
 }
 
