@@ -207,6 +207,10 @@ std::string header_of(const PipePlan& plan) {
   text += '\n';
   const std::size_t whole = sizeof(pipe::Head) + text.size();
   text.append((pipe::header_multiple - whole % pipe::header_multiple) % pipe::header_multiple, ' ');
+  if (sizeof(pipe::Head) + text.size() > pipe::greatest_header) {
+    throw Error(fmt::format("the plan takes more than the {} bytes of a header: name fewer files in one stream",
+                            pipe::greatest_header));
+  }
   const pipe::Head head{pipe::magic,
                         pipe::version,
                         pipe::code_of(plan.precision),

@@ -203,6 +203,12 @@ TEST(BadReplies, AnEnormousCountEndsWithTheStream) {
   EXPECT_THROW(header_of(plan), Error);
 }
 
+TEST(QueryStream, AHeaderHasALimit) {
+  PipePlan plan = plan_of();
+  while (plan.parts.size() < 20000) plan.parts.push_back(plan.parts.front());
+  EXPECT_THROW(header_of(plan), Error);
+}
+
 class InFolder : public testing::Test {
  protected:
   void SetUp() override {

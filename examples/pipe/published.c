@@ -14,14 +14,14 @@
 #define REAL float
 #endif
 typedef REAL real;
-typedef struct { real x, y, z; } vec;
+typedef struct {
+  real x, y, z;
+} vec;
 
 static vec sub(vec u, vec v) { return (vec){u.x - v.x, u.y - v.y, u.z - v.z}; }
 static vec scale(vec u, real s) { return (vec){u.x * s, u.y * s, u.z * s}; }
 static real dot(vec u, vec v) { return (u.x * v.x + u.y * v.y) + u.z * v.z; }
-static vec cross(vec u, vec v) {
-  return (vec){u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-}
+static vec cross(vec u, vec v) { return (vec){u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x}; }
 
 /* Edge uv lies beyond the sphere (bit 0), and so does the third vertex w (bit 1). */
 static unsigned beyond_edge(vec u, vec v, vec w, real uu, real uv, real rr) {
