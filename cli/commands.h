@@ -30,6 +30,8 @@ void add_precision(CLI::App& app, Action& action);
 void add_condition(CLI::App& app, Action& action);
 void add_critical_radius(CLI::App& app, Action& action);
 void add_league(CLI::App& app, Action& action);
+void add_generate(CLI::App& app, Action& action);
+void add_judge(CLI::App& app, Action& action);
 
 // The `--format` option of the commands that also write for programs.
 CLI::Option* add_format(CLI::App& command, std::string& format, const std::string& machine_format);

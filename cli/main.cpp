@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
       "3 the oracles disagree, or the harness caught itself wrong; 130 interrupted.");
   Action action;
   for (const auto add : {add_run, add_check, add_query, add_kernels, add_families, add_report, add_ladder,
-                         add_precision, add_condition, add_critical_radius, add_league})
+                         add_precision, add_condition, add_critical_radius, add_league, add_generate, add_judge})
     add(app, action);
   try {
     app.parse(argc, argv);

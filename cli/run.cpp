@@ -1,69 +1,15 @@
-#include <fmt/format.h>
-
-#include <unistd.h>
-
-#include <atomic>
-#include <chrono>
-#include <csignal>
-
 #include "cli/commands.h"
-#include "cli/run_options.h"
-#include "cli/run_output.h"
-#include "fuzz/campaign.h"
-#include "kernel/error.h"
-#include "kernel/self_check.h"
-#include "reports/render.h"
-#include "reports/requirement.h"
+#include "cli/judged_run.h"
 
 namespace axiscert {
-namespace {
-
-std::atomic<bool> interrupted = false;
-
-// The first Ctrl-C lets the units under way finish and reports what there is; the second one leaves at once.
-void on_interrupt(int) {
-  if (interrupted.exchange(true)) _exit(exit_interrupted);
-}
-
-int run(const RunOptions& options) {
-  const Plan plan = plan_of(options);
-  const RunFolder folder(options.out);
-  require_uncontracted(scalar_target);
-  require_uncontracted(plan.target);
-
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-  const auto started = std::chrono::system_clock::now();
-  CampaignResult result;
-  try {
-    ProgressLine progress;
-    result = run_campaign(plan, interrupted, [&](const Progress& p) { progress.show(p); });
-  } catch (const OracleDisagreement& disagreement) {
-    throw HarnessFault(fmt::format("{}; the query is saved in {}", disagreement.what(), folder.save(disagreement)));
-  }
-  const double seconds = std::chrono::duration<double>(std::chrono::system_clock::now() - started).count();
-  const Json record = record_of(plan, result, options.require);
-  folder.write("record.json", record);
-  folder.write("run.json", run_info(plan, result, options.target, iso_time(started), seconds));
-  render_reports(options.out);
-
-  fmt::print("{}{}/report.html\n", summary_text(record, seconds), options.out);
-  if (!result.complete) return exit_interrupted;
-  if (options.require.empty()) return exit_done;
-  const auto failures = unmet(record, options.require);
-  for (const auto& failure : failures)
-    fmt::print(stderr, "axiscert: --require {}: {}\n", options.require, failure.text());
-  return failures.empty() ? exit_done : exit_requirement_failed;
-}
-
-}  // namespace
 
 void add_run(CLI::App& app, Action& action) {
   auto* command =
       app.add_subcommand("run", "Run kernels over families, meshes and query files, judge them and write a report");
   auto options = std::make_shared<RunOptions>();
   add_run_options(*command, *options);
-  command->callback([&action, options] { action = [options] { return run(*options); }; });
+  command->callback(
+      [&action, options] { action = [options] { return judged_run(plan_of(*options), *options, options->target); }; });
 }
 
 }  // namespace axiscert

@@ -49,30 +49,6 @@ void add_tolerance(const std::string& given, Plan& plan) {
       fmt::format("--tolerance {}: unknown comparison '{}'; comparisons: {}", given, which, fmt::join(names, ", ")));
 }
 
-void add_sources(const RunOptions& options, Plan& plan) {
-  const auto add = [&](SourcePtr source) {
-    for (const SourcePtr& other : plan.sources) {
-      if (other->address_name() == source->address_name()) return;  // given twice
-      if (other->name() == source->name()) {
-        throw Error(fmt::format("two different files are both '{}' in the report: rename one", source->name()));
-      }
-    }
-    plan.sources.push_back(std::move(source));
-  };
-  const bool nothing_given = options.families.empty() && options.meshes.empty() && options.queries.empty();
-  const bool all =
-      nothing_given || std::find(options.families.begin(), options.families.end(), "all") != options.families.end();
-  if (all) {
-    for (const Family* family : families()) add(family_source(*family));
-  }
-  for (const std::string& name : options.families) {
-    if (name != "all") add(family_source(find_family(name)));
-  }
-  const Precision csv_precision = options.precision.empty() ? Precision::binary32 : parse_precision(options.precision);
-  for (const std::string& path : options.meshes) add(mesh_source(path));
-  for (const std::string& path : options.queries) add(query_file_source(path, csv_precision));
-}
-
 // What the record says of a plug-in that was given by its path. One that cannot be read has no hash: that it could not
 // be loaded is a finding.
 void add_plugin(const Kernel& kernel, Plan& plan) {
@@ -107,19 +83,6 @@ void drop_idle_precisions(Plan& plan, const std::string& asked) {
   });
 }
 
-// A query file may hold queries in the precision that --precision leaves out.
-void say_what_is_left_out(const Plan& plan) {
-  for (const SourcePtr& source : plan.sources) {
-    for (const Precision precision : {Precision::binary32, Precision::binary64}) {
-      const bool runs = std::find(plan.precisions.begin(), plan.precisions.end(), precision) != plan.precisions.end();
-      const std::uint64_t left_out = runs ? 0 : source->fixed_size(precision).value_or(0);
-      if (left_out == 0) continue;
-      fmt::print(stderr, "axiscert: {}: --precision leaves out {} queries in {}\n", source->name(), left_out,
-                 name(precision));
-    }
-  }
-}
-
 // Digits only: CLI11 would take "-1" for the greatest number there is.
 std::string whole_number(const std::string& text) {
   const bool digits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
@@ -133,31 +96,88 @@ std::string above_zero(const std::string& text) {
 
 }  // namespace
 
-void add_run_options(CLI::App& command, RunOptions& o) {
-  command.add_option("--kernel", o.kernels, "kernel id, repeatable (default: published)")->allow_extra_args(false);
+CLI::Option* add_source_options(CLI::App& command, SourceOptions& o) {
   command.add_option("--family", o.families, "family, repeatable, or all (default: all unless files are given)")
       ->allow_extra_args(false);
   command.add_option("--mesh", o.meshes, "mesh file of any format assimp reads, repeatable")->allow_extra_args(false);
   command.add_option("--queries", o.queries, "query file, JSON Lines or CSV, - for standard input, repeatable")
       ->allow_extra_args(false);
-  auto* trials = command
-                     .add_option("--trials", o.trials,
-                                 "queries per family and precision (default: 2^18 in binary32, "
-                                 "2^16 in binary64 with 2^14 for bits)")
-                     ->check(whole_number)
-                     ->check(above_zero);
+  command.add_option("--seed", o.seed, "seed of every family")->check(whole_number)->capture_default_str();
+  return command
+      .add_option("--trials", o.trials,
+                  "queries per family and precision (default: 2^18 in binary32, "
+                  "2^16 in binary64 with 2^14 for bits)")
+      ->check(whole_number)
+      ->check(above_zero);
+}
+
+void add_thread_option(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "worker threads (default: all cores)")->check(CLI::Range(1, 4096));
+}
+
+void add_output_options(CLI::App& command, OutputOptions& o) {
+  add_thread_option(command, o.threads);
+  command.add_option("--require", o.require, "logic, range, exact or conservative[=D]: exit 1 where it is not met");
+  command.add_option("--out", o.out, "folder for record, reports and witnesses")->capture_default_str();
+}
+
+void add_run_options(CLI::App& command, RunOptions& o) {
+  command.add_option("--kernel", o.kernels, "kernel id, repeatable (default: published)")->allow_extra_args(false);
+  CLI::Option* trials = add_source_options(command, o);
   command.add_option("--time", o.seconds, "seconds to run instead; units that were begun are finished")
       ->check(above_zero)
       ->excludes(trials);
-  command.add_option("--seed", o.seed, "seed of every family")->check(whole_number)->capture_default_str();
   command.add_option("--precision", o.precision, "binary32 or binary64 (default: both); that of CSV files");
   command.add_option("--target", o.target, "instruction set, see `axiscert kernels`")->capture_default_str();
-  command.add_option("--threads", o.threads, "worker threads (default: all cores)")->check(CLI::Range(1, 4096));
   command.add_option("--tolerance", o.tolerances, "[COMPARISON=]T: count errors above T u, repeatable")
       ->allow_extra_args(false);
   add_plugin_seconds(command);
-  command.add_option("--require", o.require, "logic, range, exact or conservative[=D]: exit 1 where it is not met");
-  command.add_option("--out", o.out, "folder for record, reports and witnesses")->capture_default_str();
+  add_output_options(command, o);
+}
+
+std::vector<SourcePtr> sources_of(const SourceOptions& options, Precision csv_precision) {
+  std::vector<SourcePtr> sources;
+  const auto add = [&](SourcePtr source) {
+    for (const SourcePtr& other : sources) {
+      if (other->address_name() == source->address_name()) return;  // given twice
+      if (other->name() == source->name()) {
+        throw Error(fmt::format("two different files are both '{}' in the report: rename one", source->name()));
+      }
+    }
+    sources.push_back(std::move(source));
+  };
+  const bool nothing_given = options.families.empty() && options.meshes.empty() && options.queries.empty();
+  const bool all =
+      nothing_given || std::find(options.families.begin(), options.families.end(), "all") != options.families.end();
+  if (all) {
+    for (const Family* family : families()) add(family_source(*family));
+  }
+  for (const std::string& name : options.families) {
+    if (name != "all") add(family_source(find_family(name)));
+  }
+  for (const std::string& path : options.meshes) add(mesh_source(path));
+  for (const std::string& path : options.queries) add(query_file_source(path, csv_precision));
+  return sources;
+}
+
+void say_what_is_left_out(const std::vector<SourcePtr>& sources, const std::vector<Precision>& precisions) {
+  for (const SourcePtr& source : sources) {
+    for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+      const bool runs = std::find(precisions.begin(), precisions.end(), precision) != precisions.end();
+      const std::uint64_t left_out = runs ? 0 : source->fixed_size(precision).value_or(0);
+      if (left_out == 0) continue;
+      fmt::print(stderr, "axiscert: {}: --precision leaves out {} queries in {}\n", source->name(), left_out,
+                 name(precision));
+    }
+  }
+}
+
+std::uint64_t trials_of(const SourceOptions& options, const Source& source, Precision precision) {
+  return options.trials ? *options.trials : default_trials(source, precision);
+}
+
+int threads_of(int given) {
+  return given != 0 ? given : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 Plan plan_of(const RunOptions& options) {
@@ -177,13 +197,11 @@ Plan plan_of(const RunOptions& options) {
   drop_idle_precisions(plan, options.precision);
   for (const std::string& tolerance : options.tolerances) add_tolerance(tolerance, plan);
   plan.seconds = options.seconds;
-  plan.trials = [trials = options.trials](const Source& source, Precision precision) {
-    return trials ? *trials : default_trials(source, precision);
-  };
-  plan.threads =
-      options.threads != 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  add_sources(options, plan);
-  say_what_is_left_out(plan);
+  plan.trials = [options](const Source& source, Precision precision) { return trials_of(options, source, precision); };
+  plan.threads = threads_of(options.threads);
+  plan.sources =
+      sources_of(options, options.precision.empty() ? Precision::binary32 : parse_precision(options.precision));
+  say_what_is_left_out(plan.sources, plan.precisions);
   return plan;
 }
 

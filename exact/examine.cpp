@@ -12,19 +12,28 @@ Examination Examiner::examine(const Query<Real>& q) {
   auto& implementation = std::get<std::optional<Implementation<Real>>>(begun_);
   if (!implementation) implementation = kernel_.on<Real>(target_);
   Reply<Real> reply = ask(*implementation, q);
-  Examination out{exact_truth(q, true), {}, reply.outcome(0), {}, {}, true, std::move(reply.findings)};
+  Examination out = axiscert::examine(q, kernel_, reply.outcome(0));
+  out.findings = std::move(reply.findings);
   if (out.answer.verdict == Verdict::unanswered) implementation.reset();
-  std::optional<Reference> chain;
-  if (out.truth.formula) {
-    chain = Claims<Real>(q, *out.truth.formula).chain(kernel_);
-    out.squared_distance = squared_distance(q);
-    out.within_limits = is_within(kernel_.limits, q);
-  }
-  out.judgement = judge(out.truth, chain, out.answer, kernel_.touching);
-  if (out.judgement.verdict_flip) out.depth = depth(q, *out.squared_distance);
   return out;
 }
 template Examination Examiner::examine(const Query<float>&);
 template Examination Examiner::examine(const Query<double>&);
+
+template <class Real>
+Examination examine(const Query<Real>& q, const Kernel& kernel, const Answer& answer) {
+  Examination out{exact_truth(q, true), {}, answer, {}, {}, true, {}};
+  std::optional<Reference> chain;
+  if (out.truth.formula) {
+    chain = Claims<Real>(q, *out.truth.formula).chain(kernel);
+    out.squared_distance = squared_distance(q);
+    out.within_limits = is_within(kernel.limits, q);
+  }
+  out.judgement = judge(out.truth, chain, out.answer, kernel.touching);
+  if (out.judgement.verdict_flip) out.depth = depth(q, *out.squared_distance);
+  return out;
+}
+template Examination examine<float>(const Query<float>&, const Kernel&, const Answer&);
+template Examination examine<double>(const Query<double>&, const Kernel&, const Answer&);
 
 }  // namespace axiscert

@@ -37,4 +37,8 @@ class Examiner {
   std::tuple<std::optional<Implementation<float>>, std::optional<Implementation<double>>> begun_;
 };
 
+// With the answer that a kernel gave earlier.
+template <class Real>
+Examination examine(const Query<Real>& q, const Kernel& kernel, const Answer& answer);
+
 }  // namespace axiscert

@@ -24,7 +24,7 @@ class UnitQueue {
   UnitQueue(const Plan& plan, const std::vector<CellResult>& cells) : timed_(plan.seconds.has_value()) {
     for (const CellResult& cell : cells) {
       const Source& source = *plan.sources[cell.source];
-      const auto fixed = source.fixed_size(cell.precision);
+      const auto fixed = plan.replies ? plan.replies->size(source, cell.precision) : source.fixed_size(cell.precision);
       left_.push_back(fixed ? *fixed : timed_ ? UINT64_MAX : plan.trials(source, cell.precision));
       if (left_.back() != UINT64_MAX) total_ += (left_.back() + unit_size - 1) / unit_size;
     }

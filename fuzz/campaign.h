@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/replies.h"
 #include "fuzz/source.h"
 #include "fuzz/tally.h"
 #include "kernel/kernel.h"
@@ -27,6 +28,9 @@ struct Plan {
   std::map<std::string, std::string> tolerance_texts;  // by comparison, as given
   std::string target;                                  // resolved
   int threads = 1;
+  // The answers of the one kernel, in place of running it; its queries are those that have one.
+  std::shared_ptr<const StoredReplies> replies;
+  ReplyClaim claim;  // of the replies
 };
 
 // One source in one precision.

@@ -45,6 +45,7 @@ double box_diagonal(const std::vector<MeshTriangle>& triangles) {
 class MeshSource final : public Source {
  public:
   MeshSource(const std::string& path, const std::string& bytes) : mesh_(load_mesh(path, bytes.size())) {
+    file_.path = path;
     file_.name = base_name(path);
     file_.kind = "mesh";
     file_.sha256 = sha256_hex(std::as_bytes(std::span(bytes)));

@@ -28,8 +28,9 @@ std::uint64_t distinct_triangles(const std::vector<Query<Real>>& queries) {
 
 class QueryFileSource final : public Source {
  public:
-  QueryFileSource(const std::string& name, const std::string& path, const std::string& bytes, Precision csv_precision) {
-    for (const StoredQuery& stored : parse_queries(bytes, path, csv_precision)) {
+  QueryFileSource(const FileInfo& file, const std::string& where, const std::string& bytes, Precision csv_precision)
+      : file_(file) {
+    for (const StoredQuery& stored : parse_queries(bytes, where, csv_precision)) {
       switch (stored.precision) {
         case Precision::binary32:
           binary32_.push_back(std::get<Query<float>>(stored.query));
@@ -41,7 +42,6 @@ class QueryFileSource final : public Source {
     }
     triangles32_ = distinct_triangles(binary32_);
     triangles64_ = distinct_triangles(binary64_);
-    file_.name = name;
     file_.kind = "queries";
     file_.sha256 = sha256_hex(std::as_bytes(std::span(bytes)));
     file_.queries = binary32_.size() + binary64_.size();
@@ -86,9 +86,10 @@ class QueryFileSource final : public Source {
 
 SourcePtr query_file_source(const std::string& path, Precision csv_precision) {
   if (path == "-") {
-    return std::make_shared<QueryFileSource>("stdin", "stdin", read_bytes(std::cin, "stdin"), csv_precision);
+    return std::make_shared<QueryFileSource>(FileInfo{path, "stdin"}, "stdin", read_bytes(std::cin, "stdin"),
+                                             csv_precision);
   }
-  return std::make_shared<QueryFileSource>(base_name(path), path, read_bytes(path), csv_precision);
+  return std::make_shared<QueryFileSource>(FileInfo{path, base_name(path)}, path, read_bytes(path), csv_precision);
 }
 
 }  // namespace axiscert

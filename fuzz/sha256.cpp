@@ -3,20 +3,23 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
-#include <array>
-
 #include "kernel/error.h"
 
 namespace axiscert {
 
-std::string sha256_hex(std::span<const std::byte> bytes) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
+std::array<std::byte, 32> sha256(std::span<const std::byte> bytes) {
+  std::array<std::byte, 32> digest;
   unsigned size = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) {
+  auto* const out = reinterpret_cast<unsigned char*>(digest.data());
+  if (EVP_Digest(bytes.data(), bytes.size(), out, &size, EVP_sha256(), nullptr) != 1 || size != digest.size()) {
     throw HarnessFault("OpenSSL refused to compute a SHA-256");
   }
+  return digest;
+}
+
+std::string sha256_hex(std::span<const std::byte> bytes) {
   std::string text;
-  for (unsigned i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
+  for (const std::byte b : sha256(bytes)) text += fmt::format("{:02x}", static_cast<unsigned>(b));
   return text;
 }
 

@@ -14,9 +14,10 @@ inline constexpr std::uint64_t unit_size = std::uint64_t{1} << 16;
 
 // What the record says of a file that queries came from.
 struct FileInfo {
-  std::string name;                                                               // base name
-  std::string kind;                                                               // "mesh", "queries", "plugin"
-  std::string sha256;                                                             // of the file's bytes, 64 hex digits
+  std::string path = {};                                                          // as given; not in the record
+  std::string name = {};                                                          // base name
+  std::string kind = {};                                                          // "mesh", "queries", "plugin"
+  std::string sha256 = {};                                                        // of the file's bytes, 64 hex digits
   std::uint64_t queries = 0;                                                      // kind "queries"
   std::uint64_t triangles = 0, degenerate_triangles = 0, skipped_primitives = 0;  // kind "mesh"
 };

@@ -72,8 +72,8 @@ void measure_critical_radii(const Runner<Real>& runner, CriticalRadiusTally& tal
 }
 
 template <class Real>
-void judge_query(const Plan& plan, std::vector<Runner<Real>>& runners, std::size_t i, std::uint64_t position,
-                 const Query<Real>& q, UnitResult& out) {
+void judge_query(const Plan& plan, const Source& source, std::vector<Runner<Real>>& runners, std::size_t i,
+                 std::uint64_t position, const Query<Real>& q, UnitResult& out) {
   const bool second_opinion = position % second_opinion_stride == 0;
   const Truth truth = exact_truth(q, second_opinion);
   out.second_opinions += second_opinion && truth.formula;
@@ -83,7 +83,8 @@ void judge_query(const Plan& plan, std::vector<Runner<Real>>& runners, std::size
   for (Runner<Real>& runner : runners) {
     const Kernel& kernel = runner.kernel;
     Tally& tally = out.tallies[runner.place];
-    const Answer answer = runner.reply.outcome(i);
+    const Answer answer =
+        plan.replies ? plan.replies->at(source, precision_of<Real>, position) : runner.reply.outcome(i);
     std::optional<Reference> chain;
     const FormulaTruth* sides = nullptr;
     if (claims) {
@@ -102,7 +103,7 @@ void judge_query(const Plan& plan, std::vector<Runner<Real>>& runners, std::size
     if (sides && kernel.exposes == Exposure::sides) {
       count_errors(tally, position, *sides, runner.reply.sides(i), plan.tolerances);
     }
-    if (position % critical_radius_stride != 0) continue;
+    if (position % critical_radius_stride != 0 || plan.replies) continue;
     if (const auto within = distance_within(distance.squared(), runner.radii)) {
       runner.sampled.push_back(q);
       runner.distances.push_back(*within);
@@ -126,12 +127,14 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
       batch.push_back(q);
     }
     for (Runner<Real>& runner : runners) {
+      if (plan.replies) break;
       ask(runner.implementation, batch.columns(), runner.reply);
       for (const Finding& finding : runner.reply.findings) {
         count_finding(out.tallies[runner.place], finding.kind, first + done + finding.index, finding.detail);
       }
     }
-    for (std::size_t i = 0; i < batch.size(); ++i) judge_query(plan, runners, i, first + done + i, batch[i], out);
+    for (std::size_t i = 0; i < batch.size(); ++i)
+      judge_query(plan, source, runners, i, first + done + i, batch[i], out);
   }
   for (const Runner<Real>& runner : runners) {
     measure_critical_radii(runner, out.tallies[runner.place].critical_radius);

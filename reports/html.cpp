@@ -37,14 +37,14 @@ std::string decimal(const Json& number, const Json& precision) {
                                                 : fmt::format("{}", parse_number<double>(text));
 }
 
-Json witness_card(const Json& witness) {
+Json witness_card(const Json& witness, const Json& plan) {
   Json card = witness;
   Json& decimals = card["decimal"] = Json::object();
   for (const char* point : {"a", "b", "c", "p"}) {
     for (const Json& number : witness[point]) decimals[point].push_back(decimal(number, witness["precision"]));
   }
   decimals["r"] = decimal(witness["r"], witness["precision"]);
-  card["command"] = replay_command(witness);
+  card["command"] = replay_command(witness, plan);
   return card;
 }
 
@@ -116,7 +116,7 @@ Json page_data(const Run& run) {
   data["not_judged"] = not_judged(record);
   data["witnesses"] = {{"total", record["witnesses"].size()}, {"cards", Json::array()}};
   for (const Json* witness : worst_witnesses(record, witness_limit)) {
-    data["witnesses"]["cards"].push_back(witness_card(*witness));
+    data["witnesses"]["cards"].push_back(witness_card(*witness, record["plan"]));
   }
   data["command"] = run_command(record["plan"]);
   data["facts"] = plan_facts(run);

@@ -246,7 +246,7 @@ class Report {
                               plain(w["kernel"]), w["precision"].get<std::string>(), plain(w["family"]),
                               w["computed"].get<std::string>(), w["truth"].get<std::string>(),
                               w["touching"].get<bool>() ? " (touching)" : "", depth_text,
-                              code_block(replay_command(w))));
+                              code_block(replay_command(w, plan_))));
     }
     return section.text();
   }

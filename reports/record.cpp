@@ -128,6 +128,14 @@ Json family_json(const Source& source, Precision precision, const Kernel& kernel
   return json;
 }
 
+// That nothing was run, and what the program was said to be.
+Json replies_json(const Plan& plan) {
+  const auto given = [](const std::string& id) { return id.empty() ? Json(nullptr) : Json(id); };
+  return {{"conforms_to", given(plan.claim.conforms_to)},
+          {"formulae", given(plan.claim.formulae)},
+          {"touching", name(plan.kernels.front()->touching)}};
+}
+
 Json plan_json(const Plan& plan, const CampaignResult& result, const std::string& require) {
   Json json = {{"axiscert", version}, {"seed", plan.seed}};
   for (const char* list : {"kernels", "precisions", "families"}) json[list] = Json::array();
@@ -168,6 +176,7 @@ Json plan_json(const Plan& plan, const CampaignResult& result, const std::string
   json["tolerance"] = plan.tolerance_texts;
   json["require"] = require.empty() ? Json(nullptr) : Json(require);
   // Without a time limit the trials say which units there were; an interrupted run did the first of them.
+  if (plan.replies) json["replies"] = replies_json(plan);
   json["units_done"] = plan.seconds || !result.complete ? units : Json(nullptr);
   return json;
 }

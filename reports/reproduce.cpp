@@ -91,22 +91,55 @@ std::string file_fact(const Json& file) {
   return fmt::format("{}, {}; SHA-256 {}", name, contents, file["sha256"].get<std::string>());
 }
 
+std::string source_options(const Json& plan) {
+  std::string options;
+  for (const Json& family : plan["families"]) options += source_option(family);
+  if (const auto trials = common_trials(plan)) options += fmt::format(" --trials {}", *trials);
+  return options + fmt::format(" --seed {}", plan["seed"].dump());
+}
+
+std::string judge_command(const Json& plan) {
+  const Json& replies = plan["replies"];
+  std::string command = "axiscert judge";
+  if (plan["kernels"][0] != "pipe") command += " --as " + shell_word(plan["kernels"][0]);
+  if (!replies["conforms_to"].is_null()) command += " --conforms-to " + shell_word(replies["conforms_to"]);
+  if (!replies["formulae"].is_null()) command += " --formulae " + shell_word(replies["formulae"]);
+  if (replies["touching"] != "contact") command += " --touching " + shell_word(replies["touching"]);
+  return command;
+}
+
+// One stream a precision; through files where there are two.
+std::string pipe_command(const Json& plan) {
+  const bool has_two = plan["precisions"].size() == 2;
+  std::string command, files;
+  for (const std::string precision : plan["precisions"]) {
+    command += fmt::format("axiscert generate{} --precision {} --binary | PROGRAM", source_options(plan), precision);
+    command += has_two ? fmt::format(" > {0}.replies && ", precision) : " | ";
+    if (has_two) files += fmt::format(" {}.replies", precision);
+  }
+  command += judge_command(plan) + files;
+  if (!plan["require"].is_null()) command += " --require " + shell_word(plan["require"]);
+  return command;
+}
+
 }  // namespace
 
-std::string replay_command(const Json& witness) {
-  const std::string family = witness["family"];
-  return fmt::format("axiscert query {}{} > witness.jsonl && axiscert check witness.jsonl --kernel {}",
-                     quoted(witness["address"]), is_file(family) ? source_option(family) : "",
-                     shell_word(witness["kernel"]));
+std::string replay_command(const Json& witness, const Json& plan) {
+  const std::string family = witness["family"], kernel = witness["kernel"];
+  const std::string query = fmt::format("axiscert query {}{} > witness.jsonl && ", quoted(witness["address"]),
+                                        is_file(family) ? source_option(family) : "");
+  if (!plan.contains("replies"))
+    return fmt::format("{}axiscert check witness.jsonl --kernel {}", query, shell_word(kernel));
+  return fmt::format("{}axiscert generate --queries witness.jsonl --precision {} --binary | PROGRAM | {} --out witness",
+                     query, witness["precision"].get<std::string>(), judge_command(plan));
 }
 
 std::string run_command(const Json& plan) {
   if (!plan["units_done"].is_null()) return "";
+  if (plan.contains("replies")) return pipe_command(plan);
   std::string command = "axiscert run";
   for (const Json& kernel : plan["kernels"]) command += " --kernel " + shell_word(kernel);
-  for (const Json& family : plan["families"]) command += source_option(family);
-  if (const auto trials = common_trials(plan)) command += fmt::format(" --trials {}", *trials);
-  command += fmt::format(" --seed {}", plan["seed"].dump());
+  command += source_options(plan);
   if (plan["precisions"].size() == 1) command += " --precision " + shell_word(plan["precisions"][0]);
   command += tolerance_options(plan["tolerance"]);
   if (!plan["require"].is_null()) command += " --require " + shell_word(plan["require"]);
@@ -153,6 +186,10 @@ std::vector<std::string> not_checked(const Json& record) {
   } else if (plan["tolerance"].size() < comparison_count) {
     open.push_back(
         fmt::format("Tolerance: given for {} of the {} comparisons.", plan["tolerance"].size(), comparison_count));
+  }
+  if (plan.contains("replies")) {
+    open.push_back(
+        "Errors of the sides, and critical radii: nothing was run here, replies were judged, which have neither.");
   }
   if (plan["require"].is_null())
     open.push_back("Requirement: none was asked (--require), so nothing here failed or passed.");

@@ -9,8 +9,9 @@
 
 namespace axiscert {
 
-// Shell commands. A name that a shell would read otherwise is quoted.
-std::string replay_command(const Json& witness);
+// Shell commands. A name that a shell would read otherwise is quoted. Where replies were judged, PROGRAM stands for
+// what gave them.
+std::string replay_command(const Json& witness, const Json& plan);
 std::string run_command(const Json& plan);  // empty where the plan depended on the time it had
 
 // Label and value: the plan's, then those of run.json where there is one.

@@ -77,7 +77,9 @@ void WitnessWriter::write(const Kernel& kernel, const Source& source, const Show
   for (const auto& [position, what] : shown) {
     Query<Real> q;
     source.make(plan_.seed, position, q);
-    const Examination found = examiner_->examine(q);
+    const Examination found = plan_.replies
+                                  ? examine(q, kernel, plan_.replies->at(source, precision_of<Real>, position))
+                                  : examiner_->examine(q);
     Json witness = {{"id", fmt::format("w{}", witnesses_.size() + 1)}, {"precision", name(precision_of<Real>)}};
     put_query(witness, q);
     witness["kernel"] = kernel.id;

@@ -1,0 +1,61 @@
+#include "cli/judged_run.h"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+
+#include "cli/commands.h"
+#include "cli/run_output.h"
+#include "fuzz/campaign.h"
+#include "kernel/error.h"
+#include "kernel/self_check.h"
+#include "reports/render.h"
+#include "reports/requirement.h"
+
+namespace axiscert {
+namespace {
+
+std::atomic<bool> interrupted = false;
+
+// The first Ctrl-C lets the units under way finish and reports what there is; the second one leaves at once.
+void on_interrupt(int) {
+  if (interrupted.exchange(true)) _exit(exit_interrupted);
+}
+
+}  // namespace
+
+int judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked) {
+  const RunFolder folder(output.out);
+  require_uncontracted(scalar_target);
+  require_uncontracted(plan.target);
+
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  const auto started = std::chrono::system_clock::now();
+  CampaignResult result;
+  try {
+    ProgressLine progress;
+    result = run_campaign(plan, interrupted, [&](const Progress& p) { progress.show(p); });
+  } catch (const OracleDisagreement& disagreement) {
+    throw HarnessFault(fmt::format("{}; the query is saved in {}", disagreement.what(), folder.save(disagreement)));
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::system_clock::now() - started).count();
+  const Json record = record_of(plan, result, output.require);
+  folder.write("record.json", record);
+  folder.write("run.json", run_info(plan, result, target_asked, iso_time(started), seconds));
+  render_reports(output.out);
+
+  fmt::print("{}{}/report.html\n", summary_text(record, seconds), output.out);
+  if (!result.complete) return exit_interrupted;
+  if (output.require.empty()) return exit_done;
+  const auto failures = unmet(record, output.require);
+  for (const auto& failure : failures)
+    fmt::print(stderr, "axiscert: --require {}: {}\n", output.require, failure.text());
+  return failures.empty() ? exit_done : exit_requirement_failed;
+}
+
+}  // namespace axiscert
