@@ -105,7 +105,7 @@ class Examples(unittest.TestCase):
         record = self.judged(own, families=("general", "lattice", "repeated"), options=("--require", "logic"))
         self.assertEqual(record["findings"], [])
         self.assertEqual({kernel["precision"] for kernel in record["kernels"]}, {"binary32"})
-        self.assertNotIn("comparisons", family(record, "lattice", kernel=own), "it shows verdicts only")
+        self.assertIsNone(family(record, "lattice", kernel=own)["comparisons"], "it shows verdicts only")
 
     def test_a_fault_in_the_one_query_example_is_found(self):
         source = self.folder / "faulty"
@@ -117,6 +117,15 @@ class Examples(unittest.TestCase):
         own = f"plugin:{self.built(source)}"
         verdict = family(self.judged(own, families=("lattice",)), "lattice", kernel=own)["verdict"]
         self.assertGreater(verdict["false_separation"], 0)
+
+    def test_each_fault_that_comes_along_is_the_implementation_and_the_control_is_not(self):
+        faults = sorted(file.stem for file in (self.prefix / "lib/axiscert/faults").glob("*.so"))
+        record = self.judged(*(f"fault/{name}" for name in faults), families=("general", "lattice", "tie"))
+        self.assertEqual(record["findings"], [])
+        for kernel in record["kernels"]:
+            verdicts = [result["verdict"] for result in kernel["families"].values()]
+            broken = sum(verdict["links"]["implementation"] for verdict in verdicts)
+            self.assertEqual(broken == 0, kernel["id"] == "fault/none", (kernel["id"], kernel["precision"], broken))
 
     def test_contraction_is_off_unless_asked_for(self):
         """g++ fuses a * b + c by default where the target can."""

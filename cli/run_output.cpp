@@ -76,7 +76,8 @@ std::string summary_text(const Json& record, double seconds) {
   for (const FindingGroup& group : finding_groups(record)) {
     text += finding_text(*group.first) + "\n";
     if (!group.others.empty()) text += fmt::format("  {}\n", group.others_text());
-    if (!(*group.first)["address"].is_null()) text += fmt::format("  {}\n", replay_command(*group.first));
+    if (!(*group.first)["address"].is_null())
+      text += fmt::format("  {}\n", replay_command(*group.first, record["plan"]));
   }
   for (const std::string& kernel : not_judged(record))
     text += fmt::format("{}: NOT JUDGED: it could not be loaded\n", kernel);

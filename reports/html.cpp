@@ -85,7 +85,7 @@ Json findings_data(const Json& record) {
       shown[member] = finding[member];
     }
     shown["others"] = group.others_text();
-    shown["command"] = finding["address"].is_null() ? "" : replay_command(finding);
+    shown["command"] = finding["address"].is_null() ? "" : replay_command(finding, record["plan"]);
   }
   return data;
 }

@@ -76,9 +76,9 @@ std::string tolerance_outcome(const Json& tally, const std::string& tolerance) {
   return failure(message, message);
 }
 
-void add_finding(Suite& suite, const Json& finding) {
+void add_finding(Suite& suite, const Json& finding, const Json& plan) {
   const std::string family = finding["family"].is_null() ? "loading" : finding["family"].get<std::string>();
-  const std::string replay = finding["address"].is_null() ? "" : "\n" + replay_command(finding);
+  const std::string replay = finding["address"].is_null() ? "" : "\n" + replay_command(finding, plan);
   const std::string text = finding_text(finding);
   suite.add(family + " " + finding["kind"].get<std::string>(), failure(text, text + replay), finding);
 }
@@ -87,7 +87,7 @@ void add_finding(Suite& suite, const Json& finding) {
 Suite suite_of_findings(const Run& run, const std::string& kernel) {
   Suite suite{kernel, ""};
   for (const Json& finding : run.record["findings"]) {
-    if (finding["kernel"] == kernel) add_finding(suite, finding);
+    if (finding["kernel"] == kernel) add_finding(suite, finding, run.record["plan"]);
   }
   return suite;
 }
@@ -96,7 +96,7 @@ Suite suite_of(const Run& run, const Json& kernel, const std::vector<Failure>& f
   const Json& plan = run.record["plan"];
   Suite suite{fmt::format("{} {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>()), ""};
   for (const Json& finding : run.record["findings"]) {
-    if (is_about(finding, kernel)) add_finding(suite, finding);
+    if (is_about(finding, kernel)) add_finding(suite, finding, run.record["plan"]);
   }
   for (const Json& name : plan["families"]) {
     const std::string family = name;

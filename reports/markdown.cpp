@@ -65,7 +65,7 @@ class Report {
     for (const FindingGroup& group : finding_groups(record_)) {
       const Json& first = *group.first;
       const std::string others = group.others.empty() ? "" : "; " + plain(group.others_text(), 2000);
-      const std::string replay = first["address"].is_null() ? "" : "\n" + code_block(replay_command(first));
+      const std::string replay = first["address"].is_null() ? "" : "\n" + code_block(replay_command(first, plan_));
       section.add(fmt::format("\n- {}{}\n{}", plain(finding_text(first), 2000), others, replay));
     }
     return section.text();
