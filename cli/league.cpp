@@ -22,8 +22,9 @@ struct LeagueOptions : InstrumentOptions {
 
 const std::vector<std::string> own_kernels = {"published", "nonstrict", "reduced-nonstrict", "minkowski",
                                               "closest-point"};
-const std::vector<std::string> default_families = {"general",   "tangent",  "tie", "lattice", "sliver", "needle",
-                                                   "collinear", "repeated", "on",  "scale",   "far",    "subnormal"};
+const std::vector<std::string> default_families = {"general", "tangent",   "tie",      "lattice", "sliver",
+                                                   "needle",  "collinear", "repeated", "on",      "grid",
+                                                   "scale",   "far",       "subnormal"};
 constexpr int repetitions = 5;
 
 void add_kernel(League& league, const std::string& id) {

@@ -32,8 +32,8 @@ TEST(Families, AreNamedInTheOrderOfTheReports) {
     EXPECT_EQ(&find_family(family->name), family);
   }
   EXPECT_EQ(names, (std::vector<std::string_view>{"general", "tangent", "seam", "sliver", "needle", "collinear",
-                                                  "repeated", "tie", "lattice", "far", "scale", "ratio", "on", "bits",
-                                                  "subnormal", "nonfinite"}));
+                                                  "repeated", "tie", "lattice", "far", "scale", "ratio", "on", "grid",
+                                                  "bits", "subnormal", "nonfinite"}));
   EXPECT_THROW(find_family("nothing"), Error);
 }
 

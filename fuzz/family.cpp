@@ -22,6 +22,7 @@
   X(scale)                   \
   X(ratio)                   \
   X(on)                      \
+  X(grid)                    \
   X(bits)                    \
   X(subnormal)               \
   X(nonfinite)

@@ -167,5 +167,18 @@ TYPED_TEST(FamilyShapes, OnIsAtDistanceZero) {
   EXPECT_GE(least, 280u);
 }
 
+TYPED_TEST(FamilyShapes, GridPutsTheCentreOnTheTriangleInSmallIntegers) {
+  std::size_t zero = 0;
+  for_each_query<TypeParam>("grid", 7 * 3 * 40, [&](const Query<TypeParam>& q, std::uint64_t) {
+    EXPECT_EQ(squared_distance(q), 0);
+    for (const TypeParam x : coordinates(q)) {
+      EXPECT_EQ(x, std::trunc(x));
+      EXPECT_LE(std::abs(x), 256);
+    }
+    zero += q.r == 0;
+  });
+  EXPECT_GT(zero, 300u);
+}
+
 }  // namespace
 }  // namespace axiscert

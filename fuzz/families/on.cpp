@@ -8,22 +8,6 @@
 namespace axiscert {
 namespace {
 
-// The weights of the three vertices, in sixteenths, that put the centre on the feature.
-std::array<std::int64_t, 3> weights(Stream& random, std::size_t axis) {
-  std::array<std::int64_t, 3> w{};
-  if (axis == 0) {
-    w[0] = random.integer(1, 14);
-    w[1] = random.integer(1, 15 - w[0]);
-    w[2] = 16 - w[0] - w[1];
-  } else if (axis < 4) {
-    w[axis - 1] = 16;
-  } else {
-    w[axis - 4] = random.integer(1, 15);
-    w[shapes::next(axis - 4)] = 16 - w[axis - 4];
-  }
-  return w;
-}
-
 template <class Real>
 Real small_radius(Stream& random, std::uint64_t which) {
   switch (which) {
@@ -46,7 +30,7 @@ Real small_radius(Stream& random, std::uint64_t which) {
 template <class Real>
 Query<Real> on(Stream& random, std::uint64_t position) {
   constexpr int digits = sizeof(Real) == 4 ? 20 : 49;
-  const auto w = weights(random, position % axis_count);
+  const auto w = shapes::weights(random, static_cast<Axis>(position % axis_count), 16);
   shapes::Vertices<Real> vertices;
   Vec3<Real> p{0, 0, 0};
   for (std::size_t i = 0; i < 3; ++i) {

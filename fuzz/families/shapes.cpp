@@ -7,6 +7,22 @@
 
 namespace axiscert::shapes {
 
+std::array<std::int64_t, 3> weights(Stream& random, Axis axis, std::int64_t parts) {
+  std::array<std::int64_t, 3> w{};
+  const auto number = static_cast<std::size_t>(axis);
+  if (axis == Axis::plane) {
+    w[0] = random.integer(1, parts - 2);
+    w[1] = random.integer(1, parts - 1 - w[0]);
+    w[2] = parts - w[0] - w[1];
+  } else if (number < 4) {
+    w[number - 1] = parts;
+  } else {
+    w[number - 4] = random.integer(1, parts - 1);
+    w[next(number - 4)] = parts - w[number - 4];
+  }
+  return w;
+}
+
 template <class Real>
 Vec3<Real> scaled(const Vec3<Real>& v, int exponent) {
   return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};

@@ -40,6 +40,10 @@ Vec3<Integer> integers(Stream& random, std::int64_t bound) {
   return {x, y, z};
 }
 
+// Weights of the three vertices, `parts` together, that put a point on the axis's feature: the face, the vertex, the
+// edge.
+std::array<std::int64_t, 3> weights(Stream& random, Axis axis, std::int64_t parts);
+
 // One of the six orders, each as likely.
 template <class Real>
 Vertices<Real> shuffled(Stream& random, Vertices<Real> vertices) {
