@@ -32,7 +32,8 @@ Json record_with(std::vector<const Kernel*> kernels, const std::vector<std::stri
   plan.precisions = {Precision::binary32};
   plan.trials = [trials](const Source&, Precision) { return trials; };
   plan.target = std::string(scalar_target);
-  plan.plugins = {{"mine.so", "plugin", std::string(64, 'a')}, {"gone.so", "plugin", ""}};
+  plan.plugins = {{.name = "mine.so", .kind = "plugin", .sha256 = std::string(64, 'a')},
+                  {.name = "gone.so", .kind = "plugin"}};
   const std::atomic<bool> never = false;
   const Json record = record_of(plan, run_campaign(plan, never, [](const Progress&) {}), require);
   check_record(record, "record.json");
