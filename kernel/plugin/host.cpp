@@ -29,7 +29,7 @@ constexpr bool limits_memory = false;
 #else
 constexpr bool limits_memory = true;
 #endif
-constexpr rlim_t memory_limit = rlim_t{16} << 30;  // address space, bytes
+constexpr rlim_t memory_limit = rlim_t{16} << 30;  // writable memory of its own, bytes
 
 void* map(void* at, std::size_t size, int protection, int flags, int fd, std::size_t offset) {
   void* const mapped = mmap(at, size, protection, flags, fd, static_cast<off_t>(offset));
@@ -139,12 +139,14 @@ int serve(const char* path) {
   std::signal(SIGINT, SIG_IGN);  // axiscert finishes what is under way
   const rlimit no_core{0, 0}, memory{memory_limit, memory_limit};
   setrlimit(RLIMIT_CORE, &no_core);
-  if (limits_memory) setrlimit(RLIMIT_AS, &memory);
+  if (limits_memory) setrlimit(RLIMIT_DATA, &memory);
   Arrays arrays;
   Control& control = map_memory(arrays);
   watch_for_faults(arrays, control.fault);
   const axiscert_kernel* kernels[most_kernels] = {};
+  const FloatingState before = floating_state();
   load(path, control, kernels);
+  control.changed = changes(before, floating_state());
   if (!send({})) return exit_gone;
   for (Request request; receive(request);) {
     if (request.kernel >= most_kernels || kernels[request.kernel] == nullptr) return exit_broken;

@@ -142,6 +142,12 @@ Kernel load_plugin(std::string id, const std::string& path) {
     if (control.kernel_count == 0) refuse("its axiscert_plugin(0) gives no kernel");
     if (control.kernel_count > most_kernels) refuse(fmt::format("it has more than {} kernels", most_kernels));
     for (std::uint32_t i = 0; i < control.kernel_count; ++i) add(control.kernels[i], i, absolute, kernel);
+    // It is called in the default environment all the same; whoever else loads it is not.
+    if (control.changed != 0) {
+      kernel.findings.push_back({FindingKind::environment, 0,
+                                 fmt::format("loading it left changed: {}; -ffast-math links code that does that",
+                                             changed_modes(control.changed))});
+    }
   } catch (const Refused& refused) {
     Kernel unusable;
     unusable.id = std::move(id);

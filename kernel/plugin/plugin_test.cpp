@@ -152,6 +152,14 @@ TEST(Plugin, FlushToZeroLeftOnIsFound) {
   expect_right_but(seen, {});
 }
 
+TEST(Plugin, FlushToZeroTurnedOnByLoadingIsFound) {
+  const Kernel& kernel = find_kernel("plugin:" + path_of("flush_at_load"));
+  EXPECT_TRUE(kernel.has(Precision::binary32));
+  ASSERT_EQ(kernel.findings.size(), 1u);
+  EXPECT_EQ(kernel.findings[0].kind, FindingKind::environment);
+  EXPECT_THAT(kernel.findings[0].detail, HasSubstr("flushing"));
+}
+
 TEST(Plugin, WhatIsNoVerdictIsNoAnswer) {
   const Seen seen = supervise("not_a_verdict");
   EXPECT_EQ(only_finding(seen).kind, FindingKind::inconsistent);

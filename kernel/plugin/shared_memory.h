@@ -75,6 +75,7 @@ struct Fault {
 
 struct Control {
   char load_error[512];        // empty where the plug-in was loaded
+  std::uint32_t changed;       // floating-point modes that loading it left changed
   std::uint32_t kernel_count;  // as handed out, at most most_kernels + 1
   Description kernels[most_kernels];
   Fault fault;

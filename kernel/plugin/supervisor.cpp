@@ -31,6 +31,8 @@ std::string placed(const Placement& placement) {
                      placement.shift == 1 ? "1 entry" : fmt::format("{} entries", placement.shift));
 }
 
+}  // namespace
+
 std::string changed_modes(std::uint32_t changed) {
   std::string modes;
   const auto add = [&](std::uint32_t bit, const char* mode) {
@@ -42,8 +44,6 @@ std::string changed_modes(std::uint32_t changed) {
   add(changed_other, "another control bit");
   return modes;
 }
-
-}  // namespace
 
 // A part of a batch that one call can take, and where what is learned of it goes.
 template <class Real>

@@ -11,6 +11,9 @@ namespace axiscert::plugin {
 // but never less than a tenth. Set before the first plug-in is loaded.
 inline double batch_seconds = 1;
 
+// Bits of Reply::changed in words: "the rounding mode, flushing of subnormal numbers to zero".
+std::string changed_modes(std::uint32_t changed);
+
 // What the supervisor has to know of a kernel.
 struct Supervised {
   std::string path;

@@ -36,9 +36,7 @@ std::string family_cell(const Tally& tally) {
   const std::uint64_t of = answered(tally);
   std::string cell = "none";
   if (of != 0) {
-    const bool clean = tally.verdict.false_separation == 0 && tally.verdict.false_contact == 0;
-    cell = clean ? "0"
-                 : per_million(tally.verdict.false_separation, of) + "/" + per_million(tally.verdict.false_contact, of);
+    cell = per_million(tally.verdict.false_separation, of) + "/" + per_million(tally.verdict.false_contact, of);
     if (tally.verdict.invalid != 0) cell += " n" + per_million(tally.verdict.invalid, of);
   }
   if (tally.verdict.unanswered != 0) cell += fmt::format(" u{}", tally.verdict.unanswered);
@@ -79,16 +77,13 @@ class Report {
   std::vector<std::string> notes() const {
     std::vector<std::string> all = {
         "By family: missed/phantom, the contacts that are missed and those that are invented, for a million queries "
-        "that "
-        "were answered; 0 where there is neither. n: answers `invalid`, for a million. u: queries without an answer, "
-        "since "
-        "the library crashed or hung at them or did so too often in their unit to be asked again.",
+        "that were answered. n: answers `invalid`, for a million. u: queries without an answer, since the library "
+        "crashed or hung at them or did so too often in their unit to be asked again.",
         "Touching is judged by what each says that it means; where it makes no promise, neither answer is wrong.",
         "Deepest: of a wrong verdict, |d - r| / max(|A-P|, |B-P|, |C-P|, r). Critical radius: of every 256th query the "
         "smallest radius that is called a contact, its error in ulps of the exact distance. Time: verdicts alone on "
-        "one "
-        "core, median over repetitions of 2^17 distinct queries of family `general`, in the library's own process and "
-        "without what asking it there takes.",
+        "one core, median over repetitions of 2^17 distinct queries of family `general`, in the library's own process "
+        "and without what asking it there takes.",
         "Zero wrong verdicts hold for these queries only: at most 3 in as many as were asked, at 95 %."};
     all.insert(all.end(), league_.not_checked.begin(), league_.not_checked.end());
     return all;
