@@ -8,6 +8,7 @@
 #include "cli/judged_run.h"
 #include "fuzz/file_bytes.h"
 #include "kernel/error.h"
+#include "kernel/plugin/load.h"
 #include "reports/requirement.h"
 
 namespace axiscert {
@@ -57,8 +58,8 @@ StoredReplies read(const JudgeOptions& options) {
 
 // The built-in kernel that an option names, which fits what the replies show.
 const Kernel& claimed(const char* option, const std::string& id, const StoredReplies& replies) {
-  const bool is_built_in = !id.starts_with("plugin:") && !id.starts_with("peer/");
-  if (!is_built_in) throw Error(fmt::format("{} {}: not a built-in kernel; see `axiscert kernels`", option, id));
+  if (plugin::plugin_path(id))
+    throw Error(fmt::format("{} {}: not a built-in kernel; see `axiscert kernels`", option, id));
   const Kernel& kernel = find_kernel(id);
   for (const Precision precision : replies.precisions()) {
     if (!kernel.has(precision)) throw Error(fmt::format("{} {}: does not exist in {}", option, id, name(precision)));

@@ -1,5 +1,6 @@
 // axiscert: certifies floating-point sphere-triangle kernels against exact arithmetic.
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <cstdio>
 
@@ -28,6 +29,11 @@ void add_plugin_seconds(CLI::App& command) {
 
 int main(int argc, char** argv) {
   using namespace axiscert;
+  // Every plug-in at work on a thread is a process with a socket and a memory file.
+  if (rlimit files{}; getrlimit(RLIMIT_NOFILE, &files) == 0) {
+    files.rlim_cur = files.rlim_max;
+    setrlimit(RLIMIT_NOFILE, &files);
+  }
   CLI::App app{
       "Runs sphere-triangle kernels beside exact arithmetic and reports where, how far and how often they are wrong."};
   app.set_version_flag("--version", "axiscert " AXISCERT_VERSION);

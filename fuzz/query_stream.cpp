@@ -3,6 +3,10 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_pipeline.h>
 
+#include <atomic>
+#include <exception>
+#include <optional>
+
 #include "fuzz/address.h"
 #include "fuzz/query_file.h"
 
@@ -66,8 +70,11 @@ void write_queries(const PipePlan& plan, QueryEncoding encoding, int threads,
                    const std::function<void(std::string_view)>& write) {
   if (encoding == QueryEncoding::binary) write(header_of(plan));
   Blocks blocks(plan);
+  // Not thrown through the pipeline, which would not free what is under way in it.
+  std::exception_ptr failed;
+  std::atomic<bool> stopped = false;
   const auto next = [&](tbb::flow_control& flow) {
-    const auto block = blocks.next();
+    const auto block = stopped ? std::nullopt : blocks.next();
     if (!block) flow.stop();
     return block.value_or(Block{});
   };
@@ -75,12 +82,21 @@ void write_queries(const PipePlan& plan, QueryEncoding encoding, int threads,
     return plan.precision == Precision::binary32 ? encoded<float>(block, plan.seed, encoding)
                                                  : encoded<double>(block, plan.seed, encoding);
   };
+  const auto put = [&](const std::string& bytes) {
+    if (stopped) return;
+    try {
+      write(bytes);
+    } catch (...) {
+      failed = std::current_exception();
+      stopped = true;
+    }
+  };
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::parallel_pipeline(static_cast<std::size_t>(4 * threads),
                          tbb::make_filter<void, Block>(tbb::filter_mode::serial_in_order, next) &
                              tbb::make_filter<Block, std::string>(tbb::filter_mode::parallel, encode) &
-                             tbb::make_filter<std::string, void>(tbb::filter_mode::serial_in_order,
-                                                                 [&](const std::string& bytes) { write(bytes); }));
+                             tbb::make_filter<std::string, void>(tbb::filter_mode::serial_in_order, put));
+  if (failed) std::rethrow_exception(failed);
 }
 
 }  // namespace axiscert

@@ -67,7 +67,10 @@ void measure(const Implementation<Real>& kernel, const Query<Real>& q, const Rat
 }
 
 template <class Real>
-BlockResult run(const CriticalRadiusPlan& plan, const std::vector<Implementation<Real>>& kernels, const Block& block) {
+BlockResult run(const CriticalRadiusPlan& plan, const Block& block) {
+  // Of each block its own: what somebody else's code does in one is no part of another.
+  std::vector<Implementation<Real>> kernels;
+  for (const Kernel* kernel : plan.kernels) kernels.push_back(kernel->on<Real>(scalar_target));
   BlockResult result{0, std::vector<CriticalRadii>(kernels.size())};
   const Source& source = *plan.sources[block.source];
   for (std::uint64_t position = block.first; position < block.first + block.size; ++position) {
@@ -93,8 +96,6 @@ BlockResult run(const CriticalRadiusPlan& plan, const std::vector<Implementation
 
 template <class Real>
 CriticalRadiusResult measure_all(const CriticalRadiusPlan& plan) {
-  std::vector<Implementation<Real>> kernels;
-  for (const Kernel* kernel : plan.kernels) kernels.push_back(kernel->on<Real>(scalar_target));
   std::vector<Block> blocks;
   for (std::size_t s = 0; s < plan.sources.size(); ++s) {
     for (std::uint64_t first = 0; first < plan.trials; first += block_size) {
@@ -102,14 +103,14 @@ CriticalRadiusResult measure_all(const CriticalRadiusPlan& plan) {
     }
   }
   std::vector<BlockResult> results(blocks.size());
-  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) { results[i] = run(plan, kernels, blocks[i]); });
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) { results[i] = run<Real>(plan, blocks[i]); });
 
   CriticalRadiusResult merged;
   merged.left_out.resize(plan.sources.size());
-  merged.cells.assign(kernels.size(), std::vector<CriticalRadii>(plan.sources.size()));
+  merged.cells.assign(plan.kernels.size(), std::vector<CriticalRadii>(plan.sources.size()));
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     merged.left_out[blocks[i].source] += results[i].left_out;
-    for (std::size_t k = 0; k < kernels.size(); ++k) merged.cells[k][blocks[i].source].merge(results[i].cells[k]);
+    for (std::size_t k = 0; k < plan.kernels.size(); ++k) merged.cells[k][blocks[i].source].merge(results[i].cells[k]);
   }
   return merged;
 }

@@ -8,8 +8,11 @@
 namespace axiscert::plugin {
 namespace {
 
-// Bytes looked at to each side of an output; what a stray write farther off hits is a guard page at other placements.
-constexpr std::size_t watched = 256;
+// Whether any byte is not the filling.
+bool is_written(std::span<const std::byte> bytes, std::byte filling) {
+  if (bytes.empty()) return false;
+  return bytes.front() != filling || std::memcmp(bytes.data(), bytes.data() + 1, bytes.size() - 1) != 0;
+}
 
 template <class T>
 void copy_out(std::span<const std::byte> from, std::vector<T>& to) {
@@ -17,22 +20,12 @@ void copy_out(std::span<const std::byte> from, std::vector<T>& to) {
   std::memcpy(to.data(), from.data(), from.size());
 }
 
-// What lies around an array in its area, as far as it is looked at.
-struct Surroundings {
-  std::span<std::byte> before, after;
-};
-Surroundings around(std::byte* area, std::size_t area_bytes, std::span<std::byte> array) {
-  std::byte *const end = array.data() + array.size(), *const area_end = area + area_bytes;
-  const std::size_t before = std::min(watched, static_cast<std::size_t>(array.data() - area));
-  return {{array.data() - before, before}, {end, std::min(watched, static_cast<std::size_t>(area_end - end))}};
-}
-
 }  // namespace
 
 template <class Real>
 std::span<std::byte> Caller<Real>::array(std::size_t which, std::size_t size, Placement placement) const {
   const std::size_t element = element_size(which, sizeof(Real));
-  return {process_.area(which) + array_offset(placement, size, element, process_.area_bytes()), size * element};
+  return {process_->area(which) + array_offset(placement, size, element, process_->area_bytes()), size * element};
 }
 
 template <class Real>
@@ -47,29 +40,29 @@ void Caller<Real>::for_each_output(Exposure asked, const Visit& visit) const {
 template <class Real>
 auto Caller<Real>::call(const QueryColumns<Real>& batch, std::size_t first, std::size_t size,
                         const Arrangement& arrangement, double seconds, Outputs<Real>& out) -> Result {
+  if (!process_) process_.emplace(path_);
+  if (!process_->is_running()) seconds = std::max(seconds, first_seconds_);  // it may have tables to make
   const auto place = [&](std::size_t which) { return array(which, size, arrangement.placement); };
   for (std::size_t k = 0; k < coordinate_count; ++k) {
     std::memcpy(place(k).data(), batch.column[k] + first, size * sizeof(Real));
   }
   const auto filling = std::byte{arrangement.filling};
-  for_each_output(arrangement.asked, [&](std::size_t which) {
-    const auto [before, after] = around(process_.area(which), process_.area_bytes(), place(which));
-    std::fill(before.data(), after.data() + after.size(), filling);
-  });
+  for_each_output(arrangement.asked,
+                  [&](std::size_t which) { std::fill_n(process_->area(which), process_->area_bytes(), filling); });
 
   out.verdicts.clear();
   out.answers.resize(0);
   Result result;
   const Request request{kernel_, static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(arrangement.asked),
                         arrangement.placement};
-  result.stop = process_.call(request, seconds, result.reply);
+  result.stop = process_->call(request, seconds, result.reply);
   if (result.stop) return result;
 
   for_each_output(arrangement.asked, [&](std::size_t which) {
-    const auto [before, after] = around(process_.area(which), process_.area_bytes(), place(which));
-    const auto is_written = [&](std::byte b) { return b != filling; };
-    const bool wrote_before = std::any_of(before.begin(), before.end(), is_written);
-    if (result.stray || (!wrote_before && std::none_of(after.begin(), after.end(), is_written))) return;
+    const std::span<std::byte> area{process_->area(which), process_->area_bytes()}, written = place(which);
+    const auto begin = static_cast<std::size_t>(written.data() - area.data());
+    const bool wrote_before = is_written(area.first(begin), filling);
+    if (result.stray || (!wrote_before && !is_written(area.subspan(begin + written.size()), filling))) return;
     result.stray =
         Stop{FindingKind::out_of_bounds,
              fmt::format("wrote {} {}, which has {} {}", wrote_before ? "before the begin of" : "past the end of",

@@ -27,7 +27,9 @@ struct Arrangement {
 template <class Real>
 class Caller {
  public:
-  Caller(const std::string& path, std::uint32_t kernel) : process_(path), kernel_(kernel) {}
+  // Nothing is started before the first call, which, like the first after a stop, may take `first_seconds`.
+  Caller(const std::string& path, std::uint32_t kernel, double first_seconds)
+      : path_(path), kernel_(kernel), first_seconds_(first_seconds) {}
 
   struct Result {
     std::optional<Stop> stop;   // then nothing else holds
@@ -43,8 +45,10 @@ class Caller {
   template <class Visit>
   void for_each_output(Exposure asked, const Visit& visit) const;
 
-  HostProcess process_;
+  std::string path_;
   std::uint32_t kernel_;
+  double first_seconds_;
+  std::optional<HostProcess> process_;
 };
 
 }  // namespace axiscert::plugin

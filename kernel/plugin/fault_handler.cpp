@@ -9,6 +9,8 @@
 namespace axiscert::plugin {
 namespace {
 
+constexpr std::uintptr_t null_page = 4096;  // a member of what a null pointer points to
+
 const Arrays* watched = nullptr;
 Fault* told = nullptr;
 
@@ -38,14 +40,14 @@ bool is_out_of_stack(const void* context, const std::byte* address) {
 #endif
 }
 
-// In which array's area, or in whose half of a guard page, the address lies.
+// In which array's area, or in whose half of a guard, the address lies.
 void locate(const std::byte* address, Fault& fault) {
   const Arrays& arrays = *watched;
-  const std::ptrdiff_t from_first = address - arrays.area(0), half_page = static_cast<std::ptrdiff_t>(arrays.page / 2);
+  const std::ptrdiff_t from_first = address - arrays.area(0), half_guard = static_cast<std::ptrdiff_t>(guard / 2);
   const auto slot = static_cast<std::ptrdiff_t>(arrays.slot());
-  if (from_first < -half_page || from_first + half_page >= static_cast<std::ptrdiff_t>(array_count) * slot) return;
+  if (from_first < -half_guard || from_first + half_guard >= static_cast<std::ptrdiff_t>(array_count) * slot) return;
   fault.in_arrays = true;
-  fault.array = static_cast<std::uint32_t>((from_first + half_page) / slot);
+  fault.array = static_cast<std::uint32_t>((from_first + half_guard) / slot);
   const auto element = static_cast<std::ptrdiff_t>(element_size(fault.array, arrays.placed.real_size));
   const std::ptrdiff_t bytes = address - arrays.first(fault.array);
   fault.element = bytes >= 0 ? bytes / element : -((-bytes + element - 1) / element);
@@ -57,7 +59,7 @@ void handle(int signal, siginfo_t* info, void* context) {
   fault.signal = signal;
   if (signal == SIGSEGV || signal == SIGBUS) {
     const auto* const address = static_cast<const std::byte*>(info->si_addr);
-    fault.at_null = reinterpret_cast<std::uintptr_t>(address) < watched->page;
+    fault.at_null = reinterpret_cast<std::uintptr_t>(address) < null_page;
     fault.access = access_of(context);
     if (!fault.at_null) {
       locate(address, fault);

@@ -5,17 +5,21 @@
 
 namespace axiscert::plugin {
 
-// Area k lies at reserved + page + k * (area size + page): a page that cannot be touched on both sides of each.
+// What lies untouchable on both sides of each area, in bytes: address space, no memory. A write that goes astray by
+// less than that cannot reach another array.
+inline constexpr std::size_t guard = std::size_t{16} << 20;
+
+// Area k lies at reserved + guard + k * (area size + guard).
 struct Arrays {
   std::byte* reserved = nullptr;
-  std::size_t page = 0, area_bytes = 0;
+  std::size_t area_bytes = 0;
   struct {
     Placement placement;
     std::size_t size, real_size;
   } placed = {};  // of the call under way
 
-  std::size_t slot() const { return area_bytes + page; }
-  std::byte* area(std::size_t array) const { return reserved + page + array * slot(); }
+  std::size_t slot() const { return area_bytes + guard; }
+  std::byte* area(std::size_t array) const { return reserved + guard + array * slot(); }
   std::byte* first(std::size_t array) const {
     const std::size_t element = element_size(array, placed.real_size);
     return area(array) + array_offset(placed.placement, placed.size, element, area_bytes);

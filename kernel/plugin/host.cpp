@@ -39,11 +39,11 @@ void* map(void* at, std::size_t size, int protection, int flags, int fd, std::si
 
 Control& map_memory(Arrays& arrays) {
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  const std::size_t area = area_size(page), slot = area + page;
+  const std::size_t area = area_size(page), slot = area + guard;
   auto* const control = map(nullptr, area_in_file(0, page), PROT_READ | PROT_WRITE, MAP_SHARED, memory_fd, 0);
   auto* const reserved = static_cast<std::byte*>(
-      map(nullptr, array_count * slot + page, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0));
-  arrays = {reserved, page, area, {}};
+      map(nullptr, array_count * slot + guard, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0));
+  arrays = {reserved, area, {}};
   for (std::size_t k = 0; k < array_count; ++k) {
     const int protection = k < coordinate_count ? PROT_READ : PROT_READ | PROT_WRITE;
     map(arrays.area(k), area, protection, MAP_SHARED | MAP_FIXED, memory_fd, area_in_file(k, page));

@@ -93,7 +93,7 @@ void HostProcess::end() {
   if (socket_ >= 0) close(socket_);
   socket_ = -1;
   if (child_ < 0) return;
-  kill(child_, SIGKILL);
+  kill(-child_, SIGKILL);  // and what it has started, which is in its process group
   while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
   }
   child_ = -1;
@@ -105,6 +105,7 @@ void HostProcess::spawn() {
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) throw cannot(path_, "make a socket");
   socket_ = ends[0];
   const int host_end = out_of_the_way(ends[1]);
+  if (host_end < 0) throw cannot(path_, "make a socket");
   const timeval patience{0, patience_ms * 1000};
   setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
 
@@ -123,7 +124,7 @@ void HostProcess::spawn() {
   sigfillset(&all);
   posix_spawnattr_setsigmask(&attributes, &none);
   posix_spawnattr_setsigdefault(&attributes, &all);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
   const std::string program = host_program();
   std::string path = path_;
   char* const arguments[] = {const_cast<char*>(program.c_str()), path.data(), nullptr};
@@ -160,6 +161,11 @@ std::optional<Stop> HostProcess::receive(double seconds, Reply& reply) {
     const ssize_t got = recv(socket_, &reply, sizeof reply, 0);
     if (got == sizeof reply) return std::nullopt;
     if (got >= 0 || (errno != EAGAIN && errno != EINTR)) return how_it_died();
+    // What the plug-in has started may hold the socket open after it has died.
+    siginfo_t ended{};
+    if (waitid(P_PID, static_cast<id_t>(child_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid != 0) {
+      return how_it_died();
+    }
     const double processor = processor_seconds(child_);
     if (!processor_start) {
       processor_start = processor;
@@ -180,7 +186,10 @@ Stop HostProcess::how_it_died() {
     ended = waitpid(child_, &status, WNOHANG);
     if (ended == 0) usleep(1000 * patience_ms);
   }
-  if (ended == child_) child_ = -1;
+  if (ended == child_) {
+    kill(-child_, SIGKILL);
+    child_ = -1;
+  }
   end();
   const Fault fault = control_->fault;
   if (ended <= 0) return {FindingKind::crash, "it closed the socket that it is asked through", std::nullopt};
@@ -190,7 +199,9 @@ Stop HostProcess::how_it_died() {
   }
   const int signal = WTERMSIG(status);
   if (signal == fault.signal && fault.in_arrays) return out_of_bounds(fault);
-  std::string detail = fmt::format("SIG{} ({})", sigabbrev_np(signal), strsignal(signal));
+  const char* const abbreviation = sigabbrev_np(signal);  // none for real-time signals
+  std::string detail = abbreviation ? fmt::format("SIG{} ({})", abbreviation, strsignal(signal))
+                                    : fmt::format("signal {} ({})", signal, strsignal(signal));
   if (signal == fault.signal && fault.at_null) detail += " at a null pointer";
   if (signal == fault.signal && fault.out_of_stack) detail += ", out of stack";
   return {FindingKind::crash, detail, std::nullopt};

@@ -32,6 +32,7 @@ class HostProcess {
 
   // Loads the plug-in, unless it runs already. What it says of itself is in control() then.
   std::optional<Stop> start(double seconds);
+  bool is_running() const { return child_ >= 0; }
   const Control& control() const { return *control_; }
   // A call; its inputs and outputs are at array(). After a stop the process is dead, and the next call starts another.
   // `seconds`: of the process's own time; twenty times that by the clock, for one that sleeps.

@@ -35,13 +35,30 @@ Enum one_of(std::uint32_t value, std::size_t count, const char* member) {
   return static_cast<Enum>(value);
 }
 
-const Kernel& builtin(const char* member, const char* id) {
+// Texts are shown in reports: one line of printable ASCII, a question mark for any other byte.
+std::string text_of(const char* text) {
+  std::string clean = text;
+  for (char& c : clean) {
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+    else if (static_cast<unsigned char>(c) > 0x7e) c = '?';
+  }
+  return clean;
+}
+
+// What a plug-in claims to be like: built in, and there in its precision.
+const Kernel& builtin(const char* member, const std::string& id, Precision precision) {
+  const Kernel* kernel = nullptr;
   try {
-    const Kernel& kernel = find_kernel(id);
-    if (kernel.file.empty()) return kernel;
+    kernel = &find_kernel(id);
   } catch (const Error&) {
   }
-  refuse(fmt::format("its {} is '{}', which is no built-in kernel; `axiscert kernels` lists those", member, id));
+  if (kernel == nullptr || !kernel->file.empty()) {
+    refuse(fmt::format("its {} is '{}', which is no built-in kernel; `axiscert kernels` lists those", member, id));
+  }
+  if (!kernel->has(precision)) {
+    refuse(fmt::format("its {} is '{}', which does not exist in {}", member, id, name(precision)));
+  }
+  return *kernel;
 }
 
 Limits limits_of(const Description& d) {
@@ -52,32 +69,24 @@ Limits limits_of(const Description& d) {
   return limits;
 }
 
-// Texts are shown in reports; one line, and no longer than the host passes on.
-std::string text_of(const char* text) {
-  std::string clean = text;
-  for (char& c : clean) {
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  }
-  return clean;
-}
-
 void claim(const Description& d, Kernel& kernel) {
+  const Precision precision = d.precision == 32 ? Precision::binary32 : Precision::binary64;
   kernel.is_reference = d.has_conforms_to;
   kernel.formulae = Formulae::none;
   if (d.has_conforms_to) {
-    const Kernel& own = builtin("conforms_to", d.conforms_to);
+    const Kernel& own = builtin("conforms_to", text_of(d.conforms_to), precision);
     kernel.formulae = own.formulae;
     kernel.strictness = own.strictness;
     kernel.arithmetic = own.arithmetic;
     if (!own.is_reference) refuse(fmt::format("it conforms_to '{}', whose bits depend on its target", own.id));
   } else if (d.has_formulae || kernel.exposes != Exposure::verdict) {
-    const Kernel& own = builtin("formulae", d.has_formulae ? d.formulae : "published");
+    const Kernel& own = builtin("formulae", d.has_formulae ? text_of(d.formulae) : "published", precision);
     kernel.formulae = own.formulae;
     kernel.strictness = own.strictness;
   }
   if (kernel.is_reference && kernel.touching != Touching::contact) {
     refuse(fmt::format("it conforms_to '{}', for which touching is contact, and says that for it touching is '{}'",
-                       d.conforms_to, name(kernel.touching)));
+                       text_of(d.conforms_to), name(kernel.touching)));
   }
   if (kernel.exposes != Exposure::verdict && !has_comparisons(kernel.formulae)) {
     refuse(fmt::format("it exposes comparisons, but formulae '{}' have none", name(kernel.formulae)));

@@ -105,6 +105,22 @@ TEST(Plugin, LeavingTheProcessIsACrash) {
   EXPECT_THAT(seen.findings.front().detail, HasSubstr("exit code 0"));
 }
 
+TEST(Plugin, ASignalWithoutANameIsACrash) {
+  const Finding finding = only_finding(supervise("real_time_signal"));
+  EXPECT_EQ(finding.kind, FindingKind::crash);
+  EXPECT_THAT(finding.detail, HasSubstr("signal "));
+}
+
+TEST(Plugin, AProcessThatItLeavesBehindHidesNoCrash) {
+  const Seen seen = supervise("forks");
+  const Finding finding = only_finding(seen);
+  EXPECT_EQ(finding.kind, FindingKind::crash);
+  EXPECT_THAT(finding.detail, HasSubstr("SIGABRT"));
+  expect_right_but(seen, {wrong_query});
+}
+
+TEST(Plugin, ANameIsShownAsPlainText) { EXPECT_EQ(find_kernel("plugin:" + path_of("strange_name")).summary, "caf? "); }
+
 TEST(Plugin, AFullStackIsSaid) {
   const Seen seen = supervise("stack_overflow");
   ASSERT_FALSE(seen.findings.empty());
@@ -121,6 +137,13 @@ TEST(Plugin, AWriteBeyondItsOutputIsFoundAndItsAnswersCount) {
     EXPECT_THAT(finding.detail, HasSubstr("verdict"));
     expect_right_but(seen, {});
   }
+}
+
+TEST(Plugin, AWriteFarAstrayReachesNoOtherArray) {
+  const Seen seen = supervise("stray_write");
+  ASSERT_FALSE(seen.findings.empty());
+  EXPECT_EQ(seen.findings.front().kind, FindingKind::out_of_bounds);
+  EXPECT_THAT(seen.findings.front().detail, HasSubstr("wrote verdict[101"));
 }
 
 TEST(Plugin, AWriteToAnInputIsFound) {
@@ -172,7 +195,8 @@ TEST(Plugin, ComparisonsThatContradictTheVerdictAreFound) {
 
 TEST(Plugin, WhatCannotBeLoadedIsAKernelWithAFinding) {
   for (const auto& [name, kind, says] : {std::tuple{"wrong_abi", FindingKind::abi, "version"},
-                                         std::tuple{"no_symbol", FindingKind::load, "axiscert_plugin"}}) {
+                                         std::tuple{"no_symbol", FindingKind::load, "axiscert_plugin"},
+                                         std::tuple{"conforms_elsewhere", FindingKind::load, "binary32"}}) {
     const Kernel& kernel = find_kernel("plugin:" + path_of(name));
     EXPECT_FALSE(kernel.has(Precision::binary32) || kernel.has(Precision::binary64));
     ASSERT_EQ(kernel.findings.size(), 1u);

@@ -123,10 +123,8 @@ void Supervisor<Real>::run_chunk(const Chunk& chunk) {
   if (!chunk.findings) return;
   tell_stray(chunk, result);
   if (result.reply.changed != 0) look_for_changed_environment(chunk, result.reply.changed);
-  if (chunk.size > 1) {
-    const bool is_due = chunks_++ % rearranged_every == 0;
-    if (repeats(chunk, outputs) && is_due) rearrange(chunk, outputs);
-  }
+  const bool is_due = chunk.size > 1 && chunks_++ % rearranged_every == 0;
+  if (repeats(chunk, outputs) && is_due) rearrange(chunk, outputs);
   look_for_contradictions(chunk, outputs);
 }
 
@@ -135,7 +133,7 @@ void Supervisor<Real>::run_singly(const Chunk& chunk, const Stop& of_batch) {
   asks_singly_ = true;
   const int stops = stops_;
   for (std::size_t i = 0; i < chunk.size; ++i) run_chunk(chunk.part(i, 1));
-  if (stops_ == stops) {
+  if (stops_ == stops && stops < most_stops) {
     tell(chunk, of_batch.kind, of_batch.query.value_or(0),
          fmt::format("{} for a batch of {}; none for its queries one by one", of_batch.detail, chunk.size));
   }

@@ -26,7 +26,7 @@ struct Supervised {
 template <class Real>
 class Supervisor {
  public:
-  explicit Supervisor(const Supervised& kernel) : kernel_(kernel), caller_(kernel.path, kernel.index) {}
+  explicit Supervisor(const Supervised& kernel) : kernel_(kernel), caller_(kernel.path, kernel.index, batch_seconds) {}
 
   // The kernel's answers; `unanswered` where there is none. `explained` is null where the verdicts are enough. After
   // the first stop that is no guard page's, the plug-in is asked query by query, so that the one is found that did it;
