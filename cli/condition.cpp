@@ -14,7 +14,7 @@ struct Options : InstrumentOptions {
 
 int measure(const Options& options) {
   ConditionPlan plan{
-      instrument_kernels(options, {"published", "reduced", "ladder-0"}),
+      instrument_kernels(options, {"published", "reduced", "ladder-0"}, Measures::formulae),
       instrument_sources(options, {"general", "tangent", "seam", "sliver", "collinear", "far", "ratio", "scale"}),
       parse_precision(options.precision),
       options.trials,

@@ -7,8 +7,10 @@ namespace {
 
 int measure(const InstrumentOptions& options) {
   const CriticalRadiusPlan plan{
-      instrument_kernels(options, {"published", "nonstrict", "reduced", "ladder-0", "minkowski", "closest-point",
-                                   "segments", "packed-nonstrict"}),
+      instrument_kernels(options,
+                         {"published", "nonstrict", "reduced", "ladder-0", "minkowski", "closest-point", "segments",
+                          "packed-nonstrict"},
+                         Measures::verdicts),
       instrument_sources(options, {"general", "far", "sliver", "needle", "collinear", "repeated", "ratio", "scale"}),
       parse_precision(options.precision), options.trials, options.seed};
   return put_instrument(

@@ -38,11 +38,18 @@ void add_instrument_options(CLI::App& command, InstrumentOptions& o, std::uint64
   command.add_option("--out", o.out, "folder for the figures as JSON and as a page");
 }
 
-std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, std::vector<std::string> defaults) {
+std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, std::vector<std::string> defaults,
+                                              Measures measures) {
   const Precision precision = parse_precision(options.precision);
   std::vector<const Kernel*> kernels;
   for (const std::string& id : options.kernels.empty() ? defaults : options.kernels) {
     const Kernel& kernel = find_kernel(id);
+    if (measures == Measures::formulae && !kernel.file.empty()) {
+      throw Error(
+          fmt::format("--kernel {}: this command measures built-in formulae; plug-ins are for run, check, "
+                      "critical-radius and league",
+                      id));
+    }
     require_loaded(kernel);
     if (!kernel.has(precision)) {
       throw Error(fmt::format("--precision {}: kernel {} does not exist in it", options.precision, id));

@@ -17,8 +17,12 @@ struct InstrumentOptions {
 // Adds --kernel, --family, --trials, --seed, --precision, --format text|json and --out; `trials` is the default.
 void add_instrument_options(CLI::App& command, InstrumentOptions& options, std::uint64_t trials);
 
-// The kernels asked for, or `defaults`. Throws Error for one that does not exist in the precision.
-std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, std::vector<std::string> defaults);
+// Whether an instrument asks verdicts alone, or looks into formulae that only a built-in kernel is known to evaluate.
+enum class Measures { verdicts, formulae };
+// The kernels asked for, or `defaults`. Throws Error for one that does not exist in the precision, or that the
+// instrument is not for.
+std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, std::vector<std::string> defaults,
+                                              Measures measures);
 // The families asked for, or `defaults`.
 std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std::vector<std::string> defaults);
 // The command line that makes the report again: "axiscert NAME --kernel ...".

@@ -45,7 +45,7 @@ void require_comparisons(const Kernel& kernel) {
 int ladder(const LadderOptions& options) {
   LadderPlan plan;
   plan.precision = parse_precision(options.precision);
-  plan.kernels = instrument_kernels(options, default_kernels);
+  plan.kernels = instrument_kernels(options, default_kernels, Measures::formulae);
   for (const Kernel* kernel : plan.kernels) require_comparisons(*kernel);
   plan.sources = instrument_sources(options, default_families);
   plan.trials = options.trials;

@@ -109,7 +109,7 @@ class Plugins(Case):
                 with self.subTest(real=real, flags=flags):
                     kernel = self.compiled("other", *flags, real=real)
                     record = self.run_ok("--kernel", kernel, "--precision", precision, "--family", "all", "--trials",
-                                         str(6000 // DIVISOR), "--require", "logic")
+                                         str(3000 // DIVISOR), "--require", "logic")
                     (entry,) = record["kernels"]
                     wrong = sum(f["verdict"]["false_separation"] + f["verdict"]["false_contact"]
                                 for f in entry["families"].values())
@@ -156,6 +156,10 @@ class Plugins(Case):
     def test_no_such_plugin(self):
         self.refused("run", "--kernel", "plugin:/nosuch.so", says=["/nosuch.so", "no file"])
         self.refused("run", "--kernel", "peer/nosuch", says=["peer/nosuch"])
+
+    def test_what_measures_formulae_takes_no_plugin(self):
+        for command in ("ladder", "precision", "condition"):
+            self.refused(command, "--kernel", "fault/none", says=["fault/none", "critical-radius"])
 
 
 if __name__ == "__main__":

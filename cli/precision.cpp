@@ -34,9 +34,10 @@ int measure(const PrecisionOptions& options) {
   plan.trials = options.trials;
   plan.precision = parse_precision(options.precision);
   plan.bits = bits_of(options);
-  plan.kernels =
-      instrument_kernels(options, {"ladder-0", "ladder-1", "ladder-2", "ladder-3", "ladder-4", "ladder-5", "ladder-6",
-                                   "ladder-7", "ladder-8", "ladder-9", "reduced", "reduced-nonstrict", "nonstrict"});
+  plan.kernels = instrument_kernels(options,
+                                    {"ladder-0", "ladder-1", "ladder-2", "ladder-3", "ladder-4", "ladder-5", "ladder-6",
+                                     "ladder-7", "ladder-8", "ladder-9", "reduced", "reduced-nonstrict", "nonstrict"},
+                                    Measures::formulae);
   plan.sources = instrument_sources(options, {"general", "tangent", "seam", "sliver", "scale", "collinear", "lattice"});
   std::string command = instrument_command("precision", options);
   for (const int b : options.bits) command += fmt::format(" --bits {}", b);
