@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
-#include <thread>
 
 #include "cli/instrument_options.h"
+#include "cli/run_options.h"
 #include "cli/run_output.h"
 #include "fuzz/address.h"
 #include "fuzz/instruments/kernel_speed.h"
@@ -83,8 +84,7 @@ int run_league(const LeagueOptions& options) {
   plan.seed = options.seed;
   plan.trials = [&](const Source&, Precision) { return options.trials; };
   plan.target = resolve_target("auto");
-  plan.threads =
-      options.threads != 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  plan.threads = threads_of(options.threads);
   require_uncontracted(scalar_target);
   require_uncontracted(plan.target);
 
@@ -113,7 +113,7 @@ void add_league(CLI::App& app, Action& action) {
   auto options = std::make_shared<LeagueOptions>();
   options->precision.clear();
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
-  command->add_option("--threads", options->threads, "worker threads (default: all cores)")->check(CLI::Range(1, 4096));
+  add_thread_option(*command, options->threads);
   command->add_flag("--no-speed", options->no_speed, "take no times");
   command->callback([&action, options] { action = [options] { return run_league(*options); }; });
 }

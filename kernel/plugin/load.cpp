@@ -132,6 +132,24 @@ void add(const Description& d, std::uint32_t index, const std::string& path, Ker
   kernel = std::move(described);
 }
 
+// The plug-ins of one kind, read from its folder.
+Shipped shipped(const Kind& kind) {
+  Shipped found;
+  found.prefix = kind.prefix;
+  const auto folder = shipped_folder(kind.folder);
+  if (!folder) return found;
+  for (const auto& entry : std::filesystem::directory_iterator(*folder)) {
+    if (entry.path().extension() == ".so") found.names.push_back(entry.path().stem().string());
+  }
+  std::sort(found.names.begin(), found.names.end());
+  std::ifstream list(std::filesystem::path(*folder) / "absent.txt");
+  for (std::string line; std::getline(list, line);) {
+    const std::size_t tab = line.find('\t');
+    if (tab != line.npos) found.absent.push_back({line.substr(0, tab), line.substr(tab + 1)});
+  }
+  return found;
+}
+
 }  // namespace
 
 Kernel load_plugin(std::string id, const std::string& path) {
@@ -173,43 +191,28 @@ Kernel load_plugin(std::string id, const std::string& path) {
 
 std::vector<Shipped> shipped_plugins() {
   std::vector<Shipped> all;
-  for (const Kind& kind : kinds) {
-    Shipped& found = all.emplace_back();
-    found.prefix = kind.prefix;
-    const auto folder = shipped_folder(kind.folder);
-    if (!folder) continue;
-    for (const auto& entry : std::filesystem::directory_iterator(*folder)) {
-      if (entry.path().extension() == ".so") found.names.push_back(entry.path().stem().string());
-    }
-    std::sort(found.names.begin(), found.names.end());
-    std::ifstream list(std::filesystem::path(*folder) / "absent.txt");
-    for (std::string line; std::getline(list, line);) {
-      const std::size_t tab = line.find('\t');
-      if (tab != line.npos) found.absent.push_back({line.substr(0, tab), line.substr(tab + 1)});
-    }
-  }
+  for (const Kind& kind : kinds) all.push_back(shipped(kind));
   return all;
 }
 
 std::optional<std::string> plugin_path(std::string_view id) {
   constexpr std::string_view by_path = "plugin:";
   if (id.starts_with(by_path)) return std::string(id.substr(by_path.size()));
-  const std::vector<Shipped> all = shipped_plugins();
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const Shipped& shipped = all[k];
-    if (!id.starts_with(shipped.prefix)) continue;
-    const std::string_view name = id.substr(shipped.prefix.size());
-    if (std::find(shipped.names.begin(), shipped.names.end(), name) != shipped.names.end()) {
-      return fmt::format("{}/{}.so", *shipped_folder(kinds[k].folder), name);
+  for (const Kind& kind : kinds) {
+    if (!id.starts_with(kind.prefix)) continue;
+    const Shipped known = shipped(kind);
+    const std::string_view name = id.substr(kind.prefix.size());
+    if (std::find(known.names.begin(), known.names.end(), name) != known.names.end()) {
+      return fmt::format("{}/{}.so", *shipped_folder(kind.folder), name);
     }
-    for (const Shipped::Absent& absent : shipped.absent) {
+    for (const Shipped::Absent& absent : known.absent) {
       if (absent.name == name) {
         throw Error(fmt::format("kernel '{}' was not built, for want of the Debian package {}", id, absent.package));
       }
     }
-    throw Error(fmt::format("unknown kernel '{}'; those of {}: {}", id, shipped.prefix,
-                            shipped.names.empty() ? "none, this axiscert was built without them"
-                                                  : fmt::format("{}", fmt::join(shipped.names, ", "))));
+    throw Error(fmt::format("unknown kernel '{}'; those of {}: {}", id, kind.prefix,
+                            known.names.empty() ? "none, this axiscert was built without them"
+                                                : fmt::format("{}", fmt::join(known.names, ", "))));
   }
   return std::nullopt;
 }

@@ -77,8 +77,8 @@ void Supervisor<Real>::tell(const Chunk& chunk, FindingKind kind, std::size_t qu
 }
 
 template <class Real>
-void Supervisor<Real>::tell_stray(const Chunk& chunk, const Result& result) {
-  if (result.stray) tell(chunk, result.stray->kind, *result.stray->query, result.stray->detail);
+void Supervisor<Real>::tell(const Chunk& chunk, const Stop& stop, const std::string& where) {
+  tell(chunk, stop.kind, stop.query.value_or(0), stop.detail + where);
 }
 
 template <class Real>
@@ -105,23 +105,23 @@ void Supervisor<Real>::take(const Chunk& chunk, const Outputs<Real>& outputs) {
 template <class Real>
 void Supervisor<Real>::run_chunk(const Chunk& chunk) {
   if (stops_ >= most_stops) return unanswered(chunk);
-  const Exposure asked = chunk.explained ? kernel_.exposes : Exposure::verdict;
+  const Exposure asked = asked_of(chunk);
   Outputs<Real> outputs;
   Result result = ask(chunk, {{anchor_}, asked, filling}, outputs);
   if (result.stop && result.stop->kind == FindingKind::out_of_bounds && anchor_ == Anchor::end) {
     // With room around its arrays it may yet answer.
-    tell(chunk, result.stop->kind, result.stop->query.value_or(0), result.stop->detail);
+    tell(chunk, *result.stop);
     anchor_ = Anchor::middle;
     result = ask(chunk, {{anchor_}, asked, filling}, outputs);
   }
   if (result.stop) {
     if (chunk.size > 1) return run_singly(chunk, *result.stop);
-    tell(chunk, result.stop->kind, 0, result.stop->detail);
+    tell(chunk, *result.stop);
     return unanswered(chunk);
   }
   take(chunk, outputs);
   if (!chunk.findings) return;
-  tell_stray(chunk, result);
+  if (result.stray) tell(chunk, *result.stray);
   if (result.reply.changed != 0) look_for_changed_environment(chunk, result.reply.changed);
   const bool is_due = chunk.size > 1 && chunks_++ % rearranged_every == 0;
   if (repeats(chunk, outputs) && is_due) rearrange(chunk, outputs);
@@ -134,18 +134,16 @@ void Supervisor<Real>::run_singly(const Chunk& chunk, const Stop& of_batch) {
   const int stops = stops_;
   for (std::size_t i = 0; i < chunk.size; ++i) run_chunk(chunk.part(i, 1));
   if (stops_ == stops && stops < most_stops) {
-    tell(chunk, of_batch.kind, of_batch.query.value_or(0),
-         fmt::format("{} for a batch of {}; none for its queries one by one", of_batch.detail, chunk.size));
+    tell(chunk, of_batch, fmt::format(" for a batch of {}; none for its queries one by one", chunk.size));
   }
 }
 
 template <class Real>
 bool Supervisor<Real>::repeats(const Chunk& chunk, const Outputs<Real>& outputs) {
   Outputs<Real> again;
-  const Arrangement same{{anchor_}, chunk.explained ? kernel_.exposes : Exposure::verdict, other_filling};
-  const Result result = ask(chunk, same, again);
+  const Result result = ask(chunk, {{anchor_}, asked_of(chunk), other_filling}, again);
   if (result.stop) {
-    tell(chunk, result.stop->kind, result.stop->query.value_or(0), result.stop->detail + ", asked the same again");
+    tell(chunk, *result.stop, ", asked the same again");
     return false;
   }
   for (std::size_t i = 0; i < chunk.size; ++i) {
@@ -171,12 +169,11 @@ void Supervisor<Real>::rearrange(const Chunk& chunk, const Outputs<Real>& output
     const bool verdict_alone = !chunk.explained || number % 2 == 1;
     const Result result = ask(piece, {placement, verdict_alone ? Exposure::verdict : kernel_.exposes, filling}, found);
     if (result.stop) {
-      tell(piece, result.stop->kind, result.stop->query.value_or(0),
-           fmt::format("{} (a batch of {}, {})", result.stop->detail, size, placed(placement)));
+      tell(piece, *result.stop, fmt::format(" (a batch of {}, {})", size, placed(placement)));
       rearranges_ = false;
       return;
     }
-    tell_stray(piece, result);
+    if (result.stray) tell(piece, *result.stray);
     if (const auto difference = first_difference(outputs, first, found)) {
       tell(piece, FindingKind::batch_dependent, difference->query,
            fmt::format("{}: as query {} of {}, {}{}", difference->detail, difference->query + 1, size,

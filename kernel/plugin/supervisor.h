@@ -44,7 +44,8 @@ class Supervisor {
 
   Result ask(const Chunk& chunk, const Arrangement& arrangement, Outputs<Real>& out);
   void tell(const Chunk& chunk, FindingKind kind, std::size_t query, std::string detail);
-  void tell_stray(const Chunk& chunk, const Result& result);
+  void tell(const Chunk& chunk, const Stop& stop, const std::string& where = {});
+  Exposure asked_of(const Chunk& chunk) const { return chunk.explained ? kernel_.exposes : Exposure::verdict; }
   void unanswered(const Chunk& chunk);
   void take(const Chunk& chunk, const Outputs<Real>& outputs);
   void run_chunk(const Chunk& chunk);
