@@ -1,15 +1,14 @@
 #include "kernel/simd.h"
 
+#include <mutex>
+
 #define HWY_COMPILE_ALL_ATTAINABLE
 #include "hwy/highway.h"
 
 namespace axiscert {
-namespace {
-
-// Calls visit(name) with each instruction set chosen, best first. Highway keeps its choice in a global: it is left as
-// it was.
-template <class Visit>
-void for_each_simd_target(Visit&& visit) {
+void for_each_simd_target(const std::function<void(const std::string&)>& visit) {
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
   // HWY_SCALAR is no instruction set: the scalar reference stands for it.
   const std::int64_t supported = hwy::SupportedTargets() & HWY_TARGETS & ~std::int64_t{HWY_SCALAR};
   for (std::int64_t rest = supported; rest != 0; rest &= rest - 1) {
@@ -22,25 +21,23 @@ void for_each_simd_target(Visit&& visit) {
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-}  // namespace
-
 const std::vector<std::string>& simd_targets() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
-    for_each_simd_target([&](std::string name) { all.push_back(std::move(name)); });
+    for_each_simd_target([&](const std::string& name) { all.push_back(name); });
     return all;
   }();
   return names;
 }
 
-SimdForms::SimdForms(Implementation<float> (*binary32)(Strictness), Implementation<double> (*binary64)(Strictness)) {
-  for_each_simd_target([&](const std::string& name) {
-    Forms& forms = by_target_[name];
-    for (const Strictness s : {Strictness::strict, Strictness::nonstrict}) {
-      forms.binary32[static_cast<std::size_t>(s)] = binary32(s);
-      forms.binary64[static_cast<std::size_t>(s)] = binary64(s);
-    }
-  });
-}
+SimdForms::SimdForms(Implementation<float> (*binary32)(Strictness), Implementation<double> (*binary64)(Strictness))
+    : table_([&] {
+        Forms forms;
+        for (const Strictness s : {Strictness::strict, Strictness::nonstrict}) {
+          forms.binary32[static_cast<std::size_t>(s)] = binary32(s);
+          forms.binary64[static_cast<std::size_t>(s)] = binary64(s);
+        }
+        return forms;
+      }) {}
 
 }  // namespace axiscert

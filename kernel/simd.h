@@ -2,6 +2,7 @@
 // reference, bit for bit, on each instruction set.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -14,15 +15,33 @@ namespace axiscert {
 // Highway's names of the instruction sets that were compiled and that this machine has, best first.
 const std::vector<std::string>& simd_targets();
 
+// Calls visit(name) with each of them chosen in turn, so that HWY_DYNAMIC_DISPATCH finds its form. One caller at a time:
+// Highway keeps its choice in a global, which is left as it was.
+void for_each_simd_target(const std::function<void(const std::string&)>& visit);
+
+// Something that has a form for each instruction set, asked for under each once.
+template <class Form>
+class SimdTable {
+ public:
+  template <class Make>
+  explicit SimdTable(Make&& make) {
+    for_each_simd_target([&](const std::string& name) { by_target_.emplace(name, make()); });
+  }
+  // `target` is one of simd_targets().
+  const Form& on(std::string_view target) const { return by_target_.find(target)->second; }
+
+ private:
+  std::map<std::string, Form, std::less<>> by_target_;
+};
+
 // One set of formulae on every instruction set.
 class SimdForms {
  public:
-  // The functions dispatch to the instruction set that Highway has chosen: they are asked under each in turn.
   SimdForms(Implementation<float> (*binary32)(Strictness), Implementation<double> (*binary64)(Strictness));
   // `target` is one of simd_targets(); strict or nonstrict.
   template <class Real>
   Implementation<Real> on(std::string_view target, Strictness strictness) const {
-    const Forms& forms = by_target_.find(target)->second;
+    const Forms& forms = table_.on(target);
     if constexpr (sizeof(Real) == 4) return forms.binary32[static_cast<std::size_t>(strictness)];
     else return forms.binary64[static_cast<std::size_t>(strictness)];
   }
@@ -32,7 +51,7 @@ class SimdForms {
     Implementation<float> binary32[2];
     Implementation<double> binary64[2];
   };
-  std::map<std::string, Forms, std::less<>> by_target_;
+  SimdTable<Forms> table_;
 };
 
 const SimdForms& simd_published();

@@ -1,0 +1,41 @@
+// The filter of binary64 queries on every instruction set.
+#include "exact/filter/filter.h"
+#include "kernel/evaluate.h"
+#include "kernel/simd.h"
+
+#define HWY_COMPILE_ALL_ATTAINABLE  // `--target` must reach each
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "exact/filter/binary64.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#define AXISCERT_PER_TARGET
+#include "kernel/formulae.h"
+#include "kernel/simd-inl.h"
+#include "exact/filter/numbers-inl.h"
+#include "exact/filter/margins-inl.h"
+#include "exact/filter/passes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace axiscert::HWY_NAMESPACE {
+Filter<double> filter64(FilterFault fault) { return filter_of<double>(fault); }
+}  // namespace axiscert::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace axiscert {
+HWY_EXPORT(filter64);
+
+template <>
+Filter<double> filter_on<double>(std::string_view target, FilterFault fault) {
+  static const SimdTable<std::array<Filter<double>, filter_fault_count>> table([] {
+    std::array<Filter<double>, filter_fault_count> forms;
+    for (std::size_t i = 0; i < filter_fault_count; ++i) {
+      forms[i] = HWY_DYNAMIC_DISPATCH(filter64)(static_cast<FilterFault>(i));
+    }
+    return forms;
+  });
+  return table.on(target == scalar_target ? simd_targets().front() : target)[static_cast<std::size_t>(fault)];
+}
+}  // namespace axiscert
+#endif

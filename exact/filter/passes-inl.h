@@ -1,0 +1,223 @@
+// The two passes over a batch: the signs, and the errors of computed sides. No guard: included once for each of Highway's
+// instruction sets.
+#include <bit>
+#include <cstring>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace axiscert {
+namespace HWY_NAMESPACE {
+
+template <class Real>
+using FilterNumber = std::conditional_t<sizeof(Real) == 4, DoubleLanes, PairLanes>;
+
+inline constexpr std::size_t lane_count = hn::MaxLanes(D());
+
+AXISCERT_INLINE V load_double(const float* from) {
+  const hn::Rebind<float, D> half;
+  return hn::PromoteTo(D(), hn::LoadU(half, from));
+}
+AXISCERT_INLINE V load_double(const double* from) { return hn::LoadU(D(), from); }
+
+template <class Real>
+AXISCERT_INLINE RawQuery load_query(const QueryColumns<Real>& batch, std::size_t i) {
+  const auto lanes = [&](std::size_t k) HWY_ATTR { return load_double(batch.column[k] + i); };
+  return {{lanes(0), lanes(1), lanes(2)},
+          {lanes(3), lanes(4), lanes(5)},
+          {lanes(6), lanes(7), lanes(8)},
+          {lanes(9), lanes(10), lanes(11)},
+          lanes(12)};
+}
+
+// Finite, r >= 0: x 0 is no zero for a number that is not finite.
+AXISCERT_INLINE M is_valid(const RawQuery& q) {
+  const V zero = hn::Zero(D());
+  V sum = hn::Mul(q.r, zero);
+  for (const Vec3<V>* v : {&q.a, &q.b, &q.c, &q.p}) {
+    sum = hn::Add(sum, hn::Add(hn::Add(hn::Mul(v->x, zero), hn::Mul(v->y, zero)), hn::Mul(v->z, zero)));
+  }
+  return hn::And(hn::Eq(sum, zero), hn::Ge(q.r, zero));
+}
+
+// Per lane one 64-bit word: strict in bits 0 to 15, ties from 16, certain from 32, valid 48, close 49.
+inline constexpr int ties_at = 16, certain_at = 32, valid_at = 48, close_at = 49;
+
+AXISCERT_INLINE V word(M mask, std::uint64_t bits) {
+  return hn::IfThenElseZero(mask, hn::BitCast(D(), hn::Set(hn::RebindToUnsigned<D>(), bits)));
+}
+
+template <FilterFault fault, class T>
+struct SignSink {
+  V words, nearest;  // nearest: the least |margin| - 2^10 bound of what is certain and no tie
+  bool wants_close;
+
+  AXISCERT_INLINE void operator()(Comparison which, const Margin<T>& margin) {
+    const V zero = hn::Zero(D()), value = margin.value.leading();
+    const V bound = fault == FilterFault::small_bound ? times(margin.bound, constant(0x1p-12)) : margin.bound;
+    const V size = hn::Abs(value);
+    const M decided = hn::Gt(size, bound);
+    const bool swapped = fault == FilterFault::swapped_sign && which == Comparison::edge_bc_side_a;
+    const M strict = hn::And(decided, swapped ? hn::Lt(value, zero) : hn::Gt(value, zero));
+    const M tie = hn::Eq(plus(size, bound), zero);
+    const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(which);
+    words = hn::Or(words, hn::Or(word(strict, bit), word(hn::Or(decided, tie), bit << certain_at)));
+    words = hn::Or(words, word(tie, bit << ties_at));
+    if (wants_close) {
+      const V beyond = hn::Sub(size, times(bound, constant(0x1p10)));
+      nearest = hn::Min(nearest, hn::IfThenElse(tie, nearest, beyond));
+    }
+  }
+};
+
+template <FilterFault fault, class Real>
+AXISCERT_INLINE void signs_of_vector(const QueryColumns<Real>& batch, std::size_t at, bool wants_close,
+                                     std::uint64_t* out) {
+  using T = FilterNumber<Real>;
+  const RawQuery q = load_query(batch, at);
+  const Margins<EdgeForm::reduced, T> margins(q);
+  SignSink<fault, T> sink{hn::Zero(D()), constant(1), wants_close};
+  margins.emit_all(sink);
+  V words = sink.words;
+  if constexpr (sizeof(Real) == 8 && fault != FilterFault::no_underflow_guard) {
+    words = hn::IfThenElseZero(margins.in_range(), words);
+  }
+  words = hn::Or(words, word(is_valid(q), std::uint64_t{1} << valid_at));
+  words = hn::Or(words, word(hn::Lt(sink.nearest, hn::Zero(D())), std::uint64_t{1} << close_at));
+  hn::StoreU(hn::BitCast(hn::RebindToUnsigned<D>(), words), hn::RebindToUnsigned<D>(), out);
+}
+
+AXISCERT_INLINE FilteredSigns unpacked(std::uint64_t word) {
+  FilteredSigns found;
+  found.signs.strict = static_cast<ComparisonBits>(word);
+  found.signs.ties = static_cast<ComparisonBits>(word >> ties_at);
+  found.certain = static_cast<ComparisonBits>(word >> certain_at);
+  found.is_valid = ((word >> valid_at) & 1u) != 0;
+  found.is_close = ((word >> close_at) & 1u) != 0;
+  return found;
+}
+
+template <FilterFault fault, class Real>
+void filter_signs(const QueryColumns<Real>& batch, FilteredSigns* out) {
+  std::uint64_t words[lane_count];
+  std::size_t i = 0;
+  for (; i + lane_count <= batch.size; i += lane_count) {
+    const bool wants_close = i / close_call_block % close_call_stride == 0;
+    signs_of_vector<fault>(batch, i, wants_close, words);
+    for (std::size_t lane = 0; lane < lane_count; ++lane) out[i + lane] = unpacked(words[lane]);
+  }
+  if (i == batch.size) return;
+  with_padded_tail<Real, lane_count>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
+    signs_of_vector<fault>(tail, 0, true, words);
+    for (std::size_t lane = 0; lane < tail.size; ++lane) out[i + lane] = unpacked(words[lane]);
+  });
+}
+
+// |(l^ - r^) - margin| / (u scale), as an interval, against a threshold.
+template <class Real, class T>
+struct ErrorSink {
+  static constexpr double u = std::numeric_limits<Real>::epsilon() / 2;
+  const Answers<Real>& computed;
+  std::size_t at, first, count;  // in `computed`; the first lane's number in the batch; lanes that are queries
+  ErrorScreen& screen;
+  M in_range;
+
+  AXISCERT_INLINE void operator()(Comparison which, const Margin<T>& margin) {
+    const auto k = static_cast<std::size_t>(which);
+    const V lhs = load_double(computed.lhs[k].data() + at), rhs = load_double(computed.rhs[k].data() + at);
+    const T difference = T::difference(lhs, rhs);
+    const V distance = hn::Abs((difference - margin.value).leading());
+    // The difference of the sides rounds, and the distance, once each.
+    const V bound = plus(margin.bound, plus(times(units<T>(1), hn::Abs(difference.leading())),
+                                            times(constant(0x1p-52), distance)));
+    const V least_scale = hn::Sub(margin.scale, margin.scale_bound);
+    const V allowed = times(constant(screen.thresholds[k] * u), least_scale);
+    const M fine = hn::And(hn::Le(plus(distance, bound), allowed), in_range);
+    if (hn::AllTrue(D(), fine)) [[likely]] return;
+    report(k, fine, distance, bound, margin.scale, margin.scale_bound);
+  }
+
+  HWY_NOINLINE void report(std::size_t k, M fine, V distance, V bound, V scale, V scale_bound) {
+    double distances[lane_count], bounds[lane_count], scales[lane_count], scale_bounds[lane_count];
+    const D d;
+    hn::StoreU(distance, d, distances);
+    hn::StoreU(bound, d, bounds);
+    hn::StoreU(scale, d, scales);
+    hn::StoreU(scale_bound, d, scale_bounds);
+    std::uint8_t passed[8] = {}, ranged[8] = {};
+    hn::StoreMaskBits(d, fine, passed);
+    hn::StoreMaskBits(d, in_range, ranged);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      if ((passed[0] >> lane) & 1u) continue;
+      SuspectError suspect{first + lane, k, 0, infinity};
+      // Some ten roundings: a relative 2^-40 covers them.
+      const double least = scales[lane] - scale_bounds[lane];
+      if (((ranged[0] >> lane) & 1u) && least > 0) {
+        suspect.upper = (distances[lane] + bounds[lane]) / least / u * (1 + 0x1p-40);
+        const double low = (distances[lane] - bounds[lane]) / (scales[lane] + scale_bounds[lane]) / u * (1 - 0x1p-40);
+        suspect.lower = low > 0 ? low : 0;
+      }
+      if (!(suspect.upper <= infinity)) suspect.upper = infinity;
+      screen.thresholds[k] = screen.judge_suspect(screen.context, suspect);
+    }
+  }
+};
+
+template <EdgeForm form, class Real>
+AXISCERT_INLINE void errors_of_vector(const QueryColumns<Real>& batch, std::size_t at, const Answers<Real>& computed,
+                                      std::size_t computed_at, std::size_t first, std::size_t count,
+                                      ErrorScreen& screen) {
+  using T = FilterNumber<Real>;
+  const Margins<form, T> margins(load_query(batch, at));
+  M in_range = hn::Eq(hn::Zero(D()), hn::Zero(D()));
+  if constexpr (sizeof(Real) == 8) in_range = margins.in_range();
+  ErrorSink<Real, T> sink{computed, computed_at, first, count, screen, in_range};
+  margins.emit_all(sink);
+}
+
+template <EdgeForm form, class Real>
+void filter_errors(const QueryColumns<Real>& batch, const Answers<Real>& computed, ErrorScreen& screen) {
+  std::size_t i = 0;
+  for (; i + lane_count <= batch.size; i += lane_count) {
+    errors_of_vector<form>(batch, i, computed, i, i, lane_count, screen);
+  }
+  if (i == batch.size) return;
+  with_padded_tail<Real, lane_count>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
+    Answers<Real> padded;
+    padded.resize(lane_count);
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      std::copy_n(computed.lhs[k].begin() + static_cast<std::ptrdiff_t>(i), tail.size, padded.lhs[k].begin());
+      std::copy_n(computed.rhs[k].begin() + static_cast<std::ptrdiff_t>(i), tail.size, padded.rhs[k].begin());
+    }
+    errors_of_vector<form>(tail, 0, padded, 0, i, tail.size, screen);
+  });
+}
+
+template <class Real>
+Filter<Real> filter_of(FilterFault fault) {
+  Filter<Real> filter{};
+  filter.errors = [](const QueryColumns<Real>& batch, const Answers<Real>& computed, bool reduced,
+                     ErrorScreen& screen) {
+    if (reduced) filter_errors<EdgeForm::reduced>(batch, computed, screen);
+    else filter_errors<EdgeForm::published>(batch, computed, screen);
+  };
+  switch (fault) {
+    case FilterFault::none:
+      filter.signs = filter_signs<FilterFault::none, Real>;
+      break;
+    case FilterFault::small_bound:
+      filter.signs = filter_signs<FilterFault::small_bound, Real>;
+      break;
+    case FilterFault::no_underflow_guard:
+      filter.signs = filter_signs<FilterFault::no_underflow_guard, Real>;
+      break;
+    case FilterFault::swapped_sign:
+      filter.signs = filter_signs<FilterFault::swapped_sign, Real>;
+      break;
+  }
+  return filter;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace axiscert
+HWY_AFTER_NAMESPACE();
