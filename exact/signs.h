@@ -1,11 +1,13 @@
 // The sixteen exact signs of a query, and what follows from them by the theorem.
 #pragma once
 
+#include <initializer_list>
+
 #include "kernel/names.h"
 
 namespace axiscert {
 
-// Of the published comparisons in exact arithmetic: lhs > rhs, and lhs == rhs.
+// Of the published comparisons in exact arithmetic: lhs > rhs, and lhs == rhs. Bit i is comparison i; none is in both.
 struct Signs {
   ComparisonBits strict = 0, ties = 0;
   bool operator==(const Signs&) const = default;
