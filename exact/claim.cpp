@@ -40,7 +40,13 @@ std::optional<Reference> Claims<Real>::chain(const Kernel& kernel) {
   const FormulaTruth* own = sides(kernel.formulae);
   Reference chain{own ? outcome_of(own->bits(kernel.strictness)) : Outcome{exact_verdict(kernel.formulae, query_), {}},
                   std::nullopt, own ? own->ties : ComparisonBits{0}};
-  if (kernel.is_reference) chain.rounded = rounded(kernel.formulae, kernel.arithmetic, kernel.strictness, query_);
+  if (kernel.is_reference) {
+    const auto& [formulae, strictness, arithmetic] =
+        std::tuple(kernel.formulae, kernel.strictness, kernel.arithmetic);
+    chain.rounded = by_mpfr_ ? Rounded{unbounded(formulae, arithmetic, strictness, query_),
+                                       reference(formulae, arithmetic, strictness, query_)}
+                             : rounded(formulae, arithmetic, strictness, query_);
+  }
   return chain;
 }
 

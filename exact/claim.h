@@ -12,7 +12,9 @@ namespace axiscert {
 template <class Real>
 class Claims {
  public:
-  Claims(const Query<Real>& q, const FormulaTruth& published) : query_(q), published_(published) {}
+  // `by_mpfr`: R-infinity by MPFR on every query.
+  Claims(const Query<Real>& q, const FormulaTruth& published, bool by_mpfr = false)
+      : query_(q), published_(published), by_mpfr_(by_mpfr) {}
 
   // The exact sides of a set of formulae; null for `none` and for a method, which has none. A rung whose signs differ
   // from the published ones, where it defines them, throws OracleDisagreement: over the reals there is no such query.
@@ -23,6 +25,7 @@ class Claims {
  private:
   const Query<Real>& query_;
   const FormulaTruth& published_;
+  bool by_mpfr_;
   std::deque<std::pair<Formulae, FormulaTruth>> others_;
 };
 

@@ -1,6 +1,5 @@
 #include "exact/judge.h"
 
-#include <bit>
 #include <type_traits>
 
 namespace axiscert {
@@ -25,13 +24,6 @@ auto broken_links(const Reference& chain, std::invoke_result_t<Of, ComparisonBit
   put(Link::range, range_free, reference);
   put(Link::implementation, reference, kernel);
   return broken;
-}
-
-template <class Bits>
-LinkBits links_at(const std::array<Bits, link_count>& broken, std::size_t i) {
-  LinkBits links = 0;
-  for (std::size_t k = 0; k < link_count; ++k) links |= static_cast<LinkBits>(((broken[k] >> i) & 1u) << k);
-  return links;
 }
 
 LinkBits verdict_links(Verdict right, const Reference& chain, Verdict kernel) {
@@ -131,20 +123,7 @@ Judgement judge(const Truth& truth, const std::optional<Reference>& reference, c
 
 std::vector<Flip> Judgement::flips() const {
   std::vector<Flip> all;
-  if (verdict_flip) all.push_back({Level::verdict, 0, *verdict_flip, true, verdict_links});
-  const auto kind = [](bool exact_bit) { return exact_bit ? FlipKind::missed_separation : FlipKind::false_separation; };
-  const ComparisonBits exact_bits = exact.value_or(0);
-  const AxisBits exact_axes = axes_of(exact_bits);
-  for (std::size_t i = 0; i < axis_count; ++i) {
-    if (!((axis_flips >> i) & 1u)) continue;
-    all.push_back({Level::axis, static_cast<std::uint8_t>(i), kind((exact_axes >> i) & 1u),
-                   ((axis_decisive >> i) & 1u) != 0, links_at(broken_axes, i)});
-  }
-  for (std::size_t i = 0; i < comparison_count; ++i) {
-    if (!((comparison_flips >> i) & 1u)) continue;
-    all.push_back({Level::comparison, static_cast<std::uint8_t>(i), kind((exact_bits >> i) & 1u),
-                   ((comparison_decisive >> i) & 1u) != 0, links_at(broken, i)});
-  }
+  for_each_flip([&](const Flip& flip) { all.push_back(flip); });
   return all;
 }
 

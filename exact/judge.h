@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -56,6 +57,9 @@ struct Judgement {
   std::uint16_t comparison_flips = 0, comparison_decisive = 0;  // bit i is comparison i; decisive is a subset
   std::uint8_t axis_flips = 0, axis_decisive = 0;
   std::vector<Flip> flips() const;  // in the order verdict, axes, comparisons
+  // The same, one after the other.
+  template <class Visit>
+  void for_each_flip(Visit&& visit) const;
 
   std::optional<ComparisonBits> exact;              // the kernel's own formulae in exact arithmetic
   std::array<ComparisonBits, link_count> broken{};  // per link, the comparisons at which it is broken
@@ -77,5 +81,25 @@ std::optional<Verdict> right_verdict(const Truth& truth, Touching touching);
 // `contact` contradicts its own formulae: `specification`.
 Judgement judge(const Truth& truth, const std::optional<Reference>& reference, const Answer& answer,
                 Touching touching = Touching::contact);
+
+template <class Visit>
+void Judgement::for_each_flip(Visit&& visit) const {
+  if (verdict_flip) visit(Flip{Level::verdict, 0, *verdict_flip, true, verdict_links});
+  const auto links_at = [](const auto& of, unsigned i) {
+    LinkBits links = 0;
+    for (std::size_t k = 0; k < link_count; ++k) links |= static_cast<LinkBits>(((of[k] >> i) & 1u) << k);
+    return links;
+  };
+  const auto each = [&](Level level, unsigned flips, unsigned decisive, unsigned exact_bits, const auto& of) {
+    for (unsigned rest = flips; rest != 0; rest &= rest - 1) {
+      const auto i = static_cast<unsigned>(std::countr_zero(rest));
+      const FlipKind kind = ((exact_bits >> i) & 1u) != 0 ? FlipKind::missed_separation : FlipKind::false_separation;
+      visit(Flip{level, static_cast<std::uint8_t>(i), kind, ((decisive >> i) & 1u) != 0, links_at(of, i)});
+    }
+  };
+  const ComparisonBits exact_bits = exact.value_or(0);
+  each(Level::axis, axis_flips, axis_decisive, axes_of(exact_bits), broken_axes);
+  each(Level::comparison, comparison_flips, comparison_decisive, exact_bits, broken);
+}
 
 }  // namespace axiscert

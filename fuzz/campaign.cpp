@@ -52,6 +52,20 @@ class UnitQueue {
 
 }  // namespace
 
+void StepCounts::merge(const StepCounts& other) {
+  for (std::size_t i = 0; i < step_count; ++i) {
+    queries[i] += other.queries[i];
+    steps[i] += other.steps[i];
+    for (std::size_t k = 0; k < comparison_count; ++k) signs[k][i] += other.signs[k][i];
+  }
+  checked += other.checked;
+  by_cgal += other.by_cgal;
+  generation += other.generation;
+  kernels += other.kernels;
+  errors += other.errors;
+  judging += other.judging;
+}
+
 CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupted,
                             const std::function<void(const Progress&)>& report) {
   CampaignResult result;
@@ -59,7 +73,7 @@ CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupt
   for (const Precision precision : {Precision::binary64, Precision::binary32}) {
     if (std::find(plan.precisions.begin(), plan.precisions.end(), precision) == plan.precisions.end()) continue;
     for (std::size_t s = 0; s < plan.sources.size(); ++s) {
-      result.cells.push_back({s, precision, 0, 0, 0, std::vector<Tally>(plan.kernels.size())});
+      result.cells.push_back({s, precision, 0, 0, 0, std::vector<Tally>(plan.kernels.size()), {}});
     }
   }
   UnitQueue queue(plan, result.cells);
@@ -69,7 +83,8 @@ CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupt
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
 
-  const auto claim = [&]() -> std::optional<Unit> {
+  // A unit, and what other units of its cell have found so far.
+  const auto claim = [&](std::vector<Standing>& standing) -> std::optional<Unit> {
     const std::lock_guard lock(mutex);
     if (failed) return std::nullopt;
     if (interrupted) {
@@ -77,14 +92,20 @@ CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupt
       return std::nullopt;
     }
     if (plan.seconds && elapsed() >= *plan.seconds) return std::nullopt;
-    return queue.next();
+    const std::optional<Unit> unit = queue.next();
+    standing.clear();
+    if (unit) {
+      for (const Tally& tally : result.cells[unit->cell].tallies) standing.push_back(standing_of(tally));
+    }
+    return unit;
   };
   const auto work = [&](int) {
-    while (const auto unit = claim()) {
+    std::vector<Standing> standing;
+    while (const auto unit = claim(standing)) {
       const CellResult& cell = result.cells[unit->cell];
       UnitResult done;
       try {
-        done = run_unit(plan, *plan.sources[cell.source], cell.precision, unit->number, unit->size);
+        done = run_unit(plan, *plan.sources[cell.source], cell.precision, unit->number, unit->size, standing);
       } catch (...) {
         failed = true;
         throw;
@@ -92,6 +113,7 @@ CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupt
       const std::lock_guard lock(mutex);
       CellResult& into = result.cells[unit->cell];
       for (std::size_t k = 0; k < plan.kernels.size(); ++k) into.tallies[k].merge(done.tallies[k]);
+      into.steps.merge(done.steps);
       into.core_seconds += done.core_seconds;
       ++into.units_done;
       into.queries += unit->size;

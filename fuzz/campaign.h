@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "exact/filter/ladder.h"
 #include "fuzz/replies.h"
 #include "fuzz/source.h"
 #include "fuzz/tally.h"
@@ -31,6 +32,22 @@ struct Plan {
   // The answers of the one kernel, in place of running it; its queries are those that have one.
   std::shared_ptr<const StoredReplies> replies;
   ReplyClaim claim;  // of the replies
+  // Everything by CGAL, arbitrary precision and MPFR: the record is the same.
+  bool exact_only = false;
+  FilterFault planted = FilterFault::none;  // for the tests of the cross-checks
+};
+
+// How the queries of a cell were decided; no record holds it.
+struct StepCounts {
+  std::array<std::uint64_t, step_count> queries{};
+  std::array<std::array<std::uint64_t, step_count>, comparison_count> signs{};  // by comparison
+  std::uint64_t checked = 0;                                                    // decided by a filter, and by CGAL again
+  std::uint64_t by_cgal = 0;                                                    // verdicts that CGAL decided
+  // Nanoseconds.
+  double generation = 0, kernels = 0, errors = 0, judging = 0;
+  std::array<double, step_count> steps{};  // of the filters; `exact` is part of judging
+
+  void merge(const StepCounts& other);
 };
 
 // One source in one precision.
@@ -40,6 +57,7 @@ struct CellResult {
   std::uint64_t units_done = 0, queries = 0;
   double core_seconds = 0;     // processor time of generating and judging
   std::vector<Tally> tallies;  // by kernel, in the plan's order
+  StepCounts steps;
 };
 
 struct CampaignResult {

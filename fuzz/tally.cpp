@@ -28,6 +28,11 @@ void count_flip(SignTally& tally, const Flip& flip) {
   add(tally.links, flip.links);
 }
 
+template <class Visit>
+void for_each_bit(unsigned bits, Visit&& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
 void keep_first(std::optional<std::uint64_t>& first, std::optional<std::uint64_t> position) {
   if (position && (!first || *position < *first)) first = position;
 }
@@ -78,20 +83,38 @@ void count_truth(Tally& tally, const Truth& truth) {
   tally.touching += truth.touching;
 }
 
-void count_verdict(VerdictTally& tally, std::uint64_t position, bool touching, const Flip& flip, double depth) {
+// Calls visit(leaders) with each of a tally's in which a wrong verdict's depth has a place.
+template <class Tally, class Visit>
+void for_each_depth_leaders(Tally& tally, const Flip& flip, Visit&& visit) {
+  visit(flip.kind == FlipKind::false_separation ? tally.deepest_false_separation : tally.deepest_false_contact);
+  for (std::size_t i = 0; i < link_count; ++i) {
+    if ((flip.links >> i) & 1u) visit(tally.deepest_by_link[i]);
+  }
+}
+
+bool could_keep(const VerdictTally& tally, const Flip& flip, double at_most) {
+  bool could = false;
+  for_each_depth_leaders(tally, flip, [&](const Leaders<double>& leaders) { could |= leaders.could_keep(at_most); });
+  return could;
+}
+
+void count_verdict(VerdictTally& tally, std::uint64_t position, bool touching, const Flip& flip, DepthOf& depth,
+                   const Standing& standing) {
   const bool false_separation = flip.kind == FlipKind::false_separation;
   ++(false_separation ? tally.false_separation : tally.false_contact);
   tally.touching_flips += touching;
   add(tally.links, flip.links);
   if (touching) add(tally.touching_links, flip.links);
-  (false_separation ? tally.deepest_false_separation : tally.deepest_false_contact).offer({depth, position});
   for (std::size_t i = 0; i < link_count; ++i) {
     if (!((flip.links >> i) & 1u)) continue;
-    tally.deepest_by_link[i].offer({depth, position});
     // No convention explains a difference from the reference.
     const bool is_explained = touching && static_cast<Link>(i) != Link::implementation;
     if (!is_explained) keep_first(tally.first_by_link[i], position);
   }
+  const double at_most = depth.at_most();
+  if (!could_keep(tally, flip, at_most) || !standing.could_keep_depth(flip, at_most)) return;
+  const Candidate<double> candidate{depth.exactly(), position};
+  for_each_depth_leaders(tally, flip, [&](Leaders<double>& leaders) { leaders.offer(candidate); });
 }
 
 }  // namespace
@@ -125,8 +148,8 @@ void Tally::merge(const Tally& other) {
   for (std::size_t i = 0; i < finding_kind_count; ++i) merge_finding(findings[i], other.findings[i]);
 }
 
-void count(Tally& tally, std::uint64_t position, const Truth& truth, const FormulaTruth* sides, const Answer& answer,
-           const Judgement& judgement, std::optional<double> depth) {
+void count(Tally& tally, std::uint64_t position, const Truth& truth, ComparisonBits ties, const Answer& answer,
+           const Judgement& judgement, DepthOf& depth, const Standing& standing) {
   count_truth(tally, truth);
   if (truth.verdict == Verdict::invalid) return;
   tally.verdict.undecided += answer.verdict == Verdict::undecided;
@@ -134,17 +157,15 @@ void count(Tally& tally, std::uint64_t position, const Truth& truth, const Formu
   tally.verdict.unanswered += answer.verdict == Verdict::unanswered;
   if (!judgement.verdict_flip) add(tally.verdict.masked_links, judgement.verdict_links);
 
-  if (sides && sides->ties != 0) {
-    for (std::size_t i = 0; i < comparison_count; ++i) tally.comparisons[i].ties += (sides->ties >> i) & 1u;
-  }
+  for_each_bit(ties, [&](std::size_t i) { ++tally.comparisons[i].ties; });
   const AxisBits exact_axes = axes_of(judgement.exact.value_or(0));
   if (std::has_single_bit(exact_axes))
     ++tally.axes[static_cast<std::size_t>(std::countr_zero(exact_axes))].sole_separator;
 
-  for (const Flip& flip : judgement.flips()) {
+  judgement.for_each_flip([&](const Flip& flip) {
     switch (flip.level) {
       case Level::verdict:
-        count_verdict(tally.verdict, position, truth.touching, flip, depth.value_or(0));
+        count_verdict(tally.verdict, position, truth.touching, flip, depth, standing);
         break;
       case Level::axis:
         count_flip(tally.axes[flip.index], flip);
@@ -157,18 +178,45 @@ void count(Tally& tally, std::uint64_t position, const Truth& truth, const Formu
         break;
       }
     }
-  }
+  });
 }
 
-void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const Judgement& judgement,
-                   std::optional<double> depth) {
+void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const Judgement& judgement, DepthOf& depth) {
   count_truth(tally, truth);
   OutsideTally& outside = tally.verdict.outside_limits;
   ++outside.trials;
   outside.unanswered += answer.verdict == Verdict::unanswered;
   if (!judgement.verdict_flip) return;
   ++(*judgement.verdict_flip == FlipKind::false_separation ? outside.false_separation : outside.false_contact);
-  outside.deepest = std::max(outside.deepest, depth.value_or(0));
+  if (depth.at_most() > outside.deepest) outside.deepest = std::max(outside.deepest, depth.exactly());
+}
+
+void CleanCount::add_ties(ComparisonBits ties) {
+  for_each_bit(ties, [&](std::size_t i) { ++ties_[i]; });
+}
+
+void CleanCount::add_to(Tally& tally) const {
+  for (std::size_t axes = 0; axes < by_axes_.size(); ++axes) {
+    tally.trials += by_axes_[axes];
+    (axes != 0 ? tally.separated : tally.contact) += by_axes_[axes];
+    if (std::has_single_bit(axes)) tally.axes[static_cast<std::size_t>(std::countr_zero(axes))].sole_separator += by_axes_[axes];
+  }
+  tally.trials += separated_ + contact_;
+  tally.separated += separated_;
+  tally.contact += contact_;
+  tally.touching += touching_;
+  for (std::size_t i = 0; i < comparison_count; ++i) tally.comparisons[i].ties += ties_[i];
+}
+
+bool Standing::could_keep_depth(const Flip& flip, double at_most) const { return could_keep(verdict, flip, at_most); }
+
+Standing standing_of(const Tally& tally) {
+  Standing standing;
+  for (std::size_t i = 0; i < comparison_count; ++i) standing.largest_error[i] = tally.comparisons[i].largest_error;
+  standing.verdict.deepest_false_separation = tally.verdict.deepest_false_separation;
+  standing.verdict.deepest_false_contact = tally.verdict.deepest_false_contact;
+  standing.verdict.deepest_by_link = tally.verdict.deepest_by_link;
+  return standing;
 }
 
 void count_finding(Tally& tally, FindingKind kind, std::uint64_t position, const std::string& detail) {

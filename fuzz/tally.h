@@ -42,6 +42,8 @@ class Leaders {
   }
   const std::vector<Candidate<Rank>>& candidates() const { return kept_; }
   Rank best() const { return kept_.empty() ? Rank() : kept_.front().rank; }
+  // Whether a candidate of at most this rank could still be kept.
+  bool could_keep(const Rank& at_most) const { return kept_.size() < capacity_ || !(at_most < kept_.back().rank); }
 
  private:
   std::size_t capacity_;
@@ -106,17 +108,58 @@ struct Tally {
   void merge(const Tally& other);
 };
 
+// The depth of a wrong verdict: exact, and so only computed where it could be kept.
+class DepthOf {
+ public:
+  virtual double at_most() = 0;  // certainly
+  virtual double exactly() = 0;
+
+ protected:
+  ~DepthOf() = default;
+};
+
+// What other units of the same cell have found: what is certainly no greater need not be evaluated.
+struct Standing {
+  std::array<Leaders<Decimal6>, comparison_count> largest_error;
+  VerdictTally verdict;  // its leaders
+
+  bool could_keep_depth(const Flip& flip, double at_most) const;
+};
+Standing standing_of(const Tally& tally);
+
 // Tolerated error per comparison, in u; none: not checked.
 using Tolerances = std::array<std::optional<Rational>, comparison_count>;
 
-// Counts everything of a query within the kernel's limits but the errors of the sides. `sides` are the kernel's own
-// formulae in exact arithmetic, where they have comparisons; `depth` is that of a wrong verdict.
-void count(Tally& tally, std::uint64_t position, const Truth& truth, const FormulaTruth* sides, const Answer& answer,
-           const Judgement& judgement, std::optional<double> depth);
+// Counts everything of a query within the kernel's limits but the errors of the sides. `ties` are those of the kernel's
+// own formulae in exact arithmetic, where they have comparisons; `depth` is asked where the verdict is wrong.
+void count(Tally& tally, std::uint64_t position, const Truth& truth, ComparisonBits ties, const Answer& answer,
+           const Judgement& judgement, DepthOf& depth, const Standing& standing);
 
 // Counts a valid query outside the kernel's limits.
-void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const Judgement& judgement,
-                   std::optional<double> depth);
+void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const Judgement& judgement, DepthOf& depth);
+
+// Queries on which a kernel's verdict, axes and comparisons are all as in exact arithmetic, and its verdict right.
+class CleanCount {
+ public:
+  // `axes` are the separating ones.
+  void add(AxisBits axes, ComparisonBits ties, bool touching) {
+    ++by_axes_[axes];
+    touching_ += touching;
+    if (ties != 0) add_ties(ties);
+  }
+  // Of a kernel that claims no formulae.
+  void add_verdict(Verdict verdict, bool touching) {
+    ++(verdict == Verdict::separated ? separated_ : contact_);
+    touching_ += touching;
+  }
+  void add_to(Tally& tally) const;
+
+ private:
+  void add_ties(ComparisonBits ties);
+  std::array<std::uint64_t, std::size_t{1} << axis_count> by_axes_{};
+  std::array<std::uint64_t, comparison_count> ties_{};
+  std::uint64_t separated_ = 0, contact_ = 0, touching_ = 0;
+};
 
 void count_finding(Tally& tally, FindingKind kind, std::uint64_t position, const std::string& detail);
 

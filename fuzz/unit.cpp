@@ -1,16 +1,15 @@
 #include "fuzz/unit.h"
 
+#include <fmt/format.h>
+
+#include <cfenv>
 #include <ctime>
 
 #include <algorithm>
-#include <cmath>
+#include <deque>
 
-#include "exact/claim.h"
-#include "exact/critical_radius.h"
-#include "exact/depth.h"
-#include "exact/geometric_oracle.h"
-#include "exact/limits.h"
-#include "kernel/ask.h"
+#include "exact/stopwatch.h"
+#include "fuzz/runner.h"
 
 namespace axiscert {
 namespace {
@@ -23,128 +22,185 @@ double thread_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-// A kernel at work on batches of one precision. Somebody else's code is a process, begun with the unit: so what it does
-// depends on the unit alone, and not on what the thread did before.
-template <class Real>
-struct Runner {
-  const Kernel& kernel;
-  std::size_t place;  // in the plan
-  Implementation<Real> implementation;
-  RadiusRange<Real> radii;
-  Reply<Real> reply;
-  // The queries whose critical radius is found, and their exact distances.
-  std::vector<Query<Real>> sampled;
-  std::vector<Real> distances;
+void require_round_to_nearest() {
+  if (std::fegetround() == FE_TONEAREST) return;
+  throw HarnessFault("the rounding mode is not to nearest: something left it changed, and no filter is certain");
+}
 
-  Runner(const Kernel& k, std::size_t place_in_plan, std::string_view target)
-      : kernel(k), place(place_in_plan), implementation(k.on<Real>(target)), radii(radii_within<Real>(k.limits)) {}
-};
-
-// The exact squared distance of one query, computed when first asked for: few queries need it.
+// One unit in one precision: batch by batch generated, asked of every kernel, its signs decided, and judged.
 template <class Real>
-class LazyDistance {
+class UnitRun {
  public:
-  explicit LazyDistance(const Query<Real>& q) : query_(q) {}
-  const Rational& squared() {
-    if (!squared_) squared_ = squared_distance(query_);
-    return *squared_;
+  UnitRun(const Plan& plan, const Source& source, std::uint64_t first, const std::vector<Standing>& standing,
+          UnitResult& out)
+      : plan_(plan), source_(source), out_(out), filter_(filter_on<Real>(plan.target, plan.planted)), ladder_(filter_) {
+    static const Standing nothing;
+    for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+      if (!plan.kernels[k]->has(precision_of<Real>)) continue;
+      runners_.emplace_back(*plan.kernels[k], plan, filter_, standing.empty() ? nothing : standing[k], first,
+                            out.tallies[k]);
+    }
   }
-  double depth() {
-    if (!depth_) depth_ = axiscert::depth(query_, squared());
-    return *depth_;
+
+  void run(std::uint64_t first, std::uint64_t size) {
+    if (runners_.empty()) return;
+    for (std::uint64_t done = 0; done < size; done += batch_.size()) {
+      first_ = first + done;
+      run_batch(static_cast<std::size_t>(std::min<std::uint64_t>(batch_size, size - done)));
+    }
+    for (Runner<Real>& runner : runners_) runner.finish();
+    for (const Step step : {Step::lanes, Step::grid}) {
+      out_.steps.steps[static_cast<std::size_t>(step)] = ladder_.nanoseconds(step);
+    }
   }
 
  private:
-  const Query<Real>& query_;
-  std::optional<Rational> squared_;
-  std::optional<double> depth_;
+  void run_batch(std::size_t size) {
+    Stopwatch watch;
+    source_.fill(plan_.seed, first_, size, batch_);
+    out_.steps.generation += watch.lap();
+    for (Runner<Real>& runner : runners_) {
+      if (!plan_.replies) runner.ask_about(batch_, first_);
+    }
+    out_.steps.kernels += watch.lap();
+    choose_what_is_exact();
+    watch.lap();
+    for (Runner<Real>& runner : runners_) {
+      if (runner.is_judged_by_signs()) runner.look_at_sides(batch_, first_, attention_);
+    }
+    out_.steps.errors += watch.lap();
+    for (std::size_t i = 0; i < size; ++i) judge_query(i);
+    if (!plan_.replies) sample_critical_radii();
+    out_.steps.judging += watch.lap();
+  }
+
+  bool is_filtered(std::size_t i) const { return !plan_.exact_only && (*decided_)[i].step != Step::exact; }
+
+  // Exact arithmetic decides what the filters leave, a sample of the rest, and the close calls that they tell of.
+  void choose_what_is_exact() {
+    const std::size_t size = batch_.size();
+    exactly_.assign(size, true);
+    attention_.assign(size, Attention::none);
+    if (plan_.exact_only) {
+      out_.steps.queries[static_cast<std::size_t>(Step::exact)] += size;
+      return;
+    }
+    require_round_to_nearest();
+    decided_ = &ladder_.decide(batch_);
+    std::uint64_t in_lanes = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const DecidedSigns& found = (*decided_)[i];
+      if (found.step == Step::lanes) ++in_lanes;
+      else count_step(found);
+      if (found.step == Step::exact) continue;
+      const bool is_checked = (first_ + i) % second_opinion_stride == 0 || found.is_close;
+      out_.steps.checked += is_checked;
+      exactly_[i] = is_checked;
+      attention_[i] = is_checked ? Attention::checked : Attention::counted;
+    }
+    out_.steps.queries[static_cast<std::size_t>(Step::lanes)] += in_lanes;
+    for (auto& signs : out_.steps.signs) signs[static_cast<std::size_t>(Step::lanes)] += in_lanes;
+  }
+
+  void count_step(const DecidedSigns& found) {
+    ++out_.steps.queries[static_cast<std::size_t>(found.step)];
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      const bool in_lanes = ((found.certain_in_lanes >> k) & 1u) != 0;
+      ++out_.steps.signs[k][static_cast<std::size_t>(in_lanes ? Step::lanes : found.step)];
+    }
+  }
+
+  void judge_query(std::size_t i) {
+    const bool radius_is_zero = batch_.columns().column[12][i] == 0;
+    std::optional<Exactly> exactly;
+    std::optional<Query<Real>> q;
+    std::optional<LazyDistance<Real>> distance;
+    for (Runner<Real>& runner : runners_) {
+      const Answer answer =
+          plan_.replies ? plan_.replies->at(source_, precision_of<Real>, first_ + i) : runner.answer(i);
+      const bool by_signs = !exactly_[i] && runner.is_judged_by_signs();
+      if (by_signs && runner.count_if_clean(i, (*decided_)[i].signs, radius_is_zero, answer)) continue;
+      if (!q) {
+        q = batch_[i];
+        distance.emplace(*q, plan_.exact_only);
+      }
+      if (by_signs) {
+        runner.judge_by_signs(i, *q, (*decided_)[i].signs, answer, *distance);
+        continue;
+      }
+      if (!exactly) exactly.emplace(decide_exactly(i, *q), *q, plan_.exact_only);
+      runner.judge_exactly(i, *q, exactly->truth, exactly->claims ? &*exactly->claims : nullptr, answer,
+                           is_filtered(i) && exactly_[i], *distance);
+    }
+  }
+
+  // The exact truth of one query, and what kernels claim of it.
+  struct Exactly {
+    Truth truth;
+    std::optional<Claims<Real>> claims;
+    Exactly(Truth&& decided, const Query<Real>& q, bool exact_only) : truth(std::move(decided)) {
+      if (truth.formula) claims.emplace(q, *truth.formula, exact_only);
+    }
+  };
+
+  Truth decide_exactly(std::size_t i, const Query<Real>& q) {
+    const bool second_opinion = (first_ + i) % second_opinion_stride == 0 || plan_.exact_only;
+    Truth truth = exact_truth(q, second_opinion);
+    if (!truth.formula) return truth;
+    out_.second_opinions += second_opinion;
+    ++out_.steps.by_cgal;
+    if (!is_filtered(i)) return truth;
+    const DecidedSigns& found = (*decided_)[i];
+    const Signs exact{truth.formula->strict, truth.formula->ties};
+    if (found.signs != exact || verdict_of(exact) != truth.verdict || is_touching(exact, q.r == 0) != truth.touching) {
+      throw OracleDisagreement(
+          fmt::format("the step `{}` of the filter has the signs {:016b} ties {:016b} (bit 0 is the first comparison); "
+                      "exact arithmetic {:016b} ties {:016b}, {}{}",
+                      step_names[static_cast<std::size_t>(found.step)], found.signs.strict, found.signs.ties,
+                      exact.strict, exact.ties, name(truth.verdict), truth.touching ? ", touching" : ""),
+          q);
+    }
+    return truth;
+  }
+
+  void sample_critical_radii() {
+    for (std::size_t i = 0; i < batch_.size(); ++i) {
+      if (!has_critical_radius(first_ + i)) continue;
+      const Query<Real> q = batch_[i];
+      if (!is_valid(q)) continue;
+      LazyDistance<Real> distance(q, plan_.exact_only);
+      for (Runner<Real>& runner : runners_) runner.sample(q, i, distance);
+    }
+  }
+
+  const Plan& plan_;
+  const Source& source_;
+  UnitResult& out_;
+  Filter<Real> filter_;
+  Ladder<Real> ladder_;
+  std::deque<Runner<Real>> runners_;
+  QueryBatch<Real> batch_{batch_size};
+  std::uint64_t first_ = 0;  // position of the batch's first query
+  const std::vector<DecidedSigns>* decided_ = nullptr;
+  std::vector<char> exactly_;         // by query: judged by exact arithmetic
+  std::vector<Attention> attention_;  // by query, of the error watches
 };
 
-// Of a unit's sample at once: a kernel in another process takes longer to ask than to answer.
 template <class Real>
-void measure_critical_radii(const Runner<Real>& runner, CriticalRadiusTally& tally) {
-  const auto critical = critical_radii(runner.implementation, runner.sampled, runner.radii);
-  for (std::size_t i = 0; i < critical.size(); ++i) {
-    const CriticalRadiusError error = critical_radius_error(critical[i], runner.distances[i]);
-    if (!error.answered) ++tally.unanswered;
-    else if (std::isfinite(*error.ulps)) tally.errors_ulps.push_back(*error.ulps);
-    else ++tally.unbounded;
-  }
-}
-
-template <class Real>
-void judge_query(const Plan& plan, const Source& source, std::vector<Runner<Real>>& runners, std::size_t i,
-                 std::uint64_t position, const Query<Real>& q, UnitResult& out) {
-  const bool second_opinion = position % second_opinion_stride == 0;
-  const Truth truth = exact_truth(q, second_opinion);
-  out.second_opinions += second_opinion && truth.formula;
-  LazyDistance<Real> distance(q);
-  std::optional<Claims<Real>> claims;
-  if (truth.formula) claims.emplace(q, *truth.formula);
-  for (Runner<Real>& runner : runners) {
-    const Kernel& kernel = runner.kernel;
-    Tally& tally = out.tallies[runner.place];
-    const Answer answer =
-        plan.replies ? plan.replies->at(source, precision_of<Real>, position) : runner.reply.outcome(i);
-    std::optional<Reference> chain;
-    const FormulaTruth* sides = nullptr;
-    if (claims) {
-      chain = claims->chain(kernel);
-      sides = claims->sides(kernel.formulae);
-    }
-    const Judgement judgement = judge(truth, chain, answer, kernel.touching);
-    std::optional<double> depth;
-    if (judgement.verdict_flip) depth = distance.depth();
-    if (truth.formula && kernel.limits.any() && !is_within(kernel.limits, q)) {
-      count_outside(tally, truth, answer, judgement, depth);
-      continue;
-    }
-    count(tally, position, truth, sides, answer, judgement, depth);
-    if (!truth.formula || answer.verdict == Verdict::unanswered) continue;
-    if (sides && kernel.exposes == Exposure::sides) {
-      count_errors(tally, position, *sides, runner.reply.sides(i), plan.tolerances);
-    }
-    if (!has_critical_radius(position) || plan.replies) continue;
-    if (const auto within = distance_within(distance.squared(), runner.radii)) {
-      runner.sampled.push_back(q);
-      runner.distances.push_back(*within);
-    }
-  }
-}
-
-template <class Real>
-void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint64_t size, UnitResult& out) {
-  std::vector<Runner<Real>> runners;
-  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-    if (plan.kernels[k]->has(precision_of<Real>)) runners.emplace_back(*plan.kernels[k], k, plan.target);
-  }
-  if (runners.empty()) return;
-  QueryBatch<Real> batch(batch_size);
-  for (std::uint64_t done = 0; done < size; done += batch.size()) {
-    source.fill(plan.seed, first + done, static_cast<std::size_t>(std::min<std::uint64_t>(batch_size, size - done)), batch);
-    for (Runner<Real>& runner : runners) {
-      if (plan.replies) break;
-      ask(runner.implementation, batch.columns(), runner.reply);
-      for (const Finding& finding : runner.reply.findings) {
-        count_finding(out.tallies[runner.place], finding.kind, first + done + finding.index, finding.detail);
-      }
-    }
-    for (std::size_t i = 0; i < batch.size(); ++i)
-      judge_query(plan, source, runners, i, first + done + i, batch[i], out);
-  }
-  for (const Runner<Real>& runner : runners) {
-    measure_critical_radii(runner, out.tallies[runner.place].critical_radius);
-  }
+void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint64_t size,
+         const std::vector<Standing>& standing, UnitResult& out) {
+  UnitRun<Real>(plan, source, first, standing, out).run(first, size);
 }
 
 }  // namespace
 
 UnitResult run_unit(const Plan& plan, const Source& source, Precision precision, std::uint64_t number,
-                    std::uint64_t size) {
-  UnitResult result{std::vector<Tally>(plan.kernels.size()), 0, 0};
+                    std::uint64_t size, const std::vector<Standing>& standing) {
+  UnitResult result{std::vector<Tally>(plan.kernels.size()), 0, 0, {}};
   const double start = thread_seconds();
-  if (precision == Precision::binary32) run<float>(plan, source, number * unit_size, size, result);
-  else run<double>(plan, source, number * unit_size, size, result);
+  const std::uint64_t first = number * unit_size;
+  if (precision == Precision::binary32) run<float>(plan, source, first, size, standing, result);
+  else run<double>(plan, source, first, size, standing, result);
   result.core_seconds = thread_seconds() - start;
   return result;
 }

@@ -43,6 +43,8 @@ struct Implementation {
   // `verdicts`, and how long the kernel itself took, in nanoseconds, where it runs in another process. Empty for a
   // built-in kernel.
   std::function<double(const QueryColumns<Real>& batch, Verdict* out)> timed = {};
+  // The bits of `explain` alone. Empty where nothing is gained.
+  std::function<void(const QueryColumns<Real>& batch, ComparisonBits* out)> bits = {};
 };
 
 // Within what a kernel promises to be right, inclusive; 0: no limit. A wrong answer outside fails no requirement.

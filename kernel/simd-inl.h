@@ -103,28 +103,69 @@ void verdicts(const QueryColumns<Real>& batch, Verdict* out) {
   });
 }
 
+// Collects the comparison bits of each lane in a word of the lane's width.
 template <class D, Strictness strictness>
-struct ExplainSink {
+struct BitsSink {
   using Real = hn::TFromD<D>;
+  using Words = hn::RebindToUnsigned<D>;
   static constexpr std::size_t lanes = hn::MaxLanes(D());
+  hn::Vec<Words> words;
+
+  AXISCERT_INLINE BitsSink() : words(hn::Zero(Words())) {}
+  template <class T>
+  AXISCERT_INLINE void operator()(Comparison which, const T& lhs, const T& rhs) {
+    const auto bit = hn::Set(Words(), static_cast<hn::TFromD<Words>>(1u << static_cast<unsigned>(which)));
+    const auto held = hn::IfThenElseZero(lanes_hold<strictness>(which, lhs, rhs), hn::BitCast(D(), bit));
+    words = hn::Or(words, hn::BitCast(Words(), held));
+  }
+  AXISCERT_INLINE void store(ComparisonBits* out, std::size_t count) const {
+    hn::TFromD<Words> each[lanes];
+    hn::StoreU(words, Words(), each);
+    for (std::size_t j = 0; j < count; ++j) out[j] = static_cast<ComparisonBits>(each[j]);
+  }
+};
+
+template <class F, class Real, Strictness strictness>
+void comparison_bits(const QueryColumns<Real>& batch, ComparisonBits* out) {
+  using D = hn::ScalableTag<Real>;
+  constexpr std::size_t lanes = hn::MaxLanes(D());
+  const auto one_vector = [](const QueryColumns<Real>& from, std::size_t at, ComparisonBits* to, std::size_t count)
+                              HWY_ATTR {
+    BitsSink<D, strictness> sink;
+    F::comparisons(load(D(), from, at), sink);
+    sink.store(to, count);
+  };
+  std::size_t i = 0;
+  for (; i + lanes <= batch.size; i += lanes) one_vector(batch, i, out + i, lanes);
+  if (i == batch.size) return;
+  with_padded_tail<Real, lanes>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
+    one_vector(tail, 0, out + i, tail.size);
+  });
+}
+
+template <class D, Strictness strictness>
+struct ExplainSink : BitsSink<D, strictness> {
+  using Base = BitsSink<D, strictness>;
+  using Real = hn::TFromD<D>;
   Answers<Real>& out;
   std::size_t i, count;  // first query and how many of the lanes are queries
-  std::array<ComparisonBits, lanes> bits{};
 
+  AXISCERT_INLINE ExplainSink(Answers<Real>& answers, std::size_t first, std::size_t queries)
+      : out(answers), i(first), count(queries) {}
   template <class T>
   AXISCERT_INLINE void operator()(Comparison which, const T& lhs, const T& rhs) {
     const auto k = static_cast<std::size_t>(which);
-    store(lhs.v, out.lhs[k]);
-    store(rhs.v, out.rhs[k]);
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(D(), lanes_hold<strictness>(which, lhs, rhs), bytes);
-    for (std::size_t j = 0; j < lanes; ++j) {
-      bits[j] |= static_cast<ComparisonBits>(((bytes[j / 8] >> (j % 8)) & 1u) << k);
-    }
+    store_side(lhs.v, out.lhs[k]);
+    store_side(rhs.v, out.rhs[k]);
+    Base::operator()(which, lhs, rhs);
   }
   template <class V>
-  AXISCERT_INLINE void store(const V& v, std::vector<Real>& column) {
-    Real buffer[lanes];
+  AXISCERT_INLINE void store_side(const V& v, std::vector<Real>& column) {
+    if (count == Base::lanes) {
+      hn::StoreU(v, D(), column.data() + i);
+      return;
+    }
+    Real buffer[Base::lanes];
     hn::StoreU(v, D(), buffer);
     std::memcpy(column.data() + i, buffer, count * sizeof(Real));
   }
@@ -135,9 +176,9 @@ template <class F, class Real, Strictness strictness>
 AXISCERT_INLINE void explain_vector(const QueryColumns<Real>& from, std::size_t at, std::size_t i, std::size_t count,
                                     Answers<Real>& out) {
   using D = hn::ScalableTag<Real>;
-  ExplainSink<D, strictness> sink{out, i, count};
+  ExplainSink<D, strictness> sink(out, i, count);
   F::comparisons(load(D(), from, at), sink);
-  for (std::size_t j = 0; j < count; ++j) out.bits[i + j] = sink.bits[j];
+  sink.store(out.bits.data() + i, count);
 }
 
 template <class F, class Real, Strictness strictness>
@@ -153,9 +194,11 @@ void explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
 
 template <class F, class Real>
 Implementation<Real> implementation(Strictness strictness) {
-  return strictness == Strictness::strict
-             ? Implementation<Real>{verdicts<F, Real, Strictness::strict>, explain<F, Real, Strictness::strict>}
-             : Implementation<Real>{verdicts<F, Real, Strictness::nonstrict>, explain<F, Real, Strictness::nonstrict>};
+  const auto of = []<Strictness s>() {
+    return Implementation<Real>{verdicts<F, Real, s>, explain<F, Real, s>, {}, {}, comparison_bits<F, Real, s>};
+  };
+  return strictness == Strictness::strict ? of.template operator()<Strictness::strict>()
+                                          : of.template operator()<Strictness::nonstrict>();
 }
 
 }  // namespace HWY_NAMESPACE

@@ -39,8 +39,9 @@ AXISCERT_INLINE M is_valid(const RawQuery& q) {
   return hn::And(hn::Eq(sum, zero), hn::Ge(q.r, zero));
 }
 
-// Per lane one 64-bit word: strict in bits 0 to 15, ties from 16, certain from 32, valid 48, close 49.
-inline constexpr int ties_at = 16, certain_at = 32, valid_at = 48, close_at = 49;
+// Per lane one 64-bit word: strict in bits 0 to 15, ties from 16, certain from 32, valid 48, close 56: the layout of
+// FilteredSigns.
+inline constexpr int ties_at = 16, certain_at = 32, valid_at = 48, close_at = 56;
 
 AXISCERT_INLINE V word(M mask, std::uint64_t bits) {
   return hn::IfThenElseZero(mask, hn::BitCast(D(), hn::Set(hn::RebindToUnsigned<D>(), bits)));
@@ -86,15 +87,8 @@ AXISCERT_INLINE void signs_of_vector(const QueryColumns<Real>& batch, std::size_
   hn::StoreU(hn::BitCast(hn::RebindToUnsigned<D>(), words), hn::RebindToUnsigned<D>(), out);
 }
 
-AXISCERT_INLINE FilteredSigns unpacked(std::uint64_t word) {
-  FilteredSigns found;
-  found.signs.strict = static_cast<ComparisonBits>(word);
-  found.signs.ties = static_cast<ComparisonBits>(word >> ties_at);
-  found.certain = static_cast<ComparisonBits>(word >> certain_at);
-  found.is_valid = ((word >> valid_at) & 1u) != 0;
-  found.is_close = ((word >> close_at) & 1u) != 0;
-  return found;
-}
+// The words are the bytes of what they say.
+static_assert(sizeof(FilteredSigns) == sizeof(std::uint64_t) && std::endian::native == std::endian::little);
 
 template <FilterFault fault, class Real>
 void filter_signs(const QueryColumns<Real>& batch, FilteredSigns* out) {
@@ -103,12 +97,12 @@ void filter_signs(const QueryColumns<Real>& batch, FilteredSigns* out) {
   for (; i + lane_count <= batch.size; i += lane_count) {
     const bool wants_close = i / close_call_block % close_call_stride == 0;
     signs_of_vector<fault>(batch, i, wants_close, words);
-    for (std::size_t lane = 0; lane < lane_count; ++lane) out[i + lane] = unpacked(words[lane]);
+    std::memcpy(out + i, words, sizeof words);
   }
   if (i == batch.size) return;
   with_padded_tail<Real, lane_count>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
     signs_of_vector<fault>(tail, 0, true, words);
-    for (std::size_t lane = 0; lane < tail.size; ++lane) out[i + lane] = unpacked(words[lane]);
+    std::memcpy(out + i, words, tail.size * sizeof *words);
   });
 }
 

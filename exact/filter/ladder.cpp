@@ -1,0 +1,37 @@
+#include "exact/filter/ladder.h"
+
+#include "exact/grid_signs.h"
+#include "exact/stopwatch.h"
+
+namespace axiscert {
+
+template <class Real>
+const std::vector<DecidedSigns>& Ladder<Real>::decide(const QueryBatch<Real>& batch) {
+  Stopwatch watch;
+  filtered_.resize(batch.size());
+  decided_.resize(batch.size());
+  filter_.signs(batch.columns(), filtered_.data());
+  bool any_left = false;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const FilteredSigns& found = filtered_[i];
+    const bool is_decided = found.is_decided();
+    decided_[i] = {found.signs, is_decided ? Step::lanes : Step::exact, is_decided && found.is_close,
+                   found.is_valid ? found.certain : ComparisonBits{0}};
+    any_left |= !is_decided;
+  }
+  nanoseconds_[static_cast<std::size_t>(Step::lanes)] += watch.lap();
+  if (!any_left) return decided_;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (decided_[i].step == Step::lanes || !filtered_[i].is_valid) continue;
+    if (const auto signs = grid_signs(batch[i])) {
+      decided_[i].signs = *signs;
+      decided_[i].step = Step::grid;
+    }
+  }
+  nanoseconds_[static_cast<std::size_t>(Step::grid)] += watch.lap();
+  return decided_;
+}
+template class Ladder<float>;
+template class Ladder<double>;
+
+}  // namespace axiscert

@@ -1,0 +1,52 @@
+#include "exact/reference_batch.h"
+
+#include <algorithm>
+#include <cfenv>
+
+#include "kernel/simd.h"
+
+namespace axiscert {
+namespace {
+
+const SimdForms* forms_of(Formulae formulae) {
+  switch (formulae) {
+    case Formulae::published:
+      return &simd_published();
+    case Formulae::reduced:
+      return &simd_reduced();
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace
+
+template <class Real>
+ReferenceBatch<Real>::ReferenceBatch(const Kernel& kernel) {
+  const bool has_form = kernel.arithmetic == Arithmetic::plain && kernel.strictness != Strictness::not_less;
+  const SimdForms* forms = has_form && !simd_targets().empty() ? forms_of(kernel.formulae) : nullptr;
+  if (forms) form_ = forms->on<Real>(simd_targets().front(), kernel.strictness).bits;
+}
+
+template <class Real>
+void ReferenceBatch<Real>::evaluate(const QueryColumns<Real>& batch) {
+  if (!form_) return;
+  bits_.resize(batch.size);
+  left_range_.assign((batch.size + block - 1) / block, false);
+  constexpr int events = FE_OVERFLOW | FE_UNDERFLOW;
+  std::feclearexcept(events);
+  form_(batch, bits_.data());
+  if (std::fetestexcept(events) == 0) return;
+  for (std::size_t i = 0; i < left_range_.size(); ++i) {
+    QueryColumns<Real> part{{}, std::min(block, batch.size - i * block)};
+    for (std::size_t k = 0; k < coordinate_count; ++k) part.column[k] = batch.column[k] + i * block;
+    std::feclearexcept(events);
+    form_(part, bits_.data() + i * block);
+    left_range_[i] = std::fetestexcept(events) != 0;
+  }
+}
+
+template class ReferenceBatch<float>;
+template class ReferenceBatch<double>;
+
+}  // namespace axiscert

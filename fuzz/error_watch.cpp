@@ -1,0 +1,147 @@
+#include "fuzz/error_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscert {
+namespace {
+
+// Rounding up to six digits raises an error by less than a part in 10^5, so whatever is smaller than another by more
+// comes to no greater a decimal.
+constexpr double below_the_decimal = 1 - 1.1e-5;
+// A double that is certainly not above the number it was rounded from.
+constexpr double below_the_rounding = 1 - 0x1p-50;
+
+constexpr std::size_t most_suspects = 64;
+
+}  // namespace
+
+template <class Real>
+ErrorWatch<Real>::ErrorWatch(Formulae formulae, const Tolerances& tolerances, const Filter<Real>& filter,
+                             const Standing& standing, std::uint64_t first_position, Tally& tally)
+    : formulae_(formulae), tolerances_(tolerances), filter_(filter), tally_(tally) {
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    tolerated_[k] = tolerances[k] ? tolerances[k]->get_d() * below_the_rounding : INFINITY;
+    const auto& known = standing.largest_error[k].candidates();
+    if (known.empty()) continue;
+    // The same error at an earlier position would take the place of a known one.
+    largest_[k].passed =
+        known[0].rank.value() * (known[0].position < first_position ? below_the_rounding : below_the_decimal);
+  }
+}
+
+template <class Real>
+void ErrorWatch<Real>::look(const QueryBatch<Real>& batch, std::uint64_t position,
+                            const std::vector<Attention>& attention, const Answers<Real>& computed) {
+  batch_ = &batch;
+  position_ = position;
+  attention_ = &attention;
+  computed_ = &computed;
+  checked_.clear();
+  failing_.assign(batch.size(), 0);
+  any_failing_ = false;
+  ErrorScreen screen{{}, this, [](void* watch, const SuspectError& suspect) {
+                       return static_cast<ErrorWatch*>(watch)->judge(suspect);
+                     }};
+  for (std::size_t k = 0; k < comparison_count; ++k) screen.thresholds[k] = threshold(k);
+  filter_.errors(batch.columns(), computed, formulae_ != Formulae::published, screen);
+  if (!any_failing_) return;
+  for (const ComparisonBits failing : failing_) {
+    for (std::size_t i = 0; i < axis_count; ++i) tally_.axes[i].tolerance_failures += (failing & axis_comparisons[i]) != 0;
+  }
+}
+
+template <class Real>
+double ErrorWatch<Real>::threshold(std::size_t comparison) const {
+  return std::min(largest_[comparison].passed, tolerated_[comparison]);
+}
+
+template <class Real>
+ComparisonError ErrorWatch<Real>::exactly(std::size_t comparison, const Query<Real>& q, Real lhs, Real rhs) const {
+  return ComparisonError(lhs, rhs, formula_truth(formulae_, q).comparison(comparison));
+}
+
+template <class Real>
+double ErrorWatch<Real>::judge(const SuspectError& suspect) {
+  const auto [i, k, lower, upper] = suspect;
+  if ((*attention_)[i] == Attention::none) return threshold(k);
+  if ((*attention_)[i] == Attention::checked) {
+    checked_.push_back(suspect);
+    return threshold(k);
+  }
+  ComparisonTally& comparison = tally_.comparisons[k];
+  const Real lhs = computed_->lhs[k][i], rhs = computed_->rhs[k][i];
+  if (!std::isfinite(lhs) || !std::isfinite(rhs)) {
+    ++comparison.range_events;
+    return threshold(k);
+  }
+  Largest& largest = largest_[k];
+  const auto fail = [&] {
+    ++comparison.tolerance_failures;
+    failing_[i] |= static_cast<ComparisonBits>(1u << k);
+    any_failing_ = true;
+  };
+  if (!std::isfinite(upper)) {
+    const ComparisonError error = exactly(k, (*batch_)[i], lhs, rhs);
+    if (error.kind() == ComparisonError::Kind::without_scale) {
+      ++comparison.error_without_scale;
+      return threshold(k);
+    }
+    if (tolerances_[k] && error.exceeds(*tolerances_[k])) fail();
+    if (error.upper() > largest.passed) {
+      comparison.largest_error.offer({error.rounded_up(), position_ + i});
+      largest.passed = std::max(largest.passed, comparison.largest_error.best().value() * below_the_rounding);
+    }
+    return threshold(k);
+  }
+  if (tolerances_[k] && upper > tolerated_[k]) {
+    const bool is_certain = lower > tolerances_[k]->get_d() * (1 + 0x1p-50);
+    if (is_certain || exactly(k, (*batch_)[i], lhs, rhs).exceeds(*tolerances_[k])) fail();
+  }
+  if (upper > largest.passed) {
+    largest.suspects.push_back({(*batch_)[i], position_ + i, lhs, rhs, upper});
+    largest.passed = std::max(largest.passed, lower * below_the_decimal);
+    if (largest.suspects.size() == most_suspects) settle(k);
+  }
+  return threshold(k);
+}
+
+template <class Real>
+void ErrorWatch<Real>::settle(std::size_t k) {
+  Largest& largest = largest_[k];
+  Leaders<Decimal6>& leaders = tally_.comparisons[k].largest_error;
+  for (const Suspect& suspect : largest.suspects) {
+    // What passed it may have a later position, so the same decimal is not enough.
+    if (suspect.upper <= largest.passed * below_the_decimal) continue;
+    const ComparisonError error = exactly(k, suspect.query, suspect.lhs, suspect.rhs);
+    if (error.upper() > 0) leaders.offer({error.rounded_up(), suspect.position});
+  }
+  largest.suspects.clear();
+  // What comes now is later: it has to be greater.
+  largest.passed = std::max(largest.passed, leaders.best().value() * below_the_rounding);
+}
+
+template <class Real>
+void ErrorWatch<Real>::settle() {
+  for (std::size_t k = 0; k < comparison_count; ++k) settle(k);
+}
+
+template <class Real>
+std::string ErrorWatch<Real>::contradiction(std::size_t query, std::size_t k, const ComparisonError& exact) const {
+  for (const SuspectError& suspect : checked_) {
+    if (suspect.query != query || suspect.comparison != k) continue;
+    if (exact.kind() != ComparisonError::Kind::finite) return {};
+    if (exact.upper() >= suspect.lower && exact.lower() <= suspect.upper) return {};
+    return fmt::format("the filter has the error of {} between {} u and {} u, it is {} u", comparisons[k].name,
+                       suspect.lower, suspect.upper, exact.rounded_up().text());
+  }
+  if (exact.kind() == ComparisonError::Kind::finite && exact.lower() <= threshold(k)) return {};
+  return fmt::format("the filter has the error of {} at most {} u, and it is not", comparisons[k].name, threshold(k));
+}
+
+template class ErrorWatch<float>;
+template class ErrorWatch<double>;
+
+}  // namespace axiscert

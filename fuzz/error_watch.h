@@ -1,0 +1,75 @@
+// The errors of a kernel's computed sides, by the filter: exact arithmetic is asked about those only that may be the
+// largest, or whose side of a tolerance is not certain. What is counted and stored is exact.
+#pragma once
+
+#include <string>
+
+#include "exact/filter/filter.h"
+#include "fuzz/tally.h"
+
+namespace axiscert {
+
+// Whether the filter knows the sides of these formulae.
+constexpr bool has_filtered_errors(Formulae formulae) {
+  return formulae == Formulae::published || formulae == Formulae::reduced || formulae == Formulae::reduced_along ||
+         formulae == Formulae::reduced_determinant || formulae == Formulae::reduced_shared;
+}
+
+enum class Attention : std::uint8_t {
+  none,     // not looked at: no truth, or counted elsewhere
+  counted,  // by the watch
+  checked,  // counted elsewhere, exactly; what the filter says of it is kept for the cross-check
+};
+
+// One kernel over one unit, its batches in the order of their positions. What it borrows has to outlive it.
+template <class Real>
+class ErrorWatch {
+ public:
+  ErrorWatch(Formulae formulae, const Tolerances& tolerances, const Filter<Real>& filter, const Standing& standing,
+             std::uint64_t first_position, Tally& tally);
+
+  // `attention` by query of the batch, whose first query is at `position`.
+  void look(const QueryBatch<Real>& batch, std::uint64_t position, const std::vector<Attention>& attention,
+            const Answers<Real>& computed);
+  // Evaluates what is left. To be called once, after the last batch.
+  void settle();
+
+  // What the filter said of a checked query of the last batch against the exact error; what is wrong, or nothing.
+  std::string contradiction(std::size_t query, std::size_t comparison, const ComparisonError& exact) const;
+
+ private:
+  struct Suspect {
+    Query<Real> query;
+    std::uint64_t position;
+    Real lhs, rhs;
+    double upper;
+  };
+  // Errors up to `passed` can no longer be the largest; the one that is, is among `suspects` or in the tally.
+  struct Largest {
+    double passed = 0;
+    std::vector<Suspect> suspects;
+  };
+
+  double judge(const SuspectError& suspect);
+  double threshold(std::size_t comparison) const;
+  ComparisonError exactly(std::size_t comparison, const Query<Real>& q, Real lhs, Real rhs) const;
+  void settle(std::size_t comparison);
+
+  Formulae formulae_;
+  const Tolerances& tolerances_;
+  Filter<Real> filter_;
+  Tally& tally_;
+  std::array<Largest, comparison_count> largest_;
+  std::array<double, comparison_count> tolerated_;  // certainly below the tolerance; infinite without one
+
+  // Of the batch at hand.
+  const QueryBatch<Real>* batch_ = nullptr;
+  const std::vector<Attention>* attention_ = nullptr;
+  const Answers<Real>* computed_ = nullptr;
+  std::uint64_t position_ = 0;
+  std::vector<ComparisonBits> failing_;  // by query, the comparisons above their tolerance
+  bool any_failing_ = false;
+  std::vector<SuspectError> checked_;
+};
+
+}  // namespace axiscert

@@ -1,0 +1,173 @@
+#include "fuzz/runner.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "exact/depth.h"
+#include "exact/geometric_oracle.h"
+
+namespace axiscert {
+
+template <class Real>
+const Rational& LazyDistance<Real>::squared() {
+  if (!squared_) squared_ = squared_distance(query_);
+  return *squared_;
+}
+template <class Real>
+double LazyDistance<Real>::at_most() {
+  if (!at_most_) at_most_ = exact_only_ ? exactly() : depth_range(query_).high;
+  return *at_most_;
+}
+template <class Real>
+double LazyDistance<Real>::exactly() {
+  if (!depth_) depth_ = depth(query_, squared());
+  return *depth_;
+}
+template class LazyDistance<float>;
+template class LazyDistance<double>;
+
+template <class Real>
+Runner<Real>::Runner(const Kernel& kernel, const Plan& plan, const Filter<Real>& filter, const Standing& known,
+                     std::uint64_t first_position, Tally& tally)
+    : kernel_(kernel),
+      tolerances_(plan.tolerances),
+      standing_(known),
+      tally_(tally),
+      implementation_(kernel.on<Real>(plan.target)),
+      radii_(radii_within<Real>(kernel.limits)),
+      by_signs_(!plan.exact_only && !kernel.limits.any() &&
+                (kernel.formulae == Formulae::none || has_filtered_errors(kernel.formulae))),
+      reference_(kernel),
+      errors_(kernel.formulae, plan.tolerances, filter, known, first_position, tally) {}
+
+template <class Real>
+void Runner<Real>::ask_about(const QueryBatch<Real>& batch, std::uint64_t position) {
+  position_ = position;
+  ask(implementation_, batch.columns(), reply_);
+  for (const Finding& finding : reply_.findings) {
+    count_finding(tally_, finding.kind, position + finding.index, finding.detail);
+  }
+}
+
+template <class Real>
+void Runner<Real>::look_at_sides(const QueryBatch<Real>& batch, std::uint64_t position,
+                                 const std::vector<Attention>& attention) {
+  position_ = position;
+  if (kernel_.is_reference) reference_.evaluate(batch.columns());
+  if (!exposes_sides()) return;
+  if (std::find(reply_.verdicts.begin(), reply_.verdicts.end(), Verdict::unanswered) == reply_.verdicts.end()) {
+    errors_.look(batch, position, attention, reply_.answers);
+    return;
+  }
+  std::vector<Attention> answered = attention;
+  for (std::size_t i = 0; i < answered.size(); ++i) {
+    if (!is_answered(i)) answered[i] = Attention::none;
+  }
+  errors_.look(batch, position, answered, reply_.answers);
+}
+
+template <class Real>
+bool Runner<Real>::count_if_clean(std::size_t i, const Signs& signs, bool radius_is_zero, const Answer& answer) {
+  const Verdict right = verdict_of(signs);
+  if (answer.verdict != right) return false;
+  const bool touching = is_touching(signs, radius_is_zero);
+  if (touching && kernel_.touching != Touching::contact) return false;
+  if (kernel_.formulae == Formulae::none) {
+    clean_.add_verdict(right, touching);
+    return true;
+  }
+  const ComparisonBits exact = signs.bits(kernel_.strictness);
+  const AxisBits axes = axes_of(exact);
+  if (verdict_of(axes) != right || (answer.bits && *answer.bits != exact)) return false;
+  if (kernel_.is_reference && reference_.shared(i) != exact) return false;
+  clean_.add(axes, signs.ties, touching);
+  return true;
+}
+
+template <class Real>
+void Runner<Real>::judge_by_signs(std::size_t i, const Query<Real>& q, const Signs& signs, const Answer& answer,
+                                  DepthOf& depth) {
+  const Truth truth{verdict_of(signs), is_touching(signs, q.r == 0), std::nullopt};
+  std::optional<Reference> chain;
+  if (kernel_.formulae != Formulae::none) {
+    chain = Reference{outcome_of(signs.bits(kernel_.strictness)), std::nullopt, signs.ties};
+    if (kernel_.is_reference) {
+      // A kernel that differs from the SIMD form is told so by the scalar reference itself.
+      const auto shared = reference_.shared(i);
+      const bool is_same = shared && (!answer.bits || *answer.bits == *shared);
+      if (is_same) chain->rounded = Rounded{outcome_of(*shared), outcome_of(*shared)};
+      else chain->rounded = rounded(kernel_.formulae, kernel_.arithmetic, kernel_.strictness, q);
+    }
+  }
+  const Judgement judgement = judge(truth, chain, answer, kernel_.touching);
+  count(tally_, position_ + i, truth, chain ? signs.ties : ComparisonBits{0}, answer, judgement, depth, standing_);
+}
+
+template <class Real>
+void Runner<Real>::judge_exactly(std::size_t i, const Query<Real>& q, const Truth& truth, Claims<Real>* claims,
+                                 const Answer& answer, bool is_filtered, DepthOf& depth) {
+  std::optional<Reference> chain;
+  const FormulaTruth* sides = nullptr;
+  if (claims) {
+    chain = claims->chain(kernel_);
+    sides = claims->sides(kernel_.formulae);
+  }
+  const Judgement judgement = judge(truth, chain, answer, kernel_.touching);
+  if (claims && kernel_.limits.any() && !is_within(kernel_.limits, q)) {
+    count_outside(tally_, truth, answer, judgement, depth);
+    return;
+  }
+  count(tally_, position_ + i, truth, sides ? sides->ties : ComparisonBits{0}, answer, judgement, depth, standing_);
+  if (!claims || answer.verdict == Verdict::unanswered || !sides) return;
+  const bool is_checked = is_filtered && by_signs_;
+  if (is_checked && kernel_.is_reference) {
+    const auto shared = reference_.shared(i);
+    if (shared && (*shared != chain->rounded->reference.bits || *shared != chain->rounded->range_free.bits)) {
+      throw OracleDisagreement(fmt::format("{}: the SIMD reference has the comparisons {:016b}, the scalar one {:016b} "
+                                           "and with an unbounded exponent {:016b} (bit 0 is the first comparison)",
+                                           kernel_.id, *shared, *chain->rounded->reference.bits,
+                                           *chain->rounded->range_free.bits),
+                               q);
+    }
+  }
+  if (!exposes_sides()) return;
+  const Sides<Real> computed = reply_.sides(i);
+  count_errors(tally_, position_ + i, *sides, computed, tolerances_);
+  if (!is_checked) return;
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    const ComparisonError error(computed.lhs[k], computed.rhs[k], sides->comparison(k));
+    if (const std::string wrong = errors_.contradiction(i, k, error); !wrong.empty()) {
+      throw OracleDisagreement(kernel_.id + ": " + wrong, q);
+    }
+  }
+}
+
+template <class Real>
+void Runner<Real>::sample(const Query<Real>& q, std::size_t i, LazyDistance<Real>& distance) {
+  if (!is_answered(i) || (kernel_.limits.any() && !is_within(kernel_.limits, q))) return;
+  if (const auto within = distance_within(distance.squared(), radii_)) {
+    sampled_.push_back(q);
+    distances_.push_back(*within);
+  }
+}
+
+// The critical radii of the unit's sample at once: a kernel in another process takes longer to ask than to answer.
+template <class Real>
+void Runner<Real>::finish() {
+  errors_.settle();
+  clean_.add_to(tally_);
+  CriticalRadiusTally& tally = tally_.critical_radius;
+  const auto critical = critical_radii(implementation_, sampled_, radii_);
+  for (std::size_t i = 0; i < critical.size(); ++i) {
+    const CriticalRadiusError error = critical_radius_error(critical[i], distances_[i]);
+    if (!error.answered) ++tally.unanswered;
+    else if (std::isfinite(*error.ulps)) tally.errors_ulps.push_back(*error.ulps);
+    else ++tally.unbounded;
+  }
+}
+
+template class Runner<float>;
+template class Runner<double>;
+
+}  // namespace axiscert
