@@ -1,0 +1,221 @@
+// Why the signs are the published ones. With A, B, C relative to the centre, all comparisons are polynomials in the six
+// dot products of A, B, C and in rr: rotations change none. Let N1 = A x B, N2 = B x C, N3 = C x A. By Binet and
+// Cauchy, (a x b).(c x d) = (a.c)(b.d) - (a.d)(b.c), their six dot products are the cofactors of the matrix of those of
+// A, B, C.
+//
+//   edge.radius   |N1|^2 > rr e with e = |AB|^2: the published pair is e |N1|^2 > rr e e. Where e > 0 the factor
+//   changes no
+//                 sign; where e = 0, A = B and N1 = 0, so that both pairs are 0 and 0: a tie in either form.
+//   edge.side     0 > N1.V: the published lhs is -e (N1.V). e > 0 as before; e = 0 gives N1 = 0, and 0 against 0 in
+//   either. plane.radius  as published: V = N1 + N2 + N3, and d = A.V = det(A, B, C), so that d^2 is the determinant of
+//   the matrix. vertex.*      as published.
+// kernel/rungs/reduced.h has the first two as formulae. Common positive factors of all thirteen numbers change no sign
+// either, each comparison being homogeneous.
+#include "exact/grid_signs.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "exact/wide_integer.h"
+
+namespace axiscert {
+namespace {
+
+// Let |x| <= M = 2^n for the nine coordinates of A, B, C and for r. |A|, |B|, |C| <= sqrt(3) M, |N| <= 3 M^2. Then
+//   degree 2   |a.b| <= 3 M^2, e = aa + bb - 2 ab <= 12 M^2, differences of the vertex comparisons <= 6 M^2:
+//              below 2^(2n + 4), with a sign 2n + 5 bits
+//   degree 4   |N.N| <= 9 M^4, |N.V| <= 27 M^4, |V|^2 <= 81 M^4, rr e <= 12 M^4, differences <= 21 M^4:
+//              below 2^(4n + 7), with a sign 4n + 8 bits
+//   degree 6   rr |V|^2 <= 81 M^6, d^2 <= 27 M^6, their difference <= 81 M^6: below 2^(6n + 7), with a sign 6n + 8
+//   bits.
+//              Its partial sums are <= 81 M^6 too, and would not matter.
+// A product of two numbers is exact in the sum of their words, whatever they are.
+constexpr bool fits(int n, int words) {
+  return 2 * n + 5 <= 64 * words && 4 * n + 8 <= 128 * words && 6 * n + 8 <= 192 * words;
+}
+static_assert(fits(grid_bits(1), 1) && fits(grid_bits(2), 2) && fits(grid_bits(3), 3) && fits(grid_bits(4), 4));
+
+// A, B, C relative to the centre, and r.
+template <class Integer>
+using Centred = std::array<Integer, 10>;
+
+template <std::size_t words, class Integer>
+Signs signs_in(const Centred<Integer>& q) {
+  using enum Comparison;
+  using Degree2 = WideInteger<words>;
+  using Degree4 = WideInteger<2 * words>;
+  using Degree6 = WideInteger<3 * words>;
+  // A coordinate has n bits and a sign, and half as many words hold 32 (words + words % 2) >= n + 1.
+  using Coordinate = WideInteger<(words + 1) / 2>;
+  const auto product = [](const Coordinate& x, const Coordinate& y) {
+    if constexpr (words % 2 == 0) return x * y;
+    else return Degree2(x * y);
+  };
+  const auto dot = [&](std::size_t u, std::size_t v) {
+    const auto term = [&](std::size_t i) { return product(Coordinate(q[u + i]), Coordinate(q[v + i])); };
+    return (term(0) + term(1)) + term(2);
+  };
+  const Degree2 aa = dot(0, 0), ab = dot(0, 3), ac = dot(0, 6), bb = dot(3, 3), bc = dot(3, 6), cc = dot(6, 6);
+  const Degree2 rr = product(Coordinate(q[9]), Coordinate(q[9]));
+
+  const Degree4 n11 = aa * bb - ab * ab, n22 = bb * cc - bc * bc, n33 = cc * aa - ac * ac;
+  const Degree4 n12 = ab * bc - ac * bb, n23 = bc * ac - ab * cc, n31 = ac * ab - bc * aa;
+  const Degree4 n1v = n11 + n12 + n31, n2v = n12 + n22 + n23, n3v = n31 + n23 + n33;
+  const Degree4 vv = n1v + n2v + n3v;
+  const Degree6 dd = cc * n11 + ac * n12 + bc * n31;
+
+  Signs signs{0, 0};
+  const auto emit = [&](Comparison which, const auto& difference) {
+    const auto i = static_cast<unsigned>(which);
+    const bool zero = difference.is_zero();
+    signs.strict |= static_cast<ComparisonBits>(static_cast<unsigned>(!zero && !difference.is_negative()) << i);
+    signs.ties |= static_cast<ComparisonBits>(static_cast<unsigned>(zero) << i);
+  };
+  emit(plane_radius, dd - rr * vv);
+  emit(vertex_a_radius, aa - rr);
+  emit(vertex_a_side_b, ab - aa);
+  emit(vertex_a_side_c, ac - aa);
+  emit(vertex_b_radius, bb - rr);
+  emit(vertex_b_side_a, ab - bb);
+  emit(vertex_b_side_c, bc - bb);
+  emit(vertex_c_radius, cc - rr);
+  emit(vertex_c_side_a, ac - cc);
+  emit(vertex_c_side_b, bc - cc);
+  const Degree4 zero(std::int64_t{0});
+  emit(edge_ab_radius, n11 - rr * (aa + bb - (ab + ab)));
+  emit(edge_ab_side_c, zero - n1v);
+  emit(edge_bc_radius, n22 - rr * (bb + cc - (bc + bc)));
+  emit(edge_bc_side_a, zero - n2v);
+  emit(edge_ca_radius, n33 - rr * (cc + aa - (ac + ac)));
+  emit(edge_ca_side_b, zero - n3v);
+  return signs;
+}
+
+// significand * 2^exponent, but for a power of two that all floats of the format share.
+struct Dyadic {
+  std::int64_t significand;
+  int exponent;
+};
+template <class Real>
+Dyadic dyadic(Real x) {
+  using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+  constexpr int digits = std::numeric_limits<Real>::digits;
+  constexpr Bits hidden = Bits{1} << (digits - 1), sign = Bits{1} << (8 * sizeof(Real) - 1);
+  const auto bits = std::bit_cast<Bits>(x);
+  const int biased = static_cast<int>((bits & ~sign) >> (digits - 1));
+  const auto magnitude = static_cast<std::int64_t>((bits & (hidden - 1)) | (biased != 0 ? hidden : 0));
+  return {(bits & sign) != 0 ? -magnitude : magnitude, std::max(biased, 1)};  // subnormals share the least exponent
+}
+
+// The exponents of a query's numbers, zeros apart.
+struct Range {
+  int least = std::numeric_limits<int>::max() / 2, greatest = 0;
+  int span() const { return greatest - least; }  // negative where all are zero
+};
+using Dyadics = std::array<Dyadic, coordinate_count>;
+Range range_of(const Dyadics& numbers) {
+  Range range;
+  for (const Dyadic& x : numbers) {
+    range.least = std::min(range.least, x.significand != 0 ? x.exponent : range.least);
+    range.greatest = std::max(range.greatest, x.significand != 0 ? x.exponent : 0);
+  }
+  return range;
+}
+
+template <class Integer>
+struct Grid {
+  Centred<Integer> centred;
+  int bits;  // of the greatest magnitude
+};
+
+int bit_width(std::uint64_t x) { return static_cast<int>(std::bit_width(x)); }
+int bit_width(UInt128 x) {
+  const auto high = static_cast<std::uint64_t>(x >> 64);
+  return high != 0 ? 64 + bit_width(high) : bit_width(static_cast<std::uint64_t>(x));
+}
+int trailing_zeros(std::uint64_t x) { return std::countr_zero(x); }
+int trailing_zeros(UInt128 x) {
+  const auto low = static_cast<std::uint64_t>(x);
+  return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(x >> 64));
+}
+
+// In units of 2^least, all magnitudes below 2^(bits of Integer - 2): differences do not overflow. What powers of two
+// they have in common is then taken out: the greatest of them have fewer bits than the numbers that they were made of.
+template <class Integer>
+Grid<Integer> grid(const Dyadics& numbers, int least) {
+  using Unsigned = std::conditional_t<sizeof(Integer) == 8, std::uint64_t, UInt128>;
+  constexpr int shift_mask = 8 * sizeof(Integer) - 1;  // of a zero the exponent says nothing
+  std::array<Integer, coordinate_count> x;
+  for (std::size_t i = 0; i < coordinate_count; ++i) {
+    const int shift = (numbers[i].exponent - least) & shift_mask;
+    x[i] = static_cast<Integer>(numbers[i].significand) * static_cast<Integer>(Unsigned{1} << shift);
+  }
+  Grid<Integer> result;
+  Unsigned all = 0;
+  for (std::size_t i = 0; i < 10; ++i) {
+    result.centred[i] = i < 9 ? x[i] - x[9 + i % 3] : x[12];
+    all |= static_cast<Unsigned>(result.centred[i] < 0 ? -result.centred[i] : result.centred[i]);
+  }
+  if (all == 0) return {result.centred, 0};
+  const int common = trailing_zeros(all);
+  for (Integer& difference : result.centred) difference >>= common;
+  result.bits = bit_width(all) - common;
+  return result;
+}
+
+// Calls with_grid(grid) with the narrowest integers that hold the numbers, or returns nothing.
+template <class Real, class WithGrid>
+auto on_grid(const Query<Real>& q, WithGrid&& with_grid) -> decltype(with_grid(Grid<std::int64_t>{})) {
+  constexpr int digits = std::numeric_limits<Real>::digits;
+  const auto values = coordinates(q);
+  Dyadics numbers;
+  for (std::size_t i = 0; i < coordinate_count; ++i) numbers[i] = dyadic(values[i]);
+  Range range = range_of(numbers);
+  if (range.span() <= 62 - digits) return with_grid(grid<std::int64_t>(numbers, range.least));
+  const int top = range.greatest + digits;  // all magnitudes are below 2^top
+  for (Dyadic& x : numbers) {
+    if (x.significand == 0) continue;
+    const int zeros = trailing_zeros(static_cast<std::uint64_t>(x.significand));
+    x.significand >>= zeros;
+    x.exponent += zeros;
+  }
+  range = range_of(numbers);
+  if (top - range.least > 126) return std::nullopt;
+  return with_grid(grid<Int128>(numbers, range.least));
+}
+
+Signs signs_of(const Grid<std::int64_t>& grid) {
+  if (grid.bits <= grid_bits(1)) return signs_in<1>(grid.centred);
+  return grid.bits <= grid_bits(2) ? signs_in<2>(grid.centred) : signs_in<3>(grid.centred);
+}
+static_assert(grid_bits(3) >= 63);
+
+std::optional<Signs> signs_of(const Grid<Int128>& grid) {
+  if (grid.bits <= grid_bits(2)) {
+    Grid<std::int64_t> narrow{{}, grid.bits};
+    for (std::size_t i = 0; i < 10; ++i) narrow.centred[i] = static_cast<std::int64_t>(grid.centred[i]);
+    return signs_of(narrow);
+  }
+  if (grid.bits <= grid_bits(3)) return signs_in<3>(grid.centred);
+  if (grid.bits <= grid_bits(4)) return signs_in<4>(grid.centred);
+  return std::nullopt;
+}
+
+}  // namespace
+
+template <class Real>
+std::optional<Signs> grid_signs(const Query<Real>& q) {
+  return on_grid(q, [](const auto& grid) -> std::optional<Signs> { return signs_of(grid); });
+}
+template std::optional<Signs> grid_signs<float>(const Query<float>&);
+template std::optional<Signs> grid_signs<double>(const Query<double>&);
+
+template <class Real>
+std::optional<int> bits_on_grid(const Query<Real>& q) {
+  return on_grid(q, [](const auto& grid) -> std::optional<int> { return grid.bits; });
+}
+template std::optional<int> bits_on_grid<float>(const Query<float>&);
+template std::optional<int> bits_on_grid<double>(const Query<double>&);
+
+}  // namespace axiscert

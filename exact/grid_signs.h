@@ -1,0 +1,28 @@
+// The sixteen exact signs by integers of a few words, for queries whose numbers lie on one grid.
+#pragma once
+
+#include <optional>
+
+#include "exact/signs.h"
+#include "kernel/query.h"
+
+namespace axiscert {
+
+// The signs of the published comparisons of a valid query, where all thirteen numbers are multiples of one power of two
+// below 2^126 of it, and the nine differences v - p and r have the same power of two in common but for
+// `greatest_grid_bits` bits. Otherwise nothing, which says nothing of the query. Never throws, allocates or rounds.
+template <class Real>
+std::optional<Signs> grid_signs(const Query<Real>& q);
+
+// The bits of the greatest of the nine differences and r in units of the greatest power of two that divides them all;
+// nothing where the numbers lie too far apart. Queries to grid_bits(words) are decided in integers of that many words.
+template <class Real>
+std::optional<int> bits_on_grid(const Query<Real>& q);
+
+// In integers of `words` words at degree 2, twice and three times as many at degrees 4 and 6 (grid_signs.cpp has the
+// bounds).
+constexpr int grid_bits(int words) { return 32 * words - 3; }
+inline constexpr int most_grid_words = 4;
+inline constexpr int greatest_grid_bits = grid_bits(most_grid_words);
+
+}  // namespace axiscert
