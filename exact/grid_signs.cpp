@@ -41,21 +41,21 @@ static_assert(fits(grid_bits(1), 1) && fits(grid_bits(2), 2) && fits(grid_bits(3
 template <class Integer>
 using Centred = std::array<Integer, 10>;
 
-template <std::size_t words, class Integer>
-Signs signs_in(const Centred<Integer>& q) {
+template <std::size_t words>
+Signs signs_in(const Centred<std::conditional_t<(words <= 2), std::int64_t, Int128>>& q) {
   using enum Comparison;
   using Degree2 = WideInteger<words>;
   using Degree4 = WideInteger<2 * words>;
   using Degree6 = WideInteger<3 * words>;
   // A coordinate has n bits and a sign, and half as many words hold 32 (words + words % 2) >= n + 1.
   using Coordinate = WideInteger<(words + 1) / 2>;
-  const auto product = [](const Coordinate& x, const Coordinate& y) AXISCERT_INLINE_LAMBDA {
+  const auto product = [](const Coordinate& x, const Coordinate& y) AXISCERT_WORDS_INLINE {
     if constexpr (words % 2 == 0) return x * y;
     else return Degree2(x * y);
   };
-  const auto dot = [&](std::size_t u, std::size_t v) AXISCERT_INLINE_LAMBDA {
+  const auto dot = [&](std::size_t u, std::size_t v) AXISCERT_WORDS_INLINE {
     const auto term = [&](std::size_t i)
-                          AXISCERT_INLINE_LAMBDA { return product(Coordinate(q[u + i]), Coordinate(q[v + i])); };
+                          AXISCERT_WORDS_INLINE { return product(Coordinate(q[u + i]), Coordinate(q[v + i])); };
     return (term(0) + term(1)) + term(2);
   };
   const Degree2 aa = dot(0, 0), ab = dot(0, 3), ac = dot(0, 6), bb = dot(3, 3), bc = dot(3, 6), cc = dot(6, 6);
@@ -68,7 +68,7 @@ Signs signs_in(const Centred<Integer>& q) {
   const Degree6 dd = cc * n11 + ac * n12 + bc * n31;
 
   Signs signs{0, 0};
-  const auto emit = [&](Comparison which, const auto& difference) AXISCERT_INLINE_LAMBDA {
+  const auto emit = [&](Comparison which, const auto& difference) AXISCERT_WORDS_INLINE {
     const auto i = static_cast<unsigned>(which);
     const bool zero = difference.is_zero();
     signs.strict |= static_cast<ComparisonBits>(static_cast<unsigned>(!zero && !difference.is_negative()) << i);
@@ -151,13 +151,13 @@ template <class Integer, class Real>
 Grid<Integer> grid(const std::array<Real, coordinate_count>& numbers, int unit) {
   using Unsigned = std::conditional_t<sizeof(Integer) == 8, std::uint64_t, UInt128>;
   const double scale = power_of_two(-(unit / 2)), rest = power_of_two(unit / 2 - unit);
-  const auto integer = [&](std::size_t i) AXISCERT_INLINE_LAMBDA {
+  const auto integer = [&](std::size_t i) AXISCERT_WORDS_INLINE {
     return static_cast<Integer>((static_cast<double>(numbers[i]) * scale) * rest);
   };
   const std::array<Integer, 3> p = {integer(9), integer(10), integer(11)};
   Grid<Integer> result;
   Unsigned all = 0;
-  words::for_each_index<10>([&](auto i) AXISCERT_INLINE_LAMBDA {
+  words::for_each_index<10>([&](auto i) AXISCERT_WORDS_INLINE {
     const Integer x = i < 9 ? integer(i) - p[i % 3] : integer(12);
     result.centred[i] = x;
     all |= static_cast<Unsigned>(x < 0 ? -x : x);
@@ -174,7 +174,7 @@ auto on_grid(const Query<Real>& q, WithGrid&& with_grid) -> decltype(with_grid(G
   constexpr int digits = std::numeric_limits<Real>::digits;
   const auto numbers = coordinates(q);
   Magnitude<Real> greatest = 0, least = ~Magnitude<Real>{0};  // least: of those that are not zero, less 1
-  words::for_each_index<coordinate_count>([&](auto i) AXISCERT_INLINE_LAMBDA {
+  words::for_each_index<coordinate_count>([&](auto i) AXISCERT_WORDS_INLINE {
     const Magnitude<Real> stored = magnitude(numbers[i]);
     greatest = std::max(greatest, stored);
     least = std::min<Magnitude<Real>>(least, stored - 1u);
@@ -188,18 +188,22 @@ auto on_grid(const Query<Real>& q, WithGrid&& with_grid) -> decltype(with_grid(G
   return std::nullopt;
 }
 
-Signs signs_of(const Grid<std::int64_t>& grid) {
-  if (grid.bits <= grid_bits(1)) return signs_in<1>(grid.centred);
-  return grid.bits <= grid_bits(2) ? signs_in<2>(grid.centred) : signs_in<3>(grid.centred);
+template <class To, class From>
+Centred<To> converted(const Centred<From>& from) {
+  Centred<To> to;
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] = static_cast<To>(from[i]);
+  return to;
 }
-static_assert(grid_bits(3) >= 63);
+
+std::optional<Signs> signs_of(const Grid<std::int64_t>& grid) {
+  if (grid.bits <= grid_bits(1)) return signs_in<1>(grid.centred);
+  if (grid.bits <= grid_bits(2)) return signs_in<2>(grid.centred);
+  static_assert(grid_bits(3) >= 63);
+  return signs_in<3>(converted<Int128>(grid.centred));
+}
 
 std::optional<Signs> signs_of(const Grid<Int128>& grid) {
-  if (grid.bits <= grid_bits(2)) {
-    Grid<std::int64_t> narrow{{}, grid.bits};
-    for (std::size_t i = 0; i < 10; ++i) narrow.centred[i] = static_cast<std::int64_t>(grid.centred[i]);
-    return signs_of(narrow);
-  }
+  if (grid.bits <= grid_bits(2)) return signs_of({converted<std::int64_t>(grid.centred), grid.bits});
   if (grid.bits <= grid_bits(3)) return signs_in<3>(grid.centred);
   if (grid.bits <= grid_bits(4)) return signs_in<4>(grid.centred);
   return std::nullopt;
@@ -209,7 +213,7 @@ std::optional<Signs> signs_of(const Grid<Int128>& grid) {
 
 template <class Real>
 std::optional<Signs> grid_signs(const Query<Real>& q) {
-  return on_grid(q, [](const auto& grid) -> std::optional<Signs> { return signs_of(grid); });
+  return on_grid(q, [](const auto& grid) { return signs_of(grid); });
 }
 template std::optional<Signs> grid_signs<float>(const Query<float>&);
 template std::optional<Signs> grid_signs<double>(const Query<double>&);
