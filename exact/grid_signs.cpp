@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <type_traits>
 
 #include "exact/wide_integer.h"
 
@@ -40,20 +41,21 @@ static_assert(fits(grid_bits(1), 1) && fits(grid_bits(2), 2) && fits(grid_bits(3
 template <class Integer>
 using Centred = std::array<Integer, 10>;
 
-template <std::size_t words, class Integer>
-Signs signs_in(const Centred<Integer>& q) {
+template <std::size_t words>
+Signs signs_in(const Centred<std::conditional_t<(words <= 2), std::int64_t, Int128>>& q) {
   using enum Comparison;
   using Degree2 = WideInteger<words>;
   using Degree4 = WideInteger<2 * words>;
   using Degree6 = WideInteger<3 * words>;
   // A coordinate has n bits and a sign, and half as many words hold 32 (words + words % 2) >= n + 1.
   using Coordinate = WideInteger<(words + 1) / 2>;
-  const auto product = [](const Coordinate& x, const Coordinate& y) {
+  const auto product = [](const Coordinate& x, const Coordinate& y) AXISCERT_WORDS_INLINE {
     if constexpr (words % 2 == 0) return x * y;
     else return Degree2(x * y);
   };
-  const auto dot = [&](std::size_t u, std::size_t v) {
-    const auto term = [&](std::size_t i) { return product(Coordinate(q[u + i]), Coordinate(q[v + i])); };
+  const auto dot = [&](std::size_t u, std::size_t v) AXISCERT_WORDS_INLINE {
+    const auto term = [&](std::size_t i)
+                          AXISCERT_WORDS_INLINE { return product(Coordinate(q[u + i]), Coordinate(q[v + i])); };
     return (term(0) + term(1)) + term(2);
   };
   const Degree2 aa = dot(0, 0), ab = dot(0, 3), ac = dot(0, 6), bb = dot(3, 3), bc = dot(3, 6), cc = dot(6, 6);
@@ -66,7 +68,7 @@ Signs signs_in(const Centred<Integer>& q) {
   const Degree6 dd = cc * n11 + ac * n12 + bc * n31;
 
   Signs signs{0, 0};
-  const auto emit = [&](Comparison which, const auto& difference) {
+  const auto emit = [&](Comparison which, const auto& difference) AXISCERT_WORDS_INLINE {
     const auto i = static_cast<unsigned>(which);
     const bool zero = difference.is_zero();
     signs.strict |= static_cast<ComparisonBits>(static_cast<unsigned>(!zero && !difference.is_negative()) << i);
@@ -92,35 +94,33 @@ Signs signs_in(const Centred<Integer>& q) {
   return signs;
 }
 
-// significand * 2^exponent, but for a power of two that all floats of the format share.
-struct Dyadic {
-  std::int64_t significand;
-  int exponent;
-};
+// The numbers without their signs as they are stored, which orders them by magnitude.
 template <class Real>
-Dyadic dyadic(Real x) {
-  using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-  constexpr int digits = std::numeric_limits<Real>::digits;
-  constexpr Bits hidden = Bits{1} << (digits - 1), sign = Bits{1} << (8 * sizeof(Real) - 1);
-  const auto bits = std::bit_cast<Bits>(x);
-  const int biased = static_cast<int>((bits & ~sign) >> (digits - 1));
-  const auto magnitude = static_cast<std::int64_t>((bits & (hidden - 1)) | (biased != 0 ? hidden : 0));
-  return {(bits & sign) != 0 ? -magnitude : magnitude, std::max(biased, 1)};  // subnormals share the least exponent
+using Magnitude = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+template <class Real>
+Magnitude<Real> magnitude(Real x) {
+  return std::bit_cast<Magnitude<Real>>(x) & (~Magnitude<Real>{0} >> 1);
 }
 
-// The exponents of a query's numbers, zeros apart.
-struct Range {
-  int least = std::numeric_limits<int>::max() / 2, greatest = 0;
-  int span() const { return greatest - least; }  // negative where all are zero
-};
-using Dyadics = std::array<Dyadic, coordinate_count>;
-Range range_of(const Dyadics& numbers) {
-  Range range;
-  for (const Dyadic& x : numbers) {
-    range.least = std::min(range.least, x.significand != 0 ? x.exponent : range.least);
-    range.greatest = std::max(range.greatest, x.significand != 0 ? x.exponent : 0);
+// The exponent of a magnitude's last place, 2^exponent.
+template <class Real>
+int unit_exponent(Magnitude<Real> magnitude) {
+  using Limits = std::numeric_limits<Real>;
+  return std::max(static_cast<int>(magnitude >> (Limits::digits - 1)), 1) + (Limits::min_exponent - Limits::digits - 1);
+}
+
+// The exponent of the least bit that is set in any of the numbers, which are not all zero.
+template <class Real>
+int least_set_bit(const std::array<Real, coordinate_count>& numbers) {
+  constexpr Magnitude<Real> hidden = Magnitude<Real>{1} << (std::numeric_limits<Real>::digits - 1);
+  int least = std::numeric_limits<Real>::max_exponent;
+  for (const Real x : numbers) {
+    const Magnitude<Real> stored = magnitude(x);
+    if (stored == 0) continue;
+    const Magnitude<Real> significand = stored < hidden ? stored : ((stored & (hidden - 1)) | hidden);
+    least = std::min(least, unit_exponent<Real>(stored) + std::countr_zero(significand));
   }
-  return range;
+  return least;
 }
 
 template <class Integer>
@@ -140,26 +140,30 @@ int trailing_zeros(UInt128 x) {
   return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(x >> 64));
 }
 
-// In units of 2^least, all magnitudes below 2^(bits of Integer - 2): differences do not overflow. What powers of two
-// they have in common is then taken out: the greatest of them have fewer bits than the numbers that they were made of.
-template <class Integer>
-Grid<Integer> grid(const Dyadics& numbers, int least) {
+// 2^e, a normal number.
+double power_of_two(int e) { return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52); }
+
+// In units of 2^unit: the numbers are multiples of it, and below 2^(bits of Integer - 2) of it, so that differences do
+// not overflow. A number that is not zero is in [2^unit, 2^(unit + 126)), and unit in [-1074, 1023]; so both halves of
+// the scaling give numbers between 2^-537 and 2^639, where no binary64 loses a bit. What powers of two the differences
+// have in common is then taken out: they may have fewer bits than the numbers that they were made of.
+template <class Integer, class Real>
+Grid<Integer> grid(const std::array<Real, coordinate_count>& numbers, int unit) {
   using Unsigned = std::conditional_t<sizeof(Integer) == 8, std::uint64_t, UInt128>;
-  constexpr int shift_mask = 8 * sizeof(Integer) - 1;  // of a zero the exponent says nothing
-  std::array<Integer, coordinate_count> x;
-  for (std::size_t i = 0; i < coordinate_count; ++i) {
-    const int shift = (numbers[i].exponent - least) & shift_mask;
-    x[i] = static_cast<Integer>(numbers[i].significand) * static_cast<Integer>(Unsigned{1} << shift);
-  }
+  const double scale = power_of_two(-(unit / 2)), rest = power_of_two(unit / 2 - unit);
+  const auto integer = [&](std::size_t i) AXISCERT_WORDS_INLINE {
+    return static_cast<Integer>((static_cast<double>(numbers[i]) * scale) * rest);
+  };
+  const std::array<Integer, 3> p = {integer(9), integer(10), integer(11)};
   Grid<Integer> result;
   Unsigned all = 0;
-  for (std::size_t i = 0; i < 10; ++i) {
-    result.centred[i] = i < 9 ? x[i] - x[9 + i % 3] : x[12];
-    all |= static_cast<Unsigned>(result.centred[i] < 0 ? -result.centred[i] : result.centred[i]);
-  }
-  if (all == 0) return {result.centred, 0};
-  const int common = trailing_zeros(all);
-  for (Integer& difference : result.centred) difference >>= common;
+  words::for_each_index<10>([&](auto i) AXISCERT_WORDS_INLINE {
+    const Integer x = i < 9 ? integer(i) - p[i % 3] : integer(12);
+    result.centred[i] = x;
+    all |= static_cast<Unsigned>(x < 0 ? -x : x);
+  });
+  const int common = all == 0 ? 0 : trailing_zeros(all);
+  for (Integer& x : result.centred) x >>= common;
   result.bits = bit_width(all) - common;
   return result;
 }
@@ -168,35 +172,38 @@ Grid<Integer> grid(const Dyadics& numbers, int least) {
 template <class Real, class WithGrid>
 auto on_grid(const Query<Real>& q, WithGrid&& with_grid) -> decltype(with_grid(Grid<std::int64_t>{})) {
   constexpr int digits = std::numeric_limits<Real>::digits;
-  const auto values = coordinates(q);
-  Dyadics numbers;
-  for (std::size_t i = 0; i < coordinate_count; ++i) numbers[i] = dyadic(values[i]);
-  Range range = range_of(numbers);
-  if (range.span() <= 62 - digits) return with_grid(grid<std::int64_t>(numbers, range.least));
-  const int top = range.greatest + digits;  // all magnitudes are below 2^top
-  for (Dyadic& x : numbers) {
-    if (x.significand == 0) continue;
-    const int zeros = trailing_zeros(static_cast<std::uint64_t>(x.significand));
-    x.significand >>= zeros;
-    x.exponent += zeros;
-  }
-  range = range_of(numbers);
-  if (top - range.least > 126) return std::nullopt;
-  return with_grid(grid<Int128>(numbers, range.least));
+  const auto numbers = coordinates(q);
+  Magnitude<Real> greatest = 0, least = ~Magnitude<Real>{0};  // least: of those that are not zero, less 1
+  words::for_each_index<coordinate_count>([&](auto i) AXISCERT_WORDS_INLINE {
+    const Magnitude<Real> stored = magnitude(numbers[i]);
+    greatest = std::max(greatest, stored);
+    least = std::min<Magnitude<Real>>(least, stored - 1u);
+  });
+  if (greatest == 0) return with_grid(Grid<std::int64_t>{{}, 0});
+  const int top = unit_exponent<Real>(greatest) + digits;  // all magnitudes are below 2^top
+  const int unit = unit_exponent<Real>(least + 1u);
+  if (top - unit <= 62) return with_grid(grid<std::int64_t>(numbers, unit));
+  const int finest = least_set_bit(numbers);
+  if (top - finest <= 126) return with_grid(grid<Int128>(numbers, finest));
+  return std::nullopt;
 }
 
-Signs signs_of(const Grid<std::int64_t>& grid) {
-  if (grid.bits <= grid_bits(1)) return signs_in<1>(grid.centred);
-  return grid.bits <= grid_bits(2) ? signs_in<2>(grid.centred) : signs_in<3>(grid.centred);
+template <class To, class From>
+Centred<To> converted(const Centred<From>& from) {
+  Centred<To> to;
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] = static_cast<To>(from[i]);
+  return to;
 }
-static_assert(grid_bits(3) >= 63);
+
+std::optional<Signs> signs_of(const Grid<std::int64_t>& grid) {
+  if (grid.bits <= grid_bits(1)) return signs_in<1>(grid.centred);
+  if (grid.bits <= grid_bits(2)) return signs_in<2>(grid.centred);
+  static_assert(grid_bits(3) >= 63);
+  return signs_in<3>(converted<Int128>(grid.centred));
+}
 
 std::optional<Signs> signs_of(const Grid<Int128>& grid) {
-  if (grid.bits <= grid_bits(2)) {
-    Grid<std::int64_t> narrow{{}, grid.bits};
-    for (std::size_t i = 0; i < 10; ++i) narrow.centred[i] = static_cast<std::int64_t>(grid.centred[i]);
-    return signs_of(narrow);
-  }
+  if (grid.bits <= grid_bits(2)) return signs_of({converted<std::int64_t>(grid.centred), grid.bits});
   if (grid.bits <= grid_bits(3)) return signs_in<3>(grid.centred);
   if (grid.bits <= grid_bits(4)) return signs_in<4>(grid.centred);
   return std::nullopt;
@@ -206,7 +213,7 @@ std::optional<Signs> signs_of(const Grid<Int128>& grid) {
 
 template <class Real>
 std::optional<Signs> grid_signs(const Query<Real>& q) {
-  return on_grid(q, [](const auto& grid) -> std::optional<Signs> { return signs_of(grid); });
+  return on_grid(q, [](const auto& grid) { return signs_of(grid); });
 }
 template std::optional<Signs> grid_signs<float>(const Query<float>&);
 template std::optional<Signs> grid_signs<double>(const Query<double>&);

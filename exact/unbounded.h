@@ -16,7 +16,8 @@ struct Rounded {
 template <class Real>
 Rounded rounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q);
 
-// R-infinity itself.
+// R-infinity itself. By MPFR; but of formulae without divisions and roots, in binary32 and plain operations, on the
+// processor (exact/wide_range_float.h), to the same bits.
 template <class Real>
 Outcome unbounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q);
 
