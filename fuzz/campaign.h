@@ -53,8 +53,14 @@ struct Progress {
   double seconds;
 };
 
-// Every 4096th query of a source is decided again by the second oracle; for every 256th the critical radius is found.
+// Every 4096th query of a source is decided again by the second oracle; for every 256th of its first 2^24 the critical
+// radius is found. Their errors are kept, for an exact median, and are all that a tally keeps of more than a few
+// queries: the limit bounds it at 2^16 numbers, however long a run lasts.
 inline constexpr std::uint64_t second_opinion_stride = 4096, critical_radius_stride = 256;
+inline constexpr std::uint64_t critical_radius_queries = std::uint64_t{1} << 24;
+constexpr bool has_critical_radius(std::uint64_t position) {
+  return position < critical_radius_queries && position % critical_radius_stride == 0;
+}
 
 // `interrupted` is polled between units; `report` is called from one thread at a time. The tallies depend on the plan
 // alone, not on threads, target or order. Throws OracleDisagreement.

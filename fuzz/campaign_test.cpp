@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <immintrin.h>
 
+#include "fuzz/unit.h"
 #include "kernel/contracted.h"
 #include "kernel/scalar_kernel.h"
 
@@ -151,6 +152,38 @@ TEST(Campaign, StopsWhenInterruptedAndSaysSo) {
   EXPECT_FALSE(result.complete);
   EXPECT_EQ(result.cells[0].units_done, 2u);
   EXPECT_EQ(result.cells[0].tallies[0].trials, 2 * unit_size);
+}
+
+// The queries that a tally keeps, by position.
+std::size_t candidates_in(const Tally& tally) {
+  const VerdictTally& v = tally.verdict;
+  std::size_t sum = v.deepest_false_separation.candidates().size() + v.deepest_false_contact.candidates().size();
+  for (const auto& leaders : v.deepest_by_link) sum += leaders.candidates().size();
+  for (const ComparisonTally& c : tally.comparisons) {
+    sum += c.largest_error.candidates().size();
+    sum += c.false_witness.candidates().size() + c.missed_witness.candidates().size();
+  }
+  return sum;
+}
+
+// Units on both sides of the last query whose critical radius is found.
+TEST(Campaign, ATallyDoesNotGrowWithTheTrials) {
+  static_assert(critical_radius_queries % unit_size == 0);
+  constexpr std::uint64_t beyond = critical_radius_queries / unit_size, size = 4 * critical_radius_stride;
+  constexpr std::size_t most_candidates = 3 + 3 + link_count + 3 * comparison_count;
+  const Plan plan = plan_of({&find_kernel("first-publication")}, {"tangent"}, size);
+  const auto unit = [&](std::uint64_t number) {
+    return run_unit(plan, *plan.sources[0], Precision::binary32, number, size).tallies[0];
+  };
+  Tally all = unit(beyond - 1);
+  EXPECT_EQ(all.critical_radius.errors_ulps.size() + all.critical_radius.unbounded, size / critical_radius_stride);
+  const std::size_t radii = all.critical_radius.errors_ulps.size();
+  constexpr std::uint64_t units = 20;
+  for (std::uint64_t i = 0; i < units; ++i) all.merge(unit(beyond + i));
+  EXPECT_EQ(all.trials, (1 + units) * size);
+  EXPECT_EQ(all.critical_radius.errors_ulps.size(), radii);
+  EXPECT_GT(all.verdict.false_contact + all.verdict.false_separation, most_candidates) << "enough to keep";
+  EXPECT_LE(candidates_in(all), most_candidates);
 }
 
 TEST(Leaders, KeepTheGreatestThenTheEarliestInAnyOrder) {

@@ -83,7 +83,7 @@ struct VerdictTally {
 };
 
 struct CriticalRadiusTally {
-  std::vector<double> errors_ulps;  // unsorted
+  std::vector<double> errors_ulps;  // unsorted; of a source at most 2^16 (has_critical_radius)
   std::uint64_t unbounded = 0;      // contact for no radius, finite and within the limits
   std::uint64_t unanswered = 0;     // not measured: a radius got no answer
 };

@@ -31,7 +31,7 @@ struct Runner {
   Implementation<Real> implementation;
   RadiusRange<Real> radii;
   Reply<Real> reply;
-  // Every 256th query, for its critical radius, and its exact distance.
+  // The queries whose critical radius is found, and their exact distances.
   std::vector<Query<Real>> sampled;
   std::vector<Real> distances;
 
@@ -103,7 +103,7 @@ void judge_query(const Plan& plan, const Source& source, std::vector<Runner<Real
     if (sides && kernel.exposes == Exposure::sides) {
       count_errors(tally, position, *sides, runner.reply.sides(i), plan.tolerances);
     }
-    if (position % critical_radius_stride != 0 || plan.replies) continue;
+    if (!has_critical_radius(position) || plan.replies) continue;
     if (const auto within = distance_within(distance.squared(), runner.radii)) {
       runner.sampled.push_back(q);
       runner.distances.push_back(*within);

@@ -103,7 +103,7 @@ void judge_block(const LadderPlan& plan, const Source& source, std::uint64_t fir
     if (!truth.formula) continue;
     Claims<Real> claims(q, *truth.formula);
     std::optional<Rational> distance;
-    if (position % critical_radius_stride == 0) distance = squared_distance(q);
+    if (has_critical_radius(position)) distance = squared_distance(q);
     for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
       count_verdict(into[k], truth, answered[k].verdicts[i]);
       count_comparisons(into[k], *plan.kernels[k], *claims.sides(plan.kernels[k]->formulae), q, answered[k], i);

@@ -249,7 +249,8 @@ std::vector<std::string> notes(const LadderPlan& plan, const Entries& entries) {
                   "from a change of sign, by 2^m changes no bit of the axis from what an unbounded exponent gives, and "
                   "no side is infinite or NaN. Scanned: {}..{}, beyond which a query cannot be scaled exactly.",
                   scanned.low, scanned.high),
-      fmt::format("The critical radius is found for every {}th query.", critical_radius_stride),
+      fmt::format("The critical radius is found for every {}th of a source's first {} queries.", critical_radius_stride,
+                  critical_radius_queries),
       "The figures are of these queries and bound nothing."};
   if (plan.speed) {
     all.push_back(fmt::format(

@@ -80,10 +80,10 @@ class Report {
         "that were answered. n: answers `invalid`, for a million. u: queries without an answer, since the library "
         "crashed or hung at them or did so too often in their unit to be asked again.",
         "Touching is judged by what each says that it means; where it makes no promise, neither answer is wrong.",
-        "Deepest: of a wrong verdict, |d - r| / max(|A-P|, |B-P|, |C-P|, r). Critical radius: of every 256th query the "
-        "smallest radius that is called a contact, its error in ulps of the exact distance. Time: verdicts alone on "
-        "one core, median over repetitions of 2^17 distinct queries of family `general`, in the library's own process "
-        "and without what asking it there takes.",
+        "Deepest: of a wrong verdict, |d - r| / max(|A-P|, |B-P|, |C-P|, r). Critical radius: of every 256th of a "
+        "source's first 2^24 queries the smallest radius that is called a contact, its error in ulps of the exact "
+        "distance. Time: verdicts alone on one core, median over repetitions of 2^17 distinct queries of family "
+        "`general`, in the library's own process and without what asking it there takes.",
         "Zero wrong verdicts hold for these queries only: at most 3 in as many as were asked, at 95 %."};
     all.insert(all.end(), league_.not_checked.begin(), league_.not_checked.end());
     return all;
