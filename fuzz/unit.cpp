@@ -1,7 +1,5 @@
 #include "fuzz/unit.h"
 
-#include <ctime>
-
 #include <cmath>
 
 #include "exact/claim.h"
@@ -9,18 +7,13 @@
 #include "exact/depth.h"
 #include "exact/geometric_oracle.h"
 #include "exact/limits.h"
+#include "fuzz/thread_seconds.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
 namespace {
 
 constexpr std::size_t batch_size = 1024;
-
-double thread_seconds() {
-  std::timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 // A kernel at work on batches of one precision. Somebody else's code is a process, begun with the unit: so what it does
 // depends on the unit alone, and not on what the thread did before.
