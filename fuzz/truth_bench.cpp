@@ -1,13 +1,16 @@
 // What truth costs: the loop that a user would write, a judge by intervals, and axiscert's own unit, which makes the
 // queries besides, runs the kernel, judges all sixteen comparisons and tallies. The same queries for all three.
 //
-//     truth_bench [FAMILY...]     without names all families and a mesh
+//     truth_bench [--queries N] [FAMILY...]     without names all families and a mesh; N: at most so many of each, for
+//     a
+//                                               quick look (default: two units)
 #include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
 
 #include "exact/formula_oracle.h"
 #include "fuzz/build_info.h"
@@ -19,7 +22,7 @@ namespace axiscert {
 namespace {
 
 constexpr int repetitions = 5;
-constexpr std::uint64_t most_queries = 2 * unit_size, least_queries = unit_size / 16;
+constexpr std::uint64_t default_queries = 2 * unit_size, least_queries = unit_size / 16;
 constexpr double slow_naive_ns = 1e5;  // a query; beyond it fewer queries, for as long a time
 
 Plan plan_of(std::vector<SourcePtr> sources) {
@@ -80,7 +83,7 @@ void check(const std::vector<Query<Real>>& queries, const std::vector<Comparison
 }
 
 template <class Real>
-void measure(const Plan& plan, const Source& source) {
+void measure(const Plan& plan, const Source& source, std::uint64_t most_queries) {
   const auto queries_of = [&](std::uint64_t count) {
     std::vector<Query<Real>> queries(count);
     for (std::uint64_t i = 0; i < count; ++i) source.make(plan.seed, i, queries[i]);
@@ -90,7 +93,7 @@ void measure(const Plan& plan, const Source& source) {
   separated_by_distance(probe);
   const double probed_ns = nanoseconds([&] { separated_by_distance(probe); }) / 512;
   std::uint64_t count = most_queries;
-  while (count > least_queries && probed_ns * static_cast<double>(count) > slow_naive_ns * most_queries) count /= 2;
+  while (count > least_queries && probed_ns * static_cast<double>(count) > slow_naive_ns * default_queries) count /= 2;
 
   const auto queries = queries_of(count);
   std::vector<ComparisonSigns> signs;
@@ -155,7 +158,12 @@ std::string campaign_lines() {
       peak_mebibytes(), 4 * units * unit_size);
 }
 
-int run(const std::vector<std::string_view>& names) {
+int run(std::vector<std::string_view> names) {
+  std::uint64_t most_queries = default_queries;
+  if (names.size() >= 2 && names[0] == "--queries") {
+    most_queries = std::max<std::uint64_t>(least_queries, std::stoull(std::string(names[1])));
+    names.erase(names.begin(), names.begin() + 2);
+  }
   std::vector<SourcePtr> sources;
   for (const Family* family : families()) sources.push_back(family_source(*family));
   sources.push_back(mesh_source(TEST_MODELS "/OBJ/spider.obj"));
@@ -174,14 +182,16 @@ int run(const std::vector<std::string_view>& names) {
       "verdict alone\n"
       "- interval: the sixteen comparisons over CGAL::Interval_nt, those of a query left open over CGAL::Mpzf; on "
       "queries in memory\n"
-      "- harness: axiscert makes the queries, runs `published`, judges all sixteen comparisons and tallies\n\n"
-      "| family | precision | queries | naive | interval | harness | naive / harness | interval / harness | goal |\n"
+      "- harness: axiscert makes the queries, runs `published`, judges all sixteen comparisons and tallies; its rate "
+      "over "
+      "theirs, and the goal for its rate over the naive loop's\n\n"
+      "| family | precision | queries | naive | interval | harness | rate / naive | rate / interval | goal |\n"
       "|---|---|---:|---:|---:|---:|---:|---:|---|\n",
       processor_name(), compiler_name(), compiler_flags(), plan.target, repetitions);
   for (const SourcePtr& source : sources) {
     if (!names.empty() && std::find(names.begin(), names.end(), source->name()) == names.end()) continue;
-    measure<float>(plan, *source);
-    measure<double>(plan, *source);
+    measure<float>(plan, *source, most_queries);
+    measure<double>(plan, *source, most_queries);
   }
   fmt::print("\n{}", campaigns);
   return 0;
