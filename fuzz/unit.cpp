@@ -3,24 +3,18 @@
 #include <fmt/format.h>
 
 #include <cfenv>
-#include <ctime>
 
 #include <algorithm>
 #include <deque>
 
 #include "exact/stopwatch.h"
 #include "fuzz/runner.h"
+#include "fuzz/thread_seconds.h"
 
 namespace axiscert {
 namespace {
 
 constexpr std::size_t batch_size = 1024;
-
-double thread_seconds() {
-  std::timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 void require_round_to_nearest() {
   if (std::fegetround() == FE_TONEAREST) return;

@@ -5,30 +5,10 @@
 #include <hwy/highway.h>
 #include <mpfr.h>
 
-#include <fstream>
-
+#include "fuzz/build_info.h"
 #include "reports/record.h"
 
 namespace axiscert {
-namespace {
-
-std::string processor_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
-}
-
-std::string compiler_name() {
-#ifdef __clang__
-  return "clang++ " __clang_version__;
-#else
-  return "g++ " __VERSION__;
-#endif
-}
-
-}  // namespace
 
 Json run_info(const Plan& plan, const CampaignResult& result, const std::string& target_asked,
               const std::string& started, double seconds) {
@@ -38,7 +18,7 @@ Json run_info(const Plan& plan, const CampaignResult& result, const std::string&
                {"threads", plan.threads},
                {"machine", {{"cpu", processor_name()}}},
                {"compiler", compiler_name()},
-               {"flags", AXISCERT_FLAGS},
+               {"flags", compiler_flags()},
                {"target", {{"asked", target_asked}, {"dispatched", plan.target}}},
                {"versions",
                 {{"axiscert", AXISCERT_VERSION},
