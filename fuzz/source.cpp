@@ -3,6 +3,17 @@
 namespace axiscert {
 namespace {
 
+template <class Real>
+void fill_one_by_one(const Source& source, std::uint64_t seed, std::uint64_t first, std::size_t count,
+                     QueryBatch<Real>& out) {
+  out.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    Query<Real> q;
+    source.make(seed, first + i, q);
+    out.push_back(q);
+  }
+}
+
 class FamilySource final : public Source {
  public:
   explicit FamilySource(const Family& family) : family_(family) {}
@@ -23,6 +34,13 @@ class FamilySource final : public Source {
 };
 
 }  // namespace
+
+void Source::fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<float>& out) const {
+  fill_one_by_one(*this, seed, first, count, out);
+}
+void Source::fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<double>& out) const {
+  fill_one_by_one(*this, seed, first, count, out);
+}
 
 SourcePtr family_source(const Family& family) { return std::make_shared<FamilySource>(family); }
 

@@ -39,6 +39,9 @@ class Source {
 
   virtual void make(std::uint64_t seed, std::uint64_t position, Query<float>& out) const = 0;
   virtual void make(std::uint64_t seed, std::uint64_t position, Query<double>& out) const = 0;
+  // Sets `out` to the queries at `first` to first + count - 1, the same as make()'s; `count` is at most its capacity.
+  virtual void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<float>& out) const;
+  virtual void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<double>& out) const;
 };
 
 using SourcePtr = std::shared_ptr<const Source>;

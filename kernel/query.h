@@ -57,13 +57,39 @@ struct QueryColumns {
   std::size_t size;
 };
 
+// The same to be written: generators fill these.
+template <class Real>
+struct MutableColumns {
+  std::array<Real*, coordinate_count> column;
+  std::size_t size;
+
+  // The columns from query `begin` on, `count` of them.
+  MutableColumns part(std::size_t begin, std::size_t count) const {
+    MutableColumns rest{{}, count};
+    for (std::size_t k = 0; k < coordinate_count; ++k) rest.column[k] = column[k] + begin;
+    return rest;
+  }
+  Query<Real> operator[](std::size_t i) const {
+    std::array<Real, coordinate_count> v;
+    for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = column[k][i];
+    return from_coordinates(v);
+  }
+  void set(std::size_t i, const Query<Real>& q) const {
+    const auto v = coordinates(q);
+    for (std::size_t k = 0; k < coordinate_count; ++k) column[k][i] = v[k];
+  }
+};
+
 // Owns the columns of a batch of fixed capacity.
 template <class Real>
 class QueryBatch {
  public:
   explicit QueryBatch(std::size_t capacity) : capacity_(capacity), storage_(capacity * coordinate_count) {}
   std::size_t size() const { return size_; }
+  std::size_t capacity() const { return capacity_; }
   void clear() { size_ = 0; }
+  // `size` queries of any numbers, to be written through mutable_columns(); at most the capacity.
+  void resize(std::size_t size) { size_ = size; }
   void push_back(const Query<Real>& q) {
     const auto v = coordinates(q);
     for (std::size_t k = 0; k < coordinate_count; ++k) storage_[k * capacity_ + size_] = v[k];
@@ -76,6 +102,11 @@ class QueryBatch {
   }
   QueryColumns<Real> columns() const {
     QueryColumns<Real> view{{}, size_};
+    for (std::size_t k = 0; k < coordinate_count; ++k) view.column[k] = storage_.data() + k * capacity_;
+    return view;
+  }
+  MutableColumns<Real> mutable_columns() {
+    MutableColumns<Real> view{{}, size_};
     for (std::size_t k = 0; k < coordinate_count; ++k) view.column[k] = storage_.data() + k * capacity_;
     return view;
   }
