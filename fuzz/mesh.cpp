@@ -61,7 +61,7 @@ class MeshSource final : public Source {
     return "a real mesh's triangles: spheres resting on them, sinking in, hovering, grazing edges and vertices, "
            "centred on them, far";
   }
-  int version() const override { return 1; }
+  int version() const override { return 2; }
   std::uint64_t base_triangles(Precision, std::uint64_t trials) const override {
     return std::min(trials, file_.triangles);
   }

@@ -248,7 +248,7 @@ TEST(MeshSource, NamesItsFileByBaseNameAndHash) {
   EXPECT_EQ(source->address_name(), "mesh-" + hash);
   EXPECT_EQ(source->file()->sha256, hash);
   EXPECT_EQ(source->file()->kind, "mesh");
-  EXPECT_EQ(source->version(), 1);
+  EXPECT_EQ(source->version(), 2);
   EXPECT_EQ(source->base_triangles(Precision::binary32, 1000), 1u);
   EXPECT_EQ(source->fixed_size(Precision::binary32), std::nullopt);
 }

@@ -121,7 +121,8 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
   if (runners.empty()) return;
   QueryBatch<Real> batch(batch_size);
   for (std::uint64_t done = 0; done < size; done += batch.size()) {
-    source.fill(plan.seed, first + done, static_cast<std::size_t>(std::min<std::uint64_t>(batch_size, size - done)), batch);
+    source.fill(plan.seed, first + done, static_cast<std::size_t>(std::min<std::uint64_t>(batch_size, size - done)),
+                batch);
     for (Runner<Real>& runner : runners) {
       if (plan.replies) break;
       ask(runner.implementation, batch.columns(), runner.reply);
