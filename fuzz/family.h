@@ -53,11 +53,7 @@ struct Family {
   }
   template <class Real>
   Query<Real> make(std::uint64_t seed, std::uint64_t position) const {
-    std::array<Real, coordinate_count> v;
-    MutableColumns<Real> one{{}, 1};
-    for (std::size_t k = 0; k < coordinate_count; ++k) one.column[k] = &v[k];
-    fill(seed, position, one);
-    return from_coordinates(v);
+    return filled_query<Real>([&](const MutableColumns<Real>& one) { fill(seed, position, one); });
   }
 };
 

@@ -2,10 +2,6 @@
 // set.
 #include <cstring>
 
-#include "fuzz/lanes.h"
-
-#include "hwy/highway.h"
-
 #include "fuzz/family_testing.h"
 #include "fuzz/lane_testing.h"
 #include "fuzz/source.h"

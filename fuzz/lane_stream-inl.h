@@ -54,12 +54,32 @@ class LaneStream {
 
 #if HWY_TARGET == HWY_SCALAR  // one lane, which is no half of a wider one
   LaneStream(const StreamName& name, std::uint64_t first) : stream_(name, first) {}
+  LaneStream(const StreamName& name, const std::uint64_t* positions) : stream_(name, *positions) {}
 
   W word() { return hn::Set(DW(), stream_.word()); }
   // n at most 2^32 - 1, in each lane its own.
   W below(W n) { return hn::Set(DW(), static_cast<hn::TFromD<DW>>(stream_.below(hn::GetLane(n)))); }
 #else
-  LaneStream(const StreamName& name, std::uint64_t first) : name_(name), first_(first) {}
+  // Lane i at position first + i.
+  LaneStream(const StreamName& name, std::uint64_t first) : name_(name) {
+    const hn::ScalableTag<std::uint64_t> d64;
+    const auto lane = hn::Iota(d64, 0), start = hn::Set(d64, first);
+    if constexpr (sizeof(Real) == 8) {
+      position_[0] = hn::Add(start, lane);
+    } else {
+      position_[0] = hn::Add(start, hn::Add(lane, lane));
+      position_[1] = hn::Add(position_[0], hn::Set(d64, 1));
+    }
+  }
+  // Lane i at positions[i].
+  LaneStream(const StreamName& name, const std::uint64_t* positions) : name_(name) {
+    constexpr std::size_t each = 8 / sizeof(Real);
+    for (std::size_t k = 0; k < each; ++k) {
+      HWY_ALIGN std::uint64_t taken[lanes];
+      for (std::size_t i = 0; i < lanes / each; ++i) taken[i] = positions[i * each + k];
+      position_[k] = hn::Load(hn::ScalableTag<std::uint64_t>(), taken);
+    }
+  }
 
   W word() {
     if (used_ == held) refill();
@@ -137,7 +157,6 @@ class LaneStream {
   HWY_NOINLINE void refill() {
     const hn::ScalableTag<std::uint32_t> d32;
     const hn::ScalableTag<std::uint64_t> d64;
-    const auto lane = hn::Iota(d64, 0), first = hn::Set(d64, first_);
     const auto block_at = [&](auto position, unsigned k) HWY_ATTR {
       return philox(
           PhiloxWords<decltype(position)>{position, hn::ShiftRight<32>(position), hn::Set(d64, name_.generator),
@@ -148,15 +167,14 @@ class LaneStream {
     for (unsigned k = 0; k < blocks; ++k) {
       W* const words = words_ + 4 * k;
       if constexpr (sizeof(Real) == 8) {
-        const auto all = block_at(hn::Add(first, lane), k);
+        const auto all = block_at(position_[0], k);
         const auto low_half = [&](auto w) HWY_ATTR { return hn::And(w, hn::Set(d64, 0xffffffffu)); };
         words[0] = low_half(all.w0);
         words[1] = low_half(all.w1);
         words[2] = low_half(all.w2);
         words[3] = low_half(all.w3);
       } else {
-        const auto position = hn::Add(first, hn::Add(lane, lane));
-        const auto even = block_at(position, k), odd = block_at(hn::Add(position, hn::Set(d64, 1)), k);
+        const auto even = block_at(position_[0], k), odd = block_at(position_[1], k);
         const auto joined = [&](auto e, auto o) HWY_ATTR {
           return hn::OddEven(hn::BitCast(d32, hn::ShiftLeft<32>(o)), hn::BitCast(d32, e));
         };
@@ -171,7 +189,7 @@ class LaneStream {
   }
 
   StreamName name_;
-  std::uint64_t first_;
+  hn::Vec<hn::ScalableTag<std::uint64_t>> position_[2];  // binary32: of the even and of the odd lanes
   std::uint32_t block_ = 0;
   unsigned used_ = held;
   W words_[held];

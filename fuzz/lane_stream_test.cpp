@@ -20,6 +20,7 @@ using FourWords = std::array<std::uint32_t, 4>;
 template <class Real>
 using Drawn = std::vector<std::vector<double>>;
 inline constexpr int rounds = 40;
+constexpr std::uint64_t scattered(std::uint64_t lane) { return lane * lane * 0x100000007u; }
 }  // namespace axiscert
 #endif
 
@@ -59,6 +60,9 @@ void drawn(const StreamName& name, std::uint64_t first, Drawn<Real>& out) {
     keep(Random::number(random.below(n)));
     keep(random.sign());
   }
+  std::uint64_t positions[Random::lanes];
+  for (std::size_t i = 0; i < Random::lanes; ++i) positions[i] = first + scattered(i);
+  keep(Random(name, positions).unit());
 }
 void drawn32(const StreamName& name, std::uint64_t first, Drawn<float>& out) { drawn<float>(name, first, out); }
 void drawn64(const StreamName& name, std::uint64_t first, Drawn<double>& out) { drawn<double>(name, first, out); }
@@ -101,7 +105,8 @@ void expect_lanes_draw_what_streams_draw() {
       else HWY_DYNAMIC_DISPATCH(drawn64)(name, first, lanes);
       for (std::size_t i = 0; i < lanes[0].size(); ++i) {
         Stream random(name, first + i);
-        for (std::size_t k = 0; k < lanes.size(); k += 5) {
+        EXPECT_EQ(lanes.back()[i], static_cast<double>(Stream(name, first + scattered(i)).unit<Real>()));
+        for (std::size_t k = 0; k + 5 <= lanes.size(); k += 5) {
           SCOPED_TRACE(testing::Message() << target << " lane " << i << " draw " << k << " first " << first);
           EXPECT_EQ(lanes[k][i], static_cast<double>(random.unit<Real>()));
           const Real signed_number = random.symmetric<Real>();

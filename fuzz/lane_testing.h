@@ -1,9 +1,11 @@
 // Asking for the same thing on each instruction set.
 #pragma once
 
-#include <hwy/targets.h>
-
 #include <string>
+
+#include "fuzz/lanes.h"
+
+#include "hwy/targets.h"
 
 namespace axiscert {
 
