@@ -10,6 +10,31 @@
 
 namespace axiscert {
 
+// How a family makes its queries: one at a time from a stream, or a batch of them at once, in lanes.
+template <class Real>
+class Maker {
+ public:
+  // `position` counts the queries of the family: what is asked "in turn" goes by it; the rest comes from the stream.
+  using One = Query<Real> (*)(Stream& random, std::uint64_t position);
+  // The queries at `first` and after it, as many as the columns have. Which query is made at a position depends on
+  // nothing else: not on where the batch begins, on the instruction set or on the compiler.
+  using Batch = void (*)(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out);
+
+  constexpr Maker(One one) : one_(one) {}
+  constexpr Maker(Batch batch) : batch_(batch) {}
+  void fill(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) const {
+    if (batch_) return batch_(name, first, out);
+    for (std::size_t i = 0; i < out.size; ++i) {
+      Stream random(name, first + i);
+      out.set(i, one_(random, first + i));
+    }
+  }
+
+ private:
+  One one_ = nullptr;
+  Batch batch_ = nullptr;
+};
+
 struct Family {
   std::string_view name;
   std::string_view purpose;  // one line
@@ -17,15 +42,18 @@ struct Family {
   int version;
   // The precision's arithmetic is exact on every query: no rounding to blame.
   bool exact_arithmetic;
-  // `position` counts the queries of the family: what is asked "in turn" goes by it; the rest comes from the stream.
-  Query<float> (*binary32)(Stream& random, std::uint64_t position);
-  Query<double> (*binary64)(Stream& random, std::uint64_t position);
+  Maker<float> binary32;
+  Maker<double> binary64;
 
   template <class Real>
+  void fill(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {
+    const StreamName stream(seed, name_hash(name), version, precision_of<Real>);
+    if constexpr (sizeof(Real) == 4) binary32.fill(stream, first, out);
+    else binary64.fill(stream, first, out);
+  }
+  template <class Real>
   Query<Real> make(std::uint64_t seed, std::uint64_t position) const {
-    Stream random(seed, name_hash(name), version, precision_of<Real>, position);
-    if constexpr (sizeof(Real) == 4) return binary32(random, position);
-    else return binary64(random, position);
+    return filled_query<Real>([&](const MutableColumns<Real>& one) { fill(seed, position, one); });
   }
 };
 

@@ -61,24 +61,31 @@ class MeshSource final : public Source {
     return "a real mesh's triangles: spheres resting on them, sinking in, hovering, grazing edges and vertices, "
            "centred on them, far";
   }
-  int version() const override { return 1; }
+  int version() const override { return 2; }
   std::uint64_t base_triangles(Precision, std::uint64_t trials) const override {
     return std::min(trials, file_.triangles);
   }
   std::optional<FileInfo> file() const override { return file_; }
 
   void make(std::uint64_t seed, std::uint64_t position, Query<float>& out) const override {
-    out = at<float>(seed, position);
+    out = filled_query<float>([&](const auto& one) { at(seed, position, one); });
   }
   void make(std::uint64_t seed, std::uint64_t position, Query<double>& out) const override {
-    out = at<double>(seed, position);
+    out = filled_query<double>([&](const auto& one) { at(seed, position, one); });
+  }
+  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<float>& out) const override {
+    out.resize(count);
+    at(seed, first, out.mutable_columns());
+  }
+  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<double>& out) const override {
+    out.resize(count);
+    at(seed, first, out.mutable_columns());
   }
 
  private:
   template <class Real>
-  Query<Real> at(std::uint64_t seed, std::uint64_t position) const {
-    Stream random(seed, generator_, version(), precision_of<Real>, position);
-    return mesh_query<Real>(mesh_, random, position);
+  void at(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {
+    mesh_queries(mesh_, StreamName(seed, generator_, version(), precision_of<Real>), first, out);
   }
 
   Mesh mesh_;

@@ -1,237 +1,308 @@
-// Placing spheres about one triangle of a mesh. All of it in binary64 with + - * / sqrt and ldexp, one draw a
-// statement, so that an address gives the same query everywhere; the query's own precision enters with the last
-// rounding.
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
+// Placing spheres about the triangles of a mesh, a vector of queries at a time that are placed alike. All of it in
+// binary64 with + - * / sqrt and powers of two, so that an address gives the same query everywhere; the query's own
+// precision enters with the last rounding.
 #include "fuzz/boundary.h"
+#include "fuzz/lanes.h"
 #include "fuzz/mesh.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "fuzz/mesh_query.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#define AXISCERT_PER_TARGET
+#include "fuzz/families/lane_shapes-inl.h"
+
+#ifndef AXISCERT_MESH_QUERY_H
+#define AXISCERT_MESH_QUERY_H
 namespace axiscert {
+
+inline constexpr std::size_t mesh_block_size = 512;
+
+// What is solved when the vertices and the centre of a block's queries stand: the radius is the distance, `ulps` floats
+// from it, times the factor; where that is 0 the radius stays.
+struct MeshWishes {
+  std::array<double, mesh_block_size> ulps, factor;
+};
+
+}  // namespace axiscert
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace axiscert::HWY_NAMESPACE {
 namespace {
 
-using Point = Vec3<double>;
+using Random = LaneStream<double>;
+using T = Random::T;
+using Point = Vec3<T>;
+constexpr std::size_t lanes = Random::lanes;
 
-double length(const Point& v) { return std::sqrt(portable::dot(v, v)); }
+AXISCERT_INLINE T number(double x) { return Random::constant(x); }
+AXISCERT_INLINE Point zero_point() { return {number(0), number(0), number(0)}; }
 
-// Zero where v is too short for its square.
-Point unit_of(const Point& v) {
-  const double size = length(v);
-  return size > 0 ? Point{v.x / size, v.y / size, v.z / size} : Point{0, 0, 0};
-}
-bool is_zero(const Point& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
-
-// Uniform on the sphere, by rejection.
-Point direction(Stream& random) {
-  for (;;) {
-    Point v;
-    v.x = random.symmetric<double>();
-    v.y = random.symmetric<double>();
-    v.z = random.symmetric<double>();
-    const double square = portable::dot(v, v);
-    if (square <= 1 && square >= 0x1p-20) return unit_of(v);
-  }
+// Any direction, denser towards the vertices of a cube than towards its faces, by 3 sqrt(3) at most.
+AXISCERT_INLINE Point direction(Random& random) {
+  Point v = in_cube(random);
+  v.x = select(hn::Eq(v.x.v, number(0).v), number(1), v.x);
+  return at_unit_length(v);
 }
 
 // 2^low to 2^high, the exponent uniform and the significand uniform.
-double magnitude(Stream& random, int low, int high) {
-  const auto exponent = static_cast<int>(random.integer(low, high - 1));
-  const double significand = 1 + random.unit<double>();
-  return std::ldexp(significand, exponent);
+AXISCERT_INLINE T magnitude(Random& random, int low, int high) {
+  const auto exponent = random.below(static_cast<std::uint32_t>(high - low));
+  const T significand = number(1) + random.unit();
+  const auto biased = hn::Add(exponent, hn::Set(Random::DW(), static_cast<std::uint64_t>(1023 + low)));
+  return significand * T{hn::BitCast(Random::D(), hn::ShiftLeft<52>(biased))};
 }
 
-// A rotation and a scale together: the columns are the images of the unit vectors.
+// A rotation by an integer quaternion and a scale together: the columns are the images of the unit vectors.
 struct Placed {
   Point x, y, z;
-  double scale;
-  Point operator()(const Vec3<float>& v) const {
-    return (x * static_cast<double>(v.x) + y * static_cast<double>(v.y)) + z * static_cast<double>(v.z);
-  }
+  T scale;
+  AXISCERT_INLINE Point operator()(const Point& v) const { return (x * v.x + y * v.y) + z * v.z; }
 };
 
-Placed drawn_placement(Stream& random) {
-  std::int64_t q[4];
-  std::int64_t square = 0;
-  while (square == 0) {
-    for (std::int64_t& part : q) {
-      part = random.integer(-9, 9);
-      square += part * part;
-    }
-  }
-  const auto exponent = static_cast<int>(random.integer(-4, 4));
-  const double significand = 1 + random.unit<double>();
-  const double scale = std::ldexp(significand, exponent);
-  const auto [w, x, y, z] = q;
-  const auto entry = [&](std::int64_t n) { return static_cast<double>(n) / static_cast<double>(square) * scale; };
-  return {{entry(w * w + x * x - y * y - z * z), entry(2 * (x * y + w * z)), entry(2 * (x * z - w * y))},
-          {entry(2 * (x * y - w * z)), entry(w * w - x * x + y * y - z * z), entry(2 * (y * z + w * x))},
-          {entry(2 * (x * z + w * y)), entry(2 * (y * z - w * x)), entry(w * w - x * x - y * y + z * z)},
+AXISCERT_INLINE Placed drawn_placement(Random& random) {
+  const T real = random.integer(-9, 9), x = random.integer(-9, 9), y = random.integer(-9, 9), z = random.integer(-9, 9);
+  const T squares = (x * x + y * y) + z * z;
+  const auto all_zero = hn::Eq((real * real + squares).v, number(0).v);
+  const T w = select(all_zero, number(1), real);
+  const T square = w * w + squares;
+  const T scale = magnitude(random, -4, 5);
+  const auto entry = [&](const T& n) HWY_ATTR { return n / square * scale; };  // n is an integer below 2^10: exact
+  const T two = number(2);
+  return {{entry(w * w + x * x - y * y - z * z), entry(two * (x * y + w * z)), entry(two * (x * z - w * y))},
+          {entry(two * (x * y - w * z)), entry(w * w - x * x + y * y - z * z), entry(two * (y * z + w * x))},
+          {entry(two * (x * z + w * y)), entry(two * (y * z - w * x)), entry(w * w - x * x - y * y + z * z)},
           scale};
 }
 
 // A triangle and its sizes and directions, as good as binary64 has them: nothing below relies on their being exact.
 struct Frame {
-  std::array<Point, 3> v;
-  double edge;   // mean length, never zero
+  LaneVertices<T> v;
+  T edge;        // mean length, never zero
   Point normal;  // unit; any direction where the triangle has none
 
-  Frame(const std::array<Point, 3>& vertices, double substitute, Stream& random) : v(vertices) {
-    edge = ((length(v[1] - v[0]) + length(v[2] - v[1])) + length(v[0] - v[2])) / 3;
-    if (!(edge > 0)) edge = substitute > 0 ? substitute : 1;
-    normal = unit_of(portable::cross(v[1] - v[0], v[2] - v[0]));
-    if (is_zero(normal)) normal = direction(random);
+  Frame(const LaneVertices<T>& vertices, const T& substitute, Random& random) : v(vertices) {
+    const T zero = number(0);
+    const T mean = ((length(v[1] - v[0]) + length(v[2] - v[1])) + length(v[0] - v[2])) / number(3);
+    const T other = select(hn::Gt(substitute.v, zero.v), substitute, number(1));
+    edge = select(hn::Gt(mean.v, zero.v), mean, other);
+    const Point across = cross(v[1] - v[0], v[2] - v[0]), any = direction(random);
+    const T size = length(across);
+    normal = select(hn::Gt(size.v, zero.v), across / size, any);
   }
 
-  // In the plane, away from the triangle, at a right angle to the edge from v[i] to the next; zero where there is none.
-  Point outward(std::size_t i) const {
-    const Point from = v[i], along = v[(i + 1) % 3] - from, inner = v[(i + 2) % 3] - from;
-    const double square = portable::dot(along, along);
-    if (!(square > 0)) return {0, 0, 0};
-    return unit_of(along * (portable::dot(inner, along) / square) - inner);
+  // In the plane, away from the triangle, at a right angle to the edge; zero where there is none.
+  static Point outward(const Point& from, const Point& to, const Point& third) {
+    const Point along = to - from, inner = third - from;
+    const T square = dot(along, along);
+    const Point away = at_unit_length(along * (dot(inner, along) / square) - inner);
+    return select(hn::Gt(square.v, number(0).v), away, zero_point());
   }
-  Point on_edge(std::size_t i, Stream& random) const { return v[i] + (v[(i + 1) % 3] - v[i]) * random.unit<double>(); }
-  Point on_face(Stream& random) const {
-    double s = random.unit<double>(), t = random.unit<double>();
-    if (s + t > 1) {
-      s = 1 - s;
-      t = 1 - t;
-    }
-    return v[0] + ((v[1] - v[0]) * s + (v[2] - v[0]) * t);
+  Point on_face(Random& random) const {
+    const T s = random.unit(), t = random.unit(), one = number(1);
+    const auto beyond = hn::Gt((s + t).v, one.v);
+    return v[0] + ((v[1] - v[0]) * select(beyond, one - s, s) + (v[2] - v[0]) * select(beyond, one - t, t));
   }
-  Point either_normal(Stream& random) const { return normal * (random.coin() ? 1.0 : -1.0); }
+  // One of the vertices as the first, the others after it.
+  LaneVertices<T> turned(Random& random) const {
+    const T i = random.integer(0, 2), one = number(1), two = number(2);
+    const auto last = hn::Eq(i.v, two.v);
+    return arranged(v, i, select(last, number(0), i + one));
+  }
 };
 
-template <class Real>
-Real rounded(double x) {
-  constexpr double greatest = static_cast<double>(std::numeric_limits<Real>::max());
-  return static_cast<Real>(std::clamp(x, -greatest, greatest));
-}
-template <class Real>
-Vec3<Real> rounded(const Point& p) {
-  return {rounded<Real>(p.x), rounded<Real>(p.y), rounded<Real>(p.z)};
-}
+AXISCERT_INLINE Point on_edge(const LaneVertices<T>& v, Random& random) { return v[0] + (v[1] - v[0]) * random.unit(); }
 
-// P and, where the distance does not decide it, r.
-struct Sphere {
-  Point centre;
-  double radius = 0;
-};
-
-Point edge_centre(const Frame& frame, Stream& random, double height) {
-  const auto i = static_cast<std::size_t>(random.below(3));
-  const Point foot = frame.on_edge(i, random);
-  const double outwards = random.unit<double>();
-  const double upwards = random.symmetric<double>();
-  const Point towards = unit_of(frame.outward(i) * outwards + frame.normal * upwards);
-  return foot + towards * height;
+AXISCERT_INLINE Point edge_centre(const Frame& frame, Random& random, const T& height) {
+  const auto v = frame.turned(random);
+  const Point foot = on_edge(v, random);
+  const T outwards = random.unit(), upwards = random.symmetric();
+  return foot + at_unit_length(Frame::outward(v[0], v[1], v[2]) * outwards + frame.normal * upwards) * height;
 }
 
 // Between the outward directions of the two edges that meet there P sees the vertex only.
-Point vertex_centre(const Frame& frame, Stream& random, double height) {
-  const auto i = static_cast<std::size_t>(random.below(3));
-  const double first = random.unit<double>();
-  const double second = random.unit<double>();
-  const double upwards = random.symmetric<double>();
-  const Point towards =
-      unit_of((frame.outward(i) * first + frame.outward((i + 2) % 3) * second) + frame.normal * upwards);
-  return frame.v[i] + towards * height;
+AXISCERT_INLINE Point vertex_centre(const Frame& frame, Random& random, const T& height) {
+  const auto v = frame.turned(random);
+  const T first = random.unit(), second = random.unit(), upwards = random.symmetric();
+  const Point beside = Frame::outward(v[0], v[1], v[2]) * first + Frame::outward(v[2], v[0], v[1]) * second;
+  return v[0] + at_unit_length(beside + frame.normal * upwards) * height;
 }
 
-Sphere far_sphere(const Frame& frame, Stream& random) {
-  const double radius = frame.edge * magnitude(random, -6, 6);
-  const double times = magnitude(random, 0, 10);
+AXISCERT_INLINE void place_far(const Frame& frame, Random& random, LaneQuery<T>& q) {
+  q.r = frame.edge * magnitude(random, -6, 6);
+  const T times = magnitude(random, 0, 10);
   const Point foot = frame.on_face(random);
   // No edge is longer than half the perimeter, 1.5 mean edges: this is out of reach from every point of the triangle.
-  return {foot + direction(random) * ((radius * 2 + frame.edge * 2) * times), radius};
+  q.p = foot + direction(random) * ((q.r * number(2) + frame.edge * number(2)) * times);
 }
 
-Point centre_on(const Frame& frame, Stream& random) {
-  const std::uint64_t where = random.below(3);
-  const auto i = static_cast<std::size_t>(random.below(3));
-  if (where == 0) return frame.v[i];
-  return where == 1 ? frame.on_edge(i, random) : frame.on_face(random);
+AXISCERT_INLINE Point centre_on(const Frame& frame, Random& random) {
+  const T where = random.integer(0, 2), one = number(1);
+  const auto v = frame.turned(random);
+  const Point beside = on_edge(v, random), above = frame.on_face(random);
+  return select(hn::Lt(where.v, one.v), v[0], select(hn::Eq(where.v, one.v), beside, above));
+}
+
+// None, the least, at the distance and tiny: each as likely.
+template <class Real>
+AXISCERT_INLINE void give_tiny_radius(const Frame& frame, Random& random, LaneQuery<T>& q) {
+  const T how = random.integer(0, 3), ulps = random.integer(-4, 4), tiny = frame.edge * magnitude(random, -26, -6);
+  const T zero = number(0), one = number(1), least = number(std::numeric_limits<Real>::denorm_min());
+  const auto is_none = hn::Lt(how.v, one.v), is_least = hn::Eq(how.v, one.v), at_distance = hn::Eq(how.v, number(2).v);
+  q.r = select(is_none, zero, select(is_least, least, tiny));
+  q.wishes[0] = ulps;
+  q.wishes[1] = select(at_distance, one, zero);
 }
 
 template <class Real>
-Real grazing_radius(const Query<Real>& q, Stream& random) {
-  const auto ulps = static_cast<int>(random.integer(-4, 4));
-  return step_radius(radius_at_distance(q), ulps);
+LaneQuery<T> placed_query(Placement placement, const Frame& frame, Random& random) {
+  LaneQuery<T> q;
+  q.v = frame.v;
+  q.r = number(0);
+  q.wishes[0] = number(0);
+  q.wishes[1] = number(1);
+  const T height = frame.edge * magnitude(random, -6, 6);
+  switch (placement) {
+    case Placement::resting:
+    case Placement::sinking:
+    case Placement::hovering: {
+      const T share = number(0.001) + number(0.499) * random.unit(), side = random.sign();
+      q.p = frame.on_face(random) + frame.normal * side * height;
+      if (placement == Placement::resting) q.wishes[0] = random.integer(-4, 4);
+      else if (placement == Placement::sinking) q.wishes[1] = number(1) + share;
+      else q.wishes[1] = number(1) - share;
+      break;
+    }
+    case Placement::edge_graze:
+      q.p = edge_centre(frame, random, height);
+      q.wishes[0] = random.integer(-4, 4);
+      break;
+    case Placement::vertex_graze:
+      q.p = vertex_centre(frame, random, height);
+      q.wishes[0] = random.integer(-4, 4);
+      break;
+    case Placement::centre_on:
+      q.p = centre_on(frame, random);
+      give_tiny_radius<Real>(frame, random, q);
+      break;
+    case Placement::far:
+      place_far(frame, random, q);
+      q.wishes[1] = number(0);
+      break;
+  }
+  return q;
 }
 
+// Queries that are placed alike: `count` of them, at most one a lane, at `first + index` each. Their triangles are
+// given.
 template <class Real>
-Real tiny_radius(const Query<Real>& q, const Frame& frame, Stream& random) {
-  switch (random.below(4)) {
-    case 0:
-      return 0;
-    case 1:
-      return std::numeric_limits<Real>::denorm_min();
-    case 2:
-      return grazing_radius(q, random);
-    default:
-      return rounded<Real>(frame.edge * magnitude(random, -26, -6));
+void make_vector(const Mesh& mesh, const StreamName& name, Placement placement, std::uint64_t first,
+                 const std::uint16_t* index, const std::uint64_t* triangle, std::size_t count,
+                 const MutableColumns<Real>& out, MeshWishes& wishes) {
+  HWY_ALIGN double number_of[coordinate_count + 2][lanes];
+  std::uint64_t position[lanes];
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const std::size_t from = i < count ? index[i] : index[0];  // lanes without a query repeat the first
+    position[i] = first + from;
+    const MeshTriangle& own = mesh.triangles[triangle[from]];
+    for (std::size_t k = 0; k < 3; ++k) {
+      number_of[3 * k][i] = own[k].x;
+      number_of[3 * k + 1][i] = own[k].y;
+      number_of[3 * k + 2][i] = own[k].z;
+    }
+  }
+  const auto loaded = [&](std::size_t k) HWY_ATTR { return T{hn::Load(Random::D(), number_of[k])}; };
+  LaneVertices<T> v = {Point{loaded(0), loaded(1), loaded(2)}, Point{loaded(3), loaded(4), loaded(5)},
+                       Point{loaded(6), loaded(7), loaded(8)}};
+  Random random(name, position);
+  T diagonal = number(mesh.diagonal);
+  if constexpr (sizeof(Real) == 8) {
+    const Placed placed = drawn_placement(random);
+    for (Point& vertex : v) vertex = placed(vertex);
+    diagonal = diagonal * placed.scale;
+  }
+  const Frame frame(v, diagonal, random);
+  const LaneQuery<T> q = placed_query<Real>(placement, frame, random);
+
+  const T greatest = number(static_cast<double>(std::numeric_limits<Real>::max()));
+  const T least = number(-static_cast<double>(std::numeric_limits<Real>::max()));
+  const T all[coordinate_count] = {q.v[0].x, q.v[0].y, q.v[0].z, q.v[1].x, q.v[1].y, q.v[1].z, q.v[2].x,
+                                   q.v[2].y, q.v[2].z, q.p.x,    q.p.y,    q.p.z,    q.r};
+  for (std::size_t k = 0; k < coordinate_count; ++k) {
+    hn::Store(hn::Min(hn::Max(all[k].v, least.v), greatest.v), Random::D(), number_of[k]);
+  }
+  for (std::size_t k = 0; k < 2; ++k) hn::Store(q.wishes[k].v, Random::D(), number_of[coordinate_count + k]);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < coordinate_count; ++k) out.column[k][index[i]] = static_cast<Real>(number_of[k][i]);
+    wishes.ulps[index[i]] = number_of[coordinate_count][i];
+    wishes.factor[index[i]] = number_of[coordinate_count + 1][i];
+  }
+}
+
+// A block's queries, those placed alike together.
+template <class Real>
+void make_block(const Mesh& mesh, const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out,
+                MeshWishes& wishes) {
+  std::array<std::array<std::uint16_t, mesh_block_size>, placement_count> alike;
+  std::array<std::size_t, placement_count> counts{};
+  std::array<std::uint64_t, mesh_block_size> triangle;
+  const std::uint64_t triangles = mesh.triangles.size();
+  std::uint64_t at = first % triangles, round = first / triangles;
+  for (std::size_t i = 0; i < out.size; ++i) {
+    const auto placement = static_cast<std::size_t>((at + round) % placement_count);
+    triangle[i] = at;
+    alike[placement][counts[placement]++] = static_cast<std::uint16_t>(i);
+    if (++at == triangles) {
+      at = 0;
+      ++round;
+    }
+  }
+  for (std::size_t k = 0; k < placement_count; ++k) {
+    for (std::size_t i = 0; i < counts[k]; i += lanes) {
+      make_vector(mesh, name, static_cast<Placement>(k), first, &alike[k][i], triangle.data(),
+                  std::min(lanes, counts[k] - i), out, wishes);
+    }
   }
 }
 
 }  // namespace
 
-template <class Real>
-Query<Real> mesh_query(const Mesh& mesh, Stream& random, std::uint64_t position) {
-  const MeshTriangle& own = mesh.triangles[position % mesh.triangles.size()];
-  std::array<Point, 3> vertices;
-  double scale = 1;
-  if constexpr (sizeof(Real) == 4) {
-    for (std::size_t k = 0; k < 3; ++k) vertices[k] = {own[k].x, own[k].y, own[k].z};
-  } else {
-    const Placed placed = drawn_placement(random);
-    for (std::size_t k = 0; k < 3; ++k) vertices[k] = placed(own[k]);
-    scale = placed.scale;
-  }
-  const Frame frame(vertices, mesh.diagonal * scale, random);
-  Query<Real> q{rounded<Real>(vertices[0]), rounded<Real>(vertices[1]), rounded<Real>(vertices[2]), {}, 0};
+void mesh_block32(const Mesh& mesh, const StreamName& name, std::uint64_t first, const MutableColumns<float>& out,
+                  MeshWishes& wishes) {
+  make_block(mesh, name, first, out, wishes);
+}
+void mesh_block64(const Mesh& mesh, const StreamName& name, std::uint64_t first, const MutableColumns<double>& out,
+                  MeshWishes& wishes) {
+  make_block(mesh, name, first, out, wishes);
+}
 
-  const Placement placement = placement_at(position, mesh.triangles.size());
-  const double height = frame.edge * magnitude(random, -6, 6);
-  const double share = 0.001 + 0.499 * random.unit<double>();
-  const auto above_face = [&] {
-    const Point foot = frame.on_face(random);
-    return rounded<Real>(foot + frame.either_normal(random) * height);
-  };
-  switch (placement) {
-    case Placement::resting:
-      q.p = above_face();
-      q.r = grazing_radius(q, random);
-      break;
-    case Placement::sinking:
-      q.p = above_face();
-      q.r = rounded<Real>(static_cast<double>(radius_at_distance(q)) * (1 + share));
-      break;
-    case Placement::hovering:
-      q.p = above_face();
-      q.r = rounded<Real>(static_cast<double>(radius_at_distance(q)) * (1 - share));
-      break;
-    case Placement::edge_graze:
-      q.p = rounded<Real>(edge_centre(frame, random, height));
-      q.r = grazing_radius(q, random);
-      break;
-    case Placement::vertex_graze:
-      q.p = rounded<Real>(vertex_centre(frame, random, height));
-      q.r = grazing_radius(q, random);
-      break;
-    case Placement::centre_on:
-      q.p = rounded<Real>(centre_on(frame, random));
-      q.r = tiny_radius(q, frame, random);
-      break;
-    case Placement::far: {
-      const Sphere sphere = far_sphere(frame, random);
-      q.p = rounded<Real>(sphere.centre);
-      q.r = rounded<Real>(sphere.radius);
-      break;
+}  // namespace axiscert::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace axiscert {
+HWY_EXPORT(mesh_block32);
+HWY_EXPORT(mesh_block64);
+
+template <class Real>
+void mesh_queries(const Mesh& mesh, const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
+  constexpr double greatest = static_cast<double>(std::numeric_limits<Real>::max());
+  MeshWishes wishes;
+  for (std::size_t begin = 0; begin < out.size; begin += mesh_block_size) {
+    const auto block = out.part(begin, std::min(mesh_block_size, out.size - begin));
+    if constexpr (sizeof(Real) == 4) HWY_DYNAMIC_DISPATCH(mesh_block32)(mesh, name, first + begin, block, wishes);
+    else HWY_DYNAMIC_DISPATCH(mesh_block64)(mesh, name, first + begin, block, wishes);
+    for (std::size_t i = 0; i < block.size; ++i) {
+      if (wishes.factor[i] == 0) continue;
+      const Real near = step_radius(radius_at_distance(block[i]), static_cast<int>(wishes.ulps[i]));
+      block.column[12][i] = static_cast<Real>(std::min(static_cast<double>(near) * wishes.factor[i], greatest));
     }
   }
-  return q;
 }
-template Query<float> mesh_query<float>(const Mesh&, Stream&, std::uint64_t);
-template Query<double> mesh_query<double>(const Mesh&, Stream&, std::uint64_t);
+template void mesh_queries<float>(const Mesh&, const StreamName&, std::uint64_t, const MutableColumns<float>&);
+template void mesh_queries<double>(const Mesh&, const StreamName&, std::uint64_t, const MutableColumns<double>&);
 
 }  // namespace axiscert
+#endif

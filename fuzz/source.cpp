@@ -28,6 +28,14 @@ class FamilySource final : public Source {
   void make(std::uint64_t seed, std::uint64_t position, Query<double>& out) const override {
     out = family_.make<double>(seed, position);
   }
+  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<float>& out) const override {
+    out.resize(count);
+    family_.fill(seed, first, out.mutable_columns());
+  }
+  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<double>& out) const override {
+    out.resize(count);
+    family_.fill(seed, first, out.mutable_columns());
+  }
 
  private:
   const Family& family_;

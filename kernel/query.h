@@ -80,6 +80,16 @@ struct MutableColumns {
   }
 };
 
+// The query that fill(columns) writes into columns of one.
+template <class Real, class Fill>
+Query<Real> filled_query(Fill&& fill) {
+  std::array<Real, coordinate_count> v;
+  MutableColumns<Real> one{{}, 1};
+  for (std::size_t k = 0; k < coordinate_count; ++k) one.column[k] = &v[k];
+  fill(one);
+  return from_coordinates(v);
+}
+
 // Owns the columns of a batch of fixed capacity.
 template <class Real>
 class QueryBatch {

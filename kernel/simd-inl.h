@@ -14,6 +14,7 @@ struct Lanes {
   AXISCERT_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) { return {hn::Add(a.v, b.v)}; }
   AXISCERT_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) { return {hn::Sub(a.v, b.v)}; }
   AXISCERT_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) { return {hn::Mul(a.v, b.v)}; }
+  AXISCERT_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) { return {hn::Div(a.v, b.v)}; }
 };
 
 template <class D>

@@ -15,7 +15,9 @@ Query<Real> bits(Stream& random, std::uint64_t) {
   constexpr Bits exponent = (sign - 1) & ~((Bits{1} << (digits - 1)) - 1);
   std::array<Real, coordinate_count> v;
   for (Real& x : v) {
-    auto pattern = static_cast<Bits>(random.bits() >> (64 - width));
+    Bits pattern;
+    if constexpr (width == 32) pattern = random.word();
+    else pattern = random.bits();
     if ((pattern & exponent) == exponent) pattern ^= top_of_exponent;  // infinities and NaNs come down to [1, 2)
     if (&x == &v[12]) pattern &= ~sign;
     x = std::bit_cast<Real>(pattern);
@@ -26,6 +28,6 @@ Query<Real> bits(Stream& random, std::uint64_t) {
 }  // namespace
 
 extern const Family bits_family = {
-    "bits", "uniform finite bit patterns, the radius without its sign", 1, false, bits<float>, bits<double>};
+    "bits", "uniform finite bit patterns, the radius without its sign", 2, false, bits<float>, bits<double>};
 
 }  // namespace axiscert

@@ -43,7 +43,7 @@ Query<Real> collinear(Stream& random, std::uint64_t position) {
 extern const Family collinear_family = {
     "collinear",
     "three distinct vertices exactly on a line; radii below, at and above the distance",
-    1,
+    2,
     false,
     collinear<float>,
     collinear<double>};

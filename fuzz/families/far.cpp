@@ -1,26 +1,48 @@
 // Queries far from the origin, where the grid of the floats is coarse against the triangle.
-#include "fuzz/families/shapes.h"
-#include "fuzz/family.h"
+#include "fuzz/lanes.h"
 
-namespace axiscert {
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "fuzz/families/far.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#define AXISCERT_PER_TARGET
+#include "fuzz/families/lane_family-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace axiscert::HWY_NAMESPACE {
 namespace {
 
-template <class Real>
-Query<Real> far(Stream& random, std::uint64_t position) {
-  constexpr std::array<Real, 5> decades = {Real(1e2), Real(1e3), Real(1e4), Real(1e5), Real(1e6)};
-  const auto vertices = shapes::vertices_in_cube<Real>(random);
-  const Vec3<Real> p = shapes::in_cube<Real>(random);
-  const Vec3<Real> offset = shapes::at_unit_length(shapes::in_cube<Real>(random)) * decades[position % 5];
-  Query<Real> q{vertices[0] + offset, vertices[1] + offset, vertices[2] + offset, p + offset, 0};
-  q.r = shapes::aimed_radius(random, q);  // of the rounded query
-  return q;
-}
+struct Far : AimedRadii {
+  template <class Random, class T = typename Random::T>
+  AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {
+    static constexpr double decades[5] = {1e2, 1e3, 1e4, 1e5, 1e6};
+    LaneQuery<T> q;
+    q.v = vertices_in_cube(random);
+    q.p = in_cube(random);
+    const T decade = in_turn<Random>(first, [](std::uint64_t position) { return decades[position % 5]; });
+    const Vec3<T> offset = at_unit_length(in_cube(random)) * decade;
+    for (Vec3<T>& v : q.v) v = v + offset;
+    q.p = q.p + offset;
+    aim(random, q);  // of the rounded query
+    return q;
+  }
+};
 
 }  // namespace
+AXISCERT_FILL(far, Far)
+}  // namespace axiscert::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
+#if HWY_ONCE
+namespace axiscert {
+AXISCERT_DISPATCH_FILL(far)
 extern const Family far_family = {
-    "far",      "triangles of size one at 10^2 to 10^6 from the origin, half of the radii near the distance",
-    1,          false,
-    far<float>, far<double>};
-
+    "far",
+    "triangles of size one at 10^2 to 10^6 from the origin, half of the radii near the distance",
+    2,
+    false,
+    far_queries<float>,
+    far_queries<double>};
 }  // namespace axiscert
+#endif

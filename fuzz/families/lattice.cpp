@@ -44,7 +44,7 @@ Query<Real> lattice(Stream& random, std::uint64_t position) {
 
 extern const Family lattice_family = {"lattice",
                                       "small integers, radii in halves: every operation of the formulae is exact",
-                                      1,
+                                      2,
                                       true,
                                       lattice<float>,
                                       lattice<double>};

@@ -1,32 +1,48 @@
 // Triangles with two vertices very near each other.
-#include "fuzz/families/shapes.h"
-#include "fuzz/family.h"
+#include "fuzz/lanes.h"
 
-namespace axiscert {
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "fuzz/families/needle.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#define AXISCERT_PER_TARGET
+#include "fuzz/families/lane_family-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace axiscert::HWY_NAMESPACE {
 namespace {
 
 // The two vertices lie about the origin; where the triangle is then moved away, rounding can make them one.
-template <class Real>
-Query<Real> needle(Stream& random, std::uint64_t position) {
-  constexpr int most_halvings = sizeof(Real) == 4 ? 30 : 60;
-  const int halvings = 1 + static_cast<int>(position % most_halvings);
-  const auto spread = shapes::vertices_in_cube<Real>(random);
-  const auto vertices = shapes::shuffled<Real>(
-      random, {shapes::scaled(spread[0], -halvings), shapes::scaled(spread[1], -halvings), spread[2]});
-
-  Query<Real> q = shapes::placed(random, vertices, halvings);
-  q.r = shapes::aimed_radius(random, q);
-  return q;
-}
+struct Needle : AimedRadii {
+  template <class Random, class T = typename Random::T>
+  AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {
+    constexpr std::uint64_t most_halvings = sizeof(hn::TFromD<typename Random::D>) == 4 ? 30 : 60;
+    const auto halvings = in_turn_words<Random>(first, [](std::uint64_t p) { return 1 + p % most_halvings; });
+    const auto spread = vertices_in_cube(random);
+    const T size = halved_one<Random>(halvings);
+    LaneQuery<T> q;
+    q.v = shuffled(random, LaneVertices<T>{spread[0] * size, spread[1] * size, spread[2]});
+    place(random, halvings, q);
+    aim(random, q);
+    return q;
+  }
+};
 
 }  // namespace
+AXISCERT_FILL(needle, Needle)
+}  // namespace axiscert::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
+#if HWY_ONCE
+namespace axiscert {
+AXISCERT_DISPATCH_FILL(needle)
 extern const Family needle_family = {
     "needle",
     "two vertices near each other, at 2^-1 to 2^-30 of the distance to the third (2^-60 in binary64)",
-    1,
+    2,
     false,
-    needle<float>,
-    needle<double>};
-
+    needle_queries<float>,
+    needle_queries<double>};
 }  // namespace axiscert
+#endif

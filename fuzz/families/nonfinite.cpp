@@ -56,7 +56,7 @@ Query<Real> nonfinite(Stream& random, std::uint64_t position) {
 extern const Family nonfinite_family = {
     "nonfinite",
     "NaN, infinities, negative numbers and zeros of both signs in each of the thirteen places in turn",
-    1,
+    2,
     false,
     nonfinite<float>,
     nonfinite<double>};

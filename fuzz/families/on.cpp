@@ -45,7 +45,7 @@ Query<Real> on(Stream& random, std::uint64_t position) {
 
 extern const Family on_family = {
     "on",      "centre exactly on the face, a vertex or an edge in turn; r of 0, -0, the least, tiny and small",
-    1,         false,
+    2,         false,
     on<float>, on<double>};
 
 }  // namespace axiscert

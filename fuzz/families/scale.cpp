@@ -35,7 +35,7 @@ Query<Real> scale(Stream& random, std::uint64_t position) {
 extern const Family scale_family = {
     "scale",
     "clear queries (r at most half the distance, or at least twice) times every power of two in turn",
-    1,
+    2,
     false,
     scale<float>,
     scale<double>};

@@ -3,77 +3,112 @@
 // On a seam the distances to both features are equal, so either axis separates and a wrong side is masked by the other
 // feature's radius comparison; unless the radius is within rounding of the distance, where both can go wrong at once.
 // Hence half of the radii are there.
-#include <algorithm>
-#include <cmath>
-
 #include "fuzz/boundary.h"
-#include "fuzz/families/shapes.h"
-#include "fuzz/family.h"
+#include "fuzz/lanes.h"
 
-namespace axiscert {
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "fuzz/families/seam.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#define AXISCERT_PER_TARGET
+#include "fuzz/families/lane_family-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace axiscert::HWY_NAMESPACE {
 namespace {
 
 struct Seam {
-  Comparison side;
-  bool at_vertex;  // between the regions of vertex `from` and of the edge towards `to`; else of edge `from` and face
-  std::size_t from, to;
-  // The edge whose outward direction lies in the seam's region: at a vertex, the edge that joins the two vertices.
-  std::size_t edge() const { return at_vertex && shapes::next(to) == from ? to : from; }
-};
-constexpr std::array<Seam, 9> seams = {{
-    {Comparison::vertex_a_side_b, true, 0, 1},
-    {Comparison::vertex_a_side_c, true, 0, 2},
-    {Comparison::vertex_b_side_a, true, 1, 0},
-    {Comparison::vertex_b_side_c, true, 1, 2},
-    {Comparison::vertex_c_side_a, true, 2, 0},
-    {Comparison::vertex_c_side_b, true, 2, 1},
-    {Comparison::edge_ab_side_c, false, 0, 2},
-    {Comparison::edge_bc_side_a, false, 1, 0},
-    {Comparison::edge_ca_side_b, false, 2, 1},
-}};
+  static constexpr bool solves = true;
 
-// One of the coordinates in which the gradient is at least half as large as in its largest.
-template <class Real>
-int effective_coordinate(Stream& random, const Vec3<Real>& gradient) {
-  const std::array<Real, 3> effect = {std::abs(gradient.x), std::abs(gradient.y), std::abs(gradient.z)};
-  const Real least = std::max({effect[0], effect[1], effect[2]}) / 2;
-  std::array<int, 3> eligible{};
-  std::size_t count = 0;
-  for (int k = 0; k < 3; ++k) {
-    if (effect[static_cast<std::size_t>(k)] >= least) eligible[count++] = k;
+  struct Side {
+    Comparison comparison;
+    // Between the regions of vertex `from` and of the edge towards `to`; else of the edge from `from` to `to` and face.
+    bool at_vertex;
+    std::uint8_t from, to;
+    // Where the query's vertices are among the local ones: `from`, `to` and the third.
+    constexpr int local(std::size_t vertex) const { return vertex == from ? 0 : vertex == to ? 1 : 2; }
+  };
+  static constexpr std::array<Side, 9> sides = {{
+      {Comparison::vertex_a_side_b, true, 0, 1},
+      {Comparison::vertex_a_side_c, true, 0, 2},
+      {Comparison::vertex_b_side_a, true, 1, 0},
+      {Comparison::vertex_b_side_c, true, 1, 2},
+      {Comparison::vertex_c_side_a, true, 2, 0},
+      {Comparison::vertex_c_side_b, true, 2, 1},
+      {Comparison::edge_ab_side_c, false, 0, 1},
+      {Comparison::edge_bc_side_a, false, 1, 2},
+      {Comparison::edge_ca_side_b, false, 2, 0},
+  }};
+  static const Side& side(std::uint64_t position) { return sides[position % 9]; }
+  static bool radius_at_boundary(std::uint64_t position) { return position / 9 % 2 == 0; }
+  static int ulps(std::uint64_t position) { return static_cast<int>(position / 18 % 9) - 4; }
+
+  // One of the coordinates in which the gradient is at least half as large as in its largest: 0, 1 or 2.
+  template <class Random, class T = typename Random::T>
+  AXISCERT_INLINE static T effective_coordinate(Random& random, const Vec3<T>& gradient) {
+    const T zero = Random::constant(0), one = Random::constant(1), two = Random::constant(2);
+    const T effect[3] = {magnitude(gradient.x), magnitude(gradient.y), magnitude(gradient.z)};
+    const T least = greater_of(greater_of(effect[0], effect[1]), effect[2]) * Random::constant(0.5);
+    T eligible[3];  // 1 or 0
+    for (int k = 0; k < 3; ++k) eligible[k] = select(hn::Ge(effect[k].v, least.v), one, zero);
+    const T count = eligible[0] + eligible[1] + eligible[2];
+    // A sixth divides into two and into three: which of the eligible ones, counted from 0.
+    const T sixths = random.integer(0, 5) * count, six = Random::constant(6), twelve = Random::constant(12);
+    const T which = select(hn::Ge(sixths.v, six.v), one, zero) + select(hn::Ge(sixths.v, twelve.v), one, zero);
+    const auto takes = [&](int k, const T& before)
+                           HWY_ATTR { return hn::And(hn::Eq(eligible[k].v, one.v), hn::Eq(which.v, before.v)); };
+    return select(takes(0, zero), zero, select(takes(1, eligible[0]), one, two));
   }
-  return eligible[random.below(count)];
-}
 
-template <class Real>
-Query<Real> seam(Stream& random, std::uint64_t position) {
-  const Seam& which = seams[position % 9];
-  const bool radius_at_boundary = position / 9 % 2 == 0;
-  const int ulps = static_cast<int>(position / 18 % 9) - 4;
+  template <class Random, class T = typename Random::T>
+  AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {
+    const T vertex_seam = in_turn<Random>(first, [](std::uint64_t p) { return side(p).at_vertex; });
+    const auto at_vertex = hn::Gt(vertex_seam.v, Random::constant(0).v);
+    const auto v = vertices_in_cube(random);
+    const Vec3<T> normal = unit_normal(v), across = outward(v[0], v[1], normal), along = v[1] - v[0];
+    const T up = random.symmetric(), share = random.unit() + Random::constant(0x1p-5);
+    const Vec3<T> foot = select(at_vertex, v[0], v[0] + along * share_of_edge(random));
+    const Vec3<T> direction = select(at_vertex, normal * up + across * share, normal * up);
+    LaneQuery<T> q;
+    q.p = foot + at_unit_length(direction) * height(random);
+    q.wishes[0] = effective_coordinate(random, select(at_vertex, along, across));
+    q.wishes[1] = random.integer(-2, 2);
+    q.r = random.unit() * Random::constant(2);
+    const T a = in_turn<Random>(first, [](std::uint64_t p) { return side(p).local(0); });
+    const T b = in_turn<Random>(first, [](std::uint64_t p) { return side(p).local(1); });
+    q.v = arranged(v, a, b);
+    return q;
+  }
 
-  const auto vertices = shapes::vertices_in_cube<Real>(random);
-  const auto [normal, outward] = shapes::directions(vertices);
-  Vec3<Real> foot = vertices[which.from], direction = normal * random.symmetric<Real>();
-  if (which.at_vertex) direction = direction + outward[which.edge()] * (random.unit<Real>() + Real(0x1p-5));
-  else foot = shapes::inside_edge(random, vertices, which.from);
-  Query<Real> q = shapes::query(vertices, foot + shapes::at_unit_length(direction) * shapes::height<Real>(random));
-
-  const Vec3<Real> gradient = which.at_vertex ? vertices[which.to] - vertices[which.from] : outward[which.from];
-  const int coordinate = effective_coordinate(random, gradient);
-  Real& x = coordinate == 0 ? q.p.x : coordinate == 1 ? q.p.y : q.p.z;
-  x = step_ulps(coordinate_on_boundary(q, which.side, coordinate), ulps);
-  q.r = radius_at_boundary ? shapes::radius_near_distance(random, q, 2) : random.unit<Real>() * 2;
-  return q;
-}
+  // Wishes: the coordinate to solve for; how far a radius at the distance is from it, in ulps.
+  template <class Real>
+  static void finish(std::uint64_t first, const MutableColumns<Real>& queries, const shapes::Wishes<Real>& wishes) {
+    for (std::size_t i = 0; i < queries.size; ++i) {
+      const std::uint64_t position = first + i;
+      const auto k = static_cast<int>(wishes[0][i]);
+      queries.column[static_cast<std::size_t>(9 + k)][i] =
+          step_ulps(coordinate_on_boundary(queries[i], side(position).comparison, k), ulps(position));
+      if (!radius_at_boundary(position)) continue;
+      queries.column[12][i] = step_radius(radius_at_distance(queries[i]), static_cast<int>(wishes[1][i]));
+    }
+  }
+};
 
 }  // namespace
+AXISCERT_FILL(seam, Seam)
+}  // namespace axiscert::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
+#if HWY_ONCE
+namespace axiscert {
+AXISCERT_DISPATCH_FILL(seam)
 extern const Family seam_family = {
     "seam",
     "centre on the boundary of each side comparison in turn, -4 to +4 ulp, half of the radii at the distance",
-    1,
+    2,
     false,
-    seam<float>,
-    seam<double>};
-
+    seam_queries<float>,
+    seam_queries<double>};
 }  // namespace axiscert
+#endif

@@ -1,4 +1,4 @@
-// What several families are made of: vertices, directions, feet on features, radii. Plain arithmetic in Real in a
+// What several families are made of: vertices, integers, feet on features, radii. Plain arithmetic in Real in a
 // written order, so that the values are the same everywhere; for the same reason no expression reads the stream twice.
 #pragma once
 
@@ -62,44 +62,19 @@ Query<Real> query(const Vertices<Real>& vertices, const Vec3<Real>& p, Real r = 
 template <class Real>
 Vec3<Real> scaled(const Vec3<Real>& v, int exponent);
 
-// v at length one, to rounding; a zero vector stays.
-template <class Real>
-Vec3<Real> at_unit_length(const Vec3<Real>& v);
-
-// Unit directions at a triangle with area. With the normal of either sign, edge i's outward direction spans the half
-// plane of directions whose nearest triangle point lies on edge i; those of a vertex's two edges span, with the normal,
-// the cone of directions at that vertex.
-template <class Real>
-struct Directions {
-  Vec3<Real> normal;
-  std::array<Vec3<Real>, 3> outward;  // in the plane, across edge i
-};
-template <class Real>
-Directions<Real> directions(const Vertices<Real>& vertices);
-
-// A point inside the triangle, or on the edge, away from their ends by a few per cent.
-template <class Real>
-Vec3<Real> inside(Stream& random, const Vertices<Real>& vertices);
-template <class Real>
-Vec3<Real> inside_edge(Stream& random, const Vertices<Real>& vertices, std::size_t edge);
-
-// A length in [2^-7, 2), its logarithm spread evenly over the octaves.
-template <class Real>
-Real height(Stream& random);
-
-// A triangle built around the origin, where floats are dense, with a centre in the cube or, one in four, up to
-// `halvings` octaves nearer to the origin. Half of the queries are then moved away, where rounding limits how fine a
-// shape can be. The radius is left at zero.
-template <class Real>
-Query<Real> placed(Stream& random, const Vertices<Real>& around_origin, int halvings);
-
 // At the exact distance rounded to nearest, and up to `ulps` floats from it.
 template <class Real>
 Real radius_near_distance(Stream& random, const Query<Real>& q, int ulps);
 
-// A quarter of the radii within 4 ulp of the exact distance, a quarter off it by a factor 1 +- 2^-1 .. 2^-20, and half
-// uniform up to the farthest vertex.
+// Families in lanes make their queries in blocks of at most this many: first the vertices and centres, in lanes, then
+// what is solved with exact arithmetic, one by one, from two numbers that the lanes leave for each query.
+inline constexpr std::size_t block_size = 64;
 template <class Real>
-Real aimed_radius(Stream& random, const Query<Real>& q);
+using Wishes = std::array<std::array<Real, block_size>, 2>;
+
+// Radii at the exact distance, stepped by the first wish in ulps and multiplied by the second. Where that is 0 the
+// radius stays as it is.
+template <class Real>
+void solve_aimed_radii(const MutableColumns<Real>& queries, const Wishes<Real>& wishes);
 
 }  // namespace axiscert::shapes

@@ -26,7 +26,7 @@ Query<Real> subnormal(Stream& random, std::uint64_t position) {
 extern const Family subnormal_family = {
     "subnormal",
     "all subnormal, or within 2^12 of the least normal number; a quarter of the radii at the distance",
-    1,
+    2,
     false,
     subnormal<float>,
     subnormal<double>};

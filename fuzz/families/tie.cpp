@@ -86,7 +86,7 @@ Query<Real> tie(Stream& random, std::uint64_t position) {
 
 extern const Family tie_family = {
     "tie",      "integers that touch exactly, on each of the seven features in turn; small ones and large ones",
-    1,          false,
+    2,          false,
     tie<float>, tie<double>};
 
 }  // namespace axiscert
