@@ -11,4 +11,12 @@ namespace axiscert {
 template <class Real>
 double depth(const Query<Real>& q, const Rational& squared_distance);
 
+// Bounds of what depth() returns, from an enclosure of d; nothing exact is computed. No depth exceeds 1, since d is at
+// most |A-P|: [0, 1] where nothing more is certain.
+struct DepthRange {
+  double low = 0, high = 1;
+};
+template <class Real>
+DepthRange depth_range(const Query<Real>& q);
+
 }  // namespace axiscert
