@@ -5,6 +5,8 @@
 #include <cstring>
 #include <optional>
 
+#include "exact/critical_radius.h"
+#include "exact/geometric_oracle.h"
 #include "exact/nearest_root.h"
 #include "fuzz/family_testing.h"
 
@@ -102,6 +104,19 @@ TYPED_TEST(NearestRoots, OfZeroAreSeenWhereTheNumbersShowThem) {
   EXPECT_EQ(nearest_tie_radius(repeated, Comparison::plane_radius), TypeParam(0));
   EXPECT_EQ(nearest_tie_coordinate(repeated, Comparison::vertex_a_side_b, 1), TypeParam(5));
   EXPECT_EQ(nearest_tie_coordinate(repeated, Comparison::edge_bc_side_a, 1), TypeParam(5));
+}
+
+// The distance that critical radii are measured from, against CGAL's.
+TYPED_TEST(NearestRoots, AreTheRoundedDistanceOfTheOracle) {
+  for (const Family* family : families()) {
+    for_each_query<TypeParam>(family->name, 300, [](const Query<TypeParam>& q, std::uint64_t) {
+      if (!is_valid(q)) return;
+      const auto squared = squared_distance(q);
+      EXPECT_EQ(rounded_distance(q), nearest_sqrt<TypeParam>(squared));
+      const RadiusRange<TypeParam> range{1, 8};
+      EXPECT_EQ(rounded_distance_within(rounded_distance(q), range), distance_within(squared, range));
+    });
+  }
 }
 
 // Roots on a rounding midpoint: no enclosure excludes it, and the exact one goes to the even neighbour.

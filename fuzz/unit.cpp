@@ -52,11 +52,17 @@ class LazyDistance {
     if (!depth_) depth_ = axiscert::depth(query_, squared());
     return *depth_;
   }
+  // Correctly rounded; seldom needs the square.
+  Real rounded() {
+    if (!rounded_) rounded_ = rounded_distance(query_);
+    return *rounded_;
+  }
 
  private:
   const Query<Real>& query_;
   std::optional<Rational> squared_;
   std::optional<double> depth_;
+  std::optional<Real> rounded_;
 };
 
 // Of a unit's sample at once: a kernel in another process takes longer to ask than to answer.
@@ -104,7 +110,7 @@ void judge_query(const Plan& plan, const Source& source, std::vector<Runner<Real
       count_errors(tally, position, *sides, runner.reply.sides(i), plan.tolerances);
     }
     if (position % critical_radius_stride != 0 || plan.replies) continue;
-    if (const auto within = distance_within(distance.squared(), runner.radii)) {
+    if (const auto within = rounded_distance_within(distance.rounded(), runner.radii)) {
       runner.sampled.push_back(q);
       runner.distances.push_back(*within);
     }
