@@ -78,16 +78,6 @@ std::optional<Real> nearest_root(const EnclosedSquare<T>& s, int exponent) {
                                                                                                 : std::nullopt;
 }
 
-template <class T>
-bool is_zero(const Vec3<Enclosed<T>>& v) {
-  const auto zero = [](const Enclosed<T>& x) { return leading(x.value) == 0 && x.error == 0; };
-  return zero(v.x) && zero(v.y) && zero(v.z);
-}
-template <class T>
-bool has_zero_edge(const EnclosedTriangle<T>& t) {
-  return is_zero(t.edge[0]) || is_zero(t.edge[1]) || is_zero(t.edge[2]);
-}
-
 // What `solve` says in double, for binary32; else, or where that is nothing, in double-double.
 template <class Real, class Solve>
 std::optional<Real> solved(const Query<Real>& q, Solve&& solve) {
