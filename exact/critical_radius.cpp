@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <limits>
 
+#include "exact/geometric_oracle.h"
+#include "exact/nearest_root.h"
+
 namespace axiscert {
 namespace {
 
@@ -124,7 +127,17 @@ Decimal6 radius_error_ulps(Real radius, Real from, const Rational& squared_dista
 
 template <class Real>
 std::optional<Real> distance_within(const Rational& squared_distance, const RadiusRange<Real>& range) {
-  const Real distance = nearest_sqrt<Real>(squared_distance);
+  return rounded_distance_within(nearest_sqrt<Real>(squared_distance), range);
+}
+
+template <class Real>
+Real rounded_distance(const Query<Real>& query) {
+  const auto found = nearest_distance(query);
+  return found ? *found : nearest_sqrt<Real>(squared_distance(query));
+}
+
+template <class Real>
+std::optional<Real> rounded_distance_within(Real distance, const RadiusRange<Real>& range) {
   if (!std::isfinite(distance) || distance < range.least || distance > range.greatest) return std::nullopt;
   return distance;
 }
@@ -163,6 +176,8 @@ std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>& 
   template std::vector<CriticalRadius<Real>> critical_radii(                                                           \
       const Implementation<Real>&, const std::vector<Query<Real>>&, const RadiusRange<Real>&);                         \
   template std::optional<Real> distance_within(const Rational&, const RadiusRange<Real>&);                             \
+  template Real rounded_distance(const Query<Real>&);                                                                  \
+  template std::optional<Real> rounded_distance_within(Real, const RadiusRange<Real>&);                                \
   template CriticalRadiusError critical_radius_error(const CriticalRadius<Real>&, Real);                               \
   template std::optional<Real> exact_critical_radius<Real>(const Rational&);                                           \
   template Decimal6 radius_error_ulps(Real, Real, const Rational&);                                                    \

@@ -46,6 +46,14 @@ struct CriticalRadiusError {
 template <class Real>
 std::optional<Real> distance_within(const Rational& squared_distance, const RadiusRange<Real>& range);
 
+// The same from the distance already rounded, which is found without exact arithmetic for nearly every query: the
+// filters of exact/nearest_root.h, and only where they are silent the oracle's squared distance. Infinite beyond the
+// precision.
+template <class Real>
+Real rounded_distance(const Query<Real>& query);
+template <class Real>
+std::optional<Real> rounded_distance_within(Real rounded_distance, const RadiusRange<Real>& range);
+
 // |critical radius - d| in ulps of d, the exact distance correctly rounded. None is sought where d itself is beyond the
 // precision or the range.
 template <class Real>

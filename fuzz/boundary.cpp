@@ -6,6 +6,7 @@
 
 #include "exact/feature_walk.h"
 #include "exact/formula_oracle.h"
+#include "exact/nearest_root.h"
 
 namespace axiscert {
 namespace {
@@ -36,7 +37,7 @@ Real root_of(const Ratio<Ring>& ratio) {
 }  // namespace
 
 template <class Real>
-Real radius_on_boundary(const Query<Real>& q, Comparison which) {
+Real exact_radius_on_boundary(const Query<Real>& q, Comparison which) {
   auto centred = centred_as<Ring>(q, ring<Real>);
   centred.rr = Ring(1);
   const FormulaTruth truth = formula_truth(centred);
@@ -46,14 +47,14 @@ Real radius_on_boundary(const Query<Real>& q, Comparison which) {
 }
 
 template <class Real>
-Real radius_at_distance(const Query<Real>& q) {
+Real exact_radius_at_distance(const Query<Real>& q) {
   // Several times faster than CGAL's, and a generator needs no independence; the tests hold the two against each other.
   const auto by_value = [](const Ring& x, const Ring& y) { return static_cast<int>(CGAL::compare(x, y)); };
   return root_of<Real>(walked_squared_distance(centred_as<Ring>(q, ring<Real>), Ring(0), Ring(1), by_value));
 }
 
 template <class Real>
-Real coordinate_on_boundary(const Query<Real>& q, Comparison side_comparison, int coordinate) {
+Real exact_coordinate_on_boundary(const Query<Real>& q, Comparison side_comparison, int coordinate) {
   Query<Real> at = q;
   Real& x = coordinate_of(at.p, coordinate);
   const Real given = x;
@@ -63,6 +64,24 @@ Real coordinate_on_boundary(const Query<Real>& q, Comparison side_comparison, in
   const Rational slope = margin(at, side_comparison) - at_zero;
   if (sgn(slope) == 0) return given;
   return nearest<Real>(-at_zero / slope);
+}
+
+template <class Real>
+Real radius_on_boundary(const Query<Real>& q, Comparison which) {
+  const auto found = nearest_tie_radius(q, which);
+  return found ? *found : exact_radius_on_boundary(q, which);
+}
+
+template <class Real>
+Real radius_at_distance(const Query<Real>& q) {
+  const auto found = nearest_distance(q);
+  return found ? *found : exact_radius_at_distance(q);
+}
+
+template <class Real>
+Real coordinate_on_boundary(const Query<Real>& q, Comparison side_comparison, int coordinate) {
+  const auto found = nearest_tie_coordinate(q, side_comparison, coordinate);
+  return found ? *found : exact_coordinate_on_boundary(q, side_comparison, coordinate);
 }
 
 template <class Real>
@@ -77,11 +96,14 @@ Real step_radius(Real r, int ulps) {
   return std::clamp(step_ulps(r, ulps), Real(0), std::numeric_limits<Real>::max());
 }
 
-#define AXISCERT_INSTANTIATE(Real)                                                 \
-  template Real radius_on_boundary<Real>(const Query<Real>&, Comparison);          \
-  template Real radius_at_distance<Real>(const Query<Real>&);                      \
-  template Real coordinate_on_boundary<Real>(const Query<Real>&, Comparison, int); \
-  template Real step_ulps<Real>(Real, int);                                        \
+#define AXISCERT_INSTANTIATE(Real)                                                       \
+  template Real radius_on_boundary<Real>(const Query<Real>&, Comparison);                \
+  template Real radius_at_distance<Real>(const Query<Real>&);                            \
+  template Real coordinate_on_boundary<Real>(const Query<Real>&, Comparison, int);       \
+  template Real exact_radius_on_boundary<Real>(const Query<Real>&, Comparison);          \
+  template Real exact_radius_at_distance<Real>(const Query<Real>&);                      \
+  template Real exact_coordinate_on_boundary<Real>(const Query<Real>&, Comparison, int); \
+  template Real step_ulps<Real>(Real, int);                                              \
   template Real step_radius<Real>(Real, int);
 AXISCERT_INSTANTIATE(float)
 AXISCERT_INSTANTIATE(double)

@@ -27,6 +27,15 @@ Real radius_at_distance(const Query<Real>& q);
 template <class Real>
 Real coordinate_on_boundary(const Query<Real>& q, Comparison side_comparison, int coordinate);
 
+// The same three by exact arithmetic alone, which is asked where the filters of exact/nearest_root.h are silent: the
+// same values.
+template <class Real>
+Real exact_radius_on_boundary(const Query<Real>& q, Comparison which);
+template <class Real>
+Real exact_radius_at_distance(const Query<Real>& q);
+template <class Real>
+Real exact_coordinate_on_boundary(const Query<Real>& q, Comparison side_comparison, int coordinate);
+
 // x moved by `ulps` floats up or down; stops at +-infinity, and steps through zero to the other sign.
 template <class Real>
 Real step_ulps(Real x, int ulps);
