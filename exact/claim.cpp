@@ -41,11 +41,13 @@ std::optional<Reference> Claims<Real>::chain(const Kernel& kernel) {
   Reference chain{own ? outcome_of(own->bits(kernel.strictness)) : Outcome{exact_verdict(kernel.formulae, query_), {}},
                   std::nullopt, own ? own->ties : ComparisonBits{0}};
   if (kernel.is_reference) {
-    const auto& [formulae, strictness, arithmetic] =
-        std::tuple(kernel.formulae, kernel.strictness, kernel.arithmetic);
-    chain.rounded = by_mpfr_ ? Rounded{unbounded(formulae, arithmetic, strictness, query_),
-                                       reference(formulae, arithmetic, strictness, query_)}
-                             : rounded(formulae, arithmetic, strictness, query_);
+    const auto ask = [&](auto&& of) { return of(kernel.formulae, kernel.arithmetic, kernel.strictness, query_); };
+    if (by_mpfr_) {
+      chain.rounded = Rounded{ask([](auto... claim) { return unbounded_by_mpfr(claim...); }),
+                              ask([](auto... claim) { return reference(claim...); })};
+    } else {
+      chain.rounded = ask([](auto... claim) { return rounded(claim...); });
+    }
   }
   return chain;
 }

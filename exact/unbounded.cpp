@@ -62,6 +62,15 @@ UnboundedFunction on_processor(Formulae formulae) {
 }  // namespace
 
 template <class Real>
+Outcome unbounded_by_mpfr(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q) {
+  const UnboundedTable& table = table_of(arithmetic);
+  const FloatingScope scope({table.digits[static_cast<std::size_t>(precision_of<Real>)], table.rounding, {}});
+  return table.functions[static_cast<std::size_t>(formulae)](widened(q), strictness);
+}
+template Outcome unbounded_by_mpfr<float>(Formulae, Arithmetic, Strictness, const Query<float>&);
+template Outcome unbounded_by_mpfr<double>(Formulae, Arithmetic, Strictness, const Query<double>&);
+
+template <class Real>
 Outcome unbounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q) {
   const UnboundedTable& table = table_of(arithmetic);
   const int digits = table.digits[static_cast<std::size_t>(precision_of<Real>)];
@@ -70,8 +79,7 @@ Outcome unbounded(Formulae formulae, Arithmetic arithmetic, Strictness strictnes
   if (plain && digits == 24 && table.rounding == Rounding::nearest) {
     if (const UnboundedFunction fast = on_processor(formulae)) return fast(widened(q), strictness);
   }
-  const FloatingScope scope({digits, table.rounding, {}});
-  return function(widened(q), strictness);
+  return unbounded_by_mpfr(formulae, arithmetic, strictness, q);
 }
 template Outcome unbounded<float>(Formulae, Arithmetic, Strictness, const Query<float>&);
 template Outcome unbounded<double>(Formulae, Arithmetic, Strictness, const Query<double>&);

@@ -20,5 +20,7 @@ Rounded rounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness,
 // processor (exact/wide_range_float.h), to the same bits.
 template <class Real>
 Outcome unbounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q);
+template <class Real>
+Outcome unbounded_by_mpfr(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q);
 
 }  // namespace axiscert

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "exact/depth.h"
@@ -13,6 +14,12 @@ template <class Real>
 const Rational& LazyDistance<Real>::squared() {
   if (!squared_) squared_ = squared_distance(query_);
   return *squared_;
+}
+template <class Real>
+std::optional<Real> LazyDistance<Real>::within(const RadiusRange<Real>& range) {
+  if (exact_only_) return distance_within(squared(), range);
+  if (!rounded_) rounded_ = rounded_distance(query_);
+  return rounded_distance_within(*rounded_, range);
 }
 template <class Real>
 double LazyDistance<Real>::at_most() {
@@ -146,7 +153,7 @@ void Runner<Real>::judge_exactly(std::size_t i, const Query<Real>& q, const Trut
 template <class Real>
 void Runner<Real>::sample(const Query<Real>& q, std::size_t i, LazyDistance<Real>& distance) {
   if (!is_answered(i) || (kernel_.limits.any() && !is_within(kernel_.limits, q))) return;
-  if (const auto within = distance_within(distance.squared(), radii_)) {
+  if (const auto within = distance.within(radii_)) {
     sampled_.push_back(q);
     distances_.push_back(*within);
   }

@@ -17,6 +17,7 @@ class LazyDistance final : public DepthOf {
  public:
   LazyDistance(const Query<Real>& q, bool exact_only) : query_(q), exact_only_(exact_only) {}
   const Rational& squared();
+  std::optional<Real> within(const RadiusRange<Real>& range);  // correctly rounded; seldom needs the square
   double at_most() override;
   double exactly() override;
 
@@ -24,6 +25,7 @@ class LazyDistance final : public DepthOf {
   const Query<Real>& query_;
   bool exact_only_;
   std::optional<Rational> squared_;
+  std::optional<Real> rounded_;
   std::optional<double> at_most_, depth_;
 };
 
