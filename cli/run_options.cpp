@@ -131,6 +131,8 @@ void add_run_options(CLI::App& command, RunOptions& o) {
   command.add_option("--target", o.target, "instruction set, see `axiscert kernels`")->capture_default_str();
   command.add_option("--tolerance", o.tolerances, "[COMPARISON=]T: count errors above T u, repeatable")
       ->allow_extra_args(false);
+  command.add_flag("--exact-only", o.exact_only,
+                   "judge every query by CGAL, arbitrary precision and MPFR, without filters: the record is the same");
   add_plugin_seconds(command);
   add_output_options(command, o);
 }
@@ -197,6 +199,7 @@ Plan plan_of(const RunOptions& options) {
   drop_idle_precisions(plan, options.precision);
   for (const std::string& tolerance : options.tolerances) add_tolerance(tolerance, plan);
   plan.seconds = options.seconds;
+  plan.exact_only = options.exact_only;
   plan.trials = [options](const Source& source, Precision precision) { return trials_of(options, source, precision); };
   plan.threads = threads_of(options.threads);
   plan.sources =

@@ -30,6 +30,7 @@ struct RunOptions : SourceOptions, OutputOptions {
   std::optional<double> seconds;
   std::string precision;  // empty: both
   std::string target = "auto";
+  bool exact_only = false;
 };
 
 // The option --trials, which others may exclude.

@@ -14,7 +14,7 @@ constexpr std::size_t block_size = 1024;
 
 // The signs that the intervals decide; returns whether they decide all.
 template <class Real>
-bool signs_within_guard(const Query<Real>& q, ComparisonSigns& signs) {
+bool signs_within_guard(const Query<Real>& q, Signs& signs) {
   const auto centred = centred_as<Interval>(q, [](Real x) { return Interval(static_cast<double>(x)); });
   bool all = true;
   portable::published_comparisons(centred, Interval(0), [&](Comparison which, const Interval& l, const Interval& r) {
@@ -30,7 +30,7 @@ bool signs_within_guard(const Query<Real>& q, ComparisonSigns& signs) {
 }  // namespace
 
 template <class Real>
-std::uint64_t signs_by_intervals(const std::vector<Query<Real>>& queries, std::vector<ComparisonSigns>& out) {
+std::uint64_t signs_by_intervals(const std::vector<Query<Real>>& queries, std::vector<Signs>& out) {
   out.assign(queries.size(), {});
   std::uint64_t open_queries = 0;
   std::vector<std::size_t> open;
@@ -51,7 +51,7 @@ std::uint64_t signs_by_intervals(const std::vector<Query<Real>>& queries, std::v
   }
   return open_queries;
 }
-template std::uint64_t signs_by_intervals<float>(const std::vector<Query<float>>&, std::vector<ComparisonSigns>&);
-template std::uint64_t signs_by_intervals<double>(const std::vector<Query<double>>&, std::vector<ComparisonSigns>&);
+template std::uint64_t signs_by_intervals<float>(const std::vector<Query<float>>&, std::vector<Signs>&);
+template std::uint64_t signs_by_intervals<double>(const std::vector<Query<double>>&, std::vector<Signs>&);
 
 }  // namespace axiscert

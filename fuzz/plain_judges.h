@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "exact/signs.h"
 #include "kernel/evaluate.h"
 
 namespace axiscert {
@@ -14,16 +15,9 @@ namespace axiscert {
 template <class Real>
 std::uint64_t separated_by_distance(const std::vector<Query<Real>>& queries);
 
-// The signs of one query's sixteen comparisons.
-struct ComparisonSigns {
-  ComparisonBits strict = 0, ties = 0;  // lhs > rhs; lhs == rhs
-  // By the theorem that ties the formulae to the geometry: right on every triangle.
-  bool separated() const { return axes_of(static_cast<ComparisonBits>(strict | (ties & side_comparisons))) != 0; }
-};
-
 // The sixteen comparisons of the published formulae of each valid query over CGAL's intervals; a query of which these
 // leave a sign open is decided in exact arithmetic. `out` is sized to the queries. Returns how many were left open.
 template <class Real>
-std::uint64_t signs_by_intervals(const std::vector<Query<Real>>& queries, std::vector<ComparisonSigns>& out);
+std::uint64_t signs_by_intervals(const std::vector<Query<Real>>& queries, std::vector<Signs>& out);
 
 }  // namespace axiscert

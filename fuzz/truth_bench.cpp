@@ -3,7 +3,7 @@
 //
 //     truth_bench [--queries N] [FAMILY...]     without names all families and a mesh; N: at most so many of each, for
 //     a
-//                                               quick look (default: two units)
+//                                               quick look (default: eight units)
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -22,7 +22,7 @@ namespace axiscert {
 namespace {
 
 constexpr int repetitions = 5;
-constexpr std::uint64_t default_queries = 2 * unit_size, least_queries = unit_size / 16;
+constexpr std::uint64_t default_queries = 8 * unit_size, least_queries = unit_size / 16;
 constexpr double slow_naive_ns = 1e5;  // a query; beyond it fewer queries, for as long a time
 
 Plan plan_of(std::vector<SourcePtr> sources) {
@@ -65,10 +65,10 @@ struct BenchFault : std::runtime_error {
 
 // What is timed has to be right: all three count the same, and on a sample every sign is that of exact arithmetic.
 template <class Real>
-void check(const std::vector<Query<Real>>& queries, const std::vector<ComparisonSigns>& signs, std::uint64_t naive,
+void check(const std::vector<Query<Real>>& queries, const std::vector<Signs>& signs, std::uint64_t naive,
            std::uint64_t harness) {
   const auto interval = static_cast<std::uint64_t>(
-      std::count_if(signs.begin(), signs.end(), [](const ComparisonSigns& s) { return s.separated(); }));
+      std::count_if(signs.begin(), signs.end(), [](const Signs& s) { return verdict_of(s) == Verdict::separated; }));
   if (naive != harness || interval != harness) {
     throw BenchFault(
         fmt::format("separated: {} by the naive loop, {} by intervals, {} by axiscert", naive, interval, harness));
@@ -96,17 +96,19 @@ void measure(const Plan& plan, const Source& source, std::uint64_t most_queries)
   while (count > least_queries && probed_ns * static_cast<double>(count) > slow_naive_ns * default_queries) count /= 2;
 
   const auto queries = queries_of(count);
-  std::vector<ComparisonSigns> signs;
+  std::vector<Signs> signs;
   std::vector<double> naive, interval, harness;
   for (int repetition = 0; repetition < repetitions; ++repetition) {
     std::uint64_t by_naive = 0, by_harness = 0;
     naive.push_back(nanoseconds([&] { by_naive = separated_by_distance(queries); }));
     interval.push_back(nanoseconds([&] { signs_by_intervals(queries, signs); }));
     harness.push_back(nanoseconds([&] {
+      Tally all;  // as a campaign has it, whose units know what others have found
       for (std::uint64_t first = 0; first < count; first += unit_size) {
         const std::uint64_t size = std::min(unit_size, count - first);
-        by_harness += run_unit(plan, source, precision_of<Real>, first / unit_size, size).tallies[0].separated;
+        all.merge(run_unit(plan, source, precision_of<Real>, first / unit_size, size, {standing_of(all)}).tallies[0]);
       }
+      by_harness = all.separated;
     }));
     if (repetition == 0) check(queries, signs, by_naive, by_harness);
   }

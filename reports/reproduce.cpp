@@ -175,6 +175,11 @@ std::vector<std::pair<std::string, std::string>> plan_facts(const Run& run) {
   }
   add("decided a second time", info, "second_opinions",
       [](const Json& n) { return thousands(n.get<std::uint64_t>()) + " queries, by the second oracle"; });
+  add("verdicts that CGAL decided itself", info, "decided_by_cgal", [&](const Json& n) {
+    std::uint64_t queries = 0;
+    for (const Json& cell : info.value("throughput", Json::array())) queries += cell["queries"].get<std::uint64_t>();
+    return fmt::format("{} of {}; the others by certain signs", thousands(n.get<std::uint64_t>()), thousands(queries));
+  });
   return facts;
 }
 
