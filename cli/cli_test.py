@@ -133,6 +133,21 @@ class Run(Case):
             self.run_ok(*plan, "--threads", 1, "--target", target, out=target)
             self.assertEqual((self.folder / target / "record.json").read_bytes(), reference, target)
 
+    def test_the_record_does_not_depend_on_the_filters(self):
+        arguments = ["--family", "all", "--mesh", MODELS / "OBJ/spider.obj", "--trials", 4500 // DIVISOR, "--tolerance", "3",
+                     "--tolerance", "plane.radius=0.5"]
+        for kernel in ("published", "nonstrict", "reduced", "reduced-along", "published+fma", "packed-nonstrict", "eigen",
+                       "closest-point", "ladder-4"):
+            arguments += ["--kernel", kernel]
+        records = []
+        for name, options in (("filtered", []), ("exact", ["--exact-only"])):
+            done = axiscert("run", *arguments, *options, "--out", self.folder / name)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            records.append((self.folder / name / "record.json").read_bytes())
+        self.assertEqual(*records)
+        counts = [json.loads((self.folder / name / "run.json").read_text()) for name in ("filtered", "exact")]
+        self.assertLess(counts[0]["second_opinions"], counts[1]["second_opinions"])
+
     def test_record_and_run_info_satisfy_their_schemas(self):
         self.run_ok("--trials", 500, "--kernel", "published", "--kernel", "nonstrict", "--tolerance", "plane.radius=10")
         for name in ("record", "run"):
@@ -249,6 +264,15 @@ class Planted(Case):
         self.assertIn("the oracles disagree", done.stderr)
         saved = axiscert("check", self.folder / "out/disagreement.jsonl", "--format", "jsonl")
         self.assertEqual(json.loads(saved.stdout)["exact"]["verdict"], "contact")
+
+    def test_a_filter_that_lies(self):
+        families = ["--family", "collinear", "--family", "sliver", "--family", "general", "--family", "scale"]
+        for fault, says in (("small-bound", "the oracles disagree"), ("no-underflow-guard", "the oracles disagree"),
+                            ("swapped-sign", "the oracles disagree"), ("rounding-mode", "rounding mode")):
+            done = axiscert("run", "--plant", fault, *families, "--trials", 30000, "--out", self.folder / fault)
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertIn(says, done.stderr)
+            self.assertFalse((self.folder / fault / "record.json").exists())
 
     def test_a_contracted_build(self):
         for target in json.loads(axiscert("kernels", "--format", "json").stdout)[0]["targets"]:

@@ -43,6 +43,10 @@ int judged_run(const Plan& plan, const OutputOptions& output, const std::string&
   } catch (const OracleDisagreement& disagreement) {
     throw HarnessFault(fmt::format("{}; the query is saved in {}", disagreement.what(), folder.save(disagreement)));
   }
+  if (plan.planted != FilterFault::none) {
+    throw HarnessFault(fmt::format("--plant {}: the cross-checks did not find it in this run",
+                                   filter_fault_names[static_cast<std::size_t>(plan.planted)]));
+  }
   const double seconds = std::chrono::duration<double>(std::chrono::system_clock::now() - started).count();
   const Json record = record_of(plan, result, output.require);
   folder.write("record.json", record);

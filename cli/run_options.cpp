@@ -133,6 +133,9 @@ void add_run_options(CLI::App& command, RunOptions& o) {
       ->allow_extra_args(false);
   command.add_flag("--exact-only", o.exact_only,
                    "judge every query by CGAL, arbitrary precision and MPFR, without filters: the record is the same");
+  command.add_option("--plant", o.planted, "break the filter on purpose, to see that it is caught: exit 3")
+      ->check(CLI::IsMember(std::vector<std::string>(filter_fault_names.begin(), filter_fault_names.end())))
+      ->excludes("--exact-only");
   add_plugin_seconds(command);
   add_output_options(command, o);
 }
@@ -200,6 +203,8 @@ Plan plan_of(const RunOptions& options) {
   for (const std::string& tolerance : options.tolerances) add_tolerance(tolerance, plan);
   plan.seconds = options.seconds;
   plan.exact_only = options.exact_only;
+  plan.planted = static_cast<FilterFault>(std::find(filter_fault_names.begin(), filter_fault_names.end(), options.planted) -
+                                          filter_fault_names.begin());
   plan.trials = [options](const Source& source, Precision precision) { return trials_of(options, source, precision); };
   plan.threads = threads_of(options.threads);
   plan.sources =

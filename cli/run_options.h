@@ -31,6 +31,7 @@ struct RunOptions : SourceOptions, OutputOptions {
   std::string precision;  // empty: both
   std::string target = "auto";
   bool exact_only = false;
+  std::string planted = "none";
 };
 
 // The option --trials, which others may exclude.

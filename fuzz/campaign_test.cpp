@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <immintrin.h>
 
-#include "fuzz/unit.h"
 #include "kernel/contracted.h"
 #include "kernel/scalar_kernel.h"
 
@@ -111,6 +110,30 @@ TEST(PlantedKernel, AContractedKernelIsAnImplementationFault) {
   expect_implementation_links(contracted_kernel, "repeated");
 }
 TEST(PlantedKernel, AFlushedKernelIsAnImplementationFault) { expect_implementation_links(flushed_kernel, "scale"); }
+
+// What the filters find is held against exact arithmetic on a sample: a filter that lies is told.
+void expect_caught(FilterFault fault, std::vector<std::string> families, Precision precision) {
+  Plan plan = plan_of({&find_kernel("published")}, std::move(families), 40000);
+  plan.precisions = {precision};
+  plan.planted = fault;
+  EXPECT_THROW(run(plan), OracleDisagreement) << name(precision);
+}
+TEST(PlantedFilter, ABoundTooSmallIsCaught) {
+  expect_caught(FilterFault::small_bound, {"collinear", "sliver", "needle"}, Precision::binary32);
+  expect_caught(FilterFault::small_bound, {"collinear", "sliver", "needle"}, Precision::binary64);
+}
+TEST(PlantedFilter, ASignExchangedIsCaught) {
+  expect_caught(FilterFault::swapped_sign, {"general"}, Precision::binary32);
+  expect_caught(FilterFault::swapped_sign, {"general"}, Precision::binary64);
+}
+TEST(PlantedFilter, UnderflowLeftOutIsCaught) {
+  expect_caught(FilterFault::no_underflow_guard, {"scale", "subnormal", "bits"}, Precision::binary64);
+}
+TEST(PlantedFilter, ARoundingModeLeftChangedIsCaught) {
+  Plan plan = plan_of({&find_kernel("published")}, {"general"}, 1000);
+  plan.planted = FilterFault::rounding_mode;
+  EXPECT_THROW(run(plan), HarnessFault);
+}
 
 std::string fingerprint(const CampaignResult& result) {
   std::string text;

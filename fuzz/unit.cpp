@@ -16,6 +16,18 @@ namespace {
 
 constexpr std::size_t batch_size = 1024;
 
+// The fault that is planted in the mode and not in the filter.
+class StaleRounding {
+ public:
+  explicit StaleRounding(bool is_planted) : before_(std::fegetround()) {
+    if (is_planted) std::fesetround(FE_UPWARD);
+  }
+  ~StaleRounding() { std::fesetround(before_); }
+
+ private:
+  int before_;
+};
+
 void require_round_to_nearest() {
   if (std::fegetround() == FE_TONEAREST) return;
   throw HarnessFault("the rounding mode is not to nearest: something left it changed, and no filter is certain");
@@ -183,6 +195,7 @@ class UnitRun {
 template <class Real>
 void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint64_t size,
          const std::vector<Standing>& standing, UnitResult& out) {
+  const StaleRounding mode(plan.planted == FilterFault::rounding_mode);
   UnitRun<Real>(plan, source, first, standing, out).run(first, size);
 }
 

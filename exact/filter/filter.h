@@ -37,9 +37,17 @@ struct ErrorScreen {
   double (*judge_suspect)(void* context, const SuspectError& suspect);
 };
 
-// Faults to plant, for the tests of the cross-checks.
-enum class FilterFault : std::uint8_t { none, small_bound, no_underflow_guard, swapped_sign };
-inline constexpr std::size_t filter_fault_count = 4;
+// Faults to plant in it, which the cross-checks have to catch.
+enum class FilterFault : std::uint8_t {
+  none,
+  small_bound,         // 2^-12 of what it has to be
+  no_underflow_guard,  // binary64 whatever its exponents
+  swapped_sign,        // of edge_bc.side_a
+  rounding_mode,       // upwards, as something may have left it
+};
+inline constexpr std::size_t filter_fault_count = 5;
+inline constexpr std::array<std::string_view, filter_fault_count> filter_fault_names = {
+    "none", "small-bound", "no-underflow-guard", "swapped-sign", "rounding-mode"};
 
 // The filter on one instruction set.
 template <class Real>

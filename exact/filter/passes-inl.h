@@ -197,6 +197,7 @@ Filter<Real> filter_of(FilterFault fault) {
   };
   switch (fault) {
     case FilterFault::none:
+    case FilterFault::rounding_mode:  // the caller's
       filter.signs = filter_signs<FilterFault::none, Real>;
       break;
     case FilterFault::small_bound:
