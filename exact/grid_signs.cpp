@@ -140,6 +140,18 @@ int trailing_zeros(UInt128 x) {
 // 2^e, a normal number.
 double power_of_two(int e) { return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52); }
 
+// An integer below 2^(bits of Integer - 2): in two words, its multiple of 2^63 and the rest, both of which are exact.
+template <class Integer>
+Integer integer_from(double x) {
+  const auto whole = [](double y) { return static_cast<std::int64_t>(y); };
+  if constexpr (sizeof(Integer) == 8) {
+    return whole(x);
+  } else {
+    const std::int64_t high = whole(x * 0x1p-63);
+    return Int128{high} * (Int128{1} << 63) + whole(x - static_cast<double>(high) * 0x1p63);
+  }
+}
+
 // In units of 2^unit: the numbers are multiples of it, and below 2^(bits of Integer - 2) of it, so that differences do
 // not overflow. A number that is not zero is in [2^unit, 2^(unit + 126)), and unit in [-1074, 1023]; so both halves of
 // the scaling give numbers between 2^-537 and 2^639, where no binary64 loses a bit. What powers of two the differences
@@ -149,7 +161,7 @@ Grid<Integer> grid(const std::array<Real, coordinate_count>& numbers, int unit) 
   using Unsigned = std::conditional_t<sizeof(Integer) == 8, std::uint64_t, UInt128>;
   const double scale = power_of_two(-(unit / 2)), rest = power_of_two(unit / 2 - unit);
   const auto integer = [&](std::size_t i) AXISCERT_WORDS_INLINE {
-    return static_cast<Integer>((static_cast<double>(numbers[i]) * scale) * rest);
+    return integer_from<Integer>((static_cast<double>(numbers[i]) * scale) * rest);
   };
   const std::array<Integer, 3> p = {integer(9), integer(10), integer(11)};
   Grid<Integer> result;

@@ -25,9 +25,8 @@ class WideRangeFloat {
 
   // Whether all numbers on the way to a side with this bound are 0 or normal binary64s, where coordinates and radius
   // are finite binary32s. These are multiples of 2^-149 below 2^128 in magnitude.
-  // - Not too small: a number of degree k is a multiple of 2^(-149 k). Sums and products of multiples are; and so is
-  // the
-  //   nearest number of 24 bits to a multiple of u, since either it is that multiple or its own unit is u or more. So a
+  // - Not too small: a number of degree k is a multiple of 2^(-149 k), as sums and products of such multiples are, and
+  //   the nearest number of 24 bits to a multiple of u: either it is that multiple, or its own unit is u or more. So a
   //   number is 0 or at least 2^(-149 k), and 2^-894 for k = 6 is above 2^-1022.
   // - Not too great: `bits` adds up as powers of two bound magnitudes: |x| <= 2^m and |y| <= 2^n give |x + y| <=
   //   2^(max + 1) and |x y| <= 2^(m + n), and rounding leaves a number that a power of two bounds within it.
