@@ -1,16 +1,16 @@
-// Why the signs are the published ones. With A, B, C relative to the centre, all comparisons are polynomials in the six
-// dot products of A, B, C and in rr: rotations change none. Let N1 = A x B, N2 = B x C, N3 = C x A. By Binet and
-// Cauchy, (a x b).(c x d) = (a.c)(b.d) - (a.d)(b.c), their six dot products are the cofactors of the matrix of those of
-// A, B, C.
+// Why the signs are the published ones. A, B, C are relative to the centre, N1 = A x B, N2 = B x C, N3 = C x A, and
+// V = N1 + N2 + N3. All sixteen comparisons depend on the six dot products of A, B, C and on rr alone: by Binet and
+// Cauchy, (a x b).(c x d) = (a.c)(b.d) - (a.d)(b.c), the dot products of N1, N2, N3 are cofactors of the matrix of
+// those, and d^2 = (A.V)^2 = det(A, B, C)^2 is its determinant.
 //
-//   edge.radius   |N1|^2 > rr e with e = |AB|^2: the published pair is e |N1|^2 > rr e e. Where e > 0 the factor
-//   changes no
-//                 sign; where e = 0, A = B and N1 = 0, so that both pairs are 0 and 0: a tie in either form.
-//   edge.side     0 > N1.V: the published lhs is -e (N1.V). e > 0 as before; e = 0 gives N1 = 0, and 0 against 0 in
-//   either. plane.radius  as published: V = N1 + N2 + N3, and d = A.V = det(A, B, C), so that d^2 is the determinant of
-//   the matrix. vertex.*      as published.
-// kernel/rungs/reduced.h has the first two as formulae. Common positive factors of all thirteen numbers change no sign
-// either, each comparison being homogeneous.
+// vertex.*      as published
+// plane.radius  as published: d^2 > rr |V|^2
+// edge.radius   |N1|^2 > rr e with e = |AB|^2. The published pair has e times as much on both sides, e |N1|^2 > rr e e:
+//               no sign changes where e > 0. Where e = 0, A = B and N1 = 0: 0 and 0, a tie, in both pairs.
+// edge.side     0 > N1.V. The published lhs is -e (N1.V): the same where e > 0; where e = 0, N1 = 0, and both tie.
+//
+// kernel/rungs/reduced.h has the last two as formulae. Each comparison is homogeneous, so that a power of two common to
+// all differences and the radius changes no sign.
 #include "exact/grid_signs.h"
 
 #include <algorithm>
@@ -23,14 +23,11 @@
 namespace axiscert {
 namespace {
 
-// Let |x| <= M = 2^n for the nine coordinates of A, B, C and for r. |A|, |B|, |C| <= sqrt(3) M, |N| <= 3 M^2. Then
-//   degree 2   |a.b| <= 3 M^2, e = aa + bb - 2 ab <= 12 M^2, differences of the vertex comparisons <= 6 M^2:
-//              below 2^(2n + 4), with a sign 2n + 5 bits
-//   degree 4   |N.N| <= 9 M^4, |N.V| <= 27 M^4, |V|^2 <= 81 M^4, rr e <= 12 M^4, differences <= 21 M^4:
-//              below 2^(4n + 7), with a sign 4n + 8 bits
-//   degree 6   rr |V|^2 <= 81 M^6, d^2 <= 27 M^6, their difference <= 81 M^6: below 2^(6n + 7), with a sign 6n + 8
-//   bits.
-//              Its partial sums are <= 81 M^6 too, and would not matter.
+// Let |x| <= M = 2^n for the nine coordinates of A, B, C and for r. Then |A|, |B|, |C| <= sqrt(3) M, |N| <= 3 M^2, and
+// with all partial sums
+// - degree 2: |a.b| <= 3 M^2, e = (aa + bb) - 2 ab <= 12 M^2, so with a sign 2n + 5 bits;
+// - degree 4: N.N <= 9 M^4, N.V <= 27 M^4, |V|^2 <= 81 M^4, rr e <= 12 M^4, |N|^2 - rr e <= 12 M^4: 4n + 8 bits;
+// - degree 6: d^2 <= 27 M^6 by partial sums <= 81 M^6, rr |V|^2 <= 81 M^6, and so their difference: 6n + 8 bits.
 // A product of two numbers is exact in the sum of their words, whatever they are.
 constexpr bool fits(int n, int words) {
   return 2 * n + 5 <= 64 * words && 4 * n + 8 <= 128 * words && 6 * n + 8 <= 192 * words;
@@ -143,6 +140,18 @@ int trailing_zeros(UInt128 x) {
 // 2^e, a normal number.
 double power_of_two(int e) { return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52); }
 
+// An integer below 2^(bits of Integer - 2): in two words, its multiple of 2^63 and the rest, both of which are exact.
+template <class Integer>
+Integer integer_from(double x) {
+  const auto whole = [](double y) { return static_cast<std::int64_t>(y); };
+  if constexpr (sizeof(Integer) == 8) {
+    return whole(x);
+  } else {
+    const std::int64_t high = whole(x * 0x1p-63);
+    return Int128{high} * (Int128{1} << 63) + whole(x - static_cast<double>(high) * 0x1p63);
+  }
+}
+
 // In units of 2^unit: the numbers are multiples of it, and below 2^(bits of Integer - 2) of it, so that differences do
 // not overflow. A number that is not zero is in [2^unit, 2^(unit + 126)), and unit in [-1074, 1023]; so both halves of
 // the scaling give numbers between 2^-537 and 2^639, where no binary64 loses a bit. What powers of two the differences
@@ -152,7 +161,7 @@ Grid<Integer> grid(const std::array<Real, coordinate_count>& numbers, int unit) 
   using Unsigned = std::conditional_t<sizeof(Integer) == 8, std::uint64_t, UInt128>;
   const double scale = power_of_two(-(unit / 2)), rest = power_of_two(unit / 2 - unit);
   const auto integer = [&](std::size_t i) AXISCERT_WORDS_INLINE {
-    return static_cast<Integer>((static_cast<double>(numbers[i]) * scale) * rest);
+    return integer_from<Integer>((static_cast<double>(numbers[i]) * scale) * rest);
   };
   const std::array<Integer, 3> p = {integer(9), integer(10), integer(11)};
   Grid<Integer> result;

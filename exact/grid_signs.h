@@ -8,9 +8,10 @@
 
 namespace axiscert {
 
-// The signs of the published comparisons of a valid query, where all thirteen numbers are multiples of one power of two
-// below 2^126 of it, and the nine differences v - p and r have the same power of two in common but for
-// `greatest_grid_bits` bits. Otherwise nothing, which says nothing of the query. Never throws, allocates or rounds.
+// The signs of the published comparisons of a valid query, where all thirteen numbers are multiples of some 2^k and
+// less than 2^(k + 126), and the nine differences v - p and r, divided by the greatest power of two that divides them
+// all, have `greatest_grid_bits` bits at most. Otherwise nothing, which says nothing of the query. Never throws,
+// allocates or rounds; the processor must not take subnormals for zero.
 template <class Real>
 std::optional<Signs> grid_signs(const Query<Real>& q);
 

@@ -7,9 +7,9 @@
 namespace axiscert {
 
 // What the scalar reference (R) decides, and the same rounding steps without over- or underflow (R-infinity), for a
-// valid query. MPFR at the arithmetic's precision where the reference raised the overflow or underflow flag; where it
-// raised neither, every result was in the normal range or exact, so that the two evaluations are the same. An
-// arithmetic in which the flags do not tell is always evaluated by MPFR.
+// valid query. unbounded() where the reference raised the overflow or underflow flag; where it raised neither, every
+// result was in the normal range or exact, so that the two evaluations are the same. In an arithmetic in which the
+// flags do not tell it is always unbounded().
 struct Rounded {
   Outcome range_free, reference;
 };

@@ -25,11 +25,11 @@ class WideRangeFloat {
 
   // Whether all numbers on the way to a side with this bound are 0 or normal binary64s, where coordinates and radius
   // are finite binary32s. These are multiples of 2^-149 below 2^128 in magnitude.
-  //   Not too small: a number of degree k is a multiple of 2^(-149 k). Sums and products of multiples are; and the
-  //   nearest number of 24 bits to a multiple of u is one, since it either is that multiple or has a unit of u or more.
-  //   So it is 0 or at least 2^(-149 k), and 2^-894 for k = 6 is above 2^-1022. Not too great: `bits` adds up as powers
-  //   of two bound magnitudes: |x| <= 2^m and |y| <= 2^n give |x + y| <= 2^(max + 1) and |x y| <= 2^(m + n), and
-  //   rounding leaves a number that is bounded by a power of two within it.
+  // - Not too small: a number of degree k is a multiple of 2^(-149 k), as sums and products of such multiples are, and
+  //   the nearest number of 24 bits to a multiple of u: either it is that multiple, or its own unit is u or more. So a
+  //   number is 0 or at least 2^(-149 k), and 2^-894 for k = 6 is above 2^-1022.
+  // - Not too great: `bits` adds up as powers of two bound magnitudes: |x| <= 2^m and |y| <= 2^n give |x + y| <=
+  //   2^(max + 1) and |x y| <= 2^(m + n), and rounding leaves a number that a power of two bounds within it.
   static constexpr bool covers(const BitLength& bits) { return 149 * bits.per_bit <= 1022 && bits.at(128) <= 1023; }
 
   friend WideRangeFloat operator+(WideRangeFloat a, WideRangeFloat b) { return rounded(a.value_ + b.value_); }
