@@ -17,12 +17,12 @@ namespace axiscert {
 //         Where v_i . e > 0 the foot lies before vertex i: |v_i|^2 e^2 = c^2 e^2 + (v_i . e)^2; so at the other end.
 // vertex  d <= |v|, and d >= min over the vertices x of v.x / |v|: d^2 >= v^2 - 2 max(0, -v.(x - v)).
 template <class T>
-EnclosedSquare<T> face_bounds(const EnclosedTriangle<T>& t, const Vec3<Enclosed<T>>& normal) {
+EnclosedSquare<T> face_bounds(const EnclosedTriangle<T>& t, const EnclosedVector<T>& normal) {
   EnclosedSquare<T> square = plane_square(t, normal);
-  const Vec3<Enclosed<double>> direction = as_doubles(normal);
+  const EnclosedVector<double> direction = as_doubles(normal);
   double outside = 0, longest2 = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3<Enclosed<double>> edge = as_doubles(t.edge[i]);
+    const EnclosedVector<double> edge = as_doubles(t.edge[i]);
     outside += positive_part(-dot(cross(as_doubles(t.vertex[i]), edge), direction).low());
     longest2 = std::max(longest2, dot(edge, edge).high());
   }
@@ -37,9 +37,9 @@ EnclosedSquare<T> face_bounds(const EnclosedTriangle<T>& t, const Vec3<Enclosed<
 }
 
 template <class T>
-EnclosedSquare<T> edge_bounds(const EnclosedTriangle<T>& t, std::size_t i, const Vec3<Enclosed<T>>& normal) {
+EnclosedSquare<T> edge_bounds(const EnclosedTriangle<T>& t, std::size_t i, const EnclosedVector<T>& normal) {
   EnclosedSquare<T> square = line_square(t, i);
-  const Vec3<Enclosed<double>> edge = as_doubles(t.edge[i]), v = as_doubles(t.vertex[i]);
+  const EnclosedVector<double> edge = as_doubles(t.edge[i]), v = as_doubles(t.vertex[i]);
   if (!(dot(cross(v, edge), as_doubles(normal)).high() <= 0)) {
     square.below = 2 * positive_part(inward(t, i, normal).high());
   }
@@ -74,7 +74,7 @@ double relative_width(const EnclosedSquare<T>& square) {
 // that beyond the border is tried as well: the plane for an edge, an edge for a vertex.
 template <class T>
 EnclosedSquare<T> bounds_near_a_border(const EnclosedTriangle<T>& t) {
-  const Vec3<Enclosed<T>> normal = enclosed_normal(t);
+  const EnclosedVector<T> normal = enclosed_normal(t);
   std::size_t feature = likely_feature(t, normal);
   if (feature == 0) return face_bounds(t, normal);
   EnclosedSquare<T> best{};

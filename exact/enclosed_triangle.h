@@ -20,7 +20,7 @@ constexpr std::size_t previous_vertex(std::size_t i) { return i == 0 ? 2 : i - 1
 // formed from the given coordinates and not from the vertices here: that of two equal vertices is an exact zero.
 template <class T>
 struct EnclosedTriangle {
-  std::array<Vec3<Enclosed<T>>, 3> vertex, edge;
+  std::array<EnclosedVector<T>, 3> vertex, edge;
   int exponent = 0;
   double scaling_error = 0;  // of every number once scaled: less than the least double, where one lost bits
 };
@@ -29,21 +29,27 @@ using Doubled = DoubleDouble<double>;
 
 // u - v, both within `error` of what they stand for.
 template <class T>
-AXISCERT_INLINE Enclosed<T> enclosed_difference(double u, double v, double error) {
+AXISCERT_INLINE T difference_as(double u, double v) {
   if constexpr (std::is_same_v<T, Doubled>) {
     const auto difference = arithmetic::two_sum(u, -v);
-    return {{difference.value, difference.error}, 2 * error};
+    return {difference.value, difference.error};
   } else {
-    const double difference = u - v;
-    return {difference, sum_error(u, v, difference) + 2 * error};
+    return u - v;
   }
+}
+template <class T>
+AXISCERT_INLINE Enclosed<T> enclosed_difference(double u, double v, double error) {
+  const T difference = difference_as<T>(u, v);
+  return {difference, (std::is_same_v<T, Doubled> ? 0 : 0x1p-53 * std::fabs(leading(difference))) + 2 * error};
 }
 
 template <class T>
 AXISCERT_INLINE EnclosedTriangle<T> enclosed_triangle(const Query<double>& q, double error = 0) {
   const auto difference = [error](const Vec3<double>& u, const Vec3<double>& v) {
-    return Vec3<Enclosed<T>>{enclosed_difference<T>(u.x, v.x, error), enclosed_difference<T>(u.y, v.y, error),
-                             enclosed_difference<T>(u.z, v.z, error)};
+    EnclosedVector<T> result = enclosed(
+        Vec3<T>{difference_as<T>(u.x, v.x), difference_as<T>(u.y, v.y), difference_as<T>(u.z, v.z)}, 2 * error);
+    if (std::is_same_v<T, double>) result.error += 0x1p-53 * result.size;
+    return result;
   };
   return {{difference(q.a, q.p), difference(q.b, q.p), difference(q.c, q.p)},
           {difference(q.b, q.a), difference(q.c, q.b), difference(q.a, q.c)},
@@ -70,30 +76,23 @@ EnclosedTriangle<Doubled> doubled_triangle_of(const Query<Real>& query) {
     return enclosed_triangle<Doubled>(q);
   }
   const int exponent = -std::ilogb(greatest);
-  for (double& x : numbers) x = std::ldexp(x, exponent);
+  // One product rounds as ldexp would; 2^1074 takes two, both exact.
+  const double factor = std::ldexp(1.0, std::min(exponent, 1000)), rest = std::ldexp(1.0, std::max(exponent - 1000, 0));
+  for (double& x : numbers) x = x * factor * rest;
   auto triangle = enclosed_triangle<Doubled>(from_coordinates(numbers), exponent < 0 ? 0x1p-1074 : 0);
   triangle.exponent = exponent;
   return triangle;
 }
 
 template <class T>
-AXISCERT_INLINE bool is_zero(const Vec3<Enclosed<T>>& v) {
-  const auto zero = [](const Enclosed<T>& x) { return leading(x.value) == 0 && x.error == 0; };
-  return zero(v.x) && zero(v.y) && zero(v.z);
+AXISCERT_INLINE bool is_zero(const EnclosedVector<T>& v) {
+  return v.size == 0 && v.error == 0;
 }
 template <class T>
 AXISCERT_INLINE bool has_zero_edge(const EnclosedTriangle<T>& t) {
   return is_zero(t.edge[0]) || is_zero(t.edge[1]) || is_zero(t.edge[2]);
 }
 
-template <class T>
-AXISCERT_INLINE Vec3<Enclosed<double>> as_doubles(const Vec3<Enclosed<T>>& v) {
-  return {as_double(v.x), as_double(v.y), as_double(v.z)};
-}
-template <class T>
-AXISCERT_INLINE Vec3<double> leading(const Vec3<Enclosed<T>>& v) {
-  return {leading(v.x.value), leading(v.y.value), leading(v.z.value)};
-}
 // x where it is positive, and a NaN where it is one.
 AXISCERT_INLINE double positive_part(double x) { return x <= 0 ? 0 : x; }
 
@@ -111,27 +110,21 @@ struct EnclosedSquare {
 
 // AB x AC, from the two shorter edges: the error is relative to the product of their lengths.
 template <class T>
-AXISCERT_INLINE Vec3<Enclosed<T>> enclosed_normal(const EnclosedTriangle<T>& t) {
-  double length2[3];
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3<double> edge = leading(t.edge[i]);
-    length2[i] = dot(edge, edge);
-  }
-  std::size_t longest = length2[1] > length2[0] ? 1 : 0;
-  if (length2[2] > length2[longest]) longest = 2;
+AXISCERT_INLINE EnclosedVector<T> enclosed_normal(const EnclosedTriangle<T>& t) {
+  std::size_t longest = t.edge[1].size > t.edge[0].size ? 1 : 0;
+  if (t.edge[2].size > t.edge[longest].size) longest = 2;
   return cross(t.edge[next_vertex(longest)], t.edge[previous_vertex(longest)]);
 }
 
 // The vertex of edge i, or of the plane, that is nearer to the origin: products with it err least.
 template <class T>
 AXISCERT_INLINE std::size_t nearer_vertex(const EnclosedTriangle<T>& t, std::size_t i, std::size_t j) {
-  const Vec3<double> u = leading(t.vertex[i]), v = leading(t.vertex[j]);
-  return dot(u, u) <= dot(v, v) ? i : j;
+  return t.vertex[i].size <= t.vertex[j].size ? i : j;
 }
 
 // To the plane: (v . V)^2 / V^2. A triangle without area has the divisor zero.
 template <class T>
-AXISCERT_INLINE EnclosedSquare<T> plane_square(const EnclosedTriangle<T>& t, const Vec3<Enclosed<T>>& normal) {
+AXISCERT_INLINE EnclosedSquare<T> plane_square(const EnclosedTriangle<T>& t, const EnclosedVector<T>& normal) {
   const Enclosed<T> height = dot(t.vertex[nearer_vertex(t, nearer_vertex(t, 0, 1), 2)], normal);
   return {height * height, dot(normal, normal)};
 }
@@ -153,7 +146,7 @@ AXISCERT_INLINE EnclosedSquare<T> line_square(const EnclosedTriangle<T>& t, std:
 
 // Where the plane's foot lies to edge i, times |V|^2: positive within the triangle. (v_i x v_i+1) . V.
 template <class T>
-AXISCERT_INLINE Enclosed<T> inward(const EnclosedTriangle<T>& t, std::size_t i, const Vec3<Enclosed<T>>& normal) {
+AXISCERT_INLINE Enclosed<T> inward(const EnclosedTriangle<T>& t, std::size_t i, const EnclosedVector<T>& normal) {
   return dot(cross(t.vertex[i], t.edge[i]), normal);
 }
 

@@ -25,14 +25,13 @@ inline constexpr std::size_t unclear_feature = axis_count;
 // so.
 template <class T>
 AXISCERT_INLINE std::size_t certain_feature(const EnclosedTriangle<T>& t) {
-  const auto size = [](const Vec3<double>& x) { return (std::fabs(x.x) + std::fabs(x.y)) + std::fabs(x.z); };
   std::array<Vec3<double>, 3> v, edge;
   std::array<double, 3> v_size, edge_size, at_start, at_end, start_error, end_error;
   for (std::size_t i = 0; i < 3; ++i) {
-    v[i] = leading(t.vertex[i]);
-    edge[i] = leading(t.edge[i]);
-    v_size[i] = size(v[i]);
-    edge_size[i] = size(edge[i]);
+    v[i] = leading(t.vertex[i].value);
+    edge[i] = leading(t.edge[i].value);
+    v_size[i] = t.vertex[i].size;
+    edge_size[i] = t.edge[i].size;
   }
   for (std::size_t i = 0; i < 3; ++i) {
     at_start[i] = dot(v[i], edge[i]);
@@ -67,22 +66,22 @@ AXISCERT_INLINE std::size_t certain_feature(const EnclosedTriangle<T>& t) {
 
 // The one that seems nearest.
 template <class T>
-std::size_t likely_feature(const EnclosedTriangle<T>& t, const Vec3<Enclosed<T>>& enclosed_normal) {
-  const Vec3<double> normal = leading(enclosed_normal);
+std::size_t likely_feature(const EnclosedTriangle<T>& t, const EnclosedVector<T>& enclosed_normal) {
+  const Vec3<double> normal = leading(enclosed_normal.value);
   std::array<Vec3<double>, 3> moment;
   bool inside = true;
   for (std::size_t i = 0; i < 3; ++i) {
-    moment[i] = cross(leading(t.vertex[i]), leading(t.edge[i]));
+    moment[i] = cross(leading(t.vertex[i].value), leading(t.edge[i].value));
     inside = inside && dot(moment[i], normal) >= 0;
   }
   if (inside && as_double(dot(as_doubles(enclosed_normal), as_doubles(enclosed_normal))).low() > 0) return 0;
   std::size_t feature = 0;
   double least = HUGE_VAL;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3<double> v = leading(t.vertex[i]), edge = leading(t.edge[i]);
+    const Vec3<double> v = leading(t.vertex[i].value), edge = leading(t.edge[i].value);
     const double along = -dot(v, edge), length2 = dot(edge, edge);
     const std::size_t end = along <= 0 ? i : along >= length2 ? next_vertex(i) : 3;
-    const Vec3<double> to = end < 3 ? leading(t.vertex[end]) : moment[i];
+    const Vec3<double> to = end < 3 ? leading(t.vertex[end].value) : moment[i];
     const double square = end < 3 ? dot(to, to) : dot(to, to) / length2;
     if (square < least) {
       least = square;

@@ -106,7 +106,8 @@ std::optional<Real> tie_radius(const EnclosedTriangle<T>& t, Axis axis) {
 template <class T>
 struct Margin {
   Enclosed<T> value;
-  Vec3<Enclosed<T>> slope;  // negated
+  EnclosedVector<T> slope;  // negated
+  bool is_given;            // the slope is a difference of numbers as given
   bool is_constant;         // no coordinate of p changes it
 };
 
@@ -114,12 +115,12 @@ struct Margin {
 template <class T>
 Margin<T> side_margin(const EnclosedTriangle<T>& t, Comparison side) {
   const auto vertex = [&](std::size_t i, std::size_t edge) -> Margin<T> {
-    return {dot(t.vertex[i], t.edge[edge]), t.edge[edge], false};
+    return {dot(t.vertex[i], t.edge[edge]), t.edge[edge], true, false};
   };
   const auto edge = [&](std::size_t i) -> Margin<T> {
-    if (has_zero_edge(t)) return {{}, {}, true};
-    const Vec3<Enclosed<T>> normal = enclosed_normal(t);
-    return {inward(t, i, normal), cross(t.edge[i], normal), false};
+    if (has_zero_edge(t)) return {{}, {}, false, true};
+    const EnclosedVector<T> normal = enclosed_normal(t);
+    return {inward(t, i, normal), cross(t.edge[i], normal), false, false};
   };
   using enum Comparison;
   switch (side) {
@@ -150,7 +151,7 @@ Margin<T> side_margin(const EnclosedTriangle<T>& t, Comparison side) {
     case edge_ca_radius:
       break;  // no side comparison
   }
-  return {{}, {}, true};
+  return {{}, {}, false, true};
 }
 
 template <class V>
@@ -164,8 +165,8 @@ template <class Real, class T>
 std::optional<Real> tie_coordinate(const EnclosedTriangle<T>& t, Real given, Comparison side, int coordinate) {
   const Margin<T> margin = side_margin(t, side);
   if (margin.is_constant) return given;
-  const Enclosed<T> falls = component(margin.slope, coordinate);
-  if (leading(falls.value) == 0 && falls.error == 0) return given;
+  const Enclosed<T> falls = {component(margin.slope.value, coordinate), margin.slope.error};
+  if (margin.is_given && leading(falls.value) == 0 && t.scaling_error == 0) return given;
   const double sign = leading(falls.value) < 0 ? -1 : 1;
   const double slope = sign > 0 ? falls.low() : -falls.high();
   const double from = std::ldexp(static_cast<double>(given), t.exponent);
