@@ -94,7 +94,7 @@ Query<Real> filled_query(Fill&& fill) {
 template <class Real>
 class QueryBatch {
  public:
-  explicit QueryBatch(std::size_t capacity) : capacity_(capacity), storage_(capacity * coordinate_count) {}
+  explicit QueryBatch(std::size_t capacity) : capacity_(capacity), storage_(stride() * coordinate_count) {}
   std::size_t size() const { return size_; }
   std::size_t capacity() const { return capacity_; }
   void clear() { size_ = 0; }
@@ -102,26 +102,33 @@ class QueryBatch {
   void resize(std::size_t size) { size_ = size; }
   void push_back(const Query<Real>& q) {
     const auto v = coordinates(q);
-    for (std::size_t k = 0; k < coordinate_count; ++k) storage_[k * capacity_ + size_] = v[k];
+    for (std::size_t k = 0; k < coordinate_count; ++k) storage_[k * stride() + size_] = v[k];
     ++size_;
   }
   Query<Real> operator[](std::size_t i) const {
     std::array<Real, coordinate_count> v;
-    for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = storage_[k * capacity_ + i];
+    for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = storage_[k * stride() + i];
     return from_coordinates(v);
   }
   QueryColumns<Real> columns() const {
     QueryColumns<Real> view{{}, size_};
-    for (std::size_t k = 0; k < coordinate_count; ++k) view.column[k] = storage_.data() + k * capacity_;
+    for (std::size_t k = 0; k < coordinate_count; ++k) view.column[k] = storage_.data() + k * stride();
     return view;
   }
   MutableColumns<Real> mutable_columns() {
     MutableColumns<Real> view{{}, size_};
-    for (std::size_t k = 0; k < coordinate_count; ++k) view.column[k] = storage_.data() + k * capacity_;
+    for (std::size_t k = 0; k < coordinate_count; ++k) view.column[k] = storage_.data() + k * stride();
     return view;
   }
 
  private:
+  // From column to column: an odd number of cache lines of 64 bytes. At a multiple of 4096 bytes all columns would
+  // compete for the same eight lines of a first-level cache.
+  std::size_t stride() const {
+    constexpr std::size_t line = 64 / sizeof(Real);
+    return ((capacity_ / line + 1) | 1) * line;
+  }
+
   std::size_t capacity_, size_ = 0;
   std::vector<Real> storage_;
 };

@@ -1,33 +1,68 @@
 // Uniform finite bit patterns: every exponent as likely as another, thirteen sizes in one query.
-#include <bit>
-#include <limits>
+#include "fuzz/lanes.h"
 
-#include "fuzz/family.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "fuzz/families/bits.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
 
-namespace axiscert {
+#define AXISCERT_PER_TARGET
+#include "fuzz/families/lane_family-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace axiscert::HWY_NAMESPACE {
 namespace {
 
-template <class Real>
-Query<Real> bits(Stream& random, std::uint64_t) {
-  using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-  constexpr int digits = std::numeric_limits<Real>::digits, width = 8 * sizeof(Real);
-  constexpr Bits sign = Bits{1} << (width - 1), top_of_exponent = sign >> 1;
-  constexpr Bits exponent = (sign - 1) & ~((Bits{1} << (digits - 1)) - 1);
-  std::array<Real, coordinate_count> v;
-  for (Real& x : v) {
-    Bits pattern;
-    if constexpr (width == 32) pattern = random.word();
-    else pattern = random.bits();
-    if ((pattern & exponent) == exponent) pattern ^= top_of_exponent;  // infinities and NaNs come down to [1, 2)
-    if (&x == &v[12]) pattern &= ~sign;
-    x = std::bit_cast<Real>(pattern);
+struct Bits {
+  static constexpr bool solves = false;
+
+  template <class Random, class T = typename Random::T>
+  AXISCERT_INLINE static T finite_pattern(Random& random) {
+    using Limits = std::numeric_limits<hn::TFromD<typename Random::D>>;
+    using Word = hn::TFromD<typename Random::DW>;
+    typename Random::DW d;
+    constexpr Word sign = Word{1} << (8 * sizeof(Word) - 1), top_of_exponent = sign >> 1;
+    constexpr Word exponent = (sign - 1) & ~((Word{1} << (Limits::digits - 1)) - 1);
+    auto pattern = random.word();
+    if constexpr (sizeof(Word) == 8) {
+      const auto low = random.word();
+      pattern = hn::Or(hn::ShiftLeft<32>(pattern), low);
+    }
+    // Infinities and NaNs come down to [1, 2).
+    const auto every_bit = hn::Set(d, exponent);
+    const auto not_finite = hn::Eq(hn::And(pattern, every_bit), every_bit);
+    const auto lowered = hn::Xor(pattern, hn::Set(d, top_of_exponent));
+    return {hn::BitCast(typename Random::D(), hn::IfThenElse(not_finite, lowered, pattern))};
   }
-  return from_coordinates(v);
-}
+  template <class Random, class T = typename Random::T>
+  AXISCERT_INLINE static Vec3<T> finite_point(Random& random) {
+    const T x = finite_pattern(random), y = finite_pattern(random), z = finite_pattern(random);
+    return {x, y, z};
+  }
+
+  template <class Random, class T = typename Random::T>
+  AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t) {
+    LaneQuery<T> q;
+    for (Vec3<T>& v : q.v) v = finite_point(random);
+    q.p = finite_point(random);
+    q.r = magnitude(finite_pattern(random));
+    return q;
+  }
+};
 
 }  // namespace
+AXISCERT_FILL(bits, Bits)
+}  // namespace axiscert::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
-extern const Family bits_family = {
-    "bits", "uniform finite bit patterns, the radius without its sign", 2, false, bits<float>, bits<double>};
-
+#if HWY_ONCE
+namespace axiscert {
+AXISCERT_DISPATCH_FILL(bits)
+extern const Family bits_family = {"bits",
+                                   "uniform finite bit patterns, the radius without its sign",
+                                   2,
+                                   false,
+                                   bits_queries<float>,
+                                   bits_queries<double>};
 }  // namespace axiscert
+#endif

@@ -20,7 +20,7 @@ struct Far : AimedRadii {
     LaneQuery<T> q;
     q.v = vertices_in_cube(random);
     q.p = in_cube(random);
-    const T decade = in_turn<Random>(first, [](std::uint64_t position) { return decades[position % 5]; });
+    const T decade = in_turn<Random, 5>(first, [](std::uint64_t position) { return decades[position]; });
     const Vec3<T> offset = at_unit_length(in_cube(random)) * decade;
     for (Vec3<T>& v : q.v) v = v + offset;
     q.p = q.p + offset;

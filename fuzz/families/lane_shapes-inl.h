@@ -35,24 +35,28 @@ AXISCERT_INLINE T length(const Vec3<T>& v) {
 }
 
 // What the queries' places decide: number(position) in each lane, from the position of lane 0.
-template <class Random, class Number>
-AXISCERT_INLINE typename Random::T in_turn(std::uint64_t first, Number&& number) {
-  typename Random::D d;
-  HWY_ALIGN hn::TFromD<decltype(d)> each[Random::lanes];
-  for (std::size_t i = 0; i < Random::lanes; ++i) {
-    each[i] = static_cast<hn::TFromD<decltype(d)>>(number(first + i));
-  }
-  return {hn::Load(d, each)};
+template <class Random, class Number, class Real = hn::TFromD<typename Random::D>>
+AXISCERT_INLINE typename Random::T by_position(std::uint64_t first, Number number) {
+  HWY_ALIGN Real each[Random::lanes];
+  for (std::size_t i = 0; i < Random::lanes; ++i) each[i] = static_cast<Real>(number(first + i));
+  return {hn::Load(typename Random::D(), each)};
 }
-
-template <class Random, class Number>
-AXISCERT_INLINE typename Random::W in_turn_words(std::uint64_t first, Number&& number) {
-  typename Random::DW d;
-  HWY_ALIGN hn::TFromD<decltype(d)> each[Random::lanes];
-  for (std::size_t i = 0; i < Random::lanes; ++i) {
-    each[i] = static_cast<hn::TFromD<decltype(d)>>(number(first + i));
-  }
-  return hn::Load(d, each);
+// number(position) where that repeats with a period: from a table.
+template <class Number, class Element, std::uint64_t period, std::size_t lanes>
+std::array<Element, period + lanes> periodic_table(Number number) {
+  std::array<Element, period + lanes> table;
+  for (std::uint64_t i = 0; i < table.size(); ++i) table[i] = static_cast<Element>(number(i % period));
+  return table;
+}
+template <class Random, std::uint64_t period, class Number, class Real = hn::TFromD<typename Random::D>>
+AXISCERT_INLINE typename Random::T in_turn(std::uint64_t first, Number number) {
+  static const auto table = periodic_table<Number, Real, period, Random::lanes>(number);
+  return {hn::LoadU(typename Random::D(), table.data() + first % period)};
+}
+template <class Random, std::uint64_t period, class Number, class Word = hn::TFromD<typename Random::DW>>
+AXISCERT_INLINE typename Random::W in_turn_words(std::uint64_t first, Number number) {
+  static const auto table = periodic_table<Number, Word, period, Random::lanes>(number);
+  return hn::LoadU(typename Random::DW(), table.data() + first % period);
 }
 
 // 2^-times, `times` at most 126: exact.

@@ -1,11 +1,16 @@
 // Small integers on which the published formulae never round, so that a wrong answer can only be the formulae's own.
-#include <algorithm>
-#include <limits>
+#include "fuzz/lanes.h"
 
-#include "fuzz/families/shapes.h"
-#include "fuzz/family.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "fuzz/families/lattice.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
 
-namespace axiscert {
+#define AXISCERT_PER_TARGET
+#include "fuzz/families/lane_family-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace axiscert::HWY_NAMESPACE {
 namespace {
 
 // Coordinates in [-m, m], radii that are halves up to `radius_in_halves` / 2. Let D = 2m bound the coordinates of every
@@ -29,24 +34,45 @@ constexpr bool exact_within_bounds() {
 static_assert(exact_within_bounds<float>() && exact_within_bounds<double>());
 
 // The smallest lattices, where vertices coincide and comparisons tie, take turns with the largest.
-template <class Real>
-Query<Real> lattice(Stream& random, std::uint64_t position) {
-  constexpr std::array<std::int64_t, 3> sizes = {1, 2, Bounds<Real>::m};
-  const std::int64_t m = sizes[position % 3];
-  std::array<Real, coordinate_count> v;
-  for (Real& x : v) x = static_cast<Real>(random.integer(-m, m));
-  // Four m exceeds most distances between lattice points.
-  v[12] = static_cast<Real>(random.integer(0, std::min(8 * m, Bounds<Real>::radius_in_halves))) / 2;
-  return from_coordinates(v);
-}
+struct Lattice {
+  static constexpr bool solves = false;
+  template <class Random, class T = typename Random::T>
+  AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {
+    using B = Bounds<hn::TFromD<typename Random::D>>;
+    static constexpr std::array<std::int64_t, 3> sizes = {1, 2, B::m};
+    const T m = in_turn<Random, 3>(first, [](std::uint64_t k) { return sizes[k]; });
+    const auto coordinates = in_turn_words<Random, 3>(first, [](std::uint64_t k) { return 2 * sizes[k] + 1; });
+    // Four m exceeds most distances between lattice points.
+    const auto radii = in_turn_words<Random, 3>(first, [](std::uint64_t k) {
+      return std::min(8 * sizes[k], B::radius_in_halves) + 1;
+    });
+    const auto point = [&]() HWY_ATTR {
+      const T x = Random::number(random.below(coordinates)) - m, y = Random::number(random.below(coordinates)) - m;
+      const T z = Random::number(random.below(coordinates)) - m;
+      return Vec3<T>{x, y, z};
+    };
+    LaneQuery<T> q;
+    for (Vec3<T>& v : q.v) v = point();
+    q.p = point();
+    random.word();  // nobody's: a thirteenth coordinate, once
+    q.r = Random::number(random.below(radii)) * Random::constant(0.5);
+    return q;
+  }
+};
 
 }  // namespace
+AXISCERT_FILL(lattice, Lattice)
+}  // namespace axiscert::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
+#if HWY_ONCE
+namespace axiscert {
+AXISCERT_DISPATCH_FILL(lattice)
 extern const Family lattice_family = {"lattice",
                                       "small integers, radii in halves: every operation of the formulae is exact",
                                       2,
                                       true,
-                                      lattice<float>,
-                                      lattice<double>};
-
+                                      lattice_queries<float>,
+                                      lattice_queries<double>};
 }  // namespace axiscert
+#endif

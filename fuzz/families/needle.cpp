@@ -17,8 +17,8 @@ namespace {
 struct Needle : AimedRadii {
   template <class Random, class T = typename Random::T>
   AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {
-    constexpr std::uint64_t most_halvings = sizeof(hn::TFromD<typename Random::D>) == 4 ? 30 : 60;
-    const auto halvings = in_turn_words<Random>(first, [](std::uint64_t p) { return 1 + p % most_halvings; });
+    constexpr int most_halvings = sizeof(hn::TFromD<typename Random::D>) == 4 ? 30 : 60;
+    const auto halvings = in_turn_words<Random, most_halvings>(first, [](std::uint64_t step) { return 1 + step; });
     const auto spread = vertices_in_cube(random);
     const T size = halved_one<Random>(halvings);
     LaneQuery<T> q;

@@ -18,7 +18,7 @@ struct Ratio {
   static constexpr int most_halvings = 40, steps = 2 * most_halvings + 1;
 
   static double distance_size(std::uint64_t position) {
-    return std::ldexp(1.0, static_cast<int>(position % steps) - most_halvings);
+    return std::ldexp(1.0, static_cast<int>(position) - most_halvings);  // of the position modulo steps
   }
   static double radius_size(std::uint64_t position) {
     const auto step = static_cast<int>(position / steps % (steps + 1));
@@ -33,8 +33,8 @@ struct Ratio {
     const Vec3<T> towards = at_unit_length(in_cube(random));
     const T zero = Random::constant(0);
     LaneQuery<T> q;
-    q.p = towards * edge * in_turn<Random>(first, distance_size);
-    q.r = edge * (random.unit() + Random::constant(0.5)) * in_turn<Random>(first, radius_size);
+    q.p = towards * edge * in_turn<Random, steps>(first, distance_size);
+    q.r = edge * (random.unit() + Random::constant(0.5)) * by_position<Random>(first, radius_size);
     q.v = shuffled(random, LaneVertices<T>{Vec3<T>{zero, zero, zero}, x, y});
     return q;
   }

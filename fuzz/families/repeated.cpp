@@ -16,7 +16,7 @@ namespace {
 struct Repeated : AimedRadii {
   template <class Random, class T = typename Random::T>
   AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {
-    const T which = in_turn<Random>(first, [](std::uint64_t position) { return position % 4; });
+    const T which = in_turn<Random, 4>(first, [](std::uint64_t position) { return position; });
     const auto is = [&](int k) HWY_ATTR { return hn::Eq(which.v, Random::constant(static_cast<float>(k)).v); };
     LaneQuery<T> q;
     const auto v = vertices_in_cube(random);

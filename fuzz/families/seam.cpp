@@ -63,7 +63,7 @@ struct Seam {
 
   template <class Random, class T = typename Random::T>
   AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {
-    const T vertex_seam = in_turn<Random>(first, [](std::uint64_t p) { return side(p).at_vertex; });
+    const T vertex_seam = in_turn<Random, 9>(first, [](std::uint64_t p) { return side(p).at_vertex; });
     const auto at_vertex = hn::Gt(vertex_seam.v, Random::constant(0).v);
     const auto v = vertices_in_cube(random);
     const Vec3<T> normal = unit_normal(v), across = outward(v[0], v[1], normal), along = v[1] - v[0];
@@ -75,8 +75,8 @@ struct Seam {
     q.wishes[0] = effective_coordinate(random, select(at_vertex, along, across));
     q.wishes[1] = random.integer(-2, 2);
     q.r = random.unit() * Random::constant(2);
-    const T a = in_turn<Random>(first, [](std::uint64_t p) { return side(p).local(0); });
-    const T b = in_turn<Random>(first, [](std::uint64_t p) { return side(p).local(1); });
+    const T a = in_turn<Random, 9>(first, [](std::uint64_t p) { return side(p).local(0); });
+    const T b = in_turn<Random, 9>(first, [](std::uint64_t p) { return side(p).local(1); });
     q.v = arranged(v, a, b);
     return q;
   }

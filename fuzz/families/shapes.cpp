@@ -24,7 +24,7 @@ std::array<std::int64_t, 3> weights(Stream& random, Axis axis, std::int64_t part
 
 template <class Real>
 Vec3<Real> scaled(const Vec3<Real>& v, int exponent) {
-  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+  return v * std::ldexp(Real(1), exponent);
 }
 
 template <class Real>

@@ -58,7 +58,7 @@ Query<Real> query(const Vertices<Real>& vertices, const Vec3<Real>& p, Real r = 
   return {vertices[0], vertices[1], vertices[2], p, r};
 }
 
-// Every coordinate times 2^exponent, each rounded once.
+// Every coordinate times 2^exponent, which is a number of the precision: each product is rounded once.
 template <class Real>
 Vec3<Real> scaled(const Vec3<Real>& v, int exponent);
 

@@ -22,8 +22,8 @@ struct Sliver : AimedRadii {
   AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {
     using Real = hn::TFromD<typename Random::D>;
     constexpr int half_digits = sizeof(Real) == 4 ? 11 : 25;
-    constexpr std::uint64_t most_halvings = sizeof(Real) == 4 ? 40 : 80;
-    const auto halvings = in_turn_words<Random>(first, [](std::uint64_t p) { return 1 + p % most_halvings; });
+    constexpr int most_halvings = sizeof(Real) == 4 ? 40 : 80;
+    const auto halvings = in_turn_words<Random, most_halvings>(first, [](std::uint64_t step) { return 1 + step; });
     const Vec3<T> d = integers(random, 1 << half_digits);
     const T m = random.integer(1, 1 << half_digits), n = random.integer(1, 1 << half_digits);
     const T size = Random::constant(sizeof(Real) == 4 ? Real(0x1p-22) : Real(0x1p-50));

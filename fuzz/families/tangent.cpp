@@ -28,7 +28,9 @@ struct Tangent {
   // directions at that vertex.
   template <class Random, class T = typename Random::T>
   AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {
-    const T kind = in_turn<Random>(first, [](std::uint64_t p) { return axis(p) == 0 ? 0 : axis(p) < 4 ? 1 : 2; });
+    const T kind = in_turn<Random, axis_count>(first, [](std::uint64_t p) {
+      return axis(p) == 0 ? 0 : axis(p) < 4 ? 1 : 2;
+    });
     const auto at_face = hn::Lt(kind.v, Random::constant(1).v), at_vertex = hn::Eq(kind.v, Random::constant(1).v);
     const auto v = vertices_in_cube(random);
     const Vec3<T> normal = unit_normal(v), across = outward(v[0], v[1], normal), other = outward(v[2], v[0], normal);
@@ -45,8 +47,8 @@ struct Tangent {
     q.p = foot + at_unit_length(select(at_face, straight, beside)) * height(random);
 
     // Local vertex 0 is the query's vertex `i`: A is the local vertex 3 - i.
-    const T a = in_turn<Random>(first, [](std::uint64_t p) { return (3 - vertex(p)) % 3; });
-    const T b = in_turn<Random>(first, [](std::uint64_t p) { return (4 - vertex(p)) % 3; });
+    const T a = in_turn<Random, axis_count>(first, [](std::uint64_t p) { return (3 - vertex(p)) % 3; });
+    const T b = in_turn<Random, axis_count>(first, [](std::uint64_t p) { return (4 - vertex(p)) % 3; });
     q.v = arranged(v, a, b);
     q.r = Random::constant(0);
     return q;
