@@ -14,6 +14,9 @@ struct Decimal6 {
   std::int32_t exponent = INT32_MIN;
   std::uint32_t mantissa = 0;
   auto operator<=>(const Decimal6&) const = default;
+  // Rounding up to six digits raises a number by less than a part in 10^5: one that is less than this times another
+  // comes to no greater a decimal, and to no equal one.
+  static constexpr double least_ratio = 1 - 1.1e-5;
   bool is_zero() const { return mantissa == 0; }
   // The double nearest to the decimal, whose shortest text is the decimal again; infinite beyond binary64's range,
   // where errors do get: against an exact side of 2^-2148 the least rounding is enough.

@@ -43,6 +43,20 @@ inline AxisBits axes_without_normal(const Signs& signs) {
                                bit(all({vertex_c_side_a, vertex_a_side_c}), Axis::edge_ca));
 }
 
+// Comparisons whose exact sides are both zero, in the published form and in the reduced ones: the radius of an axis
+// without a normal, and an edge's side that is a tie, one of whose sides is the constant zero. Not all such comparisons.
+inline ComparisonBits both_sides_zero(const Signs& signs) {
+  using enum Comparison;
+  const auto bit = [](Comparison c) { return static_cast<ComparisonBits>(1u << static_cast<unsigned>(c)); };
+  const auto sides = static_cast<ComparisonBits>(bit(edge_ab_side_c) | bit(edge_bc_side_a) | bit(edge_ca_side_b));
+  ComparisonBits zero = signs.ties & sides;
+  const AxisBits without = axes_without_normal(signs);
+  for (const Comparison radius : {plane_radius, edge_ab_radius, edge_bc_radius, edge_ca_radius}) {
+    if ((without >> static_cast<unsigned>(info(radius).axis)) & 1u) zero |= bit(radius);
+  }
+  return zero;
+}
+
 // Whether the distance is exactly r, from the signs at r. For r = 0 that is contact. Else it is contact together with an
 // axis that has a normal, whose sides hold or are ties and whose radius comparison is one:
 //   such an axis has all of the triangle at distance r or farther;

@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
+
+#include "kernel/scalar.h"
 
 namespace axiscert {
 namespace {
 
-// Rounding up to six digits raises an error by less than a part in 10^5, so whatever is smaller than another by more
-// comes to no greater a decimal.
-constexpr double below_the_decimal = 1 - 1.1e-5;
 // A double that is certainly not above the number it was rounded from.
 constexpr double below_the_rounding = 1 - 0x1p-50;
 
@@ -28,20 +28,24 @@ ErrorWatch<Real>::ErrorWatch(Formulae formulae, const Tolerances& tolerances, co
     if (known.empty()) continue;
     // The same error at an earlier position would take the place of a known one.
     largest_[k].passed =
-        known[0].rank.value() * (known[0].position < first_position ? below_the_rounding : below_the_decimal);
+        known[0].rank.value() * (known[0].position < first_position ? below_the_rounding : Decimal6::least_ratio);
   }
 }
 
 template <class Real>
 void ErrorWatch<Real>::look(const QueryBatch<Real>& batch, std::uint64_t position,
-                            const std::vector<Attention>& attention, const Answers<Real>& computed) {
+                            const std::vector<Attention>& attention, const std::vector<DecidedSigns>& decided,
+                            const Answers<Real>& computed) {
   batch_ = &batch;
   position_ = position;
   attention_ = &attention;
+  decided_ = &decided;
   computed_ = &computed;
   checked_.clear();
   failing_.assign(batch.size(), 0);
   any_failing_ = false;
+  zero_.assign(batch.size(), std::nullopt);
+  for (auto& [query, sides] : exact_sides_) sides.reset();
   ErrorScreen screen{{}, this, [](void* watch, const SuspectError& suspect) {
                        return static_cast<ErrorWatch*>(watch)->judge(suspect);
                      }};
@@ -59,8 +63,30 @@ double ErrorWatch<Real>::threshold(std::size_t comparison) const {
 }
 
 template <class Real>
-ComparisonError ErrorWatch<Real>::exactly(std::size_t comparison, const Query<Real>& q, Real lhs, Real rhs) const {
-  return ComparisonError(lhs, rhs, formula_truth(formulae_, q).comparison(comparison));
+bool ErrorWatch<Real>::is_exactly_zero(std::size_t i, std::size_t comparison) {
+  if (!zero_[i]) {
+    constexpr int events = FE_INEXACT | FE_OVERFLOW | FE_UNDERFLOW;
+    Sides<double> sides;
+    std::feclearexcept(events);
+    reference(formulae_, Arithmetic::plain, Strictness::strict, widened((*batch_)[i]), &sides);
+    const bool is_exact = std::fetestexcept(events) == 0;
+    zero_[i] = 0;
+    for (std::size_t k = 0; k < comparison_count && is_exact; ++k) {
+      const bool is_same = computed_->lhs[k][i] == sides.lhs[k] && computed_->rhs[k][i] == sides.rhs[k];
+      *zero_[i] |= static_cast<ComparisonBits>(unsigned{is_same} << k);
+    }
+  }
+  return ((*zero_[i] >> comparison) & 1u) != 0;
+}
+
+template <class Real>
+const FormulaTruth& ErrorWatch<Real>::exact_sides(std::size_t i) {
+  auto& [query, sides] = exact_sides_[i % exact_sides_.size()];
+  if (!sides || query != i) {
+    query = i;
+    sides = formula_truth(formulae_, (*batch_)[i]);
+  }
+  return *sides;
 }
 
 template <class Real>
@@ -77,14 +103,20 @@ double ErrorWatch<Real>::judge(const SuspectError& suspect) {
     ++comparison.range_events;
     return threshold(k);
   }
+  if (!std::isfinite(upper) && ((both_sides_zero((*decided_)[i].signs) >> k) & 1u)) {
+    comparison.error_without_scale += lhs != rhs;  // any difference is over |0| + |0|
+    return threshold(k);
+  }
+  if (lower == 0 && is_exactly_zero(i, k)) return threshold(k);
   Largest& largest = largest_[k];
+  const auto exactly = [&] { return ComparisonError(lhs, rhs, exact_sides(i).comparison(k)); };
   const auto fail = [&] {
     ++comparison.tolerance_failures;
     failing_[i] |= static_cast<ComparisonBits>(1u << k);
     any_failing_ = true;
   };
   if (!std::isfinite(upper)) {
-    const ComparisonError error = exactly(k, (*batch_)[i], lhs, rhs);
+    const ComparisonError error = exactly();
     if (error.kind() == ComparisonError::Kind::without_scale) {
       ++comparison.error_without_scale;
       return threshold(k);
@@ -98,11 +130,11 @@ double ErrorWatch<Real>::judge(const SuspectError& suspect) {
   }
   if (tolerances_[k] && upper > tolerated_[k]) {
     const bool is_certain = lower > tolerances_[k]->get_d() * (1 + 0x1p-50);
-    if (is_certain || exactly(k, (*batch_)[i], lhs, rhs).exceeds(*tolerances_[k])) fail();
+    if (is_certain || exactly().exceeds(*tolerances_[k])) fail();
   }
   if (upper > largest.passed) {
     largest.suspects.push_back({(*batch_)[i], position_ + i, lhs, rhs, upper});
-    largest.passed = std::max(largest.passed, lower * below_the_decimal);
+    largest.passed = std::max(largest.passed, lower * Decimal6::least_ratio);
     if (largest.suspects.size() == most_suspects) settle(k);
   }
   return threshold(k);
@@ -114,8 +146,9 @@ void ErrorWatch<Real>::settle(std::size_t k) {
   Leaders<Decimal6>& leaders = tally_.comparisons[k].largest_error;
   for (const Suspect& suspect : largest.suspects) {
     // What passed it may have a later position, so the same decimal is not enough.
-    if (suspect.upper <= largest.passed * below_the_decimal) continue;
-    const ComparisonError error = exactly(k, suspect.query, suspect.lhs, suspect.rhs);
+    if (suspect.upper <= largest.passed * Decimal6::least_ratio) continue;
+    const FormulaTruth exact = formula_truth(formulae_, suspect.query);
+    const ComparisonError error(suspect.lhs, suspect.rhs, exact.comparison(k));
     if (error.upper() > 0) leaders.offer({error.rounded_up(), suspect.position});
   }
   largest.suspects.clear();

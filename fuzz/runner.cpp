@@ -10,6 +10,20 @@
 
 namespace axiscert {
 
+namespace {
+
+// axes_of(), for a loop in which it counts.
+AxisBits axes_in_table(ComparisonBits bits) {
+  static const std::vector<AxisBits> table = [] {
+    std::vector<AxisBits> all;
+    for (unsigned b = 0; b <= 0xffff; ++b) all.push_back(axes_of(static_cast<ComparisonBits>(b)));
+    return all;
+  }();
+  return table[bits];
+}
+
+}  // namespace
+
 template <class Real>
 const Rational& LazyDistance<Real>::squared() {
   if (!squared_) squared_ = squared_distance(query_);
@@ -30,6 +44,10 @@ template <class Real>
 double LazyDistance<Real>::exactly() {
   if (!depth_) depth_ = depth(query_, squared());
   return *depth_;
+}
+template <class Real>
+void LazyDistance<Real>::is_zero() {
+  if (!exact_only_) at_most_ = depth_ = 0;
 }
 template class LazyDistance<float>;
 template class LazyDistance<double>;
@@ -59,33 +77,34 @@ void Runner<Real>::ask_about(const QueryBatch<Real>& batch, std::uint64_t positi
 
 template <class Real>
 void Runner<Real>::look_at_sides(const QueryBatch<Real>& batch, std::uint64_t position,
-                                 const std::vector<Attention>& attention) {
+                                 const std::vector<Attention>& attention,
+                                 const std::vector<DecidedSigns>& decided) {
   position_ = position;
   if (kernel_.is_reference) reference_.evaluate(batch.columns());
   if (!exposes_sides()) return;
   if (std::find(reply_.verdicts.begin(), reply_.verdicts.end(), Verdict::unanswered) == reply_.verdicts.end()) {
-    errors_.look(batch, position, attention, reply_.answers);
+    errors_.look(batch, position, attention, decided, reply_.answers);
     return;
   }
   std::vector<Attention> answered = attention;
   for (std::size_t i = 0; i < answered.size(); ++i) {
     if (!is_answered(i)) answered[i] = Attention::none;
   }
-  errors_.look(batch, position, answered, reply_.answers);
+  errors_.look(batch, position, answered, decided, reply_.answers);
 }
 
 template <class Real>
 bool Runner<Real>::count_if_clean(std::size_t i, const Signs& signs, bool radius_is_zero, const Answer& answer) {
-  const Verdict right = verdict_of(signs);
+  const Verdict right = verdict_of(axes_in_table(signs.bits(Strictness::nonstrict)));
   if (answer.verdict != right) return false;
-  const bool touching = is_touching(signs, radius_is_zero);
+  const bool touching = (signs.ties != 0 || radius_is_zero) && is_touching(signs, radius_is_zero);
   if (touching && kernel_.touching != Touching::contact) return false;
   if (kernel_.formulae == Formulae::none) {
     clean_.add_verdict(right, touching);
     return true;
   }
   const ComparisonBits exact = signs.bits(kernel_.strictness);
-  const AxisBits axes = axes_of(exact);
+  const AxisBits axes = axes_in_table(exact);
   if (verdict_of(axes) != right || (answer.bits && *answer.bits != exact)) return false;
   if (kernel_.is_reference && reference_.shared(i) != exact) return false;
   clean_.add(axes, signs.ties, touching);
@@ -94,7 +113,7 @@ bool Runner<Real>::count_if_clean(std::size_t i, const Signs& signs, bool radius
 
 template <class Real>
 void Runner<Real>::judge_by_signs(std::size_t i, const Query<Real>& q, const Signs& signs, const Answer& answer,
-                                  DepthOf& depth) {
+                                  LazyDistance<Real>& depth) {
   const Truth truth{verdict_of(signs), is_touching(signs, q.r == 0), std::nullopt};
   std::optional<Reference> chain;
   if (kernel_.formulae != Formulae::none) {
@@ -108,12 +127,13 @@ void Runner<Real>::judge_by_signs(std::size_t i, const Query<Real>& q, const Sig
     }
   }
   const Judgement judgement = judge(truth, chain, answer, kernel_.touching);
+  if (truth.touching) depth.is_zero();
   count(tally_, position_ + i, truth, chain ? signs.ties : ComparisonBits{0}, answer, judgement, depth, standing_);
 }
 
 template <class Real>
 void Runner<Real>::judge_exactly(std::size_t i, const Query<Real>& q, const Truth& truth, Claims<Real>* claims,
-                                 const Answer& answer, bool is_filtered, DepthOf& depth) {
+                                 const Answer& answer, bool is_filtered, LazyDistance<Real>& depth) {
   std::optional<Reference> chain;
   const FormulaTruth* sides = nullptr;
   if (claims) {
@@ -121,6 +141,7 @@ void Runner<Real>::judge_exactly(std::size_t i, const Query<Real>& q, const Trut
     sides = claims->sides(kernel_.formulae);
   }
   const Judgement judgement = judge(truth, chain, answer, kernel_.touching);
+  if (truth.touching) depth.is_zero();
   if (claims && kernel_.limits.any() && !is_within(kernel_.limits, q)) {
     count_outside(tally_, truth, answer, judgement, depth);
     return;

@@ -20,6 +20,7 @@ class LazyDistance final : public DepthOf {
   std::optional<Real> within(const RadiusRange<Real>& range);  // correctly rounded; seldom needs the square
   double at_most() override;
   double exactly() override;
+  void is_zero();  // the depth: of a query that touches
 
  private:
   const Query<Real>& query_;
@@ -44,15 +45,17 @@ class Runner {
   // Asks the kernel about a batch, whose first query is at `position`.
   void ask_about(const QueryBatch<Real>& batch, std::uint64_t position);
   // Evaluates the reference and looks at the errors; of a kernel that is judged by signs.
-  void look_at_sides(const QueryBatch<Real>& batch, std::uint64_t position, const std::vector<Attention>& attention);
+  void look_at_sides(const QueryBatch<Real>& batch, std::uint64_t position, const std::vector<Attention>& attention,
+                     const std::vector<DecidedSigns>& decided);
 
   // Counts a query of the batch by its signs. The first only if nothing is wrong with the answer, and says whether.
   bool count_if_clean(std::size_t i, const Signs& signs, bool radius_is_zero, const Answer& answer);
-  void judge_by_signs(std::size_t i, const Query<Real>& q, const Signs& signs, const Answer& answer, DepthOf& depth);
+  void judge_by_signs(std::size_t i, const Query<Real>& q, const Signs& signs, const Answer& answer,
+                      LazyDistance<Real>& depth);
   // The same by the exact truth. Where a filter decided the query too, what it and the SIMD reference said is checked:
   // throws OracleDisagreement.
   void judge_exactly(std::size_t i, const Query<Real>& q, const Truth& truth, Claims<Real>* claims, const Answer& answer,
-                     bool is_filtered, DepthOf& depth);
+                     bool is_filtered, LazyDistance<Real>& depth);
 
   Answer answer(std::size_t i) const { return reply_.outcome(i); }
   // Keeps a query for its critical radius; `distance` is asked where the answer and the limits allow one.

@@ -238,8 +238,9 @@ void count_errors(Tally& tally, std::uint64_t position, const FormulaTruth& exac
         ++comparison.error_without_scale;
         break;
       case ComparisonError::Kind::finite:
-        // The bound only selects; what is compared and stored is the exact error.
-        if (error.upper() > 0 && error.upper() >= comparison.largest_error.best().value()) {
+        // The bound only selects; what is compared and stored is the exact error. A smaller one may round up to the same
+        // decimal, at an earlier position.
+        if (error.upper() > 0 && error.upper() >= comparison.largest_error.best().value() * Decimal6::least_ratio) {
           comparison.largest_error.offer({error.rounded_up(), position});
         }
         if (tolerances[i] && error.exceeds(*tolerances[i])) {

@@ -72,10 +72,11 @@ class UnitRun {
     choose_what_is_exact();
     watch.lap();
     for (Runner<Real>& runner : runners_) {
-      if (runner.is_judged_by_signs()) runner.look_at_sides(batch_, first_, attention_);
+      if (runner.is_judged_by_signs()) runner.look_at_sides(batch_, first_, attention_, *decided_);
     }
     out_.steps.errors += watch.lap();
-    for (std::size_t i = 0; i < size; ++i) judge_query(i);
+    const Real* radii = batch_.columns().column[coordinate_count - 1];
+    for (std::size_t i = 0; i < size; ++i) judge_query(i, radii[i] == 0);
     if (!plan_.replies) sample_critical_radii();
     out_.steps.judging += watch.lap();
   }
@@ -116,37 +117,40 @@ class UnitRun {
     }
   }
 
-  void judge_query(std::size_t i) {
-    const bool radius_is_zero = batch_.columns().column[12][i] == 0;
-    std::optional<Exactly> exactly;
-    std::optional<Query<Real>> q;
-    std::optional<LazyDistance<Real>> distance;
+  // Most queries are counted here and go no further.
+  void judge_query(std::size_t i, bool radius_is_zero) {
     for (Runner<Real>& runner : runners_) {
       const Answer answer =
           plan_.replies ? plan_.replies->at(source_, precision_of<Real>, first_ + i) : runner.answer(i);
       const bool by_signs = !exactly_[i] && runner.is_judged_by_signs();
       if (by_signs && runner.count_if_clean(i, (*decided_)[i].signs, radius_is_zero, answer)) continue;
-      if (!q) {
-        q = batch_[i];
-        distance.emplace(*q, plan_.exact_only);
-      }
-      if (by_signs) {
-        runner.judge_by_signs(i, *q, (*decided_)[i].signs, answer, *distance);
-        continue;
-      }
-      if (!exactly) exactly.emplace(decide_exactly(i, *q), *q, plan_.exact_only);
-      runner.judge_exactly(i, *q, exactly->truth, exactly->claims ? &*exactly->claims : nullptr, answer,
-                           is_filtered(i) && exactly_[i], *distance);
+      judge_closely(runner, i, by_signs, answer);
     }
+    if (at_hand_) at_hand_.reset();
   }
 
-  // The exact truth of one query, and what kernels claim of it.
-  struct Exactly {
-    Truth truth;
-    std::optional<Claims<Real>> claims;
-    Exactly(Truth&& decided, const Query<Real>& q, bool exact_only) : truth(std::move(decided)) {
-      if (truth.formula) claims.emplace(q, *truth.formula, exact_only);
+  [[gnu::noinline]] void judge_closely(Runner<Real>& runner, std::size_t i, bool by_signs, const Answer& answer) {
+    if (!at_hand_) at_hand_.emplace(batch_[i], plan_.exact_only);
+    auto& [q, distance, truth, claims] = *at_hand_;
+    if (by_signs) {
+      runner.judge_by_signs(i, q, (*decided_)[i].signs, answer, distance);
+      return;
     }
+    if (!truth) {
+      truth = decide_exactly(i, q);
+      if (truth->formula) claims.emplace(q, *truth->formula, plan_.exact_only);
+    }
+    runner.judge_exactly(i, q, *truth, claims ? &*claims : nullptr, answer, is_filtered(i) && exactly_[i], distance);
+  }
+
+  // A query that is looked at closely. What is not asked for is not computed.
+  struct AtHand {
+    Query<Real> q;
+    LazyDistance<Real> distance;
+    std::optional<Truth> truth;
+    std::optional<Claims<Real>> claims;  // of the truth
+    AtHand(const Query<Real>& query, bool exact_only) : q(query), distance(q, exact_only) {}
+    AtHand(const AtHand&) = delete;
   };
 
   Truth decide_exactly(std::size_t i, const Query<Real>& q) {
@@ -188,6 +192,7 @@ class UnitRun {
   QueryBatch<Real> batch_{batch_size};
   std::uint64_t first_ = 0;  // position of the batch's first query
   const std::vector<DecidedSigns>* decided_ = nullptr;
+  std::optional<AtHand> at_hand_;
   std::vector<char> exactly_;         // by query: judged by exact arithmetic
   std::vector<Attention> attention_;  // by query, of the error watches
 };
