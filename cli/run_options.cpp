@@ -203,8 +203,8 @@ Plan plan_of(const RunOptions& options) {
   for (const std::string& tolerance : options.tolerances) add_tolerance(tolerance, plan);
   plan.seconds = options.seconds;
   plan.exact_only = options.exact_only;
-  plan.planted = static_cast<FilterFault>(std::find(filter_fault_names.begin(), filter_fault_names.end(), options.planted) -
-                                          filter_fault_names.begin());
+  plan.planted = static_cast<FilterFault>(
+      std::find(filter_fault_names.begin(), filter_fault_names.end(), options.planted) - filter_fault_names.begin());
   plan.trials = [options](const Source& source, Precision precision) { return trials_of(options, source, precision); };
   plan.threads = threads_of(options.threads);
   plan.sources =

@@ -44,7 +44,8 @@ inline AxisBits axes_without_normal(const Signs& signs) {
 }
 
 // Comparisons whose exact sides are both zero, in the published form and in the reduced ones: the radius of an axis
-// without a normal, and an edge's side that is a tie, one of whose sides is the constant zero. Not all such comparisons.
+// without a normal, and an edge's side that is a tie, one of whose sides is the constant zero. Not all such
+// comparisons.
 inline ComparisonBits both_sides_zero(const Signs& signs) {
   using enum Comparison;
   const auto bit = [](Comparison c) { return static_cast<ComparisonBits>(1u << static_cast<unsigned>(c)); };
@@ -57,11 +58,11 @@ inline ComparisonBits both_sides_zero(const Signs& signs) {
   return zero;
 }
 
-// Whether the distance is exactly r, from the signs at r. For r = 0 that is contact. Else it is contact together with an
-// axis that has a normal, whose sides hold or are ties and whose radius comparison is one:
+// Whether the distance is exactly r, from the signs at r. For r = 0 that is contact. Else it is contact together with
+// an axis that has a normal, whose sides hold or are ties and whose radius comparison is one:
 //   such an axis has all of the triangle at distance r or farther;
-//   and if the distance is r, every r' < r is separated, by one axis for infinitely many r' that tend to r. Its sides do
-//   not depend on r', lhs > r'^2 (...) holds for these r', so its normal is not zero, and in the limit lhs >= rhs.
+//   and if the distance is r, every r' < r is separated, by one axis for infinitely many r' that tend to r. Its sides
+//   do not depend on r', lhs > r'^2 (...) holds for these r', so its normal is not zero, and in the limit lhs >= rhs.
 inline bool is_touching(const Signs& signs, bool radius_is_zero) {
   if (verdict_of(signs) != Verdict::contact) return false;
   if (radius_is_zero) return true;

@@ -41,8 +41,8 @@ struct Plan {
 struct StepCounts {
   std::array<std::uint64_t, step_count> queries{};
   std::array<std::array<std::uint64_t, step_count>, comparison_count> signs{};  // by comparison
-  std::uint64_t checked = 0;                                                    // decided by a filter, and by CGAL again
-  std::uint64_t by_cgal = 0;                                                    // verdicts that CGAL decided
+  std::uint64_t checked = 0;  // decided by a filter, and by CGAL again
+  std::uint64_t by_cgal = 0;  // verdicts that CGAL decided
   // Nanoseconds.
   double generation = 0, kernels = 0, errors = 0, judging = 0;
   std::array<double, step_count> steps{};  // of the filters; `exact` is part of judging

@@ -53,7 +53,8 @@ void ErrorWatch<Real>::look(const QueryBatch<Real>& batch, std::uint64_t positio
   filter_.errors(batch.columns(), computed, formulae_ != Formulae::published, screen);
   if (!any_failing_) return;
   for (const ComparisonBits failing : failing_) {
-    for (std::size_t i = 0; i < axis_count; ++i) tally_.axes[i].tolerance_failures += (failing & axis_comparisons[i]) != 0;
+    for (std::size_t i = 0; i < axis_count; ++i)
+      tally_.axes[i].tolerance_failures += (failing & axis_comparisons[i]) != 0;
   }
 }
 

@@ -28,7 +28,8 @@ class ErrorWatch {
   ErrorWatch(Formulae formulae, const Tolerances& tolerances, const Filter<Real>& filter, const Standing& standing,
              std::uint64_t first_position, Tally& tally);
 
-  // `attention` by query of the batch, whose first query is at `position`; the signs of the `counted` ones are `decided`.
+  // `attention` by query of the batch, whose first query is at `position`; the signs of the `counted` ones are
+  // `decided`.
   void look(const QueryBatch<Real>& batch, std::uint64_t position, const std::vector<Attention>& attention,
             const std::vector<DecidedSigns>& decided, const Answers<Real>& computed);
   // Evaluates what is left. To be called once, after the last batch.
@@ -52,7 +53,8 @@ class ErrorWatch {
 
   double judge(const SuspectError& suspect);
   double threshold(std::size_t comparison) const;
-  // Whether a query of the batch at hand is evaluated in binary64 without any rounding, and its computed sides are these.
+  // Whether a query of the batch at hand is evaluated in binary64 without any rounding, and its computed sides are
+  // these.
   bool is_exactly_zero(std::size_t query, std::size_t comparison);
   // The exact sides of a query of the batch at hand.
   const FormulaTruth& exact_sides(std::size_t query);
@@ -72,7 +74,8 @@ class ErrorWatch {
   const Answers<Real>* computed_ = nullptr;
   std::uint64_t position_ = 0;
   std::vector<ComparisonBits> failing_;  // by query, the comparisons above their tolerance
-  std::vector<std::optional<ComparisonBits>> zero_;  // by query, the comparisons whose error is zero; none: not evaluated
+  std::vector<std::optional<ComparisonBits>>
+      zero_;  // by query, the comparisons whose error is zero; none: not evaluated
   // The last queries whose exact sides were asked for: the comparisons of a vector of queries come one after the other.
   std::array<std::pair<std::size_t, std::optional<FormulaTruth>>, 16> exact_sides_;
   bool any_failing_ = false;

@@ -77,8 +77,7 @@ void Runner<Real>::ask_about(const QueryBatch<Real>& batch, std::uint64_t positi
 
 template <class Real>
 void Runner<Real>::look_at_sides(const QueryBatch<Real>& batch, std::uint64_t position,
-                                 const std::vector<Attention>& attention,
-                                 const std::vector<DecidedSigns>& decided) {
+                                 const std::vector<Attention>& attention, const std::vector<DecidedSigns>& decided) {
   position_ = position;
   if (kernel_.is_reference) reference_.evaluate(batch.columns());
   if (!exposes_sides()) return;
@@ -152,11 +151,11 @@ void Runner<Real>::judge_exactly(std::size_t i, const Query<Real>& q, const Trut
   if (is_checked && kernel_.is_reference) {
     const auto shared = reference_.shared(i);
     if (shared && (*shared != chain->rounded->reference.bits || *shared != chain->rounded->range_free.bits)) {
-      throw OracleDisagreement(fmt::format("{}: the SIMD reference has the comparisons {:016b}, the scalar one {:016b} "
-                                           "and with an unbounded exponent {:016b} (bit 0 is the first comparison)",
-                                           kernel_.id, *shared, *chain->rounded->reference.bits,
-                                           *chain->rounded->range_free.bits),
-                               q);
+      throw OracleDisagreement(
+          fmt::format("{}: the SIMD reference has the comparisons {:016b}, the scalar one {:016b} "
+                      "and with an unbounded exponent {:016b} (bit 0 is the first comparison)",
+                      kernel_.id, *shared, *chain->rounded->reference.bits, *chain->rounded->range_free.bits),
+          q);
     }
   }
   if (!exposes_sides()) return;

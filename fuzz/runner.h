@@ -30,8 +30,8 @@ class LazyDistance final : public DepthOf {
   std::optional<double> at_most_, depth_;
 };
 
-// Somebody else's code is a process, begun with the unit: so what it does depends on the unit alone, and not on what the
-// thread did before. What it borrows has to outlive it, and it does not move.
+// Somebody else's code is a process, begun with the unit: so what it does depends on the unit alone, and not on what
+// the thread did before. What it borrows has to outlive it, and it does not move.
 template <class Real>
 class Runner {
  public:
@@ -54,8 +54,8 @@ class Runner {
                       LazyDistance<Real>& depth);
   // The same by the exact truth. Where a filter decided the query too, what it and the SIMD reference said is checked:
   // throws OracleDisagreement.
-  void judge_exactly(std::size_t i, const Query<Real>& q, const Truth& truth, Claims<Real>* claims, const Answer& answer,
-                     bool is_filtered, LazyDistance<Real>& depth);
+  void judge_exactly(std::size_t i, const Query<Real>& q, const Truth& truth, Claims<Real>* claims,
+                     const Answer& answer, bool is_filtered, LazyDistance<Real>& depth);
 
   Answer answer(std::size_t i) const { return reply_.outcome(i); }
   // Keeps a query for its critical radius; `distance` is asked where the answer and the limits allow one.

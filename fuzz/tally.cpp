@@ -199,7 +199,8 @@ void CleanCount::add_to(Tally& tally) const {
   for (std::size_t axes = 0; axes < by_axes_.size(); ++axes) {
     tally.trials += by_axes_[axes];
     (axes != 0 ? tally.separated : tally.contact) += by_axes_[axes];
-    if (std::has_single_bit(axes)) tally.axes[static_cast<std::size_t>(std::countr_zero(axes))].sole_separator += by_axes_[axes];
+    if (std::has_single_bit(axes))
+      tally.axes[static_cast<std::size_t>(std::countr_zero(axes))].sole_separator += by_axes_[axes];
   }
   tally.trials += separated_ + contact_;
   tally.separated += separated_;
@@ -238,8 +239,8 @@ void count_errors(Tally& tally, std::uint64_t position, const FormulaTruth& exac
         ++comparison.error_without_scale;
         break;
       case ComparisonError::Kind::finite:
-        // The bound only selects; what is compared and stored is the exact error. A smaller one may round up to the same
-        // decimal, at an earlier position.
+        // The bound only selects; what is compared and stored is the exact error. A smaller one may round up to the
+        // same decimal, at an earlier position.
         if (error.upper() > 0 && error.upper() >= comparison.largest_error.best().value() * Decimal6::least_ratio) {
           comparison.largest_error.offer({error.rounded_up(), position});
         }

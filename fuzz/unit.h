@@ -12,8 +12,8 @@ struct UnitResult {
   StepCounts steps;
 };
 
-// The first `size` queries of unit `number`. What other units of the cell have found, by kernel, saves evaluating what can
-// be no maximum; it may be empty. Merged with their tallies the result depends on the other arguments only, but for
+// The first `size` queries of unit `number`. What other units of the cell have found, by kernel, saves evaluating what
+// can be no maximum; it may be empty. Merged with their tallies the result depends on the other arguments only, but for
 // the times.
 UnitResult run_unit(const Plan& plan, const Source& source, Precision precision, std::uint64_t number,
                     std::uint64_t size, const std::vector<Standing>& standing = {});

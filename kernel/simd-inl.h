@@ -132,16 +132,15 @@ void comparison_bits(const QueryColumns<Real>& batch, ComparisonBits* out) {
   constexpr std::size_t lanes = hn::MaxLanes(D());
   const auto one_vector = [](const QueryColumns<Real>& from, std::size_t at, ComparisonBits* to, std::size_t count)
                               HWY_ATTR {
-    BitsSink<D, strictness> sink;
-    F::comparisons(load(D(), from, at), sink);
-    sink.store(to, count);
-  };
+                                BitsSink<D, strictness> sink;
+                                F::comparisons(load(D(), from, at), sink);
+                                sink.store(to, count);
+                              };
   std::size_t i = 0;
   for (; i + lanes <= batch.size; i += lanes) one_vector(batch, i, out + i, lanes);
   if (i == batch.size) return;
-  with_padded_tail<Real, lanes>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
-    one_vector(tail, 0, out + i, tail.size);
-  });
+  with_padded_tail<Real, lanes>(
+      batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR { one_vector(tail, 0, out + i, tail.size); });
 }
 
 template <class D, Strictness strictness>

@@ -15,8 +15,8 @@ namespace axiscert {
 // Highway's names of the instruction sets that were compiled and that this machine has, best first.
 const std::vector<std::string>& simd_targets();
 
-// Calls visit(name) with each of them chosen in turn, so that HWY_DYNAMIC_DISPATCH finds its form. One caller at a time:
-// Highway keeps its choice in a global, which is left as it was.
+// Calls visit(name) with each of them chosen in turn, so that HWY_DYNAMIC_DISPATCH finds its form. One caller at a
+// time: Highway keeps its choice in a global, which is left as it was.
 void for_each_simd_target(const std::function<void(const std::string&)>& visit);
 
 // Something that has a form for each instruction set, asked for under each once.

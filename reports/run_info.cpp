@@ -11,8 +11,8 @@
 namespace axiscert {
 namespace {
 
-// By which step the queries of a cell were decided, and what each took. The time of a step is shared by all queries, those
-// that it never saw or passed on included.
+// By which step the queries of a cell were decided, and what each took. The time of a step is shared by all queries,
+// those that it never saw or passed on included.
 Json steps_json(const Plan& plan, const CellResult& cell) {
   const StepCounts& steps = cell.steps;
   const auto by_step = [](const std::array<std::uint64_t, step_count>& counts) {

@@ -22,8 +22,8 @@ struct FilteredSigns {
 // Queries in blocks of eight; of sixteen blocks the first is looked at for close calls.
 inline constexpr std::size_t close_call_block = 8, close_call_stride = 16;
 
-// One comparison of one query whose error may be greater than its threshold: lower <= error <= upper, in u. The upper one
-// is infinite where the scale may be zero, and both where a computed side is not finite.
+// One comparison of one query whose error may be greater than its threshold: lower <= error <= upper, in u. The upper
+// one is infinite where the scale may be zero, and both where a computed side is not finite.
 struct SuspectError {
   std::size_t query, comparison;
   double lower, upper;

@@ -73,8 +73,8 @@ TYPED_TEST(FilterTest, WhatItCallsCertainIsExact) {
   }
 }
 
-// Errors of the published sides as computed, against exact ones: no query that is passed over exceeds the threshold, and
-// the intervals of the others contain the exact error.
+// Errors of the published sides as computed, against exact ones: no query that is passed over exceeds the threshold,
+// and the intervals of the others contain the exact error.
 TYPED_TEST(FilterTest, ErrorsArePassedOverRightly) {
   constexpr std::uint64_t seed = 7;
   SCOPED_TRACE(testing::Message() << "seed " << seed);

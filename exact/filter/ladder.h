@@ -17,9 +17,9 @@ inline constexpr std::size_t step_count = 3;
 inline constexpr std::array<std::string_view, step_count> step_names = {"lanes", "grid", "exact"};
 
 struct DecidedSigns {
-  Signs signs;                        // not where the step is `exact`
+  Signs signs;  // not where the step is `exact`
   Step step = Step::exact;
-  bool is_close = false;              // a close call of the lanes, to be looked at again
+  bool is_close = false;  // a close call of the lanes, to be looked at again
   ComparisonBits certain_in_lanes = 0;
 };
 

@@ -4,23 +4,22 @@
 // The derivation. U is the number type's unit, hats are computed values. A leaf, one of the six vectors A - P, B - P,
 // C - P, B - A, C - B, A - C, is a difference of two inputs: (1 + U) of the exact one in each component, whatever the
 // exponents. |x|o is the greatest component of a leaf, |x|1 the sum of the three. To first order in U,
-//   x.y               2 leaves, a product, two sums:       |error| <= 5 U sum |x_i y_i| <= 15 U |x|o |y|o;   x.x: 5 U x.x
-//   N = A x AB        4 U for each of two products:        each component errs by nu = 8 U |A|o |AB|o at most
-//   V = AB x AC       the same:                            omega = 8 U |AB|o |AC|o; V = 0 exactly where B = C
-//   |N|^2             2 nu |N^|1 + 3 nu^2 + 3 U |N^|^2
-//   d = A.V           |A|o (3 omega + 4 U |V^|1) =: delta
+//   x.y               2 leaves, a product, two sums:       |error| <= 5 U sum |x_i y_i| <= 15 U |x|o |y|o;   x.x: 5 U
+//   x.x N = A x AB        4 U for each of two products:        each component errs by nu = 8 U |A|o |AB|o at most V =
+//   AB x AC       the same:                            omega = 8 U |AB|o |AC|o; V = 0 exactly where B = C |N|^2 2 nu
+//   |N^|1 + 3 nu^2 + 3 U |N^|^2 d = A.V           |A|o (3 omega + 4 U |V^|1) =: delta
 // and from these the bound beside each margin below. U is taken 1/16 greater: that covers the second order (U <= 2^-53,
 // chains of fewer than 20 operations), the rounding of the bounds themselves (relative 2^-48), a pair's leading double
 // in place of the pair (2^-53).
 //
-// Range. binary32 in double: the inputs are multiples of 2^-149 below 2^128, so each value of degree k that is formed is
-// a multiple of 2^(-149 k), rounding keeps it one, and no value has a degree above 6: zero or at least 2^-894, below
+// Range. binary32 in double: the inputs are multiples of 2^-149 below 2^128, so each value of degree k that is formed
+// is a multiple of 2^(-149 k), rounding keeps it one, and no value has a degree above 6: zero or at least 2^-894, below
 // 2^800. The smallest product in a bound, rr 3 omega^2, is at least 2^-298 (2^-50 2^-298)^2 = 2^-994. Nothing
 // underflows, nothing overflows.
-// binary64 in pairs: a lane counts where |A|o, |B|o, |C|o, |AB|o, |BC|o, |CA|o and r are each zero or in [2^-100, 2^100].
-// Then no value leaves 2^620. A product errs by an additional 2^-1070 at most where its low part underflows, and the term
-// of a bound that belongs to it is 2^-800 or more, or zero together with a leaf, and then all its products are exact
-// zeros: such errors are below 2^-200 of the bound, and inside its sixteenth.
+// binary64 in pairs: a lane counts where |A|o, |B|o, |C|o, |AB|o, |BC|o, |CA|o and r are each zero or in [2^-100,
+// 2^100]. Then no value leaves 2^620. A product errs by an additional 2^-1070 at most where its low part underflows,
+// and the term of a bound that belongs to it is 2^-800 or more, or zero together with a leaf, and then all its products
+// are exact zeros: such errors are below 2^-200 of the bound, and inside its sixteenth.
 //
 // So a margin that exceeds its bound has the sign of the exact one; and where the bound is zero all of its operands are
 // exact zeros, the margin is exact, and a tie is certain.
@@ -77,15 +76,20 @@ struct Margins {
   V r;
 
   AXISCERT_INLINE explicit Margins(const RawQuery& q)
-      : a(q.p, q.a), b(q.p, q.b), c(q.p, q.c), ab(q.a, q.b), bc(q.b, q.c), ca(q.c, q.a),
-        rr(T::of(q.r) * T::of(q.r)), r(q.r) {}
+      : a(q.p, q.a),
+        b(q.p, q.b),
+        c(q.p, q.c),
+        ab(q.a, q.b),
+        bc(q.b, q.c),
+        ca(q.c, q.a),
+        rr(T::of(q.r) * T::of(q.r)),
+        r(q.r) {}
 
   // binary64's range: each zero or in [2^-100, 2^100].
   AXISCERT_INLINE M in_range() const {
     const V least = constant(0x1p-100), greatest = constant(0x1p100), zero = hn::Zero(D());
-    const auto good = [&](V x) HWY_ATTR {
-      return hn::Or(hn::Eq(x, zero), hn::And(hn::Ge(x, least), hn::Le(x, greatest)));
-    };
+    const auto good = [&](V x)
+                          HWY_ATTR { return hn::Or(hn::Eq(x, zero), hn::And(hn::Ge(x, least), hn::Le(x, greatest))); };
     return hn::And(hn::And(hn::And(good(a.norm), good(b.norm)), hn::And(good(c.norm), good(ab.norm))),
                    hn::And(hn::And(good(bc.norm), good(ca.norm)), good(r)));
   }
@@ -147,8 +151,9 @@ struct Margins {
     const T lhs = d * d, rhs = rr * e;
     const V three_omega = times(constant(3.2), omega);
     const V delta = times(a.norm, plus(three_omega, times(units<T>(4), sum)));
-    const V lhs_error = plus(times(delta, plus(times(constant(2.125), hn::Abs(d.leading())), times(delta, constant(1.125)))),
-                             times(units<T>(2), lhs.leading()));
+    const V lhs_error =
+        plus(times(delta, plus(times(constant(2.125), hn::Abs(d.leading())), times(delta, constant(1.125)))),
+             times(units<T>(2), lhs.leading()));
     const V rhs_error = plus(times(rr.leading(), times(omega, plus(times(constant(2.125), sum), three_omega))),
                              times(units<T>(6), rhs.leading()));
     const V bound = plus(lhs_error, rhs_error);
@@ -167,11 +172,11 @@ struct Margins {
     const V nu = times(units<T>(8), times(from.norm, along.norm));
     const V n_sum = absolute_sum(n), v_sum = absolute_sum(normal);
     const T nn = dot(n, n), e = dot(along.v, along.v), rr_e = rr * e;
-    const V radius_bound =
-        plus(times(nu, plus(times(constant(2.125), n_sum), times(constant(3.2), nu))),
-             plus(times(units<T>(4), nn.leading()), times(units<T>(8), rr_e.leading())));
-    const V side_bound = plus(plus(times(times(omega, constant(1.0625)), n_sum), times(times(nu, constant(1.0625)), v_sum)),
-                              plus(times(times(nu, constant(3.2)), omega), times(units<T>(3), times(n_sum, v_sum))));
+    const V radius_bound = plus(times(nu, plus(times(constant(2.125), n_sum), times(constant(3.2), nu))),
+                                plus(times(units<T>(4), nn.leading()), times(units<T>(8), rr_e.leading())));
+    const V side_bound =
+        plus(plus(times(times(omega, constant(1.0625)), n_sum), times(times(nu, constant(1.0625)), v_sum)),
+             plus(times(times(nu, constant(3.2)), omega), times(units<T>(3), times(n_sum, v_sum))));
     Margin<T> of_radius{nn - rr_e, radius_bound, plus(nn.leading(), rr_e.leading()), {}};
     Margin<T> of_side{-dot(n, normal), side_bound, {}, {}};
     if constexpr (form == EdgeForm::published) {

@@ -4,8 +4,8 @@
 // Each operation returns the exact result times 1 + delta, |delta| <= unit, while nothing under- or overflows:
 //   double  2^-53, one rounding;
 //   pair    2^-103: the sum is Dekker's accurate one, 3 u^2 + O(u^3) (Joldes, Muller, Popescu 2017, algorithm 6); the
-//           product 5 u^2 (Muller, Rideau 2022, of algorithm 10 there), u = 2^-53; with Dekker's splitting in place of a
-//           fused operation the product of two doubles is exact as well.
+//           product 5 u^2 (Muller, Rideau 2022, of algorithm 10 there), u = 2^-53; with Dekker's splitting in place of
+//           a fused operation the product of two doubles is exact as well.
 // `difference` takes a double from a double: one rounding, and none in the pair.
 
 HWY_BEFORE_NAMESPACE();
@@ -61,8 +61,8 @@ struct PairLanes {
 #else
     const auto [xh, xl] = split(x);
     const auto [yh, yl] = split(y);
-    const V low = hn::Add(hn::Add(hn::Add(hn::Sub(hn::Mul(xh, yh), product), hn::Mul(xh, yl)), hn::Mul(xl, yh)),
-                          hn::Mul(xl, yl));
+    const V low =
+        hn::Add(hn::Add(hn::Add(hn::Sub(hn::Mul(xh, yh), product), hn::Mul(xh, yl)), hn::Mul(xl, yh)), hn::Mul(xl, yl));
     return {product, low};
 #endif
   }

@@ -1,5 +1,5 @@
-// The two passes over a batch: the signs, and the errors of computed sides. No guard: included once for each of Highway's
-// instruction sets.
+// The two passes over a batch: the signs, and the errors of computed sides. No guard: included once for each of
+// Highway's instruction sets.
 #include <bit>
 #include <cstring>
 #include <limits>
@@ -121,12 +121,13 @@ struct ErrorSink {
     const T difference = T::difference(lhs, rhs);
     const V distance = hn::Abs((difference - margin.value).leading());
     // The difference of the sides rounds, and the distance, once each.
-    const V bound = plus(margin.bound, plus(times(units<T>(1), hn::Abs(difference.leading())),
-                                            times(constant(0x1p-52), distance)));
+    const V bound =
+        plus(margin.bound, plus(times(units<T>(1), hn::Abs(difference.leading())), times(constant(0x1p-52), distance)));
     const V least_scale = hn::Sub(margin.scale, margin.scale_bound);
     const V allowed = times(constant(screen.thresholds[k] * u), least_scale);
     const M fine = hn::And(hn::Le(plus(distance, bound), allowed), in_range);
-    if (hn::AllTrue(D(), fine)) [[likely]] return;
+    if (hn::AllTrue(D(), fine)) [[likely]]
+      return;
     report(k, fine, distance, bound, margin.scale, margin.scale_bound);
   }
 

@@ -43,9 +43,8 @@ struct Lattice {
     const T m = in_turn<Random, 3>(first, [](std::uint64_t k) { return sizes[k]; });
     const auto coordinates = in_turn_words<Random, 3>(first, [](std::uint64_t k) { return 2 * sizes[k] + 1; });
     // Four m exceeds most distances between lattice points.
-    const auto radii = in_turn_words<Random, 3>(first, [](std::uint64_t k) {
-      return std::min(8 * sizes[k], B::radius_in_halves) + 1;
-    });
+    const auto radii = in_turn_words<Random, 3>(
+        first, [](std::uint64_t k) { return std::min(8 * sizes[k], B::radius_in_halves) + 1; });
     const auto point = [&]() HWY_ATTR {
       const T x = Random::number(random.below(coordinates)) - m, y = Random::number(random.below(coordinates)) - m;
       const T z = Random::number(random.below(coordinates)) - m;
