@@ -6,25 +6,10 @@
 #include "kernel/simd.h"
 
 namespace axiscert {
-namespace {
-
-const SimdForms* forms_of(Formulae formulae) {
-  switch (formulae) {
-    case Formulae::published:
-      return &simd_published();
-    case Formulae::reduced:
-      return &simd_reduced();
-    default:
-      return nullptr;
-  }
-}
-
-}  // namespace
-
 template <class Real>
 ReferenceBatch<Real>::ReferenceBatch(const Kernel& kernel) {
   const bool has_form = kernel.arithmetic == Arithmetic::plain && kernel.strictness != Strictness::not_less;
-  const SimdForms* forms = has_form && !simd_targets().empty() ? forms_of(kernel.formulae) : nullptr;
+  const SimdForms* forms = has_form ? simd_forms(kernel.formulae) : nullptr;
   if (forms) form_ = forms->on<Real>(simd_targets().front(), kernel.strictness).bits;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "kernel/scalar.h"
+#include "kernel/simd.h"
 
 namespace axiscert {
 namespace {
@@ -44,6 +45,7 @@ void ErrorWatch<Real>::look(const QueryBatch<Real>& batch, std::uint64_t positio
   checked_.clear();
   failing_.assign(batch.size(), 0);
   any_failing_ = false;
+  if (expects_exact_ && is_batch_exact()) return;
   zero_.assign(batch.size(), std::nullopt);
   for (auto& [query, sides] : exact_sides_) sides.reset();
   ErrorScreen screen{{}, this, [](void* watch, const SuspectError& suspect) {
@@ -51,11 +53,40 @@ void ErrorWatch<Real>::look(const QueryBatch<Real>& batch, std::uint64_t positio
                      }};
   for (std::size_t k = 0; k < comparison_count; ++k) screen.thresholds[k] = threshold(k);
   filter_.errors(batch.columns(), computed, formulae_ != Formulae::published, screen);
+  constexpr auto all = ComparisonBits{0xffff};
+  expects_exact_ =
+      std::count(zero_.begin(), zero_.end(), std::optional(all)) > static_cast<std::ptrdiff_t>(batch.size() / 2);
   if (!any_failing_) return;
   for (const ComparisonBits failing : failing_) {
     for (std::size_t i = 0; i < axis_count; ++i)
       tally_.axes[i].tolerance_failures += (failing & axis_comparisons[i]) != 0;
   }
+}
+
+template <class Real>
+bool ErrorWatch<Real>::is_batch_exact() {
+  const SimdForms* forms = simd_forms(formulae_);
+  if (!forms) return false;
+  const auto columns = batch_->columns();
+  widened_ = QueryBatch<double>(columns.size);
+  widened_.resize(columns.size);
+  const auto wide = widened_.mutable_columns();
+  for (std::size_t k = 0; k < coordinate_count; ++k) {
+    std::copy_n(columns.column[k], columns.size, wide.column[k]);
+  }
+  in_binary64_.resize(columns.size);
+  constexpr int events = FE_INEXACT | FE_OVERFLOW | FE_UNDERFLOW;
+  std::feclearexcept(events);
+  forms->on<double>(simd_targets().front(), Strictness::strict).explain(widened_.columns(), in_binary64_);
+  if (std::fetestexcept(events) != 0) return false;
+  const auto is_same = [](const auto& ours, const auto& theirs) {
+    return std::equal(theirs.begin(), theirs.end(), ours.begin(), [](double x, Real y) { return x == y; });
+  };
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    if (!is_same(computed_->lhs[k], in_binary64_.lhs[k]) || !is_same(computed_->rhs[k], in_binary64_.rhs[k]))
+      return false;
+  }
+  return true;
 }
 
 template <class Real>

@@ -52,6 +52,8 @@ class ErrorWatch {
   };
 
   double judge(const SuspectError& suspect);
+  // Whether binary64 evaluates the whole batch without any rounding, and to the computed sides: no error but zero.
+  bool is_batch_exact();
   double threshold(std::size_t comparison) const;
   // Whether a query of the batch at hand is evaluated in binary64 without any rounding, and its computed sides are
   // these.
@@ -66,6 +68,11 @@ class ErrorWatch {
   Tally& tally_;
   std::array<Largest, comparison_count> largest_;
   std::array<double, comparison_count> tolerated_;  // certainly below the tolerance; infinite without one
+
+  // Kept from batch to batch: whether the last one was nearly all exact, so that the next may be as a whole.
+  bool expects_exact_ = false;
+  QueryBatch<double> widened_{1};
+  Answers<double> in_binary64_;
 
   // Of the batch at hand.
   const QueryBatch<Real>* batch_ = nullptr;

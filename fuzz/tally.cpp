@@ -92,7 +92,7 @@ void for_each_depth_leaders(Tally& tally, const Flip& flip, Visit&& visit) {
   }
 }
 
-bool could_keep(const VerdictTally& tally, const Flip& flip, double at_most) {
+bool could_keep(const VerdictTally& tally, const Flip& flip, const Candidate<double>& at_most) {
   bool could = false;
   for_each_depth_leaders(tally, flip, [&](const Leaders<double>& leaders) { could |= leaders.could_keep(at_most); });
   return could;
@@ -111,7 +111,7 @@ void count_verdict(VerdictTally& tally, std::uint64_t position, bool touching, c
     const bool is_explained = touching && static_cast<Link>(i) != Link::implementation;
     if (!is_explained) keep_first(tally.first_by_link[i], position);
   }
-  const double at_most = depth.at_most();
+  const Candidate<double> at_most{depth.at_most(), position};
   if (!could_keep(tally, flip, at_most) || !standing.could_keep_depth(flip, at_most)) return;
   const Candidate<double> candidate{depth.exactly(), position};
   for_each_depth_leaders(tally, flip, [&](Leaders<double>& leaders) { leaders.offer(candidate); });
@@ -209,7 +209,9 @@ void CleanCount::add_to(Tally& tally) const {
   for (std::size_t i = 0; i < comparison_count; ++i) tally.comparisons[i].ties += ties_[i];
 }
 
-bool Standing::could_keep_depth(const Flip& flip, double at_most) const { return could_keep(verdict, flip, at_most); }
+bool Standing::could_keep_depth(const Flip& flip, const Candidate<double>& at_most) const {
+  return could_keep(verdict, flip, at_most);
+}
 
 Standing standing_of(const Tally& tally) {
   Standing standing;

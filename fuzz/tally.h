@@ -30,9 +30,6 @@ class Leaders {
  public:
   explicit Leaders(std::size_t capacity = 1) : capacity_(capacity) {}
   void offer(Candidate<Rank> candidate) {
-    const auto before = [](const Candidate<Rank>& a, const Candidate<Rank>& b) {
-      return a.rank != b.rank ? a.rank > b.rank : a.position < b.position;
-    };
     if (kept_.size() == capacity_ && !before(candidate, kept_.back())) return;
     kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, before), candidate);
     if (kept_.size() > capacity_) kept_.pop_back();
@@ -43,9 +40,15 @@ class Leaders {
   const std::vector<Candidate<Rank>>& candidates() const { return kept_; }
   Rank best() const { return kept_.empty() ? Rank() : kept_.front().rank; }
   // Whether a candidate of at most this rank could still be kept.
-  bool could_keep(const Rank& at_most) const { return kept_.size() < capacity_ || !(at_most < kept_.back().rank); }
+  bool could_keep(const Candidate<Rank>& at_most) const {
+    return kept_.size() < capacity_ || before(at_most, kept_.back());
+  }
 
  private:
+  static bool before(const Candidate<Rank>& a, const Candidate<Rank>& b) {
+    return a.rank != b.rank ? a.rank > b.rank : a.position < b.position;
+  }
+
   std::size_t capacity_;
   std::vector<Candidate<Rank>> kept_;
 };
@@ -123,7 +126,7 @@ struct Standing {
   std::array<Leaders<Decimal6>, comparison_count> largest_error;
   VerdictTally verdict;  // its leaders
 
-  bool could_keep_depth(const Flip& flip, double at_most) const;
+  bool could_keep_depth(const Flip& flip, const Candidate<double>& at_most) const;
 };
 Standing standing_of(const Tally& tally);
 

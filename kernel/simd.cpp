@@ -30,6 +30,18 @@ const std::vector<std::string>& simd_targets() {
   return names;
 }
 
+const SimdForms* simd_forms(Formulae formulae) {
+  if (simd_targets().empty()) return nullptr;
+  switch (formulae) {
+    case Formulae::published:
+      return &simd_published();
+    case Formulae::reduced:
+      return &simd_reduced();
+    default:
+      return nullptr;
+  }
+}
+
 SimdForms::SimdForms(Implementation<float> (*binary32)(Strictness), Implementation<double> (*binary64)(Strictness))
     : table_([&] {
         Forms forms;

@@ -54,6 +54,8 @@ class SimdForms {
   SimdTable<Forms> table_;
 };
 
+// Of the formulae that have one; else null.
+const SimdForms* simd_forms(Formulae formulae);
 const SimdForms& simd_published();
 const SimdForms& simd_reduced();
 
