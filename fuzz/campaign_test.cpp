@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <immintrin.h>
 
+#include "fuzz/unit.h"
 #include "kernel/contracted.h"
 #include "kernel/scalar_kernel.h"
 
