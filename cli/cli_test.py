@@ -94,11 +94,11 @@ class BadInput(Case):
     def test_addresses(self):
         for address, says in {
             "nonsense": ["SEED:NAME"],
-            "1:nosuch:1:binary32:0:0": ["unknown family 'nosuch'"],
-            "1:general:99:binary32:0:0": ["version 1", "99"],
-            "1:general:1:binary33:0:0": ["binary33"],
-            "1:general:1:binary32:0:65536": ["65536"],
-            "1:general:1:binary32:-1:0": ["unit '-1'"],
+            "1:nosuch:2:binary32:0:0": ["unknown family 'nosuch'"],
+            "1:general:99:binary32:0:0": ["version 2", "99"],
+            "1:general:2:binary33:0:0": ["binary33"],
+            "1:general:2:binary32:0:65536": ["65536"],
+            "1:general:2:binary32:-1:0": ["unit '-1'"],
             "1:mesh-00:1:binary32:0:0": ["--mesh FILE"],
         }.items():
             with self.subTest(address=address):

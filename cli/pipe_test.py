@@ -191,7 +191,7 @@ class Pipe(Case):
         lines = self.bytes_of("generate", "--family", "tie", "--mesh", SPIDER, "--trials", 3, "--precision", "binary64").decode()
         queries = [json.loads(line) for line in lines.splitlines()]
         self.assertEqual(len(queries), 6)
-        self.assertEqual(queries[1]["id"], "1:tie:1:binary64:0:1")
+        self.assertEqual(queries[1]["id"], "1:tie:2:binary64:0:1")
         for query, line in zip(queries, lines.splitlines()):
             again = axiscert("query", query["id"], "--mesh", SPIDER)
             self.assertEqual(again.stdout, line + "\n", again.stderr)

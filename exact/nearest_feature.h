@@ -15,11 +15,13 @@ inline constexpr std::size_t unclear_feature = axis_count;
 // Nearest is vertex i if v.e_i >= 0 and v.e_i-1 <= 0; edge i if the foot on its line lies within and the plane's foot
 // not inside, m_i <= 0 with m_i = (v_i x e_i).V; the face if m_i >= 0 for all i. Each is told by a double that is
 // farther from zero than its error, with u = 2^-53 and |.| a vector's sum of magnitudes. A double here is within u of
-// the number that it leads. v.e     2u from its numbers, 3u from three products and two sums: 5.01 u |v| |e|; 6u with
-// what the bound loses. V, M    V = a x b, M_i = v_i x e_i: 2u from the numbers, u from the products and u from the
-// difference, so components
+// the number that it leads.
+// clang-format off
+//   v.e   2u from its numbers, 3u from three products and two sums: 5.01 u |v| |e|; 6u with what the bound loses.
+//   V, M  V = a x b, M_i = v_i x e_i: 2u from the numbers, u from the products and u from the difference, so components
 //         that are off by 4.01 u |a| |b| in sum.
-// m       3.01 u from products and sums, 4.01 u from each of V and M: 11.1 u |v| |e| |a| |b|; 12u.
+//   m     3.01 u from products and sums, 4.01 u from each of V and M: 11.1 u |v| |e| |a| |b|; 12u.
+// clang-format on
 // Where products underflow, by 2^-1074, or scaling lost bits, by 2^-1073, at most four of the other numbers, all below
 // 2^102, multiply that: below 2^-900 and 2^-700, which is added. An edge that is exactly zero makes its v.e and all m
 // so.

@@ -62,7 +62,7 @@ struct Allowed {
 template <class Real>
 Allowed allowed(std::string_view family) {
   constexpr bool wide = sizeof(Real) == 8;
-  const Allowed known[] = {{"sliver", wide ? 60u : 0u, wide ? 95u : 40u, wide ? 180u : 60u},
+  const Allowed known[] = {{"sliver", wide ? 60u : 2u, wide ? 95u : 40u, wide ? 180u : 60u},
                            {"needle", wide ? 15u : 1u, 2, 5},
                            {"collinear", 0, 145, 336},
                            {"tie", 0, 0, 30},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cfenv>
 #include <cmath>
+#include <limits>
 
 #include "kernel/scalar.h"
 #include "kernel/simd.h"
@@ -17,6 +18,11 @@ constexpr double below_the_rounding = 1 - 0x1p-50;
 
 constexpr std::size_t most_suspects = 64;
 
+// Whatever is no greater comes to no greater a decimal. Decimals beyond binary64 are compared exactly, each of them.
+double passed_by(const Decimal6& decimal) {
+  return std::min(decimal.value(), std::numeric_limits<double>::max()) * below_the_rounding;
+}
+
 }  // namespace
 
 template <class Real>
@@ -28,8 +34,7 @@ ErrorWatch<Real>::ErrorWatch(Formulae formulae, const Tolerances& tolerances, co
     const auto& known = standing.largest_error[k].candidates();
     if (known.empty()) continue;
     // The same error at an earlier position would take the place of a known one.
-    largest_[k].passed =
-        known[0].rank.value() * (known[0].position < first_position ? below_the_rounding : Decimal6::least_ratio);
+    largest_[k].passed = passed_by(known[0].rank) * (known[0].position < first_position ? 1 : Decimal6::least_ratio);
   }
 }
 
@@ -156,7 +161,7 @@ double ErrorWatch<Real>::judge(const SuspectError& suspect) {
     if (tolerances_[k] && error.exceeds(*tolerances_[k])) fail();
     if (error.upper() > largest.passed) {
       comparison.largest_error.offer({error.rounded_up(), position_ + i});
-      largest.passed = std::max(largest.passed, comparison.largest_error.best().value() * below_the_rounding);
+      largest.passed = std::max(largest.passed, passed_by(comparison.largest_error.best()));
     }
     return threshold(k);
   }
@@ -185,7 +190,7 @@ void ErrorWatch<Real>::settle(std::size_t k) {
   }
   largest.suspects.clear();
   // What comes now is later: it has to be greater.
-  largest.passed = std::max(largest.passed, leaders.best().value() * below_the_rounding);
+  largest.passed = std::max(largest.passed, passed_by(leaders.best()));
 }
 
 template <class Real>

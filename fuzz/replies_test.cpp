@@ -159,7 +159,7 @@ TEST(BadReplies, APlanThatCannotBeMadeHere) {
   expect_plan("\"seed\":7", "\"seed\":x", "none that this axiscert writes");
   expect_plan("\"seed\":7", "\"sees\":7", "none that this axiscert writes");
   expect_plan("\"axiscert\":\"" AXISCERT_VERSION, "\"axiscert\":\"0.0.9", "made by axiscert 0.0.9");
-  expect_plan("\"version\":1", "\"version\":9", "version 9 of the generator general, which is at version 1");
+  expect_plan("\"version\":2", "\"version\":9", "version 9 of the generator general, which is at version 2");
   expect_plan("\"name\":\"general\"", "\"name\":\"special\"", "unknown family 'special'");
   expect_plan("\"kind\":\"family\"", "\"kind\":\"folder\"", "unknown kind 'folder'");
 }

@@ -4,10 +4,13 @@
 // The derivation. U is the number type's unit, hats are computed values. A leaf, one of the six vectors A - P, B - P,
 // C - P, B - A, C - B, A - C, is a difference of two inputs: (1 + U) of the exact one in each component, whatever the
 // exponents. |x|o is the greatest component of a leaf, |x|1 the sum of the three. To first order in U,
-//   x.y               2 leaves, a product, two sums:       |error| <= 5 U sum |x_i y_i| <= 15 U |x|o |y|o;   x.x: 5 U
-//   x.x N = A x AB        4 U for each of two products:        each component errs by nu = 8 U |A|o |AB|o at most V =
-//   AB x AC       the same:                            omega = 8 U |AB|o |AC|o; V = 0 exactly where B = C |N|^2 2 nu
-//   |N^|1 + 3 nu^2 + 3 U |N^|^2 d = A.V           |A|o (3 omega + 4 U |V^|1) =: delta
+// clang-format off
+//   x.y          two leaves, a product, two sums   |error| <= 5 U sum |x_i y_i| <= 15 U |x|o |y|o;  of x.x 5 U x.x
+//   N = A x AB   4 U for each of two products      each component errs by nu = 8 U |A|o |AB|o at most
+//   V = AB x AC  the same                          omega = 8 U |AB|o |AC|o; V = 0 exactly where B = C
+//   |N|^2        from the components               2 nu |N^|1 + 3 nu^2 + 3 U |N^|^2
+//   d = A.V      from V, and a product of leaves   |A|o (3 omega + 4 U |V^|1) =: delta
+// clang-format on
 // and from these the bound beside each margin below. U is taken 1/16 greater: that covers the second order (U <= 2^-53,
 // chains of fewer than 20 operations), the rounding of the bounds themselves (relative 2^-48), a pair's leading double
 // in place of the pair (2^-53).

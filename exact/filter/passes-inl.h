@@ -125,7 +125,9 @@ struct ErrorSink {
         plus(margin.bound, plus(times(units<T>(1), hn::Abs(difference.leading())), times(constant(0x1p-52), distance)));
     const V least_scale = hn::Sub(margin.scale, margin.scale_bound);
     const V allowed = times(constant(screen.thresholds[k] * u), least_scale);
-    const M fine = hn::And(hn::Le(plus(distance, bound), allowed), in_range);
+    // What is allowed may overflow, and an infinite side must not pass for it.
+    const M finite = hn::Lt(distance, constant(std::numeric_limits<double>::infinity()));
+    const M fine = hn::And(hn::And(hn::Le(plus(distance, bound), allowed), finite), in_range);
     if (hn::AllTrue(D(), fine)) [[likely]]
       return;
     report(k, fine, distance, bound, margin.scale, margin.scale_bound);
