@@ -13,7 +13,7 @@ add_library(axiscert_warnings INTERFACE)
 target_compile_options(axiscert_warnings INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion)
 
 # axiscert_test(NAME SOURCES... LIBRARIES libraries...): a GoogleTest program, one CTest test a case. Suites whose names
-# end in "Long" get the label `long`.
+# end in "Long", typed ones (SuiteLong/0) too, get the label `long`.
 function(axiscert_test name)
   if(NOT AXISCERT_TESTS)
     return()
@@ -22,8 +22,8 @@ function(axiscert_test name)
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_warnings GTest::gtest_main)
   include(GoogleTest)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER -*Long.* TEST_LIST ${name}_fast PROPERTIES TIMEOUT 900)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER *Long.* TEST_LIST ${name}_long
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER -*Long.*:*Long/* TEST_LIST ${name}_fast PROPERTIES TIMEOUT 900)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER *Long.*:*Long/* TEST_LIST ${name}_long
                        PROPERTIES LABELS long TIMEOUT 7200)
 endfunction()
 
