@@ -109,6 +109,12 @@ class Pipe(Case):
         self.judged(*reversed(files), "--conforms-to", "published", "--threads", 1)
         self.assertEqual((self.folder / "judged/record.json").read_bytes(), first, "threads or order")
 
+    def test_replies_that_are_judged_by_exact_sides_keep_their_positions(self):
+        plan = ["--family", "tangent", "--trials", 3000, "--precision", "binary32"]
+        own = comparable(self.run_ok(*plan, "--kernel", "ladder-9"))
+        replies = self.answered(self.queries(*plan))
+        self.assertEqual(comparable(self.judged("--conforms-to", "ladder-9", stdin=replies)), own)
+
     def test_the_folder_is_that_of_a_run_and_says_how_to_repeat_it(self):
         replies = self.answered(self.queries("--family", "repeated", "--trials", 2000))
         record = self.judged("--conforms-to", "published", "--as", "mine", stdin=replies)

@@ -6,6 +6,7 @@
 #include "kernel/simd.h"
 
 namespace axiscert {
+
 template <class Real>
 ReferenceBatch<Real>::ReferenceBatch(const Kernel& kernel) {
   const bool has_form = kernel.arithmetic == Arithmetic::plain && kernel.strictness != Strictness::not_less;

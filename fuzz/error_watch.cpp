@@ -73,7 +73,7 @@ bool ErrorWatch<Real>::is_batch_exact() {
   const SimdForms* forms = simd_forms(formulae_);
   if (!forms) return false;
   const auto columns = batch_->columns();
-  widened_ = QueryBatch<double>(columns.size);
+  if (widened_.capacity() < columns.size) widened_ = QueryBatch<double>(columns.size);
   widened_.resize(columns.size);
   const auto wide = widened_.mutable_columns();
   for (std::size_t k = 0; k < coordinate_count; ++k) {

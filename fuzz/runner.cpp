@@ -67,29 +67,27 @@ Runner<Real>::Runner(const Kernel& kernel, const Plan& plan, const Filter<Real>&
       errors_(kernel.formulae, plan.tolerances, filter, known, first_position, tally) {}
 
 template <class Real>
-void Runner<Real>::ask_about(const QueryBatch<Real>& batch, std::uint64_t position) {
-  position_ = position;
+void Runner<Real>::ask_about(const QueryBatch<Real>& batch) {
   ask(implementation_, batch.columns(), reply_);
   for (const Finding& finding : reply_.findings) {
-    count_finding(tally_, finding.kind, position + finding.index, finding.detail);
+    count_finding(tally_, finding.kind, position_ + finding.index, finding.detail);
   }
 }
 
 template <class Real>
-void Runner<Real>::look_at_sides(const QueryBatch<Real>& batch, std::uint64_t position,
-                                 const std::vector<Attention>& attention, const std::vector<DecidedSigns>& decided) {
-  position_ = position;
+void Runner<Real>::look_at_sides(const QueryBatch<Real>& batch, const std::vector<Attention>& attention,
+                                 const std::vector<DecidedSigns>& decided) {
   if (kernel_.is_reference) reference_.evaluate(batch.columns());
   if (!exposes_sides()) return;
   if (std::find(reply_.verdicts.begin(), reply_.verdicts.end(), Verdict::unanswered) == reply_.verdicts.end()) {
-    errors_.look(batch, position, attention, decided, reply_.answers);
+    errors_.look(batch, position_, attention, decided, reply_.answers);
     return;
   }
   std::vector<Attention> answered = attention;
   for (std::size_t i = 0; i < answered.size(); ++i) {
     if (!is_answered(i)) answered[i] = Attention::none;
   }
-  errors_.look(batch, position, answered, decided, reply_.answers);
+  errors_.look(batch, position_, answered, decided, reply_.answers);
 }
 
 template <class Real>

@@ -42,10 +42,11 @@ class Runner {
   // Whether the signs are all that judging it takes: the filters have them. Others are judged by exact sides.
   bool is_judged_by_signs() const { return by_signs_; }
 
-  // Asks the kernel about a batch, whose first query is at `position`.
-  void ask_about(const QueryBatch<Real>& batch, std::uint64_t position);
+  // What follows is about the batch whose first query is at `position`.
+  void begin_batch(std::uint64_t position) { position_ = position; }
+  void ask_about(const QueryBatch<Real>& batch);
   // Evaluates the reference and looks at the errors; of a kernel that is judged by signs.
-  void look_at_sides(const QueryBatch<Real>& batch, std::uint64_t position, const std::vector<Attention>& attention,
+  void look_at_sides(const QueryBatch<Real>& batch, const std::vector<Attention>& attention,
                      const std::vector<DecidedSigns>& decided);
 
   // Counts a query of the batch by its signs. The first only if nothing is wrong with the answer, and says whether.

@@ -77,13 +77,14 @@ class UnitRun {
     source_.fill(plan_.seed, first_, size, batch_);
     out_.steps.generation += watch.lap();
     for (Runner<Real>& runner : runners_) {
-      if (!plan_.replies) runner.ask_about(batch_, first_);
+      runner.begin_batch(first_);
+      if (!plan_.replies) runner.ask_about(batch_);
     }
     out_.steps.kernels += watch.lap();
     choose_what_is_exact();
     watch.lap();
     for (Runner<Real>& runner : runners_) {
-      if (runner.is_judged_by_signs()) runner.look_at_sides(batch_, first_, attention_, *decided_);
+      if (runner.is_judged_by_signs()) runner.look_at_sides(batch_, attention_, *decided_);
     }
     out_.steps.errors += watch.lap();
     const Real* radii = batch_.columns().column[coordinate_count - 1];
