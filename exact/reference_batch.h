@@ -14,12 +14,17 @@ class ReferenceBatch {
  public:
   explicit ReferenceBatch(const Kernel& kernel);
   void evaluate(const QueryColumns<Real>& batch);
+  // Whether the formulae have such a form. Without one nothing is shared.
+  bool has_form() const { return form_ != nullptr; }
   // The bits of R and of R-infinity. Nothing where the formulae have no such form, or where an operation over- or
   // underflowed in one of the 64 neighbouring queries, so that the two may differ (exact/unbounded.h).
   std::optional<ComparisonBits> shared(std::size_t i) const {
-    if (bits_.empty() || left_range_[i / block]) return std::nullopt;
+    if (bits_.empty() || left_range(i)) return std::nullopt;
     return bits_[i];
   }
+  // The same in two parts, for loops over a batch.
+  const ComparisonBits* bits() const { return bits_.data(); }
+  bool left_range(std::size_t i) const { return left_range_[i / block]; }
 
  private:
   static constexpr std::size_t block = 64;
