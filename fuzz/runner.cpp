@@ -7,6 +7,7 @@
 
 #include "exact/depth.h"
 #include "exact/geometric_oracle.h"
+#include "exact/grid_distance.h"
 
 namespace axiscert {
 
@@ -39,6 +40,7 @@ double LazyDistance<Real>::at_most() {
 }
 template <class Real>
 double LazyDistance<Real>::exactly() {
+  if (!depth_ && !exact_only_) depth_ = depth_on_grid(query_);
   if (!depth_) depth_ = depth(query_, squared());
   return *depth_;
 }

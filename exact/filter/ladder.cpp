@@ -23,10 +23,8 @@ const std::vector<DecidedSigns>& Ladder<Real>::decide(const QueryBatch<Real>& ba
   if (!any_left) return decided_;
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (decided_[i].step == Step::lanes || !filtered_[i].is_valid) continue;
-    if (const auto signs = grid_signs(batch[i])) {
-      decided_[i].signs = *signs;
-      decided_[i].step = Step::grid;
-    }
+    decided_[i].signs = grid_signs(batch[i]);
+    decided_[i].step = Step::grid;
   }
   nanoseconds_[static_cast<std::size_t>(Step::grid)] += watch.lap();
   return decided_;

@@ -10,8 +10,8 @@ namespace axiscert {
 
 enum class Step : std::uint8_t {
   lanes,  // the SIMD filter
-  grid,   // integers of a few words (exact/grid_signs.h)
-  exact,  // arbitrary precision and CGAL; also a query that is no valid one
+  grid,   // integers (exact/grid_signs.h); every valid query that gets there
+  exact,  // arbitrary precision and CGAL: a query that is no valid one, and all where no filter is used
 };
 inline constexpr std::size_t step_count = 3;
 inline constexpr std::array<std::string_view, step_count> step_names = {"lanes", "grid", "exact"};
