@@ -66,7 +66,7 @@ class UnitRun {
       run_batch(static_cast<std::size_t>(std::min<std::uint64_t>(batch_size, size - done)));
     }
     for (Runner<Real>& runner : runners_) runner.finish();
-    for (const Step step : {Step::lanes, Step::grid}) {
+    for (const Step step : {Step::lanes, Step::grid, Step::wide}) {
       out_.steps.steps[static_cast<std::size_t>(step)] = ladder_.nanoseconds(step);
     }
   }

@@ -36,6 +36,7 @@ Json steps_json(const Plan& plan, const CellResult& cell) {
             {"kernels", each(steps.kernels)},
             {"lanes", each(steps.steps[static_cast<std::size_t>(Step::lanes)])},
             {"grid", each(steps.steps[static_cast<std::size_t>(Step::grid)])},
+            {"wide", each(steps.steps[static_cast<std::size_t>(Step::wide)])},
             {"sides", each(steps.errors)},
             {"judging", each(steps.judging)}}}};
 }
