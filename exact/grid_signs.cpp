@@ -1,5 +1,5 @@
-// Why the signs are the published ones. All sixteen comparisons depend on the six dot products of A, B, C and on rr alone
-// (exact/gram.h).
+// Why the signs are the published ones. All sixteen comparisons depend on the six dot products of A, B, C and on rr
+// alone (exact/gram.h).
 //
 // vertex.*      as published
 // plane.radius  as published: d^2 > rr |V|^2
@@ -152,12 +152,19 @@ std::optional<Signs> signs_of(const Grid<Int128>& grid) {
 }  // namespace
 
 template <class Real>
-Signs grid_signs(const Query<Real>& q) {
-  const auto few = on_grid(q, [](const auto& grid) { return signs_of(grid); });
+std::optional<Signs> grid_signs(const Query<Real>& q) {
+  return on_grid(q, [](const auto& grid) { return signs_of(grid); });
+}
+template std::optional<Signs> grid_signs<float>(const Query<float>&);
+template std::optional<Signs> grid_signs<double>(const Query<double>&);
+
+template <class Real>
+Signs integer_signs(const Query<Real>& q) {
+  const auto few = grid_signs(q);
   return few ? *few : signs_in<AnyGrid<Real>>(on_any_grid(q).centred);
 }
-template Signs grid_signs<float>(const Query<float>&);
-template Signs grid_signs<double>(const Query<double>&);
+template Signs integer_signs<float>(const Query<float>&);
+template Signs integer_signs<double>(const Query<double>&);
 
 template <class Real>
 std::optional<int> bits_on_grid(const Query<Real>& q) {

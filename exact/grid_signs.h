@@ -8,12 +8,16 @@
 
 namespace axiscert {
 
-// The signs of the published comparisons of a valid query. Most have numbers that are multiples of some 2^k and less than
-// 2^(k + 126), and differences v - p and a radius that have `greatest_grid_bits` bits at most once divided by the
-// greatest power of two that divides them all: these take integers of a few words (exact/wide_integer.h). Others take
-// as many as it needs (exact/limb_integer.h). Never throws or rounds; the processor must not take subnormals for zero.
+// The signs of the published comparisons of a valid query, where its numbers are multiples of some 2^k and less than
+// 2^(k + 126), and the differences v - p and the radius have `greatest_grid_bits` bits at most once divided by the
+// greatest power of two that divides them all: integers of a few words (exact/wide_integer.h). Otherwise nothing. Never
+// throws, allocates or rounds; the processor must not take subnormals for zero.
 template <class Real>
-Signs grid_signs(const Query<Real>& q);
+std::optional<Signs> grid_signs(const Query<Real>& q);
+
+// The same of every valid query: in as many words as it needs (exact/limb_integer.h).
+template <class Real>
+Signs integer_signs(const Query<Real>& q);
 
 // The bits of the greatest of the nine differences and r in units of the greatest power of two that divides them all;
 // nothing where the numbers lie too far apart. Queries to grid_bits(words) are decided in integers of that many words.

@@ -23,7 +23,7 @@ Signs expected(const Query<Real>& q) {
 
 template <class Real>
 testing::AssertionResult agrees(const Query<Real>& q) {
-  if (grid_signs(q) == expected(q)) return testing::AssertionSuccess();
+  if (integer_signs(q) == expected(q)) return testing::AssertionSuccess();
   auto failure = testing::AssertionFailure() << std::hexfloat << "other signs:";
   for (const Real x : coordinates(q)) failure << ' ' << x;
   return failure;
@@ -48,7 +48,7 @@ TYPED_TEST(GridSigns, AreExactOnEveryTriangleOfASmallLattice) {
       x[12] = TypeParam(halves) / 2;
       const auto q = from_coordinates(x);
       ASSERT_TRUE(agrees(q));
-      const Signs signs = grid_signs(q);
+      const Signs signs = integer_signs(q);
       tied |= signs.ties;
       held |= signs.strict;
       failed |= static_cast<ComparisonBits>(~(signs.ties | signs.strict));
@@ -146,8 +146,8 @@ TYPED_TEST(GridSigns, AreExactAtBothEndsOfThePrecision) {
     ASSERT_TRUE(agrees(from_coordinates(x))) << "query " << i << " of seed " << seed;
   }
   const TypeParam most = Limits::max(), least = Limits::denorm_min();
-  EXPECT_TRUE(agrees(Query<TypeParam>{{most, most, most}, {most, -most, least}, {-most, least, most},
-                                      {-most, -most, -most}, most}));
+  EXPECT_TRUE(agrees(
+      Query<TypeParam>{{most, most, most}, {most, -most, least}, {-most, least, most}, {-most, -most, -most}, most}));
 }
 
 // Any bit patterns of finite numbers.

@@ -1,36 +1,46 @@
-// R over a batch by SIMD, and where R-infinity is certainly the same.
+// R and R-infinity over a batch by SIMD.
 #pragma once
 
 #include <optional>
 
+#include "exact/range_free.h"
+#include "exact/unbounded.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
 
-// The bits of the scalar reference that a kernel claims, by the SIMD form of the same formulae on the best instruction
-// set: tests hold the two to each other, bit for bit, and so does each run on a sample of its queries.
+// The bits of the scalar reference that a kernel claims, and those of an unbounded exponent, by SIMD forms of the same
+// formulae on the best instruction set: tests hold them to the scalar ones, bit for bit, and so does each run on a
+// sample of its queries.
 template <class Real>
 class ReferenceBatch {
  public:
   explicit ReferenceBatch(const Kernel& kernel);
   void evaluate(const QueryColumns<Real>& batch);
-  // Whether the formulae have such a form. Without one nothing is shared.
+  // Whether the formulae have such a form.
   bool has_form() const { return form_ != nullptr; }
-  // The bits of R and of R-infinity. Nothing where the formulae have no such form, or where an operation over- or
-  // underflowed in one of the 64 neighbouring queries, so that the two may differ (exact/unbounded.h).
+  // What both decide; nothing where the formulae have no such form.
+  std::optional<Rounded> rounded(std::size_t i) const {
+    if (bits_.empty()) return std::nullopt;
+    return Rounded{outcome_of(range_free(i)), outcome_of(bits_[i])};
+  }
+  // The bits of both where they are the same.
   std::optional<ComparisonBits> shared(std::size_t i) const {
-    if (bits_.empty() || left_range(i)) return std::nullopt;
+    if (bits_.empty() || bits_[i] != range_free(i)) return std::nullopt;
     return bits_[i];
   }
-  // The same in two parts, for loops over a batch.
-  const ComparisonBits* bits() const { return bits_.data(); }
-  bool left_range(std::size_t i) const { return left_range_[i / block]; }
+  // Whether both are these.
+  bool are_both(std::size_t i, ComparisonBits bits) const { return bits_[i] == bits && range_free(i) == bits; }
 
  private:
+  // Where no operation over- or underflowed in a block of queries, the two are the same (exact/unbounded.h).
   static constexpr std::size_t block = 64;
+  ComparisonBits range_free(std::size_t i) const { return left_range_[i / block] ? range_free_[i] : bits_[i]; }
+
   std::function<void(const QueryColumns<Real>& batch, ComparisonBits* out)> form_;
-  std::vector<ComparisonBits> bits_;
-  std::vector<char> left_range_;  // by block
+  RangeFreeBits<Real> range_free_form_ = nullptr;
+  std::vector<ComparisonBits> bits_, range_free_;  // range_free_: of the blocks that left the range
+  std::vector<char> left_range_;                   // by block
 };
 
 }  // namespace axiscert

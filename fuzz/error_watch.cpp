@@ -53,6 +53,7 @@ void ErrorWatch<Real>::look(const QueryBatch<Real>& batch, std::uint64_t positio
   if (expects_exact_ && is_batch_exact()) return;
   zero_.assign(batch.size(), std::nullopt);
   for (auto& [query, sides] : exact_sides_) sides.reset();
+  for (auto& [query, margins] : wide_) margins.reset();
   ErrorScreen screen{{}, this, [](void* watch, const SuspectError& suspect) {
                        return static_cast<ErrorWatch*>(watch)->judge(suspect);
                      }};
@@ -127,8 +128,22 @@ const FormulaTruth& ErrorWatch<Real>::exact_sides(std::size_t i) {
 }
 
 template <class Real>
-double ErrorWatch<Real>::judge(const SuspectError& suspect) {
+SuspectError ErrorWatch<Real>::tightened(const SuspectError& suspect) {
   const auto [i, k, lower, upper] = suspect;
+  auto& [query, margins] = wide_[i % wide_.size()];
+  if (!margins || query != i) {
+    query = i;
+    margins.emplace(widened((*batch_)[i]));
+  }
+  const EdgeSides sides = formulae_ == Formulae::published ? EdgeSides::published : EdgeSides::reduced;
+  const WideMargins::ErrorRange range = margins->error(static_cast<Comparison>(k), sides, computed_->lhs[k][i],
+                                                       computed_->rhs[k][i], std::numeric_limits<Real>::digits);
+  return {i, k, std::max(lower, range.lower), std::min(upper, range.upper)};
+}
+
+template <class Real>
+double ErrorWatch<Real>::judge(const SuspectError& suspect) {
+  auto [i, k, lower, upper] = suspect;
   if ((*attention_)[i] == Attention::none) return threshold(k);
   if ((*attention_)[i] == Attention::checked) {
     checked_.push_back(suspect);
@@ -145,6 +160,12 @@ double ErrorWatch<Real>::judge(const SuspectError& suspect) {
     return threshold(k);
   }
   if (lower == 0 && is_exactly_zero(i, k)) return threshold(k);
+  if (upper > 2 * lower) {
+    const SuspectError known = tightened(suspect);
+    lower = known.lower;
+    upper = known.upper;
+    if (upper <= threshold(k)) return threshold(k);
+  }
   Largest& largest = largest_[k];
   const auto exactly = [&] { return ComparisonError(lhs, rhs, exact_sides(i).comparison(k)); };
   const auto fail = [&] {

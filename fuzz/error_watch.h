@@ -5,6 +5,7 @@
 #include <string>
 
 #include "exact/filter/ladder.h"
+#include "exact/wide_margins.h"
 #include "fuzz/tally.h"
 
 namespace axiscert {
@@ -58,6 +59,8 @@ class ErrorWatch {
   // Whether a query of the batch at hand is evaluated in binary64 without any rounding, and its computed sides are
   // these.
   bool is_exactly_zero(std::size_t query, std::size_t comparison);
+  // The same error, enclosed without a range: the filter knows no more of a query that leaves it than that.
+  SuspectError tightened(const SuspectError& suspect);
   // The exact sides of a query of the batch at hand.
   const FormulaTruth& exact_sides(std::size_t query);
   void settle(std::size_t comparison);
@@ -85,6 +88,7 @@ class ErrorWatch {
       zero_;  // by query, the comparisons whose error is zero; none: not evaluated
   // The last queries whose exact sides were asked for: the comparisons of a vector of queries come one after the other.
   std::array<std::pair<std::size_t, std::optional<FormulaTruth>>, 16> exact_sides_;
+  std::array<std::pair<std::size_t, std::optional<WideMargins>>, 16> wide_;  // likewise
   bool any_failing_ = false;
   std::vector<SuspectError> checked_;
 };

@@ -12,7 +12,7 @@ void expect_exact() {
   for (const Family* family : families()) {
     for_each_query<Real>(family->name, queries, [&](const Query<Real>& q, std::uint64_t) {
       if (!is_valid(q)) return;
-      const Signs found = grid_signs(q);
+      const Signs found = integer_signs(q);
       const FormulaTruth truth = formula_truth(q);
       EXPECT_EQ(found.strict, truth.strict);
       EXPECT_EQ(found.ties, truth.ties);

@@ -98,13 +98,12 @@ void Runner<Real>::count_plain(const QueryColumns<Real>& batch, const std::vecto
   if (kernel_.formulae == Formulae::none || (kernel_.is_reference && !reference_.has_form())) return;
   const Real* radii = batch.column[coordinate_count - 1];
   const ComparisonBits* bits = reply_.has_bits ? reply_.answers.bits.data() : nullptr;
-  const ComparisonBits* reference = kernel_.is_reference ? reference_.bits() : nullptr;
   for (std::size_t i = 0; i < batch.size; ++i) {
     const Signs signs = decided[i].signs;
     const AxisBits axes = axes_table[signs.strict];
     const bool is_plain = !exactly[i] && signs.ties == 0 && radii[i] != 0;
     const bool is_right = reply_.verdicts[i] == verdict_of(axes) && (!bits || bits[i] == signs.strict) &&
-                          (!reference || (reference[i] == signs.strict && !reference_.left_range(i)));
+                          (!kernel_.is_reference || reference_.are_both(i, signs.strict));
     if (!(is_plain && is_right)) continue;
     clean_.add(axes, 0, false);
     counted_[i] = true;
@@ -138,10 +137,9 @@ void Runner<Real>::judge_by_signs(std::size_t i, const Query<Real>& q, const Sig
     chain = Reference{outcome_of(signs.bits(kernel_.strictness)), std::nullopt, signs.ties};
     if (kernel_.is_reference) {
       // A kernel that differs from the SIMD form is told so by the scalar reference itself.
-      const auto shared = reference_.shared(i);
-      const bool is_same = shared && (!answer.bits || *answer.bits == *shared);
-      if (is_same) chain->rounded = Rounded{outcome_of(*shared), outcome_of(*shared)};
-      else chain->rounded = rounded(kernel_.formulae, kernel_.arithmetic, kernel_.strictness, q);
+      const auto batched = reference_.rounded(i);
+      const bool is_same = batched && (!answer.bits || answer.bits == batched->reference.bits);
+      chain->rounded = is_same ? *batched : rounded(kernel_.formulae, kernel_.arithmetic, kernel_.strictness, q);
     }
   }
   const Judgement judgement = judge(truth, chain, answer, kernel_.touching);
@@ -168,12 +166,14 @@ void Runner<Real>::judge_exactly(std::size_t i, const Query<Real>& q, const Trut
   if (!claims || answer.verdict == Verdict::unanswered || !sides) return;
   const bool is_checked = is_filtered && by_signs_;
   if (is_checked && kernel_.is_reference) {
-    const auto shared = reference_.shared(i);
-    if (shared && (*shared != chain->rounded->reference.bits || *shared != chain->rounded->range_free.bits)) {
+    const auto batched = reference_.rounded(i);
+    const Rounded& scalar = *chain->rounded;
+    if (batched && (batched->reference != scalar.reference || batched->range_free != scalar.range_free)) {
       throw OracleDisagreement(
-          fmt::format("{}: the SIMD reference has the comparisons {:016b}, the scalar one {:016b} "
-                      "and with an unbounded exponent {:016b} (bit 0 is the first comparison)",
-                      kernel_.id, *shared, *chain->rounded->reference.bits, *chain->rounded->range_free.bits),
+          fmt::format("{}: the SIMD reference has the comparisons {:016b} and with an unbounded exponent {:016b}, the "
+                      "scalar one {:016b} and {:016b} (bit 0 is the first comparison)",
+                      kernel_.id, *batched->reference.bits, *batched->range_free.bits, *scalar.reference.bits,
+                      *scalar.range_free.bits),
           q);
     }
   }

@@ -20,6 +20,10 @@ namespace {
 // Queries, sides and signs of a batch stay in the first-level cache, or the second; another process is asked seldom.
 constexpr std::size_t batch_size = 256, batch_size_for_processes = 1024;
 
+// Every so many of the queries that integers of any size decide are decided by CGAL as well: few queries, and the
+// hardest.
+constexpr std::uint64_t integer_check_stride = 64;
+
 // The fault that is planted in the mode and not in the filter.
 class StaleRounding {
  public:
@@ -68,7 +72,7 @@ class UnitRun {
       run_batch(static_cast<std::size_t>(std::min<std::uint64_t>(batch_size_, size - done)));
     }
     for (Runner<Real>& runner : runners_) runner.finish();
-    for (const Step step : {Step::lanes, Step::grid}) {
+    for (const Step step : {Step::lanes, Step::grid, Step::wide, Step::integers}) {
       out_.steps.steps[static_cast<std::size_t>(step)] = ladder_.nanoseconds(step);
     }
   }
@@ -117,7 +121,8 @@ class UnitRun {
       if (found.step == Step::lanes) ++in_lanes;
       else count_step(found);
       if (found.step == Step::exact) continue;
-      const bool is_checked = (first_ + i) % second_opinion_stride == 0 || found.is_close;
+      const std::uint64_t stride = found.step == Step::integers ? integer_check_stride : second_opinion_stride;
+      const bool is_checked = (first_ + i) % stride == 0 || found.is_close;
       out_.steps.checked += is_checked;
       exactly_[i] = is_checked;
       attention_[i] = is_checked ? Attention::checked : Attention::counted;

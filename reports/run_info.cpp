@@ -36,6 +36,8 @@ Json steps_json(const Plan& plan, const CellResult& cell) {
             {"kernels", each(steps.kernels)},
             {"lanes", each(steps.steps[static_cast<std::size_t>(Step::lanes)])},
             {"grid", each(steps.steps[static_cast<std::size_t>(Step::grid)])},
+            {"wide", each(steps.steps[static_cast<std::size_t>(Step::wide)])},
+            {"integers", each(steps.steps[static_cast<std::size_t>(Step::integers)])},
             {"sides", each(steps.errors)},
             {"judging", each(steps.judging)}}}};
 }

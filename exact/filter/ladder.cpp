@@ -2,8 +2,21 @@
 
 #include "exact/grid_signs.h"
 #include "exact/stopwatch.h"
+#include "exact/wide_margins.h"
 
 namespace axiscert {
+
+template <class Real>
+template <class SignsOf>
+void Ladder<Real>::try_left(const QueryBatch<Real>& batch, Step step, SignsOf&& signs_of) {
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (decided_[i].step != Step::exact || !filtered_[i].is_valid) continue;
+    if (const auto signs = signs_of(batch[i])) {
+      decided_[i].signs = *signs;
+      decided_[i].step = step;
+    }
+  }
+}
 
 template <class Real>
 const std::vector<DecidedSigns>& Ladder<Real>::decide(const QueryBatch<Real>& batch) {
@@ -21,12 +34,12 @@ const std::vector<DecidedSigns>& Ladder<Real>::decide(const QueryBatch<Real>& ba
   }
   nanoseconds_[static_cast<std::size_t>(Step::lanes)] += watch.lap();
   if (!any_left) return decided_;
-  for (std::size_t i = 0; i < batch.size(); ++i) {
-    if (decided_[i].step == Step::lanes || !filtered_[i].is_valid) continue;
-    decided_[i].signs = grid_signs(batch[i]);
-    decided_[i].step = Step::grid;
-  }
+  try_left(batch, Step::grid, [](const Query<Real>& q) { return grid_signs(q); });
   nanoseconds_[static_cast<std::size_t>(Step::grid)] += watch.lap();
+  try_left(batch, Step::wide, [](const Query<Real>& q) { return WideMargins(widened(q)).signs(); });
+  nanoseconds_[static_cast<std::size_t>(Step::wide)] += watch.lap();
+  try_left(batch, Step::integers, [](const Query<Real>& q) { return std::optional(integer_signs(q)); });
+  nanoseconds_[static_cast<std::size_t>(Step::integers)] += watch.lap();
   return decided_;
 }
 template class Ladder<float>;
