@@ -62,7 +62,7 @@ TEST(PluginRecord, HasEachFindingWithItsFirstQuery) {
   EXPECT_EQ(findings[0]["kind"], "crash");
   EXPECT_EQ(findings[0]["family"], "general");
   EXPECT_EQ(findings[0]["count"], 2);
-  EXPECT_EQ(findings[0]["address"], "1:general:1:binary32:0:3");
+  EXPECT_EQ(findings[0]["address"], "1:general:2:binary32:0:3");
   EXPECT_TRUE(findings[0]["a"].is_array());
   EXPECT_EQ(findings[1]["kind"], "out_of_bounds");
   EXPECT_EQ(findings[4]["kernel"], "plugin:gone.so");
@@ -170,8 +170,8 @@ TEST(PluginReports, FindingsStandFirstWithTheirReplay) {
   const std::string markdown = folder.read("report.md");
   EXPECT_LT(markdown.find("## Findings"), markdown.find("## Summary"));
   EXPECT_THAT(markdown, HasSubstr("plugin:mine.so binary32: crash on family general, 2 times, first at "
-                                  "1:general:1:binary32:0:3: signal 11 (SIGSEGV); also on family scale (2 times)"));
-  EXPECT_THAT(markdown, HasSubstr("axiscert query '1:general:1:binary32:0:3' > witness.jsonl && axiscert check "
+                                  "1:general:2:binary32:0:3: signal 11 (SIGSEGV); also on family scale (2 times)"));
+  EXPECT_THAT(markdown, HasSubstr("axiscert query '1:general:2:binary32:0:3' > witness.jsonl && axiscert check "
                                   "witness.jsonl --kernel plugin:mine.so"));
   EXPECT_THAT(markdown, HasSubstr("**plugin:gone.so was not judged**"));
   EXPECT_THAT(markdown, HasSubstr("| plugin:gone.so |  | **not judged** |"));
