@@ -21,8 +21,8 @@ TYPED_TEST(GridDistances, AreTheRoundedOnesOfEveryFamily) {
       const Rational square = squared_distance(q);
       const auto depth_found = depth_on_grid(q);
       const auto distance_found = distance_on_grid(q);
-      if (depth_found) EXPECT_EQ(*depth_found, depth(q, square));
-      if (distance_found) EXPECT_EQ(*distance_found, nearest_sqrt<TypeParam>(square));
+      EXPECT_EQ(depth_found.value_or(depth(q, square)), depth(q, square));
+      EXPECT_EQ(distance_found.value_or(nearest_sqrt<TypeParam>(square)), nearest_sqrt<TypeParam>(square));
       silent += !depth_found + !distance_found;
     });
     EXPECT_LE(silent, count / 100) << family->name;
@@ -32,7 +32,7 @@ TYPED_TEST(GridDistances, AreTheRoundedOnesOfEveryFamily) {
 
 // Spheres about a face, about each edge and each vertex, of every vertex order; the centre on them among these.
 TYPED_TEST(GridDistances, AreThoseOfEveryFeature) {
-  for (const TypeParam height : {0, 1, 3}) {
+  for (const TypeParam height : {TypeParam(0), TypeParam(1), TypeParam(3)}) {
     for (int x = -2; x <= 6; ++x) {
       for (int y = -2; y <= 6; ++y) {
         const Vec3<TypeParam> v[3] = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
