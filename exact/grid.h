@@ -33,16 +33,17 @@ AXISCERT_WORDS_INLINE inline Magnitude<Real> significand(Magnitude<Real> magnitu
   return magnitude < hidden ? magnitude : ((magnitude & (hidden - 1)) | hidden);
 }
 
-// The exponent of the least bit that is set in any of the numbers; where all are zero the greatest of the precision.
+// The exponent of the least bit that is set in any of the numbers; 0 where all are zero.
 template <class Real>
 int least_set_bit(const std::array<Real, coordinate_count>& numbers) {
-  int least = std::numeric_limits<Real>::max_exponent;
+  constexpr int none = std::numeric_limits<Real>::max_exponent;
+  int least = none;
   for (const Real x : numbers) {
     const Magnitude<Real> stored = magnitude(x);
     if (stored == 0) continue;
     least = std::min(least, unit_exponent<Real>(stored) + std::countr_zero(significand<Real>(stored)));
   }
-  return least;
+  return least == none ? 0 : least;
 }
 
 // Integers that hold any query of a precision: its numbers are multiples of the least one, below 2^max_exponent, and

@@ -11,6 +11,8 @@
 // all differences and the radius changes no sign.
 #include "exact/grid_signs.h"
 
+#include <cmath>
+
 #include "exact/grid.h"
 
 namespace axiscert {
@@ -53,8 +55,9 @@ Signs signs_in(const Centred<typename Numbers::Given>& q) {
 
 template <class Integer>
 struct Grid {
-  Centred<Integer> centred;
-  int bits;  // of the greatest magnitude
+  Centred<Integer> centred;  // in units of 2^unit
+  int bits = 0;              // of the greatest magnitude
+  int unit = 0;
 };
 
 int bit_width(std::uint64_t x) { return static_cast<int>(std::bit_width(x)); }
@@ -105,6 +108,7 @@ Grid<Integer> grid(const std::array<Real, coordinate_count>& numbers, int unit) 
   const int common = all == 0 ? 0 : trailing_zeros(all);
   for (Integer& x : result.centred) x >>= common;
   result.bits = bit_width(all) - common;
+  result.unit = unit + common;
   return result;
 }
 
@@ -119,7 +123,7 @@ auto on_grid(const Query<Real>& q, WithGrid&& with_grid) -> decltype(with_grid(G
     greatest = std::max(greatest, stored);
     least = std::min<Magnitude<Real>>(least, stored - 1u);
   });
-  if (greatest == 0) return with_grid(Grid<std::int64_t>{{}, 0});
+  if (greatest == 0) return with_grid(Grid<std::int64_t>{});
   const int top = unit_exponent<Real>(greatest) + digits;  // all magnitudes are below 2^top
   const int unit = unit_exponent<Real>(least + 1u);
   if (top - unit <= 62) return with_grid(grid<std::int64_t>(numbers, unit));
@@ -149,11 +153,36 @@ std::optional<Signs> signs_of(const Grid<Int128>& grid) {
   return std::nullopt;
 }
 
+// The signs of a query whose radius is positive, but so small that nothing else comes near it: those with the radius 0,
+// where ties of a radius comparison are none unless its other side is zero as well. With differences of n bits at most
+// in units of 2^k, the lhs of a radius comparison in the forms above is an integer, A.A, |N|^2 or d^2, and its rhs is rr
+// times 1, e <= 12 2^(2n) or |V|^2 <= 81 2^(4n). So for r < 2^-(2n + 4) units the rhs is below 1: less than any lhs but
+// zero. Meshes have spheres of the least radius that there is.
+template <class Real>
+std::optional<Signs> signs_at_tiny_radius(const Query<Real>& q) {
+  if (q.r == 0) return std::nullopt;
+  Query<Real> at_zero = q;
+  at_zero.r = 0;
+  return on_grid(at_zero, [&](const auto& grid) -> std::optional<Signs> {
+    if (std::ilogb(q.r) + 1 > grid.unit - 2 * grid.bits - 4) return std::nullopt;
+    std::optional<Signs> signs = signs_of(grid);
+    if (!signs) return std::nullopt;
+    const AxisBits without_normal = axes_without_normal(*signs);
+    for (std::size_t i = 0; i < comparison_count; ++i) {
+      const bool is_side = ((side_comparisons >> i) & 1u) != 0;
+      const bool is_zero = ((without_normal >> static_cast<unsigned>(comparisons[i].axis)) & 1u) != 0;
+      if (!is_side && !is_zero) signs->ties &= static_cast<ComparisonBits>(~(1u << i));
+    }
+    return signs;
+  });
+}
+
 }  // namespace
 
 template <class Real>
 std::optional<Signs> grid_signs(const Query<Real>& q) {
-  return on_grid(q, [](const auto& grid) { return signs_of(grid); });
+  if (const auto few = on_grid(q, [](const auto& grid) { return signs_of(grid); })) return few;
+  return signs_at_tiny_radius(q);
 }
 template std::optional<Signs> grid_signs<float>(const Query<float>&);
 template std::optional<Signs> grid_signs<double>(const Query<double>&);

@@ -95,7 +95,7 @@ TYPED_TEST(GridSigns, AreExactAtEverySizeAndScale) {
   std::mt19937_64 random(seed);
   std::map<int, int> by_words;
   for (int i = 0; i < 60000; ++i) {
-    const int spread = static_cast<int>(random() % 120), size = 1 + static_cast<int>(random() % digits);
+    const int spread = static_cast<int>(random() % 160), size = 1 + static_cast<int>(random() % digits);
     const int least = Limits::min_exponent - digits, most = Limits::max_exponent - spread - digits;
     const int scale = least + static_cast<int>(random() % static_cast<unsigned>(most - least + 1));
     std::array<TypeParam, coordinate_count> x{};
@@ -148,6 +148,21 @@ TYPED_TEST(GridSigns, AreExactAtBothEndsOfThePrecision) {
   const TypeParam most = Limits::max(), least = Limits::denorm_min();
   EXPECT_TRUE(agrees(
       Query<TypeParam>{{most, most, most}, {most, -most, least}, {-most, least, most}, {-most, -most, -most}, most}));
+}
+
+// The least radius beside coordinates of any size, on lattices with ties in every comparison; and radii about the size
+// from which on they count.
+TYPED_TEST(GridSigns, AreExactAtTinyRadii) {
+  constexpr int seed = 85;
+  std::mt19937_64 random(seed);
+  for (int i = 0; i < 40000; ++i) {
+    std::array<TypeParam, coordinate_count> x{};
+    const int size = 1 + static_cast<int>(random() % (i % 2 == 0 ? 2 : 20));
+    for (TypeParam& v : x) v = static_cast<TypeParam>(static_cast<std::int64_t>(random()) >> (64 - size));
+    const int least = std::numeric_limits<TypeParam>::min_exponent - std::numeric_limits<TypeParam>::digits;
+    x[12] = std::ldexp(TypeParam(1), i % 4 < 2 ? least : -static_cast<int>(random() % 149));
+    ASSERT_TRUE(agrees(from_coordinates(x))) << "query " << i << " of seed " << seed;
+  }
 }
 
 // Any bit patterns of finite numbers.

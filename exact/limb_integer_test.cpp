@@ -21,8 +21,9 @@ Integer number(std::mt19937_64& random) {
   Integer sum;
   for (std::uint64_t terms = random() % 4; terms > 0; --terms) {
     const auto significand = static_cast<std::int64_t>(random() >> 1) >> (random() % 63);
-    const auto term = Integer::shifted(random() % 2 == 0 ? significand : -significand, static_cast<unsigned>(random() % 320));
-    const auto power = Integer::shifted(1, static_cast<unsigned>(random() % 384));
+    const auto shift = static_cast<unsigned>(random() % 320), bits = static_cast<unsigned>(random() % 384);
+    const auto term = Integer::shifted(random() % 2 == 0 ? significand : -significand, shift);
+    const auto power = Integer::shifted(1, bits);
     sum = sum + term;
     if (random() % 2 == 0) sum = sum + power - Integer(1);
   }
