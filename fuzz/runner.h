@@ -7,6 +7,7 @@
 #include "exact/reference_batch.h"
 #include "fuzz/campaign.h"
 #include "fuzz/error_watch.h"
+#include "fuzz/repeated_judgements.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
@@ -81,6 +82,7 @@ class Runner {
   ReferenceBatch<Real> reference_;
   ErrorWatch<Real> errors_;
   CleanCount clean_;
+  RepeatedJudgements repeated_;
   std::vector<Query<Real>> sampled_;
   std::vector<Real> distances_;  // exact, rounded, of the sampled queries
 };
