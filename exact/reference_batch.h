@@ -9,6 +9,12 @@
 
 namespace axiscert {
 
+// The comparison bits of what exact/unbounded.h has as outcomes.
+struct RoundedBits {
+  ComparisonBits range_free, reference;
+  Rounded outcomes() const { return {outcome_of(range_free), outcome_of(reference)}; }
+};
+
 // The bits of the scalar reference that a kernel claims, and those of an unbounded exponent, by SIMD forms of the same
 // formulae on the best instruction set: tests hold them to the scalar ones, bit for bit, and so does each run on a
 // sample of its queries.
@@ -20,9 +26,9 @@ class ReferenceBatch {
   // Whether the formulae have such a form.
   bool has_form() const { return form_ != nullptr; }
   // What both decide; nothing where the formulae have no such form.
-  std::optional<Rounded> rounded(std::size_t i) const {
+  std::optional<RoundedBits> rounded(std::size_t i) const {
     if (bits_.empty()) return std::nullopt;
-    return Rounded{outcome_of(range_free(i)), outcome_of(bits_[i])};
+    return RoundedBits{range_free(i), bits_[i]};
   }
   // The bits of both where they are the same.
   std::optional<ComparisonBits> shared(std::size_t i) const {

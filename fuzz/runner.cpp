@@ -131,20 +131,35 @@ bool Runner<Real>::count_if_clean(std::size_t i, const Signs& signs, bool radius
 template <class Real>
 void Runner<Real>::judge_by_signs(std::size_t i, const Query<Real>& q, const Signs& signs, const Answer& answer,
                                   LazyDistance<Real>& depth) {
+  std::optional<RoundedBits> batched;
+  if (kernel_.formulae != Formulae::none && kernel_.is_reference) batched = reference_.rounded(i);
+  // A kernel that differs from the SIMD form is told so by the scalar reference itself.
+  if (answer.bits && batched && *answer.bits != batched->reference) batched.reset();
+  RepeatedJudgement* repeated = nullptr;
+  if (batched) {
+    const JudgementPattern pattern{signs,          batched->range_free,     batched->reference,
+                                   answer.verdict, answer.bits.has_value(), q.r == 0};
+    repeated = repeated_.find(pattern);
+    if (repeated && repeated->is_known) {
+      ++repeated->repetitions;
+      if (repeated->is_touching) depth.is_zero();
+      if (const auto flip = repeated->verdict_flip()) count_depth(tally_, position_ + i, *flip, depth, standing_);
+      return;
+    }
+    if (repeated) repeated->pattern = pattern;
+  }
   const Truth truth{verdict_of(signs), is_touching(signs, q.r == 0), std::nullopt};
   std::optional<Reference> chain;
   if (kernel_.formulae != Formulae::none) {
     chain = Reference{outcome_of(signs.bits(kernel_.strictness)), std::nullopt, signs.ties};
-    if (kernel_.is_reference) {
-      // A kernel that differs from the SIMD form is told so by the scalar reference itself.
-      const auto batched = reference_.rounded(i);
-      const bool is_same = batched && (!answer.bits || answer.bits == batched->reference.bits);
-      chain->rounded = is_same ? *batched : rounded(kernel_.formulae, kernel_.arithmetic, kernel_.strictness, q);
-    }
+    if (batched) chain->rounded = batched->outcomes();
+    else if (kernel_.is_reference)
+      chain->rounded = rounded(kernel_.formulae, kernel_.arithmetic, kernel_.strictness, q);
   }
   const Judgement judgement = judge(truth, chain, answer, kernel_.touching);
   if (truth.touching) depth.is_zero();
   count(tally_, position_ + i, truth, chain ? signs.ties : ComparisonBits{0}, answer, judgement, depth, standing_);
+  if (repeated) *repeated = {repeated->pattern, truth.verdict, truth.touching, answer, judgement, true, 0};
 }
 
 template <class Real>
@@ -168,11 +183,11 @@ void Runner<Real>::judge_exactly(std::size_t i, const Query<Real>& q, const Trut
   if (is_checked && kernel_.is_reference) {
     const auto batched = reference_.rounded(i);
     const Rounded& scalar = *chain->rounded;
-    if (batched && (batched->reference != scalar.reference || batched->range_free != scalar.range_free)) {
+    if (batched && (batched->reference != scalar.reference.bits || batched->range_free != scalar.range_free.bits)) {
       throw OracleDisagreement(
           fmt::format("{}: the SIMD reference has the comparisons {:016b} and with an unbounded exponent {:016b}, the "
                       "scalar one {:016b} and {:016b} (bit 0 is the first comparison)",
-                      kernel_.id, *batched->reference.bits, *batched->range_free.bits, *scalar.reference.bits,
+                      kernel_.id, batched->reference, batched->range_free, *scalar.reference.bits,
                       *scalar.range_free.bits),
           q);
     }
@@ -203,6 +218,7 @@ template <class Real>
 void Runner<Real>::finish() {
   errors_.settle();
   clean_.add_to(tally_);
+  repeated_.add_to(tally_);
   CriticalRadiusTally& tally = tally_.critical_radius;
   const auto critical = critical_radii(implementation_, sampled_, radii_);
   for (std::size_t i = 0; i < critical.size(); ++i) {

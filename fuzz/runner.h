@@ -7,6 +7,7 @@
 #include "exact/reference_batch.h"
 #include "fuzz/campaign.h"
 #include "fuzz/error_watch.h"
+#include "fuzz/repeated_judgements.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
@@ -88,6 +89,7 @@ class Runner {
   ErrorWatch<Real> errors_;
   CleanCount clean_;
   std::vector<char> counted_;  // by query of the batch: by count_plain
+  RepeatedJudgements repeated_;
   std::vector<Query<Real>> sampled_;
   std::vector<Real> distances_;  // exact, rounded, of the sampled queries
 };

@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include "fuzz/repeated_judgements.h"
+
 namespace axiscert {
 namespace {
 
@@ -9,8 +11,8 @@ void add(LinkCounts& into, const LinkCounts& from) {
   for (std::size_t i = 0; i < link_count; ++i) into[i] += from[i];
 }
 
-void add(LinkCounts& into, LinkBits links) {
-  for (std::size_t i = 0; i < link_count; ++i) into[i] += (links >> i) & 1u;
+void add(LinkCounts& into, LinkBits links, std::uint64_t times) {
+  for (std::size_t i = 0; i < link_count; ++i) into[i] += ((links >> i) & 1u) * times;
 }
 
 void merge_signs(SignTally& into, const SignTally& from) {
@@ -22,10 +24,10 @@ void merge_signs(SignTally& into, const SignTally& from) {
   add(into.links, from.links);
 }
 
-void count_flip(SignTally& tally, const Flip& flip) {
-  ++(flip.kind == FlipKind::false_separation ? tally.false_separation : tally.missed_separation);
-  ++(flip.decisive ? tally.decisive : tally.masked);
-  add(tally.links, flip.links);
+void count_flip(SignTally& tally, const Flip& flip, std::uint64_t times) {
+  (flip.kind == FlipKind::false_separation ? tally.false_separation : tally.missed_separation) += times;
+  (flip.decisive ? tally.decisive : tally.masked) += times;
+  add(tally.links, flip.links, times);
 }
 
 template <class Visit>
@@ -73,14 +75,14 @@ void merge_verdict(VerdictTally& into, const VerdictTally& from) {
   merge_outside(into.outside_limits, from.outside_limits);
 }
 
-void count_truth(Tally& tally, const Truth& truth) {
-  ++tally.trials;
+void count_truth(Tally& tally, const Truth& truth, std::uint64_t times = 1) {
+  tally.trials += times;
   if (truth.verdict == Verdict::invalid) {
-    ++tally.invalid;
+    tally.invalid += times;
     return;
   }
-  ++(truth.verdict == Verdict::separated ? tally.separated : tally.contact);
-  tally.touching += truth.touching;
+  (truth.verdict == Verdict::separated ? tally.separated : tally.contact) += times;
+  if (truth.touching) tally.touching += times;
 }
 
 // Calls visit(leaders) with each of a tally's in which a wrong verdict's depth has a place.
@@ -98,23 +100,21 @@ bool could_keep(const VerdictTally& tally, const Flip& flip, const Candidate<dou
   return could;
 }
 
-void count_verdict(VerdictTally& tally, std::uint64_t position, bool touching, const Flip& flip, DepthOf& depth,
-                   const Standing& standing) {
-  const bool false_separation = flip.kind == FlipKind::false_separation;
-  ++(false_separation ? tally.false_separation : tally.false_contact);
-  tally.touching_flips += touching;
-  add(tally.links, flip.links);
-  if (touching) add(tally.touching_links, flip.links);
+void count_verdict(VerdictTally& tally, bool touching, const Flip& flip, std::uint64_t times) {
+  (flip.kind == FlipKind::false_separation ? tally.false_separation : tally.false_contact) += times;
+  add(tally.links, flip.links, times);
+  if (!touching) return;
+  tally.touching_flips += times;
+  add(tally.touching_links, flip.links, times);
+}
+
+void keep_first_verdict(VerdictTally& tally, std::uint64_t position, bool touching, const Flip& flip) {
   for (std::size_t i = 0; i < link_count; ++i) {
     if (!((flip.links >> i) & 1u)) continue;
     // No convention explains a difference from the reference.
     const bool is_explained = touching && static_cast<Link>(i) != Link::implementation;
     if (!is_explained) keep_first(tally.first_by_link[i], position);
   }
-  const Candidate<double> at_most{depth.at_most(), position};
-  if (!could_keep(tally, flip, at_most) || !standing.could_keep_depth(flip, at_most)) return;
-  const Candidate<double> candidate{depth.exactly(), position};
-  for_each_depth_leaders(tally, flip, [&](Leaders<double>& leaders) { leaders.offer(candidate); });
 }
 
 }  // namespace
@@ -148,31 +148,56 @@ void Tally::merge(const Tally& other) {
   for (std::size_t i = 0; i < finding_kind_count; ++i) merge_finding(findings[i], other.findings[i]);
 }
 
-void count(Tally& tally, std::uint64_t position, const Truth& truth, ComparisonBits ties, const Answer& answer,
-           const Judgement& judgement, DepthOf& depth, const Standing& standing) {
-  count_truth(tally, truth);
-  if (truth.verdict == Verdict::invalid) return;
-  tally.verdict.undecided += answer.verdict == Verdict::undecided;
-  tally.verdict.invalid += answer.verdict == Verdict::invalid;
-  tally.verdict.unanswered += answer.verdict == Verdict::unanswered;
-  if (!judgement.verdict_flip) add(tally.verdict.masked_links, judgement.verdict_links);
+void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth, const Standing& standing) {
+  const Candidate<double> at_most{depth.at_most(), position};
+  if (!could_keep(tally.verdict, flip, at_most) || !standing.could_keep_depth(flip, at_most)) return;
+  const Candidate<double> candidate{depth.exactly(), position};
+  for_each_depth_leaders(tally.verdict, flip, [&](Leaders<double>& leaders) { leaders.offer(candidate); });
+}
 
-  for_each_bit(ties, [&](std::size_t i) { ++tally.comparisons[i].ties; });
+void count_numbers(Tally& tally, const Truth& truth, ComparisonBits ties, const Answer& answer,
+                   const Judgement& judgement, std::uint64_t times) {
+  count_truth(tally, truth, times);
+  if (truth.verdict == Verdict::invalid) return;
+  if (answer.verdict == Verdict::undecided) tally.verdict.undecided += times;
+  if (answer.verdict == Verdict::invalid) tally.verdict.invalid += times;
+  if (answer.verdict == Verdict::unanswered) tally.verdict.unanswered += times;
+  if (!judgement.verdict_flip) add(tally.verdict.masked_links, judgement.verdict_links, times);
+
+  for_each_bit(ties, [&](std::size_t i) { tally.comparisons[i].ties += times; });
   const AxisBits exact_axes = axes_of(judgement.exact.value_or(0));
   if (std::has_single_bit(exact_axes))
-    ++tally.axes[static_cast<std::size_t>(std::countr_zero(exact_axes))].sole_separator;
+    tally.axes[static_cast<std::size_t>(std::countr_zero(exact_axes))].sole_separator += times;
 
   judgement.for_each_flip([&](const Flip& flip) {
     switch (flip.level) {
       case Level::verdict:
-        count_verdict(tally.verdict, position, truth.touching, flip, depth, standing);
+        count_verdict(tally.verdict, truth.touching, flip, times);
         break;
       case Level::axis:
-        count_flip(tally.axes[flip.index], flip);
+        count_flip(tally.axes[flip.index], flip, times);
+        break;
+      case Level::comparison:
+        count_flip(tally.comparisons[flip.index], flip, times);
+        break;
+    }
+  });
+}
+
+void count(Tally& tally, std::uint64_t position, const Truth& truth, ComparisonBits ties, const Answer& answer,
+           const Judgement& judgement, DepthOf& depth, const Standing& standing) {
+  count_numbers(tally, truth, ties, answer, judgement, 1);
+  if (truth.verdict == Verdict::invalid) return;
+  judgement.for_each_flip([&](const Flip& flip) {
+    switch (flip.level) {
+      case Level::verdict:
+        keep_first_verdict(tally.verdict, position, truth.touching, flip);
+        count_depth(tally, position, flip, depth, standing);
+        break;
+      case Level::axis:
         break;
       case Level::comparison: {
         ComparisonTally& comparison = tally.comparisons[flip.index];
-        count_flip(comparison, flip);
         (flip.kind == FlipKind::false_separation ? comparison.false_witness : comparison.missed_witness)
             .offer({flip.decisive, position});
         break;

@@ -14,7 +14,8 @@ Query<Real> subnormal(Stream& random, std::uint64_t position) {
   constexpr int least_normal = std::numeric_limits<Real>::min_exponent - 1;
   const int size = position % 2 == 0 ? 0 : static_cast<int>(random.integer(-12, 12));
   std::array<Real, coordinate_count> v;
-  for (Real& x : v) x = std::ldexp(random.symmetric<Real>(), least_normal + size);
+  const Real unit = std::ldexp(Real(1), least_normal + size);  // exact, so a product rounds once, as ldexp does
+  for (Real& x : v) x = random.symmetric<Real>() * unit;
   v[12] = std::abs(v[12]);
   Query<Real> q = from_coordinates(v);
   if (position / 2 % 4 == 3) q.r = shapes::radius_near_distance(random, q, 2);
