@@ -5,10 +5,6 @@
 add_library(kernel_fp INTERFACE)
 target_compile_options(kernel_fp INTERFACE -ffp-contract=off)
 
-# For sources that are long straight lines of arithmetic over references: the sanitizers' checks of each for null and for
-# alignment double their compile time, and AddressSanitizer sees a bad one as well. The others stay. No effect unsanitized.
-set(straight_line_options -fno-sanitize=null,alignment)
-
 add_library(axiscert_warnings INTERFACE)
 target_compile_options(axiscert_warnings INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion)
 
