@@ -1,8 +1,8 @@
 // What all sixteen comparisons and the distance are made of: the dot products of the vertices relative to the centre,
 // and the cofactors and the determinant of their matrix. Over any integers.
 //
-// A, B, C are relative to the centre, N1 = A x B, N2 = B x C, N3 = C x A, and V = N1 + N2 + N3. By Binet and Cauchy, (a x
-// b).(c x d) = (a.c)(b.d) - (a.d)(b.c): the dot products of N1, N2, N3 are cofactors of the matrix of the six dot
+// A, B, C are relative to the centre, N1 = A x B, N2 = B x C, N3 = C x A, and V = N1 + N2 + N3. By Binet and Cauchy, (a
+// x b).(c x d) = (a.c)(b.d) - (a.d)(b.c): the dot products of N1, N2, N3 are cofactors of the matrix of the six dot
 // products of A, B, C, and d^2 = (A.V)^2 = det(A, B, C)^2 is its determinant.
 //
 // Let |x| <= M = 2^n for the nine coordinates of A, B, C and for r. Then |A|, |B|, |C| <= sqrt(3) M, |N| <= 3 M^2, and

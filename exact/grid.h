@@ -49,8 +49,8 @@ int least_set_bit(const std::array<Real, coordinate_count>& numbers) {
 // Integers that hold any query of a precision: its numbers are multiples of the least one, below 2^max_exponent, and
 // their differences below twice that.
 template <class Real>
-constexpr int most_bits =
-    std::numeric_limits<Real>::max_exponent + 1 - (std::numeric_limits<Real>::min_exponent - std::numeric_limits<Real>::digits);
+constexpr int most_bits = std::numeric_limits<Real>::max_exponent + 1 -
+                          (std::numeric_limits<Real>::min_exponent - std::numeric_limits<Real>::digits);
 template <class Real>
 using AnyGrid = UpToWords<(most_bits<Real> + 63) / 64>;
 static_assert(fits_in_words(most_bits<float>, 10) && fits_in_words(most_bits<double>, 66));

@@ -1,5 +1,5 @@
-// Why the signs are the published ones. All sixteen comparisons depend on the six dot products of A, B, C and on rr alone
-// (exact/gram.h).
+// Why the signs are the published ones. All sixteen comparisons depend on the six dot products of A, B, C and on rr
+// alone (exact/gram.h).
 //
 // vertex.*      as published
 // plane.radius  as published: d^2 > rr |V|^2
@@ -155,9 +155,9 @@ std::optional<Signs> signs_of(const Grid<Int128>& grid) {
 
 // The signs of a query whose radius is positive, but so small that nothing else comes near it: those with the radius 0,
 // where ties of a radius comparison are none unless its other side is zero as well. With differences of n bits at most
-// in units of 2^k, the lhs of a radius comparison in the forms above is an integer, A.A, |N|^2 or d^2, and its rhs is rr
-// times 1, e <= 12 2^(2n) or |V|^2 <= 81 2^(4n). So for r < 2^-(2n + 4) units the rhs is below 1: less than any lhs but
-// zero. Meshes have spheres of the least radius that there is.
+// in units of 2^k, the lhs of a radius comparison in the forms above is an integer, A.A, |N|^2 or d^2, and its rhs is
+// rr times 1, e <= 12 2^(2n) or |V|^2 <= 81 2^(4n). So for r < 2^-(2n + 4) units the rhs is below 1: less than any lhs
+// but zero. Meshes have spheres of the least radius that there is.
 template <class Real>
 std::optional<Signs> signs_at_tiny_radius(const Query<Real>& q) {
   if (q.r == 0) return std::nullopt;

@@ -8,8 +8,8 @@
 
 namespace axiscert {
 
-// The signs of the published comparisons of a valid query. Most have numbers that are multiples of some 2^k and less than
-// 2^(k + 126), and differences v - p and a radius that have `greatest_grid_bits` bits at most once divided by the
+// The signs of the published comparisons of a valid query. Most have numbers that are multiples of some 2^k and less
+// than 2^(k + 126), and differences v - p and a radius that have `greatest_grid_bits` bits at most once divided by the
 // greatest power of two that divides them all: these take integers of a few words (exact/wide_integer.h). Others take
 // as many as it needs (exact/limb_integer.h). Never throws or rounds; the processor must not take subnormals for zero.
 template <class Real>

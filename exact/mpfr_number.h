@@ -16,7 +16,7 @@ class Mpfr {
   }
   explicit Mpfr(double x) : Mpfr() { mpfr_set_d(value_, x, MPFR_RNDN); }
   explicit Mpfr(mpz_srcptr x) : Mpfr() { mpfr_set_z(value_, x, MPFR_RNDN); }  // rounds where it has more bits
-  template <int Others>  // rounds where Bits is less
+  template <int Others>                                                       // rounds where Bits is less
   explicit Mpfr(const Mpfr<Others>& other) : Mpfr() {
     mpfr_set(value_, other.get(), MPFR_RNDN);
   }

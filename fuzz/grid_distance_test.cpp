@@ -52,7 +52,8 @@ TYPED_TEST(GridDistances, AreThoseOfTrianglesWithoutArea) {
   for (int x = -3; x <= 3; ++x) {
     for (const int second : {-2, 0, 2}) {
       for (const int third : {-2, 0, 1}) {
-        const Query<TypeParam> q = {{0, 0, 0}, {TypeParam(second), 0, 0}, {TypeParam(third), 0, 0}, {TypeParam(x), 1, 1}, 2};
+        const Query<TypeParam> q = {
+            {0, 0, 0}, {TypeParam(second), 0, 0}, {TypeParam(third), 0, 0}, {TypeParam(x), 1, 1}, 2};
         const Rational square = squared_distance(q);
         ASSERT_EQ(distance_on_grid(q), nearest_sqrt<TypeParam>(square)) << x << ' ' << second << ' ' << third;
         ASSERT_EQ(depth_on_grid(q), depth(q, square)) << x << ' ' << second << ' ' << third;
@@ -74,10 +75,12 @@ TYPED_TEST(GridDistances, HoldAtBothEndsOfThePrecision) {
   const TypeParam least = Limits::denorm_min(), most = Limits::max();
   EXPECT_EQ(distance_on_grid(Query<TypeParam>{}), 0);
   EXPECT_EQ(depth_on_grid(Query<TypeParam>{}), 0);
-  const Query<TypeParam> small = {{4 * least, 3 * least, 0}, {4 * least, 3 * least, 0}, {4 * least, 3 * least, 0}, {}, least};
+  const Query<TypeParam> small = {
+      {4 * least, 3 * least, 0}, {4 * least, 3 * least, 0}, {4 * least, 3 * least, 0}, {}, least};
   EXPECT_EQ(distance_on_grid(small), 5 * least);
   EXPECT_EQ(depth_on_grid(small), 0.8);
-  const Query<TypeParam> wide = {{most, most, most}, {most, most, least}, {most, -most, most}, {-most, -most, -most}, least};
+  const Query<TypeParam> wide = {
+      {most, most, most}, {most, most, least}, {most, -most, most}, {-most, -most, -most}, least};
   EXPECT_EQ(distance_on_grid(wide), Limits::infinity());
   EXPECT_EQ(depth_on_grid(wide), depth(wide, squared_distance(wide)));
 }
