@@ -165,7 +165,7 @@ TYPED_TEST(GridSigns, AreExactAtTinyRadii) {
 }
 
 // A radius below the unit of the other numbers that is not tiny: the line through (2^k, 1, 0) and (-3 2^k, -2, 0)
-// passes at 1/4 from the centre, and in z, likewise, the plane.
+// passes at 1/4 from the centre; the same in another plane, and in a triangle that is great both ways.
 TYPED_TEST(GridSigns, AreExactAtRadiiBelowTheUnitThatAreNotTiny) {
   for (int k = 60; k <= 120; ++k) {
     const TypeParam far = std::ldexp(TypeParam(1), k), quarter = TypeParam(0.25);
