@@ -22,7 +22,7 @@ constexpr double enclosing_error = 0x1p-180;
 
 template <std::size_t words>
 Enclosing enclosing(const LimbInteger<words>& x) {
-  return x.as_mpz([](mpz_srcptr z) { return Enclosing(z); });
+  return x.as_mpz([](mpz_srcptr z) { return Enclosing::of(z); });
 }
 
 template <class Real>
