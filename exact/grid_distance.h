@@ -12,7 +12,7 @@ template <class Real>
 std::optional<double> depth_on_grid(const Query<Real>& q);
 
 // The distance from P to the triangle, rounded to nearest: infinite beyond the precision. Nothing where it is too near
-// to the midpoint of two floats, or on it. Of a valid query; r is not read.
+// to the midpoint of two floats, or on it. Of a valid query, whatever its r.
 template <class Real>
 std::optional<Real> distance_on_grid(const Query<Real>& q);
 

@@ -150,18 +150,32 @@ TYPED_TEST(GridSigns, AreExactAtBothEndsOfThePrecision) {
       Query<TypeParam>{{most, most, most}, {most, -most, least}, {-most, least, most}, {-most, -most, -most}, most}));
 }
 
-// The least radius beside coordinates of any size, on lattices with ties in every comparison; and radii about the size
-// from which on they count.
+// The least radius beside coordinates of any size, on lattices with ties in every comparison; and other small ones.
 TYPED_TEST(GridSigns, AreExactAtTinyRadii) {
   constexpr int seed = 85;
   std::mt19937_64 random(seed);
-  for (int i = 0; i < 40000; ++i) {
+  for (int i = 0; i < 20000; ++i) {
     std::array<TypeParam, coordinate_count> x{};
     const int size = 1 + static_cast<int>(random() % (i % 2 == 0 ? 2 : 20));
     for (TypeParam& v : x) v = static_cast<TypeParam>(static_cast<std::int64_t>(random()) >> (64 - size));
     const int least = std::numeric_limits<TypeParam>::min_exponent - std::numeric_limits<TypeParam>::digits;
     x[12] = std::ldexp(TypeParam(1), i % 4 < 2 ? least : -static_cast<int>(random() % 149));
     ASSERT_TRUE(agrees(from_coordinates(x))) << "query " << i << " of seed " << seed;
+  }
+}
+
+// A radius below the unit of the other numbers that is not tiny: the line through (2^k, 1, 0) and (-3 2^k, -2, 0)
+// passes at 1/4 from the centre; the same in another plane, and in a triangle that is great both ways.
+TYPED_TEST(GridSigns, AreExactAtRadiiBelowTheUnitThatAreNotTiny) {
+  for (int k = 60; k <= 120; ++k) {
+    const TypeParam far = std::ldexp(TypeParam(1), k), quarter = TypeParam(0.25);
+    const TypeParam above = std::nextafter(quarter, TypeParam(1)), below = std::nextafter(quarter, TypeParam(0));
+    for (const TypeParam r : {above, below, above / 4, above * 2, below * 2, std::ldexp(above, -k)}) {
+      ASSERT_TRUE(agrees(Query<TypeParam>{{far, 1, 0}, {-3 * far, -2, 0}, {0, 5, 7}, {}, r})) << k << ' ' << r;
+      ASSERT_TRUE(agrees(Query<TypeParam>{{0, 5, 7}, {far, 0, 1}, {-3 * far, 0, -2}, {}, r})) << k << ' ' << r;
+      ASSERT_TRUE(agrees(Query<TypeParam>{{far, 0, 1}, {-3 * far, far, -2}, {far, -3 * far, 1}, {}, r}))
+          << k << ' ' << r;
+    }
   }
 }
 

@@ -15,11 +15,6 @@ class Mpfr {
     mpfr_custom_init_set(value_, MPFR_ZERO_KIND, 0, Bits, limbs_);
   }
   explicit Mpfr(double x) : Mpfr() { mpfr_set_d(value_, x, MPFR_RNDN); }
-  static Mpfr of(mpz_srcptr x) {  // rounds where it has more bits
-    Mpfr result;
-    mpfr_set_z(result.value_, x, MPFR_RNDN);
-    return result;
-  }
   template <int Others>  // rounds where Bits is less
   explicit Mpfr(const Mpfr<Others>& other) : Mpfr() {
     mpfr_set(value_, other.get(), MPFR_RNDN);
@@ -28,6 +23,11 @@ class Mpfr {
   Mpfr& operator=(const Mpfr& other) {
     mpfr_set(value_, other.value_, MPFR_RNDN);
     return *this;
+  }
+  static Mpfr of(mpz_srcptr x) {  // rounds where it has more bits
+    Mpfr result;
+    mpfr_set_z(result.value_, x, MPFR_RNDN);
+    return result;
   }
   mpfr_srcptr get() const { return value_; }
 
