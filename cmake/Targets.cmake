@@ -29,7 +29,7 @@ endfunction()
 
 # axiscert_bench(NAME SOURCES... LIBRARIES libraries...): a Google Benchmark program; `./dev bench` runs it.
 function(axiscert_bench name)
-  if(NOT AXISCERT_TESTS)
+  if(NOT AXISCERT_TESTS OR NOT AXISCERT_BENCHMARKS)
     return()
   endif()
   cmake_parse_arguments(arg "" "" "LIBRARIES" ${ARGN})

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "exact/geometric_oracle.h"
+#include "exact/grid_distance.h"
 #include "exact/nearest_root.h"
 
 namespace axiscert {
@@ -132,7 +133,8 @@ std::optional<Real> distance_within(const Rational& squared_distance, const Radi
 
 template <class Real>
 Real rounded_distance(const Query<Real>& query) {
-  const auto found = nearest_distance(query);
+  if (const auto found = nearest_distance(query)) return *found;
+  const auto found = distance_on_grid(query);
   return found ? *found : nearest_sqrt<Real>(squared_distance(query));
 }
 

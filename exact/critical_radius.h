@@ -46,9 +46,9 @@ struct CriticalRadiusError {
 template <class Real>
 std::optional<Real> distance_within(const Rational& squared_distance, const RadiusRange<Real>& range);
 
-// The same from the distance already rounded, which is found without exact arithmetic for nearly every query: the
-// filters of exact/nearest_root.h, and only where they are silent the oracle's squared distance. Infinite beyond the
-// precision.
+// The same from the distance already rounded, which is found without rationals for nearly every query: by the filters
+// of exact/nearest_root.h; where they are silent by integers; and only where the distance is a midpoint of two floats, or all but one,
+// by the oracle's squared distance. Infinite beyond the precision.
 template <class Real>
 Real rounded_distance(const Query<Real>& query);
 template <class Real>

@@ -1,7 +1,5 @@
-// Why the signs are the published ones. A, B, C are relative to the centre, N1 = A x B, N2 = B x C, N3 = C x A, and
-// V = N1 + N2 + N3. All sixteen comparisons depend on the six dot products of A, B, C and on rr alone: by Binet and
-// Cauchy, (a x b).(c x d) = (a.c)(b.d) - (a.d)(b.c), the dot products of N1, N2, N3 are cofactors of the matrix of
-// those, and d^2 = (A.V)^2 = det(A, B, C)^2 is its determinant.
+// Why the signs are the published ones. All sixteen comparisons depend on the six dot products of A, B, C and on rr alone
+// (exact/gram.h).
 //
 // vertex.*      as published
 // plane.radius  as published: d^2 > rr |V|^2
@@ -13,57 +11,18 @@
 // all differences and the radius changes no sign.
 #include "exact/grid_signs.h"
 
-#include <algorithm>
-#include <bit>
-#include <limits>
-#include <type_traits>
-
-#include "exact/wide_integer.h"
+#include "exact/grid.h"
 
 namespace axiscert {
 namespace {
 
-// Let |x| <= M = 2^n for the nine coordinates of A, B, C and for r. Then |A|, |B|, |C| <= sqrt(3) M, |N| <= 3 M^2, and
-// with all partial sums
-// - degree 2: |a.b| <= 3 M^2, e = (aa + bb) - 2 ab <= 12 M^2, so with a sign 2n + 5 bits;
-// - degree 4: N.N <= 9 M^4, N.V <= 27 M^4, |V|^2 <= 81 M^4, rr e <= 12 M^4, |N|^2 - rr e <= 12 M^4: 4n + 8 bits;
-// - degree 6: d^2 <= 27 M^6 by partial sums <= 81 M^6, rr |V|^2 <= 81 M^6, and so their difference: 6n + 8 bits.
-// A product of two numbers is exact in the sum of their words, whatever they are.
-constexpr bool fits(int n, int words) {
-  return 2 * n + 5 <= 64 * words && 4 * n + 8 <= 128 * words && 6 * n + 8 <= 192 * words;
-}
-static_assert(fits(grid_bits(1), 1) && fits(grid_bits(2), 2) && fits(grid_bits(3), 3) && fits(grid_bits(4), 4));
+static_assert(fits_in_words(grid_bits(1), 1) && fits_in_words(grid_bits(2), 2) && fits_in_words(grid_bits(3), 3) &&
+              fits_in_words(grid_bits(4), 4));
 
-// A, B, C relative to the centre, and r.
-template <class Integer>
-using Centred = std::array<Integer, 10>;
-
-template <std::size_t words>
-Signs signs_in(const Centred<std::conditional_t<(words <= 2), std::int64_t, Int128>>& q) {
+template <class Numbers>
+Signs signs_in(const Centred<typename Numbers::Given>& q) {
   using enum Comparison;
-  using Degree2 = WideInteger<words>;
-  using Degree4 = WideInteger<2 * words>;
-  using Degree6 = WideInteger<3 * words>;
-  // A coordinate has n bits and a sign, and half as many words hold 32 (words + words % 2) >= n + 1.
-  using Coordinate = WideInteger<(words + 1) / 2>;
-  const auto product = [](const Coordinate& x, const Coordinate& y) AXISCERT_WORDS_INLINE {
-    if constexpr (words % 2 == 0) return x * y;
-    else return Degree2(x * y);
-  };
-  const auto dot = [&](std::size_t u, std::size_t v) AXISCERT_WORDS_INLINE {
-    const auto term = [&](std::size_t i)
-                          AXISCERT_WORDS_INLINE { return product(Coordinate(q[u + i]), Coordinate(q[v + i])); };
-    return (term(0) + term(1)) + term(2);
-  };
-  const Degree2 aa = dot(0, 0), ab = dot(0, 3), ac = dot(0, 6), bb = dot(3, 3), bc = dot(3, 6), cc = dot(6, 6);
-  const Degree2 rr = product(Coordinate(q[9]), Coordinate(q[9]));
-
-  const Degree4 n11 = aa * bb - ab * ab, n22 = bb * cc - bc * bc, n33 = cc * aa - ac * ac;
-  const Degree4 n12 = ab * bc - ac * bb, n23 = bc * ac - ab * cc, n31 = ac * ab - bc * aa;
-  const Degree4 n1v = n11 + n12 + n31, n2v = n12 + n22 + n23, n3v = n31 + n23 + n33;
-  const Degree4 vv = n1v + n2v + n3v;
-  const Degree6 dd = cc * n11 + ac * n12 + bc * n31;
-
+  const Gram<Numbers> g(q);
   Signs signs{0, 0};
   const auto emit = [&](Comparison which, const auto& difference) AXISCERT_WORDS_INLINE {
     const auto i = static_cast<unsigned>(which);
@@ -71,53 +30,25 @@ Signs signs_in(const Centred<std::conditional_t<(words <= 2), std::int64_t, Int1
     signs.strict |= static_cast<ComparisonBits>(static_cast<unsigned>(!zero && !difference.is_negative()) << i);
     signs.ties |= static_cast<ComparisonBits>(static_cast<unsigned>(zero) << i);
   };
-  emit(plane_radius, dd - rr * vv);
-  emit(vertex_a_radius, aa - rr);
-  emit(vertex_a_side_b, ab - aa);
-  emit(vertex_a_side_c, ac - aa);
-  emit(vertex_b_radius, bb - rr);
-  emit(vertex_b_side_a, ab - bb);
-  emit(vertex_b_side_c, bc - bb);
-  emit(vertex_c_radius, cc - rr);
-  emit(vertex_c_side_a, ac - cc);
-  emit(vertex_c_side_b, bc - cc);
+  using Degree4 = typename Numbers::Degree4;
+  emit(plane_radius, g.dd - g.rr * g.vv);
+  emit(vertex_a_radius, g.aa - g.rr);
+  emit(vertex_a_side_b, g.ab - g.aa);
+  emit(vertex_a_side_c, g.ac - g.aa);
+  emit(vertex_b_radius, g.bb - g.rr);
+  emit(vertex_b_side_a, g.ab - g.bb);
+  emit(vertex_b_side_c, g.bc - g.bb);
+  emit(vertex_c_radius, g.cc - g.rr);
+  emit(vertex_c_side_a, g.ac - g.cc);
+  emit(vertex_c_side_b, g.bc - g.cc);
   const Degree4 zero(std::int64_t{0});
-  emit(edge_ab_radius, n11 - rr * (aa + bb - (ab + ab)));
-  emit(edge_ab_side_c, zero - n1v);
-  emit(edge_bc_radius, n22 - rr * (bb + cc - (bc + bc)));
-  emit(edge_bc_side_a, zero - n2v);
-  emit(edge_ca_radius, n33 - rr * (cc + aa - (ac + ac)));
-  emit(edge_ca_side_b, zero - n3v);
+  emit(edge_ab_radius, g.n11 - g.rr * g.edge2(g.aa, g.ab, g.bb));
+  emit(edge_ab_side_c, zero - g.n1v);
+  emit(edge_bc_radius, g.n22 - g.rr * g.edge2(g.bb, g.bc, g.cc));
+  emit(edge_bc_side_a, zero - g.n2v);
+  emit(edge_ca_radius, g.n33 - g.rr * g.edge2(g.cc, g.ac, g.aa));
+  emit(edge_ca_side_b, zero - g.n3v);
   return signs;
-}
-
-// The numbers without their signs as they are stored, which orders them by magnitude.
-template <class Real>
-using Magnitude = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-template <class Real>
-Magnitude<Real> magnitude(Real x) {
-  return std::bit_cast<Magnitude<Real>>(x) & (~Magnitude<Real>{0} >> 1);
-}
-
-// The exponent of a magnitude's last place, 2^exponent.
-template <class Real>
-int unit_exponent(Magnitude<Real> magnitude) {
-  using Limits = std::numeric_limits<Real>;
-  return std::max(static_cast<int>(magnitude >> (Limits::digits - 1)), 1) + (Limits::min_exponent - Limits::digits - 1);
-}
-
-// The exponent of the least bit that is set in any of the numbers, which are not all zero.
-template <class Real>
-int least_set_bit(const std::array<Real, coordinate_count>& numbers) {
-  constexpr Magnitude<Real> hidden = Magnitude<Real>{1} << (std::numeric_limits<Real>::digits - 1);
-  int least = std::numeric_limits<Real>::max_exponent;
-  for (const Real x : numbers) {
-    const Magnitude<Real> stored = magnitude(x);
-    if (stored == 0) continue;
-    const Magnitude<Real> significand = stored < hidden ? stored : ((stored & (hidden - 1)) | hidden);
-    least = std::min(least, unit_exponent<Real>(stored) + std::countr_zero(significand));
-  }
-  return least;
 }
 
 template <class Integer>
@@ -205,27 +136,28 @@ Centred<To> converted(const Centred<From>& from) {
 }
 
 std::optional<Signs> signs_of(const Grid<std::int64_t>& grid) {
-  if (grid.bits <= grid_bits(1)) return signs_in<1>(grid.centred);
-  if (grid.bits <= grid_bits(2)) return signs_in<2>(grid.centred);
+  if (grid.bits <= grid_bits(1)) return signs_in<FixedWords<1>>(grid.centred);
+  if (grid.bits <= grid_bits(2)) return signs_in<FixedWords<2>>(grid.centred);
   static_assert(grid_bits(3) >= 63);
-  return signs_in<3>(converted<Int128>(grid.centred));
+  return signs_in<FixedWords<3>>(converted<Int128>(grid.centred));
 }
 
 std::optional<Signs> signs_of(const Grid<Int128>& grid) {
   if (grid.bits <= grid_bits(2)) return signs_of({converted<std::int64_t>(grid.centred), grid.bits});
-  if (grid.bits <= grid_bits(3)) return signs_in<3>(grid.centred);
-  if (grid.bits <= grid_bits(4)) return signs_in<4>(grid.centred);
+  if (grid.bits <= grid_bits(3)) return signs_in<FixedWords<3>>(grid.centred);
+  if (grid.bits <= grid_bits(4)) return signs_in<FixedWords<4>>(grid.centred);
   return std::nullopt;
 }
 
 }  // namespace
 
 template <class Real>
-std::optional<Signs> grid_signs(const Query<Real>& q) {
-  return on_grid(q, [](const auto& grid) { return signs_of(grid); });
+Signs grid_signs(const Query<Real>& q) {
+  const auto few = on_grid(q, [](const auto& grid) { return signs_of(grid); });
+  return few ? *few : signs_in<AnyGrid<Real>>(on_any_grid(q).centred);
 }
-template std::optional<Signs> grid_signs<float>(const Query<float>&);
-template std::optional<Signs> grid_signs<double>(const Query<double>&);
+template Signs grid_signs<float>(const Query<float>&);
+template Signs grid_signs<double>(const Query<double>&);
 
 template <class Real>
 std::optional<int> bits_on_grid(const Query<Real>& q) {

@@ -1,4 +1,4 @@
-// The sixteen exact signs by integers of a few words, for queries whose numbers lie on one grid.
+// The sixteen exact signs by integers.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 
 namespace axiscert {
 
-// The signs of the published comparisons of a valid query, where all thirteen numbers are multiples of some 2^k and
-// less than 2^(k + 126), and the nine differences v - p and r, divided by the greatest power of two that divides them
-// all, have `greatest_grid_bits` bits at most. Otherwise nothing, which says nothing of the query. Never throws,
-// allocates or rounds; the processor must not take subnormals for zero.
+// The signs of the published comparisons of a valid query. Most have numbers that are multiples of some 2^k and less than
+// 2^(k + 126), and differences v - p and a radius that have `greatest_grid_bits` bits at most once divided by the
+// greatest power of two that divides them all: these take integers of a few words (exact/wide_integer.h). Others take
+// as many as it needs (exact/limb_integer.h). Never throws or rounds; the processor must not take subnormals for zero.
 template <class Real>
-std::optional<Signs> grid_signs(const Query<Real>& q);
+Signs grid_signs(const Query<Real>& q);
 
 // The bits of the greatest of the nine differences and r in units of the greatest power of two that divides them all;
 // nothing where the numbers lie too far apart. Queries to grid_bits(words) are decided in integers of that many words.

@@ -1,9 +1,11 @@
-// Signs in few words beside those of CGAL::Mpzf: on every query of small lattices, and at the limits of every width.
+// Signs by integers beside those of CGAL::Mpzf: on every query of small lattices, at the limits of every width, and
+// however far apart the numbers lie.
 #include "exact/grid_signs.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <random>
@@ -21,9 +23,8 @@ Signs expected(const Query<Real>& q) {
 
 template <class Real>
 testing::AssertionResult agrees(const Query<Real>& q) {
-  const std::optional<Signs> found = grid_signs(q);
-  if (found && *found == expected(q)) return testing::AssertionSuccess();
-  auto failure = testing::AssertionFailure() << std::hexfloat << (found ? "other signs:" : "nothing:");
+  if (grid_signs(q) == expected(q)) return testing::AssertionSuccess();
+  auto failure = testing::AssertionFailure() << std::hexfloat << "other signs:";
   for (const Real x : coordinates(q)) failure << ' ' << x;
   return failure;
 }
@@ -31,6 +32,8 @@ testing::AssertionResult agrees(const Query<Real>& q) {
 template <class Real>
 class GridSigns : public testing::Test {};
 using Reals = testing::Types<float, double>;
+template <class Real>
+using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
 TYPED_TEST_SUITE(GridSigns, Reals);
 
 // All triangles on the 27 points of {-1, 0, 1}^3, around (0, 0, 0) and (1, 0, 0), at radii of halves: repeated
@@ -45,7 +48,7 @@ TYPED_TEST(GridSigns, AreExactOnEveryTriangleOfASmallLattice) {
       x[12] = TypeParam(halves) / 2;
       const auto q = from_coordinates(x);
       ASSERT_TRUE(agrees(q));
-      const Signs signs = *grid_signs(q);
+      const Signs signs = grid_signs(q);
       tied |= signs.ties;
       held |= signs.strict;
       failed |= static_cast<ComparisonBits>(~(signs.ties | signs.strict));
@@ -78,8 +81,7 @@ TYPED_TEST(GridSigns, AreExactAtTheLimitOfEveryWidth) {
         // Away from a centre at 1 are the same bits, or one more.
         const int found_bits = bits_on_grid(q).value();
         ASSERT_TRUE(found_bits == bits || found_bits == bits + 1) << bits << " bits, seed " << seed;
-        if (found_bits <= greatest_grid_bits) ASSERT_TRUE(agrees(q)) << "seed " << seed;
-        else ASSERT_EQ(grid_signs(q), std::nullopt);
+        ASSERT_TRUE(agrees(q)) << "seed " << seed;
       }
     }
   }
@@ -106,27 +108,60 @@ TYPED_TEST(GridSigns, AreExactAtEverySizeAndScale) {
     if (i % 8 == 0) x[3] = x[0], x[4] = x[10];
     const auto q = from_coordinates(x);
     const std::optional<int> bits = bits_on_grid(q);
-    ASSERT_EQ(grid_signs(q).has_value(), bits && *bits <= greatest_grid_bits);
-    if (!grid_signs(q)) continue;
     ASSERT_TRUE(agrees(q)) << "query " << i << " of seed " << seed;
-    for (int words = 1; words <= most_grid_words; ++words) {
-      if (*bits > grid_bits(words - 1) && *bits <= grid_bits(words)) ++by_words[words];
-    }
+    int words = 1;
+    while (words <= most_grid_words && !(bits && *bits <= grid_bits(words))) ++words;
+    ++by_words[words];
   }
-  for (int words = 1; words <= most_grid_words; ++words) EXPECT_GT(by_words[words], 1000) << words;
+  for (int words = 1; words <= most_grid_words + 1; ++words) EXPECT_GT(by_words[words], 1000) << words;
 }
 
-// 2^126 is the widest that any numbers are apart, and zeros, of either sign, are apart from nothing.
-TYPED_TEST(GridSigns, SayNothingWhereTheNumbersAreTooFarApart) {
+// 2^126 is the widest that numbers of a few words are apart, and zeros, of either sign, are apart from nothing.
+TYPED_TEST(GridSigns, AreExactWhereTheNumbersAreJustTooFarApart) {
   const auto wide = [](int exponent) {
     const auto x = std::ldexp(TypeParam(1), -exponent), zero = TypeParam(0);
     return Query<TypeParam>{{1, 0, 0}, {x, 1, -zero}, {0, 0, 1}, {zero, -zero, zero}, zero};
   };
-  EXPECT_TRUE(agrees(wide(greatest_grid_bits - 1)));
-  EXPECT_EQ(grid_signs(wide(greatest_grid_bits)), std::nullopt);
-  EXPECT_EQ(grid_signs(wide(126)), std::nullopt);
+  for (const int exponent : {greatest_grid_bits - 1, greatest_grid_bits, 125, 126, 127, 149}) {
+    EXPECT_TRUE(agrees(wide(exponent))) << exponent;
+  }
+  EXPECT_EQ(bits_on_grid(wide(125)), 126);
+  EXPECT_EQ(bits_on_grid(wide(126)), std::nullopt);
   EXPECT_EQ(bits_on_grid(Query<TypeParam>{}), 0);
   EXPECT_TRUE(agrees(Query<TypeParam>{}));
+}
+
+// The least and the greatest numbers of the precision, with ones and zeros: every number, every difference and every
+// degree at its greatest size. Repeated vertices and ties are among them.
+TYPED_TEST(GridSigns, AreExactAtBothEndsOfThePrecision) {
+  constexpr int seed = 83;
+  using Limits = std::numeric_limits<TypeParam>;
+  std::mt19937_64 random(seed);
+  const TypeParam sizes[] = {0, Limits::denorm_min(), Limits::min(), 1, Limits::max(), Limits::max()};
+  for (int i = 0; i < 5000; ++i) {
+    std::array<TypeParam, coordinate_count> x{};
+    for (TypeParam& v : x) v = sizes[random() % 6] * (random() % 2 == 0 ? TypeParam(1) : TypeParam(-1));
+    x[12] = std::abs(x[12]);
+    if (i % 4 == 0) std::copy_n(x.begin(), 3, x.begin() + 3 + static_cast<int>(random() % 3) * 3);
+    ASSERT_TRUE(agrees(from_coordinates(x))) << "query " << i << " of seed " << seed;
+  }
+  const TypeParam most = Limits::max(), least = Limits::denorm_min();
+  EXPECT_TRUE(agrees(Query<TypeParam>{{most, most, most}, {most, -most, least}, {-most, least, most},
+                                      {-most, -most, -most}, most}));
+}
+
+// Any bit patterns of finite numbers.
+TYPED_TEST(GridSigns, AreExactOnRandomBits) {
+  constexpr int seed = 84;
+  std::mt19937_64 random(seed);
+  for (int i = 0; i < 3000;) {
+    std::array<TypeParam, coordinate_count> x{};
+    for (TypeParam& v : x) v = std::bit_cast<TypeParam>(static_cast<Bits<TypeParam>>(random()));
+    x[12] = std::abs(x[12]);
+    if (!std::all_of(x.begin(), x.end(), [](TypeParam v) { return std::isfinite(v); })) continue;
+    ASSERT_TRUE(agrees(from_coordinates(x))) << "query " << i << " of seed " << seed;
+    ++i;
+  }
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ class Mpfr {
     mpfr_custom_init_set(value_, MPFR_ZERO_KIND, 0, Bits, limbs_);
   }
   explicit Mpfr(double x) : Mpfr() { mpfr_set_d(value_, x, MPFR_RNDN); }
+  explicit Mpfr(mpz_srcptr x) : Mpfr() { mpfr_set_z(value_, x, MPFR_RNDN); }  // rounds where it has more bits
   template <int Others>  // rounds where Bits is less
   explicit Mpfr(const Mpfr<Others>& other) : Mpfr() {
     mpfr_set(value_, other.get(), MPFR_RNDN);

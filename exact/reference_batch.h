@@ -23,16 +23,21 @@ class ReferenceBatch {
  public:
   explicit ReferenceBatch(const Kernel& kernel);
   void evaluate(const QueryColumns<Real>& batch);
-  // What both decide; nothing where the formulae have no such form.
+  // Whether the formulae have such forms. Without them nothing is known.
+  bool has_form() const { return form_ != nullptr; }
+  // What both decide.
   std::optional<RoundedBits> rounded(std::size_t i) const {
     if (bits_.empty()) return std::nullopt;
     return RoundedBits{range_free(i), bits_[i]};
   }
   // The bits of both where they are the same.
   std::optional<ComparisonBits> shared(std::size_t i) const {
-    if (bits_.empty() || bits_[i] != range_free(i)) return std::nullopt;
+    if (bits_.empty() || !is_shared(i)) return std::nullopt;
     return bits_[i];
   }
+  // The same in two parts, for loops over a batch.
+  const ComparisonBits* bits() const { return bits_.data(); }
+  bool is_shared(std::size_t i) const { return bits_[i] == range_free(i); }
 
  private:
   // Where no operation over- or underflowed in a block of queries, the two are the same (exact/unbounded.h).

@@ -142,7 +142,7 @@ TYPED_TEST(WideMarginsTest, ErrorsAreWithinTheirBounds) {
       for (std::size_t k = 0; k < comparison_count; ++k) {
         const ComparisonError error(computed.lhs[k], computed.rhs[k], truth.comparison(k));
         if (error.kind() == ComparisonError::Kind::range_event) continue;
-        const auto [lower, upper] =
+        const auto [lower, upper, exponent_above] =
             margins.error(static_cast<Comparison>(k), sides, computed.lhs[k], computed.rhs[k], digits);
         const auto where = testing::Message() << id << " query " << i << " " << comparisons[k].name << " seed " << seed;
         ++compared;
@@ -154,6 +154,7 @@ TYPED_TEST(WideMarginsTest, ErrorsAreWithinTheirBounds) {
         const Rational expected(exact_error.numerator, exact_error.denominator);
         ASSERT_LE(exact(lower), expected) << where;
         ASSERT_TRUE(!std::isfinite(upper) || exact(upper) >= expected) << where;
+        ASSERT_LT(expected, times_power(Rational(1), std::min(exponent_above, 100000))) << where;
         finite += std::isfinite(upper);
         narrow += upper <= lower * (1 + 0x1p-20);
       }

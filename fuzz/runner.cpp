@@ -7,20 +7,18 @@
 
 #include "exact/depth.h"
 #include "exact/geometric_oracle.h"
+#include "exact/grid_distance.h"
 
 namespace axiscert {
 
 namespace {
 
-// axes_of(), for a loop in which it counts.
-AxisBits axes_in_table(ComparisonBits bits) {
-  static const std::vector<AxisBits> table = [] {
-    std::vector<AxisBits> all;
-    for (unsigned b = 0; b <= 0xffff; ++b) all.push_back(axes_of(static_cast<ComparisonBits>(b)));
-    return all;
-  }();
-  return table[bits];
-}
+// axes_of(), for loops in which it counts.
+const std::array<AxisBits, 0x10000> axes_table = [] {
+  std::array<AxisBits, 0x10000> all{};
+  for (unsigned bits = 0; bits <= 0xffff; ++bits) all[bits] = axes_of(static_cast<ComparisonBits>(bits));
+  return all;
+}();
 
 }  // namespace
 
@@ -42,6 +40,7 @@ double LazyDistance<Real>::at_most() {
 }
 template <class Real>
 double LazyDistance<Real>::exactly() {
+  if (!depth_ && !exact_only_) depth_ = depth_on_grid(query_);
   if (!depth_) depth_ = depth(query_, squared());
   return *depth_;
 }
@@ -90,9 +89,31 @@ void Runner<Real>::look_at_sides(const QueryBatch<Real>& batch, const std::vecto
   errors_.look(batch, position_, answered, decided, reply_.answers);
 }
 
+// Without ties strict and non-strict signs are the same, no query touches, and each test is one comparison of flat
+// arrays.
+template <class Real>
+void Runner<Real>::count_plain(const QueryColumns<Real>& batch, const std::vector<DecidedSigns>& decided,
+                               const std::vector<char>& exactly) {
+  counted_.assign(batch.size, false);
+  if (kernel_.formulae == Formulae::none || (kernel_.is_reference && !reference_.has_form())) return;
+  const Real* radii = batch.column[coordinate_count - 1];
+  const ComparisonBits* bits = reply_.has_bits ? reply_.answers.bits.data() : nullptr;
+  const ComparisonBits* reference = kernel_.is_reference ? reference_.bits() : nullptr;
+  for (std::size_t i = 0; i < batch.size; ++i) {
+    const Signs signs = decided[i].signs;
+    const AxisBits axes = axes_table[signs.strict];
+    const bool is_plain = !exactly[i] && signs.ties == 0 && radii[i] != 0;
+    const bool is_right = reply_.verdicts[i] == verdict_of(axes) && (!bits || bits[i] == signs.strict) &&
+                          (!reference || (reference[i] == signs.strict && reference_.is_shared(i)));
+    if (!(is_plain && is_right)) continue;
+    clean_.add(axes, 0, false);
+    counted_[i] = true;
+  }
+}
+
 template <class Real>
 bool Runner<Real>::count_if_clean(std::size_t i, const Signs& signs, bool radius_is_zero, const Answer& answer) {
-  const Verdict right = verdict_of(axes_in_table(signs.bits(Strictness::nonstrict)));
+  const Verdict right = verdict_of(axes_table[signs.bits(Strictness::nonstrict)]);
   if (answer.verdict != right) return false;
   const bool touching = (signs.ties != 0 || radius_is_zero) && is_touching(signs, radius_is_zero);
   if (touching && kernel_.touching != Touching::contact) return false;
@@ -101,7 +122,7 @@ bool Runner<Real>::count_if_clean(std::size_t i, const Signs& signs, bool radius
     return true;
   }
   const ComparisonBits exact = signs.bits(kernel_.strictness);
-  const AxisBits axes = axes_in_table(exact);
+  const AxisBits axes = axes_table[exact];
   if (verdict_of(axes) != right || (answer.bits && *answer.bits != exact)) return false;
   if (kernel_.is_reference && reference_.shared(i) != exact) return false;
   clean_.add(axes, signs.ties, touching);

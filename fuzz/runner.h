@@ -42,6 +42,7 @@ class Runner {
 
   // Whether the signs are all that judging it takes: the filters have them. Others are judged by exact sides.
   bool is_judged_by_signs() const { return by_signs_; }
+  bool is_in_another_process() const { return implementation_.supervised != nullptr; }
 
   // What follows is about the batch whose first query is at `position`.
   void begin_batch(std::uint64_t position) { position_ = position; }
@@ -50,6 +51,11 @@ class Runner {
   void look_at_sides(const QueryBatch<Real>& batch, const std::vector<Attention>& attention,
                      const std::vector<DecidedSigns>& decided);
 
+  // Counts the queries of the batch on which no sign is a tie and nothing is wrong with the answer, but those that
+  // exact arithmetic judges; and whether it did.
+  void count_plain(const QueryColumns<Real>& batch, const std::vector<DecidedSigns>& decided,
+                   const std::vector<char>& exactly);
+  bool has_counted(std::size_t i) const { return !counted_.empty() && counted_[i]; }
   // Counts a query of the batch by its signs. The first only if nothing is wrong with the answer, and says whether.
   bool count_if_clean(std::size_t i, const Signs& signs, bool radius_is_zero, const Answer& answer);
   void judge_by_signs(std::size_t i, const Query<Real>& q, const Signs& signs, const Answer& answer,
@@ -83,6 +89,7 @@ class Runner {
   ErrorWatch<Real> errors_;
   CleanCount clean_;
   RepeatedJudgements repeated_;
+  std::vector<char> counted_;  // by query of the batch: by count_plain
   std::vector<Query<Real>> sampled_;
   std::vector<Real> distances_;  // exact, rounded, of the sampled queries
 };

@@ -17,7 +17,8 @@
 namespace axiscert {
 namespace {
 
-constexpr std::size_t batch_size = 1024;
+// Queries, sides and signs of a batch stay in the first-level cache, or the second; another process is asked seldom.
+constexpr std::size_t batch_size = 256, batch_size_for_processes = 1024;
 
 // The fault that is planted in the mode and not in the filter.
 class StaleRounding {
@@ -56,6 +57,7 @@ class UnitRun {
       if (!plan.kernels[k]->has(precision_of<Real>)) continue;
       runners_.emplace_back(*plan.kernels[k], plan, filter_, standing.empty() ? nothing : standing[k], first,
                             out.tallies[k]);
+      if (runners_.back().is_in_another_process()) batch_size_ = batch_size_for_processes;
     }
   }
 
@@ -63,10 +65,10 @@ class UnitRun {
     if (runners_.empty()) return;
     for (std::uint64_t done = 0; done < size; done += batch_.size()) {
       first_ = first + done;
-      run_batch(static_cast<std::size_t>(std::min<std::uint64_t>(batch_size, size - done)));
+      run_batch(static_cast<std::size_t>(std::min<std::uint64_t>(batch_size_, size - done)));
     }
     for (Runner<Real>& runner : runners_) runner.finish();
-    for (const Step step : {Step::lanes, Step::grid, Step::wide}) {
+    for (const Step step : {Step::lanes, Step::wide, Step::grid}) {
       out_.steps.steps[static_cast<std::size_t>(step)] = ladder_.nanoseconds(step);
     }
   }
@@ -87,8 +89,11 @@ class UnitRun {
       if (runner.is_judged_by_signs()) runner.look_at_sides(batch_, attention_, *decided_);
     }
     out_.steps.errors += watch.lap();
+    count_plain();
     const Real* radii = batch_.columns().column[coordinate_count - 1];
-    for (std::size_t i = 0; i < size; ++i) judge_query(i, radii[i] == 0);
+    for (std::size_t i = 0; i < size; ++i) {
+      if (open_[i]) judge_query(i, radii[i] == 0);
+    }
     if (!plan_.replies) sample_critical_radii();
     out_.steps.judging += watch.lap();
   }
@@ -130,8 +135,22 @@ class UnitRun {
   }
 
   // Most queries are counted here and go no further.
+  void count_plain() {
+    open_.assign(batch_.size(), plan_.exact_only || plan_.replies != nullptr);
+    if (open_[0]) return;
+    for (Runner<Real>& runner : runners_) {
+      if (runner.is_judged_by_signs()) {
+        runner.count_plain(batch_.columns(), *decided_, exactly_);
+        for (std::size_t i = 0; i < open_.size(); ++i) open_[i] |= static_cast<char>(!runner.has_counted(i));
+      } else {
+        open_.assign(batch_.size(), true);
+      }
+    }
+  }
+
   void judge_query(std::size_t i, bool radius_is_zero) {
     for (Runner<Real>& runner : runners_) {
+      if (runner.has_counted(i)) continue;
       const Answer answer =
           plan_.replies ? plan_.replies->at(source_, precision_of<Real>, first_ + i) : runner.answer(i);
       const bool by_signs = !exactly_[i] && runner.is_judged_by_signs();
@@ -201,11 +220,13 @@ class UnitRun {
   Filter<Real> filter_;
   Ladder<Real> ladder_;
   std::deque<Runner<Real>> runners_;
-  QueryBatch<Real> batch_{batch_size};
+  std::size_t batch_size_ = batch_size;
+  QueryBatch<Real> batch_{batch_size_for_processes};
   std::uint64_t first_ = 0;  // position of the batch's first query
   const std::vector<DecidedSigns>* decided_ = nullptr;
   std::optional<AtHand> at_hand_;
   std::vector<char> exactly_;         // by query: judged by exact arithmetic
+  std::vector<char> open_;            // by query: a kernel's answer is not counted yet
   std::vector<Attention> attention_;  // by query, of the error watches
 };
 

@@ -35,8 +35,8 @@ Json steps_json(const Plan& plan, const CellResult& cell) {
            {{"generation", each(steps.generation)},
             {"kernels", each(steps.kernels)},
             {"lanes", each(steps.steps[static_cast<std::size_t>(Step::lanes)])},
-            {"grid", each(steps.steps[static_cast<std::size_t>(Step::grid)])},
             {"wide", each(steps.steps[static_cast<std::size_t>(Step::wide)])},
+            {"grid", each(steps.steps[static_cast<std::size_t>(Step::grid)])},
             {"sides", each(steps.errors)},
             {"judging", each(steps.judging)}}}};
 }

@@ -18,7 +18,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
-Filter<float> filter32(FilterFault fault) { return filter_of<float>(fault); }
+Filter<float> filter32() { return filter_of<float>(); }
 }  // namespace axiscert::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -28,14 +28,10 @@ HWY_EXPORT(filter32);
 
 template <>
 Filter<float> filter_on<float>(std::string_view target, FilterFault fault) {
-  static const SimdTable<std::array<Filter<float>, filter_fault_count>> table([] {
-    std::array<Filter<float>, filter_fault_count> forms;
-    for (std::size_t i = 0; i < filter_fault_count; ++i) {
-      forms[i] = HWY_DYNAMIC_DISPATCH(filter32)(static_cast<FilterFault>(i));
-    }
-    return forms;
-  });
-  return table.on(target == scalar_target ? simd_targets().front() : target)[static_cast<std::size_t>(fault)];
+  static const SimdTable<Filter<float>> table([] { return HWY_DYNAMIC_DISPATCH(filter32)(); });
+  Filter<float> filter = table.on(target == scalar_target ? simd_targets().front() : target);
+  filter.planted = fault;
+  return filter;
 }
 }  // namespace axiscert
 #endif

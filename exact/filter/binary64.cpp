@@ -18,7 +18,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
-Filter<double> filter64(FilterFault fault) { return filter_of<double>(fault); }
+Filter<double> filter64() { return filter_of<double>(); }
 }  // namespace axiscert::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -28,14 +28,10 @@ HWY_EXPORT(filter64);
 
 template <>
 Filter<double> filter_on<double>(std::string_view target, FilterFault fault) {
-  static const SimdTable<std::array<Filter<double>, filter_fault_count>> table([] {
-    std::array<Filter<double>, filter_fault_count> forms;
-    for (std::size_t i = 0; i < filter_fault_count; ++i) {
-      forms[i] = HWY_DYNAMIC_DISPATCH(filter64)(static_cast<FilterFault>(i));
-    }
-    return forms;
-  });
-  return table.on(target == scalar_target ? simd_targets().front() : target)[static_cast<std::size_t>(fault)];
+  static const SimdTable<Filter<double>> table([] { return HWY_DYNAMIC_DISPATCH(filter64)(); });
+  Filter<double> filter = table.on(target == scalar_target ? simd_targets().front() : target);
+  filter.planted = fault;
+  return filter;
 }
 }  // namespace axiscert
 #endif

@@ -53,9 +53,12 @@ inline constexpr std::array<std::string_view, filter_fault_count> filter_fault_n
 template <class Real>
 struct Filter {
   // `out` holds batch.size entries.
-  void (*signs)(const QueryColumns<Real>& batch, FilteredSigns* out);
+  void (*signs_with_fault)(const QueryColumns<Real>& batch, FilterFault fault, FilteredSigns* out);
   // The errors of the computed sides of published formulae or of a reduced form.
   void (*errors)(const QueryColumns<Real>& batch, const Answers<Real>& computed, bool reduced, ErrorScreen& screen);
+  FilterFault planted = FilterFault::none;
+
+  void signs(const QueryColumns<Real>& batch, FilteredSigns* out) const { signs_with_fault(batch, planted, out); }
 };
 
 // `target` is one of simd_targets(), or `scalar`, which has the best of them: a filter's answers do not depend on it.

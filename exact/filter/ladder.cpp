@@ -1,22 +1,26 @@
 #include "exact/filter/ladder.h"
 
+#include "exact/grid.h"
 #include "exact/grid_signs.h"
 #include "exact/stopwatch.h"
 #include "exact/wide_margins.h"
 
 namespace axiscert {
 
+namespace {
+
+// Too far for integers of a few words: what takes many is tried in doubles first.
 template <class Real>
-template <class SignsOf>
-void Ladder<Real>::try_left(const QueryBatch<Real>& batch, Step step, SignsOf&& signs_of) {
-  for (std::size_t i = 0; i < batch.size(); ++i) {
-    if (decided_[i].step != Step::exact || !filtered_[i].is_valid) continue;
-    if (const auto signs = signs_of(batch[i])) {
-      decided_[i].signs = *signs;
-      decided_[i].step = step;
-    }
+bool lies_far_apart(const Query<Real>& q) {
+  Magnitude<Real> greatest = 0, least = ~Magnitude<Real>{0};  // least: of those that are not zero, less 1
+  for (const Real x : coordinates(q)) {
+    greatest = std::max(greatest, magnitude(x));
+    least = std::min<Magnitude<Real>>(least, magnitude(x) - 1u);
   }
+  return greatest != 0 && unit_exponent<Real>(greatest) - unit_exponent<Real>(least + 1u) > 64;
 }
+
+}  // namespace
 
 template <class Real>
 const std::vector<DecidedSigns>& Ladder<Real>::decide(const QueryBatch<Real>& batch) {
@@ -34,10 +38,22 @@ const std::vector<DecidedSigns>& Ladder<Real>::decide(const QueryBatch<Real>& ba
   }
   nanoseconds_[static_cast<std::size_t>(Step::lanes)] += watch.lap();
   if (!any_left) return decided_;
-  try_left(batch, Step::grid, [](const Query<Real>& q) { return grid_signs(q); });
-  nanoseconds_[static_cast<std::size_t>(Step::grid)] += watch.lap();
-  try_left(batch, Step::wide, [](const Query<Real>& q) { return WideMargins(widened(q)).signs(); });
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (decided_[i].step == Step::lanes || !filtered_[i].is_valid) continue;
+    const Query<Real> q = batch[i];
+    if (!lies_far_apart(q)) continue;
+    if (const auto signs = WideMargins(widened(q)).signs()) {
+      decided_[i].signs = *signs;
+      decided_[i].step = Step::wide;
+    }
+  }
   nanoseconds_[static_cast<std::size_t>(Step::wide)] += watch.lap();
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (decided_[i].step != Step::exact || !filtered_[i].is_valid) continue;
+    decided_[i].signs = grid_signs(batch[i]);
+    decided_[i].step = Step::grid;
+  }
+  nanoseconds_[static_cast<std::size_t>(Step::grid)] += watch.lap();
   return decided_;
 }
 template class Ladder<float>;

@@ -10,12 +10,12 @@ namespace axiscert {
 
 enum class Step : std::uint8_t {
   lanes,  // the SIMD filter
-  grid,   // integers of a few words (exact/grid_signs.h)
   wide,   // doubles with bounds and exponents of their own (exact/wide_margins.h)
-  exact,  // arbitrary precision and CGAL; also a query that is no valid one
+  grid,   // integers (exact/grid_signs.h); every valid query that gets there
+  exact,  // arbitrary precision and CGAL: a query that is no valid one, and all where no filter is used
 };
 inline constexpr std::size_t step_count = 4;
-inline constexpr std::array<std::string_view, step_count> step_names = {"lanes", "grid", "wide", "exact"};
+inline constexpr std::array<std::string_view, step_count> step_names = {"lanes", "wide", "grid", "exact"};
 
 struct DecidedSigns {
   Signs signs;  // not where the step is `exact`
@@ -36,10 +36,6 @@ class Ladder {
   double nanoseconds(Step step) const { return nanoseconds_[static_cast<std::size_t>(step)]; }
 
  private:
-  // Of each valid query that no step has decided yet.
-  template <class SignsOf>
-  void try_left(const QueryBatch<Real>& batch, Step step, SignsOf&& signs_of);
-
   Filter<Real> filter_;
   std::vector<FilteredSigns> filtered_;
   std::vector<DecidedSigns> decided_;

@@ -19,10 +19,10 @@
 // is a multiple of 2^(-149 k), rounding keeps it one, and no value has a degree above 6: zero or at least 2^-894, below
 // 2^800. The smallest product in a bound, rr 3 omega^2, is at least 2^-298 (2^-50 2^-298)^2 = 2^-994. Nothing
 // underflows, nothing overflows.
-// binary64 in pairs: a lane counts where |A|o, |B|o, |C|o, |AB|o, |BC|o, |CA|o and r are each zero or in [2^-100,
-// 2^100]. Then no value leaves 2^620. A product errs by an additional 2^-1070 at most where its low part underflows,
-// and the term of a bound that belongs to it is 2^-800 or more, or zero together with a leaf, and then all its products
-// are exact zeros: such errors are below 2^-200 of the bound, and inside its sixteenth.
+// binary64, in doubles or in pairs: a lane counts where |A|o, |B|o, |C|o, |AB|o, |BC|o, |CA|o and r are each zero or in
+// [2^-100, 2^100]. Then no value leaves 2^620. A product errs by an additional 2^-1070 at most where it, or its low
+// part, underflows, and the term of a bound that belongs to it is 2^-800 or more, or zero together with a leaf, and
+// then all its products are exact zeros: such errors are below 2^-200 of the bound, and inside its sixteenth.
 //
 // So a margin that exceeds its bound has the sign of the exact one; and where the bound is zero all of its operands are
 // exact zeros, the margin is exact, and a tie is certain.
@@ -69,6 +69,7 @@ AXISCERT_INLINE V units(double n) {
 }
 AXISCERT_INLINE V times(V x, V y) { return hn::Mul(x, y); }
 AXISCERT_INLINE V plus(V x, V y) { return hn::Add(x, y); }
+AXISCERT_INLINE V times_plus(V x, V y, V z) { return hn::MulAdd(x, y, z); }
 AXISCERT_INLINE V constant(double x) { return hn::Set(D(), x); }
 
 // Emits all sixteen, in no promised order, as emit(which, margin).
@@ -95,6 +96,15 @@ struct Margins {
                           HWY_ATTR { return hn::Or(hn::Eq(x, zero), hn::And(hn::Ge(x, least), hn::Le(x, greatest))); };
     return hn::And(hn::And(hn::And(good(a.norm), good(b.norm)), hn::And(good(c.norm), good(ab.norm))),
                    hn::And(hn::And(good(bc.norm), good(ca.norm)), good(r)));
+  }
+
+  // Finite, r >= 0, where no square overflows: x 0 is no zero for a number that is not finite, and |A|^2 is none if a
+  // coordinate of A is none.
+  AXISCERT_INLINE M is_valid() const {
+    const V zero = hn::Zero(D());
+    const V sum = hn::Add(hn::Add(dot(a.v, a.v).leading(), dot(b.v, b.v).leading()),
+                          hn::Add(dot(c.v, c.v).leading(), rr.leading()));
+    return hn::And(hn::Eq(hn::Mul(sum, zero), zero), hn::Ge(r, zero));
   }
 
   template <class Emit>
@@ -153,12 +163,12 @@ struct Margins {
     const T d = dot(a.v, normal), e = dot(normal, normal);
     const T lhs = d * d, rhs = rr * e;
     const V three_omega = times(constant(3.2), omega);
-    const V delta = times(a.norm, plus(three_omega, times(units<T>(4), sum)));
+    const V delta = times(a.norm, times_plus(units<T>(4), sum, three_omega));
     const V lhs_error =
-        plus(times(delta, plus(times(constant(2.125), hn::Abs(d.leading())), times(delta, constant(1.125)))),
-             times(units<T>(2), lhs.leading()));
-    const V rhs_error = plus(times(rr.leading(), times(omega, plus(times(constant(2.125), sum), three_omega))),
-                             times(units<T>(6), rhs.leading()));
+        times_plus(delta, times_plus(constant(2.125), hn::Abs(d.leading()), times(delta, constant(1.125))),
+                   times(units<T>(2), lhs.leading()));
+    const V rhs_error = times_plus(rr.leading(), times(omega, times_plus(constant(2.125), sum, three_omega)),
+                                   times(units<T>(6), rhs.leading()));
     const V bound = plus(lhs_error, rhs_error);
     const V scale = plus(lhs.leading(), rhs.leading());
     emit(Comparison::plane_radius, Margin<T>{lhs - rhs, bound, scale, scale_bound(bound, scale)});
@@ -175,11 +185,11 @@ struct Margins {
     const V nu = times(units<T>(8), times(from.norm, along.norm));
     const V n_sum = absolute_sum(n), v_sum = absolute_sum(normal);
     const T nn = dot(n, n), e = dot(along.v, along.v), rr_e = rr * e;
-    const V radius_bound = plus(times(nu, plus(times(constant(2.125), n_sum), times(constant(3.2), nu))),
-                                plus(times(units<T>(4), nn.leading()), times(units<T>(8), rr_e.leading())));
-    const V side_bound =
-        plus(plus(times(times(omega, constant(1.0625)), n_sum), times(times(nu, constant(1.0625)), v_sum)),
-             plus(times(times(nu, constant(3.2)), omega), times(units<T>(3), times(n_sum, v_sum))));
+    const V radius_bound = times_plus(nu, times_plus(constant(2.125), n_sum, times(constant(3.2), nu)),
+                                      times_plus(units<T>(4), nn.leading(), times(units<T>(8), rr_e.leading())));
+    // omega (n + 3 nu) + v (nu + 3 U n)
+    const V side_bound = times_plus(times(omega, constant(1.0625)), times_plus(constant(3.1), nu, n_sum),
+                                    times(v_sum, times_plus(units<T>(3), n_sum, times(nu, constant(1.0625)))));
     Margin<T> of_radius{nn - rr_e, radius_bound, plus(nn.leading(), rr_e.leading()), {}};
     Margin<T> of_side{-dot(n, normal), side_bound, {}, {}};
     if constexpr (form == EdgeForm::published) {

@@ -33,6 +33,10 @@ struct DoubleLanes {
   AXISCERT_INLINE friend DoubleLanes operator*(const DoubleLanes& a, const DoubleLanes& b) {
     return {hn::Mul(a.v, b.v)};
   }
+  // Fused where the instruction set can. A cross product is not: it has to be zero where it is one of x and -x.
+  AXISCERT_INLINE static DoubleLanes dot(const Vec3<DoubleLanes>& a, const Vec3<DoubleLanes>& b) {
+    return {hn::MulAdd(a.z.v, b.z.v, hn::MulAdd(a.y.v, b.y.v, hn::Mul(a.x.v, b.x.v)))};
+  }
 };
 
 // hi + lo, hi the double nearest to it.

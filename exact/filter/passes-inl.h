@@ -47,61 +47,89 @@ AXISCERT_INLINE V word(M mask, std::uint64_t bits) {
   return hn::IfThenElseZero(mask, hn::BitCast(D(), hn::Set(hn::RebindToUnsigned<D>(), bits)));
 }
 
-template <FilterFault fault, class T>
+// Which signs are certain, of all sixteen, and what they are.
+template <class T>
 struct SignSink {
+  FilterFault fault;
   V words, nearest;  // nearest: the least |margin| - 2^10 bound of what is certain and no tie
-  bool wants_close;
 
+  AXISCERT_INLINE explicit SignSink(FilterFault planted) : fault(planted), words(hn::Zero(D())), nearest(constant(1)) {}
   AXISCERT_INLINE void operator()(Comparison which, const Margin<T>& margin) {
     const V zero = hn::Zero(D()), value = margin.value.leading();
-    const V bound = fault == FilterFault::small_bound ? times(margin.bound, constant(0x1p-12)) : margin.bound;
+    const V bound = times(margin.bound, constant(fault == FilterFault::small_bound ? 0x1p-12 : 1));
     const V size = hn::Abs(value);
     const M decided = hn::Gt(size, bound);
     const bool swapped = fault == FilterFault::swapped_sign && which == Comparison::edge_bc_side_a;
-    const M strict = hn::And(decided, swapped ? hn::Lt(value, zero) : hn::Gt(value, zero));
+    const M strict = hn::And(decided, hn::Gt(swapped ? hn::Neg(value) : value, zero));
     const M tie = hn::Eq(plus(size, bound), zero);
     const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(which);
     words = hn::Or(words, hn::Or(word(strict, bit), word(hn::Or(decided, tie), bit << certain_at)));
     words = hn::Or(words, word(tie, bit << ties_at));
-    if (wants_close) {
-      const V beyond = hn::Sub(size, times(bound, constant(0x1p10)));
-      nearest = hn::Min(nearest, hn::IfThenElse(tie, nearest, beyond));
-    }
+    const V beyond = hn::Sub(size, times(bound, constant(0x1p10)));
+    nearest = hn::Min(nearest, hn::IfThenElse(tie, nearest, beyond));
   }
 };
 
-template <FilterFault fault, class Real>
-AXISCERT_INLINE void signs_of_vector(const QueryColumns<Real>& batch, std::size_t at, bool wants_close,
-                                     std::uint64_t* out) {
+template <class Real>
+HWY_NOINLINE void signs_of_vector(const QueryColumns<Real>& batch, std::size_t at, bool wants_close, FilterFault fault,
+                                  std::uint64_t* out) {
   using T = FilterNumber<Real>;
   const RawQuery q = load_query(batch, at);
   const Margins<EdgeForm::reduced, T> margins(q);
-  SignSink<fault, T> sink{hn::Zero(D()), constant(1), wants_close};
+  SignSink<T> sink(fault);
   margins.emit_all(sink);
   V words = sink.words;
-  if constexpr (sizeof(Real) == 8 && fault != FilterFault::no_underflow_guard) {
+  if (sizeof(Real) == 8 && fault != FilterFault::no_underflow_guard) {
     words = hn::IfThenElseZero(margins.in_range(), words);
   }
   words = hn::Or(words, word(is_valid(q), std::uint64_t{1} << valid_at));
-  words = hn::Or(words, word(hn::Lt(sink.nearest, hn::Zero(D())), std::uint64_t{1} << close_at));
+  const std::uint64_t close = wants_close ? std::uint64_t{1} << close_at : 0;
+  words = hn::Or(words, word(hn::Lt(sink.nearest, hn::Zero(D())), close));
   hn::StoreU(hn::BitCast(hn::RebindToUnsigned<D>(), words), hn::RebindToUnsigned<D>(), out);
+}
+
+// The same of a vector whose signs are all certain in doubles and no ties: what most are.
+struct PlainSignSink {
+  V words, slack;  // slack: the least |margin| - bound
+
+  AXISCERT_INLINE PlainSignSink() : words(hn::Zero(D())), slack(constant(1)) {}
+  AXISCERT_INLINE void operator()(Comparison which, const Margin<DoubleLanes>& margin) {
+    const V value = margin.value.leading();
+    words = hn::Or(words, word(hn::Gt(value, hn::Zero(D())), std::uint64_t{1} << static_cast<unsigned>(which)));
+    slack = hn::Min(slack, hn::Sub(hn::Abs(value), margin.bound));
+  }
+};
+
+// Whether it is such a vector; `out` holds nothing of use if not.
+template <class Real>
+AXISCERT_INLINE bool plain_signs_of_vector(const QueryColumns<Real>& batch, std::size_t at, std::uint64_t* out) {
+  const Margins<EdgeForm::reduced, DoubleLanes> margins(load_query(batch, at));
+  PlainSignSink sink;
+  margins.emit_all(sink);
+  M good = hn::And(hn::Gt(sink.slack, hn::Zero(D())), margins.is_valid());
+  if constexpr (sizeof(Real) == 8) good = hn::And(good, margins.in_range());
+  constexpr std::uint64_t all = 0xffffull << certain_at | 1ull << valid_at;
+  const hn::RebindToUnsigned<D> du;
+  hn::StoreU(hn::Or(hn::BitCast(du, sink.words), hn::Set(du, all)), du, out);
+  return hn::AllTrue(D(), good);
 }
 
 // The words are the bytes of what they say.
 static_assert(sizeof(FilteredSigns) == sizeof(std::uint64_t) && std::endian::native == std::endian::little);
 
-template <FilterFault fault, class Real>
-void filter_signs(const QueryColumns<Real>& batch, FilteredSigns* out) {
+template <class Real>
+void filter_signs(const QueryColumns<Real>& batch, FilterFault fault, FilteredSigns* out) {
   std::uint64_t words[lane_count];
   std::size_t i = 0;
   for (; i + lane_count <= batch.size; i += lane_count) {
     const bool wants_close = i / close_call_block % close_call_stride == 0;
-    signs_of_vector<fault>(batch, i, wants_close, words);
+    const bool is_plain = !wants_close && fault == FilterFault::none && plain_signs_of_vector(batch, i, words);
+    if (!is_plain) signs_of_vector(batch, i, wants_close, fault, words);
     std::memcpy(out + i, words, sizeof words);
   }
   if (i == batch.size) return;
   with_padded_tail<Real, lane_count>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
-    signs_of_vector<fault>(tail, 0, true, words);
+    signs_of_vector(tail, 0, true, fault, words);
     std::memcpy(out + i, words, tail.size * sizeof *words);
   });
 }
@@ -160,10 +188,55 @@ struct ErrorSink {
   }
 };
 
+// Whether all errors of a vector are certainly within their thresholds. With distance^ the computed one, t = u
+// threshold:
+//   |(l^ - r^) - margin| <= distance^ (1 + 2^-51) + bound + U |l^ - r^|,  |l^ - r^| <= distance^ + bound + scale
+//   t scale >= t (scale^ - scale_bound), and where t <= 1, t scale_bound <= bound + (10 U + 2^-46) t scale^
+//   (margins-inl.h)
+// so that distance^ + 2 bound <= (t (1 - 2^-40) - 2^6 U) scale^ is enough: 2^-40 and 2^6 cover the products of small
+// terms and the roundings of this very comparison. A side that is not finite makes distance^ infinite or no number; a
+// scale of zero asks for a distance of zero.
+template <class Real, class T>
+struct WithinSink {
+  const Answers<Real>& computed;
+  const std::array<double, comparison_count>& allowed;
+  std::size_t at;
+  M fine;
+
+  AXISCERT_INLINE void operator()(Comparison which, const Margin<T>& margin) {
+    const auto k = static_cast<std::size_t>(which);
+    const V lhs = load_double(computed.lhs[k].data() + at), rhs = load_double(computed.rhs[k].data() + at);
+    const V distance = hn::Abs((T::difference(lhs, rhs) - margin.value).leading());
+    const V found = times_plus(margin.bound, constant(2), distance);
+    fine = hn::And(fine, hn::Le(found, times(constant(allowed[k]), margin.scale)));
+  }
+};
+
+// The multiples of the scale that WithinSink compares with.
+template <class Real, class T>
+std::array<double, comparison_count> allowed_by(const ErrorScreen& screen) {
+  constexpr double u = std::numeric_limits<Real>::epsilon() / 2;
+  std::array<double, comparison_count> allowed;
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    allowed[k] = std::min(screen.thresholds[k] * u, 1.0) * (1 - 0x1p-40) - 0x1p6 * T::unit;
+  }
+  return allowed;
+}
+
 template <EdgeForm form, class Real>
-AXISCERT_INLINE void errors_of_vector(const QueryColumns<Real>& batch, std::size_t at, const Answers<Real>& computed,
-                                      std::size_t computed_at, std::size_t first, std::size_t count,
-                                      ErrorScreen& screen) {
+AXISCERT_INLINE bool are_errors_within(const QueryColumns<Real>& batch, std::size_t at, const Answers<Real>& computed,
+                                       const std::array<double, comparison_count>& allowed) {
+  using T = FilterNumber<Real>;
+  const Margins<form, T> margins(load_query(batch, at));
+  WithinSink<Real, T> sink{computed, allowed, at, hn::Eq(hn::Zero(D()), hn::Zero(D()))};
+  margins.emit_all(sink);
+  if constexpr (sizeof(Real) == 8) sink.fine = hn::And(sink.fine, margins.in_range());
+  return hn::AllTrue(D(), sink.fine);
+}
+
+template <EdgeForm form, class Real>
+HWY_NOINLINE void errors_of_vector(const QueryColumns<Real>& batch, std::size_t at, const Answers<Real>& computed,
+                                   std::size_t computed_at, std::size_t first, std::size_t count, ErrorScreen& screen) {
   using T = FilterNumber<Real>;
   const Margins<form, T> margins(load_query(batch, at));
   M in_range = hn::Eq(hn::Zero(D()), hn::Zero(D()));
@@ -174,9 +247,12 @@ AXISCERT_INLINE void errors_of_vector(const QueryColumns<Real>& batch, std::size
 
 template <EdgeForm form, class Real>
 void filter_errors(const QueryColumns<Real>& batch, const Answers<Real>& computed, ErrorScreen& screen) {
+  auto allowed = allowed_by<Real, FilterNumber<Real>>(screen);
   std::size_t i = 0;
   for (; i + lane_count <= batch.size; i += lane_count) {
+    if (are_errors_within<form>(batch, i, computed, allowed)) continue;
     errors_of_vector<form>(batch, i, computed, i, i, lane_count, screen);
+    allowed = allowed_by<Real, FilterNumber<Real>>(screen);
   }
   if (i == batch.size) return;
   with_padded_tail<Real, lane_count>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
@@ -191,29 +267,13 @@ void filter_errors(const QueryColumns<Real>& batch, const Answers<Real>& compute
 }
 
 template <class Real>
-Filter<Real> filter_of(FilterFault fault) {
-  Filter<Real> filter{};
-  filter.errors = [](const QueryColumns<Real>& batch, const Answers<Real>& computed, bool reduced,
-                     ErrorScreen& screen) {
+Filter<Real> filter_of() {
+  const auto errors = [](const QueryColumns<Real>& batch, const Answers<Real>& computed, bool reduced,
+                         ErrorScreen& screen) {
     if (reduced) filter_errors<EdgeForm::reduced>(batch, computed, screen);
     else filter_errors<EdgeForm::published>(batch, computed, screen);
   };
-  switch (fault) {
-    case FilterFault::none:
-    case FilterFault::rounding_mode:  // the caller's
-      filter.signs = filter_signs<FilterFault::none, Real>;
-      break;
-    case FilterFault::small_bound:
-      filter.signs = filter_signs<FilterFault::small_bound, Real>;
-      break;
-    case FilterFault::no_underflow_guard:
-      filter.signs = filter_signs<FilterFault::no_underflow_guard, Real>;
-      break;
-    case FilterFault::swapped_sign:
-      filter.signs = filter_signs<FilterFault::swapped_sign, Real>;
-      break;
-  }
-  return filter;
+  return {filter_signs<Real>, errors};
 }
 
 }  // namespace HWY_NAMESPACE
