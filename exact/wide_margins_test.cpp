@@ -8,6 +8,7 @@
 
 #include "exact/error_measure.h"
 #include "exact/rational.h"
+#include "exact/vertex_sides.h"
 #include "kernel/kernel.h"
 #include "kernel/scalar.h"
 #include "kernel/testing/random.h"
@@ -163,6 +164,23 @@ TYPED_TEST(WideMarginsTest, ErrorsAreWithinTheirBounds) {
   EXPECT_GT(compared, count * 10);
   EXPECT_GT(finite, compared / 2);
   EXPECT_GT(narrow, compared / 8);
+}
+
+TYPED_TEST(WideMarginsTest, VertexSidesAreThoseOfAllSixteen) {
+  std::mt19937_64 random(8);
+  for (int i = 0; i < 300; ++i) {
+    const auto q = query<TypeParam>(random, i);
+    const FormulaTruth truth = formula_truth(i % 2 == 0 ? Formulae::published : Formulae::reduced, q);
+    int compared = 0;
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      if (!is_of_vertex(k)) continue;
+      const VertexSides sides(q, k);
+      ASSERT_TRUE(sides.comparison().lhs == truth.sides.lhs[k]) << comparisons[k].name << " query " << i;
+      ASSERT_TRUE(sides.comparison().rhs == truth.sides.rhs[k]) << comparisons[k].name << " query " << i;
+      ++compared;
+    }
+    ASSERT_EQ(compared, 9);
+  }
 }
 
 }  // namespace

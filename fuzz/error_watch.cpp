@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/vertex_sides.h"
 #include "kernel/scalar.h"
 #include "kernel/simd.h"
 
@@ -224,9 +225,15 @@ void ErrorWatch<Real>::settle(std::size_t k) {
   for (const Suspect& suspect : largest.suspects) {
     // What passed it may have a later position, so the same decimal is not enough.
     if (suspect.upper <= largest.passed * Decimal6::least_ratio) continue;
-    const FormulaTruth exact = formula_truth(formulae_, suspect.query);
-    const ComparisonError error(suspect.lhs, suspect.rhs, exact.comparison(k));
-    if (error.upper() > 0) leaders.offer({error.rounded_up(), suspect.position});
+    // Where products underflow many errors are the same but for parts in 10^15: the first stands for the others.
+    const auto& known = leaders.candidates();
+    if (!known.empty() && known[0].position < suspect.position && suspect.upper <= passed_by(known[0].rank)) continue;
+    const auto offer = [&](const ExactComparison& exact) {
+      const ComparisonError error(suspect.lhs, suspect.rhs, exact);
+      if (error.upper() > 0) leaders.offer({error.rounded_up(), suspect.position});
+    };
+    if (is_of_vertex(k)) offer(VertexSides(suspect.query, k).comparison());
+    else offer(formula_truth(formulae_, suspect.query).comparison(k));
   }
   largest.suspects.clear();
   // What comes now is later: it has to be greater.
