@@ -107,10 +107,13 @@ WideMargins::ErrorRange WideMargins::error(Comparison which, EdgeSides sides, do
   }
   const WideEnclosed distance = WideEnclosed::difference(lhs, rhs) - difference;
   const double least_scale = scale.least();
-  if (!(least_scale > 0)) return {0, std::numeric_limits<double>::infinity()};
+  if (!(least_scale > 0)) return {0, std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max()};
   const int exponent = distance.exponent - scale.exponent + digits;
-  return {bound_below(distance.least() / scale.greatest(), exponent),
-          bound_above(distance.greatest() / least_scale, exponent)};
+  const double greatest = distance.greatest() / least_scale;
+  int exponent_above = 0;
+  std::frexp(greatest * (1 + 0x1p-50), &exponent_above);
+  return {bound_below(distance.least() / scale.greatest(), exponent), bound_above(greatest, exponent),
+          exponent_above + exponent};
 }
 
 }  // namespace axiscert

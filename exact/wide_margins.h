@@ -21,10 +21,12 @@ class WideMargins {
   // All sixteen, where all are certain.
   std::optional<Signs> signs() const;
 
-  // Certain bounds of the error of a comparison's computed sides, in units of 2^-digits (exact/error_measure.h): these
-  // are finite. `upper` is infinite where the scale may be 0.
+  // Certain bounds of the error of a comparison's computed sides, which are finite, in units of 2^-digits
+  // (exact/error_measure.h). Where the scale may be 0, `upper` is infinite and `exponent_above` the greatest int; where
+  // no double is as great, `upper` alone.
   struct ErrorRange {
     double lower, upper;
+    int exponent_above;  // the error is below 2^exponent_above
   };
   ErrorRange error(Comparison which, EdgeSides sides, double lhs, double rhs, int digits) const;
 

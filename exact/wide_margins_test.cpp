@@ -8,6 +8,7 @@
 
 #include "exact/error_measure.h"
 #include "exact/rational.h"
+#include "exact/vertex_sides.h"
 #include "kernel/kernel.h"
 #include "kernel/scalar.h"
 #include "kernel/testing/random.h"
@@ -142,7 +143,7 @@ TYPED_TEST(WideMarginsTest, ErrorsAreWithinTheirBounds) {
       for (std::size_t k = 0; k < comparison_count; ++k) {
         const ComparisonError error(computed.lhs[k], computed.rhs[k], truth.comparison(k));
         if (error.kind() == ComparisonError::Kind::range_event) continue;
-        const auto [lower, upper] =
+        const auto [lower, upper, exponent_above] =
             margins.error(static_cast<Comparison>(k), sides, computed.lhs[k], computed.rhs[k], digits);
         const auto where = testing::Message() << id << " query " << i << " " << comparisons[k].name << " seed " << seed;
         ++compared;
@@ -154,6 +155,7 @@ TYPED_TEST(WideMarginsTest, ErrorsAreWithinTheirBounds) {
         const Rational expected(exact_error.numerator, exact_error.denominator);
         ASSERT_LE(exact(lower), expected) << where;
         ASSERT_TRUE(!std::isfinite(upper) || exact(upper) >= expected) << where;
+        ASSERT_LT(expected, times_power(Rational(1), std::min(exponent_above, 100000))) << where;
         finite += std::isfinite(upper);
         narrow += upper <= lower * (1 + 0x1p-20);
       }
@@ -162,6 +164,23 @@ TYPED_TEST(WideMarginsTest, ErrorsAreWithinTheirBounds) {
   EXPECT_GT(compared, count * 10);
   EXPECT_GT(finite, compared / 2);
   EXPECT_GT(narrow, compared / 8);
+}
+
+TYPED_TEST(WideMarginsTest, VertexSidesAreThoseOfAllSixteen) {
+  std::mt19937_64 random(8);
+  for (int i = 0; i < 300; ++i) {
+    const auto q = query<TypeParam>(random, i);
+    const FormulaTruth truth = formula_truth(i % 2 == 0 ? Formulae::published : Formulae::reduced, q);
+    int compared = 0;
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      if (!is_of_vertex(k)) continue;
+      const VertexSides sides(q, k);
+      ASSERT_TRUE(sides.comparison().lhs == truth.sides.lhs[k]) << comparisons[k].name << " query " << i;
+      ASSERT_TRUE(sides.comparison().rhs == truth.sides.rhs[k]) << comparisons[k].name << " query " << i;
+      ++compared;
+    }
+    ASSERT_EQ(compared, 9);
+  }
 }
 
 }  // namespace

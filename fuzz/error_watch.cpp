@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cfenv>
 #include <cmath>
 #include <limits>
 
+#include "exact/vertex_sides.h"
 #include "kernel/scalar.h"
 #include "kernel/simd.h"
 
@@ -23,6 +25,13 @@ double passed_by(const Decimal6& decimal) {
   return std::min(decimal.value(), std::numeric_limits<double>::max()) * below_the_rounding;
 }
 
+// Of what is below 2^exponent, the decimal is more than twice as much: then no rounding makes it the same. A decimal is
+// at least 2^n for n = floor(log2(mantissa)) + floor(3.3219 exponent), since 10 > 2^3.3219.
+int passed_exponent_by(const Decimal6& decimal) {
+  if (decimal.is_zero() || decimal.exponent < 0) return std::numeric_limits<int>::min();
+  return std::bit_width(decimal.mantissa) - 1 + static_cast<int>(std::int64_t{decimal.exponent} * 33219 / 10000) - 1;
+}
+
 }  // namespace
 
 template <class Real>
@@ -35,6 +44,7 @@ ErrorWatch<Real>::ErrorWatch(Formulae formulae, const Tolerances& tolerances, co
     if (known.empty()) continue;
     // The same error at an earlier position would take the place of a known one.
     largest_[k].passed = passed_by(known[0].rank) * (known[0].position < first_position ? 1 : Decimal6::least_ratio);
+    largest_[k].passed_exponent = passed_exponent_by(known[0].rank);
   }
 }
 
@@ -128,7 +138,7 @@ const FormulaTruth& ErrorWatch<Real>::exact_sides(std::size_t i) {
 }
 
 template <class Real>
-SuspectError ErrorWatch<Real>::tightened(const SuspectError& suspect) {
+WideMargins::ErrorRange ErrorWatch<Real>::wide_error(const SuspectError& suspect) {
   const auto [i, k, lower, upper] = suspect;
   auto& [query, margins] = wide_[i % wide_.size()];
   if (!margins || query != i) {
@@ -136,9 +146,18 @@ SuspectError ErrorWatch<Real>::tightened(const SuspectError& suspect) {
     margins.emplace(widened((*batch_)[i]));
   }
   const EdgeSides sides = formulae_ == Formulae::published ? EdgeSides::published : EdgeSides::reduced;
-  const WideMargins::ErrorRange range = margins->error(static_cast<Comparison>(k), sides, computed_->lhs[k][i],
-                                                       computed_->rhs[k][i], std::numeric_limits<Real>::digits);
-  return {i, k, std::max(lower, range.lower), std::min(upper, range.upper)};
+  auto range = margins->error(static_cast<Comparison>(k), sides, computed_->lhs[k][i], computed_->rhs[k][i],
+                              std::numeric_limits<Real>::digits);
+  range.lower = std::max(range.lower, lower);
+  range.upper = std::min(range.upper, upper);
+  return range;
+}
+
+template <class Real>
+void ErrorWatch<Real>::raise_passed(std::size_t k) {
+  const Decimal6 best = tally_.comparisons[k].largest_error.best();
+  largest_[k].passed = std::max(largest_[k].passed, passed_by(best));
+  largest_[k].passed_exponent = std::max(largest_[k].passed_exponent, passed_exponent_by(best));
 }
 
 template <class Real>
@@ -161,10 +180,11 @@ double ErrorWatch<Real>::judge(const SuspectError& suspect) {
   }
   if (lower == 0 && is_exactly_zero(i, k)) return threshold(k);
   if (upper > 2 * lower) {
-    const SuspectError known = tightened(suspect);
-    lower = known.lower;
-    upper = known.upper;
+    const WideMargins::ErrorRange range = wide_error(suspect);
+    lower = range.lower;
+    upper = range.upper;
     if (upper <= threshold(k)) return threshold(k);
+    if (!tolerances_[k] && range.exponent_above <= largest_[k].passed_exponent) return threshold(k);
   }
   Largest& largest = largest_[k];
   const auto exactly = [&] { return ComparisonError(lhs, rhs, exact_sides(i).comparison(k)); };
@@ -182,7 +202,7 @@ double ErrorWatch<Real>::judge(const SuspectError& suspect) {
     if (tolerances_[k] && error.exceeds(*tolerances_[k])) fail();
     if (error.upper() > largest.passed) {
       comparison.largest_error.offer({error.rounded_up(), position_ + i});
-      largest.passed = std::max(largest.passed, passed_by(comparison.largest_error.best()));
+      raise_passed(k);
     }
     return threshold(k);
   }
@@ -205,13 +225,19 @@ void ErrorWatch<Real>::settle(std::size_t k) {
   for (const Suspect& suspect : largest.suspects) {
     // What passed it may have a later position, so the same decimal is not enough.
     if (suspect.upper <= largest.passed * Decimal6::least_ratio) continue;
-    const FormulaTruth exact = formula_truth(formulae_, suspect.query);
-    const ComparisonError error(suspect.lhs, suspect.rhs, exact.comparison(k));
-    if (error.upper() > 0) leaders.offer({error.rounded_up(), suspect.position});
+    // Where products underflow many errors are the same but for parts in 10^15: the first stands for the others.
+    const auto& known = leaders.candidates();
+    if (!known.empty() && known[0].position < suspect.position && suspect.upper <= passed_by(known[0].rank)) continue;
+    const auto offer = [&](const ExactComparison& exact) {
+      const ComparisonError error(suspect.lhs, suspect.rhs, exact);
+      if (error.upper() > 0) leaders.offer({error.rounded_up(), suspect.position});
+    };
+    if (is_of_vertex(k)) offer(VertexSides(suspect.query, k).comparison());
+    else offer(formula_truth(formulae_, suspect.query).comparison(k));
   }
   largest.suspects.clear();
   // What comes now is later: it has to be greater.
-  largest.passed = std::max(largest.passed, passed_by(leaders.best()));
+  raise_passed(k);
 }
 
 template <class Real>

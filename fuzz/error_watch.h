@@ -2,6 +2,7 @@
 // largest, or whose side of a tolerance is not certain. What is counted and stored is exact.
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "exact/filter/ladder.h"
@@ -49,6 +50,7 @@ class ErrorWatch {
   // Errors up to `passed` can no longer be the largest; the one that is, is among `suspects` or in the tally.
   struct Largest {
     double passed = 0;
+    int passed_exponent = std::numeric_limits<int>::min();  // or below 2^passed_exponent: beyond binary64 too
     std::vector<Suspect> suspects;
   };
 
@@ -59,8 +61,9 @@ class ErrorWatch {
   // Whether a query of the batch at hand is evaluated in binary64 without any rounding, and its computed sides are
   // these.
   bool is_exactly_zero(std::size_t query, std::size_t comparison);
-  // The same error, enclosed without a range: the filter knows no more of a query that leaves it than that.
-  SuspectError tightened(const SuspectError& suspect);
+  // The same error, enclosed without a range: what the filter does not know of a query that leaves it.
+  WideMargins::ErrorRange wide_error(const SuspectError& suspect);
+  void raise_passed(std::size_t comparison);  // after what the tally has as the largest
   // The exact sides of a query of the batch at hand.
   const FormulaTruth& exact_sides(std::size_t query);
   void settle(std::size_t comparison);
