@@ -1,0 +1,252 @@
+#include "fuzz/hunt/search.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <chrono>
+#include <mutex>
+
+#include "fuzz/hunt/confirm.h"
+#include "fuzz/hunt/island.h"
+#include "fuzz/hunt/pool.h"
+#include "fuzz/hunt/range.h"
+#include "fuzz/hunt/state.h"
+#include "kernel/error.h"
+
+namespace axiscert {
+namespace {
+
+// The islands of an aim in every epoch, and the evaluations of each. An estimate for a verdict takes thirty questions to
+// the kernel, one for range a hundred and exact signs; range is also soon exhausted.
+struct Share {
+  std::size_t islands;
+  std::uint64_t evaluations;
+};
+constexpr Share share_of(Goal goal) {
+  if (goal == Goal::error) return {4, 1 << 16};
+  if (goal == Goal::relative_error) return {1, 1 << 15};
+  if (is_about_range(goal)) return {1, 1 << 10};
+  return {2, 1 << 14};
+}
+
+// One island: which aim it serves, and how long it climbs.
+struct Slot {
+  std::size_t aim;
+  std::uint64_t evaluations;
+};
+// The islands of an epoch, the aims in turn.
+std::vector<Slot> slots_of(const std::vector<Aim>& aims) {
+  std::vector<Slot> slots;
+  for (std::size_t round = 0; round < 4; ++round) {
+    for (std::size_t i = 0; i < aims.size(); ++i) {
+      const Share share = share_of(aims[i].goal);
+      if (round < share.islands) slots.push_back({i, share.evaluations});
+    }
+  }
+  return slots;
+}
+
+template <class Real>
+class Hunt {
+ public:
+  using Entry = typename Pool<Real>::Entry;
+
+  explicit Hunt(const HuntPlan& plan)
+      : plan_(plan), aims_(aims_of(*plan.kernel, plan.comparisons)), slots_(slots_of(aims_)) {
+    settled_.resize(aims_.size());
+    fresh_.resize(aims_.size());
+  }
+
+  void resume(const std::string& text) {
+    const HuntState state = parse_state(text, plan_, aims_);
+    islands_ = state.islands;
+    evaluations_ = state.evaluations;
+    Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
+    for (std::size_t i = 0; i < aims_.size(); ++i) {
+      for (const auto& [from, to] : {std::pair(&state.pools[i].settled, &settled_[i]),
+                                     std::pair(&state.pools[i].fresh, &fresh_[i])}) {
+        for (const StoredQuery& stored : *from) {
+          const auto q = std::get<Query<Real>>(stored.query);
+          const auto value = confirmer.value(aims_[i], q);
+          if (!value) throw Error(fmt::format("the state to resume from: '{}' does not show that", stored.id));
+          to->put({*value, q});
+        }
+      }
+    }
+  }
+
+  HuntResult run(const std::atomic<bool>& interrupted, const std::function<void(const HuntProgress&)>& report) {
+    start_ = std::chrono::steady_clock::now();
+    HuntResult result;
+    tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(plan_.threads));
+    tbb::task_arena arena(plan_.threads);
+    while (!is_over(interrupted)) arena.execute([&] { run_epoch(interrupted, report); });
+    result.complete = !interrupted;
+    result.evaluations = evaluations_;
+    result.aims = aims_;
+    result.state = state();
+    finish(result);
+    return result;
+  }
+
+ private:
+  double elapsed() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  bool is_over(const std::atomic<bool>& interrupted) const {
+    return interrupted || (plan_.seconds && elapsed() >= *plan_.seconds) ||
+           (plan_.evaluations && evaluations_ >= *plan_.evaluations);
+  }
+
+  // What is left of the epoch under way. Islands are handed out in order, and each that was begun is finished: those
+  // that are done are always the first.
+  void run_epoch(const std::atomic<bool>& interrupted, const std::function<void(const HuntProgress&)>& report) {
+    std::mutex mutex;
+    bool failed = false;
+    const auto claim = [&]() -> std::optional<std::uint64_t> {
+      const std::lock_guard lock(mutex);
+      const bool ended = islands_ % slots_.size() == 0 && islands_ != epoch_begin_;
+      if (failed || ended || is_over(interrupted)) return std::nullopt;
+      evaluations_ += slots_[islands_ % slots_.size()].evaluations;
+      return islands_++;
+    };
+    const auto work = [&](int) {
+      while (const auto island = claim()) {
+        std::vector<Entry> found;
+        try {
+          found = run_island(*island);
+        } catch (...) {
+          const std::lock_guard lock(mutex);
+          failed = true;
+          throw;
+        }
+        const std::lock_guard lock(mutex);
+        for (const Entry& entry : found) fresh_[slots_[*island % slots_.size()].aim].put(entry);
+        report({evaluations_, elapsed()});
+      }
+    };
+    epoch_begin_ = islands_;
+    tbb::parallel_for(0, plan_.threads, work, tbb::simple_partitioner());
+    if (islands_ == epoch_begin_ || islands_ % slots_.size() != 0) return;
+    for (std::size_t i = 0; i < aims_.size(); ++i) {
+      settled_[i].put(fresh_[i]);
+      fresh_[i] = {};
+    }
+    share(settled_);
+  }
+
+  // Reads settled_ alone, which does not change during an epoch.
+  std::vector<Entry> run_island(std::uint64_t island) const {
+    const Slot& slot = slots_[island % slots_.size()];
+    const Aim& aim = aims_[slot.aim];
+    Stream stream(plan_.seed, name_hash("search"), 1, plan_.precision, island);
+    Dice random(stream);
+    Evaluator<Real> evaluator(*plan_.kernel, plan_.target);
+    Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
+    const auto candidates = climb(evaluator, aim, random, starts(slot.aim, random), slot.evaluations);
+    std::vector<Entry> found;
+    for (const Candidate<Real>& candidate : candidates) {
+      if (candidate.score == 0 || found.size() == 2) break;
+      if (const auto value = confirmer.value(aim, candidate.query)) found.push_back({*value, candidate.query});
+    }
+    return found;
+  }
+
+  // Of every four islands, one starts from families, the others from the best that is known.
+  std::vector<Query<Real>> starts(std::size_t aim, Dice& random) const {
+    const auto& known = settled_[aim].entries();
+    const bool anew = known.empty() || random.below(4) == 0;
+    std::vector<Query<Real>> all(walkers);
+    for (std::size_t i = 0; i < walkers; ++i) {
+      const auto among = i == 0 || random.coin() ? known.size() : std::min<std::size_t>(known.size(), 3);
+      if (anew) plan_.sources[random.below(plan_.sources.size())]->make(plan_.seed, random.below(1u << 31), all[i]);
+      else all[i] = known[random.below(among)].query;
+    }
+    return all;
+  }
+
+  // The best of every comparison is tried on each other one, in all six orders of the vertices.
+  void share(std::vector<Pool<Real>>& pools) const {
+    Evaluator<Real> evaluator(*plan_.kernel, plan_.target);
+    Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
+    for (const Goal goal : {Goal::error, Goal::relative_error, Goal::overflow, Goal::underflow}) {
+      QueryBatch<Real> images(6 * comparison_count);
+      for (std::size_t i = 0; i < aims_.size(); ++i) {
+        if (aims_[i].goal != goal || pools[i].empty()) continue;
+        const Query<Real>& q = pools[i].best().query;
+        for (const auto& [a, b, c] : {std::tuple(q.a, q.b, q.c), std::tuple(q.a, q.c, q.b), std::tuple(q.b, q.a, q.c),
+                                      std::tuple(q.b, q.c, q.a), std::tuple(q.c, q.a, q.b), std::tuple(q.c, q.b, q.a)}) {
+          images.push_back({a, b, c, q.p, q.r});
+        }
+      }
+      if (images.size() == 0) continue;
+      std::vector<double> scores;
+      for (std::size_t i = 0; i < aims_.size(); ++i) {
+        if (aims_[i].goal != goal) continue;
+        evaluator.evaluate(aims_[i], images, scores);
+        const auto best = std::max_element(scores.begin(), scores.end());
+        if (*best <= (pools[i].empty() ? 0 : pools[i].best().value.value())) continue;
+        const Query<Real> q = images[static_cast<std::size_t>(best - scores.begin())];
+        if (const auto value = confirmer.value(aims_[i], q)) pools[i].put({*value, q});
+      }
+    }
+  }
+
+  std::string state() const {
+    HuntState state{islands_, evaluations_, std::vector<StoredPools>(aims_.size())};
+    const auto stored = [&](const Pool<Real>& pool) {
+      std::vector<StoredQuery> queries;
+      for (const Entry& entry : pool.entries()) queries.push_back({"", plan_.precision, entry.query});
+      return queries;
+    };
+    for (std::size_t i = 0; i < aims_.size(); ++i) state.pools[i] = {stored(settled_[i]), stored(fresh_[i])};
+    return state_text(plan_, aims_, state);
+  }
+
+  void finish(HuntResult& result) const {
+    std::vector<Pool<Real>> pools = settled_;
+    for (std::size_t i = 0; i < aims_.size(); ++i) pools[i].put(fresh_[i]);
+    share(pools);
+    Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
+    for (std::size_t i = 0; i < aims_.size(); ++i) {
+      if (pools[i].empty()) continue;
+      const Aim& aim = aims_[i];
+      const auto& [value, query] = pools[i].best();
+      Find find{aim, value, {name(aim), plan_.precision, query}};
+      if (is_about_range(aim.goal)) {
+        find.range_exponent = range_exponent(aim.goal, plan_.precision, value.value());
+        find.witness.query = at_scale(query, find.range_exponent);
+      } else if (!is_about_a_comparison(aim.goal)) {
+        find.links = confirmer.examine(query).judgement.verdict_links;
+      }
+      result.finds.push_back(find);
+    }
+  }
+
+  const HuntPlan& plan_;
+  std::vector<Aim> aims_;
+  std::vector<Slot> slots_;
+  std::uint64_t islands_ = 0, epoch_begin_ = 0, evaluations_ = 0;
+  std::vector<Pool<Real>> settled_, fresh_;  // by aim
+  std::chrono::steady_clock::time_point start_;
+};
+
+template <class Real>
+HuntResult hunt_in(const HuntPlan& plan, const std::optional<std::string>& state, const std::atomic<bool>& interrupted,
+                   const std::function<void(const HuntProgress&)>& report) {
+  Hunt<Real> hunt(plan);
+  if (state) hunt.resume(*state);
+  return hunt.run(interrupted, report);
+}
+
+}  // namespace
+
+HuntResult hunt(const HuntPlan& plan, const std::optional<std::string>& state, const std::atomic<bool>& interrupted,
+                const std::function<void(const HuntProgress&)>& report) {
+  return plan.precision == Precision::binary32 ? hunt_in<float>(plan, state, interrupted, report)
+                                               : hunt_in<double>(plan, state, interrupted, report);
+}
+
+}  // namespace axiscert
