@@ -48,8 +48,12 @@ std::optional<Decimal6> Confirmer<Real>::value(const Aim& aim, const Query<Real>
   if (!is_valid(q)) return std::nullopt;
   switch (aim.goal) {
     case Goal::error:
-    case Goal::relative_error:
-      return error(aim, q);
+    case Goal::relative_error: {
+      if (aim.goal == Goal::error && !is_in_box(q)) return std::nullopt;
+      const auto all = errors(q);
+      if (!all) return std::nullopt;
+      return (aim.goal == Goal::error ? all->absolute : all->relative)[static_cast<std::size_t>(aim.which)];
+    }
     case Goal::overflow:
     case Goal::underflow:
       return range(aim, q);
@@ -63,23 +67,24 @@ std::optional<Decimal6> Confirmer<Real>::value(const Aim& aim, const Query<Real>
 }
 
 template <class Real>
-std::optional<Decimal6> Confirmer<Real>::error(const Aim& aim, const Query<Real>& q) {
-  if (aim.goal == Goal::error && !is_in_box(q)) return std::nullopt;
+std::optional<SideErrors> Confirmer<Real>::errors(const Query<Real>& q) {
+  if (kernel_.exposes != Exposure::sides || !has_comparisons(kernel_.formulae) || !is_valid(q)) return std::nullopt;
   const Reply<Real> reply = ask(implementation_, q);
   if (!reply.has_bits || reply.verdicts[0] == Verdict::unanswered) return std::nullopt;
-  const auto k = static_cast<std::size_t>(aim.which);
-  const Real l = reply.answers.lhs[k][0], r = reply.answers.rhs[k][0];
   // Every oracle agrees about the query; then the kernel's own formulae.
   const Truth truth = exact_truth(q, true);
   Claims<Real> claims(q, *truth.formula);
-  const ExactComparison exact = claims.sides(kernel_.formulae)->comparison(k);
-  const ComparisonError measured(l, r, exact);
-  if (aim.goal == Goal::error) {
-    if (exact.undefined || !std::isfinite(l) || !std::isfinite(r)) return std::nullopt;
-    return absolute_error(l, r, exact);
+  const FormulaTruth& own = *claims.sides(kernel_.formulae);
+  const Sides<Real> sides = reply.sides(0);
+  SideErrors all;
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    const ExactComparison exact = own.comparison(k);
+    const ComparisonError relative(sides.lhs[k], sides.rhs[k], exact);
+    if (exact.undefined || relative.kind() == ComparisonError::Kind::range_event) continue;
+    all.absolute[k] = absolute_error(sides.lhs[k], sides.rhs[k], exact);
+    if (relative.kind() == ComparisonError::Kind::finite) all.relative[k] = relative.rounded_up();
   }
-  if (measured.kind() != ComparisonError::Kind::finite) return std::nullopt;
-  return measured.rounded_up();
+  return all;
 }
 
 template <class Real>

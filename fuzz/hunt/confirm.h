@@ -7,6 +7,12 @@
 
 namespace axiscert {
 
+// The errors of the sixteen comparisons on one query, absolute and relative, both in u. Nothing where a side is not
+// finite or the exact sides are undefined; of the relative ones also where |l| + |r| = 0 and l^ - r^ is not.
+struct SideErrors {
+  std::array<std::optional<Decimal6>, comparison_count> absolute, relative;
+};
+
 // Asks one kernel. Borrows it.
 template <class Real>
 class Confirmer {
@@ -19,11 +25,13 @@ class Confirmer {
   // finite, no wrong verdict of that kind, a change of range that unbounded exponents share. Throws OracleDisagreement.
   std::optional<Decimal6> value(const Aim& aim, const Query<Real>& q);
 
+  // Nothing where the kernel shows no computed sides of formulae of its own, or the query is not valid.
+  std::optional<SideErrors> errors(const Query<Real>& q);
+
   // All there is to say of it.
   Examination examine(const Query<Real>& q) { return examiner_.examine(q); }
 
  private:
-  std::optional<Decimal6> error(const Aim& aim, const Query<Real>& q);
   std::optional<Decimal6> range(const Aim& aim, const Query<Real>& q);
   std::optional<Decimal6> depth(Goal goal, const Query<Real>& q);
   std::optional<Decimal6> critical_error(const Query<Real>& q);

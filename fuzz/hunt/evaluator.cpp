@@ -67,8 +67,9 @@ double difference(double l, double r, const WideMargin& margin) {
   return std::fabs((computed.value - margin.high) + (computed.error - margin.low));
 }
 
-// Estimates of relative errors are good up to here. With T the greatest of the numbers that cancelled, an error is about
-// u T, and the estimate of the sides errs by u^2 T or a little more: sides of 2^-40 u T are still known to many digits.
+// Estimates of relative errors are good up to here. With T the greatest of the numbers that cancelled, an error is
+// about u T, and the estimate of the sides errs by u^2 T or a little more: sides of 2^-40 u T are still known to many
+// digits.
 constexpr double greatest_ratio = 0x1p40;
 
 double score_of(const Aim& aim, double difference, double size, int digits) {
@@ -182,7 +183,7 @@ void Evaluator<Real>::evaluate_radius(Goal goal, QueryBatch<Real>& batch, std::v
     const bool bounded = found[i].radius.has_value();
     const Real contact = bounded ? *found[i].radius : range.greatest;
     const auto [d, farthest] = goal == Goal::critical_radius || sizeof(Real) == 8 ? distances<Twice>(queries[i])
-                                                                                   : distances<double>(queries[i]);
+                                                                                  : distances<double>(queries[i]);
     const auto depth = [&](double r) { return std::fabs(d - r) / std::max(farthest, r); };
     double score = 0;
     Real r = contact;

@@ -18,8 +18,8 @@ class Evaluator {
   // query's radius.
   void evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores);
 
-  // What vanishes where a comparison loses its scale, in binary64: l of a radius comparison, l - r of a side comparison.
-  // Guides Newton's steps.
+  // What vanishes where a comparison loses its scale, in binary64: l of a radius comparison, l - r of a side
+  // comparison. Guides Newton's steps.
   double vanishing(Comparison which, const Query<Real>& q) const;
 
  private:

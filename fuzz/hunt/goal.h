@@ -9,7 +9,8 @@
 namespace axiscert {
 
 enum class Goal : std::uint8_t {
-  // |(l^ - r^) - (l - r)| in u, where every coordinate of A - P, B - P and C - P lies in [-1, 1] and r in [0, 1], P free,
+  // |(l^ - r^) - (l - r)| in u, where every coordinate of A - P, B - P and C - P lies in [-1, 1] and r in [0, 1], P
+  // free,
   // the rounding of the translation included: what a proved bound is about.
   error,
   // The same over |l| + |r|, as the record has it. It has no bound where both sides vanish.

@@ -11,8 +11,8 @@ namespace {
 // The last part of an island's evaluations, in which only single numbers move, by a few ulps.
 constexpr std::uint64_t polish_share = 8;
 
-// Moves one number to where the comparison's scale vanishes, by one of Newton's steps, which is exact where the margin is
-// affine in the number; then by a few ulps.
+// Moves one number to where the comparison's scale vanishes, by one of Newton's steps, which is exact where the margin
+// is affine in the number; then by a few ulps.
 template <class Real>
 void step_to_cancellation(const Evaluator<Real>& evaluator, Comparison which, Dice& random, Query<Real>& q) {
   auto v = coordinates(q);

@@ -14,8 +14,9 @@ template <class Real>
 using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
 template <class Real>
 constexpr int digits = std::numeric_limits<Real>::digits;
-// Of a coordinate from the origin: four times the box.
-constexpr int farthest = 4;
+// Of a coordinate from the origin: beyond, no two numbers are as little as 1 apart.
+template <class Real>
+constexpr Real farthest = static_cast<Real>(std::uint64_t{1} << digits<Real>);
 constexpr std::size_t radius_place = coordinate_count - 1;
 
 // One of the vertices' coordinates that lie along the same axis, or the centre's: 3 v + axis, v = 3 for P.
@@ -130,7 +131,7 @@ template <class Real>
 void settle(Query<Real>& q) {
   auto v = coordinates(q);
   for (Real& x : v) {
-    if (!(std::fabs(x) <= farthest)) x = std::isnan(x) ? Real(0) : std::copysign(Real(farthest), x);
+    if (!(std::fabs(x) <= farthest<Real>)) x = std::isnan(x) ? Real(0) : std::copysign(farthest<Real>, x);
   }
   v[radius_place] = std::min(std::fabs(v[radius_place]), Real(1));
   Real greatest = v[radius_place];
@@ -147,8 +148,10 @@ void settle(Query<Real>& q) {
     }
   }
   if (greatest > 0 && greatest < Real(0.5)) {
-    const int up = -1 - std::ilogb(greatest);
-    for (Real& x : v) x = std::ldexp(x, up);
+    Real most = greatest;
+    for (const Real x : v) most = std::max(most, std::fabs(x));
+    const int up = std::min(-1 - std::ilogb(greatest), digits<Real> - 1 - std::ilogb(most));
+    for (Real& x : v) x = std::ldexp(x, std::max(up, 0));
   }
   q = from_coordinates(v);
 }
@@ -201,10 +204,10 @@ void move(Dice& random, Query<Real>& q, const Query<Real>& other) {
   q = from_coordinates(v);
 }
 
-#define AXISCERT_INSTANTIATE(Real)                                \
-  template bool is_within_one(Real, Real);                        \
-  template Real moved_by_ulps(Real, std::int64_t);                \
-  template void settle(Query<Real>&);                             \
+#define AXISCERT_INSTANTIATE(Real)                 \
+  template bool is_within_one(Real, Real);         \
+  template Real moved_by_ulps(Real, std::int64_t); \
+  template void settle(Query<Real>&);              \
   template void move(Dice&, Query<Real>&, const Query<Real>&);
 AXISCERT_INSTANTIATE(float)
 AXISCERT_INSTANTIATE(double)

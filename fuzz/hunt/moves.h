@@ -11,8 +11,8 @@ template <class Real>
 bool is_within_one(Real a, Real p);
 
 // Brings a query into the box of Goal::error: |coordinates of A - P, B - P, C - P| <= 1 exactly, 0 <= r <= 1, every
-// number finite, the greatest of these at least 1/2 unless all are zero. Coordinates beyond the box are put on its
-// boundary; a smaller scene is scaled by a power of two.
+// number finite, the greatest of these at least 1/2 unless all are zero or P is too far away for that. Coordinates
+// beyond the box are put on its boundary; a smaller scene is scaled by a power of two.
 template <class Real>
 void settle(Query<Real>& q);
 

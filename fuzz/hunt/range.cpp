@@ -92,7 +92,8 @@ double range_score(Goal goal, Precision precision, int exponent) {
 }
 int range_exponent(Goal goal, Precision precision, double score) {
   const ExponentWindow scanned = scanned_exponents(precision);
-  return goal == Goal::overflow ? scanned.high + 1 - static_cast<int>(score) : scanned.low - 1 + static_cast<int>(score);
+  return goal == Goal::overflow ? scanned.high + 1 - static_cast<int>(score)
+                                : scanned.low - 1 + static_cast<int>(score);
 }
 
 }  // namespace axiscert

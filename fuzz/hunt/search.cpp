@@ -18,17 +18,22 @@
 namespace axiscert {
 namespace {
 
-// The islands of an aim in every epoch, and the evaluations of each. An estimate for a verdict takes thirty questions to
-// the kernel, one for range a hundred and exact signs; range is also soon exhausted.
+// The islands of an aim in every epoch, and the evaluations of each. Errors of vertex comparisons are soon as great as
+// they get; those of edges profit from each other; the plane's stands alone. An estimate for a verdict takes thirty
+// questions to the kernel, one for range a hundred and exact signs; range is also soon exhausted.
 struct Share {
   std::size_t islands;
   std::uint64_t evaluations;
 };
-constexpr Share share_of(Goal goal) {
-  if (goal == Goal::error) return {4, 1 << 16};
-  if (goal == Goal::relative_error) return {1, 1 << 15};
-  if (is_about_range(goal)) return {1, 1 << 10};
-  return {2, 1 << 14};
+constexpr std::size_t most_islands = 12;
+constexpr Share share_of(const Aim& aim) {
+  const Axis axis = info(aim.which).axis;
+  if (aim.goal == Goal::error && axis == Axis::plane) return {most_islands, 1 << 16};
+  if (aim.goal == Goal::error && axis >= Axis::edge_ab) return {6, 1 << 16};
+  if (aim.goal == Goal::error) return {1, 1 << 16};
+  if (aim.goal == Goal::relative_error) return {1, 1 << 13};
+  if (is_about_range(aim.goal)) return {1, 1 << 9};
+  return {1, 1 << 14};
 }
 
 // One island: which aim it serves, and how long it climbs.
@@ -39,9 +44,9 @@ struct Slot {
 // The islands of an epoch, the aims in turn.
 std::vector<Slot> slots_of(const std::vector<Aim>& aims) {
   std::vector<Slot> slots;
-  for (std::size_t round = 0; round < 4; ++round) {
+  for (std::size_t round = 0; round < most_islands; ++round) {
     for (std::size_t i = 0; i < aims.size(); ++i) {
-      const Share share = share_of(aims[i].goal);
+      const Share share = share_of(aims[i]);
       if (round < share.islands) slots.push_back({i, share.evaluations});
     }
   }
@@ -55,6 +60,7 @@ class Hunt {
 
   explicit Hunt(const HuntPlan& plan)
       : plan_(plan), aims_(aims_of(*plan.kernel, plan.comparisons)), slots_(slots_of(aims_)) {
+    if (aims_.empty()) throw Error(fmt::format("kernel {} shows nothing of these comparisons", plan.kernel->id));
     settled_.resize(aims_.size());
     fresh_.resize(aims_.size());
   }
@@ -65,8 +71,8 @@ class Hunt {
     evaluations_ = state.evaluations;
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     for (std::size_t i = 0; i < aims_.size(); ++i) {
-      for (const auto& [from, to] : {std::pair(&state.pools[i].settled, &settled_[i]),
-                                     std::pair(&state.pools[i].fresh, &fresh_[i])}) {
+      for (const auto& [from, to] :
+           {std::pair(&state.pools[i].settled, &settled_[i]), std::pair(&state.pools[i].fresh, &fresh_[i])}) {
         for (const StoredQuery& stored : *from) {
           const auto q = std::get<Query<Real>>(stored.query);
           const auto value = confirmer.value(aims_[i], q);
@@ -92,9 +98,7 @@ class Hunt {
   }
 
  private:
-  double elapsed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
+  double elapsed() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
   bool is_over(const std::atomic<bool>& interrupted) const {
     return interrupted || (plan_.seconds && elapsed() >= *plan_.seconds) ||
            (plan_.evaluations && evaluations_ >= *plan_.evaluations);
@@ -124,7 +128,7 @@ class Hunt {
         }
         const std::lock_guard lock(mutex);
         for (const Entry& entry : found) fresh_[slots_[*island % slots_.size()].aim].put(entry);
-        report({evaluations_, elapsed()});
+        report({islands_, evaluations_, elapsed()});
       }
     };
     epoch_begin_ = islands_;
@@ -176,8 +180,9 @@ class Hunt {
       for (std::size_t i = 0; i < aims_.size(); ++i) {
         if (aims_[i].goal != goal || pools[i].empty()) continue;
         const Query<Real>& q = pools[i].best().query;
-        for (const auto& [a, b, c] : {std::tuple(q.a, q.b, q.c), std::tuple(q.a, q.c, q.b), std::tuple(q.b, q.a, q.c),
-                                      std::tuple(q.b, q.c, q.a), std::tuple(q.c, q.a, q.b), std::tuple(q.c, q.b, q.a)}) {
+        for (const auto& [a, b, c] :
+             {std::tuple(q.a, q.b, q.c), std::tuple(q.a, q.c, q.b), std::tuple(q.b, q.a, q.c),
+              std::tuple(q.b, q.c, q.a), std::tuple(q.c, q.a, q.b), std::tuple(q.c, q.b, q.a)}) {
           images.push_back({a, b, c, q.p, q.r});
         }
       }

@@ -33,7 +33,7 @@ struct Find {
   Aim aim;
   Decimal6 value;  // of range: not read
   StoredQuery witness;
-  LinkBits links = 0;     // of a wrong verdict
+  LinkBits links = 0;      // of a wrong verdict
   int range_exponent = 0;  // of range: m
   bool operator==(const Find& other) const {
     return aim == other.aim && value == other.value && query_line(witness) == query_line(other.witness) &&
@@ -50,14 +50,14 @@ struct HuntResult {
 };
 
 struct HuntProgress {
-  std::uint64_t evaluations;
+  std::uint64_t islands, evaluations;
   double seconds;
 };
 
-// Goes on from `state`, of the same plan but for its length, or begins. The result depends on the plan, and on the number
-// of evaluations reached: not on threads, target, nor on where a run was stopped and resumed. `interrupted` is polled
-// between islands; `report` is called from one thread at a time. Throws Error where the state is of another plan, and
-// OracleDisagreement.
+// Goes on from `state`, of the same plan but for its length, or begins. The result depends on the plan, and on the
+// number of evaluations reached: not on threads, target, nor on where a run was stopped and resumed. `interrupted` is
+// polled between islands; `report` is called from one thread at a time. Throws Error where the state is of another
+// plan, and OracleDisagreement.
 HuntResult hunt(const HuntPlan& plan, const std::optional<std::string>& state, const std::atomic<bool>& interrupted,
                 const std::function<void(const HuntProgress&)>& report);
 

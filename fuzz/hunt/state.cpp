@@ -17,11 +17,15 @@ constexpr int search_version = 1;
 // What has to be the same for a hunt to go on.
 Json plan_json(const HuntPlan& plan) {
   Json sources = Json::array(), comparison_names = Json::array();
-  for (const SourcePtr& source : plan.sources) sources.push_back(fmt::format("{}:{}", source->name(), source->version()));
+  for (const SourcePtr& source : plan.sources)
+    sources.push_back(fmt::format("{}:{}", source->name(), source->version()));
   for (const Comparison which : plan.comparisons) comparison_names.push_back(info(which).name);
-  return {{"schema", "axiscert-search-state/1"}, {"search_version", search_version},
-          {"kernel", plan.kernel->id},           {"precision", name(plan.precision)},
-          {"seed", plan.seed},                   {"comparisons", comparison_names},
+  return {{"schema", "axiscert-search-state/1"},
+          {"search_version", search_version},
+          {"kernel", plan.kernel->id},
+          {"precision", name(plan.precision)},
+          {"seed", plan.seed},
+          {"comparisons", comparison_names},
           {"families", sources}};
 }
 

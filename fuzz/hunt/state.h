@@ -1,5 +1,5 @@
-// What a hunt keeps between runs, as text: a line of JSON about the plan and how far it came, then its queries as lines of
-// a query file, whose ids say in which pool each is.
+// What a hunt keeps between runs, as text: a line of JSON about the plan and how far it came, then its queries as lines
+// of a query file, whose ids say in which pool each is.
 #pragma once
 
 #include <string>
