@@ -49,6 +49,12 @@ Query<Real> child(const Evaluator<Real>& evaluator, const Aim& aim, Dice& random
   return q;
 }
 
+template <class Real>
+void best_first(std::vector<Candidate<Real>>& candidates) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const auto& x, const auto& y) { return x.score > y.score; });
+}
+
 }  // namespace
 
 template <class Real>
@@ -63,6 +69,8 @@ std::vector<Candidate<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim, D
   }
   evaluator.evaluate(aim, batch, scores);
   for (std::size_t i = 0; i < starts.size(); ++i) found.push_back({batch[i], scores[i]});
+  best_first(found);
+  found.resize(std::min(found.size(), walkers));
   for (std::uint64_t done = batch.size(); done + batch.capacity() <= evaluations; done += batch.capacity()) {
     const bool is_polishing = done >= evaluations - evaluations / polish_share;
     batch.clear();
@@ -80,7 +88,7 @@ std::vector<Candidate<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim, D
       if (*best >= found[w].score) found[w] = {batch[static_cast<std::size_t>(best - scores.begin())], *best};
     }
   }
-  std::stable_sort(found.begin(), found.end(), [](const auto& x, const auto& y) { return x.score > y.score; });
+  best_first(found);
   return found;
 }
 

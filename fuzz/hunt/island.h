@@ -15,8 +15,8 @@ struct Candidate {
 
 inline constexpr std::size_t walkers = 8, children = 8;  // that climb, and of each in a generation
 
-// Climbs from `starts`, one for each walker, with `evaluations` of queries, and returns what each walker found, best
-// first. Depends on its arguments alone.
+// Climbs from the best of `starts`, at most walkers * children of them, with `evaluations` of queries, and returns what
+// each walker found, best first. Depends on its arguments alone.
 template <class Real>
 std::vector<Candidate<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim, Dice& random,
                                    const std::vector<Query<Real>>& starts, std::uint64_t evaluations);

@@ -53,6 +53,35 @@ std::vector<Slot> slots_of(const std::vector<Aim>& aims) {
   return slots;
 }
 
+// Epochs without a gain of a thousandth after which a lineage is given up; and of how many new ones one begins with the
+// best of all so far, which blends them, the others with nothing.
+constexpr std::uint64_t patience = 4, blending = 3;
+constexpr double least_gain = 1.001;
+
+// Queries of families of which an island that starts with them takes the best.
+constexpr std::size_t drawn = walkers * children;
+
+// What is known for one aim.
+template <class Real>
+struct Known {
+  Pool<Real> lineage;  // what islands start from; does not change during an epoch
+  Pool<Real> fresh;    // what the islands of the epoch under way have found
+  Pool<Real> best;     // of all lineages
+  std::uint64_t stalled = 0, restarts = 0;
+
+  void end_epoch() {
+    const double before = lineage.empty() ? 0 : lineage.best().value.value();
+    lineage.put(fresh);
+    fresh = {};
+    if (lineage.empty()) return;
+    best.put(lineage);
+    stalled = lineage.best().value.value() > before * least_gain ? 0 : stalled + 1;
+    if (stalled < patience) return;
+    stalled = 0;
+    lineage = ++restarts % blending == 0 ? best : Pool<Real>();
+  }
+};
+
 template <class Real>
 class Hunt {
  public:
@@ -61,8 +90,7 @@ class Hunt {
   explicit Hunt(const HuntPlan& plan)
       : plan_(plan), aims_(aims_of(*plan.kernel, plan.comparisons)), slots_(slots_of(aims_)) {
     if (aims_.empty()) throw Error(fmt::format("kernel {} shows nothing of these comparisons", plan.kernel->id));
-    settled_.resize(aims_.size());
-    fresh_.resize(aims_.size());
+    known_.resize(aims_.size());
   }
 
   void resume(const std::string& text) {
@@ -71,15 +99,9 @@ class Hunt {
     evaluations_ = state.evaluations;
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     for (std::size_t i = 0; i < aims_.size(); ++i) {
-      for (const auto& [from, to] :
-           {std::pair(&state.pools[i].settled, &settled_[i]), std::pair(&state.pools[i].fresh, &fresh_[i])}) {
-        for (const StoredQuery& stored : *from) {
-          const auto q = std::get<Query<Real>>(stored.query);
-          const auto value = confirmer.value(aims_[i], q);
-          if (!value) throw Error(fmt::format("the state to resume from: '{}' does not show that", stored.id));
-          to->put({*value, q});
-        }
-      }
+      const StoredPools& stored = state.pools[i];
+      known_[i] = {read(aims_[i], stored.lineage, confirmer), read(aims_[i], stored.fresh, confirmer),
+                   read(aims_[i], stored.best, confirmer), stored.stalled, stored.restarts};
     }
   }
 
@@ -98,6 +120,17 @@ class Hunt {
   }
 
  private:
+  static Pool<Real> read(const Aim& aim, const std::vector<StoredQuery>& queries, Confirmer<Real>& confirmer) {
+    Pool<Real> pool;
+    for (const StoredQuery& stored : queries) {
+      const auto q = std::get<Query<Real>>(stored.query);
+      const auto value = confirmer.value(aim, q);
+      if (!value) throw Error(fmt::format("the state to resume from: '{}' does not show that", stored.id));
+      pool.put({*value, q});
+    }
+    return pool;
+  }
+
   double elapsed() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
   bool is_over(const std::atomic<bool>& interrupted) const {
     return interrupted || (plan_.seconds && elapsed() >= *plan_.seconds) ||
@@ -127,21 +160,18 @@ class Hunt {
           throw;
         }
         const std::lock_guard lock(mutex);
-        for (const Entry& entry : found) fresh_[slots_[*island % slots_.size()].aim].put(entry);
+        for (const Entry& entry : found) known_[slots_[*island % slots_.size()].aim].fresh.put(entry);
         report({islands_, evaluations_, elapsed()});
       }
     };
     epoch_begin_ = islands_;
     tbb::parallel_for(0, plan_.threads, work, tbb::simple_partitioner());
     if (islands_ == epoch_begin_ || islands_ % slots_.size() != 0) return;
-    for (std::size_t i = 0; i < aims_.size(); ++i) {
-      settled_[i].put(fresh_[i]);
-      fresh_[i] = {};
-    }
-    share(settled_);
+    for (Known<Real>& known : known_) known.end_epoch();
+    share(known_);
   }
 
-  // Reads settled_ alone, which does not change during an epoch.
+  // Reads the lineages alone.
   std::vector<Entry> run_island(std::uint64_t island) const {
     const Slot& slot = slots_[island % slots_.size()];
     const Aim& aim = aims_[slot.aim];
@@ -158,28 +188,32 @@ class Hunt {
     return found;
   }
 
-  // Of every four islands, one starts from families, the others from the best that is known.
+  // Of every four islands, one starts from families, the others from the lineage.
   std::vector<Query<Real>> starts(std::size_t aim, Dice& random) const {
-    const auto& known = settled_[aim].entries();
-    const bool anew = known.empty() || random.below(4) == 0;
-    std::vector<Query<Real>> all(walkers);
-    for (std::size_t i = 0; i < walkers; ++i) {
-      const auto among = i == 0 || random.coin() ? known.size() : std::min<std::size_t>(known.size(), 3);
-      if (anew) plan_.sources[random.below(plan_.sources.size())]->make(plan_.seed, random.below(1u << 31), all[i]);
-      else all[i] = known[random.below(among)].query;
+    const auto& lineage = known_[aim].lineage.entries();
+    const bool anew = lineage.empty() || random.below(4) == 0;
+    std::vector<Query<Real>> all(anew ? drawn : walkers);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (anew) {
+        const auto& source = plan_.sources[random.below(plan_.sources.size())];
+        source->make(plan_.seed, random.below(1u << 31), all[i]);
+      } else {
+        const auto among = i == 0 || random.coin() ? lineage.size() : std::min<std::size_t>(lineage.size(), 3);
+        all[i] = lineage[random.below(among)].query;
+      }
     }
     return all;
   }
 
   // The best of every comparison is tried on each other one, in all six orders of the vertices.
-  void share(std::vector<Pool<Real>>& pools) const {
+  void share(std::vector<Known<Real>>& known) const {
     Evaluator<Real> evaluator(*plan_.kernel, plan_.target);
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     for (const Goal goal : {Goal::error, Goal::relative_error, Goal::overflow, Goal::underflow}) {
       QueryBatch<Real> images(6 * comparison_count);
       for (std::size_t i = 0; i < aims_.size(); ++i) {
-        if (aims_[i].goal != goal || pools[i].empty()) continue;
-        const Query<Real>& q = pools[i].best().query;
+        if (aims_[i].goal != goal || known[i].best.empty()) continue;
+        const Query<Real>& q = known[i].best.best().query;
         for (const auto& [a, b, c] :
              {std::tuple(q.a, q.b, q.c), std::tuple(q.a, q.c, q.b), std::tuple(q.b, q.a, q.c),
               std::tuple(q.b, q.c, q.a), std::tuple(q.c, q.a, q.b), std::tuple(q.c, q.b, q.a)}) {
@@ -192,9 +226,9 @@ class Hunt {
         if (aims_[i].goal != goal) continue;
         evaluator.evaluate(aims_[i], images, scores);
         const auto best = std::max_element(scores.begin(), scores.end());
-        if (*best <= (pools[i].empty() ? 0 : pools[i].best().value.value())) continue;
+        if (*best <= (known[i].best.empty() ? 0 : known[i].best.best().value.value())) continue;
         const Query<Real> q = images[static_cast<std::size_t>(best - scores.begin())];
-        if (const auto value = confirmer.value(aims_[i], q)) pools[i].put({*value, q});
+        if (const auto value = confirmer.value(aims_[i], q)) known[i].best.put({*value, q});
       }
     }
   }
@@ -206,19 +240,22 @@ class Hunt {
       for (const Entry& entry : pool.entries()) queries.push_back({"", plan_.precision, entry.query});
       return queries;
     };
-    for (std::size_t i = 0; i < aims_.size(); ++i) state.pools[i] = {stored(settled_[i]), stored(fresh_[i])};
+    for (std::size_t i = 0; i < aims_.size(); ++i) {
+      const auto& [lineage, fresh, best, stalled, restarts] = known_[i];
+      state.pools[i] = {stored(lineage), stored(fresh), stored(best), stalled, restarts};
+    }
     return state_text(plan_, aims_, state);
   }
 
   void finish(HuntResult& result) const {
-    std::vector<Pool<Real>> pools = settled_;
-    for (std::size_t i = 0; i < aims_.size(); ++i) pools[i].put(fresh_[i]);
-    share(pools);
+    std::vector<Known<Real>> known = known_;
+    for (Known<Real>& of_aim : known) of_aim.best.put(of_aim.fresh);
+    share(known);
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     for (std::size_t i = 0; i < aims_.size(); ++i) {
-      if (pools[i].empty()) continue;
+      if (known[i].best.empty()) continue;
       const Aim& aim = aims_[i];
-      const auto& [value, query] = pools[i].best();
+      const auto& [value, query] = known[i].best.best();
       Find find{aim, value, {name(aim), plan_.precision, query}};
       if (is_about_range(aim.goal)) {
         find.range_exponent = range_exponent(aim.goal, plan_.precision, value.value());
@@ -234,7 +271,7 @@ class Hunt {
   std::vector<Aim> aims_;
   std::vector<Slot> slots_;
   std::uint64_t islands_ = 0, epoch_begin_ = 0, evaluations_ = 0;
-  std::vector<Pool<Real>> settled_, fresh_;  // by aim
+  std::vector<Known<Real>> known_;  // by aim
   std::chrono::steady_clock::time_point start_;
 };
 

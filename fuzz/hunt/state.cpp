@@ -29,7 +29,13 @@ Json plan_json(const HuntPlan& plan) {
           {"families", sources}};
 }
 
-constexpr std::string_view settled = "settled ", fresh = "fresh ";
+// The pools of an aim, as ids begin.
+struct Kind {
+  std::string_view prefix;
+  std::vector<StoredQuery> StoredPools::*queries;
+};
+constexpr Kind kinds[] = {
+    {"lineage ", &StoredPools::lineage}, {"fresh ", &StoredPools::fresh}, {"best ", &StoredPools::best}};
 
 }  // namespace
 
@@ -37,16 +43,18 @@ std::string state_text(const HuntPlan& plan, const std::vector<Aim>& aims, const
   Json header = plan_json(plan);
   header["islands"] = state.islands;
   header["evaluations"] = state.evaluations;
+  for (const StoredPools& pools : state.pools) {
+    header["stalled"].push_back(pools.stalled);
+    header["restarts"].push_back(pools.restarts);
+  }
   std::string text = header.dump() + "\n";
-  const auto add = [&](std::string_view kind, const Aim& aim, const std::vector<StoredQuery>& queries) {
-    for (StoredQuery stored : queries) {
-      stored.id = std::string(kind) + name(aim);
-      text += query_line(stored) + "\n";
-    }
-  };
   for (std::size_t i = 0; i < aims.size(); ++i) {
-    add(settled, aims[i], state.pools[i].settled);
-    add(fresh, aims[i], state.pools[i].fresh);
+    for (const Kind& kind : kinds) {
+      for (StoredQuery stored : state.pools[i].*kind.queries) {
+        stored.id = std::string(kind.prefix) + name(aims[i]);
+        text += query_line(stored) + "\n";
+      }
+    }
   }
   return text;
 }
@@ -63,23 +71,31 @@ HuntState parse_state(std::string_view text, const HuntPlan& plan, const std::ve
     throw Error(fmt::format("the state to resume from has {} {}, this search {}", key,
                             header.contains(key) ? header[key].dump() : "missing", value.dump()));
   }
-  const auto count = [&](const char* key) {
-    if (!header.contains(key) || !header[key].is_number_unsigned()) {
-      throw Error(fmt::format("the state to resume from has no number of {}", key));
-    }
-    return header[key].get<std::uint64_t>();
+  const auto number = [&](const Json& value, const char* key) {
+    if (!value.is_number_unsigned()) throw Error(fmt::format("the state to resume from has no number of {}", key));
+    return value.get<std::uint64_t>();
+  };
+  const auto count = [&](const char* key) { return number(header.value(key, Json()), key); };
+  const auto count_of = [&](const char* key, std::size_t i) {
+    const Json all = header.value(key, Json::array());
+    return number(all.is_array() && all.size() == aims.size() ? all[i] : Json(), key);
   };
   HuntState state{count("islands"), count("evaluations"), std::vector<StoredPools>(aims.size())};
+  for (std::size_t i = 0; i < aims.size(); ++i) {
+    state.pools[i].stalled = count_of("stalled", i);
+    state.pools[i].restarts = count_of("restarts", i);
+  }
   for (StoredQuery& stored : parse_queries(text.substr(end + 1), "the state to resume from", plan.precision)) {
-    const bool is_settled = stored.id.starts_with(settled);
-    if (!is_settled && !stored.id.starts_with(fresh)) throw Error(fmt::format("'{}': no query of a state", stored.id));
-    const std::string of = stored.id.substr(is_settled ? settled.size() : fresh.size());
-    std::size_t i = 0;
-    while (i < aims.size() && name(aims[i]) != of) ++i;
-    if (i == aims.size() || stored.precision != plan.precision) {
-      throw Error(fmt::format("the state to resume from: '{}' is none of this search", stored.id));
+    bool found = false;
+    for (std::size_t i = 0; i < aims.size(); ++i) {
+      for (const Kind& kind : kinds) {
+        if (found || stored.precision != plan.precision || stored.id != std::string(kind.prefix) + name(aims[i]))
+          continue;
+        (state.pools[i].*kind.queries).push_back(stored);
+        found = true;
+      }
     }
-    (is_settled ? state.pools[i].settled : state.pools[i].fresh).push_back(std::move(stored));
+    if (!found) throw Error(fmt::format("the state to resume from: '{}' is none of this search", stored.id));
   }
   return state;
 }

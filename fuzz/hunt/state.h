@@ -10,9 +10,12 @@
 
 namespace axiscert {
 
-// The pools of one aim: what islands start from, and what the islands of the epoch under way have found since.
+// What is known for one aim: the lineage that islands start from, what the islands of the epoch under way have found
+// since, and the best of all lineages; for how many epochs the lineage has not got better, and how many there were
+// before.
 struct StoredPools {
-  std::vector<StoredQuery> settled, fresh;
+  std::vector<StoredQuery> lineage, fresh, best;
+  std::uint64_t stalled = 0, restarts = 0;
 };
 
 struct HuntState {
