@@ -12,7 +12,13 @@ namespace {
 
 struct Options {
   std::string file, kernel = "published", format = "text", target = "auto", precision = "binary32";
+  bool errors = false;
 };
+
+std::optional<SideErrors> errors_of(const StoredQuery& stored, const Kernel& kernel, const std::string& target) {
+  return std::visit([&]<class Real>(const Query<Real>& q) { return Confirmer<Real>(kernel, target).errors(q); },
+                    stored.query);
+}
 
 int check(const Options& options) {
   const Kernel& kernel = find_kernel(options.kernel);
@@ -26,8 +32,14 @@ int check(const Options& options) {
                               name(stored.precision), kernel.id));
     }
     const Examination found = std::visit([&](const auto& q) { return examiner.examine(q); }, stored.query);
-    if (options.format == "text") fmt::print("{}\n", check_text(stored.id, kernel, found));
-    else fmt::print("{}\n", check_json(stored.id, kernel, found).dump());
+    if (options.format == "text") {
+      fmt::print("{}\n", check_text(stored.id, kernel, found));
+      if (options.errors) fmt::print("{}\n", errors_text(errors_of(stored, kernel, target)));
+    } else {
+      Json json = check_json(stored.id, kernel, found);
+      if (options.errors) json["errors"] = errors_json(errors_of(stored, kernel, target));
+      fmt::print("{}\n", json.dump());
+    }
   }
   return exit_done;
 }
@@ -42,6 +54,7 @@ void add_check(CLI::App& app, Action& action) {
   command->add_option("--kernel", options->kernel, "kernel id")->capture_default_str();
   command->add_option("--target", options->target, "instruction set, or auto")->capture_default_str();
   command->add_option("--precision", options->precision, "of a CSV file, which does not say")->capture_default_str();
+  command->add_flag("--errors", options->errors, "the errors of the computed sides as well, in u, exactly");
   add_plugin_seconds(*command);
   add_format(*command, options->format, "jsonl");
   command->callback([&action, options] { action = [options] { return check(*options); }; });

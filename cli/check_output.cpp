@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "reports/instrument/figures.h"
+
 namespace axiscert {
 namespace {
 
@@ -82,6 +84,28 @@ Json check_json(const std::string& id, const Kernel& kernel, const Examination& 
           {"within_limits", found.within_limits},
           {"findings", findings_json(found.findings)},
           {"flips", flips_json(found.judgement)}};
+}
+
+std::string errors_text(const std::optional<SideErrors>& errors) {
+  if (!errors) return "  no computed sides to measure";
+  std::string text;
+  const auto amount = [](const std::optional<Decimal6>& error) { return error ? error->text() : "none"; };
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    text += fmt::format("{}  {}: error {} u, relative {} u", k == 0 ? "" : "\n", comparisons[k].name,
+                        amount(errors->absolute[k]), amount(errors->relative[k]));
+  }
+  return text;
+}
+
+Json errors_json(const std::optional<SideErrors>& errors) {
+  if (!errors) return nullptr;
+  Json all = Json::object();
+  const auto amount = [](const std::optional<Decimal6>& error) { return error ? number_json(*error) : Json(nullptr); };
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    all[std::string(comparisons[k].name)] = {{"absolute_u", amount(errors->absolute[k])},
+                                             {"relative_u", amount(errors->relative[k])}};
+  }
+  return all;
 }
 
 }  // namespace axiscert

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "exact/examine.h"
+#include "fuzz/hunt/confirm.h"
 #include "reports/record.h"
 
 namespace axiscert {
@@ -12,5 +13,10 @@ namespace axiscert {
 std::string check_text(const std::string& id, const Kernel& kernel, const Examination& found);
 // "id", "kernel", "exact", "computed", "within_limits", "findings", "flips".
 Json check_json(const std::string& id, const Kernel& kernel, const Examination& found);
+
+// The errors of the computed sides: a line a comparison, to follow check_text's; and for check_json an object of
+// "absolute_u" and "relative_u" by comparison, null where there is none.
+std::string errors_text(const std::optional<SideErrors>& errors);
+Json errors_json(const std::optional<SideErrors>& errors);
 
 }  // namespace axiscert

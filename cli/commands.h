@@ -30,6 +30,7 @@ void add_precision(CLI::App& app, Action& action);
 void add_condition(CLI::App& app, Action& action);
 void add_critical_radius(CLI::App& app, Action& action);
 void add_league(CLI::App& app, Action& action);
+void add_search(CLI::App& app, Action& action);
 void add_generate(CLI::App& app, Action& action);
 void add_judge(CLI::App& app, Action& action);
 

@@ -3,7 +3,9 @@
 import json
 import unittest
 
-from command import Case, axiscert
+import jsonschema
+
+from command import REPORTS, Case, axiscert
 
 
 class Ladder(Case):
@@ -157,6 +159,63 @@ class CriticalRadius(Case):
         self.refused("critical-radius", "--kernel", "nosuch", says=["nosuch", "published"])
         self.refused("critical-radius", "--trials", "0", says=["--trials", "0"])
         self.refused("critical-radius", "--precision", "binary16", says=["binary16", "binary64"])
+
+
+class Search(Case):
+    PLAN = ("search", "--kernel", "published", "--comparison", "edge_ab.radius", "--comparison", "vertex_b.side_c")
+
+    def search(self, *args, out="out"):
+        done = axiscert(*args, "--format", "json", "--out", self.folder / out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout), json.loads((self.folder / out / "search.json").read_text()))
+        return json.loads(done.stdout)
+
+    def test_check_confirms_the_witnesses(self):
+        found = self.search(*self.PLAN, "--evaluations", 1000000)
+        self.assertEqual([c["name"] for c in found["comparisons"]], ["vertex_b.side_c", "edge_ab.radius"])
+        done = axiscert("check", self.folder / "out/witnesses.jsonl", "--format", "jsonl", "--errors")
+        errors = {line["id"]: line["errors"] for line in map(json.loads, done.stdout.splitlines())}
+        for comparison in found["comparisons"]:
+            name = comparison["name"]
+            self.assertIsNone(comparison["proved_u"])
+            self.assertEqual(errors["error " + name][name]["absolute_u"], comparison["attained_u"])
+            self.assertEqual(errors["relative_error " + name][name]["relative_u"], comparison["relative_u"])
+        self.assertGreater(found["comparisons"][1]["attained_u"], 500)
+
+    def test_wrong_verdicts_are_confirmed_by_check_and_the_file_by_its_schema(self):
+        found = self.search("search", "--evaluations", 3000000, "--threads", 1)
+        self.assertEqual(len(found["comparisons"]), 16)
+        missed = found["verdict"]["missed_contact"]
+        done = axiscert("check", "-", "--format", "jsonl", stdin=json.dumps(missed["witness"]))
+        checked = json.loads(done.stdout)
+        self.assertEqual((checked["exact"]["verdict"], checked["computed"]["verdict"]), ("contact", "separated"))
+        self.assertEqual(checked["flips"][0]["links"], missed["links"])
+        schema = json.loads((REPORTS / "search.schema.json").read_text())
+        jsonschema.validators.validator_for(schema)(schema).validate(found)
+
+    def test_resuming_is_the_same_as_not_stopping(self):
+        whole = self.search(*self.PLAN, "--evaluations", 900000, out="whole")
+        self.search(*self.PLAN, "--evaluations", 200000, "--threads", 1, out="parts")
+        parts = self.search(*self.PLAN, "--evaluations", 900000, "--resume", out="parts")
+        self.assertEqual(whole, parts)
+        timed = self.search(*self.PLAN, "--time", 0.1, "--resume", out="parts")
+        self.assertGreater(timed["evaluations"], parts["evaluations"])
+
+    def test_bad_input(self):
+        self.refused("search", "--kernel", "nosuch", says=["nosuch", "published"])
+        self.refused("search", "--comparison", "plane", says=["plane", "plane.radius"])
+        self.refused("search", "--kernel", "minkowski", "--comparison", "plane.radius", says=["minkowski"])
+        self.refused("search", "--kernel", "published+in-double", "--precision", "binary64", says=["in-double"])
+        self.refused("search", "--family", "nosuch", says=["nosuch", "general"])
+        self.refused("search", "--evaluations", "0", says=["--evaluations"])
+        self.refused("search", "--time", "0", says=["--time"])
+        self.refused("search", "--time", "1", "--evaluations", "1", says=["--time", "excludes"])
+        self.refused("search", "--resume", says=["--out"])
+        self.refused("search", "--resume", "--out", self.folder / "none", says=["search.state"])
+        self.search(*self.PLAN, "--evaluations", 1)
+        self.refused("search", "--resume", "--out", self.folder / "out", says=["comparisons"])
+        (self.folder / "out/search.state").write_text("no state")
+        self.refused(*self.PLAN, "--resume", "--out", self.folder / "out", says=["no state"])
 
 
 if __name__ == "__main__":

@@ -42,8 +42,9 @@ int main(int argc, char** argv) {
       "Exit codes: 0 done; 1 a requirement failed; 2 bad usage or input, or a target this machine lacks;\n"
       "3 the oracles disagree, or the harness caught itself wrong; 130 interrupted.");
   Action action;
-  for (const auto add : {add_run, add_check, add_query, add_kernels, add_families, add_report, add_ladder,
-                         add_precision, add_condition, add_critical_radius, add_league, add_generate, add_judge})
+  for (const auto add :
+       {add_run, add_check, add_query, add_kernels, add_families, add_report, add_ladder, add_precision, add_condition,
+        add_critical_radius, add_league, add_search, add_generate, add_judge})
     add(app, action);
   try {
     app.parse(argc, argv);

@@ -24,26 +24,6 @@ bool far_from_right_angle(const Vec3<Ring>& u, const Vec3<Ring>& v) {
 }
 
 template <class Real>
-bool is_far_from_every_change(const Query<Real>& q) {
-  const auto t = centred_as<Ring>(q, [](Real x) { return Ring(static_cast<double>(x)); });
-  const Vec3<Ring> normal = cross(t.b - t.a, t.c - t.a);
-  const Ring d = dot(t.a, normal);
-  if (!far_apart(d * d, t.rr * dot(normal, normal))) return false;
-  const Vec3<Ring> vertices[] = {t.a, t.b, t.c};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3<Ring>&a = vertices[i], &b = vertices[(i + 1) % 3], &c = vertices[(i + 2) % 3];
-    const Vec3<Ring> along = b - a, edge_normal = cross(a, b);
-    // Side comparisons: the angles at the vertex; and between the planes of the edge with the centre and of ABC.
-    if (!far_apart(dot(a, a), t.rr) || !far_apart(dot(edge_normal, edge_normal), t.rr * dot(along, along)) ||
-        !far_from_right_angle(a, along) || !far_from_right_angle(a, c - a) ||
-        !far_from_right_angle(edge_normal, normal)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-template <class Real>
 QueryBatch<Real> scaled(const std::vector<Query<Real>>& queries, int exponent) {
   QueryBatch<Real> batch(queries.size());
   for (const Query<Real>& q : queries) {
@@ -79,6 +59,28 @@ AxisBits sound_axes(const Kernel& kernel, const Implementation<Real>& implementa
 }
 
 }  // namespace
+
+template <class Real>
+bool is_far_from_every_change(const Query<Real>& q) {
+  const auto t = centred_as<Ring>(q, [](Real x) { return Ring(static_cast<double>(x)); });
+  const Vec3<Ring> normal = cross(t.b - t.a, t.c - t.a);
+  const Ring d = dot(t.a, normal);
+  if (!far_apart(d * d, t.rr * dot(normal, normal))) return false;
+  const Vec3<Ring> vertices[] = {t.a, t.b, t.c};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3<Ring>&a = vertices[i], &b = vertices[(i + 1) % 3], &c = vertices[(i + 2) % 3];
+    const Vec3<Ring> along = b - a, edge_normal = cross(a, b);
+    // Side comparisons: the angles at the vertex; and between the planes of the edge with the centre and of ABC.
+    if (!far_apart(dot(a, a), t.rr) || !far_apart(dot(edge_normal, edge_normal), t.rr * dot(along, along)) ||
+        !far_from_right_angle(a, along) || !far_from_right_angle(a, c - a) ||
+        !far_from_right_angle(edge_normal, normal)) {
+      return false;
+    }
+  }
+  return true;
+}
+template bool is_far_from_every_change(const Query<float>&);
+template bool is_far_from_every_change(const Query<double>&);
 
 template <class Real>
 std::vector<Query<Real>> window_queries() {

@@ -19,9 +19,12 @@ struct ExponentWindow {
 // Nothing where the axis differs at m = 0 already.
 using AxisWindows = std::array<std::optional<ExponentWindow>, axis_count>;
 
-// The 256 reference queries: the first of family `general` at seed 1 that are far from every change of sign. All
-// sixteen margins are at least 1/32 of their sides, the signs of the side comparisons taken as angles: cosines of 1/32
-// at least.
+// All sixteen margins are at least 1/32 of their sides, the signs of the side comparisons taken as angles: cosines of
+// 1/32 at least. Exact.
+template <class Real>
+bool is_far_from_every_change(const Query<Real>& q);
+
+// The 256 reference queries: the first of family `general` at seed 1 that are far from every change of sign.
 template <class Real>
 std::vector<Query<Real>> window_queries();
 

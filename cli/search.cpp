@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "cli/instrument_options.h"
+#include "cli/run_options.h"
+#include "cli/run_output.h"
+#include "fuzz/address.h"
+#include "fuzz/file_bytes.h"
+#include "kernel/error.h"
+#include "kernel/self_check.h"
+#include "reports/finding.h"
+#include "reports/instrument/search.h"
+
+namespace axiscert {
+namespace {
+
+struct SearchOptions {
+  std::string kernel = "published", precision = "binary32", target = "auto", format = "text", out;
+  std::vector<std::string> comparisons, families;
+  std::optional<std::uint64_t> evaluations;
+  std::optional<double> seconds;
+  std::uint64_t seed = 1;
+  int threads = 0;
+  bool resume = false;
+};
+
+// Where nothing is asked for: a few seconds.
+constexpr std::uint64_t default_evaluations = std::uint64_t{1} << 24;
+constexpr const char* state_file = "search.state";
+
+std::atomic<bool> interrupted = false;
+
+// The first Ctrl-C lets the islands under way finish and reports what there is; the second one leaves at once.
+void on_interrupt(int) {
+  if (interrupted.exchange(true)) _exit(exit_interrupted);
+}
+
+Comparison parse_comparison(const std::string& given) {
+  std::string known;
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    if (comparisons[k].name == given) return static_cast<Comparison>(k);
+    known += fmt::format("{}{}", k == 0 ? "" : ", ", comparisons[k].name);
+  }
+  throw Error(fmt::format("--comparison {}: unknown; comparisons: {}", given, known));
+}
+
+HuntPlan plan_of(const SearchOptions& options) {
+  HuntPlan plan;
+  plan.kernel = &find_kernel(options.kernel);
+  require_loaded(*plan.kernel);
+  plan.precision = parse_precision(options.precision);
+  if (!plan.kernel->has(plan.precision)) {
+    throw Error(fmt::format("--precision {}: kernel {} does not exist in it", options.precision, options.kernel));
+  }
+  for (const std::string& given : options.comparisons) {
+    const Comparison which = parse_comparison(given);
+    const auto& so_far = plan.comparisons;
+    if (std::find(so_far.begin(), so_far.end(), which) == so_far.end()) plan.comparisons.push_back(which);
+  }
+  if (!plan.comparisons.empty() && aims_of(*plan.kernel, plan.comparisons).empty()) {
+    throw Error(fmt::format("--comparison: kernel {} shows no computed sides of its own formulae", options.kernel));
+  }
+  std::sort(plan.comparisons.begin(), plan.comparisons.end());
+  InstrumentOptions families;
+  families.families = options.families;
+  plan.sources = instrument_sources(
+      families, {"general", "tangent", "seam", "sliver", "needle", "collinear", "repeated", "far", "ratio"});
+  plan.seed = options.seed;
+  plan.seconds = options.seconds;
+  plan.evaluations = options.evaluations;
+  if (!plan.seconds && !plan.evaluations) plan.evaluations = default_evaluations;
+  plan.target = resolve_target(options.target);
+  plan.threads = threads_of(options.threads);
+  return plan;
+}
+
+std::string command_of(const SearchOptions& options, const HuntResult& result) {
+  std::string command = fmt::format("axiscert search --kernel {} --precision {}", options.kernel, options.precision);
+  for (const std::string& which : options.comparisons) command += " --comparison " + which;
+  for (const std::string& family : options.families) command += " --family " + family;
+  return command + fmt::format(" --evaluations {} --seed {}", result.evaluations, options.seed);
+}
+
+// Whole or not at all: a state that was cut off would be lost work.
+void write_whole(const std::filesystem::path& path, const std::string& text) {
+  const std::filesystem::path part = path.string() + ".part";
+  std::ofstream file(part, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw Error(fmt::format("{}: cannot be written", part.string()));
+  std::filesystem::rename(part, path);
+}
+
+int search(const SearchOptions& options) {
+  const HuntPlan plan = plan_of(options);
+  const std::filesystem::path folder = options.out;
+  std::optional<std::string> state;
+  if (options.resume) {
+    if (options.out.empty()) throw Error("--resume: give the folder of the search to resume with --out");
+    state = read_bytes((folder / state_file).string());
+  }
+  if (!options.out.empty()) RunFolder(options.out);  // found writable before anything runs
+  require_uncontracted(plan.target);
+
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  HuntResult result;
+  {
+    ProgressLine progress;
+    result = hunt(plan, state, interrupted, [&](const HuntProgress& p) {
+      progress.show({p.islands, 0, p.evaluations, p.seconds});
+    });
+  }
+  if (!options.out.empty()) {
+    write_whole(folder / state_file, result.state);
+    write_whole(folder / "witnesses.jsonl", search_witnesses(result));
+  }
+  InstrumentOptions output;
+  output.format = options.format;
+  output.out = options.out;
+  const int done = put_instrument(search_report(plan, result, command_of(options, result)), output);
+  return result.complete ? done : exit_interrupted;
+}
+
+}  // namespace
+
+void add_search(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "search",
+      "Hunt for the worst of a kernel: errors of its comparisons, wrong verdicts, the scales where range fails");
+  auto options = std::make_shared<SearchOptions>();
+  SearchOptions& o = *options;
+  command->add_option("--kernel", o.kernel, "kernel id")->capture_default_str();
+  command->add_option("--precision", o.precision, "binary32 or binary64")->capture_default_str();
+  command->add_option("--comparison", o.comparisons, "comparison, repeatable (default: all, and the verdict)")
+      ->allow_extra_args(false);
+  command->add_option("--family", o.families, "family that queries are begun from, repeatable")
+      ->allow_extra_args(false);
+  auto* evaluations = command
+                          ->add_option("--evaluations", o.evaluations,
+                                       "queries to estimate, rounded up to whole islands (default: 2^24)")
+                          ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 48));
+  command->add_option("--time", o.seconds, "seconds to search instead")
+      ->check(CLI::PositiveNumber)
+      ->excludes(evaluations);
+  command->add_option("--seed", o.seed, "of all random choices")->capture_default_str();
+  command->add_flag("--resume", o.resume, "go on from the state in the folder of --out");
+  command->add_option("--target", o.target, "instruction set, or auto")->capture_default_str();
+  add_thread_option(*command, o.threads);
+  add_plugin_seconds(*command);
+  add_format(*command, o.format, "json");
+  command->add_option("--out", o.out, "folder for search.json, search.html, witnesses.jsonl and the state");
+  command->callback([&action, options] { action = [options] { return search(*options); }; });
+}
+
+}  // namespace axiscert
