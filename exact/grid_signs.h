@@ -10,8 +10,8 @@ namespace axiscert {
 
 // The signs of the published comparisons of a valid query, where its numbers are multiples of some 2^k and less than
 // 2^(k + 126), and the differences v - p and the radius have `greatest_grid_bits` bits at most once divided by the
-// greatest power of two that divides them all: integers of a few words (exact/wide_integer.h). Otherwise nothing. Never
-// throws, allocates or rounds; the processor must not take subnormals for zero.
+// greatest power of two that divides them all, or would but for a tiny radius: integers of a few words
+// (exact/wide_integer.h). Otherwise nothing. Never throws, allocates or rounds; no subnormal may be taken for zero.
 template <class Real>
 std::optional<Signs> grid_signs(const Query<Real>& q);
 
@@ -24,7 +24,7 @@ Signs integer_signs(const Query<Real>& q);
 template <class Real>
 std::optional<int> bits_on_grid(const Query<Real>& q);
 
-// In integers of `words` words at degree 2, twice and three times as many at degrees 4 and 6 (grid_signs.cpp has the
+// In integers of `words` words at degree 2, twice and three times as many at degrees 4 and 6 (exact/gram.h has the
 // bounds).
 constexpr int grid_bits(int words) { return 32 * words - 3; }
 inline constexpr int most_grid_words = 4;

@@ -22,9 +22,10 @@ namespace axiscert {
 // Roundings. 2^-53 |value| is what the value's own sum or product is off by. `error` is made by sums and products of
 // numbers that are not negative, rounded to nearest: with k roundings counted through all factors of its terms it is at
 // least (1 - 2^-53)^k of what it stands for. k is below 2,000 for degree 6, which `more` makes up for.
-// An error is 0 or at least 2^-110 of its number's size: a leaf's is that of one subtraction, every other one at least
-// 2^-53 |value|. So errors do not underflow, nor do values in [2^-511, 2^12). A value below that has an error of 1/4
-// or more, and so does all that is made of it; what underflow adds, 2^-1074, is less than a rounding of that error.
+// An error is 0 or at least 2^-352 of its number's size: a leaf's is exactly that of one subtraction of numbers that
+// lie at most 2^300 apart, every other one at least 2^-53 |value|. So errors do not underflow, nor do values in
+// [2^-511, 2^12). A value below that has an error of 1/4 or more, and so does all that is made of it; what underflow
+// adds, 2^-1074, is less than a rounding of that error.
 struct WideEnclosed {
   double value = 0, error = 0;
   int exponent = zero_exponent;

@@ -33,7 +33,7 @@ class WideMargins {
  private:
   struct Margin {
     WideEnclosed difference;  // lhs - rhs
-    WideEnclosed lhs, rhs;    // not negative, but for the lhs of vertex.side; of edge.side the rhs is 0
+    WideEnclosed lhs, rhs;    // not negative, but for the lhs of a side; of edge.side the rhs is 0
     int edge = -1;            // in the reduced form: published sides are its squared length times these
   };
   std::array<Margin, comparison_count> margins_;

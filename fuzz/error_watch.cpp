@@ -164,12 +164,16 @@ template <class Real>
 double ErrorWatch<Real>::judge(const SuspectError& suspect) {
   auto [i, k, lower, upper] = suspect;
   if ((*attention_)[i] == Attention::none) return threshold(k);
+  const Real lhs = computed_->lhs[k][i], rhs = computed_->rhs[k][i];
   if ((*attention_)[i] == Attention::checked) {
     checked_.push_back(suspect);
+    if (std::isfinite(lhs) && std::isfinite(rhs) && upper > 2 * lower) {
+      const WideMargins::ErrorRange range = wide_error(suspect);
+      checked_.push_back({i, k, range.lower, range.upper});
+    }
     return threshold(k);
   }
   ComparisonTally& comparison = tally_.comparisons[k];
-  const Real lhs = computed_->lhs[k][i], rhs = computed_->rhs[k][i];
   if (!std::isfinite(lhs) || !std::isfinite(rhs)) {
     ++comparison.range_events;
     return threshold(k);
@@ -247,13 +251,16 @@ void ErrorWatch<Real>::settle() {
 
 template <class Real>
 std::string ErrorWatch<Real>::contradiction(std::size_t query, std::size_t k, const ComparisonError& exact) const {
+  bool was_suspect = false;
   for (const SuspectError& suspect : checked_) {
     if (suspect.query != query || suspect.comparison != k) continue;
+    was_suspect = true;
     if (exact.kind() != ComparisonError::Kind::finite) return {};
-    if (exact.upper() >= suspect.lower && exact.lower() <= suspect.upper) return {};
+    if (exact.upper() >= suspect.lower && exact.lower() <= suspect.upper) continue;
     return fmt::format("the filter has the error of {} between {} u and {} u, it is {} u", comparisons[k].name,
                        suspect.lower, suspect.upper, exact.rounded_up().text());
   }
+  if (was_suspect) return {};
   if (exact.kind() == ComparisonError::Kind::finite && exact.lower() <= threshold(k)) return {};
   return fmt::format("the filter has the error of {} at most {} u, and it is not", comparisons[k].name, threshold(k));
 }

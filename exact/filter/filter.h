@@ -19,7 +19,7 @@ struct FilteredSigns {
   bool is_decided() const { return is_valid && certain == 0xffff; }
 };
 
-// Queries in blocks of eight; of sixteen blocks the first is looked at for close calls.
+// Queries in blocks of eight; of sixteen blocks the last is looked at for close calls.
 inline constexpr std::size_t close_call_block = 8, close_call_stride = 16;
 
 // One comparison of one query whose error may be greater than its threshold: lower <= error <= upper, in u. The upper
@@ -61,7 +61,8 @@ struct Filter {
   void signs(const QueryColumns<Real>& batch, FilteredSigns* out) const { signs_with_fault(batch, planted, out); }
 };
 
-// `target` is one of simd_targets(), or `scalar`, which has the best of them: a filter's answers do not depend on it.
+// `target` is one of simd_targets(), or `scalar`, which has the best of them. What is certain is true on each; how much
+// is may differ.
 template <class Real>
 Filter<Real> filter_on(std::string_view target, FilterFault fault = FilterFault::none);
 template <>

@@ -89,25 +89,33 @@ HWY_NOINLINE void signs_of_vector(const QueryColumns<Real>& batch, std::size_t a
 }
 
 // The same of a vector whose signs are all certain in doubles and no ties: what most are.
+template <bool planted>
 struct PlainSignSink {
+  FilterFault fault;
   V words, slack;  // slack: the least |margin| - bound
 
-  AXISCERT_INLINE PlainSignSink() : words(hn::Zero(D())), slack(constant(1)) {}
+  AXISCERT_INLINE explicit PlainSignSink(FilterFault of) : fault(of), words(hn::Zero(D())), slack(constant(1)) {}
   AXISCERT_INLINE void operator()(Comparison which, const Margin<DoubleLanes>& margin) {
-    const V value = margin.value.leading();
+    V value = margin.value.leading(), bound = margin.bound;
+    if constexpr (planted) {
+      if (fault == FilterFault::small_bound) bound = times(bound, constant(0x1p-12));
+      if (fault == FilterFault::swapped_sign && which == Comparison::edge_bc_side_a) value = hn::Neg(value);
+    }
     words = hn::Or(words, word(hn::Gt(value, hn::Zero(D())), std::uint64_t{1} << static_cast<unsigned>(which)));
-    slack = hn::Min(slack, hn::Sub(hn::Abs(value), margin.bound));
+    slack = hn::Min(slack, hn::Sub(hn::Abs(value), bound));
   }
 };
 
 // Whether it is such a vector; `out` holds nothing of use if not.
-template <class Real>
-AXISCERT_INLINE bool plain_signs_of_vector(const QueryColumns<Real>& batch, std::size_t at, std::uint64_t* out) {
+template <bool planted, class Real>
+AXISCERT_INLINE bool plain_signs_of_vector(const QueryColumns<Real>& batch, std::size_t at, FilterFault fault,
+                                           std::uint64_t* out) {
   const Margins<EdgeForm::reduced, DoubleLanes> margins(load_query(batch, at));
-  PlainSignSink sink;
+  PlainSignSink<planted> sink(fault);
   margins.emit_all(sink);
   M good = hn::And(hn::Gt(sink.slack, hn::Zero(D())), margins.is_valid());
-  if constexpr (sizeof(Real) == 8) good = hn::And(good, margins.in_range());
+  const bool has_guard = sizeof(Real) == 8 && !(planted && fault == FilterFault::no_underflow_guard);
+  if (has_guard) good = hn::And(good, margins.in_range());
   constexpr std::uint64_t all = 0xffffull << certain_at | 1ull << valid_at;
   const hn::RebindToUnsigned<D> du;
   hn::StoreU(hn::Or(hn::BitCast(du, sink.words), hn::Set(du, all)), du, out);
@@ -122,8 +130,11 @@ void filter_signs(const QueryColumns<Real>& batch, FilterFault fault, FilteredSi
   std::uint64_t words[lane_count];
   std::size_t i = 0;
   for (; i + lane_count <= batch.size; i += lane_count) {
-    const bool wants_close = i / close_call_block % close_call_stride == 0;
-    const bool is_plain = !wants_close && fault == FilterFault::none && plain_signs_of_vector(batch, i, words);
+    // Not the first block: every 4096th query begins a batch, and is to check the plain pass too.
+    const bool wants_close = i / close_call_block % close_call_stride == close_call_stride - 1;
+    const bool is_plain =
+        !wants_close && (fault == FilterFault::none ? plain_signs_of_vector<false>(batch, i, fault, words)
+                                                    : plain_signs_of_vector<true>(batch, i, fault, words));
     if (!is_plain) signs_of_vector(batch, i, wants_close, fault, words);
     std::memcpy(out + i, words, sizeof words);
   }
