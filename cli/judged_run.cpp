@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <atomic>
 #include <chrono>
-#include <csignal>
 
 #include "cli/commands.h"
 #include "cli/run_output.h"
@@ -17,24 +14,12 @@
 #include "reports/requirement.h"
 
 namespace axiscert {
-namespace {
-
-std::atomic<bool> interrupted = false;
-
-// The first Ctrl-C lets the units under way finish and reports what there is; the second one leaves at once.
-void on_interrupt(int) {
-  if (interrupted.exchange(true)) _exit(exit_interrupted);
-}
-
-}  // namespace
-
 int judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked) {
   const RunFolder folder(output.out);
   require_uncontracted(scalar_target);
   require_uncontracted(plan.target);
 
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  const std::atomic<bool>& interrupted = watch_for_interrupts();
   const auto started = std::chrono::system_clock::now();
   CampaignResult result;
   try {

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 
+#include "cli/commands.h"
 #include "fuzz/query_file.h"
 #include "kernel/error.h"
 #include "reports/finding.h"
@@ -65,6 +67,16 @@ std::string RunFolder::save(const OracleDisagreement& d) const {
   }
   write_text("disagreement.jsonl", query_line(stored) + "\n");
   return (path_ / "disagreement.jsonl").string();
+}
+
+const std::atomic<bool>& watch_for_interrupts() {
+  static std::atomic<bool> interrupted = false;
+  const auto on_interrupt = [](int) {
+    if (interrupted.exchange(true)) _exit(exit_interrupted);
+  };
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  return interrupted;
 }
 
 std::string iso_time(std::chrono::system_clock::time_point time) {

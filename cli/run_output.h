@@ -1,6 +1,7 @@
 // What `axiscert run` shows and writes: the progress line, the run folder, the summary.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -30,13 +31,16 @@ class RunFolder {
  public:
   explicit RunFolder(const std::string& path);  // throws Error
   void write(const std::string& file, const Json& json) const;
+  void write_text(const std::string& file, const std::string& text) const;  // whole or not at all
   // Saves the query that the oracles differ on, and returns the file's path.
   std::string save(const OracleDisagreement& disagreement) const;
 
  private:
-  void write_text(const std::string& file, const std::string& text) const;
   std::filesystem::path path_;
 };
+
+// Set by the first Ctrl-C, at which what is under way finishes and is reported; the second one leaves at once.
+const std::atomic<bool>& watch_for_interrupts();
 
 std::string iso_time(std::chrono::system_clock::time_point time);
 // What `run` prints in the end: findings first, each with the command that shows it again, then a line a kernel and

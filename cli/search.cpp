@@ -1,12 +1,8 @@
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
-#include <csignal>
 #include <filesystem>
-#include <fstream>
 
 #include "cli/instrument_options.h"
 #include "cli/run_options.h"
@@ -34,13 +30,6 @@ struct SearchOptions {
 // Where nothing is asked for: a few seconds.
 constexpr std::uint64_t default_evaluations = std::uint64_t{1} << 24;
 constexpr const char* state_file = "search.state";
-
-std::atomic<bool> interrupted = false;
-
-// The first Ctrl-C lets the islands under way finish and reports what there is; the second one leaves at once.
-void on_interrupt(int) {
-  if (interrupted.exchange(true)) _exit(exit_interrupted);
-}
 
 Comparison parse_comparison(const std::string& given) {
   std::string known;
@@ -88,29 +77,18 @@ std::string command_of(const SearchOptions& options, const HuntResult& result) {
   return command + fmt::format(" --evaluations {} --seed {}", result.evaluations, options.seed);
 }
 
-// Whole or not at all: a state that was cut off would be lost work.
-void write_whole(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path part = path.string() + ".part";
-  std::ofstream file(part, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw Error(fmt::format("{}: cannot be written", part.string()));
-  std::filesystem::rename(part, path);
-}
-
 int search(const SearchOptions& options) {
   const HuntPlan plan = plan_of(options);
-  const std::filesystem::path folder = options.out;
   std::optional<std::string> state;
   if (options.resume) {
     if (options.out.empty()) throw Error("--resume: give the folder of the search to resume with --out");
-    state = read_bytes((folder / state_file).string());
+    state = read_bytes((std::filesystem::path(options.out) / state_file).string());
   }
-  if (!options.out.empty()) RunFolder(options.out);  // found writable before anything runs
+  std::optional<RunFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out);  // found writable before anything runs
   require_uncontracted(plan.target);
 
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  const std::atomic<bool>& interrupted = watch_for_interrupts();
   HuntResult result;
   {
     ProgressLine progress;
@@ -118,9 +96,9 @@ int search(const SearchOptions& options) {
       progress.show({p.islands, 0, p.evaluations, p.seconds});
     });
   }
-  if (!options.out.empty()) {
-    write_whole(folder / state_file, result.state);
-    write_whole(folder / "witnesses.jsonl", search_witnesses(result));
+  if (folder) {
+    folder->write_text(state_file, result.state);
+    folder->write_text("witnesses.jsonl", search_witnesses(result));
   }
   InstrumentOptions output;
   output.format = options.format;
