@@ -1,0 +1,52 @@
+(* What each main theorem rests on, printed; Assumptions.expected is what it has to print. *)
+From Axiscert Require Import Exact Reduced RecordedIsSat7 RecordedIsProgram Expression Run Thresholds Filter Filters Decides.
+
+Tactic Notation "theorem" string(name) := idtac "==" name.
+Goal True. theorem "sat7_exact". Abort.
+Print Assumptions sat7_exact.
+Goal True. theorem "sat7_exact_strict". Abort.
+Print Assumptions sat7_exact_strict.
+Goal True. theorem "sat7_strict_sound". Abort.
+Print Assumptions sat7_strict_sound.
+Goal True. theorem "strict_wrong_for_repeated_vertex". Abort.
+Print Assumptions strict_wrong_for_repeated_vertex.
+Goal True. theorem "strict_wrong_for_collinear". Abort.
+Print Assumptions strict_wrong_for_collinear.
+Goal True. theorem "reduced_equiv". Abort.
+Print Assumptions reduced_equiv.
+Goal True. theorem "reduced_exact". Abort.
+Print Assumptions reduced_exact.
+Goal True. theorem "recorded_published_is_sat7". Abort.
+Print Assumptions recorded_published_is_sat7.
+Goal True. theorem "recorded_reduced_is_sat7". Abort.
+Print Assumptions recorded_reduced_is_sat7.
+Goal True. theorem "published_float_program". Abort.
+Print Assumptions published_float_program.
+Goal True. theorem "published_fma_program". Abort.
+Print Assumptions published_fma_program.
+Goal True. theorem "reduced_float_program". Abort.
+Print Assumptions reduced_float_program.
+Goal True. theorem "reduced_fma_program". Abort.
+Print Assumptions reduced_fma_program.
+Goal True. theorem "bound_sound". Abort.
+Print Assumptions bound_sound.
+Goal True. theorem "run_correct". Abort.
+Print Assumptions run_correct.
+Goal True. theorem "published_covered_binary32". Abort.
+Print Assumptions published_covered_binary32.
+Goal True. theorem "published_covered_binary64". Abort.
+Print Assumptions published_covered_binary64.
+Goal True. theorem "reduced_covered_binary32". Abort.
+Print Assumptions reduced_covered_binary32.
+Goal True. theorem "reduced_covered_binary64". Abort.
+Print Assumptions reduced_covered_binary64.
+Goal True. theorem "published_filter32_never_lies". Abort.
+Print Assumptions published_filter32_never_lies.
+Goal True. theorem "published_filter64_never_lies". Abort.
+Print Assumptions published_filter64_never_lies.
+Goal True. theorem "reduced_filter32_never_lies". Abort.
+Print Assumptions reduced_filter32_never_lies.
+Goal True. theorem "reduced_filter64_never_lies". Abort.
+Print Assumptions reduced_filter64_never_lies.
+Goal True. theorem "filters_decide". Abort.
+Print Assumptions filters_decide.

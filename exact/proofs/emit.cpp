@@ -1,0 +1,14 @@
+#include "exact/proofs/emit.h"
+
+namespace axiscert::proofs {
+
+Files proof_files() {
+  Files all;
+  all.merge(coq_files());
+  all.merge(gappa_files());
+  all.merge(range_files());
+  all.merge(header_files());
+  return all;
+}
+
+}  // namespace axiscert::proofs

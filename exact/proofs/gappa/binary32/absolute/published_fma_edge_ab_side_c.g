@@ -1,0 +1,116 @@
+# The error of lhs - rhs: edge_ab.side_c of published, fma, binary32, on the absolute domain.
+# Written by write_proofs from the formulae: do not edit.
+@rnd = float<24,-149,ne>;
+Ax = rnd(Ax_);
+Ay = rnd(Ay_);
+Az = rnd(Az_);
+Bx = rnd(Bx_);
+By = rnd(By_);
+Bz = rnd(Bz_);
+Cx = rnd(Cx_);
+Cy = rnd(Cy_);
+Cz = rnd(Cz_);
+Px = rnd(Px_);
+Py = rnd(Py_);
+Pz = rnd(Pz_);
+r = rnd(r_);
+a_x = rnd(Ax - Px);
+a_y = rnd(Ay - Py);
+a_z = rnd(Az - Pz);
+b_x = rnd(Bx - Px);
+b_y = rnd(By - Py);
+b_z = rnd(Bz - Pz);
+c_x = rnd(Cx - Px);
+c_y = rnd(Cy - Py);
+c_z = rnd(Cz - Pz);
+AB_x = rnd(b_x - a_x);
+AB_y = rnd(b_y - a_y);
+AB_z = rnd(b_z - a_z);
+aa = rnd(a_z * a_z + rnd(a_y * a_y + rnd(a_x * a_x)));
+ab = rnd(a_z * b_z + rnd(a_y * b_y + rnd(a_x * b_x)));
+d1 = rnd(ab - aa);
+e1 = rnd(AB_z * AB_z + rnd(AB_y * AB_y + rnd(AB_x * AB_x)));
+Q1_x = rnd(rnd(a_x * e1) - rnd(AB_x * d1));
+Q1_y = rnd(rnd(a_y * e1) - rnd(AB_y * d1));
+Q1_z = rnd(rnd(a_z * e1) - rnd(AB_z * d1));
+QC_x = rnd(rnd(c_x * e1) - Q1_x);
+QC_y = rnd(rnd(c_y * e1) - Q1_y);
+QC_z = rnd(rnd(c_z * e1) - Q1_z);
+lhs = rnd(Q1_z * QC_z + rnd(Q1_y * QC_y + rnd(Q1_x * QC_x)));
+Ma_x = Ax - Px;
+Ma_y = Ay - Py;
+Ma_z = Az - Pz;
+Mb_x = Bx - Px;
+Mb_y = By - Py;
+Mb_z = Bz - Pz;
+Mc_x = Cx - Px;
+Mc_y = Cy - Py;
+Mc_z = Cz - Pz;
+MAB_x = Mb_x - Ma_x;
+MAB_y = Mb_y - Ma_y;
+MAB_z = Mb_z - Ma_z;
+Maa = Ma_z * Ma_z + (Ma_y * Ma_y + Ma_x * Ma_x);
+Mab = Ma_z * Mb_z + (Ma_y * Mb_y + Ma_x * Mb_x);
+Md1 = Mab - Maa;
+Me1 = MAB_z * MAB_z + (MAB_y * MAB_y + MAB_x * MAB_x);
+MQ1_x = Ma_x * Me1 - MAB_x * Md1;
+MQ1_y = Ma_y * Me1 - MAB_y * Md1;
+MQ1_z = Ma_z * Me1 - MAB_z * Md1;
+MQC_x = Mc_x * Me1 - MQ1_x;
+MQC_y = Mc_y * Me1 - MQ1_y;
+MQC_z = Mc_z * Me1 - MQ1_z;
+Mlhs = MQ1_z * MQC_z + (MQ1_y * MQC_y + MQ1_x * MQC_x);
+product = Q1_z * QC_z + (Q1_y * QC_y + Q1_x * QC_x);
+by_QC = MQ1_z * (QC_z - MQC_z) + (MQ1_y * (QC_y - MQC_y) + MQ1_x * (QC_x - MQC_x));
+by_Q1 = MQC_z * (Q1_z - MQ1_z) + (MQC_y * (Q1_y - MQ1_y) + MQC_x * (Q1_x - MQ1_x));
+{
+  Ax in [-1,1] ->
+  Ay in [-1,1] ->
+  Az in [-1,1] ->
+  Bx in [-1,1] ->
+  By in [-1,1] ->
+  Bz in [-1,1] ->
+  Cx in [-1,1] ->
+  Cy in [-1,1] ->
+  Cz in [-1,1] ->
+  Px in [-1,1] ->
+  Py in [-1,1] ->
+  Pz in [-1,1] ->
+  r in [0,1] ->
+  Md1 in [-12,3] ->
+  MQ1_x in [-16,16] ->
+  MQ1_y in [-16,16] ->
+  MQ1_z in [-16,16] ->
+  (|QC_x - MQC_x| <= 8577b-28 /\ |QC_y - MQC_y| <= 8577b-28 /\ |QC_z - MQC_z| <= 8577b-28) /\
+  (|by_QC| <= 356546b-28 ->
+  |lhs - Mlhs| <= 1073347b-28)
+}
+AB_x ~ MAB_x;
+AB_y ~ MAB_y;
+AB_z ~ MAB_z;
+aa ~ Maa;
+ab ~ Mab;
+d1 ~ Md1;
+e1 ~ Me1;
+Q1_x ~ MQ1_x;
+Q1_y ~ MQ1_y;
+Q1_z ~ MQ1_z;
+QC_x ~ MQC_x;
+QC_y ~ MQC_y;
+QC_z ~ MQC_z;
+lhs ~ Mlhs;
+Mb_x - Ma_x -> Bx - Ax;
+Mb_y - Ma_y -> By - Ay;
+Mb_z - Ma_z -> Bz - Az;
+Mc_x - Mb_x -> Cx - Bx;
+Mc_y - Mb_y -> Cy - By;
+Mc_z - Mb_z -> Cz - Bz;
+Ma_x - Mc_x -> Ax - Cx;
+Ma_y - Mc_y -> Ay - Cy;
+Ma_z - Mc_z -> Az - Cz;
+Mc_x - Ma_x -> Cx - Ax;
+Mc_y - Ma_y -> Cy - Ay;
+Mc_z - Ma_z -> Cz - Az;
+lhs ~ product;
+lhs - Mlhs -> (lhs - product) + (product - Mlhs);
+product - Mlhs -> (by_QC + by_Q1) + ((Q1_x - MQ1_x) * (QC_x - MQC_x) + (Q1_y - MQ1_y) * (QC_y - MQC_y) + (Q1_z - MQ1_z) * (QC_z - MQC_z));

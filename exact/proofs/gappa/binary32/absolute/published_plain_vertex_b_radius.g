@@ -1,0 +1,44 @@
+# The error of lhs - rhs: vertex_b.radius of published, plain, binary32, on the absolute domain.
+# Written by write_proofs from the formulae: do not edit.
+@rnd = float<24,-149,ne>;
+Ax = rnd(Ax_);
+Ay = rnd(Ay_);
+Az = rnd(Az_);
+Bx = rnd(Bx_);
+By = rnd(By_);
+Bz = rnd(Bz_);
+Cx = rnd(Cx_);
+Cy = rnd(Cy_);
+Cz = rnd(Cz_);
+Px = rnd(Px_);
+Py = rnd(Py_);
+Pz = rnd(Pz_);
+r = rnd(r_);
+b_x = rnd(Bx - Px);
+b_y = rnd(By - Py);
+b_z = rnd(Bz - Pz);
+lhs = rnd(rnd(rnd(b_x * b_x) + rnd(b_y * b_y)) + rnd(b_z * b_z));
+rhs = rnd(r * r);
+Mb_x = Bx - Px;
+Mb_y = By - Py;
+Mb_z = Bz - Pz;
+Mlhs = Mb_x * Mb_x + Mb_y * Mb_y + Mb_z * Mb_z;
+Mrhs = r * r;
+{
+  Ax in [-1,1] ->
+  Ay in [-1,1] ->
+  Az in [-1,1] ->
+  Bx in [-1,1] ->
+  By in [-1,1] ->
+  Bz in [-1,1] ->
+  Cx in [-1,1] ->
+  Cy in [-1,1] ->
+  Cz in [-1,1] ->
+  Px in [-1,1] ->
+  Py in [-1,1] ->
+  Pz in [-1,1] ->
+  r in [0,1] ->
+  |(lhs - rhs) - (Mlhs - Mrhs)| <= 488b-28
+}
+lhs ~ Mlhs;
+rhs ~ Mrhs;

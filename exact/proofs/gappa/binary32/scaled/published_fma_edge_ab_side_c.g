@@ -1,0 +1,138 @@
+# The error of lhs - rhs: edge_ab.side_c of published, fma, binary32, on the scaled domain.
+# Written by write_proofs from the formulae: do not edit.
+@rnd = float<24,-149,ne>;
+r = rnd(r_);
+a_x = rnd(Ma_x);
+a_y = rnd(Ma_y);
+a_z = rnd(Ma_z);
+b_x = rnd(Mb_x);
+b_y = rnd(Mb_y);
+b_z = rnd(Mb_z);
+c_x = rnd(Mc_x);
+c_y = rnd(Mc_y);
+c_z = rnd(Mc_z);
+AB_x = rnd(b_x - a_x);
+AB_y = rnd(b_y - a_y);
+AB_z = rnd(b_z - a_z);
+aa = rnd(a_z * a_z + rnd(a_y * a_y + rnd(a_x * a_x)));
+ab = rnd(a_z * b_z + rnd(a_y * b_y + rnd(a_x * b_x)));
+d1 = rnd(ab - aa);
+e1 = rnd(AB_z * AB_z + rnd(AB_y * AB_y + rnd(AB_x * AB_x)));
+Q1_x = rnd(rnd(a_x * e1) - rnd(AB_x * d1));
+Q1_y = rnd(rnd(a_y * e1) - rnd(AB_y * d1));
+Q1_z = rnd(rnd(a_z * e1) - rnd(AB_z * d1));
+QC_x = rnd(rnd(c_x * e1) - Q1_x);
+QC_y = rnd(rnd(c_y * e1) - Q1_y);
+QC_z = rnd(rnd(c_z * e1) - Q1_z);
+lhs = rnd(Q1_z * QC_z + rnd(Q1_y * QC_y + rnd(Q1_x * QC_x)));
+MAB_x = Mb_x - Ma_x;
+MAB_y = Mb_y - Ma_y;
+MAB_z = Mb_z - Ma_z;
+Maa = Ma_z * Ma_z + (Ma_y * Ma_y + Ma_x * Ma_x);
+Mab = Ma_z * Mb_z + (Ma_y * Mb_y + Ma_x * Mb_x);
+Md1 = Mab - Maa;
+Me1 = MAB_z * MAB_z + (MAB_y * MAB_y + MAB_x * MAB_x);
+MQ1_x = Ma_x * Me1 - MAB_x * Md1;
+MQ1_y = Ma_y * Me1 - MAB_y * Md1;
+MQ1_z = Ma_z * Me1 - MAB_z * Md1;
+MQC_x = Mc_x * Me1 - MQ1_x;
+MQC_y = Mc_y * Me1 - MQ1_y;
+MQC_z = Mc_z * Me1 - MQ1_z;
+Mlhs = MQ1_z * MQC_z + (MQ1_y * MQC_y + MQ1_x * MQC_x);
+FAB_x = b_x - a_x;
+FAB_y = b_y - a_y;
+FAB_z = b_z - a_z;
+Faa = a_z * a_z + (a_y * a_y + a_x * a_x);
+Fab = a_z * b_z + (a_y * b_y + a_x * b_x);
+Fd1 = Fab - Faa;
+Fe1 = FAB_z * FAB_z + (FAB_y * FAB_y + FAB_x * FAB_x);
+FQ1_x = a_x * Fe1 - FAB_x * Fd1;
+FQ1_y = a_y * Fe1 - FAB_y * Fd1;
+FQ1_z = a_z * Fe1 - FAB_z * Fd1;
+FQC_x = c_x * Fe1 - FQ1_x;
+FQC_y = c_y * Fe1 - FQ1_y;
+FQC_z = c_z * Fe1 - FQ1_z;
+Flhs = FQ1_z * FQC_z + (FQ1_y * FQC_y + FQ1_x * FQC_x);
+product = Q1_z * QC_z + (Q1_y * QC_y + Q1_x * QC_x);
+by_QC = MQ1_z * (QC_z - MQC_z) + (MQ1_y * (QC_y - MQC_y) + MQ1_x * (QC_x - MQC_x));
+by_Q1 = MQC_z * (Q1_z - MQ1_z) + (MQC_y * (Q1_y - MQ1_y) + MQC_x * (Q1_x - MQ1_x));
+{
+  Ma_x in [-1,1] ->
+  Ma_y in [-1,1] ->
+  Ma_z in [-1,1] ->
+  Mb_x in [-1,1] ->
+  Mb_y in [-1,1] ->
+  Mb_z in [-1,1] ->
+  Mc_x in [-1,1] ->
+  Mc_y in [-1,1] ->
+  Mc_z in [-1,1] ->
+  r in [0,1] ->
+  Md1 in [-6,0.75] ->
+  Fd1 in [-6,0.75] ->
+  MQ1_x in [-8,8] ->
+  FQ1_x in [-8,8] ->
+  |FQ1_x - MQ1_x| <= 24b-25 ->
+  MQ1_y in [-8,8] ->
+  FQ1_y in [-8,8] ->
+  |FQ1_y - MQ1_y| <= 24b-25 ->
+  MQ1_z in [-8,8] ->
+  FQ1_z in [-8,8] ->
+  |FQ1_z - MQ1_z| <= 24b-25 ->
+  MQC_x in [-16,16] ->
+  FQC_x in [-16,16] ->
+  |FQC_x - MQC_x| <= 60b-25 ->
+  MQC_y in [-16,16] ->
+  FQC_y in [-16,16] ->
+  |FQC_y - MQC_y| <= 60b-25 ->
+  MQC_z in [-16,16] ->
+  FQC_z in [-16,16] ->
+  |FQC_z - MQC_z| <= 60b-25 ->
+  (|QC_x - MQC_x| <= 2657b-28 /\ |QC_y - MQC_y| <= 2657b-28 /\ |QC_z - MQC_z| <= 2657b-28) /\
+  (|by_QC| <= 36827b-28 ->
+  |lhs - Mlhs| <= 119260b-28)
+}
+AB_x ~ MAB_x;
+AB_x ~ FAB_x;
+FAB_x ~ MAB_x;
+AB_y ~ MAB_y;
+AB_y ~ FAB_y;
+FAB_y ~ MAB_y;
+AB_z ~ MAB_z;
+AB_z ~ FAB_z;
+FAB_z ~ MAB_z;
+aa ~ Maa;
+aa ~ Faa;
+Faa ~ Maa;
+ab ~ Mab;
+ab ~ Fab;
+Fab ~ Mab;
+d1 ~ Md1;
+d1 ~ Fd1;
+Fd1 ~ Md1;
+e1 ~ Me1;
+e1 ~ Fe1;
+Fe1 ~ Me1;
+Q1_x ~ MQ1_x;
+Q1_x ~ FQ1_x;
+FQ1_x ~ MQ1_x;
+Q1_y ~ MQ1_y;
+Q1_y ~ FQ1_y;
+FQ1_y ~ MQ1_y;
+Q1_z ~ MQ1_z;
+Q1_z ~ FQ1_z;
+FQ1_z ~ MQ1_z;
+QC_x ~ MQC_x;
+QC_x ~ FQC_x;
+FQC_x ~ MQC_x;
+QC_y ~ MQC_y;
+QC_y ~ FQC_y;
+FQC_y ~ MQC_y;
+QC_z ~ MQC_z;
+QC_z ~ FQC_z;
+FQC_z ~ MQC_z;
+lhs ~ Mlhs;
+lhs ~ Flhs;
+Flhs ~ Mlhs;
+lhs ~ product;
+lhs - Mlhs -> (lhs - product) + (product - Mlhs);
+product - Mlhs -> (by_QC + by_Q1) + ((Q1_x - MQ1_x) * (QC_x - MQC_x) + (Q1_y - MQ1_y) * (QC_y - MQC_y) + (Q1_z - MQ1_z) * (QC_z - MQC_z));

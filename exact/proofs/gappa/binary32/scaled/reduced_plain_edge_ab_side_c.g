@@ -1,0 +1,130 @@
+# The error of lhs - rhs: edge_ab.side_c of reduced, plain, binary32, on the scaled domain.
+# Written by write_proofs from the formulae: do not edit.
+@rnd = float<24,-149,ne>;
+r = rnd(r_);
+a_x = rnd(Ma_x);
+a_y = rnd(Ma_y);
+a_z = rnd(Ma_z);
+b_x = rnd(Mb_x);
+b_y = rnd(Mb_y);
+b_z = rnd(Mb_z);
+c_x = rnd(Mc_x);
+c_y = rnd(Mc_y);
+c_z = rnd(Mc_z);
+AB_x = rnd(b_x - a_x);
+AB_y = rnd(b_y - a_y);
+AB_z = rnd(b_z - a_z);
+N1_x = rnd(rnd(a_y * b_z) - rnd(a_z * b_y));
+N1_y = rnd(rnd(a_z * b_x) - rnd(a_x * b_z));
+N1_z = rnd(rnd(a_x * b_y) - rnd(a_y * b_x));
+AC_x = rnd(c_x - a_x);
+AC_y = rnd(c_y - a_y);
+AC_z = rnd(c_z - a_z);
+V_x = rnd(rnd(AB_y * AC_z) - rnd(AB_z * AC_y));
+V_y = rnd(rnd(AB_z * AC_x) - rnd(AB_x * AC_z));
+V_z = rnd(rnd(AB_x * AC_y) - rnd(AB_y * AC_x));
+rhs = rnd(rnd(rnd(N1_x * V_x) + rnd(N1_y * V_y)) + rnd(N1_z * V_z));
+MAB_x = Mb_x - Ma_x;
+MAB_y = Mb_y - Ma_y;
+MAB_z = Mb_z - Ma_z;
+MN1_x = Ma_y * Mb_z - Ma_z * Mb_y;
+MN1_y = Ma_z * Mb_x - Ma_x * Mb_z;
+MN1_z = Ma_x * Mb_y - Ma_y * Mb_x;
+MAC_x = Mc_x - Ma_x;
+MAC_y = Mc_y - Ma_y;
+MAC_z = Mc_z - Ma_z;
+MV_x = MAB_y * MAC_z - MAB_z * MAC_y;
+MV_y = MAB_z * MAC_x - MAB_x * MAC_z;
+MV_z = MAB_x * MAC_y - MAB_y * MAC_x;
+Mrhs = MN1_x * MV_x + MN1_y * MV_y + MN1_z * MV_z;
+FAB_x = b_x - a_x;
+FAB_y = b_y - a_y;
+FAB_z = b_z - a_z;
+FN1_x = a_y * b_z - a_z * b_y;
+FN1_y = a_z * b_x - a_x * b_z;
+FN1_z = a_x * b_y - a_y * b_x;
+FAC_x = c_x - a_x;
+FAC_y = c_y - a_y;
+FAC_z = c_z - a_z;
+FV_x = FAB_y * FAC_z - FAB_z * FAC_y;
+FV_y = FAB_z * FAC_x - FAB_x * FAC_z;
+FV_z = FAB_x * FAC_y - FAB_y * FAC_x;
+Frhs = FN1_x * FV_x + FN1_y * FV_y + FN1_z * FV_z;
+product = N1_x * V_x + N1_y * V_y + N1_z * V_z;
+by_V = MN1_x * (V_x - MV_x) + MN1_y * (V_y - MV_y) + MN1_z * (V_z - MV_z);
+by_N1 = MV_x * (N1_x - MN1_x) + MV_y * (N1_y - MN1_y) + MV_z * (N1_z - MN1_z);
+{
+  Ma_x in [-1,1] ->
+  Ma_y in [-1,1] ->
+  Ma_z in [-1,1] ->
+  Mb_x in [-1,1] ->
+  Mb_y in [-1,1] ->
+  Mb_z in [-1,1] ->
+  Mc_x in [-1,1] ->
+  Mc_y in [-1,1] ->
+  Mc_z in [-1,1] ->
+  r in [0,1] ->
+  MV_x in [-4,4] ->
+  FV_x in [-4,4] ->
+  |FV_x - MV_x| <= 12b-25 ->
+  MV_y in [-4,4] ->
+  FV_y in [-4,4] ->
+  |FV_y - MV_y| <= 12b-25 ->
+  MV_z in [-4,4] ->
+  FV_z in [-4,4] ->
+  |FV_z - MV_z| <= 12b-25 ->
+  MN1_x in [-2,2] ->
+  FN1_x in [-2,2] ->
+  |FN1_x - MN1_x| <= 4b-25 ->
+  MN1_y in [-2,2] ->
+  FN1_y in [-2,2] ->
+  |FN1_y - MN1_y| <= 4b-25 ->
+  MN1_z in [-2,2] ->
+  FN1_z in [-2,2] ->
+  |FN1_z - MN1_z| <= 4b-25 ->
+  (|V_x - MV_x| <= 352b-28 /\ |V_y - MV_y| <= 352b-28 /\ |V_z - MV_z| <= 352b-28) /\
+  (|by_V| <= 1408b-28 ->
+  |rhs - Mrhs| <= 3073b-28)
+}
+AB_x ~ MAB_x;
+AB_x ~ FAB_x;
+FAB_x ~ MAB_x;
+AB_y ~ MAB_y;
+AB_y ~ FAB_y;
+FAB_y ~ MAB_y;
+AB_z ~ MAB_z;
+AB_z ~ FAB_z;
+FAB_z ~ MAB_z;
+N1_x ~ MN1_x;
+N1_x ~ FN1_x;
+FN1_x ~ MN1_x;
+N1_y ~ MN1_y;
+N1_y ~ FN1_y;
+FN1_y ~ MN1_y;
+N1_z ~ MN1_z;
+N1_z ~ FN1_z;
+FN1_z ~ MN1_z;
+AC_x ~ MAC_x;
+AC_x ~ FAC_x;
+FAC_x ~ MAC_x;
+AC_y ~ MAC_y;
+AC_y ~ FAC_y;
+FAC_y ~ MAC_y;
+AC_z ~ MAC_z;
+AC_z ~ FAC_z;
+FAC_z ~ MAC_z;
+V_x ~ MV_x;
+V_x ~ FV_x;
+FV_x ~ MV_x;
+V_y ~ MV_y;
+V_y ~ FV_y;
+FV_y ~ MV_y;
+V_z ~ MV_z;
+V_z ~ FV_z;
+FV_z ~ MV_z;
+rhs ~ Mrhs;
+rhs ~ Frhs;
+Frhs ~ Mrhs;
+rhs ~ product;
+rhs - Mrhs -> (rhs - product) + (product - Mrhs);
+product - Mrhs -> (by_V + by_N1) + ((N1_x - MN1_x) * (V_x - MV_x) + (N1_y - MN1_y) * (V_y - MV_y) + (N1_z - MN1_z) * (V_z - MV_z));

@@ -1,0 +1,26 @@
+# The error of lhs - rhs: vertex_c.radius of published, fma, binary64, on the scaled domain.
+# Written by write_proofs from the formulae: do not edit.
+@rnd = float<53,-1074,ne>;
+r = rnd(r_);
+c_x = rnd(Mc_x);
+c_y = rnd(Mc_y);
+c_z = rnd(Mc_z);
+lhs = rnd(c_z * c_z + rnd(c_y * c_y + rnd(c_x * c_x)));
+rhs = rnd(r * r);
+Mlhs = Mc_z * Mc_z + (Mc_y * Mc_y + Mc_x * Mc_x);
+Mrhs = r * r;
+Flhs = c_z * c_z + (c_y * c_y + c_x * c_x);
+Frhs = r * r;
+{
+  Mc_x in [-1,1] ->
+  Mc_y in [-1,1] ->
+  Mc_z in [-1,1] ->
+  r in [0,1] ->
+  |(lhs - rhs) - (Mlhs - Mrhs)| <= 112b-57
+}
+lhs ~ Mlhs;
+lhs ~ Flhs;
+Flhs ~ Mlhs;
+rhs ~ Mrhs;
+rhs ~ Frhs;
+Frhs ~ Mrhs;

@@ -1,0 +1,122 @@
+"""proofs_test.py WRITE_PROOFS FOLDER SUITE: the committed proofs are current and accepted, and wrong ones are refused."""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+write_proofs, folder, suite = sys.argv[1:4]
+
+
+def scripts(pattern):
+    found = []
+    for where, _, names in os.walk(os.path.join(folder, "gappa")):
+        found += [os.path.join(where, name) for name in names]
+    found = sorted(path for path in found if re.search(pattern, path))
+    assert found, f"no script like {pattern}"
+    return found
+
+
+def accepted(text):
+    """Whether Gappa proves a script; a script that it cannot read is an error of the test."""
+    run = subprocess.run(["gappa"], input=text, capture_output=True, text=True, timeout=600)
+    assert "syntax error" not in run.stderr, run.stderr
+    return run.returncode == 0
+
+
+def read(path):
+    with open(path) as file:
+        return file.read()
+
+
+def require(paths):
+    for path in paths:
+        assert accepted(read(path)), f"{path}: Gappa does not prove the bound"
+    print(f"{len(paths)} bounds accepted")
+
+
+def current():
+    subprocess.run([write_proofs, "--check", folder], check=True)
+    # A file that nothing generates proves nothing about the formulae.
+    with tempfile.TemporaryDirectory() as fresh:
+        made = os.path.join(fresh, "exact", "proofs")
+        os.makedirs(os.path.join(fresh, "kernel"))
+        os.makedirs(made)
+        subprocess.run([write_proofs, made], check=True, stdout=subprocess.DEVNULL)
+        generated = {os.path.relpath(path, folder) for path in scripts("")}
+        assert all(os.path.exists(os.path.join(made, path)) for path in generated), "a stray script"
+        # A changed formula, or any changed byte, is seen.
+        path = os.path.join(made, "coq", "Recorded.v")
+        with open(path, "a") as file:
+            file.write("\n")
+        assert subprocess.run([write_proofs, "--check", made], capture_output=True).returncode == 1
+
+
+def planted():
+    """Each fault at one place of a script that is accepted without it."""
+    path = scripts(r"binary32/scaled/reduced_plain_edge_ab_radius")[0]
+    text = read(path)
+    assert accepted(text), path
+    goal = re.search(r"<= (\d+)b-28\)\n?\}", text)
+    halved = text[: goal.start(1)] + str(int(goal.group(1)) // 2) + text[goal.end(1) :]
+    faults = {
+        "a bound halved": halved,
+        "a wrong coefficient": text.replace("Me1 = ", "Me1 = 2 * "),
+        "a swapped comparison": text.replace("(lhs - rhs)", "(rhs - lhs)"),
+        "a coarser rounding": text.replace("float<24,", "float<23,"),
+    }
+    for fault, wrong in faults.items():
+        assert wrong != text, fault
+        assert not accepted(wrong), f"{fault}: Gappa accepts {path}"
+
+
+def coq(work):
+    for name in ["Ranges.v", "RangesClaimed.v"]:
+        shutil.copy(os.path.join(folder, "coq", name), work)
+        subprocess.run(["coqc", "-Q", ".", "Axiscert", name], cwd=work, check=True)
+
+
+def ranges():
+    with tempfile.TemporaryDirectory() as work:
+        coq(work)
+        claimed = read(os.path.join(work, "RangesClaimed.v"))
+        names = re.findall(r"^Theorem (\w+)", claimed, re.M)
+        with open(os.path.join(work, "Assumptions.v"), "w") as file:
+            file.write("From Axiscert Require Import RangesClaimed.\n")
+            file.writelines(f"Print Assumptions {name}.\n" for name in names)
+        run = subprocess.run(["coqc", "-Q", ".", "Axiscert", "Assumptions.v"], cwd=work, check=True, capture_output=True,
+                             text=True)
+        # Those of Coq's Reals, no others.
+        axioms = set(re.findall(r"^(\S+) :", run.stdout, re.M)) - {"Axioms"}
+        known = {"ClassicalDedekindReals.sig_forall_dec", "ClassicalDedekindReals.sig_not_dec",
+                 "FunctionalExtensionality.functional_extensionality_dep", "Classical_Prop.classic"}
+        assert axioms <= known, axioms - known
+        # A range too narrow.
+        narrow = claimed.replace("-4 <= exact_V_x", "-3 <= exact_V_x")
+        assert narrow != claimed
+        with open(os.path.join(work, "RangesClaimed.v"), "w") as file:
+            file.write(narrow)
+        run = subprocess.run(["coqc", "-Q", ".", "Axiscert", "RangesClaimed.v"], cwd=work, capture_output=True, text=True)
+        assert run.returncode != 0 and "RangesClaimed.v" in run.stderr, "a range too narrow is accepted"
+
+
+def certificates():
+    """Gappa's certificates, checked by Coq: one of each kind, binary32."""
+    for path in scripts(r"binary32/scaled/(published_plain_(plane_radius|vertex_a_\w+|edge_ab_\w+)|reduced_plain_edge_ab_\w+)\.g$"):
+        with tempfile.TemporaryDirectory() as work:
+            certificate = subprocess.run(["gappa", "-Bcoq"], input=read(path), capture_output=True, text=True, check=True)
+            with open(os.path.join(work, "certificate.v"), "w") as file:
+                file.write(certificate.stdout)
+            subprocess.run(["coqc", "certificate.v"], cwd=work, check=True, stdout=subprocess.DEVNULL)
+            print(os.path.basename(path), "certificate accepted")
+
+
+{
+    "Current": current,
+    "Scripts": lambda: require(scripts(r"binary32/scaled/\w+_plain_(plane|vertex_a|edge_ab)")),
+    "Planted": planted,
+    "AllScripts": lambda: require(scripts("")),
+    "Ranges": ranges,
+    "Certificates": certificates,
+}[suite]()

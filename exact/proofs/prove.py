@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""Checks the Coq theory in exact/proofs/coq: builds it, compares what each main theorem assumes with Assumptions.expected,
+and refuses admitted steps. coqc writes beside its sources, so a copy is built, in build/proofs; what has not changed since the
+last time is not built again.
+
+  prove.py [--build DIR] [--jobs N]            the whole theory
+  prove.py --planted [--build DIR]             each planted fault has to be refused, at the file named (after the above)
+
+Exit status: 0 everything holds, 1 something does not, 2 coqc or Flocq is missing."""
+import argparse
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+SOURCES = pathlib.Path(__file__).resolve().parent / "coq"
+# Whatever would let a theorem rest on something unproved. Print Assumptions has the last word; this names the line.
+FORBIDDEN = re.compile(r"\b(Admitted|admit|give_up|Axioms?|Parameters?|Conjecture|bypass_check|Unset\s+\w+\s+Checking)\b")
+
+# A fault: what is replaced in which file, and the file at which coqc has to stop.
+FAULTS = {
+    "a wrong coefficient in a recorded formula, exact": (
+        "Recorded.v", "let Q1_x := a_x * e1 - AB_x * d1 in", "let Q1_x := a_x * e1 + AB_x * d1 in", "RecordedIsSat7.v"),
+    "a recorded float program in another order": (
+        "Recorded.v", "let rr := rnd (r * r) in", "let rr := rnd (r * rnd (r * 1)) in", "RecordedIsProgram.v"),
+    "a swapped comparison": (
+        "Recorded.v", "Definition published_exact_vertex_a_radius_lhs (Ax Ay Az Bx By Bz Cx Cy Cz Px Py Pz r : R) : R :=",
+        "Definition published_exact_vertex_a_radius_lhs (Bx By Bz Ax Ay Az Cx Cy Cz Px Py Pz r : R) : R :=",
+        "RecordedIsSat7.v"),
+    "a threshold halved": ("Thresholds.v", "=> 13240", "=> 6620", "Thresholds.v"),
+    "a range too narrow": ("Programs.v", "capped 8", "capped 7", "Caps.v"),
+    "a side turned round": (
+        "Sat7.v", "Definition vertex_side_sides (A B : vec) := (dot A B, dot A A).",
+        "Definition vertex_side_sides (A B : vec) := (dot A A, dot A B).", "Sound.v"),
+    "a window too wide": ("Filters.v", "8388608 (-4) eq_refl", "8388608 (-3) eq_refl", "Filters.v"),
+}
+
+
+def fail(message):
+    print(f"prove: {message}", file=sys.stderr)
+    sys.exit(1)
+
+
+def copy_changed(sources, build):
+    """The sources in `build`, keeping the times of those that are the same, for make."""
+    build.mkdir(parents=True, exist_ok=True)
+    for stale in build.glob("*.v"):
+        if not (sources / stale.name).exists():
+            stale.unlink()
+    for source in [*sources.glob("*.v"), sources / "_CoqProject"]:
+        target = build / source.name
+        if not target.exists() or target.read_bytes() != source.read_bytes():
+            target.write_bytes(source.read_bytes())
+
+
+def without_comments(text):
+    depth, kept = 0, []
+    for token in re.split(r"(\(\*|\*\)|\n)", text):
+        if token == "(*":
+            depth += 1
+        elif token == "*)":
+            depth -= 1
+        elif depth == 0 or token == "\n":
+            kept.append(token)
+    return "".join(kept)
+
+
+def refuse_unproved(sources):
+    for source in sorted(sources.glob("*.v")):
+        for number, line in enumerate(without_comments(source.read_text()).splitlines(), 1):
+            if found := FORBIDDEN.search(line):
+                fail(f"{source.name}:{number}: '{found.group()}': every step has to be proved")
+
+
+def coqc(build, file, **options):
+    return subprocess.run(["coqc", "-q", "-Q", ".", "Axiscert", file], cwd=build, text=True, capture_output=True, **options)
+
+
+def make(build, jobs):
+    subprocess.run(["coq_makefile", "-f", "_CoqProject", "-o", "Makefile"], cwd=build, check=True)
+    result = subprocess.run(["make", "--no-print-directory", f"-j{jobs}"], cwd=build, text=True, capture_output=True)
+    if result.returncode:
+        fail(f"the theory does not check:\n{result.stdout}{result.stderr}")
+
+
+def by_theorem(printed):
+    """What Assumptions.v prints, by theorem."""
+    pieces = re.split(r'^== "?(\w+)"?\n', printed, flags=re.M)
+    return dict(zip(pieces[1::2], (" ".join(piece.split()) for piece in pieces[2::2])))
+
+
+def compare_assumptions(build):
+    result = coqc(build, "Assumptions.v")
+    if result.returncode:
+        fail(f"Assumptions.v does not check:\n{result.stderr}")
+    expected = by_theorem((SOURCES / "Assumptions.expected").read_text())
+    printed = by_theorem(result.stdout)
+    if set(printed) != set(expected):
+        fail(f"Assumptions.v and Assumptions.expected name other theorems: {sorted(set(printed) ^ set(expected))}")
+    for theorem, assumptions in printed.items():
+        if assumptions != expected[theorem]:
+            fail(f"{theorem} rests on\n  {assumptions}\nand should on\n  {expected[theorem]}")
+        axioms = re.findall(r"[\w.]+\.(\w+) :", assumptions)
+        print(f"proved  {theorem:36} {', '.join(axioms) or 'no axioms'}")
+
+
+def plant(build):
+    """Each fault in a copy of what was built, of which only what depends on it is built again."""
+    for name, (file, old, new, refused_at) in FAULTS.items():
+        planted = build.parent / "planted"
+        shutil.rmtree(planted, ignore_errors=True)
+        shutil.copytree(build, planted)  # with times
+        text = (planted / file).read_text()
+        if old not in text:
+            fail(f"the fault '{name}' finds no '{old}' in {file}")
+        (planted / file).write_text(text.replace(old, new))
+        result = subprocess.run(["make", "--no-print-directory", refused_at + "o"], cwd=planted, text=True,
+                                capture_output=True)
+        where = re.search(r'File "\./(\w+\.v)", line (\d+)', result.stderr)
+        if result.returncode == 0 or not where or where.group(1) != refused_at:
+            fail(f"{name}: should be refused at {refused_at}\n{result.stdout}{result.stderr}")
+        print(f"refused {name:50} {where.group(1)}:{where.group(2)}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=SOURCES.parents[2] / "build" / "proofs" / "coq")
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--planted", action="store_true")
+    options = parser.parse_args()
+    if not shutil.which("coqc"):
+        print("prove: NOT CHECKED: coqc is missing; install the Debian packages coq and libcoq-flocq", file=sys.stderr)
+        sys.exit(2)
+    refuse_unproved(SOURCES)
+    copy_changed(SOURCES, options.build)
+    make(options.build, options.jobs)
+    if options.planted:
+        plant(options.build)
+    else:
+        compare_assumptions(options.build)
+
+
+if __name__ == "__main__":
+    main()
