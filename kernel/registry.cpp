@@ -7,8 +7,10 @@
 #include <deque>
 #include <mutex>
 
+#include "kernel/certified/kernels.h"
 #include "kernel/eigen.h"
 #include "kernel/error.h"
+#include "kernel/mutants/mutant.h"
 #include "kernel/packed.h"
 #include "kernel/plugin/load.h"
 #include "kernel/scalar_kernel.h"
@@ -66,6 +68,19 @@ Kernel eigen(std::string id, std::string summary) {
   return kernel;
 }
 
+// Certified: whatever it computes on the way, it shows a verdict.
+template <certified::Question question>
+Kernel certified_kernel(std::string id, std::string summary) {
+  return {.id = std::move(id),
+          .summary = std::move(summary),
+          .formulae = Formulae::none,
+          .exposes = Exposure::verdict,
+          .binary32 = [](std::string_view target) { return certified_implementation<float>(target, question); },
+          .binary64 = [](std::string_view target) { return certified_implementation<double>(target, question); },
+          .has_simd = true,
+          .is_reference = false};
+}
+
 // clang-format off
 const std::vector<Kernel>& registry() {
   using enum Formulae;
@@ -94,6 +109,8 @@ const std::vector<Kernel>& registry() {
       packed<strict>("packed", "published, one pair at a time: sixteen comparisons in four 4-lane compares"),
       packed<not_less>("packed-nonstrict", "the same with a >= b as !(b > a) in the sides: a NaN side holds"),
       eigen("eigen", "published, written with Eigen's vectors, whose reductions choose their order"),
+      certified_kernel<certified::Question::closed_sphere>("certified", "exact always: filtered in the input's precision, then in doubles, then in integers"),
+      certified_kernel<certified::Question::conservative>("conservative", "never a missed contact; phantom depth at most 20 sqrt(u): 0.00489, in binary64 2.11e-7"),
       scalar<first_publication>("first-publication", "the article as first published: QC = C e + Q, wrong in exact arithmetic"),
       scalar<vertex_typo>("vertex-typo", "the vertex section as printed: ac = dot(B, B), wrong in exact arithmetic"),
   };
@@ -194,6 +211,7 @@ const Kernel& find_kernel(std::string_view id) {
   if (const Kernel* kernel = registered(id)) return *kernel;
   if (const auto path = plugin::plugin_path(id))
     return kept(id, [&] { return plugin::load_plugin(std::string(id), *path); });
+  if (id.find('~') != id.npos) return kept(id, [&] { return mutants::kernel_of(mutants::find_mutant(id)); });
   const std::size_t plus = id.find('+');
   if (plus == id.npos) {
     std::vector<std::string_view> known;

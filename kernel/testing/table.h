@@ -11,9 +11,11 @@ enum class Says {
   wrong,      // somewhere not
   contact,    // always
   separated,  // always
+  invalid,    // always
   varies,     // with the query or the order of its vertices
 };
-inline constexpr std::array<std::string_view, 5> says_names = {"right", "wrong", "contact", "separated", "varies"};
+inline constexpr std::array<std::string_view, 6> says_names = {"right",     "wrong",   "contact",
+                                                               "separated", "invalid", "varies"};
 
 // From `repeated` to `infinite_centre` the sphere is clear of the triangle, or was before a coordinate was replaced.
 struct Behaviour {
@@ -56,6 +58,8 @@ inline constexpr auto behaviours = [] {
       {"packed",              right, contact, contact, contact, contact, varies, contact, contact},
       {"packed-nonstrict",    right, right, right, right, separated, varies, separated, contact},
       {"eigen",               right, contact, contact, contact, contact, varies, contact, contact},
+      {"certified",           right, right, right, right, invalid, invalid, invalid, invalid},
+      {"conservative",        right, right, right, right, invalid, invalid, invalid, invalid},
       {"first-publication",   wrong, varies, right, contact, contact, varies, contact, contact},
       {"vertex-typo",         wrong, varies, varies, contact, varies, varies, contact, contact},
   });

@@ -1,0 +1,234 @@
+// The certified predicate against CGAL's distance: on every instruction set, in every floating-point mode, through
+// every shape of the interface; and how far the conservative one may be off.
+#include "kernel/certified.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "exact/depth.h"
+#include "exact/geometric_oracle.h"
+#include "kernel/certified.hpp"
+#include "kernel/environment.h"
+#include "kernel/kernel.h"
+#include "kernel/testing/random.h"
+
+namespace axiscert {
+namespace {
+
+using testing_support::random_query;
+
+constexpr std::uint64_t seed = 20101230;
+
+// Few-bit numbers, one of them sometimes of another size: ties, repeated vertices, collinear ones, and every last step.
+template <class Real>
+Query<Real> coarse_query(std::mt19937_64& random) {
+  using Limits = std::numeric_limits<Real>;
+  const int exponents[] = {0, -20, Limits::max_exponent - 4, Limits::min_exponent - Limits::digits + 1};
+  std::array<Real, coordinate_count> v;
+  const int exponent = exponents[random() % 4];
+  for (Real& x : v) x = std::ldexp(static_cast<Real>(static_cast<int>(random() % 7) - 3), exponent);
+  if (random() % 4 == 0) v[random() % 13] = std::ldexp(Real(1), exponents[random() % 4]);
+  v[12] = std::abs(v[12]);
+  Query<Real> q = from_coordinates(v);
+  if (random() % 3 == 0) q.b = q.a;
+  if (random() % 5 == 0) q.c = q.b;
+  if (random() % 7 == 0) q.p = q.a;
+  return q;
+}
+
+// A sphere whose radius is within one ulp of the distance.
+template <class Real>
+Query<Real> tangent_query(std::mt19937_64& random) {
+  Query<Real> q = random_query<Real>(random, false);
+  const Real d = static_cast<Real>(std::sqrt(squared_distance(q).get_d()));
+  q.r = random() % 3 == 0 ? d : std::nextafter(d, random() % 2 ? Real(0) : Real(4));
+  return q;
+}
+
+template <class Real>
+struct Judged {
+  std::vector<Query<Real>> queries;
+  std::vector<int> order;  // of distance and r; 2: invalid
+
+  static const Judged& all() {
+    static const Judged judged = [] {
+      Judged made;
+      std::mt19937_64 random(seed);
+      for (int i = 0; i < 2403; ++i) {
+        Query<Real> q = i % 4 == 0   ? coarse_query<Real>(random)
+                        : i % 4 == 1 ? tangent_query<Real>(random)
+                                     : random_query<Real>(random, i % 4 == 2 && i % 16 != 2);
+        if (i % 4 == 2 && i % 3 != 0) q.r = std::abs(q.r);
+        made.queries.push_back(q);
+        made.order.push_back(is_valid(q) ? distance_order(q) : 2);
+      }
+      return made;
+    }();
+    return judged;
+  }
+  int expected(std::size_t i, axiscert_question question) const {
+    if (order[i] == 2) return AXISCERT_INVALID;
+    const bool contact = question == AXISCERT_OPEN_SPHERE ? order[i] < 0 : order[i] <= 0;
+    return contact ? AXISCERT_CONTACT : AXISCERT_SEPARATED;
+  }
+  QueryBatch<Real> batch() const {
+    QueryBatch<Real> made(queries.size());
+    for (const Query<Real>& q : queries) made.push_back(q);
+    return made;
+  }
+};
+
+template <class Real>
+class CertifiedTest : public testing::Test {};
+using Reals = testing::Types<float, double>;
+TYPED_TEST_SUITE(CertifiedTest, Reals);
+
+TYPED_TEST(CertifiedTest, QueriesAreOfEveryKind) {
+  int counts[4] = {};
+  for (const int order : Judged<TypeParam>::all().order) ++counts[order + 1];
+  for (const int count : counts) EXPECT_GT(count, 10);
+}
+
+TYPED_TEST(CertifiedTest, IsExactOnEveryInstructionSet) {
+  const auto& judged = Judged<TypeParam>::all();
+  const QueryBatch<TypeParam> batch = judged.batch();
+  for (const std::string& target : available_targets()) {
+    std::vector<Verdict> found(batch.size());
+    find_kernel("certified").on<TypeParam>(target).verdicts(batch.columns(), found.data());
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      ASSERT_EQ(static_cast<int>(found[i]), judged.expected(i, AXISCERT_CLOSED_SPHERE))
+          << target << ", query " << i << " of seed " << seed;
+    }
+  }
+}
+
+TYPED_TEST(CertifiedTest, IsExactInEveryFloatingPointModeAndLeavesItAsItWas) {
+  const auto& judged = Judged<TypeParam>::all();
+  const QueryBatch<TypeParam> batch = judged.batch();
+  std::vector<std::uint8_t> found(batch.size());
+  for (const Rounding rounding : {Rounding::nearest, Rounding::upward, Rounding::downward, Rounding::toward_zero}) {
+    for (const bool flush : {false, true}) {
+      for (const axiscert_question question : {AXISCERT_CLOSED_SPHERE, AXISCERT_OPEN_SPHERE}) {
+        {
+          const FloatingEnvironment callers(rounding, flush);
+          const std::uint64_t before = FloatingEnvironment::control();
+          certified::pairs(batch.columns().column, batch.size(), question,
+                           axiscert_results{found.data(), nullptr, nullptr});
+          EXPECT_EQ(FloatingEnvironment::control() & ~std::uint64_t{0x3f}, before & ~std::uint64_t{0x3f});
+        }
+        for (std::size_t i = 0; i < batch.size(); ++i) {
+          ASSERT_EQ(found[i], judged.expected(i, question))
+              << "query " << i << " of seed " << seed << ", rounding " << static_cast<int>(rounding)
+              << (flush ? ", flushed, question " : ", question ") << question;
+        }
+      }
+    }
+  }
+}
+
+TYPED_TEST(CertifiedTest, OnePairIsTheSame) {
+  const auto& judged = Judged<TypeParam>::all();
+  for (std::size_t i = 0; i < judged.queries.size(); ++i) {
+    const auto v = coordinates(judged.queries[i]);
+    for (const axiscert_question question : {AXISCERT_CLOSED_SPHERE, AXISCERT_OPEN_SPHERE}) {
+      ASSERT_EQ(certified::pair(v.data(), v.data() + 9, question), judged.expected(i, question)) << "query " << i;
+    }
+  }
+}
+
+// One sphere against all of the triangles: by columns, by a list of a mesh's and by a range of them, the same verdicts,
+// bits and hits, for sizes around the block's.
+TYPED_TEST(CertifiedTest, EveryShapeGivesTheSameAnswers) {
+  using Real = TypeParam;
+  std::mt19937_64 random(seed);
+  std::vector<Real> vertices;  // four numbers a vertex: the fourth is the caller's own
+  for (int i = 0; i < 200; ++i) {
+    const auto q = random_query<Real>(random, false);
+    vertices.insert(vertices.end(), {q.a.x, q.a.y, q.a.z, std::numeric_limits<Real>::quiet_NaN()});
+  }
+  constexpr std::size_t triangles = 1000;
+  std::vector<std::uint32_t> indices;
+  for (std::size_t i = 0; i < 3 * triangles; ++i) indices.push_back(static_cast<std::uint32_t>(random() % 200));
+  std::array<std::vector<Real>, 9> storage;
+  for (std::size_t t = 0; t < triangles; ++t) {
+    for (std::size_t k = 0; k < 9; ++k) storage[k].push_back(vertices[indices[3 * t + k / 3] * 4 + k % 3]);
+  }
+  const Real sphere[4] = {Real(0.1), Real(-0.2), Real(0.3), Real(0.4)};
+  const certified::Mesh<Real> mesh{vertices.data(), 4, indices.data()};
+  constexpr std::size_t first = 17;
+  for (const std::size_t size :
+       {std::size_t{0}, std::size_t{1}, std::size_t{63}, std::size_t{256}, std::size_t{257}, triangles - first}) {
+    struct Found {
+      std::vector<std::uint8_t> verdict;
+      std::vector<std::uint64_t> bits;
+      std::vector<std::uint32_t> hits;
+      axiscert_counts counts{};
+    };
+    const auto ask = [&](auto&& call) {
+      Found found{std::vector<std::uint8_t>(size + 1, 99), std::vector<std::uint64_t>(size / 64 + 2, 99),
+                  std::vector<std::uint32_t>(size + 1, 99)};
+      found.counts = call(axiscert_results{found.verdict.data(), found.bits.data(), found.hits.data()});
+      EXPECT_EQ(found.verdict[size], 99) << "wrote past the verdicts";
+      EXPECT_EQ(found.bits[(size + 63) / 64], 99u) << "wrote past the bits";
+      EXPECT_EQ(found.counts.invalid, 0u);
+      found.hits.resize(found.counts.contacts);
+      return found;
+    };
+    std::array<const Real*, 9> columns;
+    for (std::size_t k = 0; k < 9; ++k) columns[k] = storage[k].data() + first;
+    const auto closed = AXISCERT_CLOSED_SPHERE;
+    const Found soa =
+        ask([&](const axiscert_results& to) { return certified::triangles(sphere, columns, size, closed, to); });
+    const Found range =
+        ask([&](const axiscert_results& to) { return certified::mesh_range(sphere, mesh, first, size, closed, to); });
+    std::vector<std::uint32_t> list;
+    for (std::size_t i = 0; i < size; ++i) list.push_back(static_cast<std::uint32_t>(first + i));
+    const Found listed = ask([&](const axiscert_results& to) {
+      return certified::mesh_list(sphere, mesh, list.data(), list.size(), closed, to);
+    });
+    EXPECT_EQ(range.verdict, soa.verdict);
+    EXPECT_EQ(listed.verdict, soa.verdict);
+    EXPECT_EQ(range.bits, soa.bits);
+    EXPECT_EQ(listed.hits, range.hits);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      Real triangle[9];
+      for (std::size_t k = 0; k < 9; ++k) triangle[k] = columns[k][i];
+      const int expected = certified::pair(triangle, sphere, closed);
+      EXPECT_EQ(soa.verdict[i], expected);
+      EXPECT_EQ((soa.bits[i / 64] >> (i % 64)) & 1u, expected == AXISCERT_CONTACT ? 1u : 0u);
+      if (expected != AXISCERT_CONTACT) continue;
+      ASSERT_LT(next, soa.hits.size());
+      EXPECT_EQ(soa.hits[next], i);
+      EXPECT_EQ(range.hits[next++], first + i);
+    }
+    EXPECT_EQ(next, soa.counts.contacts);
+    EXPECT_TRUE(size < triangles - first || next > 20) << next;
+  }
+}
+
+TYPED_TEST(CertifiedTest, ConservativeNeverMissesAContactAndItsPhantomsAreAsShallowAsPromised) {
+  const auto& judged = Judged<TypeParam>::all();
+  const QueryBatch<TypeParam> batch = judged.batch();
+  const double promised = sizeof(TypeParam) == 4 ? AXISCERT_PHANTOM_DEPTH_F32 : AXISCERT_PHANTOM_DEPTH_F64;
+  for (const std::string& target : available_targets()) {
+    std::vector<Verdict> found(batch.size());
+    find_kernel("conservative").on<TypeParam>(target).verdicts(batch.columns(), found.data());
+    int phantoms = 0;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const int exact = judged.expected(i, AXISCERT_CLOSED_SPHERE);
+      if (static_cast<int>(found[i]) == exact) continue;
+      ASSERT_EQ(exact, AXISCERT_SEPARATED) << target << ", query " << i << " of seed " << seed;
+      ASSERT_EQ(found[i], Verdict::contact) << target << ", query " << i << " of seed " << seed;
+      ASSERT_LE(depth(judged.queries[i], squared_distance(judged.queries[i])), promised)
+          << target << ", query " << i << " of seed " << seed;
+      ++phantoms;
+    }
+    EXPECT_GT(phantoms, 20) << "no query was close enough to say anything";
+  }
+}
+
+}  // namespace
+}  // namespace axiscert

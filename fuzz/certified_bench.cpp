@@ -1,0 +1,125 @@
+// What exactness costs: `certified` and `conservative` beside the raw tests and CGAL, the same queries for all.
+//
+//     certified_bench [FAMILY...]     without names all families and a mesh
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "fuzz/build_info.h"
+#include "fuzz/plain_judges.h"
+#include "fuzz/source.h"
+#include "fuzz/thread_seconds.h"
+#include "kernel/certified.hpp"
+#include "kernel/kernel.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::size_t query_count = std::size_t{1} << 14;  // 832 KiB of binary32
+constexpr int repetitions = 9;
+constexpr double least_seconds = 2e-3;  // of one repetition
+
+double median(std::vector<double> of) {
+  std::sort(of.begin(), of.end());
+  return of[of.size() / 2];
+}
+
+// What is timed, interleaved with the rest.
+struct Timed {
+  std::string name;
+  std::function<void()> pass;  // over query_count queries
+  std::size_t passes = 1;
+  std::vector<double> seconds = {};
+
+  double once() const {
+    const double start = thread_seconds();
+    for (std::size_t i = 0; i < passes; ++i) pass();
+    return thread_seconds() - start;
+  }
+  void find_passes() {
+    while (once() < least_seconds) passes *= 2;
+  }
+  double nanoseconds() const { return median(seconds) / static_cast<double>(passes * query_count) * 1e9; }
+};
+
+template <class Real>
+void measure(const Source& source, const std::string& target) {
+  QueryBatch<Real> batch(query_count);
+  source.fill(1, 0, query_count, batch);
+  const QueryColumns<Real> columns = batch.columns();
+  std::vector<Query<Real>> queries;
+  for (std::size_t i = 0; i < query_count; ++i) queries.push_back(batch[i]);
+  std::vector<Verdict> verdicts(query_count);
+  std::vector<std::array<Real, coordinate_count>> flat;
+  for (const Query<Real>& q : queries) flat.push_back(coordinates(q));
+  int contacts = 0;
+
+  std::vector<Timed> all;
+  for (const char* id : {"published", "reduced-nonstrict", "certified", "conservative"}) {
+    all.push_back({id, [&, run = find_kernel(id).on<Real>(target).verdicts] { run(columns, verdicts.data()); }});
+  }
+  all.push_back({"scalar published", [&, run = find_kernel("published").on<Real>(scalar_target).verdicts] {
+                   run(columns, verdicts.data());
+                 }});
+  all.push_back({"one pair", [&] {
+                   for (const auto& v : flat) contacts += certified::pair(v.data(), v.data() + 9) == AXISCERT_CONTACT;
+                 }});
+  for (Timed& timed : all) timed.find_passes();
+  for (int i = 0; i < repetitions; ++i) {
+    for (Timed& timed : all) timed.seconds.push_back(timed.once());
+  }
+  // Slow, and steady enough at one pass.
+  Timed epick{"CGAL EPICK", [&] { contacts += static_cast<int>(contacts_by_epick(queries)); }};
+  for (int i = 0; i < 3; ++i) epick.seconds.push_back(epick.once());
+
+  const double raw = std::min(all[0].nanoseconds(), all[1].nanoseconds());
+  const auto of = [&](std::size_t i, double to) {
+    return fmt::format("{:.1f} ({:.2f})", all[i].nanoseconds(), all[i].nanoseconds() / to);
+  };
+  fmt::print("| {} | {} | {:.1f} | {:.1f} | {} | {} | {:.1f} | {} | {:.0f} ({:.0f}) |\n", source.name(),
+             name(precision_of<Real>), all[0].nanoseconds(), all[1].nanoseconds(), of(2, raw), of(3, raw),
+             all[4].nanoseconds(), of(5, all[4].nanoseconds()), epick.nanoseconds(),
+             epick.nanoseconds() / all[2].nanoseconds());
+  std::fflush(stdout);
+}
+
+int run(const std::vector<std::string_view>& names) {
+  std::vector<SourcePtr> sources;
+  for (const Family* family : families()) sources.push_back(family_source(*family));
+  sources.push_back(mesh_source(TEST_MODELS "/OBJ/spider.obj"));
+  for (const std::string_view wanted : names) {
+    if (std::any_of(sources.begin(), sources.end(), [&](const SourcePtr& s) { return s->name() == wanted; })) continue;
+    fmt::print(stderr, "certified_bench: no family or mesh '{}'\n", wanted);
+    return 2;
+  }
+  const std::string target = resolve_target("auto");
+  fmt::print(
+      "{}; {}, {} -ffp-contract=off; instruction set {}. One thread, processor time, ns a query, medians of {} "
+      "interleaved repetitions over 2^14 queries.\n\n"
+      "- certified, conservative: (times the faster of the two raw tests)\n"
+      "- one pair: axiscert_pair, (times the scalar published test)\n"
+      "- CGAL EPICK: compare_squared_distance_3, (times certified)\n\n"
+      "| family | precision | published | reduced-nonstrict | certified | conservative | scalar published | one pair | "
+      "CGAL EPICK |\n"
+      "|---|---|---:|---:|---:|---:|---:|---:|---:|\n",
+      processor_name(), compiler_name(), compiler_flags(), target, repetitions);
+  for (const SourcePtr& source : sources) {
+    if (!names.empty() && std::find(names.begin(), names.end(), source->name()) == names.end()) continue;
+    measure<float>(*source, target);
+    measure<double>(*source, target);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace axiscert
+
+int main(int argc, char** argv) {
+  try {
+    return axiscert::run({argv + 1, argv + argc});
+  } catch (const std::exception& fault) {
+    fmt::print(stderr, "certified_bench: {}\n", fault.what());
+    return 1;
+  }
+}

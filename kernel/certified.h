@@ -1,0 +1,106 @@
+/* Does a sphere touch a triangle: the exact answer, at about the price of the float test.
+ *
+ *     float triangle[9] = {ax, ay, az, bx, by, bz, cx, cy, cz}, sphere[4] = {px, py, pz, r};
+ *     if (axiscert_pair_f32(triangle, sphere, AXISCERT_CLOSED_SPHERE) == AXISCERT_CONTACT) ...
+ *
+ * The sphere is solid, the triangle closed; both are what the numbers given are, exactly. For every finite input and
+ * r >= 0 (-0 too) the answer is that of exact arithmetic: triangles without area, subnormal numbers and the greatest
+ * ones included, on every instruction set, in every rounding mode, with subnormal numbers flushed to zero or not. A
+ * coordinate that is not finite, or a negative radius, is AXISCERT_INVALID. docs/certified.md says on what proof, and
+ * what it costs.
+ *
+ * No function allocates, throws, prints, locks or keeps state, but that the first call chooses the instruction set; all
+ * may be called by any number of threads. The floating-point modes are the caller's again on return. Arrays need no
+ * alignment beyond their type's, and may not overlap the results.
+ */
+#ifndef AXISCERT_CERTIFIED_H
+#define AXISCERT_CERTIFIED_H
+
+#include "plugin.h" /* enum axiscert_verdict */
+
+#ifdef __cplusplus
+#define AXISCERT_NOEXCEPT noexcept
+extern "C" {
+#else
+#define AXISCERT_NOEXCEPT
+#endif
+
+enum axiscert_question {
+  AXISCERT_CLOSED_SPHERE = 0, /* contact: distance <= r. Touching counts */
+  AXISCERT_OPEN_SPHERE = 1,   /* contact: distance < r. Touching does not; r = 0 touches nothing */
+  AXISCERT_CONSERVATIVE = 2   /* never a missed contact of the closed sphere, but sometimes one too many:
+                                 distance - r <= AXISCERT_PHANTOM_DEPTH_F32 (F64) max(|A-P|, |B-P|, |C-P|, r) */
+};
+
+/* How deep a phantom contact of AXISCERT_CONSERVATIVE can be: 20 sqrt(u), u = 2^-24 and 2^-53, rounded up. */
+#define AXISCERT_PHANTOM_DEPTH_F32 0.0048828125
+#define AXISCERT_PHANTOM_DEPTH_F64 2.1074e-7
+
+/* What to write: each array that is not null. */
+typedef struct axiscert_results {
+  uint8_t* verdict;  /* an axiscert_verdict for each query */
+  uint64_t* contact; /* bit i % 64 of word i / 64: query i is a contact; whole words are written, the rest 0 */
+  uint32_t* hits;    /* the contacts, ascending: indices, or the triangles' numbers, 32 bits of them. Room for all */
+} axiscert_results;
+
+typedef struct axiscert_counts {
+  size_t contacts, invalid;
+} axiscert_counts;
+
+/* An indexed mesh: vertex v begins at vertices[v * stride], stride >= 3; triangle t is indices[3 t], [3 t + 1],
+ * [3 t + 2]. Nothing checks the indices. */
+typedef struct axiscert_mesh_f32 {
+  const float* vertices;
+  size_t stride;
+  const uint32_t* indices;
+} axiscert_mesh_f32;
+typedef struct axiscert_mesh_f64 {
+  const double* vertices;
+  size_t stride;
+  const uint32_t* indices;
+} axiscert_mesh_f64;
+
+/* One pair: triangle is ax ay az bx by bz cx cy cz, sphere px py pz r. */
+AXISCERT_EXPORT enum axiscert_verdict axiscert_pair_f32(const float triangle[9], const float sphere[4],
+                                                        enum axiscert_question question) AXISCERT_NOEXCEPT;
+AXISCERT_EXPORT enum axiscert_verdict axiscert_pair_f64(const double triangle[9], const double sphere[4],
+                                                        enum axiscert_question question) AXISCERT_NOEXCEPT;
+
+/* Many pairs, structure of arrays: the columns ax ay az bx by bz cx cy cz px py pz r of `size` numbers each. */
+AXISCERT_EXPORT axiscert_counts axiscert_pairs_f32(const float* const columns[13], size_t size,
+                                                   enum axiscert_question question,
+                                                   const axiscert_results* results) AXISCERT_NOEXCEPT;
+AXISCERT_EXPORT axiscert_counts axiscert_pairs_f64(const double* const columns[13], size_t size,
+                                                   enum axiscert_question question,
+                                                   const axiscert_results* results) AXISCERT_NOEXCEPT;
+
+/* One sphere against many triangles, structure of arrays: the columns ax to cz. */
+AXISCERT_EXPORT axiscert_counts axiscert_triangles_f32(const float sphere[4], const float* const columns[9],
+                                                       size_t size, enum axiscert_question question,
+                                                       const axiscert_results* results) AXISCERT_NOEXCEPT;
+AXISCERT_EXPORT axiscert_counts axiscert_triangles_f64(const double sphere[4], const double* const columns[9],
+                                                       size_t size, enum axiscert_question question,
+                                                       const axiscert_results* results) AXISCERT_NOEXCEPT;
+
+/* One sphere against `count` triangles of a mesh: those of a list, as a broad phase leaves them, or from `first` on.
+ * Result i is of the i-th of these; hits are triangles' numbers. */
+AXISCERT_EXPORT axiscert_counts axiscert_mesh_list_f32(const float sphere[4], const axiscert_mesh_f32* mesh,
+                                                       const uint32_t* triangle, size_t count,
+                                                       enum axiscert_question question,
+                                                       const axiscert_results* results) AXISCERT_NOEXCEPT;
+AXISCERT_EXPORT axiscert_counts axiscert_mesh_list_f64(const double sphere[4], const axiscert_mesh_f64* mesh,
+                                                       const uint32_t* triangle, size_t count,
+                                                       enum axiscert_question question,
+                                                       const axiscert_results* results) AXISCERT_NOEXCEPT;
+AXISCERT_EXPORT axiscert_counts axiscert_mesh_range_f32(const float sphere[4], const axiscert_mesh_f32* mesh,
+                                                        size_t first, size_t count, enum axiscert_question question,
+                                                        const axiscert_results* results) AXISCERT_NOEXCEPT;
+AXISCERT_EXPORT axiscert_counts axiscert_mesh_range_f64(const double sphere[4], const axiscert_mesh_f64* mesh,
+                                                        size_t first, size_t count, enum axiscert_question question,
+                                                        const axiscert_results* results) AXISCERT_NOEXCEPT;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

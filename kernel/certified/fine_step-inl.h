@@ -1,0 +1,139 @@
+// The second step: the same margins in doubles, each with a bound of its own from the leaves that it is made of
+// (docs/error_model.md, "The bounds of lanes"; the constants in kernel/certified/thresholds.h). No guard: included once
+// for each of Highway's instruction sets, after coarse_step-inl.h.
+//
+// A bound that is zero means operands that are exact zeros, so repeated vertices are decided here: a side of 0 >= 0
+// holds, a radius of 0 > 0 does not.
+HWY_BEFORE_NAMESPACE();
+namespace axiscert::certified {
+namespace HWY_NAMESPACE {
+
+template <class D>
+struct FineStep {
+  using T = Lanes<D>;
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+
+  struct Leaf {
+    Vec3<T> v;
+    V norm;  // the greatest component
+    AXISCERT_INLINE Leaf(const Vec3<T>& from, const Vec3<T>& to)
+        : v(to - from), norm(hn::Max(hn::Max(hn::Abs(v.x.v), hn::Abs(v.y.v)), hn::Abs(v.z.v))) {}
+  };
+  // Certain answers of one axis so far: it separates, or it does not. An axis whose normal is zero does not.
+  struct Axis {
+    M holds, fails;
+  };
+
+  D d;
+  bool open;  // the question: is a tie of a radius comparison beyond
+  Leaf a, b, c, ab, bc, ca;
+  T rr;
+  V r;
+
+  AXISCERT_INLINE FineStep(D lanes, const Problem<T>& q, bool open_sphere)
+      : d(lanes),
+        open(open_sphere),
+        a(q.p, q.a),
+        b(q.p, q.b),
+        c(q.p, q.c),
+        ab(q.a, q.b),
+        bc(q.b, q.c),
+        ca(q.c, q.a),
+        rr(q.r * q.r),
+        r(q.r.v) {}
+
+  AXISCERT_INLINE static V units(double n) { return hn::Set(D(), n * FineBounds::unit); }
+  AXISCERT_INLINE static V constant(double x) { return hn::Set(D(), x); }
+  AXISCERT_INLINE static V sum_of_sizes(const Vec3<T>& v) {
+    return hn::Add(hn::Add(hn::Abs(v.x.v), hn::Abs(v.y.v)), hn::Abs(v.z.v));
+  }
+  AXISCERT_INLINE static M is_zero(V x) { return hn::Eq(x, hn::Zero(D())); }
+
+  // exact margin >= 0, or < 0.
+  AXISCERT_INLINE static void side(V margin, V bound, Axis& axis) {
+    axis.holds = hn::And(axis.holds, hn::Ge(margin, bound));
+    axis.fails = hn::Or(axis.fails, hn::Lt(margin, hn::Neg(bound)));
+  }
+  // exact margin > 0, or <= 0; for the open sphere a tie counts as beyond, but is never certain here.
+  AXISCERT_INLINE Axis radius(V margin, V bound, M has_no_normal) const {
+    const M within = open ? hn::Lt(margin, hn::Neg(bound)) : hn::Le(margin, hn::Neg(bound));
+    return {hn::Gt(margin, bound), hn::Or(has_no_normal, within)};
+  }
+
+  // Each leaf and r zero or in the range that keeps underflow out of the bounds.
+  AXISCERT_INLINE M in_range() const {
+    const auto good = [](V x) HWY_ATTR {
+      return hn::Or(is_zero(x), hn::And(hn::Ge(x, constant(least_fine_leaf)), hn::Le(x, constant(greatest_fine_leaf))));
+    };
+    return hn::And(hn::And(hn::And(good(a.norm), good(b.norm)), hn::And(good(c.norm), good(ab.norm))),
+                   hn::And(hn::And(good(bc.norm), good(ca.norm)), good(r)));
+  }
+
+  // sign: +1 where `along` leads away from the vertex, -1 where it leads to it.
+  AXISCERT_INLINE Axis vertex(const Leaf& from, const Leaf& away, const Leaf& towards) const {
+    const T square = dot(from.v, from.v);
+    Axis axis = radius((square - rr).v, hn::Mul(units(FineBounds::vertex_radius), (square + rr).v),
+                       hn::MaskFromVec(hn::Zero(d)));
+    const V one = hn::Mul(units(FineBounds::vertex_side), from.norm);
+    side(dot(from.v, away.v).v, hn::Mul(one, away.norm), axis);
+    side(hn::Neg(dot(from.v, towards.v).v), hn::Mul(one, towards.norm), axis);
+    return axis;
+  }
+
+  AXISCERT_INLINE Axis plane(const Vec3<T>& normal, V omega) const {
+    const V sum = sum_of_sizes(normal);
+    const T offset = dot(a.v, normal), e = dot(normal, normal);
+    const T lhs = offset * offset, rhs = rr * e;
+    const V three_omega = hn::Mul(constant(3.2), omega);
+    const V delta = hn::Mul(a.norm, hn::MulAdd(units(FineBounds::offset_sum), sum, three_omega));
+    const V lhs_error =
+        hn::MulAdd(delta, hn::MulAdd(constant(2.125), hn::Abs(offset.v), hn::Mul(delta, constant(1.125))),
+                   hn::Mul(units(FineBounds::plane_lhs), lhs.v));
+    const V rhs_error = hn::MulAdd(rr.v, hn::Mul(omega, hn::MulAdd(constant(2.125), sum, three_omega)),
+                                   hn::Mul(units(FineBounds::plane_rhs), rhs.v));
+    const M has_no_normal = hn::And(is_zero(omega), is_zero(sum));
+    return radius((lhs - rhs).v, hn::Add(lhs_error, rhs_error), has_no_normal);
+  }
+
+  AXISCERT_INLINE Axis edge(const Leaf& from, const Leaf& along, const Vec3<T>& normal, V omega, V normal_sum) const {
+    const Vec3<T> N = cross(from.v, along.v);
+    const V nu = hn::Mul(units(FineBounds::normal), hn::Mul(from.norm, along.norm)), sum = sum_of_sizes(N);
+    const T square = dot(N, N), rhs = rr * dot(along.v, along.v);
+    const V radius_bound = hn::MulAdd(nu, hn::MulAdd(constant(2.125), sum, hn::Mul(constant(3.2), nu)),
+                                      hn::MulAdd(units(FineBounds::edge_radius_square), square.v,
+                                                 hn::Mul(units(FineBounds::edge_radius_rhs), rhs.v)));
+    Axis axis = radius((square - rhs).v, radius_bound, is_zero(along.norm));
+    const V side_bound =
+        hn::MulAdd(hn::Mul(omega, constant(1.0625)), hn::MulAdd(constant(3.1), nu, sum),
+                   hn::Mul(normal_sum, hn::MulAdd(units(FineBounds::edge_side), sum, hn::Mul(nu, constant(1.0625)))));
+    side(hn::Neg(dot(N, normal).v), side_bound, axis);
+    return axis;
+  }
+
+  AXISCERT_INLINE Decided<D> decide() const {
+    // AB x AC, zero where B = C. There AB = -CA to the bit, but a fused cross product of these need not vanish.
+    const M b_is_c = is_zero(bc.norm);
+    Vec3<T> normal = cross(ca.v, ab.v);
+    for (T* x : {&normal.x, &normal.y, &normal.z}) x->v = hn::IfThenZeroElse(b_is_c, x->v);
+    const V omega = hn::IfThenZeroElse(b_is_c, hn::Mul(units(FineBounds::normal), hn::Mul(ab.norm, ca.norm)));
+    const V normal_sum = sum_of_sizes(normal);
+    const Axis axes[] = {vertex(a, ab, ca),
+                         vertex(b, bc, ab),
+                         vertex(c, ca, bc),
+                         plane(normal, omega),
+                         edge(a, ab, normal, omega, normal_sum),
+                         edge(b, bc, normal, omega, normal_sum),
+                         edge(c, ca, normal, omega, normal_sum)};
+    Decided<D> decided{axes[0].holds, axes[0].fails};
+    for (int i = 1; i < 7; ++i) {
+      decided.separated = hn::Or(decided.separated, axes[i].holds);
+      decided.contact = hn::And(decided.contact, axes[i].fails);
+    }
+    return decided;
+  }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace axiscert::certified
+HWY_AFTER_NAMESPACE();

@@ -1,0 +1,38 @@
+// The steps on every instruction set.
+#include "kernel/certified/exact_step.h"
+#include "kernel/certified/steps.h"
+#include "kernel/certified/thresholds.h"
+#include "kernel/names.h"
+
+#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: each has to be reached by tests
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernel/certified/forms.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#define AXISCERT_PER_TARGET
+#include "kernel/geometry.h"
+#include "kernel/certified/coarse_step-inl.h"
+#include "kernel/certified/conservative_step-inl.h"
+#include "kernel/certified/fine_step-inl.h"
+#include "kernel/certified/block-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace axiscert::certified::HWY_NAMESPACE {
+Forms forms() {
+  using Floats = hn::ScalableTag<float>;
+  using Doubles = hn::ScalableTag<double>;
+  using OneFloat = hn::CappedTag<float, 1>;
+  using OneDouble = hn::CappedTag<double, 1>;
+  return {decide<Floats, Doubles>, decide<Doubles, Doubles>, decide<OneFloat, OneDouble>, decide<OneDouble, OneDouble>};
+}
+}  // namespace axiscert::certified::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace axiscert::certified {
+HWY_EXPORT(forms);
+
+Forms chosen_forms() { return HWY_DYNAMIC_DISPATCH(forms)(); }
+}  // namespace axiscert::certified
+#endif

@@ -1,0 +1,173 @@
+// The C interface: queries in the callers' shapes, made into blocks; answers to blocks, made into the callers' results.
+#include <bit>
+#include <cstring>
+
+#include "kernel/certified.h"
+#include "kernel/certified/answers.h"
+#include "kernel/certified/default_modes.h"
+
+namespace axiscert::certified {
+namespace {
+
+// The best instruction set, chosen once.
+const Forms& forms() noexcept {
+  static const Forms chosen = chosen_forms();
+  return chosen;
+}
+
+// Writes the results of blocks that come in their order.
+class Results {
+ public:
+  Results(const axiscert_results* results, const Question question) noexcept
+      : to_(results ? *results : axiscert_results{}), question_(question) {}
+
+  Question question() const noexcept { return question_; }
+  axiscert_counts counts() const noexcept { return counts_; }
+
+  // name(i): what the i-th query of all is called among the hits.
+  template <class Name>
+  void add(const BlockAnswer& answer, std::size_t size, Name&& name) noexcept {
+    if (to_.verdict) write_verdicts(answer, size, to_.verdict + first_);
+    for (std::size_t w = 0; w * 64 < size; ++w) {
+      if (to_.contact) to_.contact[first_ / 64 + w] = answer.contact[w];
+      if (to_.hits) {
+        std::uint32_t* next = to_.hits + counts_.contacts;
+        for (std::uint64_t rest = answer.contact[w]; rest != 0; rest &= rest - 1) {
+          *next++ =
+              static_cast<std::uint32_t>(name(first_ + w * 64 + static_cast<std::size_t>(std::countr_zero(rest))));
+        }
+      }
+      counts_.contacts += static_cast<std::size_t>(std::popcount(answer.contact[w]));
+      counts_.invalid += static_cast<std::size_t>(std::popcount(answer.invalid[w]));
+    }
+    first_ += size;
+  }
+
+ private:
+  axiscert_results to_;
+  Question question_;
+  std::size_t first_ = 0;
+  axiscert_counts counts_{};
+};
+
+std::size_t block_from(std::size_t first, std::size_t size) noexcept {
+  return size - first < block_size ? size - first : block_size;
+}
+std::size_t own_index(std::size_t i) noexcept { return i; }
+
+// Columns as they lie, `own` of them of their own for each query; the rest, if any, are one sphere's.
+template <class Real>
+axiscert_counts by_columns(const Real* const* columns, const Real* sphere, std::size_t size, axiscert_question question,
+                           const axiscert_results* results) noexcept {
+  Results out(results, static_cast<Question>(question));
+  const DefaultModes modes;
+  const auto decide = forms().block<Real>();
+  for (std::size_t first = 0; first < size; first += block_size) {
+    Block<Real> block{{}, block_from(first, size), sphere != nullptr};
+    for (std::size_t k = 0; k < 9; ++k) block.column[k] = columns[k] + first;
+    for (std::size_t k = 9; k < 13; ++k) block.column[k] = sphere ? sphere + (k - 9) : columns[k] + first;
+    BlockAnswer answer;
+    decide(block, out.question(), answer);
+    out.add(answer, block.size, own_index);
+  }
+  return out.counts();
+}
+
+// number(i): the triangle that is the i-th.
+template <class Real, class Mesh, class Number>
+axiscert_counts by_mesh(const Real* sphere, const Mesh& mesh, std::size_t size, axiscert_question question,
+                        const axiscert_results* results, Number&& number) noexcept {
+  Results out(results, static_cast<Question>(question));
+  const DefaultModes modes;
+  const auto decide = forms().block<Real>();
+  alignas(64) Real column[9][block_size];
+  Block<Real> block{{}, 0, true};
+  for (std::size_t k = 0; k < 9; ++k) block.column[k] = column[k];
+  for (std::size_t k = 9; k < 13; ++k) block.column[k] = sphere + (k - 9);
+  for (std::size_t first = 0; first < size; first += block_size) {
+    block.size = block_from(first, size);
+    for (std::size_t i = 0; i < block.size; ++i) {
+      const std::uint32_t* vertices = mesh.indices + 3 * std::size_t{number(first + i)};
+      for (std::size_t v = 0; v < 3; ++v) {
+        const Real* from = mesh.vertices + mesh.stride * vertices[v];
+        for (std::size_t k = 0; k < 3; ++k) column[3 * v + k][i] = from[k];
+      }
+    }
+    BlockAnswer answer;
+    decide(block, out.question(), answer);
+    out.add(answer, block.size, number);
+  }
+  return out.counts();
+}
+
+template <class Real>
+axiscert_verdict pair(const Real* triangle, const Real* sphere, axiscert_question question) noexcept {
+  Block<Real> block{{}, 1, true};
+  for (std::size_t k = 0; k < 9; ++k) block.column[k] = triangle + k;
+  for (std::size_t k = 9; k < 13; ++k) block.column[k] = sphere + (k - 9);
+  BlockAnswer answer;
+  {
+    const DefaultModes modes;
+    forms().one<Real>()(block, static_cast<Question>(question), answer);
+  }
+  return answer.invalid[0] ? AXISCERT_INVALID : answer.contact[0] ? AXISCERT_CONTACT : AXISCERT_SEPARATED;
+}
+
+template <class Real, class Mesh>
+axiscert_counts by_list(const Real* sphere, const Mesh* mesh, const std::uint32_t* triangle, std::size_t count,
+                        axiscert_question question, const axiscert_results* results) noexcept {
+  return by_mesh(sphere, *mesh, count, question, results, [triangle](std::size_t i) { return triangle[i]; });
+}
+template <class Real, class Mesh>
+axiscert_counts by_range(const Real* sphere, const Mesh* mesh, std::size_t first, std::size_t count,
+                         axiscert_question question, const axiscert_results* results) noexcept {
+  return by_mesh(sphere, *mesh, count, question, results, [first](std::size_t i) { return first + i; });
+}
+
+}  // namespace
+}  // namespace axiscert::certified
+
+using namespace axiscert::certified;  // the definitions below are C's
+
+axiscert_verdict axiscert_pair_f32(const float* triangle, const float* sphere, axiscert_question question) noexcept {
+  return pair(triangle, sphere, question);
+}
+axiscert_verdict axiscert_pair_f64(const double* triangle, const double* sphere, axiscert_question question) noexcept {
+  return pair(triangle, sphere, question);
+}
+axiscert_counts axiscert_pairs_f32(const float* const* columns, std::size_t size, axiscert_question question,
+                                   const axiscert_results* results) noexcept {
+  return by_columns<float>(columns, nullptr, size, question, results);
+}
+axiscert_counts axiscert_pairs_f64(const double* const* columns, std::size_t size, axiscert_question question,
+                                   const axiscert_results* results) noexcept {
+  return by_columns<double>(columns, nullptr, size, question, results);
+}
+axiscert_counts axiscert_triangles_f32(const float* sphere, const float* const* columns, std::size_t size,
+                                       axiscert_question question, const axiscert_results* results) noexcept {
+  return by_columns<float>(columns, sphere, size, question, results);
+}
+axiscert_counts axiscert_triangles_f64(const double* sphere, const double* const* columns, std::size_t size,
+                                       axiscert_question question, const axiscert_results* results) noexcept {
+  return by_columns<double>(columns, sphere, size, question, results);
+}
+axiscert_counts axiscert_mesh_list_f32(const float* sphere, const axiscert_mesh_f32* mesh,
+                                       const std::uint32_t* triangle, std::size_t count, axiscert_question question,
+                                       const axiscert_results* results) noexcept {
+  return by_list(sphere, mesh, triangle, count, question, results);
+}
+axiscert_counts axiscert_mesh_list_f64(const double* sphere, const axiscert_mesh_f64* mesh,
+                                       const std::uint32_t* triangle, std::size_t count, axiscert_question question,
+                                       const axiscert_results* results) noexcept {
+  return by_list(sphere, mesh, triangle, count, question, results);
+}
+axiscert_counts axiscert_mesh_range_f32(const float* sphere, const axiscert_mesh_f32* mesh, std::size_t first,
+                                        std::size_t count, axiscert_question question,
+                                        const axiscert_results* results) noexcept {
+  return by_range(sphere, mesh, first, count, question, results);
+}
+axiscert_counts axiscert_mesh_range_f64(const double* sphere, const axiscert_mesh_f64* mesh, std::size_t first,
+                                        std::size_t count, axiscert_question question,
+                                        const axiscert_results* results) noexcept {
+  return by_range(sphere, mesh, first, count, question, results);
+}

@@ -1,0 +1,54 @@
+// What the steps of the certified predicate share: the question, a block of queries and the answers to it, and the
+// forms of the steps for each instruction set.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace axiscert::certified {
+
+// Is the distance at most r, or less than r; or has it been shown to be greater than r (kernel `conservative`).
+enum class Question : std::uint8_t { closed_sphere, open_sphere, conservative };
+
+inline constexpr std::size_t block_size = 256;
+
+// Up to block_size queries by columns, ax ay az bx by bz cx cy cz px py pz r. Where all ask of one sphere, the last
+// four columns have one entry.
+template <class Real>
+struct Block {
+  const Real* column[13];
+  std::size_t size;
+  bool one_sphere;
+};
+
+// Bit i of word i / 64 is query i. None is in both; bits from the size on are zero.
+struct BlockAnswer {
+  std::uint64_t contact[block_size / 64];
+  std::uint64_t invalid[block_size / 64];
+};
+
+// The steps on one instruction set. The modes of kernel/certified/default_modes.h have to be set.
+struct Forms {
+  void (*block32)(const Block<float>&, Question, BlockAnswer&) noexcept;
+  void (*block64)(const Block<double>&, Question, BlockAnswer&) noexcept;
+  // One query at a time, in the same steps.
+  void (*one32)(const Block<float>&, Question, BlockAnswer&) noexcept;
+  void (*one64)(const Block<double>&, Question, BlockAnswer&) noexcept;
+
+  template <class Real>
+  auto block() const noexcept {
+    if constexpr (sizeof(Real) == 4) return block32;
+    else return block64;
+  }
+  template <class Real>
+  auto one() const noexcept {
+    if constexpr (sizeof(Real) == 4) return one32;
+    else return one64;
+  }
+};
+
+// Of the instruction set that Highway has chosen: the best there is, unless somebody told it another.
+Forms chosen_forms();
+
+}  // namespace axiscert::certified
