@@ -13,15 +13,6 @@
 namespace axiscert {
 namespace {
 
-template <class Real>
-bool is_in_box(const Query<Real>& q) {
-  if (q.r > 1) return false;
-  for (const Vec3<Real>& v : {q.a, q.b, q.c}) {
-    if (!is_within_one(v.x, q.p.x) || !is_within_one(v.y, q.p.y) || !is_within_one(v.z, q.p.z)) return false;
-  }
-  return true;
-}
-
 // |a - sqrt(s)| for s >= 0 as |a^2 - s| / (a + sqrt(s)) where a is positive: nothing cancels after a rounding.
 Rational distance_to_root(const Rational& a, const Rational& s) {
   constexpr mp_bitcnt_t bits = 256;

@@ -116,6 +116,15 @@ bool is_within_one(Real a, Real p) {
 }
 
 template <class Real>
+bool is_in_box(const Query<Real>& q) {
+  if (q.r > 1) return false;
+  for (const Vec3<Real>& v : {q.a, q.b, q.c}) {
+    if (!is_within_one(v.x, q.p.x) || !is_within_one(v.y, q.p.y) || !is_within_one(v.z, q.p.z)) return false;
+  }
+  return true;
+}
+
+template <class Real>
 Real moved_by_ulps(Real x, std::int64_t ulps) {
   // Floats in order as integers in order: a negative number's bits count downwards.
   const auto bits = std::bit_cast<Bits<Real>>(x);
@@ -206,6 +215,7 @@ void move(Dice& random, Query<Real>& q, const Query<Real>& other) {
 
 #define AXISCERT_INSTANTIATE(Real)                 \
   template bool is_within_one(Real, Real);         \
+  template bool is_in_box(const Query<Real>&);     \
   template Real moved_by_ulps(Real, std::int64_t); \
   template void settle(Query<Real>&);              \
   template void move(Dice&, Query<Real>&, const Query<Real>&);

@@ -9,6 +9,10 @@ namespace axiscert {
 // The real number a - p is at most 1 in magnitude, exactly.
 template <class Real>
 bool is_within_one(Real a, Real p);
+// Whether a query is in the box of Goal::error: every coordinate of A - P, B - P, C - P in [-1, 1], exactly, and r
+// <= 1.
+template <class Real>
+bool is_in_box(const Query<Real>& q);
 
 // Brings a query into the box of Goal::error: |coordinates of A - P, B - P, C - P| <= 1 exactly, 0 <= r <= 1, every
 // number finite, the greatest of these at least 1/2 unless all are zero or P is too far away for that. Coordinates

@@ -1,0 +1,52 @@
+// The steps that a query is shrunk by. None has to keep anything: the walk measures what each one did.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "kernel/query.h"
+
+namespace axiscert {
+
+enum class MoveKind : std::uint8_t {
+  translate,     // all points by minus point i, along axis j or, j = 3, all three
+  zero,          // numbers i and j (which may be the same)
+  flatten,       // coordinate i of all points is zero
+  round_all,     // all numbers to i significant bits, to nearest
+  copy_point,    // point i becomes point j
+  align,         // vertex i goes to the line through P and vertex |j| % 3, |j| / 3 - 3 binary orders farther from P, on
+                 // its side or, where j < 0, on the other one
+  copy,          // number i becomes number j
+  copy_negated,  // number i becomes minus number j
+  scale_all,     // by the power of two that brings number i to [1, 2)
+  scale_point,   // point i by 2^j, the centre of the sphere staying where it is
+  scale_axis,    // coordinate i of all points by 2^j
+  centre,        // number i to [1, 2) by a power of two
+  scale,         // number i by 2^j
+  round_down,    // number i to j significant bits, towards zero
+  round_up,      // the same, away from zero
+  reflect,       // coordinate i of all points changes its sign
+  negate,        // number i
+  swap_axes,     // coordinates i and j of all points
+  swap_points,   // points i and j
+  trade_down,    // number i to one significant bit less, towards zero, and number j by a unit of its last
+                 // significant bit; -1-j for the other direction
+  trade_up,      // the same, away from zero
+  nudge,         // number i by j floats
+};
+
+struct Move {
+  MoveKind kind;
+  int i, j;
+};
+
+// Those that can make a query smaller, from the largest to the smallest.
+template <class Real>
+std::vector<Move> moves();
+// Those that mend what another one broke.
+std::vector<Move> nudges();
+// Nothing where it has no meaning (rounding to more bits than there are) or leaves the range of a valid query.
+template <class Real>
+std::optional<Query<Real>> moved(const Query<Real>& q, const Move& move);
+
+}  // namespace axiscert
