@@ -1,0 +1,283 @@
+#include "fuzz/map/map.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "exact/filter/decided_check.h"
+#include "fuzz/hunt/moves.h"
+#include "fuzz/hunt/proved.h"
+#include "kernel/ask.h"
+
+namespace axiscert {
+namespace {
+
+// A block begins somebody else's process anew, as a unit of a run does.
+constexpr std::size_t block_pixels = std::size_t{1} << 14, batch_pixels = 256, second_opinion_pixels = 4096;
+
+// What is known of one pixel's query, and what the kernel said of it.
+struct Pixel {
+  Truth truth;  // of a valid query; without formulae
+  ComparisonBits exact, ties;
+  ComparisonBits certain;     // tells the sign of the published comparison
+  ComparisonBits all_exact;   // of the published comparisons, their sides not strict: the truth's
+  ComparisonBits not_finite;  // computed sides
+  Outcome said;
+  std::optional<Verdict> right;
+};
+
+bool is_set(unsigned bits, std::size_t i) { return ((bits >> i) & 1u) != 0; }
+
+bool holds(AxisBits axes, std::size_t axis) { return is_set(axes, axis); }
+
+// Whether the certain comparisons settle the axis: they are all of it, or one of them fails.
+bool is_axis_settled(std::size_t axis, ComparisonBits bits, ComparisonBits certain) {
+  const ComparisonBits all = axis_comparisons[axis];
+  return (all & ~certain) == 0 || (all & certain & ~bits) != 0;
+}
+
+// An axis is certain to separate, or none is.
+bool is_verdict_settled(ComparisonBits bits, ComparisonBits certain) {
+  bool every_axis = true;
+  for (std::size_t axis = 0; axis < axis_count; ++axis) {
+    const bool settled = is_axis_settled(axis, bits, certain);
+    if (settled && holds(axes_of(bits), axis)) return true;
+    every_axis = every_axis && settled;
+  }
+  return every_axis;
+}
+
+// What one picture shows of a pixel.
+struct Shown {
+  bool yes, tie, certain;
+  std::optional<bool> said;   // none: it gave no such answer
+  std::optional<bool> right;  // none: neither is wrong
+  bool not_finite = false;
+};
+
+Shown verdict_shown(const Pixel& p) {
+  std::optional<bool> said, right;
+  if (p.said.verdict == Verdict::separated || p.said.verdict == Verdict::contact) {
+    said = p.said.verdict == Verdict::separated;
+  }
+  if (p.right) right = *p.right == Verdict::separated;
+  return {p.truth.verdict == Verdict::separated, p.truth.touching, is_verdict_settled(p.all_exact, p.certain), said,
+          right};
+}
+
+Shown axis_shown(const Pixel& p, std::size_t axis) {
+  const bool yes = holds(axes_of(p.exact), axis);
+  const bool strictly = holds(axes_of(static_cast<ComparisonBits>(p.exact & ~p.ties)), axis);
+  const bool with_ties = holds(axes_of(static_cast<ComparisonBits>(p.exact | p.ties)), axis);
+  std::optional<bool> said;
+  if (p.said.bits) said = holds(axes_of(*p.said.bits), axis);
+  return {yes, strictly != with_ties, is_axis_settled(axis, p.exact, p.certain), said, yes};
+}
+
+Shown comparison_shown(const Pixel& p, std::size_t k) {
+  const bool yes = is_set(p.exact, k);
+  std::optional<bool> said;
+  if (p.said.bits) said = is_set(*p.said.bits, k);
+  return {yes, is_set(p.ties, k), is_set(p.certain, k), said, yes, is_set(p.not_finite, k)};
+}
+
+Shown shown(const MapSubject& subject, const Pixel& p) {
+  switch (subject.level) {
+    case Level::verdict:
+      return verdict_shown(p);
+    case Level::axis:
+      return axis_shown(p, subject.index);
+    case Level::comparison:
+      return comparison_shown(p, subject.index);
+  }
+  return {};
+}
+
+PixelClass class_of(const Shown& s) {
+  if (!s.said) return PixelClass::declined;
+  if (s.right && *s.said != *s.right) {
+    return *s.said ? PixelClass::false_separation : PixelClass::missed_separation;
+  }
+  if (s.not_finite) return PixelClass::not_finite;
+  if (s.tie) return PixelClass::tie;
+  if (s.yes) return s.certain ? PixelClass::yes : PixelClass::yes_uncertain;
+  return s.certain ? PixelClass::no : PixelClass::no_uncertain;
+}
+
+// A picture that is being drawn: its classes, and whether the exact answer is yes.
+struct Canvas {
+  std::vector<PixelClass> pixels;
+  std::vector<char> yes;
+};
+
+template <class Real>
+class Drawing {
+ public:
+  Drawing(const MapPlan& plan, std::vector<Canvas>& canvases)
+      : plan_(plan), witness_(std::get<Query<Real>>(plan.witness.query)), canvases_(canvases) {
+    constexpr double u = std::numeric_limits<Real>::epsilon() / 2;
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      const auto proved = proved_error(*plan.kernel, precision_of<Real>, static_cast<Comparison>(k));
+      // The double nearest to a decimal may be below it; the product with a power of two is exact.
+      if (proved) bounds_[k] = std::nextafter(proved->value(), std::numeric_limits<double>::infinity()) * u;
+    }
+    has_bounds_ = std::any_of(bounds_.begin(), bounds_.end(), [](const auto& b) { return b.has_value(); });
+  }
+
+  // The pixels from `first` to before `last`, row by row.
+  void draw(std::size_t first, std::size_t last) const {
+    const Implementation<Real> kernel = plan_.kernel->on<Real>(plan_.target);
+    Ladder<Real> ladder(filter_on<Real>(plan_.target));
+    QueryBatch<Real> batch(batch_pixels);
+    Reply<Real> reply;
+    for (std::size_t at = first; at < last; at += batch.size()) {
+      batch.clear();
+      for (std::size_t i = at; i < std::min(last, at + batch_pixels); ++i) {
+        batch.push_back(query_at(plan_.plane, witness_, i % plan_.plane.columns(), i / plan_.plane.columns()));
+      }
+      ask(kernel, batch.columns(), reply);
+      const std::vector<DecidedSigns>& decided = ladder.decide(batch);
+      for (std::size_t i = 0; i < batch.size(); ++i) {
+        const Query<Real> q = batch[i];
+        if (!is_valid(q)) continue;  // no_query, as it was begun
+        check(at + i, decided[i], q);
+        put(at + i, pixel(decided[i], reply, i, q));
+      }
+    }
+  }
+
+ private:
+  void check(std::size_t position, const DecidedSigns& decided, const Query<Real>& q) const {
+    const bool hardest = decided.step == Step::integers && position % integer_check_stride == 0;
+    if (hardest || position % second_opinion_pixels == 0) require_same(decided, exact_truth(q, true), q);
+  }
+
+  Pixel pixel(const DecidedSigns& decided, const Reply<Real>& reply, std::size_t i, const Query<Real>& q) const {
+    const Signs& signs = decided.signs;
+    const Kernel& kernel = *plan_.kernel;
+    Pixel p{{verdict_of(signs), is_touching(signs, q.r == 0), std::nullopt},
+            0,
+            0,
+            decided.certain_in_lanes,
+            signs.bits(Strictness::nonstrict),
+            0,
+            reply.outcome(i),
+            std::nullopt};
+    p.right = right_verdict(p.truth, kernel.touching);
+    if (!has_comparison_maps(kernel)) return p;
+    if (kind_of(kernel.formulae) == FormulaeKind::rung) {  // whose signs are the published ones on every query
+      p.exact = signs.bits(kernel.strictness);
+      p.ties = signs.ties;
+    } else {
+      const FormulaTruth own = formula_truth(kernel.formulae, q);
+      p.exact = own.bits(kernel.strictness);
+      p.ties = own.ties;
+    }
+    if (kernel.exposes == Exposure::sides && p.said.bits) look_at_sides(reply.sides(i), q, p);
+    return p;
+  }
+
+  bool are_as_claimed(const Sides<Real>& sides, const Query<Real>& q) const {
+    const Kernel& kernel = *plan_.kernel;
+    Sides<Real> claimed;
+    reference(kernel.formulae, kernel.arithmetic, kernel.strictness, q, &claimed);
+    return claimed.lhs == sides.lhs && claimed.rhs == sides.rhs;
+  }
+
+  void look_at_sides(const Sides<Real>& sides, const Query<Real>& q, Pixel& p) const {
+    const bool in_box = has_bounds_ && is_in_box(q);
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      const auto bit = static_cast<ComparisonBits>(1u << k);
+      const double lhs = sides.lhs[k], rhs = sides.rhs[k];
+      if (!std::isfinite(lhs) || !std::isfinite(rhs)) p.not_finite |= bit;
+      if (!in_box || !bounds_[k]) continue;
+      // Rounding is monotone: a difference that rounds to more than a double is more than it.
+      bool certain = std::fabs(lhs - rhs) > *bounds_[k];
+      const bool is_wrong = is_set(*p.said.bits, k) != is_set(p.exact, k);
+      // The bound is of the sides that the kernel claims to compute, which somebody else's may not.
+      if (certain && is_wrong && !are_as_claimed(sides, q)) certain = false;
+      p.certain = static_cast<ComparisonBits>(certain ? p.certain | bit : p.certain & ~bit);
+      if (certain && is_wrong) {
+        throw HarnessFault(fmt::format("{}: the proved bound of {} is refuted by {}", plan_.kernel->id,
+                                       comparisons[k].name, query_line({"refuted", precision_of<Real>, q})));
+      }
+    }
+  }
+
+  void put(std::size_t position, const Pixel& p) const {
+    for (std::size_t s = 0; s < plan_.subjects.size(); ++s) {
+      const Shown what = shown(plan_.subjects[s], p);
+      canvases_[s].pixels[position] = class_of(what);
+      canvases_[s].yes[position] = static_cast<char>(what.yes);
+    }
+  }
+
+  const MapPlan& plan_;
+  const Query<Real> witness_;
+  std::vector<Canvas>& canvases_;
+  std::array<std::optional<double>, comparison_count> bounds_;  // of |computed lhs - rhs| where the sign may be wrong
+  bool has_bounds_ = false;
+};
+
+// Marks the pixels that are not yes and have a neighbour that is, left, right, above or below.
+void mark_boundary(Canvas& canvas, std::size_t columns, std::size_t rows) {
+  const auto is_yes = [&](std::size_t column, std::size_t row) {  // also where it wraps below 0
+    return column < columns && row < rows && canvas.yes[row * columns + column] != 0;
+  };
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      PixelClass& here = canvas.pixels[row * columns + column];
+      if (here != PixelClass::no && here != PixelClass::no_uncertain) continue;
+      if (is_yes(column - 1, row) || is_yes(column + 1, row) || is_yes(column, row - 1) || is_yes(column, row + 1)) {
+        here = PixelClass::boundary;
+      }
+    }
+  }
+}
+
+template <class Real>
+void draw(const MapPlan& plan, std::vector<Canvas>& canvases) {
+  const Drawing<Real> drawing(plan, canvases);
+  const std::size_t pixels = plan.plane.columns() * plan.plane.rows();
+  tbb::parallel_for(std::size_t{0}, (pixels + block_pixels - 1) / block_pixels, [&](std::size_t block) {
+    drawing.draw(block * block_pixels, std::min(pixels, (block + 1) * block_pixels));
+  });
+}
+
+}  // namespace
+
+std::string_view name(const MapSubject& subject) {
+  return name(Flip{subject.level, subject.index, FlipKind::false_separation, false, 0});
+}
+
+std::vector<MapSubject> map_subjects() {
+  std::vector<MapSubject> all = {{Level::verdict, 0}};
+  for (std::uint8_t i = 0; i < axis_count; ++i) all.push_back({Level::axis, i});
+  for (std::uint8_t i = 0; i < comparison_count; ++i) all.push_back({Level::comparison, i});
+  return all;
+}
+
+bool has_comparison_maps(const Kernel& kernel) {
+  return kernel.exposes != Exposure::verdict && has_comparisons(kernel.formulae);
+}
+
+std::vector<MapPicture> draw_map(const MapPlan& plan) {
+  const std::size_t pixels = plan.plane.columns() * plan.plane.rows();
+  const Canvas empty{std::vector<PixelClass>(pixels, PixelClass::no_query), std::vector<char>(pixels, 0)};
+  std::vector<Canvas> canvases(plan.subjects.size(), empty);
+  if (plan.witness.precision == Precision::binary32) draw<float>(plan, canvases);
+  else draw<double>(plan, canvases);
+  std::vector<MapPicture> pictures;
+  for (std::size_t s = 0; s < canvases.size(); ++s) {
+    mark_boundary(canvases[s], plan.plane.columns(), plan.plane.rows());
+    MapPicture picture{plan.subjects[s], std::move(canvases[s].pixels), {}};
+    for (const PixelClass c : picture.pixels) ++picture.counts[static_cast<std::size_t>(c)];
+    pictures.push_back(std::move(picture));
+  }
+  return pictures;
+}
+
+}  // namespace axiscert

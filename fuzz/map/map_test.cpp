@@ -1,0 +1,207 @@
+// Maps: each pixel is the query it says it is, and shows what `check` says of it.
+#include "fuzz/map/map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "exact/examine.h"
+#include "exact/rational.h"
+#include "fuzz/family.h"
+#include "fuzz/instruments/instruments_testing.h"
+#include "fuzz/query_testing.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::uint64_t seed = 31;
+
+template <class Real>
+class Maps : public testing::Test {};
+using Reals = testing::Types<float, double>;
+TYPED_TEST_SUITE(Maps, Reals);
+
+template <class Real>
+StoredQuery stored(const Query<Real>& q) {
+  return {"q", precision_of<Real>, q, 0};
+}
+
+// The number of steps of nextafter from one float to another, at most `most`.
+template <class Real>
+int steps_between(Real from, Real to, int most) {
+  int n = 0;
+  for (Real x = from; x != to && n <= most; ++n) x = std::nextafter(x, to);
+  return from <= to ? n : -n;
+}
+
+TYPED_TEST(Maps, APixelIsSoManyUlpsFromTheWitness) {
+  using Real = TypeParam;
+  auto witness = find_family("tangent").make<Real>(seed, 3);
+  witness.b.y = std::numeric_limits<Real>::denorm_min() * 3;  // the plane goes through zero
+  const Plane plane = ulp_plane(parse_numbers("b.y"), parse_numbers("r"), 16, 2);
+  expect_same_bits(query_at(plane, witness, plane.along.origin(), plane.rows() - 1 - plane.across.origin()), witness);
+  for (std::size_t row = 0; row < plane.rows(); ++row) {
+    for (std::size_t column = 0; column < plane.columns(); ++column) {
+      Query<Real> q = query_at(plane, witness, column, row);
+      ASSERT_EQ(steps_between(witness.b.y, q.b.y, 40), 2 * (static_cast<int>(column) - 8));
+      ASSERT_EQ(steps_between(witness.r, q.r, 40), 2 * (7 - static_cast<int>(row)));
+      q.b.y = witness.b.y;
+      q.r = witness.r;
+      expect_same_bits(q, witness);
+    }
+  }
+}
+
+TYPED_TEST(Maps, FarFromTheWitnessAreNoNumbersAndNoOthers) {
+  using Real = TypeParam;
+  constexpr Real most = std::numeric_limits<Real>::max();
+  const Query<Real> witness = {{most, 0, 0}, {-most, 1, 0}, {0, 0, 1}, {0, 0, 0}, 0};
+  const Plane plane = ulp_plane(parse_numbers("a.x"), parse_numbers("b.x"), greatest_map, greatest_ulps);
+  for (const std::size_t pixel : {plane.along.origin() + 1, plane.columns() - 1}) {
+    EXPECT_FALSE(std::isfinite(query_at(plane, witness, pixel, 0).a.x));
+    EXPECT_FALSE(std::isfinite(query_at(plane, witness, 0, plane.rows() - 1 - (plane.across.origin() - 1)).b.x));
+  }
+  EXPECT_FALSE(std::isfinite(query_at(plane, witness, 0, plane.rows() - 1).b.x));
+}
+
+TYPED_TEST(Maps, ExponentsReachFromTheLeastSubnormalToTheGreatestBinade) {
+  using Real = TypeParam;
+  using Limits = std::numeric_limits<Real>;
+  const Query<Real> witness = {{1, 3, 0}, {-1, 0.5, 0}, {0, 0, -0.0}, {0, 0, 0}, 1.5};
+  const Plane plane = exponent_plane(witness, parse_numbers("triangle"), parse_numbers("r"), greatest_map);
+  const std::size_t all = Limits::max_exponent - Limits::min_exponent + Limits::digits;
+  EXPECT_EQ(plane.columns(), all);
+  EXPECT_EQ(plane.rows(), all);
+  std::size_t finite = 0;
+  for (std::size_t i = 0; i < all; ++i) {
+    const auto q = query_at(plane, witness, i, 0);
+    const Rational scale = plane.along.offset(i) < 0 ? Rational(1) / Rational(mpz_class(1) << -plane.along.offset(i))
+                                                     : Rational(mpz_class(1) << plane.along.offset(i));
+    EXPECT_EQ(q.a.y, nearest<Real>(Rational(3 * scale)));  // rounded once
+    EXPECT_NE(q.a.y, 0);
+    finite += std::isfinite(q.a.y);
+    EXPECT_TRUE(std::signbit(q.c.z) || plane.along.offset(i) != 0);
+  }
+  EXPECT_EQ(finite, all);
+  const Plane coarse = exponent_plane(witness, parse_numbers("scene"), parse_numbers("r"), 50);
+  EXPECT_LE(coarse.columns(), 50u);
+  EXPECT_EQ(coarse.along.offset(coarse.along.origin()), 0);
+}
+
+TEST(MapNumbers, AreNamedOrRefused) {
+  EXPECT_EQ(parse_numbers("p.z").places, 1u << 11);
+  EXPECT_EQ(parse_numbers("b").places, 7u << 3);
+  EXPECT_EQ(parse_numbers("triangle").places, 0x1ffu);
+  for (const char* wrong : {"", "a.w", "d", "a.", "r.x", "ax"}) EXPECT_THROW(parse_numbers(wrong), Error) << wrong;
+  EXPECT_THROW(ulp_plane(parse_numbers("a"), parse_numbers("r"), 4, 1), Error);
+  EXPECT_THROW(ulp_plane(parse_numbers("r"), parse_numbers("r"), 4, 1), Error);
+  EXPECT_THROW(exponent_plane(Query<float>{}, parse_numbers("a"), parse_numbers("r"), 4), Error);
+}
+
+// What a picture has to show of one query, by everything that `check` asks: CGAL and exact sides, no filter.
+template <class Real>
+class Checked {
+ public:
+  Checked(const Query<Real>& q, const Kernel& kernel) : is_valid_(is_valid(q)) {
+    if (is_valid_) flips_ = Examiner(kernel, scalar_target).examine(q).judgement.flips();
+  }
+  // None where the kernel is right.
+  std::optional<PixelClass> expected(const MapSubject& subject) const {
+    if (!is_valid_) return PixelClass::no_query;
+    for (const Flip& flip : flips_) {
+      if (flip.level != subject.level || flip.index != subject.index) continue;
+      return flip.kind == FlipKind::false_separation ? PixelClass::false_separation : PixelClass::missed_separation;
+    }
+    return std::nullopt;
+  }
+  bool is_wrong() const { return !flips_.empty(); }
+
+ private:
+  bool is_valid_;
+  std::vector<Flip> flips_;
+};
+
+// Returns on how many pixels the kernel is wrong.
+template <class Real>
+std::size_t expect_as_checked(const Kernel& kernel, const Query<Real>& witness, const Plane& plane) {
+  const MapPlan plan{&kernel, resolve_target("auto"), stored(witness), plane,
+                     has_comparison_maps(kernel) ? map_subjects() : std::vector<MapSubject>{{Level::verdict, 0}}};
+  std::size_t wrong = 0;
+  const auto pictures = draw_map(plan);
+  for (std::size_t i = 0; i < plane.columns() * plane.rows(); ++i) {
+    const Checked checked(query_at(plane, witness, i % plane.columns(), i / plane.columns()), kernel);
+    wrong += checked.is_wrong();
+    for (const MapPicture& picture : pictures) {
+      const PixelClass shown = picture.pixels[i];
+      const auto due = checked.expected(picture.subject);
+      const bool as_due = due ? shown == *due : shown > PixelClass::missed_separation;
+      EXPECT_TRUE(as_due) << kernel.id << " " << name(picture.subject) << ", pixel " << i << ", seed " << seed;
+    }
+  }
+  return wrong;
+}
+
+TYPED_TEST(Maps, ShowWhatCheckSays) {
+  const Plane plane = ulp_plane(parse_numbers("p.x"), parse_numbers("r"), 8, 1);
+  for (const char* id : {"published", "ladder-0", "closest-point"}) {
+    std::size_t wrong = 0;
+    for (const std::uint64_t position : {0, 1, 4}) {  // beside the plane, a vertex, an edge
+      wrong += expect_as_checked(find_kernel(id), find_family("tangent").make<TypeParam>(seed, position), plane);
+    }
+    EXPECT_GT(wrong, 0u) << id << ", seed " << seed;
+  }
+  const auto tangent = find_family("tangent").make<TypeParam>(seed, 4);
+  const Plane scales = exponent_plane(tangent, parse_numbers("scene"), parse_numbers("r"), 8);
+  EXPECT_GT(expect_as_checked(find_kernel("published"), tangent, scales), 0u);
+}
+
+TEST(MapsOfAVariant, AreHeldAgainstItsOwnFormulae) {
+  const Query<float> q = {{1, 0, 0}, {1, 0, 0}, {3, 1, 0}, {0, 0, 0}, 1};
+  expect_as_checked(find_kernel("first-publication"), q, ulp_plane(parse_numbers("a.x"), parse_numbers("r"), 8, 1));
+}
+
+// By the geometry alone: a sphere that touches the vertex A of a triangle far from it otherwise.
+TEST(MapPictures, ShowTheBoundaryTiesAndTheWrongBit) {
+  const Query<float> q = {{1, 0, 0}, {2, 1, 0}, {2, -1, 1}, {0, 0, 0}, 1};
+  const Plane plane = ulp_plane(parse_numbers("a.x"), parse_numbers("r"), 8, 1);
+  MapPlan plan{&find_kernel("published"), resolve_target("auto"), stored(q), plane, map_subjects()};
+  const auto verdict = draw_map(plan).front();
+  for (std::size_t row = 0; row < 8; ++row) {
+    for (std::size_t column = 0; column < 8; ++column) {
+      const auto p = query_at(plane, q, column, row);
+      const PixelClass shown = verdict.pixels[row * 8 + column];
+      if (p.a.x == p.r) EXPECT_EQ(shown, PixelClass::tie);
+      else if (p.a.x > p.r) EXPECT_TRUE(shown == PixelClass::yes || shown == PixelClass::yes_uncertain);
+      else EXPECT_TRUE(shown == PixelClass::no || shown == PixelClass::no_uncertain || shown == PixelClass::boundary);
+    }
+  }
+  const Kernel wrong = published_with_a_wrong_bit(Comparison::edge_bc_radius);
+  plan.kernel = &wrong;
+  for (const MapPicture& picture : draw_map(plan)) {
+    const auto count = [&](PixelClass c) { return picture.counts[static_cast<std::size_t>(c)]; };
+    const bool is_it = name(picture.subject) == "edge_bc.radius";
+    EXPECT_EQ(count(PixelClass::false_separation) + count(PixelClass::missed_separation) == 64, is_it)
+        << name(picture.subject);
+  }
+}
+
+// 2^11 is still in the range of binary32, degree 6; at 2^30 an edge's sides overflow and it separates no longer.
+TEST(MapPictures, ShowWhereRangeEnds) {
+  const Query<float> q = {{1, -1, 0}, {1, 1, 0.25}, {2, 0, 4}, {0, 0, 0}, 0.5};
+  const MapPlan plan{&find_kernel("published"),
+                     resolve_target("auto"),
+                     stored(q),
+                     exponent_plane(q, parse_numbers("scene"), parse_numbers("r"), greatest_map),
+                     {{Level::comparison, static_cast<std::uint8_t>(Comparison::edge_ab_radius)}}};
+  const MapPicture picture = draw_map(plan).front();
+  const std::size_t row = plan.plane.rows() - 1 - plan.plane.across.origin(), at = plan.plane.along.origin();
+  const auto shown = [&](std::size_t column) { return picture.pixels[row * plan.plane.columns() + column]; };
+  EXPECT_EQ(shown(at), PixelClass::yes);
+  EXPECT_EQ(shown(at + 11), PixelClass::yes);
+  EXPECT_EQ(shown(at + 30), PixelClass::missed_separation);
+  EXPECT_EQ(shown(at - 40), PixelClass::missed_separation);
+}
+
+}  // namespace
+}  // namespace axiscert

@@ -1,0 +1,18 @@
+// Pictures of few colours as PNG.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace axiscert {
+
+struct Colour {
+  std::uint8_t red, green, blue;
+};
+
+// The bytes of a PNG file: `columns` pixels a row, the uppermost row first, each an index into the palette of at most
+// 256.
+std::string indexed_png(std::size_t columns, std::span<const std::uint8_t> pixels, std::span<const Colour> palette);
+
+}  // namespace axiscert
