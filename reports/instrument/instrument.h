@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/aligned_table.h"
 #include "reports/json.h"
 
 namespace axiscert {
@@ -42,8 +43,6 @@ struct InstrumentReport {
   Json data;  // every figure, by name
 };
 
-// Whether a cell is one number, perhaps with a sign: such cells are aligned right.
-bool is_number(const std::string& cell);
 // The tables as aligned columns, and the notes.
 std::string instrument_text(const InstrumentReport& report);
 // One self-contained HTML file, for a browser without a network.

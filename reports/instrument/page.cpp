@@ -80,7 +80,7 @@ std::string instrument_page(const InstrumentReport& report) {
       {"<!--NOTES-->", notes},
       {"<!--BODY-->", body},
       {"/*DATA*/", inert_json(plots)},
-      {"/*JS*/", fmt::format("{}\n{}", embedded::chart_min_js, embedded::instrument_js)}};
+      {"/*JS*/", fmt::format("{}\n{}\n{}", embedded::chart_min_js, embedded::chart_js, embedded::instrument_js)}};
   return filled(embedded::instrument_html, places);
 }
 

@@ -1,0 +1,48 @@
+// The arithmetic operations of a set of formulae, one by one: what a fault can be planted in. They are found by running
+// the formulae over a number type that writes down what is done with it, so no formula is stated twice.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "kernel/names.h"
+
+namespace axiscert::mutants {
+
+enum class Operator : std::uint8_t { plus, minus, times };
+
+// What a number is computed from: the same in every number type, whatever order a compiler evaluates operands in. Two
+// numbers of one set of formulae with the same key are the same expression; recording them checks it.
+using Key = std::uint64_t;
+constexpr Key input_key(std::size_t input) { return input + 1; }
+constexpr Key key_of(Operator op, Key left, Key right) {
+  Key key = (left * 0x9e3779b97f4a7c15u) ^ ((right + static_cast<Key>(op) + 1) * 0xc2b2ae3d27d4eb4fu);
+  key ^= key >> 29;
+  return key * 0xbf58476d1ce4e5b9u;
+}
+
+struct Operation {
+  Operator op;
+  Key left, right, key;
+  std::string text;  // "A.x * B.x"; a result that has no name by its number, "#17"
+};
+
+struct Operations {
+  // Each once, operands before what uses them: those of the first comparison's left side, then its right side, and so
+  // on; within an expression the left operand's first. The number of an operation is its place here.
+  std::vector<Operation> all;
+  // The vectors that enter a dot or a cross product: the three vertices, from the sphere's centre, are the first.
+  std::vector<std::array<Key, 3>> vectors;
+  Key squared_normal;  // e = V.V, the greatest factor of plane.radius's right side
+
+  const Operation* find(Key key) const;
+};
+
+// Of the published formulae, and of the reduced ones.
+const Operations& published_operations();
+const Operations& reduced_operations();
+
+}  // namespace axiscert::mutants
