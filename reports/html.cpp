@@ -1,13 +1,17 @@
 // report.html: one file that needs nothing else. The page's own text is under page/; this fills in the data.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "fuzz/number_text.h"
 #include "kernel/names.h"
+#include "reports/attachments.h"
 #include "reports/embedded.h"
 #include "reports/finding.h"
 #include "reports/format.h"
+#include "reports/packed.h"
 #include "reports/page_template.h"
 #include "reports/reproduce.h"
 #include "reports/requirement.h"
@@ -16,14 +20,18 @@
 namespace axiscert {
 namespace {
 
-constexpr std::size_t witness_limit = 200;
+// The file's size, which has to open from disk at once and go by mail: below it the page stays, by showing fewer
+// witnesses and linking the images of maps that find no room.
+constexpr std::size_t page_bytes = 2'900'000;
+constexpr std::size_t image_bytes = 1'000'000;
+constexpr std::size_t witness_limit = 2000;
 
 // What the schema says of each counter: the page's column notes.
 Json notes() {
   const Json schema = Json::parse(embedded::record_schema_json);
   Json notes;
   for (const char* part : {"family", "truth", "verdict", "links", "axis", "comparison", "critical_radius", "axes",
-                           "comparisons", "outside_limits", "finding"}) {
+                           "comparisons", "outside_limits", "finding", "asymmetry"}) {
     for (const auto& [member, rule] : schema["$defs"][part]["properties"].items()) {
       notes[part][member] = rule.value("description", "");
     }
@@ -105,6 +113,64 @@ Json requirement_data(const Json& record) {
   return data;
 }
 
+// The deepest, and of each kernel, precision, family and place of a flip one that shows it, as far as `limit` goes.
+std::vector<const Json*> shown_witnesses(const Json& record, std::size_t limit) {
+  std::vector<const Json*> chosen = worst_witnesses(record, limit / 2);
+  std::set<const Json*> taken(chosen.begin(), chosen.end());
+  std::set<std::string> places;
+  const auto opens_a_place = [&](const Json& witness) {
+    bool opens = false;
+    for (const Json& flip : witness["flips"]) {
+      opens |= places
+                   .insert(Json{witness["kernel"], witness["precision"], witness["family"], flip["name"], flip["kind"],
+                                flip["decisive"]}
+                               .dump())
+                   .second;
+    }
+    return opens;
+  };
+  for (const Json* witness : chosen) opens_a_place(*witness);
+  for (const Json& witness : record["witnesses"]) {
+    if (chosen.size() >= limit) break;
+    if (!taken.contains(&witness) && opens_a_place(witness)) {
+      chosen.push_back(&witness);
+      taken.insert(&witness);
+    }
+  }
+  for (const Json* witness : worst_witnesses(record, limit)) {
+    if (chosen.size() >= limit) break;
+    if (taken.insert(witness).second) chosen.push_back(witness);
+  }
+  const auto depth = [](const Json* witness) {
+    const Json& given = (*witness)["depth"];
+    return given.is_null() ? -1.0 : given.get<double>();
+  };
+  std::stable_sort(chosen.begin(), chosen.end(), [&](const Json* x, const Json* y) { return depth(x) > depth(y); });
+  return chosen;
+}
+
+Json cards(const Json& record, std::size_t limit) {
+  Json data = {{"total", record["witnesses"].size()}, {"cards", Json::array()}};
+  for (const Json* witness : shown_witnesses(record, limit)) {
+    data["cards"].push_back(witness_card(*witness, record["plan"]));
+  }
+  return data;
+}
+
+// The steps that decided the queries, as run.json has them, without what the page does not show.
+Json steps(const Json& info) {
+  Json rows = Json::array();
+  for (const Json& given : info.is_null() ? Json::array() : info.value("steps", Json::array())) {
+    rows.push_back({{"family", given["family"]},
+                    {"precision", given["precision"]},
+                    {"queries", given["queries"]},
+                    {"checked", given["checked"]},
+                    {"decided_by_cgal", given["decided_by_cgal"]},
+                    {"nanoseconds_per_query", given["nanoseconds_per_query"]}});
+  }
+  return rows;
+}
+
 Json page_data(const Run& run) {
   const Json& record = run.record;
   Json data = {{"complete", record["complete"]}, {"plan", record["plan"]}, {"requirement", requirement_data(record)},
@@ -114,24 +180,36 @@ Json page_data(const Run& run) {
   for (const Json& kernel : record["kernels"]) data["kernels"].push_back(kernel_data(kernel));
   data["findings"] = findings_data(record);
   data["not_judged"] = not_judged(record);
-  data["witnesses"] = {{"total", record["witnesses"].size()}, {"cards", Json::array()}};
-  for (const Json* witness : worst_witnesses(record, witness_limit)) {
-    data["witnesses"]["cards"].push_back(witness_card(*witness, record["plan"]));
-  }
   data["command"] = run_command(record["plan"]);
   data["facts"] = plan_facts(run);
   data["throughput"] = throughput(run.info);
   data["not_checked"] = not_checked(record);
+  data["steps"] = steps(run.info);
+  data["target"] = run.info.is_null() || !run.info.contains("target") ? Json(nullptr) : run.info["target"];
+  data["attached"] = attachments(run.folder, image_bytes);
+  data["files"] = raw_files(run.folder);
   return data;
 }
 
+// Each may use those before it.
+std::string scripts() {
+  using namespace embedded;
+  const std::string_view all[] = {chart_min_js, chart_js,   table_js,    answer_js, heat_js,
+                                  bounds_js,    origins_js, maps_js,     scene_js,  snippets_js,
+                                  witnesses_js, results_js, appendix_js, report_js};
+  return fmt::format("{}", fmt::join(all, "\n"));
+}
+
 std::string render(const Run& run) {
-  const std::pair<std::string_view, std::string> places[] = {
-      {"/*CSS*/", std::string(embedded::report_css)},
-      {"/*DATA*/", inert_json(page_data(run))},
-      {"/*JS*/", fmt::format("{}\n{}\n{}\n{}", embedded::table_js, embedded::results_js, embedded::witnesses_js,
-                             embedded::report_js)}};
-  return filled(embedded::report_html, places);
+  Json data = page_data(run);
+  std::string page;
+  for (std::size_t limit = witness_limit;; limit = limit * 2 / 3) {
+    data["witnesses"] = cards(run.record, limit);
+    const std::pair<std::string_view, std::string> places[] = {
+        {"/*CSS*/", std::string(embedded::report_css)}, {"/*DATA*/", packed(data.dump())}, {"/*JS*/", scripts()}};
+    page = filled(embedded::report_html, places);
+    if (page.size() <= page_bytes || limit == 0) return page;
+  }
 }
 
 }  // namespace

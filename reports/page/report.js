@@ -1,137 +1,4 @@
-// The summary, the reproduction, and the start.
-
-function failures_of(data, entry) {
-  return data.requirement?.failures.filter((f) => f.kernel === entry.id &&
-    (f.precision === '' || f.precision === entry.precision)) ?? [];
-}
-
-function status_chip(data, failures, ran) {
-  if (!data.requirement) return chip('no requirement asked');
-  const level = data.requirement.level;
-  if (failures.length > 0) return chip(`requirement ${level}: not met`, 'bad');
-  if (!ran) return chip(`requirement ${level}: not checked`, 'warn');
-  return data.complete ? chip(`requirement ${level}: met`, 'good') : chip(`requirement ${level}: met so far`, 'warn');
-}
-
-function failure_item(data, failure) {
-  const shown = data.witnesses.cards.some((witness) => witness.id === failure.witness);
-  const item = failure.family === '' ? el('li', '', failure.what)
-    : el('li', '', el('span', 'name', failure.family), `: ${failure.what}: ${count(failure.count)}`);
-  if (failure.witness === '') return item;
-  const link = el(shown ? 'a' : 'span', 'name', failure.witness);
-  if (shown) link.href = `#witness-${encodeURIComponent(failure.witness)}`;
-  item.append(', witness ', link);
-  return item;
-}
-
-function links_bar(links) {
-  const total = Object.values(links).reduce((x, y) => x + y, 0);
-  const bar = el('div', 'bar');
-  bar.setAttribute('aria-hidden', 'true');
-  for (const [link, n] of Object.entries(links)) {
-    if (n === 0) continue;
-    const part = el('span', `link-${link}`);
-    part.style.flexGrow = String(n / total);
-    bar.append(part);
-  }
-  return total === 0 ? null : bar;
-}
-
-function metric(label, member, total, alarm) {
-  const [number, limit] = rate(total.verdict[member], total);
-  const deepest = total.verdict[`deepest_${member}`];
-  return el('div', `metric ${total.verdict[member] > 0 ? alarm : ''}`, el('span', 'label', label),
-            el('strong', '', number), el('small', '', limit),
-            el('small', '', deepest > 0 ? `deepest ${amount(deepest, 4)} of the scene` : 'deepest: 0'));
-}
-
-function tolerance_fact(total) {
-  if (total.comparisons === null) return 'not exposed';
-  const counts = Object.values(total.comparisons).map((tally) => tally.tolerance_failures).filter((n) => n !== null);
-  return counts.length === 0 ? 'not checked' : count(counts.reduce((x, y) => x + y, 0));
-}
-
-function largest_error(total) {
-  if (total.comparisons === null) return 'not exposed';
-  const [name, tally] = Object.entries(total.comparisons).reduce(
-    (x, y) => (magnitude(y[1].max_error_u) > magnitude(x[1].max_error_u) ? y : x));
-  return `${error_amount(tally.max_error_u)} u, ${name}`;
-}
-
-// A kernel of the plan that could not be loaded.
-function not_judged_card(data, id) {
-  const why = data.findings.filter((finding) => finding.kernel === id);
-  return el('article', 'card', el('h3', '', el('span', 'name', id)), el('p', 'status', chip('not judged', 'bad')),
-            el('p', 'lead', 'It could not be loaded, so nothing of it was judged.'),
-            el('ul', 'failures', ...why.map((finding) => el('li', '', `${finding.kind}: ${finding.detail}`))));
-}
-
-function summary_card(data, entry) {
-  const failures = failures_of(data, entry);
-  const total = entry.all;
-  const card = el('article', 'card', el('h3', '', el('span', 'name', entry.id), ' ', chip(entry.precision)),
-                  el('p', 'status', status_chip(data, failures, total !== null)), el('p', 'lead', entry.summary));
-  if (total === null) {
-    card.append(el('p', 'empty', 'Not checked: no family ran.'));
-    return card;
-  }
-  card.append(el('div', 'metrics', metric('missed contacts', 'false_separation', total, 'bad'),
-                 metric('phantom contacts', 'false_contact', total, 'warn')));
-  const facts = el('dl', 'facts numbers');
-  const fact = (label, value) => facts.append(el('dt', '', label), el('dd', '', value));
-  const radius = entry.critical_radius;
-  fact('trials', `${count(total.trials)} in ${count(Object.keys(entry.families).length)} families`);
-  fact('undecided', count(total.verdict.undecided));
-  fact('invalid answers', count(total.verdict.invalid));
-  fact('without an answer', count(total.verdict.unanswered));
-  fact('says of itself', entry.touching_text);
-  fact('limits', entry.limits_text);
-  const outside = total.verdict.outside_limits;
-  if (outside !== null) {
-    fact('outside its limits', `${count(outside.trials)} queries, ` +
-         `${count(outside.false_separation + outside.false_contact)} wrong, counted apart`);
-  }
-  fact('wrong on touching', count(total.verdict.touching_flips));
-  fact('tolerance failures', tolerance_fact(total));
-  fact('largest error', largest_error(total));
-  fact('critical radius', radius.largest_ulps === null ? 'not sampled'
-       : `median ${amount(radius.median_ulps, 3)}, largest ${amount(radius.largest_ulps, 3)} ulps`);
-  card.append(facts, el('p', 'label', 'Broken links of wrong verdicts'),
-              el('div', 'links', links_bar(total.verdict.links), link_chips(total.verdict.links)));
-  if (failures.length > 0) {
-    const list = el('details', '',
-                    el('summary', 'label', `Where the requirement is not met: ${count(failures.length)}`),
-                    el('ul', 'failures', ...failures.map((failure) => failure_item(data, failure))));
-    list.open = failures.length <= 8;
-    card.append(list);
-  }
-  return card;
-}
-
-function show_summary(data) {
-  const {plan} = data;
-  const seed = data.facts.find(([label]) => label === 'seed')[1];
-  document.getElementById('subtitle').textContent =
-    `${plan.kernels.join(', ')} · ${plan.precisions.join(', ')} · ${count(plan.families.length)} families · ` +
-    `seed ${seed} · axiscert ${plan.axiscert}`;
-  const any = data.kernels.some((entry) => entry.all !== null);
-  document.getElementById('status').append(status_chip(data, data.requirement?.failures ?? [], any));
-  const banner = document.getElementById('banner');
-  if (!data.complete) {
-    banner.append(el('p', 'banner warn', el('strong', '', 'Incomplete. '), 'The run was interrupted before its plan ' +
-      'was done: what follows is about the queries that were asked.'));
-  }
-  if (data.requirement) {
-    const {level, sentence} = data.requirement;
-    const text = el('p', 'lead', 'Required: ', el('strong', '', level), `, ${sentence}.`);
-    document.getElementById('summary-title').after(text);
-  }
-  document.getElementById('summary-cards').append(...data.not_judged.map((id) => not_judged_card(data, id)));
-  document.getElementById('summary-cards').append(...data.kernels.map((entry) => summary_card(data, entry)));
-  for (const [link, meaning] of Object.entries(data.links)) {
-    document.getElementById('meanings').append(el('dt', '', chip(link, `link-${link}`)), el('dd', '', meaning));
-  }
-}
+// Findings, the reproduction, and the start.
 
 function finding_card(data, finding) {
   const where = finding.family === null ? 'in loading'
@@ -191,16 +58,46 @@ function show_reproduction(data) {
   ], data.throughput));
 }
 
-function show_report() {
-  const data = JSON.parse(document.getElementById('data').textContent);
+// What this folder could hold and does not.
+function missing_parts(data) {
+  const {proofs, search, maps, ladder, precision, league, mutation} = data.attached;
+  const sentence = (part, what, text) => (part === null ? [`${what}: not run here (${text}).`] : []);
+  return [...sentence(proofs, 'Proofs of bounds', 'axiscert prove'), ...sentence(search, 'Search for the worst', 'axiscert search'),
+          ...sentence(maps, 'Maps around witnesses', 'axiscert map'), ...sentence(ladder, 'Ladder of forms', 'axiscert ladder'),
+          ...sentence(precision, 'Flips against precision', 'axiscert precision'),
+          ...sentence(league, 'Other libraries', 'axiscert league'), ...sentence(mutation, 'Mutants', 'axiscert mutate'),
+          'Distribution of margins: nothing counts it.'];
+}
+
+// The data as the page holds them: deflated, in base64.
+async function unpacked(text) {
+  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
+  return JSON.parse(await new Response(stream).text());
+}
+
+async function show_report() {
+  let data;
+  try {
+    data = await unpacked(document.getElementById('data').textContent.trim());
+  } catch (problem) {
+    document.getElementById('banner').append(el('p', 'banner bad', 'This page cannot read its own data: the file was cut off or ' +
+      `edited, or the browser is older than 2023 (${problem.message}). report.md beside it says the same in short.`));
+    return;
+  }
+  data.not_checked.push(...missing_parts(data));
   show_findings(data);
-  show_summary(data);
+  show_answer(data);
+  show_heat(data);
+  show_bounds(data);
+  show_origins(data);
+  show_maps(data);
+  show_witnesses(data);
   show_families(data);
   show_signs(data);
-  show_links(data);
-  show_witnesses(data);
-  show_radius(data);
+  show_appendix(data);
   show_reproduction(data);
+  document.body.classList.add('ready');
 }
 
 show_report();

@@ -1,10 +1,8 @@
-// Tables of counts. `data` is the page's data; a kernel entry is one kernel in one precision.
+// Tables of all counts. A kernel entry is one kernel in one precision.
 
-function entry_name(entry) { return `${entry.id}, ${entry.precision}`; }
-
-// One row a family of every kernel entry.
-function family_rows(data) {
-  return data.kernels.flatMap((entry) =>
+// One row a family of each of these kernel entries.
+function family_rows(entries) {
+  return entries.flatMap((entry) =>
     Object.entries(entry.families).map(([family, result]) => ({entry, family, result})));
 }
 
@@ -17,12 +15,6 @@ function family_columns() {
     column.text('kernel', (row) => entry_name(row.entry), {cell: (td, value, row) =>
       td.append(el('span', 'name', row.entry.id), el('small', '', row.entry.precision))}),
   ];
-}
-
-function link_chips(counts) {
-  const broken = Object.entries(counts).filter(([, n]) => n > 0);
-  if (broken.length === 0) return el('span', 'zero', 'none');
-  return el('span', 'chips', ...broken.map(([link, n]) => chip(`${link} ${count(n)}`, `link-${link}`)));
 }
 
 function families_table(data, rows) {
@@ -41,6 +33,11 @@ function families_table(data, rows) {
   const outside = !limited ? [] : ['trials', 'false_separation', 'false_contact', 'unanswered'].map((member) =>
     column.count(member, (row) => row.result.verdict.outside_limits?.[member] ?? null,
                  {group: 'outside its limits', note: data.notes.outside_limits[member], none: 'no limits'}));
+  const imaged = rows.some((row) => row.result.asymmetry);
+  const asymmetry = !imaged ? [] : ['images', 'verdicts', 'comparisons'].map((member) =>
+    column.count(member, (row) => row.result.asymmetry?.[member] ?? null,
+                 {group: 'asymmetry: other answers to images', note: data.notes.asymmetry[member], none: 'no images',
+                  alarm: member === 'images' ? undefined : 'warn'}));
   return table('Verdicts by family', [
     ...family_columns(),
     column.count('trials', (row) => row.result.trials, {note: family.trials}),
@@ -50,22 +47,52 @@ function families_table(data, rows) {
     answers('touching_flips', null, 'warn'), answers('undecided'), answers('invalid', 'invalid answers', 'warn'),
     answers('unanswered', 'no answer', 'bad'),
     ...outside,
+    ...asymmetry,
     column.text('broken links', (row) => Object.values(row.result.verdict.links).reduce((x, y) => x + y, 0),
                 {numeric: true, left: true, note: verdict.links,
                  cell: (td, value, row) => td.append(link_chips(row.result.verdict.links))}),
   ], rows);
 }
 
+function link_counts_table(data, rows) {
+  const links = Object.keys(data.links);
+  const group = (label, member) => links.map((link) => column.count(link, (row) => row.result.verdict[member][link], {
+    group: label, note: data.notes.links[link], alarm: member === 'links' ? 'bad' : undefined}));
+  return table('Broken links', [
+    ...family_columns(), ...group('wrong verdicts', 'links'),
+    ...links.map((link) => column.count(link, (row) => row.result.verdict.first_by_link[link],
+      {group: 'first query with it', note: data.notes.verdict.first_by_link, none: 'none'})),
+    ...group('cancelled: the verdict is right', 'masked_links'),
+  ], rows);
+}
+
+function radius_table(data, entries) {
+  const rows = entries.flatMap((entry) => [
+    {entry, family: 'all families', result: entry, total: true},
+    ...Object.entries(entry.families).map(([family, result]) => ({entry, family, result}))]);
+  const note = data.notes.critical_radius;
+  const of = (member, type, more) =>
+    column[type](member, (row) => row.result.critical_radius[member], {note: note[member], ...more});
+  return table('Critical radius error, in ulps', [
+    ...family_columns(), of('sampled', 'count'), of('median_ulps', 'amount', {digits: 6}),
+    of('largest_ulps', 'amount', {digits: 6}), of('unbounded', 'count', {alarm: 'warn'}),
+    of('unanswered', 'count', {alarm: 'bad'}),
+  ], rows, (row) => (row.total ? 'total' : ''));
+}
+
+// Of one kernel entry, or of all.
 function show_families(data) {
-  const place = document.getElementById('families-table');
-  const rows = family_rows(data);
-  const entries = [null, ...data.kernels];
+  const {kernels} = data;
+  if (kernels.length === 0) return;
   const show = (index) => {
-    const chosen = rows.filter((row) => entries[index] === null || row.entry === entries[index]);
-    place.replaceChildren(families_table(data, chosen));
+    const chosen = index < kernels.length ? [kernels[index]] : kernels;
+    const rows = family_rows(chosen);
+    for (const [id, made] of [['families-table', families_table(data, rows)], ['link-counts', link_counts_table(data, rows)],
+                              ['radius-table', radius_table(data, chosen)]]) {
+      document.getElementById(id).replaceChildren(made);
+    }
   };
-  document.getElementById('families-controls').append(
-    choice('Kernel', ['all kernels', ...data.kernels.map(entry_name)], show));
+  document.getElementById('families-controls').append(choice('Kernel', [...kernels.map(entry_name), 'all kernels'], show));
   show(0);
 }
 
@@ -132,30 +159,4 @@ function show_signs(data) {
   if (data.kernels.length === 0) return;
   controls.append(choose_kernel, choose_family());
   show();
-}
-
-function show_links(data) {
-  const links = Object.keys(data.links);
-  const group = (label, member) => links.map((link) => column.count(link, (row) => row.result.verdict[member][link], {
-    group: label, note: data.notes.links[link], alarm: member === 'links' ? 'bad' : undefined}));
-  document.getElementById('links-table').append(table('Broken links', [
-    ...family_columns(), ...group('wrong verdicts', 'links'),
-    ...links.map((link) => column.count(link, (row) => row.result.verdict.first_by_link[link],
-      {group: 'first query with it', note: data.notes.verdict.first_by_link, none: 'none'})),
-    ...group('cancelled: the verdict is right', 'masked_links'),
-  ], family_rows(data)));
-}
-
-function show_radius(data) {
-  const rows = data.kernels.flatMap((entry) => [
-    {entry, family: 'all families', result: entry, total: true},
-    ...Object.entries(entry.families).map(([family, result]) => ({entry, family, result}))]);
-  const note = data.notes.critical_radius;
-  const of = (member, type, more) =>
-    column[type](member, (row) => row.result.critical_radius[member], {note: note[member], ...more});
-  document.getElementById('radius-table').append(table('Critical radius error, in ulps', [
-    ...family_columns(), of('sampled', 'count'), of('median_ulps', 'amount', {digits: 6}),
-    of('largest_ulps', 'amount', {digits: 6}), of('unbounded', 'count', {alarm: 'warn'}),
-    of('unanswered', 'count', {alarm: 'bad'}),
-  ], rows, (row) => (row.total ? 'total' : '')));
 }

@@ -1,4 +1,3 @@
-'use strict';
 // Elements, numbers and tables. All text goes in by textContent: nothing in the data becomes markup.
 
 function el(tag, className, ...children) {
@@ -16,6 +15,9 @@ function amount(x, digits) {
   if (value !== 0 && (value < 1e-3 || value >= 1e15)) return value.toExponential();
   return value.toLocaleString('en-US', {maximumSignificantDigits: 17});
 }
+
+// `data` is the page's data; a kernel entry is one kernel in one precision.
+function entry_name(entry) { return `${entry.id}, ${entry.precision}`; }
 
 // An error in u: a number, or its text where a number cannot hold it.
 function error_amount(error) { return typeof error === 'number' ? amount(error) : error; }
@@ -35,10 +37,10 @@ function rate(n, family) {
   return ['0', `(< ${amount(family.zero_limit_per_million, 3)} per million, 95 %)`];
 }
 
-// A record's name, which may wrap after an underscore.
+// A record's name, which may wrap after an underscore or a slash.
 function breakable(name) {
   const node = el('span');
-  name.split(/(?<=_)/).forEach((part, i) => node.append(...(i ? [el('wbr'), part] : [part])));
+  name.split(/(?<=[_/])/).forEach((part, i) => node.append(...(i ? [el('wbr'), part] : [part])));
   return node;
 }
 

@@ -1,4 +1,4 @@
-// Witness cards: closed, the deepest first.
+// Witness cards: closed, the deepest first; each is filled when it is opened.
 
 const kind_words = {
   false_separation: 'missed contact', false_contact: 'phantom contact', missed_separation: 'missed separation',
@@ -46,6 +46,40 @@ function bits_table(witness, names) {
     'arithmetic, and what it computed'), el('thead', '', axes, kinds), el('tbody', '', ...lines, marks)));
 }
 
+function computed_side(text) {
+  const value = parse_hex(text);
+  return el('td', 'n', el('code', '', text), el('small', '', Number.isNaN(value) ? '' : String(value)));
+}
+
+function error_text(error) { return error === null ? 'none' : error_amount(error); }
+
+// Exact and computed sides of the comparisons that matter here.
+function sides_table(witness) {
+  if (witness.sides === undefined) return el('p', 'empty', 'Sides: this record was made by a version that did not keep them.');
+  if (witness.sides === null) return el('p', 'empty', 'Sides: none, on an invalid query or of a kernel without formulae of its own.');
+  const rows = Object.entries(witness.sides);
+  if (rows.length === 0) return el('p', 'empty', 'Sides: no comparison differs here.');
+  const hidden = 'not shown';
+  const body = rows.flatMap(([name, {exact, computed, lhs_ulps, rhs_ulps, error_u}]) => {
+    const th = el('th', '', el('span', 'name', name));
+    th.rowSpan = 2;
+    const exact_cell = (text) => el('td', 'n', el('code', '', text));
+    const margin = computed === null ? NaN : parse_hex(computed.lhs) - parse_hex(computed.rhs);
+    return [
+      el('tr', '', th, el('td', '', 'exact'), ...(exact === null ? [0, 1, 2].map(() => el('td', 'n', 'undefined'))
+        : [exact_cell(exact.lhs), exact_cell(exact.rhs), exact_cell(exact.margin)]), el('td'), el('td'), el('td')),
+      el('tr', 'second', el('td', '', 'computed'), ...(computed === null ? [0, 1, 2].map(() => el('td', 'n', hidden))
+        : [computed_side(computed.lhs), computed_side(computed.rhs),
+           el('td', 'n', Number.isNaN(margin) ? 'not finite' : String(margin))]),
+         ...[lhs_ulps, rhs_ulps, error_u].map((error) => el('td', 'n', error_text(error)))),
+    ];
+  });
+  const head = el('tr', '', ...['comparison', '', 'lhs', 'rhs', 'margin lhs − rhs', 'lhs off, ulps', 'rhs off, ulps', 'error, u']
+    .map((name, i) => el('th', i > 1 ? 'n' : '', name)));
+  return el('div', 'scroll', el('table', 'sides', el('caption', '', 'Sides: exact to 17 digits; the computed margin is ' +
+    'their difference, rounded to binary64'), el('thead', '', head), el('tbody', '', ...body)));
+}
+
 function flips_table(witness) {
   if (witness.flips.length === 0) return el('p', 'empty', 'No flip: kept for an extreme.');
   const body = el('tbody', '', ...witness.flips.map((flip) => el('tr', '',
@@ -56,8 +90,24 @@ function flips_table(witness) {
   return el('div', 'scroll', el('table', 'flips', el('caption', '', 'Flips'), el('thead', '', head), body));
 }
 
+function verdict_flip(witness) { return witness.flips.find((flip) => flip.level === 'verdict'); }
+
+function witness_body(witness, names) {
+  const facts = el('dl', 'facts');
+  const fact = (label, text) => facts.append(el('dt', '', label), el('dd', '', text));
+  fact('truth', witness.truth + (witness.touching ? ', touching' : ''));
+  fact('computed', witness.computed);
+  fact('depth', witness.depth === null ? 'none: the verdict is right' : String(witness.depth));
+  fact('address', el('code', '', witness.address));
+  fact('kept for', witness.shows.join('; '));
+  return el('div', 'body',
+    el('div', 'columns', scene_figure(witness), el('div', 'stack', facts, inputs_table(witness))),
+    sides_table(witness), bits_table(witness, names), flips_table(witness),
+    el('p', 'label', 'Make it again and judge it'), command(witness.command), snippets(witness));
+}
+
 function witness_card(witness, names) {
-  const verdict = witness.flips.find((flip) => flip.level === 'verdict');
+  const verdict = verdict_flip(witness);
   const title = verdict ? kind_words[verdict.kind] : 'verdict right';
   const card = el('details', 'witness', el('summary', '',
     el('span', 'name id', witness.id),
@@ -67,49 +117,110 @@ function witness_card(witness, names) {
     el('span', 'chips', ...(verdict?.links ?? []).map((link) => chip(link, `link-${link}`))),
     el('span', 'depth', witness.depth === null ? '' : `depth ${amount(witness.depth, 4)}`)));
   card.id = `witness-${witness.id}`;
-  const facts = el('dl', 'facts');
-  const fact = (label, text) => facts.append(el('dt', '', label), el('dd', '', text));
-  fact('truth', witness.truth + (witness.touching ? ', touching' : ''));
-  fact('computed', witness.computed);
-  fact('depth', witness.depth === null ? 'none: the verdict is right' : String(witness.depth));
-  fact('address', el('code', '', witness.address));
-  fact('kept for', witness.shows.join('; '));
-  card.append(el('div', 'body', el('div', 'columns', inputs_table(witness), facts), bits_table(witness, names),
-                 flips_table(witness), el('p', 'label', 'Make it again and judge it'), command(witness.command)));
+  card.addEventListener('toggle', () => {
+    if (card.open && card.children.length === 1) card.append(witness_body(witness, names));
+  });
   return card;
 }
 
-// Choices that hide the other cards.
-function witness_filters(shown) {
-  const kernel_of = (witness) => `${witness.kernel}, ${witness.precision}`;
-  const kernels = [...new Set(shown.map(({witness}) => kernel_of(witness)))];
-  const families = [...new Set(shown.map(({witness}) => witness.family))].sort();
-  let kernel = 0;
-  let family = 0;
-  const filter = () => shown.forEach(({witness, card}) => {
-    card.hidden = (kernel > 0 && kernel_of(witness) !== kernels[kernel - 1]) ||
-                  (family > 0 && witness.family !== families[family - 1]);
-  });
-  return [choice('Kernel', ['all kernels', ...kernels], (index) => { kernel = index; filter(); }),
-          choice('Family', ['all families', ...families], (index) => { family = index; filter(); })];
+// Whether a witness shows what a cell of the heat table counts.
+function shows(witness, {kernel, family, place, weight, kind, verdict}) {
+  if (kernel && `${witness.kernel}, ${witness.precision}` !== kernel) return false;
+  if (family && witness.family !== family) return false;
+  if (verdict && (verdict_flip(witness)?.kind ?? 'right') !== verdict) return false;
+  if (!place) return true;
+  return witness.flips.some((flip) => flip.name === place && (!kind || flip.kind === kind) &&
+    (!weight || flip.decisive === (weight === 'decisive')));
 }
+
+const witness_page = 40;  // cards made at a time
+
+// Set by show_witnesses: shows those that a filter lets through.
+let choose_witnesses = () => {};
 
 function show_witnesses(data) {
   const {total, cards} = data.witnesses;
-  document.getElementById('witnesses-count').textContent = total === 0
-    ? 'None were kept.'
-    : `${count(cards.length)} of ${count(total)} shown: the deepest of each kernel, family and kind, deepest first. ` +
-      `witnesses.jsonl has all ${count(total)}, as a query file.`;
   const names = Object.keys(data.notes.comparisons);
-  const shown = cards.map((witness) => ({witness, card: witness_card(witness, names)}));
-  document.getElementById('witnesses-list').append(...shown.map(({card}) => card));
-  if (cards.length > 1) document.getElementById('witnesses-controls').append(...witness_filters(shown));
-  // A link to a witness opens it.
+  const left_out = total - cards.length;
+  document.getElementById('witnesses-count').textContent = total === 0 ? 'None were kept.'
+    : `${count(cards.length)} of ${count(total)} are in this file, deepest first. ` +
+      (left_out > 0 ? `${count(left_out)} are left out for its size: the deepest of each kernel, family and kind stay, and one for each ` +
+        'place of a flip. ' : '') + `witnesses.jsonl beside it has all ${count(total)}, as a query file.`;
+  const list = document.getElementById('witnesses-list');
+  const said = document.getElementById('witnesses-shown');
+  const more = document.getElementById('witnesses-more');
+  const some = (key) => [...new Set(cards.map(key))].sort();
+  const options = {
+    kernel: some((witness) => `${witness.kernel}, ${witness.precision}`), family: some((witness) => witness.family),
+    verdict: ['false_separation', 'false_contact', 'right'],
+    place: [...names.filter((name) => name.endsWith('.radius')).map((name) => name.split('.')[0]), ...names],
+  };
+  const labels = {kernel: 'Kernel', family: 'Family', verdict: 'Verdict', place: 'Flip at'};
+  const words = (key, value) => (key === 'verdict' ? kind_words[value] ?? 'right' : value);
+  let filter = {};
+  let matching = [];
+  let made = 0;
+  const selects = {};
+  const grow = (to) => {
+    list.append(...matching.slice(made, to).map((witness) => witness_card(witness, names)));
+    made = Math.min(to, matching.length);
+    more.hidden = made >= matching.length;
+    more.textContent = `Show more: ${count(matching.length - made)} left`;
+  };
+  const refresh = () => {
+    matching = cards.filter((witness) => shows(witness, filter));
+    const extra = [filter.weight, filter.kind].filter(Boolean).map((word) => `, ${word}`).join('');
+    said.textContent = total === 0 ? '' : `${count(matching.length)} match${extra}.` +
+      (matching.length === 0 && left_out > 0 ? ' Others may be among those left out: see witnesses.jsonl.' : '');
+    list.replaceChildren();
+    made = 0;
+    grow(witness_page);
+  };
+  const fit = () => {
+    for (const [key, label] of Object.entries(selects)) {
+      label.querySelector('select').selectedIndex = filter[key] ? 1 + options[key].indexOf(filter[key]) : 0;
+    }
+  };
+  for (const [key, label] of Object.entries(labels)) {
+    selects[key] = choice(label, ['all', ...options[key].map((value) => words(key, value))], (index) => {
+      const {weight, kind, ...rest} = filter;  // a cell's own, gone with the next choice
+      filter = {...rest, [key]: index === 0 ? '' : options[key][index - 1]};
+      refresh();
+    });
+  }
+  if (cards.length > 1) document.getElementById('witnesses-controls').append(...Object.values(selects));
+  more.addEventListener('click', () => grow(made + witness_page));
+  choose_witnesses = (wanted) => {
+    filter = wanted;
+    fit();
+    refresh();
+    document.getElementById('witnesses').scrollIntoView();
+    const first = list.querySelector('details');
+    if (first) {
+      first.open = true;
+      first.querySelector('summary').focus({preventScroll: true});
+    }
+  };
+  refresh();
+  // A link to a witness opens it, whatever is filtered.
   const open = () => {
-    const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-    if (target?.tagName !== 'DETAILS') return;
-    target.hidden = false;
-    target.open = true;
+    let id = location.hash.slice(1);
+    try {
+      id = decodeURIComponent(id);
+    } catch {
+      return;  // not a link of ours
+    }
+    const place = cards.findIndex((witness) => `witness-${witness.id}` === id);
+    if (place < 0) return;
+    if (!document.getElementById(id)) {
+      filter = {};
+      fit();
+      refresh();
+      grow(place + 1);
+    }
+    const card = document.getElementById(id);
+    card.open = true;
+    card.scrollIntoView();
   };
   window.addEventListener('hashchange', open);
   open();

@@ -1,0 +1,222 @@
+// The answer, before anything else: what was run, how often it is wrong, how deep, by which link, and what stands behind
+// each comparison.
+
+function failures_of(data, entry) {
+  return data.requirement?.failures.filter((f) => f.kernel === entry.id &&
+    (f.precision === '' || f.precision === entry.precision)) ?? [];
+}
+
+function status_chip(data, failures, ran) {
+  if (!data.requirement) return chip('no requirement asked');
+  const level = data.requirement.level;
+  if (failures.length > 0) return chip(`requirement ${level}: not met`, 'bad');
+  if (!ran) return chip(`requirement ${level}: not checked`, 'warn');
+  return data.complete ? chip(`requirement ${level}: met`, 'good') : chip(`requirement ${level}: met so far`, 'warn');
+}
+
+function failure_item(data, failure) {
+  const item = failure.family === '' ? el('li', '', failure.what)
+    : el('li', '', el('span', 'name', failure.family), `: ${failure.what}: ${count(failure.count)}`);
+  if (failure.witness !== '') item.append(', witness ', witness_link(data, failure.witness));
+  return item;
+}
+
+function links_bar(links) {
+  const total = Object.values(links).reduce((x, y) => x + y, 0);
+  if (total === 0) return null;
+  const bar = el('div', 'bar');
+  bar.setAttribute('aria-hidden', 'true');
+  for (const [link, n] of Object.entries(links).filter(([, n]) => n > 0)) {
+    const part = el('span', `link-${link}`);
+    part.style.flexGrow = String(n / total);
+    bar.append(part);
+  }
+  return bar;
+}
+
+function link_chips(counts) {
+  const broken = Object.entries(counts).filter(([, n]) => n > 0);
+  if (broken.length === 0) return el('span', 'zero', 'none');
+  return el('span', 'chips', ...broken.map(([link, n]) => chip(`${link} ${count(n)}`, `link-${link}`)));
+}
+
+// The witness card that is in the page, or the name alone.
+function witness_link(data, id) {
+  if (!data.witnesses.cards.some((witness) => witness.id === id)) return el('span', 'name', id);
+  const link = el('a', 'name', id);
+  link.href = `#witness-${encodeURIComponent(id)}`;
+  return link;
+}
+
+function deepest_witness(data, entry, kind) {
+  return data.witnesses.cards.find((witness) => witness.kernel === entry.id && witness.precision === entry.precision &&
+    witness.flips.some((flip) => flip.level === 'verdict' && flip.kind === kind));
+}
+
+function metric(data, entry, label, member, alarm) {
+  const total = entry.all;
+  const [number, limit] = rate(total.verdict[member], total);
+  const deepest = total.verdict[`deepest_${member}`];
+  const witness = deepest_witness(data, entry, member);
+  const depth = el('small', '', deepest > 0 ? `deepest ${amount(deepest, 4)} of the scene` : 'deepest: 0');
+  if (witness) depth.append(', witness ', witness_link(data, witness.id));
+  return el('div', `metric ${total.verdict[member] > 0 ? alarm : ''}`, el('span', 'label', label),
+            el('strong', '', number), el('small', '', limit), depth);
+}
+
+// One sentence a broken link: how often, where most, and how soon it shows.
+function link_sentences(data, entry) {
+  const list = el('ul', 'sentences');
+  for (const [link, n] of Object.entries(entry.all.verdict.links)) {
+    if (n === 0) continue;
+    const families = Object.entries(entry.families).map(([family, result]) => ({family, n: result.verdict.links[link],
+      first: result.verdict.first_by_link[link]})).filter((where) => where.n > 0).sort((x, y) => y.n - x.n);
+    const soonest = families.filter(({first}) => first !== null).sort((x, y) => x.first - y.first)[0];
+    const item = el('li', '', chip(link, `link-${link}`), ` in ${count(n)} wrong verdicts, most on `,
+                    el('span', 'name', families[0].family), ` (${count(families[0].n)})`,
+                    families.length > 1 ? ` and on ${count(families.length - 1)} other famil${families.length === 2 ? 'y' : 'ies'}` : '');
+    if (soonest) item.append('; first at query ', count(soonest.first), ' of ', el('span', 'name', soonest.family));
+    item.append('.');
+    item.title = data.links[link];
+    list.append(item);
+  }
+  return list.children.length > 0 ? list
+    : el('p', 'lead', entry.all.verdict.false_separation + entry.all.verdict.false_contact > 0
+      ? 'Every wrong verdict is on a query without a link to blame.' : 'No link broke a verdict on these queries.');
+}
+
+const badge_meanings = {
+  proved: 'a checker accepted a bound on its error',
+  exhaustive: 'every query of a reduced space was tried',
+  searched: 'its worst was hunted for, and confirmed exactly',
+  open: 'these queries alone speak of it',
+};
+const badge_kinds = {proved: 'good', exhaustive: 'good', searched: 'note', open: ''};
+
+// What speaks of a comparison of a kernel entry, the strongest first.
+function bound_of(data, entry, name) {
+  // A bound holds for the kernel that it names, and for those with the same formulae, arithmetic and order of operations.
+  const own = (row) => row.name === name && (row.precision === null || row.precision === entry.precision) &&
+    (row.formulae === entry.id ||
+     (entry.reference && row.formulae === entry.formulae && (row.arithmetic ?? 'plain') === entry.arithmetic));
+  const {proofs, search} = data.attached;
+  const proof = proofs?.comparisons.find(own) ?? null;
+  const hunted = search !== null && search.kernel === entry.id && search.precision === entry.precision
+    ? search.comparisons.find((row) => row.name === name) ?? null : null;
+  const is_searched = hunted !== null && hunted.attained_u !== null;
+  const badge = proof?.status === 'proved' || proof?.status === 'exhaustive' ? proof.status
+    : is_searched ? 'searched' : 'open';
+  return {badge, proof, attained: hunted?.attained_u ?? proof?.attained_u ?? null,
+          proved: badge === 'proved' ? proof.proved_u : null, observed: entry.all?.comparisons?.[name]?.max_error_u ?? null};
+}
+
+function badge_chip(badge) {
+  const node = chip(badge, badge_kinds[badge]);
+  node.title = badge_meanings[badge];
+  return node;
+}
+
+function badges(data, entry) {
+  if (entry.all.comparisons === null) return el('p', 'empty', 'Comparisons are not exposed: none has a badge.');
+  const names = Object.keys(entry.all.comparisons);
+  const by_badge = Object.keys(badge_meanings).map((badge) =>
+    [badge, names.filter((name) => bound_of(data, entry, name).badge === badge)]).filter(([, some]) => some.length > 0);
+  return el('dl', 'facts badges', ...by_badge.flatMap(([badge, some]) => [
+    el('dt', '', badge_chip(badge)),
+    el('dd', '', el('span', '', `${some.length === names.length ? 'all sixteen' : some.length} · `),
+       el('span', 'name', some.length === names.length ? '' : some.join(' ')), el('small', '', ` ${badge_meanings[badge]}`))]));
+}
+
+function tolerance_fact(total) {
+  if (total.comparisons === null) return 'not exposed';
+  const counts = Object.values(total.comparisons).map((tally) => tally.tolerance_failures).filter((n) => n !== null);
+  return counts.length === 0 ? 'not checked' : count(counts.reduce((x, y) => x + y, 0));
+}
+
+function largest_error(total) {
+  if (total.comparisons === null) return 'not exposed';
+  const [name, tally] = Object.entries(total.comparisons).reduce(
+    (x, y) => (magnitude(y[1].max_error_u) > magnitude(x[1].max_error_u) ? y : x));
+  return `${error_amount(tally.max_error_u)} u, ${name}`;
+}
+
+// A kernel of the plan that could not be loaded.
+function not_judged_card(data, id) {
+  const why = data.findings.filter((finding) => finding.kernel === id);
+  return el('article', 'card', el('h3', '', el('span', 'name', id)), el('p', 'status', chip('not judged', 'bad')),
+            el('p', 'lead', 'It could not be loaded, so nothing of it was judged.'),
+            el('ul', 'failures', ...why.map((finding) => el('li', '', `${finding.kind}: ${finding.detail}`))));
+}
+
+function more_facts(entry) {
+  const total = entry.all;
+  const facts = el('dl', 'facts numbers');
+  const fact = (label, value) => facts.append(el('dt', '', label), el('dd', '', value));
+  const radius = entry.critical_radius;
+  fact('undecided', count(total.verdict.undecided));
+  fact('invalid answers', count(total.verdict.invalid));
+  fact('without an answer', count(total.verdict.unanswered));
+  fact('says of itself', entry.touching_text);
+  fact('limits', entry.limits_text);
+  const outside = total.verdict.outside_limits;
+  if (outside !== null) {
+    fact('outside its limits', `${count(outside.trials)} queries, ` +
+         `${count(outside.false_separation + outside.false_contact)} wrong, counted apart`);
+  }
+  fact('wrong on touching', count(total.verdict.touching_flips));
+  fact('tolerance failures', tolerance_fact(total));
+  fact('largest error', largest_error(total));
+  fact('critical radius', radius.largest_ulps === null ? 'not sampled'
+       : `median ${amount(radius.median_ulps, 3)}, largest ${amount(radius.largest_ulps, 3)} ulps`);
+  return el('details', '', el('summary', 'label', 'More of it'), facts);
+}
+
+function answer_card(data, entry) {
+  const failures = failures_of(data, entry);
+  const total = entry.all;
+  const card = el('article', 'card', el('h3', '', el('span', 'name', entry.id), ' ', chip(entry.precision), ' ',
+                                        status_chip(data, failures, total !== null)),
+                  el('p', 'lead', entry.summary));
+  if (total === null) {
+    card.append(el('p', 'empty', 'Not checked: no family ran.'));
+    return card;
+  }
+  card.append(el('p', 'asked', `${count(total.trials)} queries in ${count(Object.keys(entry.families).length)} families: ` +
+                               `${count(total.truth.contact)} contacts, ${count(total.truth.separated)} separations, ` +
+                               `${count(total.truth.invalid)} invalid.`),
+              el('div', 'metrics', metric(data, entry, 'missed contacts', 'false_separation', 'bad'),
+                 metric(data, entry, 'phantom contacts', 'false_contact', 'warn')),
+              links_bar(total.verdict.links) ?? '', link_sentences(data, entry), badges(data, entry), more_facts(entry));
+  if (failures.length > 0) {
+    const list = el('details', '',
+                    el('summary', 'label', `Where the requirement is not met: ${count(failures.length)}`),
+                    el('ul', 'failures', ...failures.map((failure) => failure_item(data, failure))));
+    list.open = failures.length <= 8;
+    card.append(list);
+  }
+  return card;
+}
+
+function show_answer(data) {
+  const {plan} = data;
+  const seed = data.facts.find(([label]) => label === 'seed')[1];
+  document.getElementById('subtitle').textContent =
+    `${plan.kernels.join(', ')} · ${plan.precisions.join(', ')} · ${count(plan.families.length)} families · ` +
+    `seed ${seed} · axiscert ${plan.axiscert}`;
+  const any = data.kernels.some((entry) => entry.all !== null);
+  document.getElementById('status').append(status_chip(data, data.requirement?.failures ?? [], any));
+  if (!data.complete) {
+    document.getElementById('banner').append(el('p', 'banner warn', el('strong', '', 'Incomplete. '),
+      'The run was interrupted before its plan was done: what follows is about the queries that were asked.'));
+  }
+  if (data.requirement) {
+    const {level, sentence} = data.requirement;
+    document.getElementById('answer-title').after(
+      el('p', 'lead', 'Required: ', el('strong', '', level), `, ${sentence}.`));
+  }
+  document.getElementById('answer-cards').append(...data.not_judged.map((id) => not_judged_card(data, id)),
+                                                 ...data.kernels.map((entry) => answer_card(data, entry)));
+  for (const [link, meaning] of Object.entries(data.links)) {
+    document.getElementById('meanings').append(el('dt', '', chip(link, `link-${link}`)), el('dd', '', meaning));
+  }
+}

@@ -1,0 +1,145 @@
+// League, mutants, the matrix of arithmetics, filter statistics, and where the raw data lie.
+
+function show_league(data) {
+  const place = document.getElementById('league');
+  const {league} = data.attached;
+  if (league === null) {
+    place.append(not_run('No league.json in this folder: production libraries and other kernels on the same queries.',
+                         'axiscert league --out DIR'));
+    return;
+  }
+  const name = column.text('kernel', (row) => row.id, {cell: (th, value, row) => {
+    th.append(el('span', 'name', value));
+    th.title = row.summary ?? '';
+  }});
+  const precision = column.text('precision', (row) => row.precision);
+  const wrong = (member, label, alarm) => [
+    column.count(label, (row) => row[member], {alarm, group: label}),
+    column.amount('per million', (row) => (row.answered > 0 ? 1e6 * row[member] / row.answered : null), {digits: 3, group: label}),
+    column.amount('deepest', (row) => row[`deepest_${member}`], {digits: 3, group: label})];
+  const contenders = league.kernels.filter((row) => !row.has_planted_fault);
+  const faults = league.kernels.filter((row) => row.has_planted_fault);
+  place.append(table('League: all families together', [
+    name, precision, column.count('answered', (row) => row.answered), ...wrong('false_separation', 'missed contacts', 'bad'),
+    ...wrong('false_contact', 'phantom contacts', 'warn'), column.count('no answer', (row) => row.unanswered, {alarm: 'bad'}),
+    column.amount('ns a query', (row) => row.ns, {digits: 3, none: 'not timed'})], contenders));
+  if (faults.length > 0) {
+    place.append(table('Planted faults: how soon each is caught', [
+      name, precision, column.count('queries until caught', (row) => row.caught_after, {none: 'never'}),
+      column.text('first by family', (row) => row.caught_by ?? 'none')], faults));
+  }
+}
+
+function show_mutation(data) {
+  const place = document.getElementById('mutation');
+  const {mutation} = data.attached;
+  if (mutation === null) {
+    place.append(not_run('No mutation.json in this folder: how many faults planted in the formulae are caught.',
+                         'axiscert mutate --out DIR'));
+    return;
+  }
+  const is_equivalent = (row) => Boolean(row.equivalent);
+  const real = mutation.mutants.filter((row) => !is_equivalent(row));
+  const caught = real.filter((row) => row.caught === true);
+  place.append(el('p', 'lead', `${count(caught.length)} of ${count(real.length)} mutants caught; ` +
+    `${count(mutation.mutants.length - real.length)} equivalent ones apart.`), table('Mutants', [
+    column.text('mutant', (row) => plain(row.name), {cell: (th, value) => th.append(el('span', 'name', value))}),
+    column.text('caught', (row) => (is_equivalent(row) ? 'equivalent' : row.caught === true ? 'yes' : 'no'), {cell: (td, value) =>
+      td.append(chip(value, {yes: 'good', no: 'bad'}[value]))}),
+    column.text('first by family', (row) => plain(row.family)),
+    column.count('after queries', (row) => (typeof row.queries === 'number' ? row.queries : null), {none: 'never'}),
+    column.text('why equivalent', (row) => (typeof row.equivalent === 'string' ? row.equivalent : ''), {cell: (td, value) => {
+      td.classList.add('prose');
+      td.append(value);
+    }})], mutation.mutants));
+}
+
+// What an arithmetic is, by its name in `axiscert kernels`.
+const contracted = {fma: 'dot and cross products', kahan: 'Kahan\'s products'};
+const roundings = {up: 'toward +∞', down: 'toward −∞', chop: 'toward zero', spu: 'toward zero, flushed'};
+
+function show_matrix(data) {
+  const place = document.getElementById('matrix');
+  const asked = data.kernels.filter((entry) => entry.all !== null && entry.formulae !== null);
+  const target = data.target?.dispatched ?? 'not recorded';
+  if (asked.length > 0) {
+    const wrong = (member, alarm) => column.rate(member, (row) => row.all.verdict[member], (row) => row.all, {alarm});
+    place.append(table('Wrong verdicts by instruction set, contraction and rounding', [
+      column.text('kernel', (row) => row.id, {cell: (th, value) => th.append(el('span', 'name', value))}),
+      column.text('precision', (row) => row.precision),
+      column.text('formulae', (row) => row.formulae, {cell: (td, value) => td.append(el('span', 'name', value))}),
+      column.text('instruction set', () => target),
+      column.text('contraction', (row) => contracted[row.arithmetic] ?? 'none'),
+      column.text('rounding', (row) => roundings[row.arithmetic] ?? 'to nearest'),
+      column.text('arithmetic', (row) => row.arithmetic),
+      wrong('false_separation', 'bad'), wrong('false_contact', 'warn')], asked));
+  }
+  const has = (names) => asked.some((entry) => names.includes(entry.arithmetic));
+  const run = (options) => `axiscert run${options} --family all --out DIR`;
+  if (!has(Object.keys(contracted))) {
+    place.append(not_run('No contracted arithmetic in this run.', run(' --kernel published --kernel published+fma --kernel published+kahan')));
+  }
+  if (!has(Object.keys(roundings))) {
+    place.append(not_run('No directed rounding in this run.',
+                         run(' --kernel published --kernel published+up --kernel published+down --kernel published+chop')));
+  }
+  place.append(not_run(`One instruction set ran: ${target}. A kernel that equals its scalar reference has the same record on every ` +
+    'other; --target asks for one, and compare says whether they differ.', run(` --kernel ${data.plan.kernels[0]} --target SSE4`)));
+}
+
+// The record's files hold what the page cannot: all of it.
+const file_meanings = {
+  'record.json': 'every count and every witness; the same bytes from the same plan',
+  'run.json': 'what varies: times, machine, target, versions, filter steps',
+  'witnesses.jsonl': 'every witness as a query file', 'report.md': 'the same in short', 'junit.xml': 'for CI',
+  'proofs.json': 'bounds and their checkers', 'search.json': 'the worst that a search found', 'ladder.json': 'each form of the test',
+  'precision.json': 'wrong verdicts against bits', 'league.json': 'libraries and kernels', 'mutation.json': 'mutants',
+  'maps/index.json': 'maps around witnesses',
+};
+
+function show_files(data) {
+  document.getElementById('files').append(...data.files.map((file) => {
+    const link = el('a', 'name', file);
+    link.href = file;
+    return el('li', '', link, `: ${file_meanings[file]}`);
+  }));
+}
+
+function show_filters(data) {
+  const place = document.getElementById('filters');
+  if (data.steps.length === 0) {
+    place.append(el('p', 'empty', 'Not recorded: no run.json, or nothing was judged.'));
+    return;
+  }
+  const names = Object.keys(data.steps[0].queries);
+  const total = (row) => Object.values(row.queries).reduce((x, y) => x + y, 0);
+  const nanoseconds = Object.keys(data.steps[0].nanoseconds_per_query);
+  place.append(table('Queries decided by each step, and nanoseconds a query', [
+    column.text('family', (row) => row.family, {cell: (th, value) => th.append(el('span', 'name', value))}),
+    column.text('precision', (row) => row.precision),
+    column.text('share of each step', (row) => row.queries[names[0]] / (total(row) || 1), {numeric: true, left: true, cell: (td, value, row) => {
+      td.classList.add('wide');
+      const bar = el('div', 'bar steps');
+      bar.setAttribute('aria-hidden', 'true');
+      names.forEach((name, i) => {
+        if (row.queries[name] === 0) return;
+        const part = el('span', `step-${i}`);
+        part.style.flexGrow = String(row.queries[name] / total(row));
+        part.title = `${name}: ${count(row.queries[name])}`;
+        bar.append(part);
+      });
+      td.append(bar);
+    }}),
+    ...names.map((name) => column.count(name, (row) => row.queries[name], {group: 'queries decided by'})),
+    column.count('checked again', (row) => row.checked), column.count('by CGAL itself', (row) => row.decided_by_cgal),
+    ...nanoseconds.map((name) => column.amount(name, (row) => row.nanoseconds_per_query[name], {digits: 3, group: 'ns a query'})),
+  ], data.steps));
+}
+
+function show_appendix(data) {
+  show_league(data);
+  show_mutation(data);
+  show_matrix(data);
+  show_filters(data);
+  show_files(data);
+}

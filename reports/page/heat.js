@@ -1,0 +1,111 @@
+// Heat tables: comparisons and axes against families. A cell leads to its witnesses.
+
+const heat_steps = [1e-5, 1e-4, 1e-3, 1e-2, 1e-1];  // shares of the queries; a deeper shade at each
+
+function heat_level(n, of) {
+  if (n === 0 || of === 0) return 0;
+  return 1 + heat_steps.filter((step) => n / of >= step).length;
+}
+
+function short_count(n) {
+  for (const [unit, size] of [['M', 1e6], ['k', 1e3]]) if (n >= size) return `${Number((n / size).toPrecision(3))}${unit}`;
+  return String(n);
+}
+
+// The record counts weight and kind each on its own, not their cross: choosing one sets the other to all.
+const heat_figures = [
+  ['sign errors', (tally) => tally.false_separation + tally.missed_separation, {}],
+  ['decisive', (tally) => tally.decisive, {weight: 'decisive'}],
+  ['masked', (tally) => tally.masked, {weight: 'masked'}],
+  ['false_separation', (tally) => tally.false_separation, {kind: 'false_separation'}],
+  ['missed_separation', (tally) => tally.missed_separation, {kind: 'missed_separation'}],
+  ['tolerance failures', (tally) => tally.tolerance_failures, {tolerance: true}],
+];
+
+// Radio buttons in a row: one of `options`; `change` is called with its index.
+function toggle(label, options, change) {
+  const group = el('fieldset', 'toggle', el('legend', '', label));
+  const name = `toggle-${document.querySelectorAll('.toggle').length}-${label}`;
+  options.forEach((text, i) => {
+    const input = el('input');
+    Object.assign(input, {type: 'radio', name, checked: i === 0});
+    input.addEventListener('change', () => change(i));
+    group.append(el('label', '', input, el('span', '', text)));
+  });
+  return group;
+}
+
+function heat_cell(data, {entry, family, result, name, tally, figure}) {
+  const [label, of, filter] = figure;
+  const n = of(tally);
+  const cell = el('td', 'heat');
+  if (n === null) {
+    cell.append('·');
+    cell.title = 'not checked: no tolerance was given';
+    return cell;
+  }
+  const valid = result.trials - result.truth.invalid;
+  const [number, limit] = rate(n, result);
+  const words = `${name} on ${family ?? 'all families'}: ${label} ${number} of ${count(valid)} ${limit}`;
+  cell.classList.add(`heat-${heat_level(n, valid)}`);
+  if (n === 0 || filter.tolerance) {
+    cell.append(n === 0 ? '0' : short_count(n));
+    cell.title = words;
+    return cell;
+  }
+  const button = el('button', '', short_count(n));
+  button.type = 'button';
+  button.title = words;
+  button.setAttribute('aria-label', `${words}; show witnesses`);
+  button.addEventListener('click', () => choose_witnesses({
+    kernel: entry_name(entry), family: family ?? '', place: name, ...filter}));
+  cell.append(button);
+  return cell;
+}
+
+function heat_table(data, entry, level, figure) {
+  const families = Object.entries(entry.families);
+  const columns = [[null, entry.all], ...families];
+  const head = el('tr', '', el('th', '', level === 'axes' ? 'axis' : 'comparison'),
+                  ...columns.map(([family]) => {
+                    const th = el('th', family === null ? 'heat-name all' : 'heat-name', el('span', '', breakable(family ?? 'all families')));
+                    th.scope = 'col';
+                    return th;
+                  }));
+  const body = el('tbody', '', ...Object.keys(entry.all[level]).map((name) => {
+    const th = el('th', '', el('span', 'name', name));
+    th.scope = 'row';
+    return el('tr', '', th, ...columns.map(([family, result]) =>
+      heat_cell(data, {entry, family, result, name, tally: result[level][name], figure})));
+  }));
+  const caption = `${level === 'axes' ? 'Seven axes' : 'Sixteen comparisons'} by family: ${figure[0]}, ${entry_name(entry)}`;
+  const scroll = el('div', 'scroll', el('table', 'heat-table', el('caption', '', caption), el('thead', '', head), body));
+  scroll.tabIndex = 0;
+  scroll.setAttribute('role', 'region');
+  scroll.setAttribute('aria-label', caption);
+  return scroll;
+}
+
+function heat_legend() {
+  const words = ['none', '< 10 per million', '10 to 100', '100 to 1,000', '0.1 % to 1 %', '1 % to 10 %', '10 % and more'];
+  return el('p', 'legend', 'Share of the queries: ', ...words.map((text, i) => el('span', `heat-${i}`, text)));
+}
+
+function show_heat(data) {
+  const place = document.getElementById('heat-tables');
+  const shown = data.kernels.filter((entry) => entry.all !== null && entry.all.comparisons !== null);
+  const silent = data.kernels.filter((entry) => entry.all?.comparisons === null);
+  if (silent.length > 0) {
+    document.getElementById('heat').append(el('p', 'empty', `Not exposed by ${silent.map(entry_name).join('; ')}: ` +
+      'such a kernel shows only verdicts.'));
+  }
+  if (shown.length === 0) return;
+  let entry = shown[0];
+  let figure = heat_figures[0];
+  const show = () => place.replaceChildren(heat_table(data, entry, 'comparisons', figure), heat_legend(),
+                                           heat_table(data, entry, 'axes', figure));
+  document.getElementById('heat-controls').append(
+    choice('Kernel', shown.map(entry_name), (index) => { entry = shown[index]; show(); }),
+    toggle('Count', heat_figures.map(([label]) => label), (index) => { figure = heat_figures[index]; show(); }));
+  show();
+}

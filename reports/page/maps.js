@@ -1,0 +1,72 @@
+// Maps around witnesses, where `axiscert map` left them in the run's folder.
+
+// What another command wrote, as text whatever its shape.
+function plain(value) {
+  if (value === null || value === undefined) return '';
+  if (Array.isArray(value)) return value.map(plain).join(', ');
+  if (typeof value === 'object') return Object.entries(value).map(([key, some]) => `${key}: ${plain(some)}`).join('; ');
+  return typeof value === 'number' ? amount(value) : String(value);
+}
+
+// The classes of pixels that a picture has, with how many.
+function map_legend(legend, counts) {
+  const present = legend.filter((entry) => counts === null || counts[entry.class] > 0);
+  return el('ul', 'map-legend', ...present.map((entry) => {
+    const swatch = el('span', 'swatch');
+    // Only what is a colour in hexadecimal becomes a style.
+    if (/^#[0-9a-f]{6}$/i.test(plain(entry.colour))) swatch.style.background = entry.colour;
+    return el('li', '', swatch, ` ${plain(entry.meaning)}`,
+              counts === null ? null : el('span', 'zero', ` ${plain(counts[entry.class])}`));
+  }));
+}
+
+function side_words(side, kind) {
+  const step = side?.step ?? 1;
+  return `${plain(side?.numbers)}, ${kind === 'exponents' ? `a factor of 2${step === 1 ? '' : `^${step}`}` : step === 1 ? 'one ulp' : `${step} ulps`} a pixel`;
+}
+
+function picture_figure(legend, map, picture) {
+  const link = el('a', 'name', picture.file);
+  link.href = picture.file.split('/').map(encodeURIComponent).join('/');
+  const image = picture.image === null
+    ? el('p', 'empty', `Left out of this file for its size, ${count(picture.bytes)} bytes; it lies beside it.`) : el('img');
+  if (picture.image !== null) {
+    image.src = picture.image;
+    image.alt = `${plain(picture.name)} of ${plain(map.kernel)} around ${plain(map.witness?.id ?? map.name)}: ` +
+      legend.filter((entry) => picture.counts?.[entry.class] > 0)
+        .map((entry) => `${plain(picture.counts[entry.class])} pixels ${plain(entry.class)}`).join(', ');
+  }
+  return el('div', 'map-picture', image, el('div', '', el('p', '', el('strong', '', plain(picture.name)), ' ', link),
+                                            map_legend(legend, picture.counts)));
+}
+
+function map_figure(data, legend, map) {
+  const place = el('div');
+  // Where the kernel is wrong comes first; of those, the verdict.
+  const wrong = (picture) => (picture.counts?.false_separation ?? 0) + (picture.counts?.missed_separation ?? 0);
+  const pictures = [...map.pictures].sort((x, y) => (wrong(y) > 0) - (wrong(x) > 0));
+  const show = (index) => place.replaceChildren(picture_figure(legend, map, pictures[index]));
+  const id = map.witness?.id;
+  const figure = el('figure', 'map', el('figcaption', '', el('strong', '', plain(map.name)),
+    `: ${plain(map.kernel)}, ${plain(map.precision)}; to the right ${side_words(map.along, map.kind)}, upwards ${side_words(map.across, map.kind)}`,
+    id === undefined ? '' : '; around witness ', id === undefined ? '' : witness_link(data, id)));
+  if (pictures.length > 0) {
+    figure.append(el('div', 'controls', choice('Picture', pictures.map((picture) =>
+      `${plain(picture.name)}${wrong(picture) > 0 ? `: ${count(wrong(picture))} wrong` : ''}`), show)), place);
+    show(0);
+  }
+  if (map.command !== null) figure.append(command(plain(map.command)));
+  return figure;
+}
+
+function show_maps(data) {
+  const place = document.getElementById('maps-list');
+  const {maps} = data.attached;
+  if (maps !== null && maps.maps.length > 0) {
+    place.append(...maps.maps.map((map) => map_figure(data, maps.legend, map)));
+    return;
+  }
+  const worst = data.witnesses.cards[0];
+  place.append(not_run('No maps/index.json in this folder: the neighbourhood of a witness, an ulp a pixel.',
+                       `axiscert map ${worst ? `'${worst.address.replaceAll("'", "'\\''")}'` : 'ADDRESS'} --along p.x --across r --out DIR`));
+}
