@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/commands.h"
+#include "cli/terminal.h"
+#include "kernel/error.h"
+#include "kernel/kernel.h"
+#include "reports/comparison/show.h"
+#include "reports/run_folder.h"
+
+namespace axiscert {
+namespace {
+
+struct CompareOptions {
+  std::string before, after, format = "text", out;
+  bool no_replay = false, quiet = false;
+};
+
+void make_folder(const std::string& path) {
+  std::error_code failed;
+  std::filesystem::create_directories(path, failed);
+  if (failed) throw Error(fmt::format("--out {}: {}", path, failed.message()));
+}
+
+int compare(const CompareOptions& options) {
+  const Run before = read_run(options.before), after = read_run(options.after);
+  std::vector<Replayed> replayed;
+  if (!options.no_replay) replayed = replay_witnesses(before.record, resolve_target("auto"));
+  const RunComparison comparison = compare_records(before.record, after.record, std::move(replayed));
+  const ComparedRuns runs{before.record, after.record, options.before, options.after};
+  const InstrumentReport report = comparison_report(runs, comparison);
+  const std::string markdown = comparison_markdown(runs, comparison);
+  if (!options.out.empty()) {
+    make_folder(options.out);
+    write_files(options.out, {{"compare.json", report.data.dump(1) + "\n"},
+                              {"compare.md", markdown},
+                              {"compare.html", instrument_page(report)}});
+  }
+  const std::size_t alarms = comparison.alarms();
+  if (!options.quiet) {
+    if (options.format == "json") fmt::print("{}\n", report.data.dump(1));
+    else if (options.format == "markdown") fmt::print("{}", markdown);
+    else {
+      // The first line is the answer.
+      const std::string text = instrument_text(report);
+      const std::size_t end = text.find('\n') + 1;
+      fmt::print("{}{}", coloured(text.substr(0, end), alarms != 0 ? Colour::red : Colour::green), text.substr(end));
+    }
+  }
+  return alarms == 0 ? exit_done : exit_requirement_failed;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "compare",
+      "Hold two runs against each other: what is new, worse, better, fixed; exit 1 where anything is new or worse");
+  auto options = std::make_shared<CompareOptions>();
+  command->add_option("OLD", options->before, "the folder of the earlier run")->required();
+  command->add_option("NEW", options->after, "the folder of the later run")->required();
+  command->add_option("--format", options->format, "what is printed: text, json or markdown")
+      ->check(CLI::IsMember({"text", "json", "markdown"}))
+      ->capture_default_str();
+  command->add_option("--out", options->out, "folder for compare.md, compare.json and compare.html");
+  command->add_flag("--no-replay", options->no_replay, "do not ask the kernels here the witnesses of OLD again");
+  command->add_flag("--quiet", options->quiet, "print nothing but errors: the exit code is the answer");
+  command->callback([&action, options] { action = [options] { return compare(*options); }; });
+}
+
+}  // namespace axiscert

@@ -1,0 +1,129 @@
+#include "reports/comparison/cells.h"
+
+#include <algorithm>
+
+#include "fuzz/sha256.h"
+
+namespace axiscert {
+namespace {
+
+std::uint64_t number(const Json& count) { return count.get<std::uint64_t>(); }
+
+std::string short_hash(const std::string& text) { return sha256_hex(std::as_bytes(std::span(text))).substr(0, 16); }
+
+class Collector {
+ public:
+  explicit Collector(std::vector<Cell>& cells) : cells_(cells) {}
+
+  void add_family(const Json& kernel, const std::string& family, const Json& result) {
+    kernel_ = kernel["id"];
+    precision_ = kernel["precision"];
+    family_ = family;
+    const Json &verdict = result["verdict"], &outside = verdict["outside_limits"];
+    const std::uint64_t valid = number(result["trials"]) - number(result["truth"]["invalid"]);
+    const std::uint64_t within = valid - (outside.is_null() ? 0 : number(outside["trials"]));
+    const std::uint64_t bases = number(result["base_triangles"]);
+    for (const char* member : {"false_separation", "false_contact", "undecided", "invalid", "unanswered"}) {
+      add_count("verdict", member, verdict[member], within, bases);
+    }
+    for (const char* member : {"deepest_false_separation", "deepest_false_contact"}) {
+      add("verdict", member, Cell::Kind::maximum).figure = verdict[member];
+    }
+    if (result["comparisons"].is_null()) return;
+    for (const auto& [comparison, tally] : result["comparisons"].items()) {
+      for (const char* member : {"false_separation", "missed_separation"}) {
+        add_count(comparison, member, tally[member], valid, bases);
+      }
+      if (!tally["tolerance_failures"].is_null()) {
+        add_count(comparison, "tolerance_failures", tally["tolerance_failures"], valid, bases);
+      }
+      add(comparison, "max_error_u", Cell::Kind::maximum).figure = tally["max_error_u"];
+    }
+  }
+
+  void add_finding(const Json& finding) {
+    const auto text = [&](const char* member) {
+      return finding[member].is_null() ? "" : finding[member].get<std::string>();
+    };
+    kernel_ = text("kernel");
+    precision_ = text("precision");
+    family_ = text("family");
+    add("finding", text("kind"), Cell::Kind::finding).figure = finding["count"];
+  }
+
+ private:
+  Cell& add(const std::string& place, const std::string& member, Cell::Kind kind) {
+    return cells_.emplace_back(Cell{kernel_, precision_, family_, place, member, kind, 0, {}, 0});
+  }
+  void add_count(const std::string& place, const std::string& member, const Json& figure, std::uint64_t among,
+                 std::uint64_t bases) {
+    Cell& cell = add(place, member, Cell::Kind::count);
+    cell.figure = figure;
+    cell.of = {number(figure), std::max(among, number(figure))};
+    cell.independent = std::min(bases, cell.of.trials);
+  }
+
+  std::vector<Cell>& cells_;
+  std::string kernel_, precision_, family_;
+};
+
+}  // namespace
+
+std::vector<Cell> cells_of(const Json& record) {
+  std::vector<Cell> cells;
+  Collector collector(cells);
+  for (const Json& finding : record["findings"]) collector.add_finding(finding);
+  for (const Json& kernel : record["kernels"]) {
+    for (const auto& [family, result] : kernel["families"].items()) collector.add_family(kernel, family, result);
+  }
+  return cells;
+}
+
+std::string fingerprint(const Json& key) { return short_hash(key.dump()); }
+
+Json queries_of(const Json& plan, const std::string& family, const std::string& precision) {
+  // Of a run that was stopped by time or by hand, how many queries there were is no matter of its plan.
+  if (!plan["units_done"].is_null() || !plan["trials"].contains(family) ||
+      !plan["trials"][family].contains(precision)) {
+    return nullptr;
+  }
+  Json queries = {{"generator", plan["generators"][family]["version"]}, {"trials", plan["trials"][family][precision]}};
+  bool is_list = false;
+  for (const Json& file : plan["files"]) {
+    const std::string kind = file["kind"], name = file["name"];
+    const bool is_source = family == kind + "/" + name || (family == "corpus" && name == family && kind == "queries");
+    if (!is_source) continue;
+    queries["sha256"] = file["sha256"];
+    is_list |= kind == "queries";
+  }
+  if (!is_list) queries["seed"] = plan["seed"];  // a list of queries is the same with every seed
+  return queries;
+}
+
+std::string plan_fingerprint(const Json& plan) {
+  if (!plan["units_done"].is_null()) return "";
+  Json all = {{"tolerance", plan["tolerance"]}, {"families", Json::object()}};
+  for (const Json& name : plan["families"]) {
+    const std::string family = name;
+    for (const Json& precision : plan["precisions"]) {
+      all["families"][family][precision.get<std::string>()] = queries_of(plan, family, precision);
+    }
+  }
+  return short_hash(all.dump());
+}
+
+std::vector<const Json*> witnesses_of(const Json& record, const Cell& cell) {
+  std::vector<const Json*> found;
+  for (const Json& witness : record["witnesses"]) {
+    if (witness["kernel"] != cell.kernel || witness["precision"] != cell.precision || witness["family"] != cell.family)
+      continue;
+    const bool shows = std::any_of(witness["flips"].begin(), witness["flips"].end(), [&](const Json& flip) {
+      return flip["name"] == cell.place &&
+             (cell.member == "deepest_" + flip["kind"].get<std::string>() || flip["kind"] == cell.member);
+    });
+    if (shows) found.push_back(&witness);
+  }
+  return found;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,169 @@
+// Two records held against each other, on a stored one and on what is changed in it.
+#include "reports/comparison/compare.h"
+
+#include "reports/comparison/show.h"
+#include "reports/test_run.h"
+
+namespace axiscert {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Json& tangent(Json& record) { return record["kernels"][0]["families"]["tangent"]; }
+
+// The stored record, and the same as if drawn from another seed.
+Json other_seed() {
+  Json record = stored_record();
+  record["plan"]["seed"] = 2;
+  return record;
+}
+
+const ComparedCell& cell(const RunComparison& comparison, const std::string& name) {
+  for (const ComparedCell& cell : comparison.cells) {
+    if (cell.before.kernel == "published" && cell.before.family == "tangent" && cell.before.name() == name) return cell;
+  }
+  throw std::logic_error(name);
+}
+
+std::string markdown(const Json& before, const Json& after) {
+  return comparison_markdown({before, after, "old", "new"}, compare_records(before, after, {}));
+}
+
+TEST(Compare, ARunWithItselfDoesNotDiffer) {
+  const Json record = stored_record();
+  const RunComparison same = compare_records(record, record, {});
+  EXPECT_EQ(same.alarms(), 0u);
+  EXPECT_EQ(same.count(Change::unchanged), same.cells.size());
+  EXPECT_EQ(answer(same), "no change");
+  EXPECT_EQ(same.tested, 0u);
+  EXPECT_TRUE(same.not_compared.empty());
+  // With another seed the same counts are no evidence of anything, and maxima none at all.
+  EXPECT_EQ(answer(compare_records(record, other_seed(), {})), "no change");
+}
+
+TEST(Compare, OnTheSameQueriesOneIsADifference) {
+  const Json before = stored_record();
+  Json after = before;
+  Json& verdict = tangent(after)["verdict"];
+  verdict["false_separation"] = 41;
+  verdict["false_contact"] = 19;
+  verdict["deepest_false_contact"] = 0.5;
+  tangent(after)["comparisons"]["vertex_a.radius"]["false_separation"] = 0;
+  tangent(after)["comparisons"]["edge_bc.side_a"]["missed_separation"] = 1;
+  const RunComparison found = compare_records(before, after, {});
+  EXPECT_EQ(cell(found, "verdict.false_separation").change, Change::worse);
+  EXPECT_EQ(cell(found, "verdict.false_contact").change, Change::better);
+  EXPECT_EQ(cell(found, "verdict.deepest_false_contact").change, Change::worse);
+  EXPECT_EQ(cell(found, "vertex_a.radius.false_separation").change, Change::fixed);
+  EXPECT_EQ(cell(found, "edge_bc.side_a.missed_separation").change, Change::fresh);
+  EXPECT_EQ(found.alarms(), 3u);
+  EXPECT_FALSE(cell(found, "verdict.false_separation").witnesses.empty());
+  EXPECT_EQ(answer(found), "worse: 1 new, 2 worse, 1 better, 1 fixed");
+}
+
+TEST(Compare, OnOtherQueriesOnlyWhatChanceDoesNotExplain) {
+  const Json before = stored_record();
+  Json after = other_seed();
+  Json& verdict = tangent(after)["verdict"];
+  verdict["false_separation"] = 55;            // of 995, where 40 were: chance
+  verdict["deepest_false_separation"] = 0.99;  // a maximum
+  tangent(after)["comparisons"]["plane.radius"]["max_error_u"] = 1e9;
+  EXPECT_EQ(compare_records(before, after, {}).alarms(), 0u);
+  verdict["false_separation"] = 140;
+  const RunComparison found = compare_records(before, after, {});
+  EXPECT_EQ(cell(found, "verdict.false_separation").change, Change::worse);
+  EXPECT_EQ(found.alarms(), 1u);
+  EXPECT_LT(*cell(found, "verdict.false_separation").p_corrected, family_wise_error);
+  EXPECT_GT(found.tested, 50u);
+}
+
+// 3000 queries of a mesh of 12 triangles are 12 draws: a third of them wrong is no certain change.
+TEST(Compare, QueriesThatShareATriangleAreOne) {
+  const Json before = stored_record();
+  Json after = other_seed();
+  Json& mesh = after["kernels"][0]["families"]["mesh/a|b.obj"];
+  mesh["verdict"]["false_separation"] = 1000;
+  EXPECT_EQ(compare_records(before, after, {}).alarms(), 0u);
+  mesh["base_triangles"] = 3000;
+  Json with_bases = before;
+  with_bases["kernels"][0]["families"]["mesh/a|b.obj"]["base_triangles"] = 3000;
+  EXPECT_EQ(compare_records(with_bases, after, {}).alarms(), 1u);
+}
+
+TEST(Compare, WhatOnlyOneHasIsNotCompared) {
+  const Json before = stored_record();
+  Json after = before;
+  after["kernels"].erase(1);
+  after["kernels"][0]["families"].erase("lattice");
+  tangent(after)["comparisons"] = nullptr;
+  after["plan"]["tolerance"]["plane.radius"] = "3";
+  const RunComparison found = compare_records(before, after, {});
+  std::vector<std::string> whats;
+  for (const NotCompared& absent : found.not_compared) whats.push_back(absent.what);
+  EXPECT_THAT(whats, testing::Contains("published binary32 on lattice"));
+  EXPECT_THAT(whats, testing::Contains("published binary32 on tangent: comparisons"));
+  EXPECT_THAT(whats, testing::Contains("published binary32 on mesh/a|b.obj: plane.radius.tolerance_failures"));
+  EXPECT_THAT(markdown(before, after), HasSubstr("NOT COMPARED"));
+}
+
+TEST(Compare, AFindingIsNewWhateverTheSeed) {
+  const Json before = stored_record();
+  Json after = other_seed();
+  after["findings"].push_back({{"kernel", "published"},
+                               {"precision", "binary32"},
+                               {"family", "tangent"},
+                               {"kind", "crash"},
+                               {"count", 1},
+                               {"detail", "signal 11"}});
+  EXPECT_EQ(answer(compare_records(before, after, {})), "worse: 1 new");
+  EXPECT_EQ(answer(compare_records(after, before, {})), "better: 1 fixed");
+}
+
+TEST(Compare, ARunThatTimeCutIsOfOtherQueries) {
+  const Json before = stored_record();
+  Json after = before;
+  after["plan"]["units_done"] = Json::object();
+  EXPECT_FALSE(cell(compare_records(before, after, {}), "verdict.false_separation").same_queries);
+  EXPECT_TRUE(cell(compare_records(before, before, {}), "verdict.false_separation").same_queries);
+}
+
+TEST(Compare, AKnownWitnessThatIsWrongNowIsAnAlarm) {
+  const Json record = stored_record();
+  const RunComparison found = compare_records(
+      record, record, {{"w1", "published", "binary32", "tangent", ReplayOutcome::wrong_now, "verdict false_contact"}});
+  EXPECT_EQ(found.alarms(), 1u);
+  EXPECT_EQ(answer(found), "worse: 1 known witnesses wrong now");
+}
+
+TEST(Compare, NamesAreTextInMarkdownAndOnThePage) {
+  std::string text = stored_record().dump();
+  for (std::size_t at; (at = text.find("a|b.obj")) != text.npos;) text.replace(at, 7, "</script><script>alert(1)");
+  const Json before = Json::parse(text);
+  Json after = before;
+  for (Json& family : after["kernels"][1]["families"]) family["verdict"]["false_separation"] = 900;
+  after["kernels"][0]["families"].erase("mesh/</script><script>alert(1)");
+  EXPECT_THAT(markdown(before, after), HasSubstr("mesh/&lt;/script>"));
+  const std::string page =
+      instrument_page(comparison_report({before, after, "old", "<b>new</b>"}, compare_records(before, after, {})));
+  EXPECT_THAT(page, HasSubstr("&lt;/script&gt;&lt;script&gt;alert(1)"));
+  EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
+  EXPECT_THAT(page, Not(HasSubstr("<b>new")));
+}
+
+TEST(Compare, MarkdownStaysUnderAMebibyte) {
+  Json before = stored_record();
+  for (int i = 0; i < 300; ++i) {
+    const std::string name = "family-" + std::string(300, 'x') + std::to_string(i);
+    before["kernels"][0]["families"][name] = tangent(before);
+    before["plan"]["families"].push_back(name);
+  }
+  Json after = before;
+  for (Json& family : after["kernels"][0]["families"]) family["verdict"]["false_separation"] = 300;
+  const std::string text = markdown(before, after);
+  EXPECT_LT(text.size(), std::size_t{1} << 20);
+  EXPECT_THAT(text, HasSubstr("left out here"));
+}
+
+}  // namespace
+}  // namespace axiscert

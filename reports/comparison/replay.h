@@ -1,0 +1,33 @@
+// Known witnesses, asked again: of the kernels of this build, by all oracles.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/json.h"
+
+namespace axiscert {
+
+enum class ReplayOutcome {
+  as_before,    // the same flips, with the same broken links
+  mended,       // flips before, none now
+  changed,      // other flips than before
+  wrong_now,    // the verdict was right, and is wrong now
+  not_replayed  // no such kernel here, or its answers came through a pipe
+};
+inline constexpr std::array<std::string_view, 5> replay_names = {"as before", "mended", "changed", "wrong now",
+                                                                 "not replayed"};
+
+struct Replayed {
+  std::string id, kernel, precision, family;
+  ReplayOutcome outcome;
+  std::string note;  // why it was not replayed; or the flips now
+  bool is_alarm() const { return outcome == ReplayOutcome::wrong_now; }
+};
+
+// Every witness of the record, in its order. Throws OracleDisagreement.
+std::vector<Replayed> replay_witnesses(const Json& record, std::string_view target);
+
+}  // namespace axiscert

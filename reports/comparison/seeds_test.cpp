@@ -1,0 +1,101 @@
+// Runs that differ in chance alone, and runs that do not: how often compare says that one is worse.
+#include <gtest/gtest.h>
+
+#include "kernel/kernel.h"
+#include "reports/comparison/compare.h"
+#include "reports/record.h"
+
+namespace axiscert {
+namespace {
+
+struct Sample {
+  std::vector<std::string> families;
+  std::uint64_t trials;
+  std::vector<Precision> precisions;
+};
+
+Json run(const Sample& sample, const std::string& kernel, std::uint64_t seed) {
+  Plan plan;
+  plan.seed = seed;
+  plan.kernels = {&find_kernel(kernel)};
+  plan.precisions = sample.precisions;
+  for (const std::string& name : sample.families) plan.sources.push_back(family_source(find_family(name)));
+  plan.trials = [&](const Source&, Precision) { return sample.trials; };
+  plan.target = std::string(scalar_target);
+  plan.threads = 2;
+  const std::atomic<bool> never = false;
+  return record_of(plan, run_campaign(plan, never, [](const Progress&) {}), "");
+}
+
+// The kernel of a record under the name of another, as a new version of it would be.
+Json renamed(Json record, const std::string& id) {
+  record["plan"]["kernels"][0] = id;
+  for (const char* list : {"kernels", "witnesses"}) {
+    for (Json& entry : record[list]) entry[std::string_view(list) == "kernels" ? "id" : "kernel"] = id;
+  }
+  return record;
+}
+
+// Pairs of seeds 2i + 1 and 2i + 2 with an alarm.
+int alarms(const Sample& sample, std::uint64_t pairs) {
+  int found = 0;
+  for (std::uint64_t i = 0; i < pairs; ++i) {
+    const Json before = run(sample, "published", 2 * i + 1), after = run(sample, "published", 2 * i + 2);
+    const RunComparison comparison = compare_records(before, after, {});
+    EXPECT_GT(comparison.tested, 0u);
+    if (comparison.alarms() == 0) continue;
+    ++found;
+    std::printf("seeds %d and %d: %d alarms\n", static_cast<int>(2 * i + 1), static_cast<int>(2 * i + 2),
+                static_cast<int>(comparison.alarms()));
+  }
+  return found;
+}
+
+// At most 5 % of 20 are 1.
+TEST(CompareSeeds, TwentyPairsOfSeedsGiveAtMostOneAlarm) {
+  EXPECT_LE(alarms({{"sliver", "repeated"}, 96, {Precision::binary32}}, 20), 1);
+}
+
+// The same test has to see what is there: sides that are strict invent contacts.
+TEST(CompareSeeds, AnotherKernelIsSeenAcrossSeeds) {
+  const Sample sample{{"repeated"}, 512, {Precision::binary32}};
+  const Json before = run(sample, "nonstrict", 1), after = renamed(run(sample, "published", 2), "nonstrict");
+  const RunComparison worse = compare_records(before, after, {}), better = compare_records(after, before, {});
+  const auto phantoms = [](const RunComparison& comparison) {
+    for (const ComparedCell& cell : comparison.cells) {
+      if (cell.before.name() == "verdict.false_contact") return cell.change;
+    }
+    return Change::unchanged;
+  };
+  EXPECT_EQ(phantoms(worse), Change::worse);
+  EXPECT_EQ(phantoms(better), Change::better);
+}
+
+TEST(CompareSeeds, KnownWitnessesOfTheSameKernelDoAsBefore) {
+  const Json record = run({{"tangent", "repeated"}, 256, {Precision::binary32, Precision::binary64}}, "published", 1);
+  const std::vector<Replayed> replayed = replay_witnesses(record, scalar_target);
+  ASSERT_GT(replayed.size(), 20u);
+  for (const Replayed& r : replayed) EXPECT_EQ(r.outcome, ReplayOutcome::as_before) << r.id << ": " << r.note;
+}
+
+TEST(CompareSeeds, KnownWitnessesOfAnotherKernelDoNot) {
+  const Sample sample{{"repeated"}, 512, {Precision::binary32}};
+  const auto count = [](const std::vector<Replayed>& all, ReplayOutcome outcome) {
+    return std::count_if(all.begin(), all.end(), [&](const Replayed& r) { return r.outcome == outcome; });
+  };
+  // As if published had become nonstrict: phantom contacts are mended.
+  const auto mended = replay_witnesses(renamed(run(sample, "published", 1), "nonstrict"), scalar_target);
+  EXPECT_GT(count(mended, ReplayOutcome::mended), 0);
+  const auto absent = replay_witnesses(renamed(run(sample, "published", 1), "plugin:/nosuch.so"), scalar_target);
+  EXPECT_EQ(count(absent, ReplayOutcome::not_replayed), static_cast<std::ptrdiff_t>(absent.size()));
+  EXPECT_NE(absent.at(0).note, "");
+}
+
+TEST(CompareSeedsLong, AHundredPairsOfSeedsGiveAtMostFiveAlarms) {
+  Sample sample{{}, 512, {Precision::binary32}};
+  for (const Family* family : families()) sample.families.emplace_back(family->name);
+  EXPECT_LE(alarms(sample, 100), 5);
+}
+
+}  // namespace
+}  // namespace axiscert

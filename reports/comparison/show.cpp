@@ -1,0 +1,251 @@
+#include "reports/comparison/show.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "reports/markdown_text.h"
+#include "reports/reproduce.h"
+#include "reports/summary.h"
+
+namespace axiscert {
+namespace {
+
+using Row = std::vector<std::string>;
+
+// "12 of 65,536: 110 to 320 per million"; a maximum or a count of findings as it is.
+std::string figure_text(const Cell& cell) {
+  if (cell.kind == Cell::Kind::finding) return thousands(cell.count());
+  if (cell.kind == Cell::Kind::maximum) return error_amount(cell.figure);
+  const std::uint64_t n = cell.independent, all = cell.of.trials;
+  // Limits by independent queries: a count shrinks with them.
+  const double share = all == 0 ? 0 : static_cast<double>(n) / static_cast<double>(all);
+  const auto scaled = [&](bool up) {
+    const double k = static_cast<double>(cell.of.failures) * share;
+    return Proportion{std::min(n, static_cast<std::uint64_t>(up ? std::ceil(k) : std::floor(k))), n};
+  };
+  const double low = rate_limits(scaled(false)).first, high = rate_limits(scaled(true)).second;
+  return fmt::format("{} of {}: {} to {}", thousands(cell.of.failures), thousands(all), amount(1e6 * low, 3),
+                     amount(1e6 * high, 3));
+}
+
+std::string probability(const ComparedCell& cell) {
+  if (cell.p_corrected) return fmt::format("{:.2g}", *cell.p_corrected);
+  return cell.same_queries ? "same queries" : "";
+}
+
+InstrumentTable cells_table(const std::string& caption, const RunComparison& comparison, bool alarms) {
+  InstrumentTable table{caption,
+                        {"change", "kernel", "precision", "family", "cell", "OLD (95 % limits per million)",
+                         "NEW (95 % limits per million)", "by chance, at most"},
+                        {}};
+  for (const ComparedCell& cell : comparison.cells) {
+    if (cell.change == Change::unchanged || cell.is_alarm() != alarms) continue;
+    table.rows.push_back({std::string(name(cell.change)), cell.before.kernel, cell.before.precision, cell.before.family,
+                          cell.before.name(), figure_text(cell.before), figure_text(cell.after), probability(cell)});
+  }
+  return table;
+}
+
+InstrumentTable kernels_table(const RunComparison& comparison) {
+  InstrumentTable table{
+      "By kernel", {"kernel", "precision", "new", "worse", "better", "fixed", "unchanged", "wrong nowhere"}, {}};
+  std::vector<std::pair<std::pair<std::string, std::string>, std::array<std::uint64_t, change_names.size() + 1>>> rows;
+  for (const ComparedCell& cell : comparison.cells) {
+    const std::pair key(cell.before.kernel, cell.before.precision);
+    auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.first == key; });
+    if (row == rows.end()) row = rows.insert(rows.end(), {key, {}});
+    const bool is_nowhere = cell.before.is_zero() && cell.after.is_zero();
+    ++row->second[is_nowhere ? change_names.size() : static_cast<std::size_t>(cell.change)];
+  }
+  for (const auto& [key, counts] : rows) {
+    Row row = {key.first, key.second};
+    for (const std::uint64_t n : counts) row.push_back(thousands(n));
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+// What was said of OLD's witnesses, what is wrong now first; those that do as they did are only counted.
+InstrumentTable replay_table(const RunComparison& comparison) {
+  InstrumentTable table{
+      "Witnesses of OLD, asked again of the kernels here", {"witness", "kernel", "precision", "family", "now", ""}, {}};
+  for (const bool alarms : {true, false}) {
+    for (const Replayed& r : comparison.replayed) {
+      if (r.outcome == ReplayOutcome::as_before || r.is_alarm() != alarms) continue;
+      table.rows.push_back({r.id, r.kernel, r.precision, r.family,
+                            std::string(replay_names[static_cast<std::size_t>(r.outcome)]), r.note});
+    }
+  }
+  return table;
+}
+
+InstrumentTable absent_table(const RunComparison& comparison) {
+  InstrumentTable table{"NOT COMPARED", {"what", "why"}, {}};
+  for (const NotCompared& absent : comparison.not_compared) table.rows.push_back({absent.what, absent.why});
+  return table;
+}
+
+// The witnesses of NEW that show an alarm, each once, in the cells' order.
+std::vector<const Json*> new_witnesses(const ComparedRuns& runs, const RunComparison& comparison) {
+  std::vector<const Json*> found;
+  for (const ComparedCell& cell : comparison.cells) {
+    for (const std::string& id : cell.witnesses) {
+      for (const Json& witness : runs.after["witnesses"]) {
+        if (witness["id"] == id && std::find(found.begin(), found.end(), &witness) == found.end())
+          found.push_back(&witness);
+      }
+    }
+  }
+  return found;
+}
+
+InstrumentTable witness_table(const ComparedRuns& runs, const RunComparison& comparison) {
+  InstrumentTable table{
+      "Witnesses of NEW that show it", {"witness", "kernel", "exact", "computed", "shown again by"}, {}};
+  for (const Json* w : new_witnesses(runs, comparison)) {
+    table.rows.push_back(
+        {(*w)["id"], (*w)["kernel"], (*w)["truth"], (*w)["computed"], replay_command(*w, runs.after["plan"])});
+  }
+  return table;
+}
+
+std::string run_text(const char* which, const std::string& folder, const Json& record) {
+  const Json& plan = record["plan"];
+  return fmt::format("{}: {}, axiscert {}, seed {}{}", which, folder, plan["axiscert"].get<std::string>(),
+                     plan["seed"].dump(), record["complete"].get<bool>() ? "" : ", INTERRUPTED");
+}
+
+std::vector<std::string> notes(const ComparedRuns& runs, const RunComparison& comparison) {
+  std::size_t same = 0;
+  for (const ComparedCell& cell : comparison.cells) same += cell.same_queries;
+  std::vector<std::string> notes = {run_text("OLD", runs.before_name, runs.before),
+                                    run_text("NEW", runs.after_name, runs.after)};
+  if (!comparison.replayed.empty()) {
+    std::map<ReplayOutcome, std::size_t> by_outcome;
+    for (const Replayed& r : comparison.replayed) ++by_outcome[r.outcome];
+    std::vector<std::string> parts;
+    for (const auto& [outcome, n] : by_outcome) {
+      parts.push_back(fmt::format("{} {}", thousands(n), replay_names[static_cast<std::size_t>(outcome)]));
+    }
+    notes.push_back(fmt::format("Witnesses of OLD, asked again here: {}.", fmt::join(parts, ", ")));
+  }
+  notes.push_back(fmt::format(
+      "{} cells. {} were counted over the same queries: any difference is one. {} were counted over different ones: "
+      "Fisher's exact test, two-sided, queries that share a triangle counted as one, and Holm's correction over these "
+      "cells; two runs that differ in chance alone give an alarm in at most {:.0f} % of cases. Maxima are compared on "
+      "the "
+      "same queries only. Limits are Clopper and Pearson's, each alone, for this generator only.",
+      thousands(comparison.cells.size()), thousands(same), thousands(comparison.tested), 100 * family_wise_error));
+  return notes;
+}
+
+}  // namespace
+
+std::string answer(const RunComparison& comparison) {
+  std::vector<std::string> parts;
+  for (const Change change : {Change::fresh, Change::worse, Change::better, Change::fixed}) {
+    if (const std::size_t n = comparison.count(change))
+      parts.push_back(fmt::format("{} {}", thousands(n), name(change)));
+  }
+  const auto wrong = static_cast<std::size_t>(std::count_if(comparison.replayed.begin(), comparison.replayed.end(),
+                                                            [](const Replayed& r) { return r.is_alarm(); }));
+  if (wrong != 0) parts.push_back(fmt::format("{} known witnesses wrong now", thousands(wrong)));
+  if (parts.empty()) return "no change";
+  return fmt::format("{}: {}", comparison.alarms() != 0 ? "worse" : "better", fmt::join(parts, ", "));
+}
+
+InstrumentReport comparison_report(const ComparedRuns& runs, const RunComparison& comparison) {
+  InstrumentReport report;
+  report.name = "compare";
+  report.title = "axiscert compare: " + answer(comparison);
+  report.command = compare_command(runs.before_name, runs.after_name);
+  report.notes = notes(runs, comparison);
+  for (InstrumentTable& table : std::vector<InstrumentTable>{
+           cells_table("New and worse", comparison, true), replay_table(comparison), witness_table(runs, comparison),
+           cells_table("Better and fixed", comparison, false), kernels_table(comparison), absent_table(comparison)}) {
+    if (!table.rows.empty()) report.tables.push_back(std::move(table));
+  }
+  report.data = comparison_json(runs, comparison);
+  return report;
+}
+
+std::string comparison_markdown(const ComparedRuns& runs, const RunComparison& comparison) {
+  const InstrumentReport report = comparison_report(runs, comparison);
+  std::string text = fmt::format("# {}\n", plain(report.title));
+  for (const std::string& note : report.notes) text += fmt::format("\n{}\n", plain(note, 4000));
+  for (const InstrumentTable& table : report.tables) {
+    Section section(table.caption);
+    section.head(table.columns, table.columns.size());
+    for (const Row& row : table.rows) {
+      Row cells;
+      for (const std::string& cell : row) cells.push_back(plain(cell, 400));
+      section.row(cells);
+    }
+    text += section.text();
+  }
+  return text + "\n## How to reproduce\n\n" + code_block(report.command);
+}
+
+Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison) {
+  const auto run = [](const std::string& folder, const Json& record) {
+    return Json{{"folder", folder},
+                {"axiscert", record["plan"]["axiscert"]},
+                {"seed", record["plan"]["seed"]},
+                {"complete", record["complete"]}};
+  };
+  Json json = {{"schema", "axiscert-comparison/1"},
+               {"old", run(runs.before_name, runs.before)},
+               {"new", run(runs.after_name, runs.after)},
+               {"answer", answer(comparison)},
+               {"alarms", comparison.alarms()},
+               {"family_wise_error", family_wise_error},
+               {"tested", comparison.tested}};
+  for (std::size_t i = 0; i < change_names.size(); ++i) {
+    json["counts"][std::string(change_names[i])] = comparison.count(static_cast<Change>(i));
+  }
+  Json& cells = json["cells"] = Json::array();
+  std::size_t nowhere = 0;
+  const auto optional = [](const std::optional<double>& p) { return p ? Json(*p) : Json(nullptr); };
+  for (const ComparedCell& cell : comparison.cells) {
+    if (cell.before.is_zero() && cell.after.is_zero()) {
+      ++nowhere;
+      continue;
+    }
+    cells.push_back({{"fingerprint", fingerprint(cell.before.key())},
+                     {"kernel", cell.before.kernel},
+                     {"precision", cell.before.precision},
+                     {"family", cell.before.family},
+                     {"place", cell.before.place},
+                     {"figure", cell.before.member},
+                     {"change", name(cell.change)},
+                     {"old", cell.before.figure},
+                     {"new", cell.after.figure},
+                     {"old_queries", cell.before.of.trials},
+                     {"new_queries", cell.after.of.trials},
+                     {"same_queries", cell.same_queries},
+                     {"p", optional(cell.p)},
+                     {"p_corrected", optional(cell.p_corrected)},
+                     {"witnesses", cell.witnesses}});
+  }
+  json["wrong_nowhere"] = nowhere;
+  Json& replayed = json["replayed"] = Json::array();
+  for (const Replayed& r : comparison.replayed) {
+    replayed.push_back({{"id", r.id},
+                        {"kernel", r.kernel},
+                        {"precision", r.precision},
+                        {"family", r.family},
+                        {"outcome", replay_names[static_cast<std::size_t>(r.outcome)]},
+                        {"note", r.note}});
+  }
+  Json& absent = json["not_compared"] = Json::array();
+  for (const NotCompared& n : comparison.not_compared) absent.push_back({{"what", n.what}, {"why", n.why}});
+  Json& witnesses = json["new_witnesses"] = Json::array();
+  for (const Json* witness : new_witnesses(runs, comparison)) witnesses.push_back(*witness);
+  return json;
+}
+
+}  // namespace axiscert

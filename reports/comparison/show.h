@@ -1,0 +1,28 @@
+// A comparison as people and programs read it.
+#pragma once
+
+#include <string>
+
+#include "reports/comparison/compare.h"
+#include "reports/instrument/instrument.h"
+
+namespace axiscert {
+
+// The two records and what they are called in a report: folders as they were given.
+struct ComparedRuns {
+  const Json& before;
+  const Json& after;
+  std::string before_name, after_name;
+};
+
+// "worse: 3 alarms (1 new, 2 worse)", "no change", "better: ...".
+std::string answer(const RunComparison& comparison);
+
+// For the terminal (instrument_text) and for a page (instrument_page).
+InstrumentReport comparison_report(const ComparedRuns& runs, const RunComparison& comparison);
+// For a pull request: at most 1 MiB, and it says what it left out.
+std::string comparison_markdown(const ComparedRuns& runs, const RunComparison& comparison);
+// Conforms to comparison.schema.json. Cells that are zero in both are counted, not listed.
+Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison);
+
+}  // namespace axiscert
