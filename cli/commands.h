@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <exception>
 #include <functional>
 #include <string>
 
@@ -20,7 +21,11 @@ enum ExitCode {
 using Action = std::function<int()>;
 
 void add_run(CLI::App& app, Action& action);
+void add_plan(CLI::App& app, Action& action);
+void add_merge(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
+void add_shrink(CLI::App& app, Action& action);
+void add_corpus(CLI::App& app, Action& action);
 void add_query(CLI::App& app, Action& action);
 void add_kernels(CLI::App& app, Action& action);
 void add_families(CLI::App& app, Action& action);
@@ -30,9 +35,17 @@ void add_precision(CLI::App& app, Action& action);
 void add_condition(CLI::App& app, Action& action);
 void add_critical_radius(CLI::App& app, Action& action);
 void add_league(CLI::App& app, Action& action);
+void add_map(CLI::App& app, Action& action);
 void add_search(CLI::App& app, Action& action);
+void add_prove(CLI::App& app, Action& action);
+void add_mutate(CLI::App& app, Action& action);
 void add_generate(CLI::App& app, Action& action);
 void add_judge(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
+void add_man(CLI::App& app, Action& action);
+
+// Says on standard error what an action threw, and returns its ExitCode.
+int tell(const std::exception_ptr& thrown);
 
 // The `--format` option of the commands that also write for programs.
 CLI::Option* add_format(CLI::App& command, std::string& format, const std::string& machine_format);

@@ -4,17 +4,54 @@
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
+#include <optional>
 
 #include "cli/commands.h"
 #include "cli/run_output.h"
+#include "cli/shrunk.h"
+#include "cli/terminal.h"
 #include "fuzz/campaign.h"
 #include "kernel/error.h"
 #include "kernel/self_check.h"
+#include "reports/comparison/ratchet.h"
 #include "reports/render.h"
 #include "reports/requirement.h"
 
 namespace axiscert {
+namespace {
+
+// Says what is worse and what is better; writes what would be accepted. Whether the ratchet holds.
+bool holds(const Ratchet& ratchet, const Json& record, const RunFolder& folder, bool quiet) {
+  const std::string today = iso_time(std::chrono::system_clock::now()).substr(0, 10);
+  const RatchetOutcome outcome = hold_against(ratchet, record, today);
+  folder.write_text("ratchet.txt", outcome.accepted);
+  for (const std::string& better : outcome.better) {
+    if (!quiet) fmt::print("{}\n", coloured("better: " + better, Colour::green));
+  }
+  for (const std::string& failure : outcome.failures) fmt::print(stderr, "axiscert: --ratchet: {}\n", failure);
+  return outcome.failures.empty();
+}
+
+}  // namespace
+
+std::optional<Ratchet> ratchet_of(const OutputOptions& output) {
+  if (output.ratchet.empty()) return std::nullopt;
+  Ratchet ratchet = read_ratchet(output.ratchet);
+  std::error_code none;
+  if (std::filesystem::equivalent(output.ratchet, std::filesystem::path(output.out) / "ratchet.txt", none)) {
+    throw Error(fmt::format("--ratchet {}: the run would write over it; keep the reviewed file outside of --out {}",
+                            output.ratchet, output.out));
+  }
+  return ratchet;
+}
+
+HarnessFault saved(const RunFolder& folder, const OracleDisagreement& disagreement) {
+  return HarnessFault(fmt::format("{}; the query is saved in {}", disagreement.what(), folder.save(disagreement)));
+}
+
 int judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked) {
+  const std::optional<Ratchet> ratchet = ratchet_of(output);
   const RunFolder folder(output.out);
   require_uncontracted(scalar_target);
   require_uncontracted(plan.target);
@@ -23,28 +60,43 @@ int judged_run(const Plan& plan, const OutputOptions& output, const std::string&
   const auto started = std::chrono::system_clock::now();
   CampaignResult result;
   try {
-    ProgressLine progress;
+    ProgressLine progress(output.quiet);
     result = run_campaign(plan, interrupted, [&](const Progress& p) { progress.show(p); });
   } catch (const OracleDisagreement& disagreement) {
-    throw HarnessFault(fmt::format("{}; the query is saved in {}", disagreement.what(), folder.save(disagreement)));
+    throw saved(folder, disagreement);
   }
   if (plan.planted != FilterFault::none) {
     throw HarnessFault(fmt::format("--plant {}: the cross-checks did not find it in this run",
                                    filter_fault_names[static_cast<std::size_t>(plan.planted)]));
   }
+  return put_result(folder, plan, result, output, ratchet, target_asked, started);
+}
+
+int put_result(const RunFolder& folder, const Plan& plan, const CampaignResult& result, const OutputOptions& output,
+               const std::optional<Ratchet>& ratchet, const std::string& target_asked,
+               std::chrono::system_clock::time_point started, const Json& scale) {
   const double seconds = std::chrono::duration<double>(std::chrono::system_clock::now() - started).count();
   const Json record = record_of(plan, result, output.require);
   folder.write("record.json", record);
-  folder.write("run.json", run_info(plan, result, target_asked, iso_time(started), seconds));
+  Json info = run_info(plan, result, target_asked, iso_time(started), seconds);
+  if (!scale.is_null()) info["scale"] = scale;
+  folder.write("run.json", info);
   render_reports(output.out);
+  if (output.shrink != 0 && result.complete) {
+    folder.write_text("witnesses-shrunk.jsonl", shrunk_witnesses(record, plan.target, output.shrink));
+  }
 
-  fmt::print("{}{}/report.html\n", summary_text(record, seconds), output.out);
+  if (!output.quiet) fmt::print("{}{}/report.html\n", summary_text(record, seconds), output.out);
   if (!result.complete) return exit_interrupted;
-  if (output.require.empty()) return exit_done;
-  const auto failures = unmet(record, output.require);
-  for (const auto& failure : failures)
-    fmt::print(stderr, "axiscert: --require {}: {}\n", output.require, failure.text());
-  return failures.empty() ? exit_done : exit_requirement_failed;
+  bool is_met = true;
+  if (!output.require.empty()) {
+    for (const auto& failure : unmet(record, output.require)) {
+      fmt::print(stderr, "axiscert: --require {}: {}\n", output.require, failure.text());
+      is_met = false;
+    }
+  }
+  if (ratchet && !holds(*ratchet, record, folder, output.quiet)) is_met = false;
+  return is_met ? exit_done : exit_requirement_failed;
 }
 
 }  // namespace axiscert

@@ -17,6 +17,21 @@ CLI::Option* add_format(CLI::App& command, std::string& format, const std::strin
       ->capture_default_str();
 }
 
+int tell(const std::exception_ptr& thrown) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const HarnessFault& fault) {
+    fmt::print(stderr, "axiscert: {}\n", fault.what());
+    return exit_harness_fault;
+  } catch (const Error& error) {
+    fmt::print(stderr, "axiscert: {}\n", error.what());
+    return exit_bad_input;
+  } catch (const std::exception& unexpected) {
+    fmt::print(stderr, "axiscert: unexpected: {}\n", unexpected.what());
+    return exit_harness_fault;
+  }
+}
+
 void add_plugin_seconds(CLI::App& command) {
   command
       .add_option("--plugin-seconds", plugin::batch_seconds,
@@ -42,23 +57,19 @@ int main(int argc, char** argv) {
       "Exit codes: 0 done; 1 a requirement failed; 2 bad usage or input, or a target this machine lacks;\n"
       "3 the oracles disagree, or the harness caught itself wrong; 130 interrupted.");
   Action action;
-  for (const auto add :
-       {add_run, add_check, add_query, add_kernels, add_families, add_report, add_ladder, add_precision, add_condition,
-        add_critical_radius, add_league, add_search, add_generate, add_judge})
+  for (const auto add : {
+           add_run,       add_plan,      add_merge,           add_check,  add_shrink,  add_corpus,
+           add_query,     add_kernels,   add_families,        add_report, add_compare, add_ladder,
+           add_precision, add_condition, add_critical_radius, add_league, add_search,  add_map,
+           add_mutate,    add_prove,     add_generate,        add_judge,  add_man,
+       })
     add(app, action);
   try {
     app.parse(argc, argv);
     return action();
   } catch (const CLI::ParseError& usage) {
     return app.exit(usage) == 0 ? exit_done : exit_bad_input;
-  } catch (const HarnessFault& fault) {
-    fmt::print(stderr, "axiscert: {}\n", fault.what());
-    return exit_harness_fault;
-  } catch (const Error& error) {
-    fmt::print(stderr, "axiscert: {}\n", error.what());
-    return exit_bad_input;
-  } catch (const std::exception& unexpected) {
-    fmt::print(stderr, "axiscert: unexpected: {}\n", unexpected.what());
-    return exit_harness_fault;
+  } catch (...) {
+    return tell(std::current_exception());
   }
 }

@@ -34,7 +34,7 @@ def comparable(record):
     witnesses = []
     for witness in record["witnesses"]:
         witness["shows"] = [what for what in witness["shows"] if not what.startswith("largest error of")]
-        del witness["id"], witness["kernel"]
+        del witness["id"], witness["kernel"], witness["sides"]
         if witness["shows"]:
             witnesses.append(witness)
     record["witnesses"] = witnesses

@@ -7,7 +7,9 @@
 #include <thread>
 
 #include "cli/commands.h"
+#include "cli/preset.h"
 #include "fuzz/address.h"
+#include "fuzz/corpus.h"
 #include "fuzz/file_bytes.h"
 #include "fuzz/sha256.h"
 #include "kernel/error.h"
@@ -115,27 +117,50 @@ void add_thread_option(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "worker threads (default: all cores)")->check(CLI::Range(1, 4096));
 }
 
+void add_require_option(CLI::App& command, std::string& require) {
+  command.add_option("--require", require, "logic, range, exact or conservative[=D]: exit 1 where it is not met");
+}
+
 void add_output_options(CLI::App& command, OutputOptions& o) {
   add_thread_option(command, o.threads);
-  command.add_option("--require", o.require, "logic, range, exact or conservative[=D]: exit 1 where it is not met");
+  add_require_option(command, o.require);
+  command.add_option("--ratchet", o.ratchet,
+                     "file of what is accepted, a line a cell: exit 1 where anything is worse or a waiver has expired");
   command.add_option("--out", o.out, "folder for record, reports and witnesses")->capture_default_str();
+  command.add_flag("--quiet", o.quiet, "print nothing but errors and what fails");
+}
+
+CLI::Option* add_plan_options(CLI::App& command, RunOptions& o) {
+  command.add_option("--kernel", o.kernels, "kernel id, repeatable (default: published)")->allow_extra_args(false);
+  CLI::Option* trials = add_source_options(command, o);
+  command.add_option("--corpus", o.corpus, "the corpus too, that of this folder or the one that comes along")
+      ->expected(0, 1)
+      ->default_str(default_corpus_folder());
+  command.add_option("--precision", o.precision, "binary32 or binary64 (default: both); that of CSV files");
+  command.add_option("--tolerance", o.tolerances, "[COMPARISON=]T: count errors above T u, repeatable")
+      ->allow_extra_args(false);
+  return trials;
 }
 
 void add_run_options(CLI::App& command, RunOptions& o) {
-  command.add_option("--kernel", o.kernels, "kernel id, repeatable (default: published)")->allow_extra_args(false);
-  CLI::Option* trials = add_source_options(command, o);
+  CLI::Option* trials = add_plan_options(command, o);
   command.add_option("--time", o.seconds, "seconds to run instead; units that were begun are finished")
       ->check(above_zero)
       ->excludes(trials);
-  command.add_option("--precision", o.precision, "binary32 or binary64 (default: both); that of CSV files");
   command.add_option("--target", o.target, "instruction set, see `axiscert kernels`")->capture_default_str();
-  command.add_option("--tolerance", o.tolerances, "[COMPARISON=]T: count errors above T u, repeatable")
-      ->allow_extra_args(false);
+  command.add_option("--shrink", o.shrink, "make the witnesses smaller too, by at most so many evaluations each")
+      ->expected(0, 1)
+      ->default_str("1000")
+      ->check(whole_number);
   command.add_flag("--exact-only", o.exact_only,
                    "judge every query by CGAL, arbitrary precision and MPFR, without filters: the record is the same");
   command.add_option("--plant", o.planted, "break the filter on purpose, to see that it is caught: exit 3")
       ->check(CLI::IsMember(std::vector<std::string>(filter_fault_names.begin(), filter_fault_names.end())))
       ->excludes("--exact-only");
+  command
+      .add_option("--preset", o.preset,
+                  "ci: all families and the corpus with 2^14 queries each, unless options say otherwise")
+      ->check(CLI::IsMember(preset_names()));
   add_plugin_seconds(command);
   add_output_options(command, o);
 }
@@ -151,7 +176,8 @@ std::vector<SourcePtr> sources_of(const SourceOptions& options, Precision csv_pr
     }
     sources.push_back(std::move(source));
   };
-  const bool nothing_given = options.families.empty() && options.meshes.empty() && options.queries.empty();
+  const bool nothing_given =
+      options.families.empty() && options.meshes.empty() && options.queries.empty() && !options.corpus;
   const bool all =
       nothing_given || std::find(options.families.begin(), options.families.end(), "all") != options.families.end();
   if (all) {
@@ -162,6 +188,7 @@ std::vector<SourcePtr> sources_of(const SourceOptions& options, Precision csv_pr
   }
   for (const std::string& path : options.meshes) add(mesh_source(path));
   for (const std::string& path : options.queries) add(query_file_source(path, csv_precision));
+  if (options.corpus) add(corpus_source(*options.corpus));
   return sources;
 }
 
@@ -185,7 +212,16 @@ int threads_of(int given) {
   return given != 0 ? given : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-Plan plan_of(const RunOptions& options) {
+Plan plan_of(const RunOptions& given) {
+  RunOptions options = given;
+  if (options.seconds) {
+    // What is bounded by time has other queries on every machine.
+    for (const auto& [name, value] : {std::pair("--preset", options.preset), {"--ratchet", options.ratchet}}) {
+      if (!value.empty())
+        throw Error(fmt::format("--time with {} {}: it holds a run to its plan, so bound it by --trials", name, value));
+    }
+  }
+  if (!options.preset.empty()) apply_preset(options.preset, options);
   Plan plan;
   plan.seed = options.seed;
   plan.target = resolve_target(options.target);

@@ -15,20 +15,24 @@ namespace axiscert {
 // Which queries.
 struct SourceOptions {
   std::vector<std::string> families, meshes, queries;
+  std::optional<std::string> corpus;  // its folder
   std::optional<std::uint64_t> trials;
   std::uint64_t seed = 1;
 };
 
 // What becomes of the judged answers.
 struct OutputOptions {
-  std::string require, out = "out";
-  int threads = 0;  // 0: all cores
+  std::string require, out = "out", ratchet;
+  bool quiet = false;
+  std::uint64_t shrink = 0;  // evaluations to make each witness smaller; 0: they stay as they are
+  int threads = 0;           // 0: all cores
 };
 
 struct RunOptions : SourceOptions, OutputOptions {
   std::vector<std::string> kernels, tolerances;
   std::optional<double> seconds;
   std::string precision;  // empty: both
+  std::string preset;     // empty: none
   std::string target = "auto";
   bool exact_only = false;
   std::string planted = "none";
@@ -36,6 +40,9 @@ struct RunOptions : SourceOptions, OutputOptions {
 
 // The option --trials, which others may exclude.
 CLI::Option* add_source_options(CLI::App& command, SourceOptions& options);
+// What a plan file keeps: kernels, queries, precision, tolerances. Returns --trials too.
+CLI::Option* add_plan_options(CLI::App& command, RunOptions& options);
+void add_require_option(CLI::App& command, std::string& require);
 void add_thread_option(CLI::App& command, int& threads);
 void add_output_options(CLI::App& command, OutputOptions& options);
 void add_run_options(CLI::App& command, RunOptions& options);

@@ -7,23 +7,30 @@
 #include <csignal>
 #include <cstdio>
 #include <fstream>
+#include <sstream>
 
 #include "cli/commands.h"
+#include "cli/terminal.h"
 #include "fuzz/query_file.h"
 #include "kernel/error.h"
+#include "reports/aligned_table.h"
 #include "reports/finding.h"
 #include "reports/reproduce.h"
+#include "reports/summary.h"
 
 namespace axiscert {
 
-ProgressLine::ProgressLine() : on_terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressLine::ProgressLine(bool quiet, std::optional<double> seconds_between_lines)
+    : on_terminal_(!quiet && isatty(STDERR_FILENO) != 0),
+      between_lines_(quiet ? std::nullopt : seconds_between_lines) {}
 
 ProgressLine::~ProgressLine() {
   if (on_terminal_) fmt::print(stderr, "\r\x1b[K");
 }
 
-void ProgressLine::show(const Progress& p) {
-  if (!on_terminal_ || p.seconds - last_shown_ < 0.2) return;
+void ProgressLine::show(const Progress& p, const std::string& more) {
+  if (!on_terminal_ && !between_lines_) return;
+  if (p.seconds - last_shown_ < (on_terminal_ ? 0.2 : *between_lines_)) return;
   last_shown_ = p.seconds;
   const double rate = static_cast<double>(p.queries) / p.seconds;
   std::string left;
@@ -32,7 +39,10 @@ void ProgressLine::show(const Progress& p) {
         p.seconds * static_cast<double>(p.units - p.units_done) / static_cast<double>(p.units_done);
     left = fmt::format(" of {}, about {:.0f} s left", p.units, remaining);
   }
-  fmt::print(stderr, "\r\x1b[K{} units{}; {} queries, {:.0f} a second", p.units_done, left, p.queries, rate);
+  const std::string line =
+      fmt::format("{} units{}; {} queries, {:.0f} a second{}", p.units_done, left, p.queries, rate, more);
+  if (on_terminal_) fmt::print(stderr, "\r\x1b[K{}", line);
+  else fmt::print(stderr, "{}\n", line);
   std::fflush(stderr);
 }
 
@@ -83,17 +93,17 @@ std::string iso_time(std::chrono::system_clock::time_point time) {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(time)));
 }
 
-std::string summary_text(const Json& record, double seconds) {
-  std::string text;
-  for (const FindingGroup& group : finding_groups(record)) {
-    text += finding_text(*group.first) + "\n";
-    if (!group.others.empty()) text += fmt::format("  {}\n", group.others_text());
-    if (!(*group.first)["address"].is_null())
-      text += fmt::format("  {}\n", replay_command(*group.first, record["plan"]));
-  }
-  for (const std::string& kernel : not_judged(record))
-    text += fmt::format("{}: NOT JUDGED: it could not be loaded\n", kernel);
-  for (const Json& kernel : record["kernels"]) {
+namespace {
+
+// Red where a contact is missed or a query has no answer, yellow where the verdict is wrong in other ways, else green.
+std::string kernels_table(const Json& kernels) {
+  std::vector<std::string> columns = {
+      "kernel",           "precision", "queries",   "missed contacts",    "deepest",
+      "phantom contacts", "deepest",   "no answer", "outside its limits", "wrong there"};
+  std::vector<std::vector<std::string>> rows;
+  std::vector<Colour> colours;
+  bool has_extra = false;
+  for (const Json& kernel : kernels) {
     std::uint64_t trials = 0, missed = 0, phantom = 0, unanswered = 0, outside = 0, outside_wrong = 0;
     double deepest_missed = 0, deepest_phantom = 0;
     for (const Json& family : kernel["families"]) {
@@ -109,15 +119,38 @@ std::string summary_text(const Json& record, double seconds) {
       deepest_missed = std::max(deepest_missed, verdict["deepest_false_separation"].get<double>());
       deepest_phantom = std::max(deepest_phantom, verdict["deepest_false_contact"].get<double>());
     }
-    text += fmt::format(
-        "{} {}: {} queries; {} missed contacts (deepest {:.3g} of the scene), {} phantom contacts (deepest {:.3g})",
-        kernel["id"].get<std::string>(), kernel["precision"].get<std::string>(), trials, missed, deepest_missed,
-        phantom, deepest_phantom);
-    if (unanswered != 0) text += fmt::format("; {} without an answer", unanswered);
-    if (outside != 0)
-      text += fmt::format("; {} outside its limits, {} of them wrong, counted apart", outside, outside_wrong);
-    text += "\n";
+    has_extra |= unanswered + outside != 0;
+    rows.push_back({kernel["id"], kernel["precision"], thousands(trials), thousands(missed), amount(deepest_missed, 3),
+                    thousands(phantom), amount(deepest_phantom, 3), thousands(unanswered), thousands(outside),
+                    thousands(outside_wrong)});
+    colours.push_back(missed + unanswered != 0 ? Colour::red : phantom != 0 ? Colour::yellow : Colour::green);
   }
+  if (rows.empty()) return "";
+  if (!has_extra) {
+    columns.resize(7);
+    for (auto& row : rows) row.resize(7);
+  }
+  std::istringstream table(aligned_table(columns, rows));
+  std::string text, line;
+  std::getline(table, text);
+  text += "\n";
+  for (std::size_t i = 0; std::getline(table, line); ++i) text += coloured(line, colours[i]) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string summary_text(const Json& record, double seconds) {
+  std::string text;
+  for (const FindingGroup& group : finding_groups(record)) {
+    text += finding_text(*group.first) + "\n";
+    if (!group.others.empty()) text += fmt::format("  {}\n", group.others_text());
+    if (!(*group.first)["address"].is_null())
+      text += fmt::format("  {}\n", replay_command(*group.first, record["plan"]));
+  }
+  for (const std::string& kernel : not_judged(record))
+    text += fmt::format("{}: NOT JUDGED: it could not be loaded\n", kernel);
+  text += kernels_table(record["kernels"]);
   text += fmt::format("{}{:.1f} s\n", record["complete"].get<bool>() ? "" : "interrupted; ", seconds);
   return text;
 }

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "exact/truth.h"
@@ -12,18 +13,20 @@
 
 namespace axiscert {
 
-// One line on a terminal, rewritten; nothing elsewhere. Cleared when it goes out of scope.
+// One line on a terminal, rewritten, and cleared when it goes out of scope. Elsewhere nothing, or a line every so
+// often.
 class ProgressLine {
  public:
-  ProgressLine();
+  explicit ProgressLine(bool quiet = false, std::optional<double> seconds_between_lines = std::nullopt);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
-  void show(const Progress& progress);
+  void show(const Progress& progress, const std::string& more = "");
 
  private:
   bool on_terminal_;
-  double last_shown_ = -1;
+  std::optional<double> between_lines_;
+  double last_shown_ = 0;
 };
 
 // The folder of a run. Made, and found writable, before anything runs; a file appears in it whole or not at all.
@@ -43,8 +46,8 @@ class RunFolder {
 const std::atomic<bool>& watch_for_interrupts();
 
 std::string iso_time(std::chrono::system_clock::time_point time);
-// What `run` prints in the end: findings first, each with the command that shows it again, then a line a kernel and
-// precision.
+// What `run` prints in the end: findings first, each with the command that shows it again, then a table, a line a
+// kernel and precision; in colour on a terminal.
 std::string summary_text(const Json& record, double seconds);
 
 }  // namespace axiscert

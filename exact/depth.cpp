@@ -18,6 +18,19 @@ Rational squared_length(const Vec3<Real>& v, const Vec3<Real>& p) {
   return x * x + y * y + z * z;
 }
 
+// The signs of a + b sqrt(p) and of a + b sqrt(p) + c sqrt(q), p and q >= 0: where two terms differ in sign, their
+// squares decide.
+int sign_of(const Rational& a, const Rational& b, const Rational& p) {
+  const int first = sgn(a), second = sgn(p) == 0 ? 0 : sgn(b);
+  if (first == 0 || second == 0 || first == second) return first != 0 ? first : second;
+  return first * cmp(Rational(a * a), Rational(b * b * p));
+}
+int sign_of(const Rational& a, const Rational& b, const Rational& p, const Rational& c, const Rational& q) {
+  const int first = sign_of(a, b, p), second = sgn(q) == 0 ? 0 : sgn(c);
+  if (first == 0 || second == 0 || first == second) return first != 0 ? first : second;
+  return first * sign_of(a * a + b * b * p - c * c * q, 2 * a * b, p);
+}
+
 // The sign of |d - r| - y s, where d^2 = dd, s^2 = ss and r, y >= 0, decided in rationals: squared, it is that of
 // x - 2 r d with x = dd + r^2 - y^2 ss, and so of x^2 - 4 r^2 dd unless x is negative.
 int order_against(const Rational& y, const Rational& dd, const Rational& r, const Rational& ss) {
@@ -80,11 +93,23 @@ DepthRange range_of(const EnclosedTriangle<T>& triangle, double radius) {
 }  // namespace
 
 template <class Real>
-double depth(const Query<Real>& q, const Rational& dd) {
+ExactDepth exact_depth(const Query<Real>& q, const Rational& dd) {
   const Rational r = exact(q.r);
   const Rational ss =
       std::max({squared_length(q.a, q.p), squared_length(q.b, q.p), squared_length(q.c, q.p), Rational(r * r)});
-  if (sgn(ss) == 0) return 0;
+  return {dd, r, sgn(ss) == 0 ? Rational(1) : ss};  // where the divisor is 0, so are d and r
+}
+template ExactDepth exact_depth<float>(const Query<float>&, const Rational&);
+template ExactDepth exact_depth<double>(const Query<double>&, const Rational&);
+
+// Of the squares (dd + r^2 - 2 r sqrt(dd)) / ss, over the common denominator.
+int compare(const ExactDepth& x, const ExactDepth& y) {
+  return sign_of((x.dd + x.r * x.r) * y.ss - (y.dd + y.r * y.r) * x.ss, -2 * x.r * y.ss, x.dd, 2 * y.r * x.ss, y.dd);
+}
+
+template <class Real>
+double depth(const Query<Real>& q, const Rational& squared_distance) {
+  const auto [dd, r, ss] = exact_depth(q, squared_distance);
   // The nearest double is the one between whose midpoints the value lies; on a midpoint, the even one.
   double y = estimate(dd, r, ss);
   for (;;) {

@@ -11,6 +11,15 @@ namespace axiscert {
 template <class Real>
 double depth(const Query<Real>& q, const Rational& squared_distance);
 
+// The same before it is rounded, |sqrt(dd) - r| / sqrt(ss), as the rationals that it is made of; ss > 0.
+struct ExactDepth {
+  Rational dd, r, ss;
+};
+template <class Real>
+ExactDepth exact_depth(const Query<Real>& q, const Rational& squared_distance);
+// The sign of x - y.
+int compare(const ExactDepth& x, const ExactDepth& y);
+
 // Bounds of what depth() returns, from an enclosure of d; nothing exact is computed. No depth exceeds 1, since d is at
 // most |A-P|: [0, 1] where nothing more is certain.
 struct DepthRange {

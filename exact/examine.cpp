@@ -1,5 +1,7 @@
 #include "exact/examine.h"
 
+#include <algorithm>
+
 #include "exact/depth.h"
 #include "exact/geometric_oracle.h"
 #include "exact/limits.h"
@@ -13,6 +15,12 @@ Examination Examiner::examine(const Query<Real>& q) {
   if (!implementation) implementation = kernel_.on<Real>(target_);
   Reply<Real> reply = ask(*implementation, q);
   Examination out = axiscert::examine(q, kernel_, reply.outcome(0));
+  if (kernel_.exposes == Exposure::sides && out.answer.verdict != Verdict::unanswered) {
+    const Sides<Real> sides = reply.sides(0);
+    out.sides.emplace();
+    std::copy(sides.lhs.begin(), sides.lhs.end(), out.sides->lhs.begin());
+    std::copy(sides.rhs.begin(), sides.rhs.end(), out.sides->rhs.begin());
+  }
   out.findings = std::move(reply.findings);
   if (out.answer.verdict == Verdict::unanswered) implementation.reset();
   return out;
@@ -22,7 +30,7 @@ template Examination Examiner::examine(const Query<double>&);
 
 template <class Real>
 Examination examine(const Query<Real>& q, const Kernel& kernel, const Answer& answer) {
-  Examination out{exact_truth(q, true), {}, answer, {}, {}, true, {}};
+  Examination out{exact_truth(q, true), {}, answer, {}, {}, {}, true, {}};
   std::optional<Reference> chain;
   if (out.truth.formula) {
     chain = Claims<Real>(q, *out.truth.formula).chain(kernel);

@@ -13,6 +13,7 @@ struct Examination {
   Truth truth;
   std::optional<Rational> squared_distance;  // exact; none where the truth is `invalid`
   Answer answer;
+  std::optional<Sides<double>> sides;  // those computed, where the kernel shows them: a binary64 holds either precision
   Judgement judgement;
   std::optional<double> depth;    // of a wrong verdict
   bool within_limits = true;      // those that the kernel declares; also where the truth is `invalid`

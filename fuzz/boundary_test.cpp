@@ -73,7 +73,13 @@ Allowed allowed(std::string_view family) {
                            {"grid", 600, 600, 50},
                            {"bits", wide ? 620u : 180u, wide ? 500u : 60u, wide ? 900u : 550u},
                            {"subnormal", wide ? 100u : 0u, wide ? 80u : 0u, wide ? 45u : 0u},
-                           {"nonfinite", wide ? 400u : 150u, wide ? 400u : 100u, wide ? 400u : 150u}};
+                           {"nonfinite", wide ? 400u : 150u, wide ? 400u : 100u, wide ? 400u : 150u},
+                           // One base shared by up to 48 queries: slivers and small integers are a quarter each.
+                           {"orders", 60, 150, 250},
+                           {"axes", 60, 150, 250},
+                           {"inverted", 60, 150, 250},
+                           {"scaled", 60, 150, 250},
+                           {"translated", 60, 150, 250}};
   for (const Allowed& a : known) {
     if (a.family == family) return a;
   }

@@ -66,16 +66,21 @@ void StepCounts::merge(const StepCounts& other) {
   judging += other.judging;
 }
 
-CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupted,
-                            const std::function<void(const Progress&)>& report) {
-  CampaignResult result;
-  // binary64 first: its units take longest, and the last ones decide how long the cores wait for each other.
+std::vector<CellResult> cells_of(const Plan& plan) {
+  std::vector<CellResult> cells;
   for (const Precision precision : {Precision::binary64, Precision::binary32}) {
     if (std::find(plan.precisions.begin(), plan.precisions.end(), precision) == plan.precisions.end()) continue;
     for (std::size_t s = 0; s < plan.sources.size(); ++s) {
-      result.cells.push_back({s, precision, 0, 0, 0, std::vector<Tally>(plan.kernels.size()), {}});
+      cells.push_back({s, precision, 0, 0, 0, std::vector<Tally>(plan.kernels.size()), {}});
     }
   }
+  return cells;
+}
+
+CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupted,
+                            const std::function<void(const Progress&)>& report) {
+  CampaignResult result;
+  result.cells = cells_of(plan);
   UnitQueue queue(plan, result.cells);
   std::mutex mutex;
   std::atomic<bool> failed = false;

@@ -13,13 +13,15 @@ TYPED_TEST_SUITE(DepthRanges, Reals);
 // Families with centres on the triangle, where d and r are both near zero, with triangles that hardly have an area, or
 // with numbers of every size: the enclosure may be wide there.
 bool may_be_wide(std::string_view family) {
-  for (const std::string_view name : {"sliver", "on", "grid", "bits", "nonfinite"}) {
+  // In the last five slivers are a quarter of the bases, each shared by up to 48 queries.
+  for (const std::string_view name :
+       {"sliver", "on", "grid", "bits", "nonfinite", "orders", "axes", "inverted", "scaled", "translated"}) {
     if (family == name) return true;
   }
   return false;
 }
 
-// 17 families, two precisions: 10^5 queries.
+// 22 families, two precisions: 10^5 queries.
 TYPED_TEST(DepthRanges, HoldTheDepth) {
   constexpr std::uint64_t count = 3000;
   for (const Family* family : families()) {

@@ -25,7 +25,12 @@
   X(grid)                    \
   X(bits)                    \
   X(subnormal)               \
-  X(nonfinite)
+  X(nonfinite)               \
+  X(orders)                  \
+  X(axes)                    \
+  X(inverted)                \
+  X(scaled)                  \
+  X(translated)
 
 namespace axiscert {
 

@@ -20,4 +20,9 @@ std::uint64_t separated_by_distance(const std::vector<Query<Real>>& queries);
 template <class Real>
 std::uint64_t signs_by_intervals(const std::vector<Query<Real>>& queries, std::vector<Signs>& out);
 
+// How many of the valid queries are contacts, by CGAL's predicate compare_squared_distance_3 in the kernel that is
+// exact for predicates alone.
+template <class Real>
+std::uint64_t contacts_by_epick(const std::vector<Query<Real>>& queries);
+
 }  // namespace axiscert

@@ -1,12 +1,12 @@
-// A query file as a source: its queries in their order, each under the precision it was written for.
+// A query file and the corpus as sources: their queries in their order, each under the precision it was written for.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
 #include <iostream>
 
+#include "fuzz/corpus.h"
 #include "fuzz/file_bytes.h"
-#include "fuzz/query_file.h"
 #include "fuzz/sha256.h"
 #include "fuzz/source.h"
 #include "kernel/error.h"
@@ -28,9 +28,11 @@ std::uint64_t distinct_triangles(const std::vector<Query<Real>>& queries) {
 
 class QueryFileSource final : public Source {
  public:
-  QueryFileSource(const FileInfo& file, const std::string& where, const std::string& bytes, Precision csv_precision)
-      : file_(file) {
-    for (const StoredQuery& stored : parse_queries(bytes, where, csv_precision)) {
+  // `kind` is "queries", or "corpus", of which there is one; the hash is that of `bytes`.
+  QueryFileSource(const char* kind, const FileInfo& file, const std::string& bytes,
+                  const std::vector<StoredQuery>& queries)
+      : kind_(kind), file_(file) {
+    for (const StoredQuery& stored : queries) {
       switch (stored.precision) {
         case Precision::binary32:
           binary32_.push_back(std::get<Query<float>>(stored.query));
@@ -47,9 +49,12 @@ class QueryFileSource final : public Source {
     file_.queries = binary32_.size() + binary64_.size();
   }
 
-  std::string name() const override { return "queries/" + file_.name; }
-  std::string address_name() const override { return "queries-" + file_.sha256; }
-  std::string purpose() const override { return "the queries of a file, as they stand"; }
+  std::string name() const override { return kind_ == "corpus" ? kind_ : kind_ + "/" + file_.name; }
+  std::string address_name() const override { return kind_ + "-" + file_.sha256; }
+  std::string purpose() const override {
+    return kind_ == "corpus" ? "queries that were hard once: public reports, degenerate classics, witnesses"
+                             : "the queries of a file, as they stand";
+  }
   int version() const override { return 1; }
   std::optional<std::uint64_t> fixed_size(Precision precision) const override {
     switch (precision) {
@@ -76,6 +81,7 @@ class QueryFileSource final : public Source {
                             axiscert::name(precision_of<Real>), position, queries.size()));
   }
 
+  std::string kind_;
   std::vector<Query<float>> binary32_;
   std::vector<Query<double>> binary64_;
   std::uint64_t triangles32_, triangles64_;
@@ -85,11 +91,20 @@ class QueryFileSource final : public Source {
 }  // namespace
 
 SourcePtr query_file_source(const std::string& path, Precision csv_precision) {
-  if (path == "-") {
-    return std::make_shared<QueryFileSource>(FileInfo{path, "stdin"}, "stdin", read_bytes(std::cin, "stdin"),
-                                             csv_precision);
+  const bool piped = path == "-";
+  const std::string where = piped ? "stdin" : path, bytes = piped ? read_bytes(std::cin, where) : read_bytes(path);
+  return std::make_shared<QueryFileSource>("queries", FileInfo{path, base_name(where)}, bytes,
+                                           parse_queries(bytes, where, csv_precision));
+}
+
+SourcePtr corpus_source(const std::string& folder) {
+  std::string lines;
+  std::vector<StoredQuery> queries;
+  for (const CorpusEntry& entry : read_corpus(folder)) {
+    lines += query_line(entry.stored) + "\n";
+    queries.push_back(entry.stored);
   }
-  return std::make_shared<QueryFileSource>(FileInfo{path, base_name(path)}, path, read_bytes(path), csv_precision);
+  return std::make_shared<QueryFileSource>("corpus", FileInfo{folder, "corpus"}, lines, queries);
 }
 
 }  // namespace axiscert

@@ -1,5 +1,7 @@
 #include "fuzz/source.h"
 
+#include "fuzz/images.h"
+
 namespace axiscert {
 namespace {
 
@@ -22,6 +24,10 @@ class FamilySource final : public Source {
   std::string purpose() const override { return std::string(family_.purpose); }
   int version() const override { return family_.version; }
   bool exact_arithmetic() const override { return family_.exact_arithmetic; }
+  std::uint64_t base_triangles(Precision, std::uint64_t trials) const override {
+    const ImageGroup* group = image_group(family_.name);
+    return group ? (trials + group->size - 1) / group->size : trials;
+  }
   void make(std::uint64_t seed, std::uint64_t position, Query<float>& out) const override {
     out = family_.make<float>(seed, position);
   }

@@ -1,6 +1,5 @@
 #include "fuzz/unit.h"
 
-#include <fmt/format.h>
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -10,6 +9,7 @@
 #include <algorithm>
 #include <deque>
 
+#include "exact/filter/decided_check.h"
 #include "exact/stopwatch.h"
 #include "fuzz/runner.h"
 #include "fuzz/thread_seconds.h"
@@ -17,12 +17,8 @@
 namespace axiscert {
 namespace {
 
-// Queries, sides and signs of a batch stay in the first-level cache, or the second; another process is asked seldom.
-constexpr std::size_t batch_size = 256, batch_size_for_processes = 1024;
-
-// Every so many of the queries that integers of any size decide are decided by CGAL as well: few queries, and the
-// hardest.
-constexpr std::uint64_t integer_check_stride = 64;
+// Another process is asked seldom.
+constexpr std::size_t batch_size_for_processes = 1024;
 
 // The fault that is planted in the mode and not in the filter.
 class StaleRounding {
@@ -196,16 +192,7 @@ class UnitRun {
     out_.second_opinions += second_opinion;
     ++out_.steps.by_cgal;
     if (!is_filtered(i)) return truth;
-    const DecidedSigns& found = (*decided_)[i];
-    const Signs exact{truth.formula->strict, truth.formula->ties};
-    if (found.signs != exact || verdict_of(exact) != truth.verdict || is_touching(exact, q.r == 0) != truth.touching) {
-      throw OracleDisagreement(
-          fmt::format("the step `{}` of the filter has the signs {:016b} ties {:016b} (bit 0 is the first comparison); "
-                      "exact arithmetic {:016b} ties {:016b}, {}{}",
-                      step_names[static_cast<std::size_t>(found.step)], found.signs.strict, found.signs.ties,
-                      exact.strict, exact.ties, name(truth.verdict), truth.touching ? ", touching" : ""),
-          q);
-    }
+    require_same((*decided_)[i], truth, q);
     return truth;
   }
 

@@ -1,6 +1,7 @@
-// junit.xml: one suite a kernel and precision, for CI systems. A case a family for the verdict, failed where the run's
-// requirement is not met there; a case a finding, always failed; a case a family and comparison that has a tolerance,
-// failed where an error exceeds it.
+// junit.xml, as the schema of Ant's JUnit task has it: one suite a kernel and precision, for CI systems. A case a
+// family for the verdict, failed where the run's requirement is not met there; a case a finding, always failed; a case
+// a family and comparison, failed where an error exceeds its tolerance, and skipped, which says NOT CHECKED, where it
+// has none.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,22 +35,24 @@ std::string xml(const std::string& text) {
 }
 
 struct Suite {
-  std::string name, cases;
+  std::string name, cases = {}, figures = {};
   int tests = 0, failures = 0, skipped = 0;
 
-  // `outcome`: a failure or skipped element, or empty. `counts` goes to the case's output.
+  // `outcome`: a failure or skipped element, or empty. The counts go to the suite's output, a line a case: the schema
+  // of Ant knows none of a case.
   void add(const std::string& test, const std::string& outcome, const Json& counts) {
     ++tests;
     failures += outcome.starts_with("<failure");
     skipped += outcome.starts_with("<skipped");
-    cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\">\n", xml(name), xml(test));
-    if (!outcome.empty()) cases += "      " + outcome + "\n";
-    cases += fmt::format("      <system-out>{}</system-out>\n    </testcase>\n", xml(counts.dump()));
+    const std::string head = fmt::format("classname=\"{}\" name=\"{}\" time=\"0\"", xml(name), xml(test));
+    cases += outcome.empty() ? fmt::format("    <testcase {}/>\n", head)
+                             : fmt::format("    <testcase {}>\n      {}\n    </testcase>\n", head, outcome);
+    figures += fmt::format("{}: {}\n", test, counts.dump());
   }
 };
 
-std::string failure(const std::string& message, const std::string& detail) {
-  return fmt::format("<failure message=\"{}\">{}</failure>", xml(message), xml(detail));
+std::string failure(const std::string& type, const std::string& message, const std::string& detail) {
+  return fmt::format("<failure type=\"{}\" message=\"{}\">{}</failure>", xml(type), xml(message), xml(detail));
 }
 std::string skipped(const std::string& why) {
   return fmt::format("<skipped message=\"{}\"/>", xml("NOT CHECKED: " + why));
@@ -64,28 +67,32 @@ std::string verdict_outcome(const Json& require, const std::vector<Failure>& fai
   }
   if (detail.empty()) return "";
   const std::string level = require;
-  return failure(fmt::format("requirement {} is not met: {}", level, parse_requirement(level).sentence()), detail);
+  return failure("requirement",
+                 fmt::format("requirement {} is not met: {}", level, parse_requirement(level).sentence()), detail);
 }
 
-std::string tolerance_outcome(const Json& tally, const std::string& tolerance) {
-  if (tally.is_null() || tally["tolerance_failures"].is_null()) return skipped("the kernel does not show its sides");
+std::string tolerance_outcome(const Json& tally, const Json& tolerance) {
+  if (tally.is_null()) return skipped("the kernel does not show its comparisons");
+  if (tolerance.is_null()) return skipped("no tolerance was asked for it (--tolerance)");
+  if (tally["tolerance_failures"].is_null()) return skipped("the kernel does not show its sides");
   if (tally["tolerance_failures"] == 0) return "";
-  const std::string message = fmt::format("{} errors above {} u; the smallest tolerance that passes is {} u",
-                                          thousands(tally["tolerance_failures"].get<std::uint64_t>()), tolerance,
-                                          error_amount(tally["smallest_passing_tolerance"]));
-  return failure(message, message);
+  const std::string message =
+      fmt::format("{} errors above {} u; the smallest tolerance that passes is {} u",
+                  thousands(tally["tolerance_failures"].get<std::uint64_t>()), tolerance.get<std::string>(),
+                  error_amount(tally["smallest_passing_tolerance"]));
+  return failure("tolerance", message, message);
 }
 
 void add_finding(Suite& suite, const Json& finding, const Json& plan) {
   const std::string family = finding["family"].is_null() ? "loading" : finding["family"].get<std::string>();
   const std::string replay = finding["address"].is_null() ? "" : "\n" + replay_command(finding, plan);
   const std::string text = finding_text(finding);
-  suite.add(family + " " + finding["kind"].get<std::string>(), failure(text, text + replay), finding);
+  suite.add(family + " " + finding["kind"].get<std::string>(), failure("finding", text, text + replay), finding);
 }
 
 // A kernel that could not be loaded.
 Suite suite_of_findings(const Run& run, const std::string& kernel) {
-  Suite suite{kernel, ""};
+  Suite suite{kernel};
   for (const Json& finding : run.record["findings"]) {
     if (finding["kernel"] == kernel) add_finding(suite, finding, run.record["plan"]);
   }
@@ -94,7 +101,7 @@ Suite suite_of_findings(const Run& run, const std::string& kernel) {
 
 Suite suite_of(const Run& run, const Json& kernel, const std::vector<Failure>& failures) {
   const Json& plan = run.record["plan"];
-  Suite suite{fmt::format("{} {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>()), ""};
+  Suite suite{fmt::format("{} {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>())};
   for (const Json& finding : run.record["findings"]) {
     if (is_about(finding, kernel)) add_finding(suite, finding, run.record["plan"]);
   }
@@ -108,38 +115,48 @@ Suite suite_of(const Run& run, const Json& kernel, const std::vector<Failure>& f
     Json counts = {{"trials", result["trials"]}, {"truth", result["truth"]}};
     counts.update(result["verdict"]);
     suite.add(family + " verdict", verdict_outcome(plan["require"], failures, kernel, family), counts);
-    for (const auto& [comparison, tolerance] : plan["tolerance"].items()) {
+    for (const ComparisonInfo& info : comparisons) {
+      const std::string comparison(info.name);
       const Json tally = result["comparisons"].is_null() ? Json(nullptr) : result["comparisons"][comparison];
+      const Json tolerance = plan["tolerance"].value(comparison, Json(nullptr));
       suite.add(family + " " + comparison, tolerance_outcome(tally, tolerance), tally);
     }
   }
   if (!run.record["complete"].get<bool>()) {
     const std::string message = "the run was interrupted: what is here is about the queries that were asked";
-    suite.add("complete", failure(message, message), Json::object());
+    suite.add("complete", failure("interrupted", message, message), Json::object());
   }
   return suite;
+}
+
+// When the run began, in UTC, as the schema has it: without a zone. A record alone does not know.
+std::string started(const Json& info) {
+  return info.is_null() ? "1970-01-01T00:00:00" : info["started"].get<std::string>().substr(0, 19);
+}
+// Kernels share their run: the first suite has its seconds.
+std::string seconds(const Json& info) {
+  return info.is_null() ? "0" : fmt::format("{:.3f}", info["seconds"].get<double>());
 }
 
 std::string render(const Run& run) {
   const Json& require = run.record["plan"]["require"];
   const std::vector<Failure> failures = require.is_null() ? std::vector<Failure>() : unmet(run.record, require);
   std::string suites;
-  Suite all;
+  std::size_t id = 0;
   std::vector<Suite> listed;
   for (const std::string& kernel : not_judged(run.record)) listed.push_back(suite_of_findings(run, kernel));
   for (const Json& kernel : run.record["kernels"]) listed.push_back(suite_of(run, kernel, failures));
   for (const Suite& suite : listed) {
     suites += fmt::format(
-        "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n{}  </testsuite>\n",
-        xml(suite.name), suite.tests, suite.failures, suite.skipped, suite.cases);
-    all.tests += suite.tests;
-    all.failures += suite.failures;
-    all.skipped += suite.skipped;
+        "  <testsuite name=\"{0}\" tests=\"{3}\" failures=\"{4}\" errors=\"0\" skipped=\"{5}\" package=\"axiscert\" "
+        "id=\"{1}\" hostname=\"localhost\" timestamp=\"{2}\" time=\"{6}\">\n    <properties/>\n{7}"
+        "    <system-out>{8}</system-out>\n    <system-err/>\n  </testsuite>\n",
+        xml(suite.name), id, xml(started(run.info)), suite.tests, suite.failures, suite.skipped,
+        id == 0 ? seconds(run.info) : "0", suite.cases, xml(suite.figures));
+    ++id;
   }
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuites name=\"axiscert\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n{}</testsuites>\n",
-      all.tests, all.failures, all.skipped, suites);
+  // Ant's schema has no totals: each suite has its own.
+  return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n{}</testsuites>\n", suites);
 }
 
 }  // namespace

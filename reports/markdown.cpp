@@ -42,7 +42,7 @@ class Report {
     if (!record_["complete"].get<bool>()) {
       text += "\n> **INCOMPLETE**: the run was interrupted. What follows is about the queries that were asked.\n";
     }
-    return text + findings() + summary() + families() + outside() + signs("axes", "axis") +
+    return text + findings() + summary() + families() + outside() + asymmetries() + signs("axes", "axis") +
            signs("comparisons", "comparison") + broken_links() + witnesses() + critical_radius() + reproduce();
   }
 
@@ -163,6 +163,24 @@ class Report {
       any = true;
       cells.insert(cells.end(), {count(apart["trials"]), count(apart["false_separation"]),
                                  count(apart["false_contact"]), depth(apart["deepest"]), count(apart["unanswered"])});
+      section.row(cells);
+    });
+    return any ? section.text() : "";
+  }
+
+  std::string asymmetries() const {
+    Section section("Asymmetry");
+    section.line("Of an exact image of a query, another answer than of the query: no exact answer differs.\n");
+    bool any = false;
+    section.head({"kernel", "precision", "family", "first image with another verdict", "images", "other verdicts",
+                  "other comparisons"},
+                 4);
+    for_each_family([&](std::vector<std::string> cells, const Json& result) {
+      if (!result.contains("asymmetry")) return;
+      any = true;
+      const Json &found = result["asymmetry"], &first = found["first_verdict"];
+      cells.insert(cells.end(), {first.is_null() ? "none" : plain(first["image"]), count(found["images"]),
+                                 count(found["verdicts"]), count(found["comparisons"])});
       section.row(cells);
     });
     return any ? section.text() : "";

@@ -185,7 +185,7 @@ TEST(PluginReports, EachFindingIsAFailedCase) {
   const TestFolder folder(plugin_record());  // no requirement: a finding fails all the same
   render_reports(folder.path());
   const std::string junit = folder.read("junit.xml");
-  EXPECT_THAT(junit, HasSubstr("<testsuites name=\"axiscert\" tests=\"9\" failures=\"5\" errors=\"0\" skipped=\"4\">"));
+  EXPECT_EQ(occurrences(junit, "<failure "), 5u);
   EXPECT_THAT(junit, HasSubstr("<testsuite name=\"plugin:gone.so\" tests=\"1\" failures=\"1\""));
   EXPECT_THAT(junit, HasSubstr("name=\"general crash\""));
   EXPECT_THAT(junit, Not(HasSubstr("<b>")));

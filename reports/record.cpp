@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fuzz/address.h"
+#include "fuzz/asymmetry.h"
 #include "fuzz/tally.h"
 #include "reports/finding.h"
+#include "reports/plan.h"
 #include "reports/witness.h"
 
 namespace axiscert {
 namespace {
-
-constexpr const char* version = AXISCERT_VERSION;
 
 Json link_counts(const LinkCounts& counts, std::size_t first, std::size_t last) {
   Json json = Json::object();
@@ -93,8 +94,24 @@ Json verdict_json(const VerdictTally& v, const Limits& limits) {
           {"outside_limits", limits.any() ? outside_json(v.outside_limits) : Json(nullptr)}};
 }
 
-Json family_json(const Source& source, Precision precision, const Kernel& kernel, const Tally& tally,
-                 const Tolerances& tolerances) {
+// `address` makes the text of a position's address.
+template <class AddressOf>
+Json asymmetry_json(const Asymmetry& asymmetry, const AddressOf& address) {
+  const auto witness = [&](const std::optional<AsymmetryWitness>& first) -> Json {
+    if (!first) return nullptr;
+    return {{"base", address(first->base)}, {"image", address(first->image)}};
+  };
+  return {{"images", asymmetry.images},
+          {"verdicts", asymmetry.verdicts},
+          {"comparisons", asymmetry.comparisons},
+          {"first_verdict", witness(asymmetry.first_verdict)},
+          {"first_comparison", witness(asymmetry.first_comparison)}};
+}
+
+Json family_json(const Plan& plan, const Source& source, Precision precision, const Kernel& kernel, const Tally& tally,
+                 const std::optional<Asymmetry>& asymmetry) {
+  const Tolerances& tolerances = plan.tolerances;
+  const auto address = [&](std::uint64_t position) { return text(address_of(source, plan.seed, precision, position)); };
   Json json = {{"trials", tally.trials},
                {"base_triangles", source.base_triangles(precision, tally.trials)},
                {"exact_arithmetic", source.exact_arithmetic()},
@@ -107,6 +124,7 @@ Json family_json(const Source& source, Precision precision, const Kernel& kernel
                {"axes", nullptr},
                {"comparisons", nullptr},
                {"critical_radius", critical_radius_json(tally.critical_radius)}};
+  if (asymmetry) json["asymmetry"] = asymmetry_json(*asymmetry, address);
   Json &axes = json["axes"], &all = json["comparisons"];
   if (kernel.exposes == Exposure::verdict) return json;
   axes = all = Json::object();
@@ -125,59 +143,6 @@ Json family_json(const Source& source, Precision precision, const Kernel& kernel
   for (std::size_t i = 0; i < comparison_count; ++i) {
     all[std::string(comparisons[i].name)] = comparison_json(tally.comparisons[i], tolerances[i].has_value());
   }
-  return json;
-}
-
-// That nothing was run, and what the program was said to be.
-Json replies_json(const Plan& plan) {
-  const auto given = [](const std::string& id) { return id.empty() ? Json(nullptr) : Json(id); };
-  return {{"conforms_to", given(plan.claim.conforms_to)},
-          {"formulae", given(plan.claim.formulae)},
-          {"touching", name(plan.kernels.front()->touching)}};
-}
-
-Json plan_json(const Plan& plan, const CampaignResult& result, const std::string& require) {
-  Json json = {{"axiscert", version}, {"seed", plan.seed}};
-  for (const char* list : {"kernels", "precisions", "families"}) json[list] = Json::array();
-  for (const char* map : {"generators", "trials"}) json[map] = Json::object();
-  json["files"] = Json::array();
-  for (const Kernel* kernel : plan.kernels) json["kernels"].push_back(kernel->id);
-  for (const Precision p : plan.precisions) json["precisions"].push_back(name(p));
-  for (const SourcePtr& source : plan.sources) {
-    json["families"].push_back(source->name());
-    json["generators"][source->name()] = {{"version", source->version()},
-                                          {"exact_arithmetic", source->exact_arithmetic()},
-                                          {"purpose", source->purpose()}};
-    if (const auto file = source->file()) {
-      Json& entry =
-          json["files"].emplace_back(Json{{"name", file->name}, {"kind", file->kind}, {"sha256", file->sha256}});
-      if (file->kind == "queries") entry["queries"] = file->queries;
-      else {
-        entry["triangles"] = file->triangles;
-        entry["degenerate_triangles"] = file->degenerate_triangles;
-        entry["skipped_primitives"] = file->skipped_primitives;
-      }
-    }
-  }
-  for (const FileInfo& file : plan.plugins) {
-    json["files"].push_back({{"name", file.name},
-                             {"kind", file.kind},
-                             {"sha256", file.sha256.empty() ? Json(nullptr) : Json(file.sha256)}});
-  }
-  Json units = Json::object();
-  for (std::size_t s = 0; s < plan.sources.size(); ++s) {
-    for (const CellResult& cell : result.cells) {
-      if (cell.source != s) continue;
-      const std::string family = plan.sources[s]->name(), precision(name(cell.precision));
-      json["trials"][family][precision] = cell.queries;
-      units[family][precision] = cell.units_done;
-    }
-  }
-  json["tolerance"] = plan.tolerance_texts;
-  json["require"] = require.empty() ? Json(nullptr) : Json(require);
-  // Without a time limit the trials say which units there were; an interrupted run did the first of them.
-  if (plan.replies) json["replies"] = replies_json(plan);
-  json["units_done"] = plan.seconds || !result.complete ? units : Json(nullptr);
   return json;
 }
 
@@ -227,14 +192,17 @@ Json record_of(const Plan& plan, const CampaignResult& result, const std::string
         for (const CellResult& cell : result.cells) {
           if (cell.source != s || cell.precision != precision || cell.tallies[k].trials == 0) continue;
           const Tally& tally = cell.tallies[k];
+          // Of a run that was interrupted, it is not known which bases have all their images.
+          const auto asymmetry =
+              result.complete ? asymmetry_of(plan, kernel, *plan.sources[s], precision, cell.queries) : std::nullopt;
           entry["families"][plan.sources[s]->name()] =
-              family_json(*plan.sources[s], precision, kernel, tally, plan.tolerances);
+              family_json(plan, *plan.sources[s], precision, kernel, tally, asymmetry);
           radii.unbounded += tally.critical_radius.unbounded;
           radii.unanswered += tally.critical_radius.unanswered;
           radii.errors_ulps.insert(radii.errors_ulps.end(), tally.critical_radius.errors_ulps.begin(),
                                    tally.critical_radius.errors_ulps.end());
           put_findings(findings, kernel, plan.seed, *plan.sources[s], precision, tally);
-          witnesses.add(kernel, *plan.sources[s], precision, tally);
+          witnesses.add(kernel, *plan.sources[s], precision, tally, asymmetry);
         }
       }
       entry["critical_radius"] = critical_radius_json(std::move(radii));

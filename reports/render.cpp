@@ -7,9 +7,10 @@
 
 namespace axiscert {
 
-extern const Format html_format, junit_format, markdown_format, witnesses_format;
+extern const Format html_format, junit_format, markdown_format, ratchet_format, sarif_format, witnesses_format;
 namespace {
-const Format* const registry[] = {&html_format, &markdown_format, &junit_format, &witnesses_format};
+const Format* const registry[] = {&html_format,  &markdown_format, &junit_format,
+                                  &sarif_format, &ratchet_format,  &witnesses_format};
 }
 
 void render_reports(const std::filesystem::path& run_folder) {

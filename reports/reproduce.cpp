@@ -22,15 +22,10 @@ std::string quoted(const std::string& text) {
   return word + "'";
 }
 
-std::string shell_word(const std::string& text) {
-  const bool is_plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::string_view("-_./:=,").find(static_cast<char>(c)) != std::string_view::npos;
-  });
-  return is_plain ? text : quoted(text);
-}
-
-// A family's name as the option that brings it in: a mesh is "mesh/FILE", a query file "queries/FILE".
+// A family's name as the option that brings it in: a mesh is "mesh/FILE", a query file "queries/FILE", the corpus
+// "corpus".
 std::string source_option(const std::string& family) {
+  if (family == "corpus") return " --corpus";
   for (const std::string kind : {"mesh", "queries"}) {
     if (family.starts_with(kind + "/"))
       return fmt::format(" --{} {}", kind, shell_word(family.substr(kind.size() + 1)));
@@ -44,7 +39,7 @@ bool is_file(const std::string& family) { return family.starts_with("mesh/") || 
 std::optional<std::uint64_t> common_trials(const Json& plan) {
   std::set<std::uint64_t> counts;
   for (const auto& [family, by_precision] : plan["trials"].items()) {
-    if (family.starts_with("queries/")) continue;
+    if (family.starts_with("queries/") || family == "corpus") continue;
     for (const Json& count : by_precision) counts.insert(count.get<std::uint64_t>());
   }
   return counts.size() == 1 ? std::optional(*counts.begin()) : std::nullopt;
@@ -124,6 +119,13 @@ std::string pipe_command(const Json& plan) {
 
 }  // namespace
 
+std::string shell_word(const std::string& text) {
+  const bool is_plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view("-_./:=,").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  return is_plain ? text : quoted(text);
+}
+
 std::string replay_command(const Json& witness, const Json& plan) {
   const std::string family = witness["family"], kernel = witness["kernel"];
   const std::string query = fmt::format("axiscert query {}{} > witness.jsonl && ", quoted(witness["address"]),
@@ -132,6 +134,10 @@ std::string replay_command(const Json& witness, const Json& plan) {
     return fmt::format("{}axiscert check witness.jsonl --kernel {}", query, shell_word(kernel));
   return fmt::format("{}axiscert generate --queries witness.jsonl --precision {} --binary | PROGRAM | {} --out witness",
                      query, witness["precision"].get<std::string>(), judge_command(plan));
+}
+
+std::string compare_command(const std::string& before, const std::string& after) {
+  return fmt::format("axiscert compare {} {}", shell_word(before), shell_word(after));
 }
 
 std::string run_command(const Json& plan) {
@@ -185,7 +191,7 @@ std::vector<std::pair<std::string, std::string>> plan_facts(const Run& run) {
 
 std::vector<std::string> not_checked(const Json& record) {
   const Json& plan = record["plan"];
-  std::vector<std::string> open = {"Proofs: none in this version. All that is shown here was observed, not proved."};
+  std::vector<std::string> open = {"Proofs: a run observes, it proves nothing of a kernel."};
   if (plan["tolerance"].empty()) {
     open.push_back("Tolerance: none was given (--tolerance), so no comparison's error failed or passed.");
   } else if (plan["tolerance"].size() < comparison_count) {

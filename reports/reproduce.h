@@ -9,9 +9,13 @@
 
 namespace axiscert {
 
+// As a word of a shell's command: in quotes where it is not plain.
+std::string shell_word(const std::string& text);
+
 // Shell commands. A name that a shell would read otherwise is quoted. Where replies were judged, PROGRAM stands for
 // what gave them.
 std::string replay_command(const Json& witness, const Json& plan);
+std::string compare_command(const std::string& before, const std::string& after);  // of two folders
 std::string run_command(const Json& plan);  // empty where the plan depended on the time it had
 
 // Label and value: the plan's, then those of run.json where there is one.

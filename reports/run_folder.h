@@ -10,10 +10,13 @@
 namespace axiscert {
 
 struct Run {
-  Json record;  // conforms to record.schema.json
-  Json info;    // conforms to run.schema.json; null where the folder has no run.json
+  Json record;                   // conforms to record.schema.json
+  Json info;                     // conforms to run.schema.json; null where the folder has no run.json
+  std::filesystem::path folder;  // which may hold what other commands wrote beside them
 };
 
+// A JSON file. Throws Error where it cannot be read or is none.
+Json read_json(const std::filesystem::path& path);
 // Throws Error naming the file and what would be right: no record, not JSON, another schema, a member that the schema
 // does not allow, counts that contradict each other.
 Run read_run(const std::filesystem::path& folder);

@@ -14,6 +14,9 @@ namespace axiscert {
 // What a broken link means, in one sentence; by Link.
 extern const std::array<std::string_view, link_count> link_meanings;
 
+// Orders figures of a record: numbers, and the texts of numbers too large for binary64.
+bool is_less(const Json& x, const Json& y);
+
 // The families of a record's kernel as one: counts added, maxima kept, null where every one is null. The median of the
 // critical radius is the kernel's own. An object without members where no family ran.
 Json all_families(const Json& kernel);

@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <openssl/evp.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <filesystem>
 #include <fstream>
@@ -62,9 +64,24 @@ class TestFolder {
 
 // The page's data, read back as a browser does.
 inline Json page_data(const std::string& html) {
-  const std::string open = "<script type=\"application/json\" id=\"data\">";
+  const std::string open = "<script type=\"text/plain\" id=\"data\">";
   const std::size_t begin = html.find(open) + open.size();
-  return Json::parse(html.substr(begin, html.find("</script>", begin) - begin));
+  const std::string text = html.substr(begin, html.find("</script>", begin) - begin);
+  std::string deflated(text.size(), '\0');
+  const int size = EVP_DecodeBlock(reinterpret_cast<unsigned char*>(deflated.data()),
+                                   reinterpret_cast<const unsigned char*>(text.data()), static_cast<int>(text.size()));
+  EXPECT_GT(size, 0);
+  std::string json(1 << 20, '\0');
+  for (;; json.resize(2 * json.size())) {
+    uLongf length = json.size();
+    // The bytes of base64's padding lie behind the end that zlib finds for itself.
+    const int outcome = uncompress(reinterpret_cast<Bytef*>(json.data()), &length,
+                                   reinterpret_cast<const Bytef*>(deflated.data()), static_cast<uLong>(size));
+    if (outcome == Z_BUF_ERROR && json.size() < std::size_t{1} << 30) continue;
+    EXPECT_EQ(outcome, Z_OK);
+    json.resize(length);
+    return Json::parse(json);
+  }
 }
 
 inline std::size_t occurrences(const std::string& text, const std::string& piece) {

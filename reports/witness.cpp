@@ -4,6 +4,7 @@
 
 #include "fuzz/address.h"
 #include "fuzz/number_text.h"
+#include "reports/witness_sides.h"
 
 namespace axiscert {
 
@@ -43,10 +44,11 @@ Json flips_json(const Judgement& judgement) {
   return flips;
 }
 
-void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally) {
+void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally,
+                        const std::optional<Asymmetry>& asymmetry) {
   Shown shown;
   const auto note = [&](const auto& leaders, auto&& what) {
-    for (const auto& candidate : leaders.candidates()) shown[candidate.position].push_back(what(candidate));
+    for (const auto& candidate : leaders.candidates()) shown[candidate.position].texts.push_back(what(candidate));
   };
   note(tally.verdict.deepest_false_separation, [](const auto&) { return "deepest false_separation"; });
   note(tally.verdict.deepest_false_contact, [](const auto&) { return "deepest false_contact"; });
@@ -66,6 +68,21 @@ void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision pr
     note(comparison.largest_error, [i](const Candidate<Decimal6>& c) {
       return fmt::format("largest error of {}: {} u", comparisons[i].name, c.rank.text());
     });
+    for (const auto& candidate : comparison.largest_error.candidates()) {
+      shown[candidate.position].largest_errors |= static_cast<ComparisonBits>(1u << i);
+    }
+  }
+  const auto note_pair = [&](const std::optional<AsymmetryWitness>& first, const char* what) {
+    if (!first) return;
+    const auto address = [&](std::uint64_t at) { return text(address_of(source, plan_.seed, precision, at)); };
+    shown[first->base].texts.push_back(
+        fmt::format("asymmetry: another {} than of its image {}", what, address(first->image)));
+    shown[first->image].texts.push_back(
+        fmt::format("asymmetry: another {} than of its base {}", what, address(first->base)));
+  };
+  if (asymmetry) {
+    note_pair(asymmetry->first_verdict, "verdict");
+    note_pair(asymmetry->first_comparison, "comparison");
   }
   if (!examiner_ || &examiner_->kernel() != &kernel) examiner_.emplace(kernel, plan_.target);
   if (precision == Precision::binary32) write<float>(kernel, source, shown);
@@ -93,8 +110,9 @@ void WitnessWriter::write(const Kernel& kernel, const Source& source, const Show
         found.judgement.exact ? Json(bit_string(*found.judgement.exact, comparison_count)) : Json(nullptr);
     witness["computed_comparisons"] =
         found.answer.bits ? Json(bit_string(*found.answer.bits, comparison_count)) : Json(nullptr);
-    witness["shows"] = what;
+    witness["shows"] = what.texts;
     witness["flips"] = flips_json(found.judgement);
+    witness["sides"] = sides_json(q, kernel, found, what.largest_errors);
     witnesses_.push_back(std::move(witness));
   }
 }

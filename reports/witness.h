@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "exact/examine.h"
+#include "fuzz/asymmetry.h"
 #include "reports/record.h"
 
 namespace axiscert {
@@ -16,12 +17,18 @@ class WitnessWriter {
   explicit WitnessWriter(const Plan& plan) : plan_(plan) {}
   // The deepest wrong verdicts of each kind and with each broken link; of each comparison a flip of each kind, a
   // decisive one where there is one, and the largest error. A query that shows several things is stored once.
-  void add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally);
+  // Of an asymmetry the first image and its base.
+  void add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally,
+           const std::optional<Asymmetry>& asymmetry);
   Json take() && { return std::move(witnesses_); }
 
  private:
-  // What a position shows, in the order found.
-  using Shown = std::map<std::uint64_t, std::vector<std::string>>;
+  // What a query shows, in the order found; and the comparisons whose largest error it is.
+  struct Reasons {
+    std::vector<std::string> texts;
+    ComparisonBits largest_errors = 0;
+  };
+  using Shown = std::map<std::uint64_t, Reasons>;  // by position
   template <class Real>
   void write(const Kernel& kernel, const Source& source, const Shown& shown);
 
