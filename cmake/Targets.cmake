@@ -8,15 +8,19 @@ target_compile_options(kernel_fp INTERFACE -ffp-contract=off)
 add_library(axiscert_warnings INTERFACE)
 target_compile_options(axiscert_warnings INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion)
 
-# axiscert_test(NAME SOURCES... LIBRARIES libraries...): a GoogleTest program, one CTest test a case. Suites whose names
-# end in "Long", typed ones (SuiteLong/0) too, get the label `long`.
+# axiscert_test(NAME SOURCES... LIBRARIES libraries... [PRECOMPILE header]): a GoogleTest program, one CTest test a case.
+# Suites whose names end in "Long", typed ones (SuiteLong/0) too, get the label `long`. PRECOMPILE: what many of the sources
+# include, read once.
 function(axiscert_test name)
   if(NOT AXISCERT_TESTS)
     return()
   endif()
-  cmake_parse_arguments(arg "" "" "LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "" "PRECOMPILE" "LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_warnings GTest::gtest_main)
+  if(arg_PRECOMPILE)
+    target_precompile_headers(${name} PRIVATE <gtest/gtest.h> "${PROJECT_SOURCE_DIR}/${arg_PRECOMPILE}")
+  endif()
   include(GoogleTest)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER -*Long.*:*Long/* TEST_LIST ${name}_fast PROPERTIES TIMEOUT 900)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER *Long.*:*Long/* TEST_LIST ${name}_long
@@ -31,6 +35,21 @@ function(axiscert_bench name)
   cmake_parse_arguments(arg "" "" "LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_warnings benchmark::benchmark_main)
+endfunction()
+
+# axiscert_vector_sources(SOURCES...): of these, those that compile for several instruction sets lose UBSan, whose checks of
+# hundreds of vector operations a function take minutes of compile time each, and keep AddressSanitizer, where there are any.
+function(axiscert_vector_sources)
+  if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+    return()
+  endif()
+  foreach(source ${ARGV})
+    get_filename_component(path ${source} ABSOLUTE)
+    file(STRINGS ${path} vectors REGEX "foreach_target\\.h" LIMIT_COUNT 1)
+    if(vectors)
+      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize=undefined)
+    endif()
+  endforeach()
 endfunction()
 
 # axiscert_instances(VARIABLE list.h template.cpp.in result): the template once for each `X(name, ...)` line of an X-macro
@@ -48,6 +67,12 @@ function(axiscert_instances variable list template result)
     list(APPEND sources ${source})
   endforeach()
   set(${result} ${sources} PARENT_SCOPE)
+  # One template over sixteen number types takes a third of a sanitized build: the first of them is sanitized.
+  if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+    list(REMOVE_AT sources 0)
+    set_property(SOURCE ${sources} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize=all)
+    set_property(SOURCE ${sources} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
+  endif()
 endfunction()
 
 # axiscert_c_plugin(folder name options...): NAME.c as a plug-in with a fault, ${PROJECT_BINARY_DIR}/FOLDER/NAME.so. Never

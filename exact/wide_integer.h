@@ -10,9 +10,11 @@
 #include <immintrin.h>
 #endif
 
+#include "kernel/address_sanitizer.h"
+
 // Inlined by force, or the words would go through memory. Not where AddressSanitizer instruments each of them: the code
 // would grow beyond what a compiler gets through.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef AXISCERT_ADDRESS_SANITIZER
 #define AXISCERT_WORDS_INLINE
 #else
 #define AXISCERT_WORDS_INLINE __attribute__((always_inline))

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "fuzz/bench_table.h"
 #include "fuzz/build_info.h"
 #include "fuzz/plain_judges.h"
 #include "fuzz/source.h"
@@ -19,11 +20,6 @@ namespace {
 constexpr std::size_t query_count = std::size_t{1} << 14;  // 832 KiB of binary32
 constexpr int repetitions = 9;
 constexpr double least_seconds = 2e-3;  // of one repetition
-
-double median(std::vector<double> of) {
-  std::sort(of.begin(), of.end());
-  return of[of.size() / 2];
-}
 
 // What is timed, interleaved with the rest.
 struct Timed {
@@ -84,15 +80,8 @@ void measure(const Source& source, const std::string& target) {
   std::fflush(stdout);
 }
 
-int run(const std::vector<std::string_view>& names) {
-  std::vector<SourcePtr> sources;
-  for (const Family* family : families()) sources.push_back(family_source(*family));
-  sources.push_back(mesh_source(TEST_MODELS "/OBJ/spider.obj"));
-  for (const std::string_view wanted : names) {
-    if (std::any_of(sources.begin(), sources.end(), [&](const SourcePtr& s) { return s->name() == wanted; })) continue;
-    fmt::print(stderr, "certified_bench: no family or mesh '{}'\n", wanted);
-    return 2;
-  }
+void run(const std::vector<std::string_view>& names) {
+  const std::vector<SourcePtr> sources = sources_named(names);
   const std::string target = resolve_target("auto");
   fmt::print(
       "{}; {}, {} -ffp-contract=off; instruction set {}. One thread, processor time, ns a query, medians of {} "
@@ -105,21 +94,12 @@ int run(const std::vector<std::string_view>& names) {
       "|---|---|---:|---:|---:|---:|---:|---:|---:|\n",
       processor_name(), compiler_name(), compiler_flags(), target, repetitions);
   for (const SourcePtr& source : sources) {
-    if (!names.empty() && std::find(names.begin(), names.end(), source->name()) == names.end()) continue;
     measure<float>(*source, target);
     measure<double>(*source, target);
   }
-  return 0;
 }
 
 }  // namespace
 }  // namespace axiscert
 
-int main(int argc, char** argv) {
-  try {
-    return axiscert::run({argv + 1, argv + argc});
-  } catch (const std::exception& fault) {
-    fmt::print(stderr, "certified_bench: {}\n", fault.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return axiscert::bench_main("certified_bench", argc, argv, axiscert::run); }

@@ -1,9 +1,9 @@
 // What truth costs: the loop that a user would write, a judge by intervals, and axiscert's own unit, which makes the
 // queries besides, runs the kernel, judges all sixteen comparisons and tallies. The same queries for all three.
 //
-//     truth_bench [--queries N] [FAMILY...]     without names all families and a mesh; N: at most so many of each, for
-//     a
-//                                               quick look (default: eight units)
+//     truth_bench [--queries N] [FAMILY...]
+//
+// Without names all families and a mesh. N: at most so many queries of each, for a quick look (default: eight units).
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "exact/formula_oracle.h"
+#include "fuzz/bench_table.h"
 #include "fuzz/build_info.h"
 #include "fuzz/plain_judges.h"
 #include "fuzz/thread_seconds.h"
@@ -32,11 +33,6 @@ Plan plan_of(std::vector<SourcePtr> sources) {
   plan.precisions = {Precision::binary32};
   plan.target = resolve_target("auto");
   return plan;
-}
-
-double median(std::vector<double> of) {
-  std::sort(of.begin(), of.end());
-  return of[(of.size() - 1) / 2];
 }
 
 // How many times the naive loop's rate the harness is to reach; 0: nobody said.
@@ -160,20 +156,13 @@ std::string campaign_lines() {
       peak_mebibytes(), 4 * units * unit_size);
 }
 
-int run(std::vector<std::string_view> names) {
+void run(std::vector<std::string_view> names) {
   std::uint64_t most_queries = default_queries;
   if (names.size() >= 2 && names[0] == "--queries") {
     most_queries = std::max<std::uint64_t>(least_queries, std::stoull(std::string(names[1])));
     names.erase(names.begin(), names.begin() + 2);
   }
-  std::vector<SourcePtr> sources;
-  for (const Family* family : families()) sources.push_back(family_source(*family));
-  sources.push_back(mesh_source(TEST_MODELS "/OBJ/spider.obj"));
-  for (const std::string_view wanted : names) {
-    if (std::any_of(sources.begin(), sources.end(), [&](const SourcePtr& s) { return s->name() == wanted; })) continue;
-    fmt::print(stderr, "truth_bench: no family or mesh '{}'\n", wanted);
-    return 2;
-  }
+  const std::vector<SourcePtr> sources = sources_named(names);
   const std::string campaigns = campaign_lines();
   const Plan plan = plan_of(sources);
   fmt::print(
@@ -191,22 +180,13 @@ int run(std::vector<std::string_view> names) {
       "|---|---|---:|---:|---:|---:|---:|---:|---|\n",
       processor_name(), compiler_name(), compiler_flags(), plan.target, repetitions);
   for (const SourcePtr& source : sources) {
-    if (!names.empty() && std::find(names.begin(), names.end(), source->name()) == names.end()) continue;
     measure<float>(plan, *source, most_queries);
     measure<double>(plan, *source, most_queries);
   }
   fmt::print("\n{}", campaigns);
-  return 0;
 }
 
 }  // namespace
 }  // namespace axiscert
 
-int main(int argc, char** argv) {
-  try {
-    return axiscert::run({argv + 1, argv + argc});
-  } catch (const std::exception& fault) {
-    fmt::print(stderr, "truth_bench: {}\n", fault.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return axiscert::bench_main("truth_bench", argc, argv, axiscert::run); }

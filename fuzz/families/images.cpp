@@ -88,24 +88,13 @@ Query<Real> translated_image(const Query<Real>& base, std::size_t i, Stream& ran
 }
 
 using Order = std::array<std::uint8_t, 3>;
+Order same_order(std::size_t) { return {0, 1, 2}; }
 constexpr std::array<ImageGroup, 5> groups = {{
     {"orders", 6, [](std::size_t image) -> Order { return symmetries()[48 * image].vertices; }},
-    {"axes", 48,
-     [](std::size_t) -> Order {
-       return {0, 1, 2};
-     }},
-    {"inverted", 2,
-     [](std::size_t) -> Order {
-       return {0, 1, 2};
-     }},
-    {"scaled", 8,
-     [](std::size_t) -> Order {
-       return {0, 1, 2};
-     }},
-    {"translated", 4,
-     [](std::size_t) -> Order {
-       return {0, 1, 2};
-     }},
+    {"axes", 48, same_order},
+    {"inverted", 2, same_order},
+    {"scaled", 8, same_order},
+    {"translated", 4, same_order},
 }};
 
 // The images at `first` and after it of a group of `size`. What an image draws comes after what its base drew, from the
@@ -124,40 +113,25 @@ void fill(const StreamName& name, std::uint64_t first, const MutableColumns<Real
   }
 }
 
+template <std::size_t group, auto image_binary32, auto image_binary64>
+constexpr Family family_of_images(std::string_view purpose) {
+  return {
+      groups[group].family, purpose, 1, false, fill<float, group, image_binary32>, fill<double, group, image_binary64>};
+}
+
 }  // namespace
 
 std::span<const ImageGroup> image_groups() { return groups; }
 
-extern const Family orders_family = {"orders",
-                                     "a query near tangency in the six orders of its vertices",
-                                     1,
-                                     false,
-                                     fill<float, 0, order_image<float>>,
-                                     fill<double, 0, order_image<double>>};
-extern const Family axes_family = {"axes",
-                                   "a query near tangency in the 48 permutations and reflections of the axes",
-                                   1,
-                                   false,
-                                   fill<float, 1, axes_image<float>>,
-                                   fill<double, 1, axes_image<double>>};
-extern const Family inverted_family = {"inverted",
-                                       "a query near tangency, and with all signs changed but the radius's",
-                                       1,
-                                       false,
-                                       fill<float, 2, inverted_image<float>>,
-                                       fill<double, 2, inverted_image<double>>};
-extern const Family scaled_family = {
-    "scaled",
-    "a query near tangency times eight powers of two, 2^-20 to 2^31 or 2^-160 to 2^250",
-    1,
-    false,
-    fill<float, 3, scaled_image<float>>,
-    fill<double, 3, scaled_image<double>>};
-extern const Family translated_family = {"translated",
-                                         "a query near tangency, and translated three times, exactly",
-                                         1,
-                                         false,
-                                         fill<float, 4, translated_image<float>>,
-                                         fill<double, 4, translated_image<double>>};
+extern const Family orders_family = family_of_images<0, order_image<float>, order_image<double>>(
+    "a query near tangency in the six orders of its vertices");
+extern const Family axes_family = family_of_images<1, axes_image<float>, axes_image<double>>(
+    "a query near tangency in the 48 permutations and reflections of the axes");
+extern const Family inverted_family = family_of_images<2, inverted_image<float>, inverted_image<double>>(
+    "a query near tangency, and with all signs changed but the radius's");
+extern const Family scaled_family = family_of_images<3, scaled_image<float>, scaled_image<double>>(
+    "a query near tangency times eight powers of two, 2^-20 to 2^31 or 2^-160 to 2^250");
+extern const Family translated_family = family_of_images<4, translated_image<float>, translated_image<double>>(
+    "a query near tangency, and translated three times, exactly");
 
 }  // namespace axiscert

@@ -22,6 +22,14 @@ constexpr std::size_t radius_place = coordinate_count - 1;
 // One of the vertices' coordinates that lie along the same axis, or the centre's: 3 v + axis, v = 3 for P.
 constexpr std::size_t place_of(std::size_t vertex, std::size_t axis) { return 3 * vertex + axis; }
 
+// In (-1, 1), down to 2^-n in size. The exponent is drawn first: of a call's arguments no order is promised, and what a
+// seed makes is the same from every compiler.
+template <class Real>
+Real fine_number(Dice& random, int n) {
+  const auto exponent = -static_cast<int>(random.below(static_cast<std::uint64_t>(n)));
+  return std::ldexp(random.symmetric<Real>(), exponent);
+}
+
 template <class Real>
 Real random_number(Dice& random) {
   switch (random.below(4)) {
@@ -30,7 +38,7 @@ Real random_number(Dice& random) {
     case 1:
       return Real(0);
     case 2:
-      return std::ldexp(random.symmetric<Real>(), -static_cast<int>(random.below(digits<Real>)));
+      return fine_number<Real>(random, digits<Real>);
     default:
       return random.symmetric<Real>();
   }
@@ -62,7 +70,7 @@ void move_centre(Dice& random, std::array<Real, coordinate_count>& v) {
       p = random.symmetric<Real>();
       break;
     default:  // fine numbers, whose low bits are below those of the vertices
-      p = std::ldexp(random.symmetric<Real>(), -static_cast<int>(random.below(digits<Real> + 2)));
+      p = fine_number<Real>(random, digits<Real> + 2);
   }
   for (std::size_t vertex = 0; vertex < 3; ++vertex) {
     Real& x = v[place_of(vertex, axis)];
@@ -100,8 +108,10 @@ void move_number(Dice& random, std::array<Real, coordinate_count>& v) {
     case 6:
       x = random_number<Real>(random);
       break;
-    default:
-      x = v[random.below(coordinate_count)] * (random.coin() ? Real(1) : Real(-1));
+    default: {
+      const Real number = v[random.below(coordinate_count)];
+      x = random.coin() ? number : -number;
+    }
   }
 }
 

@@ -39,7 +39,8 @@ TYPED_TEST(Moves, WhatIsWithinOneIsSoExactly) {
   int beyond = 0;
   for (int i = 0; i < 20000; ++i) {
     // About the boundary, and with a centre that may be far below an ulp of 1.
-    const Real p = std::ldexp(random.template symmetric<Real>(), -static_cast<int>(random.below(70)));
+    const auto exponent = -static_cast<int>(random.below(70));
+    const Real p = std::ldexp(random.template symmetric<Real>(), exponent);
     const Real a = moved_by_ulps(Real(p + (random.coin() ? Real(1) : Real(-1))), random.integer(-2, 2));
     const bool expected = abs(exact(a) - exact(p)) <= 1;
     EXPECT_EQ(is_within_one(a, p), expected) << a << " - " << p << ", seed " << seed;

@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "kernel/address_sanitizer.h"
 #include "kernel/plugin.h"
 #include "kernel/plugin/fault_handler.h"
 #include "kernel/plugin/floating_state.h"
@@ -24,7 +25,7 @@ namespace {
 constexpr int exit_gone = 0, exit_broken = 90;  // axiscert went away; what it handed over is unusable
 
 // A sanitizer has reserved terabytes.
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef AXISCERT_ADDRESS_SANITIZER
 constexpr bool limits_memory = false;
 #else
 constexpr bool limits_memory = true;

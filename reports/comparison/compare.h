@@ -22,9 +22,9 @@ constexpr std::string_view name(Change change) { return change_names[static_cast
 struct ComparedCell {
   Cell before, after;
   Change change = Change::unchanged;
-  bool same_queries = false;               // then figures are compared as they are
-  std::optional<double> p, p_corrected{};  // of different queries: Fisher's, and after Holm's correction
-  std::vector<std::string> witnesses{};    // ids in NEW, where it is new or worse
+  bool same_queries = false;                 // then figures are compared as they are
+  std::optional<double> p{}, p_corrected{};  // of different queries: Fisher's, and after Holm's correction
+  std::vector<std::string> witnesses{};      // ids in NEW, where it is new or worse
 
   bool is_alarm() const { return change == Change::fresh || change == Change::worse; }
 };
