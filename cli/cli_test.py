@@ -134,7 +134,7 @@ class Run(Case):
             self.assertEqual((self.folder / target / "record.json").read_bytes(), reference, target)
 
     def test_the_record_does_not_depend_on_the_filters(self):
-        arguments = ["--family", "all", "--mesh", MODELS / "OBJ/spider.obj", "--trials", 4100 // DIVISOR, "--tolerance", "3",
+        arguments = ["--family", "all", "--mesh", MODELS / "OBJ/spider.obj", "--trials", 4100 // DIVISOR**2, "--tolerance", "3",
                      "--tolerance", "plane.radius=0.5"]
         for kernel in ("published", "nonstrict", "reduced", "published+fma", "packed-nonstrict", "eigen", "closest-point"):
             arguments += ["--kernel", kernel]
