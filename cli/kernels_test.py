@@ -77,7 +77,8 @@ class Kernels(Case):
         for entry in record["kernels"]:
             # Eigen chooses its own order of operations, the certified ones claim no formulae: no reference, and what
             # differs has no known link.
-            references = {"eigen": False, "certified": None, "conservative": None}
+            references = {"eigen": False, "certified": None, "conservative": None, "certified-filter": None,
+                          "certified-filter-published": None}
             self.assertEqual(entry["reference"], references.get(entry["id"], True))
             for name, found in entry["families"].items():
                 links = found["verdict"]["links"]

@@ -10,6 +10,7 @@
 #include "kernel/certified/kernels.h"
 #include "kernel/eigen.h"
 #include "kernel/error.h"
+#include "kernel/filter/kernels.h"
 #include "kernel/mutants/mutant.h"
 #include "kernel/packed.h"
 #include "kernel/plugin/load.h"
@@ -81,6 +82,19 @@ Kernel certified_kernel(std::string id, std::string summary) {
           .is_reference = false};
 }
 
+// The filter of formulae whose non-strict form is right for every triangle: whatever it computes, it shows a verdict.
+template <FilterForm form>
+Kernel filter(std::string id, std::string summary) {
+  return {.id = std::move(id),
+          .summary = std::move(summary),
+          .formulae = Formulae::none,
+          .exposes = Exposure::verdict,
+          .binary32 = [](std::string_view target) { return filter_implementation<float>(form, target); },
+          .binary64 = [](std::string_view target) { return filter_implementation<double>(form, target); },
+          .has_simd = true,
+          .is_reference = false};
+}
+
 // clang-format off
 const std::vector<Kernel>& registry() {
   using enum Formulae;
@@ -111,6 +125,8 @@ const std::vector<Kernel>& registry() {
       eigen("eigen", "published, written with Eigen's vectors, whose reductions choose their order"),
       certified_kernel<certified::Question::closed_sphere>("certified", "exact always: filtered in the input's precision, then in doubles, then in integers"),
       certified_kernel<certified::Question::conservative>("conservative", "never a missed contact; phantom depth at most 20 sqrt(u): 0.00489, in binary64 2.11e-7"),
+      filter<FilterForm::reduced>("certified-filter", "reduced with proved thresholds: separated, contact or undecided, and proved never wrong"),
+      filter<FilterForm::published>("certified-filter-published", "the same with the published formulae, whose thresholds are wider"),
       scalar<first_publication>("first-publication", "the article as first published: QC = C e + Q, wrong in exact arithmetic"),
       scalar<vertex_typo>("vertex-typo", "the vertex section as printed: ac = dot(B, B), wrong in exact arithmetic"),
   };

@@ -12,10 +12,12 @@ enum class Says {
   contact,    // always
   separated,  // always
   invalid,    // always
+  undecided,  // always
+  declines,   // the truth or undecided
   varies,     // with the query or the order of its vertices
 };
-inline constexpr std::array<std::string_view, 6> says_names = {"right",     "wrong",   "contact",
-                                                               "separated", "invalid", "varies"};
+inline constexpr std::array<std::string_view, 8> says_names = {"right",   "wrong",     "contact",  "separated",
+                                                               "invalid", "undecided", "declines", "varies"};
 
 // From `repeated` to `infinite_centre` the sphere is clear of the triangle, or was before a coordinate was replaced.
 struct Behaviour {
@@ -60,6 +62,8 @@ inline constexpr auto behaviours = [] {
       {"eigen",               right, contact, contact, contact, contact, varies, contact, contact},
       {"certified",           right, right, right, right, invalid, invalid, invalid, invalid},
       {"conservative",        right, right, right, right, invalid, invalid, invalid, invalid},
+      {"certified-filter",    declines, undecided, undecided, undecided, undecided, undecided, undecided, undecided},
+      {"certified-filter-published", declines, undecided, undecided, undecided, undecided, undecided, undecided, undecided},
       {"first-publication",   wrong, varies, right, contact, contact, varies, contact, contact},
       {"vertex-typo",         wrong, varies, varies, contact, varies, varies, contact, contact},
   });

@@ -1,5 +1,5 @@
 (* What each main theorem rests on, printed; Assumptions.expected is what it has to print. *)
-From Axiscert Require Import Exact Reduced RecordedIsSat7 RecordedIsProgram Expression Run Thresholds Filter Filters Decides.
+From Axiscert Require Import Exact Reduced RecordedIsSat7 RecordedIsProgram Expression Run Thresholds Filter Filters Exported Decides.
 
 Tactic Notation "theorem" string(name) := idtac "==" name.
 Goal True. theorem "sat7_exact". Abort.
@@ -48,5 +48,17 @@ Goal True. theorem "reduced_filter32_never_lies". Abort.
 Print Assumptions reduced_filter32_never_lies.
 Goal True. theorem "reduced_filter64_never_lies". Abort.
 Print Assumptions reduced_filter64_never_lies.
+Goal True. theorem "exported_published_thresholds". Abort.
+Print Assumptions exported_published_thresholds.
+Goal True. theorem "exported_reduced_thresholds". Abort.
+Print Assumptions exported_reduced_thresholds.
+Goal True. theorem "exported_window_binary32". Abort.
+Print Assumptions exported_window_binary32.
+Goal True. theorem "exported_window_binary64". Abort.
+Print Assumptions exported_window_binary64.
+Goal True. theorem "exported_filters_binary32". Abort.
+Print Assumptions exported_filters_binary32.
+Goal True. theorem "exported_filters_binary64". Abort.
+Print Assumptions exported_filters_binary64.
 Goal True. theorem "filters_decide". Abort.
 Print Assumptions filters_decide.

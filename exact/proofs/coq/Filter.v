@@ -86,6 +86,11 @@ Section Filter.
     Bmult mode_NE (coefficient K) (values q (power (degree (fst (program K))))).
   Definition margin (q : float_query) (K : comparison) : float :=
     Bminus mode_NE (values q (fst (program K))) (values q (snd (program K))).
+  (* The numbers that are compared. Without division an infinity or a NaN stays one, so where they are finite everything
+     that was computed on the way to them is. *)
+  Definition compared_at (q : float_query) (K : comparison) : list float :=
+    [values q (fst (program K)); values q (snd (program K)); margin q K; limit q K].
+  Definition compared (q : float_query) (x : float) : Prop := exists K, In x (compared_at q K).
   Definition certainly_greater q K : bool := Bltb (limit q K) (margin q K).
   Definition certainly_less q K : bool := Bltb (margin q K) (Bopp (limit q K)).
 
@@ -247,9 +252,10 @@ Section Filter.
   Lemma power_rounded rnd x k : rounded rnd x (power k) = rounded rnd (fun _ => x magnitude) (power k).
   Proof. unfold power. repeat (destruct k as [| k]; try reflexivity). Qed.
 
-  (* The heart: a computed margin beyond the limit has the sign of the exact one. *)
+  (* The heart: what is compared is finite, and a computed margin beyond the limit has the sign of the exact one. *)
   Theorem certain q K : inside q = true ->
     let sides := exact_sides (exact_leaves (real_query q) (B2R (greatest q))) (program K) in
+    (forall x, In x (compared_at q K) -> is_finite x = true) /\
     (certainly_greater q K = true -> fst sides > snd sides) /\ (certainly_less q K = true -> fst sides < snd sides).
   Proof.
     intros ins. destruct (inside_spec q ins) as (Fm & [lo_m m_hi] & [r0 r_m] & finite & small).
@@ -264,7 +270,7 @@ Section Filter.
                           IZR (leaf_error l) * unit_of_error prec * ((1 + u) * m)) by (intros l; apply leaves_close).
     destruct (caps x _ K (Rlt_le _ _ m'0) sizes) as [caps_l caps_r].
     pose proof (all_covered K) as cover. unfold covered in cover.
-    unfold certainly_greater, certainly_less, limit, margin, exact_sides.
+    unfold certainly_greater, certainly_less, compared_at, limit, margin, exact_sides.
     destruct (program K) as [l r]. cbn [fst snd] in *. set (k := degree l) in *.
     destruct (bound prec None l) as [bl |] eqn:Hl; [| discriminate].
     destruct (bound prec None r) as [br |] eqn:Hr; [| discriminate].
@@ -322,13 +328,20 @@ Section Filter.
     rewrite plus_IZR in enough.
     set (M := ((1 + u) * m) ^ k) in *.
     apply Rabs_le_inv in cl, cr.
-    split; intros certain.
+    split; [| split; intros certain].
+    - cbn [In]. intros v [<- | [<- | [<- | [<- | []]]]]; assumption.
     - rewrite Bltb_correct in certain by assumption. revert certain. case Rlt_bool_spec; [intros more _ | discriminate].
       rewrite Et in more.
       apply (beyond prec (3 - emax - prec) ltac:(lia)) in more; [| apply generic_format_B2R]. lra.
     - rewrite Bltb_correct in certain by (rewrite ?is_finite_Bopp; assumption). revert certain.
       case Rlt_bool_spec; [intros less _ | discriminate]. rewrite Et in less.
       apply (below prec (3 - emax - prec) ltac:(lia)) in less; [| apply generic_format_B2R]. rewrite B2R_Bopp in less. lra.
+  Qed.
+
+  Theorem filter_finite q : filter q <> answer_undecided -> forall x, compared q x -> is_finite x = true.
+  Proof.
+    unfold filter. destruct (inside q) eqn:ins; [intros _ | cbn [negb]; congruence].
+    intros x [K is_compared]. exact (proj1 (certain q K ins) x is_compared).
   Qed.
 
   Theorem filter_separated q : filter q = answer_separated -> query_separated (real_query q).

@@ -1,15 +1,18 @@
 (* The filter theorem for binary32 and binary64, of the published formulae and the reduced, plain and fused: whatever the
    thirteen numbers of a query are, NaN and infinities included, the answer `separated` means that every point of the triangle
-   is farther from P than r, and `contact` that some point is not. *)
+   is farther from P than r, and `contact` that some point is not; and an answer other than `undecided` that every number
+   compared was finite: nothing overflowed, nothing was NaN. *)
 From Coq Require Import Reals ZArith Lia Lra.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Sat7 Sides RecordedIsSat7 Expression Programs Caps Format RecordedIsProgram Run Filter
   Thresholds.
 Open Scope R_scope.
 
-Definition never_lies {prec emax} (answer_to : float_query prec emax -> answer) : Prop := forall q,
+Definition never_lies {prec emax} (answer_to : float_query prec emax -> answer)
+  (is_compared : float_query prec emax -> binary_float prec emax -> Prop) : Prop := forall q,
   (answer_to q = answer_separated -> query_separated (real_query prec emax q)) /\
-  (answer_to q = answer_contact -> ~ query_separated (real_query prec emax q)).
+  (answer_to q = answer_contact -> ~ query_separated (real_query prec emax q)) /\
+  (answer_to q <> answer_undecided -> forall x, is_compared q x -> is_finite x = true).
 
 Lemma bpow_pow e k : bpow radix2 e ^ k = bpow radix2 (e * Z.of_nat k).
 Proof.
@@ -64,7 +67,8 @@ Section Instance.
   Hypothesis exactly_right : forall q m, 0 <= query_radius q ->
     (some_axis (fun K => nonstrict K (exact_sides (exact_leaves q m) (program K))) <-> query_separated q).
 
-  Theorem instance_never_lies : never_lies (filter prec emax _ _ program threshold lo hi).
+  Theorem instance_never_lies :
+    never_lies (filter prec emax _ _ program threshold lo hi) (compared prec emax _ _ program threshold).
   Proof.
     assert (0 < B2R lo) by (rewrite lo_value; apply bpow_gt_0).
     assert (forall k, (k <= greatest_degree)%nat ->
@@ -72,7 +76,7 @@ Section Instance.
     { intros. rewrite lo_value. apply low_window; lia. }
     assert (forall k, (k <= greatest_degree)%nat -> 4096 * B2R hi ^ k < bpow radix2 emax).
     { intros. rewrite hi_value. apply high_window; lia. }
-    split; [apply filter_separated | apply filter_contact]; assumption.
+    repeat split; [apply filter_separated | apply filter_contact | apply filter_finite]; assumption.
   Qed.
 End Instance.
 
@@ -98,6 +102,12 @@ Definition reduced_filter32 (fused : bool) :=
 Definition reduced_filter64 (fused : bool) :=
   filter 53 1024 _ _ (reduced_program fused) reduced_threshold least_binary64 greatest_binary64.
 
+(* The numbers that each of them compares. *)
+Definition published_compared32 (fused : bool) := compared 24 128 _ _ (published_program fused) published_threshold.
+Definition published_compared64 (fused : bool) := compared 53 1024 _ _ (published_program fused) published_threshold.
+Definition reduced_compared32 (fused : bool) := compared 24 128 _ _ (reduced_program fused) reduced_threshold.
+Definition reduced_compared64 (fused : bool) := compared 53 1024 _ _ (reduced_program fused) reduced_threshold.
+
 Lemma least_binary32_value : B2R least_binary32 = bpow radix2 (- (19)).
 Proof. exact (power_of_two 8388608 (-42) 23 eq_refl). Qed.
 Lemma greatest_binary32_value : B2R greatest_binary32 = bpow radix2 19.
@@ -107,7 +117,7 @@ Proof. exact (power_of_two 4503599627370496 (-220) 52 eq_refl). Qed.
 Lemma greatest_binary64_value : B2R greatest_binary64 = bpow radix2 168.
 Proof. exact (power_of_two 4503599627370496 116 52 eq_refl). Qed.
 
-Theorem published_filter32_never_lies fused : never_lies (published_filter32 fused).
+Theorem published_filter32_never_lies fused : never_lies (published_filter32 fused) (published_compared32 fused).
 Proof.
   apply (instance_never_lies 24 128 19); try lia; try reflexivity.
   - exact least_binary32_value.
@@ -116,7 +126,7 @@ Proof.
   - intros. apply published_caps; assumption.
   - apply published_right.
 Qed.
-Theorem published_filter64_never_lies fused : never_lies (published_filter64 fused).
+Theorem published_filter64_never_lies fused : never_lies (published_filter64 fused) (published_compared64 fused).
 Proof.
   apply (instance_never_lies 53 1024 168); try lia; try reflexivity.
   - exact least_binary64_value.
@@ -125,7 +135,7 @@ Proof.
   - intros. apply published_caps; assumption.
   - apply published_right.
 Qed.
-Theorem reduced_filter32_never_lies fused : never_lies (reduced_filter32 fused).
+Theorem reduced_filter32_never_lies fused : never_lies (reduced_filter32 fused) (reduced_compared32 fused).
 Proof.
   apply (instance_never_lies 24 128 19); try lia; try reflexivity.
   - exact least_binary32_value.
@@ -134,7 +144,7 @@ Proof.
   - intros. apply reduced_caps; assumption.
   - apply reduced_right.
 Qed.
-Theorem reduced_filter64_never_lies fused : never_lies (reduced_filter64 fused).
+Theorem reduced_filter64_never_lies fused : never_lies (reduced_filter64 fused) (reduced_compared64 fused).
 Proof.
   apply (instance_never_lies 53 1024 168); try lia; try reflexivity.
   - exact least_binary64_value.

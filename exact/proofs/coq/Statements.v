@@ -1,0 +1,244 @@
+(* What each main theorem says, and the definitions that it says it in, printed; Statements.expected is what they have to
+   be. A proof is checked by Coq, a statement only by being read: so one that becomes weaker is not to pass unread. *)
+From Coq Require Import Reals ZArith List.
+From Flocq Require Import Core BinarySingleNaN.
+From Axiscert Require Import Vectors Sat7 Exact Reduced Sides RecordedIsSat7 RecordedIsProgram Expression Programs Format Run
+  Thresholds Filter Filters Exported Decides.
+Open Scope R_scope.
+Set Printing Width 120.
+
+Tactic Notation "statement" string(name) := idtac "==" name.
+Goal True. statement "sat7_exact". Abort.
+Check sat7_exact.
+Goal True. statement "sat7_exact_strict". Abort.
+Check sat7_exact_strict.
+Goal True. statement "sat7_strict_sound". Abort.
+Check sat7_strict_sound.
+Goal True. statement "strict_wrong_for_repeated_vertex". Abort.
+Check strict_wrong_for_repeated_vertex.
+Goal True. statement "strict_wrong_for_collinear". Abort.
+Check strict_wrong_for_collinear.
+Goal True. statement "reduced_equiv". Abort.
+Check reduced_equiv.
+Goal True. statement "reduced_exact". Abort.
+Check reduced_exact.
+Goal True. statement "recorded_published_is_sat7". Abort.
+Check recorded_published_is_sat7.
+Goal True. statement "recorded_reduced_is_sat7". Abort.
+Check recorded_reduced_is_sat7.
+Goal True. statement "published_float_program". Abort.
+Check published_float_program.
+Goal True. statement "published_fma_program". Abort.
+Check published_fma_program.
+Goal True. statement "reduced_float_program". Abort.
+Check reduced_float_program.
+Goal True. statement "reduced_fma_program". Abort.
+Check reduced_fma_program.
+Goal True. statement "bound_sound". Abort.
+Check bound_sound.
+Goal True. statement "run_correct". Abort.
+Check run_correct.
+Goal True. statement "published_covered_binary32". Abort.
+Check published_covered_binary32.
+Goal True. statement "published_covered_binary64". Abort.
+Check published_covered_binary64.
+Goal True. statement "reduced_covered_binary32". Abort.
+Check reduced_covered_binary32.
+Goal True. statement "reduced_covered_binary64". Abort.
+Check reduced_covered_binary64.
+Goal True. statement "published_filter32_never_lies". Abort.
+Check published_filter32_never_lies.
+Goal True. statement "published_filter64_never_lies". Abort.
+Check published_filter64_never_lies.
+Goal True. statement "reduced_filter32_never_lies". Abort.
+Check reduced_filter32_never_lies.
+Goal True. statement "reduced_filter64_never_lies". Abort.
+Check reduced_filter64_never_lies.
+Goal True. statement "exported_published_thresholds". Abort.
+Check exported_published_thresholds.
+Goal True. statement "exported_reduced_thresholds". Abort.
+Check exported_reduced_thresholds.
+Goal True. statement "exported_window_binary32". Abort.
+Check exported_window_binary32.
+Goal True. statement "exported_window_binary64". Abort.
+Check exported_window_binary64.
+Goal True. statement "exported_filters_binary32". Abort.
+Check exported_filters_binary32.
+Goal True. statement "exported_filters_binary64". Abort.
+Check exported_filters_binary64.
+Goal True. statement "filters_decide". Abort.
+Check filters_decide.
+
+(* Definitions. *)
+Goal True. statement "vec". Abort.
+Print vec.
+Goal True. statement "add". Abort.
+Print add.
+Goal True. statement "sub". Abort.
+Print sub.
+Goal True. statement "scale". Abort.
+Print scale.
+Goal True. statement "dot". Abort.
+Print dot.
+Goal True. statement "cross". Abort.
+Print cross.
+Goal True. statement "distance". Abort.
+Print distance.
+Goal True. statement "combination". Abort.
+Print combination.
+Goal True. statement "in_triangle". Abort.
+Print in_triangle.
+Goal True. statement "separated". Abort.
+Print separated.
+Goal True. statement "clear". Abort.
+Print clear.
+Goal True. statement "comparison". Abort.
+Print comparison.
+Goal True. statement "is_side". Abort.
+Print is_side.
+Goal True. statement "some_axis". Abort.
+Print some_axis.
+Goal True. statement "normal". Abort.
+Print normal.
+Goal True. statement "offset". Abort.
+Print offset.
+Goal True. statement "length2". Abort.
+Print length2.
+Goal True. statement "foot". Abort.
+Print foot.
+Goal True. statement "from_foot". Abort.
+Print from_foot.
+Goal True. statement "plane_sides". Abort.
+Print plane_sides.
+Goal True. statement "vertex_radius_sides". Abort.
+Print vertex_radius_sides.
+Goal True. statement "vertex_side_sides". Abort.
+Print vertex_side_sides.
+Goal True. statement "edge_radius_sides". Abort.
+Print edge_radius_sides.
+Goal True. statement "edge_side_sides". Abort.
+Print edge_side_sides.
+Goal True. statement "published". Abort.
+Print published.
+Goal True. statement "reduced_radius_sides". Abort.
+Print reduced_radius_sides.
+Goal True. statement "reduced_side_sides". Abort.
+Print reduced_side_sides.
+Goal True. statement "reduced". Abort.
+Print reduced.
+Goal True. statement "strict". Abort.
+Print strict.
+Goal True. statement "nonstrict". Abort.
+Print nonstrict.
+Goal True. statement "sat7_strict". Abort.
+Print sat7_strict.
+Goal True. statement "sat7". Abort.
+Print sat7.
+Goal True. statement "same_sign". Abort.
+Print same_sign.
+Goal True. statement "query". Abort.
+Print query.
+Goal True. statement "query_separated". Abort.
+Print query_separated.
+Goal True. statement "leaf". Abort.
+Print leaf.
+Goal True. statement "expression". Abort.
+Print expression.
+Goal True. statement "exact". Abort.
+Print exact.
+Goal True. statement "rounded". Abort.
+Print rounded.
+Goal True. statement "degree". Abort.
+Print degree.
+Goal True. statement "bounds". Abort.
+Print bounds.
+Goal True. statement "within". Abort.
+Print within.
+Goal True. statement "leaves". Abort.
+Print leaves.
+Goal True. statement "exact_leaves". Abort.
+Print exact_leaves.
+Goal True. statement "rounded_sides". Abort.
+Print rounded_sides.
+Goal True. statement "exact_sides". Abort.
+Print exact_sides.
+Goal True. statement "run". Abort.
+Print run.
+Goal True. statement "margin_error". Abort.
+Print margin_error.
+Goal True. statement "covered". Abort.
+Print covered.
+Goal True. statement "published_threshold". Abort.
+Print published_threshold.
+Goal True. statement "reduced_threshold". Abort.
+Print reduced_threshold.
+Goal True. statement "answer". Abort.
+Print answer.
+Goal True. statement "float_vec". Abort.
+Print float_vec.
+Goal True. statement "float_query". Abort.
+Print float_query.
+Goal True. statement "real_vec". Abort.
+Print real_vec.
+Goal True. statement "real_query". Abort.
+Print real_query.
+Goal True. statement "some_axis_b". Abort.
+Print some_axis_b.
+Goal True. statement "power". Abort.
+Print power.
+Goal True. statement "coordinates". Abort.
+Print coordinates.
+Goal True. statement "float_leaf". Abort.
+Print float_leaf.
+Goal True. statement "greater". Abort.
+Print greater.
+Goal True. statement "greatest". Abort.
+Print greatest.
+Goal True. statement "inside". Abort.
+Print inside.
+Goal True. statement "coefficient". Abort.
+Print coefficient.
+Goal True. statement "values". Abort.
+Print values.
+Goal True. statement "limit". Abort.
+Print limit.
+Goal True. statement "margin". Abort.
+Print margin.
+Goal True. statement "compared_at". Abort.
+Print compared_at.
+Goal True. statement "compared". Abort.
+Print compared.
+Goal True. statement "certainly_greater". Abort.
+Print certainly_greater.
+Goal True. statement "certainly_less". Abort.
+Print certainly_less.
+Goal True. statement "filter". Abort.
+Print filter.
+Goal True. statement "least_binary32". Abort.
+Print least_binary32.
+Goal True. statement "greatest_binary32". Abort.
+Print greatest_binary32.
+Goal True. statement "least_binary64". Abort.
+Print least_binary64.
+Goal True. statement "greatest_binary64". Abort.
+Print greatest_binary64.
+Goal True. statement "published_filter32". Abort.
+Print published_filter32.
+Goal True. statement "published_filter64". Abort.
+Print published_filter64.
+Goal True. statement "reduced_filter32". Abort.
+Print reduced_filter32.
+Goal True. statement "reduced_filter64". Abort.
+Print reduced_filter64.
+Goal True. statement "published_compared32". Abort.
+Print published_compared32.
+Goal True. statement "published_compared64". Abort.
+Print published_compared64.
+Goal True. statement "reduced_compared32". Abort.
+Print reduced_compared32.
+Goal True. statement "reduced_compared64". Abort.
+Print reduced_compared64.
+Goal True. statement "never_lies". Abort.
+Print never_lies.
+Goal True. statement "all_filters". Abort.
+Print all_filters.

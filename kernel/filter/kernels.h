@@ -1,0 +1,14 @@
+// The filters as kernels of the registry.
+#pragma once
+
+#include "kernel/kernel.h"
+
+namespace axiscert {
+
+enum class FilterForm : std::uint8_t { published, reduced };
+
+// `target` is one of available_targets(). Verdicts alone: `separated`, `contact` or `undecided`.
+template <class Real>
+Implementation<Real> filter_implementation(FilterForm form, std::string_view target);
+
+}  // namespace axiscert
