@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -43,8 +44,7 @@ std::vector<Entry> entries_of(const ProveOptions& options) {
         if (!options.precision.empty() && precision != parse_precision(options.precision)) continue;
         for (const Domain domain : {Domain::scaled, Domain::absolute}) {
           for (std::size_t k = 0; k < comparison_count; ++k) {
-            const Entry entry{{form, contraction, precision, domain}, static_cast<Comparison>(k), "NOT CHECKED"};
-            if (has_script(entry.setting, entry.which)) entries.push_back(entry);
+            entries.push_back({{form, contraction, precision, domain}, static_cast<Comparison>(k), "NOT CHECKED"});
           }
         }
       }
@@ -53,12 +53,13 @@ std::vector<Entry> entries_of(const ProveOptions& options) {
   return entries;
 }
 
+// What a search attained with the kernel, or with the one whose comparison is the same program.
 std::optional<double> attained_of(const Entry& entry) {
+  if (entry.setting.domain != Domain::scaled || entry.setting.precision != Precision::binary32) return std::nullopt;
+  Setting searched = entry.setting;
+  if (is_shared(entry.which)) searched.form = Form::published;
   for (const Attained& attained : attained_errors) {
-    if (entry.setting.domain == Domain::scaled && entry.setting.precision == Precision::binary32 &&
-        attained.kernel == kernel_of(entry.setting) && attained.kind == kind_of(entry.which)) {
-      return attained.u;
-    }
+    if (attained.kernel == kernel_of(searched) && attained.kind == kind_of(entry.which)) return attained.u;
   }
   return std::nullopt;
 }
@@ -67,13 +68,19 @@ std::optional<double> attained_of(const Entry& entry) {
 // ranges of the absolute domain have no proof in Coq.
 void check(std::vector<Entry>& entries, const std::optional<bool>& ranges) {
   const Files scripts = gappa_files();
-  tbb::parallel_for(std::size_t{0}, entries.size(), [&](std::size_t i) {
-    Entry& entry = entries[i];
-    const bool accepted = gappa_accepts(scripts.at(script_path(entry.setting, entry.which)));
-    if (!accepted || ranges == false) entry.status = "refused";
+  std::vector<std::pair<std::string, bool>> accepted;  // each script once, whoever shares it
+  for (const Entry& entry : entries) accepted.emplace_back(script_path(entry.setting, entry.which), false);
+  std::sort(accepted.begin(), accepted.end());
+  accepted.erase(std::unique(accepted.begin(), accepted.end()), accepted.end());
+  tbb::parallel_for(std::size_t{0}, accepted.size(),
+                    [&](std::size_t i) { accepted[i].second = gappa_accepts(scripts.at(accepted[i].first)); });
+  for (Entry& entry : entries) {
+    const auto found =
+        std::lower_bound(accepted.begin(), accepted.end(), std::pair(script_path(entry.setting, entry.which), false));
+    if (!found->second || ranges == false) entry.status = "refused";
     else if (entry.setting.domain == Domain::absolute) entry.status = "open";
     else entry.status = ranges ? "proved" : "NOT CHECKED";
-  });
+  }
 }
 
 Json data_of(const std::vector<Entry>& entries, const std::optional<std::string>& gappa,

@@ -68,12 +68,11 @@ int vector_bound(const Setting& setting, std::string_view vector) {
   return cell(setting, vector == "V" ? "V" : vector[0] == 'N' ? "N" : is_foot ? "Q" : "QC");
 }
 
-bool has_script(const Setting& setting, Comparison which) {
-  return setting.form == Form::published || info(which).axis >= Axis::edge_ab;
-}
+bool is_shared(Comparison which) { return info(which).axis < Axis::edge_ab; }
 
 std::string script_path(const Setting& setting, Comparison which) {
-  return fmt::format("gappa/{}/{}/{}_{}_{}.g", name(setting.precision), name(setting.domain), name(setting.form),
+  const Form form = is_shared(which) ? Form::published : setting.form;
+  return fmt::format("gappa/{}/{}/{}_{}_{}.g", name(setting.precision), name(setting.domain), name(form),
                      name(setting.contraction), identifier(which));
 }
 

@@ -23,8 +23,8 @@ int bound(const Setting& setting, Comparison which);
 // At most so many u/16 is the error of every component of a vector: a step of the proof.
 int vector_bound(const Setting& setting, std::string_view vector);
 
-// The two sets of formulae share the plane's and the vertices' comparisons: those scripts are made once.
-bool has_script(const Setting& setting, Comparison which);
+// The two sets of formulae share the plane's and the vertices' comparisons: those have one script, published's.
+bool is_shared(Comparison which);
 std::string script_path(const Setting& setting, Comparison which);
 
 }  // namespace axiscert::proofs

@@ -8,6 +8,8 @@ Files proof_files() {
   all.merge(gappa_files());
   all.merge(range_files());
   all.merge(header_files());
+  all.merge(fpcore_files());
+  all.merge(latex_files());
   return all;
 }
 

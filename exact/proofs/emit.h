@@ -12,6 +12,8 @@ using Files = std::map<std::string, std::string>;
 Files coq_files();
 Files gappa_files();
 Files range_files();
+Files fpcore_files();
+Files latex_files();
 // kernel/proved_bounds.h, its path seen from exact/proofs/.
 Files header_files();
 

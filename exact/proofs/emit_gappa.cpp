@@ -265,7 +265,7 @@ Files gappa_files() {
           for (std::size_t k = 0; k < comparison_count; ++k) {
             const auto which = static_cast<Comparison>(k);
             const Setting setting{form, contraction, precision, domain};
-            if (!has_script(setting, which)) continue;
+            if (form != Form::published && is_shared(which)) continue;
             files[script_path(setting, which)] = Script(recording, setting, which).text();
           }
         }

@@ -35,4 +35,10 @@ struct InfixProgram {
 };
 InfixProgram infix(const Program& program, const std::vector<std::size_t>& results, const Notation& notation);
 
+// The same in any notation: `name` writes a name, `write` a step from its operands' texts.
+using NameWriter = std::function<std::string(const std::string&)>;
+using StepWriter = std::function<Text(const Step& step, const std::vector<Text>& operands)>;
+InfixProgram with_definitions(const Program& program, const std::vector<std::size_t>& results, const NameWriter& name,
+                              const StepWriter& write);
+
 }  // namespace axiscert::proofs

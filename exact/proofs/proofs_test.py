@@ -44,8 +44,11 @@ def current():
         os.makedirs(os.path.join(fresh, "kernel"))
         os.makedirs(made)
         subprocess.run([write_proofs, made], check=True, stdout=subprocess.DEVNULL)
-        generated = {os.path.relpath(path, folder) for path in scripts("")}
-        assert all(os.path.exists(os.path.join(made, path)) for path in generated), "a stray script"
+        for kind in ("gappa", "fpcore", "latex"):
+            for where, _, names in os.walk(os.path.join(folder, kind)):
+                for name in names:
+                    path = os.path.relpath(os.path.join(where, name), folder)
+                    assert os.path.exists(os.path.join(made, path)), f"{path}: nothing writes it"
         # A changed formula, or any changed byte, is seen.
         path = os.path.join(made, "coq", "Recorded.v")
         with open(path, "a") as file:
@@ -101,9 +104,9 @@ def ranges():
         assert run.returncode != 0 and "RangesClaimed.v" in run.stderr, "a range too narrow is accepted"
 
 
-def certificates():
-    """Gappa's certificates, checked by Coq: one of each kind, binary32."""
-    for path in scripts(r"binary32/scaled/(published_plain_(plane_radius|vertex_a_\w+|edge_ab_\w+)|reduced_plain_edge_ab_\w+)\.g$"):
+def certificates(pattern):
+    """Gappa's certificates, checked by Coq."""
+    for path in scripts(pattern):
         with tempfile.TemporaryDirectory() as work:
             certificate = subprocess.run(["gappa", "-Bcoq"], input=read(path), capture_output=True, text=True, check=True)
             with open(os.path.join(work, "certificate.v"), "w") as file:
@@ -114,9 +117,12 @@ def certificates():
 
 {
     "Current": current,
-    "Scripts": lambda: require(scripts(r"binary32/scaled/\w+_plain_(plane|vertex_a|edge_ab)")),
+    "Scripts": lambda: require(scripts(r"scaled/\w+_plain_(plane|vertex_a|edge_ab)")),
     "Planted": planted,
     "AllScripts": lambda: require(scripts("")),
     "Ranges": ranges,
-    "Certificates": certificates,
+    "Certificates": lambda: certificates(r"binary32/scaled/(published_plain_vertex_a_(radius|side_b)|reduced_plain_edge_ab_radius)\.g$"),
+    # One of each kind.
+    "AllCertificates": lambda: certificates(
+        r"binary32/scaled/(published_plain_(plane_radius|edge_ab_\w+)|reduced_plain_edge_ab_side_c)\.g$"),
 }[suite]()
