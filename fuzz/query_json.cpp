@@ -122,7 +122,7 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
       if (colon != reason.npos) reason.remove_prefix(colon + 2);
     }
     std::string line;
-    for (const char c : reason.substr(0, 300)) line += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+    for (const char c : reason.substr(0, 300)) line += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
     if (depth_ == 0) line += outside_object();
     place_.fail(key_, fmt::format("malformed JSON at column {}: {}", position, line));
   }
