@@ -6,8 +6,10 @@
 
 #include "fuzz/file_bytes.h"
 #include "fuzz/number_text.h"
+#include "fuzz/plain_line.h"
 #include "fuzz/sha256.h"
 #include "kernel/error.h"
+#include "reports/parsed_json.h"
 #include "reports/plan.h"
 
 namespace axiscert {
@@ -91,7 +93,12 @@ PlanFile plan_file_of(const RunOptions& options, std::optional<std::uint64_t> un
 }
 
 PlanFile read_plan_file(const std::string& path) {
-  PlanFile file{path, Json::parse(read_bytes(path), nullptr, false), {}, {}, 1};
+  PlanFile file{path, {}, {}, {}, 1};
+  try {
+    file.json = parsed_json(read_bytes(path));
+  } catch (const Json::exception&) {
+    // null: none, as below
+  }
   const Json& json = file.json;
   if (!json.is_object() || !json.contains("schema")) {
     throw Error(fmt::format("{}: is no plan, or cut off: `axiscert plan --out {}` writes one", path, path));
@@ -111,7 +118,7 @@ PlanFile read_plan_file(const std::string& path) {
     for_each_option(file.options, [&](const char* name, auto& value) { get(json.at("options").at(name), value); });
     json.at("units_per_stretch").get_to(file.units_each);
   } catch (const Json::exception& wrong) {
-    throw Error(fmt::format("{}: not as {} has it: {}", path, plan_schema, wrong.what()));
+    throw Error(fmt::format("{}: not as {} has it: {}", path, plan_schema, plain_line(wrong.what())));
   }
   if (file.units_each == 0) throw Error(fmt::format("{}: a stretch has at least one unit, not 0", path));
   return file;

@@ -17,6 +17,7 @@
 #include <cstring>
 #include <span>
 
+#include "fuzz/plain_line.h"
 #include "kernel/error.h"
 
 namespace axiscert {
@@ -154,11 +155,8 @@ std::string ending(int status, const ImportLimits& limits) {
 }
 
 Error refused(const std::string& path, std::string reason) {
-  for (char& c : reason) {
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  }
   if (reason.empty()) reason = "assimp gives no reason";
-  return Error(fmt::format("{}: not a mesh that can be read: {}", path, reason));
+  return Error(fmt::format("{}: not a mesh that can be read: {}", path, plain_line(reason)));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "exact/rational.h"
+#include "fuzz/plain_line.h"
 #include "kernel/error.h"
 #include "kernel/names.h"
 
@@ -171,9 +172,7 @@ std::string shown(std::string_view text) {
     // Back to the start of a UTF-8 character.
     while (!line.empty() && (static_cast<unsigned char>(text[line.size()]) & 0xc0) == 0x80) line.pop_back();
   }
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  }
+  line = plain_line(line);
   if (text.size() > limit) line += fmt::format("... ({} characters)", text.size());
   return line;
 }

@@ -187,6 +187,11 @@ TEST(QueryFile, AbsurdInputIsRefusedInOneShortLine) {
   }
 }
 
+TEST(QueryFile, MessageAboutMalformedJsonHasNoControlCharacters) {
+  expect_message(refusal(with("r", "\"\x7f\xff\"")), place(1, "r"), "last read: '\"?");
+  EXPECT_EQ(refusal(with("r", "\"\x7f\xff\"")).find('\x7f'), std::string::npos);
+}
+
 TEST(QueryFile, CsvTakesItsPrecisionFromTheCaller) {
   const std::string text = "\xef\xbb\xbf\n " + header + " \r\n0,0,0, 1 ,0,0,\t0,0x1p-1,0,nan,-0,inf,0.2\r\n\n";
   const auto singles = parse_queries(text, "f.csv", Precision::binary32);

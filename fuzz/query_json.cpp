@@ -9,6 +9,7 @@
 
 #include "fuzz/address.h"
 #include "fuzz/number_text.h"
+#include "fuzz/plain_line.h"
 #include "fuzz/query_line.h"
 #include "kernel/error.h"
 
@@ -121,8 +122,7 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
       const std::size_t colon = reason.find(": ", column);
       if (colon != reason.npos) reason.remove_prefix(colon + 2);
     }
-    std::string line;
-    for (const char c : reason.substr(0, 300)) line += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+    std::string line = plain_line(reason.substr(0, 300));
     if (depth_ == 0) line += outside_object();
     place_.fail(key_, fmt::format("malformed JSON at column {}: {}", position, line));
   }

@@ -157,6 +157,7 @@ TEST(BadReplies, APlanThatCannotBeMadeHere) {
   };
   expect_plan("{\"axis", "[\"axis", "none that this axiscert writes");
   expect_plan("\"seed\":7", "\"seed\":x", "none that this axiscert writes");
+  expect_plan("\"seed\":7", "\"see\x7f\xff\":7", "last read: '\"see?");  // no terminal is sent what it obeys
   expect_plan("\"seed\":7", "\"sees\":7", "none that this axiscert writes");
   expect_plan("\"axiscert\":\"" AXISCERT_VERSION, "\"axiscert\":\"0.0.9", "made by axiscert 0.0.9");
   expect_plan("\"version\":2", "\"version\":9", "version 9 of the generator general, which is at version 2");

@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "fuzz/number_text.h"
+#include "fuzz/plain_line.h"
 #include "kernel/error.h"
 #include "kernel/names.h"
 #include "reports/embedded.h"
+#include "reports/parsed_json.h"
 #include "reports/schema.h"
 
 namespace axiscert {
@@ -201,12 +203,12 @@ Json read_json(const std::filesystem::path& path) {
   if (!in.is_open() || in.bad())
     throw Error(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
   try {
-    return Json::parse(text.view());
+    return parsed_json(text.view());
   } catch (const Json::exception& problem) {
     // "[json.exception.parse_error.101] parse error at line 3, column 7: ...": the bracket says nothing to a user.
     std::string what = problem.what();
     if (const auto end = what.find("] "); end != what.npos) what.erase(0, end + 2);
-    throw Error(fmt::format("{}: not JSON, cut off or edited: {} (byte {} is its end)", path.string(), what,
+    throw Error(fmt::format("{}: not JSON, cut off or edited: {} (byte {} is its end)", path.string(), plain_line(what),
                             text.view().size()));
   }
 }

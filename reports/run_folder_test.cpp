@@ -61,6 +61,19 @@ TEST(RunFolder, CutOffRecordIsRefusedWithItsLine) {
   EXPECT_THAT(error_after(text + "}"), HasSubstr("line "));
 }
 
+// Which every function on such a value calls itself for.
+TEST(RunFolder, RecordOfBracketsIsRefused) {
+  constexpr std::size_t levels = 300000;
+  const std::string brackets = std::string(levels, '[') + std::string(levels, ']');
+  EXPECT_THAT(error_after(brackets), HasSubstr("deeper than 100 levels"));
+  EXPECT_THAT(error_after("{\"schema\":" + brackets + "}"), HasSubstr("deeper than 100 levels"));
+  EXPECT_THAT(error_after(std::string(90, '[') + std::string(90, ']')), HasSubstr("has no \"schema\""));
+}
+
+TEST(RunFolder, ErrorHasNoControlCharacters) {
+  EXPECT_THAT(error_after("{\"a\": \x7f}"), HasSubstr("last read: '\"a\": ?'"));
+}
+
 TEST(RunFolder, NewerSchemaIsRefusedByName) {
   const std::string error = error_after_edit([](Json& record) { record["schema"] = "axiscert-record/2"; });
   EXPECT_THAT(error, HasSubstr("\"axiscert-record/2\""));

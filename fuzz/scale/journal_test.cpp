@@ -61,6 +61,16 @@ TEST_F(JournalTest, CutOffAnywhereItKeepsTheWholeEntriesAndGoesOn) {
   }
 }
 
+TEST_F(JournalTest, RefusalHasNoControlCharacters) {
+  write("\x1b[31m\x7f is no journal");
+  try {
+    read();
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("it begins with \"?[31m? is no journal\""));
+  }
+}
+
 TEST_F(JournalTest, AnyByteChangedIsSeen) {
   for (std::size_t i = 0; i < bytes_.size(); ++i) {
     for (const int bit : {0, 3, 7}) {

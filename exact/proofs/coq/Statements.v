@@ -3,7 +3,7 @@
 From Coq Require Import Reals ZArith List.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Sat7 Exact Reduced Sides RecordedIsSat7 RecordedIsProgram Expression Programs Format Run
-  Thresholds Filter Filters Exported Decides.
+  Window Windows Thresholds Filter Filters Exported Decides.
 Open Scope R_scope.
 Set Printing Width 120.
 
@@ -38,6 +38,14 @@ Goal True. statement "bound_sound". Abort.
 Check bound_sound.
 Goal True. statement "run_correct". Abort.
 Check run_correct.
+Goal True. statement "published_window32". Abort.
+Check published_window32.
+Goal True. statement "published_window64". Abort.
+Check published_window64.
+Goal True. statement "reduced_window32". Abort.
+Check reduced_window32.
+Goal True. statement "reduced_window64". Abort.
+Check reduced_window64.
 Goal True. statement "published_covered_binary32". Abort.
 Check published_covered_binary32.
 Goal True. statement "published_covered_binary64". Abort.
@@ -164,6 +172,26 @@ Goal True. statement "exact_sides". Abort.
 Print exact_sides.
 Goal True. statement "run". Abort.
 Print run.
+Goal True. statement "unbounded". Abort.
+Print unbounded.
+Goal True. statement "in_window". Abort.
+Print in_window.
+Goal True. statement "as_unbounded". Abort.
+Print as_unbounded.
+Goal True. statement "sides_as_unbounded". Abort.
+Print sides_as_unbounded.
+Goal True. statement "least_grid". Abort.
+Print least_grid.
+Goal True. statement "window_degree". Abort.
+Print window_degree.
+Goal True. statement "published_greatest32". Abort.
+Print published_greatest32.
+Goal True. statement "published_greatest64". Abort.
+Print published_greatest64.
+Goal True. statement "reduced_greatest32". Abort.
+Print reduced_greatest32.
+Goal True. statement "reduced_greatest64". Abort.
+Print reduced_greatest64.
 Goal True. statement "margin_error". Abort.
 Print margin_error.
 Goal True. statement "covered". Abort.

@@ -1,0 +1,83 @@
+// Mesh files: assimp reads them in a process of its own, and whatever becomes of that one, the file is refused by Error
+// or gives triangles, of which every query is finite.
+//
+// Input: byte 0 chooses the format, by the file's name; then the file. No coverage comes back from the other process:
+// an input is new by what the file turned out to be, a message or a number of triangles.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "fuzz/family.h"
+#include "fuzz/mesh.h"
+#include "fuzz/mesh_import.h"
+#include "fuzz/random.h"
+#include "fuzz/source.h"
+#include "fuzz/targets/target.h"
+
+namespace {
+
+using namespace axiscert;
+using namespace axiscert::fuzzing;
+
+constexpr std::array<std::string_view, 6> formats = {"obj", "ply", "stl", "off", "dae", "gltf"};
+constexpr std::size_t outcome_count = 4096;
+
+__attribute__((section("__libfuzzer_extra_counters"))) std::uint8_t outcomes[outcome_count];
+
+void see(std::string_view outcome) { outcomes[name_hash(outcome) % outcome_count] = 1; }
+
+// A message without what is in it of this file: its numbers and quotations.
+std::string kind_of(std::string_view message) {
+  std::string kind;
+  for (const char c : message.substr(message.find(": ") + 1)) {
+    if (c == '"' || c == '\'') break;
+    if (c < '0' || c > '9') kind += c;
+  }
+  return kind;
+}
+
+template <class Real>
+void check_queries(const Source& source) {
+  QueryBatch<Real> batch(64);
+  source.fill(1, 0, batch.capacity(), batch);
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (!is_valid(batch[i]))
+      fault(fmt::format("query {} in {} of a mesh that was read is not valid", i, name(precision_of<Real>)));
+  }
+}
+
+// Its own folder, which a file may name others in, and find none.
+struct Folder {
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / fmt::format("axiscert_mesh_target_{}", getpid());
+  Folder() { std::filesystem::create_directories(path); }
+  ~Folder() { std::filesystem::remove_all(path); }
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return -1;
+  static const Folder folder;
+  const std::string path = folder.path / fmt::format("fuzzed.{}", formats[data[0] % formats.size()]);
+  std::ofstream(path, std::ios::binary) << text_of(data + 1, size - 1);
+  try {
+    // assimp may take all the time that it is given, so a little; what came within it comes again.
+    import_mesh(path, {std::uint64_t{1} << 30, 1});
+    const SourcePtr source = mesh_source(path);
+    const FileInfo file = *source->file();
+    see(fmt::format("{} {} {}", std::bit_width(file.triangles), std::bit_width(file.degenerate_triangles),
+                    std::bit_width(file.skipped_primitives)));
+    check_queries<float>(*source);
+    check_queries<double>(*source);
+  } catch (const Error& refusal) {
+    check_message(refusal.what());
+    see(kind_of(refusal.what()));
+  }
+  std::filesystem::remove(path);
+  return 0;
+}

@@ -1,0 +1,126 @@
+// The pipe's reply stream: header, plan and replies. Refused by Error that names the stream; or read, and then the
+// plan's own header is read to the same plan, and every reply is where it was.
+//
+// Input: the plan's JSON, a zero byte, the replies. Lengths, counts and hashes are made from those, or nothing would
+// ever come past them. An input that begins like a header is taken as it stands.
+#include <fmt/format.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "fuzz/file_bytes.h"
+#include "fuzz/replies.h"
+#include "fuzz/sha256.h"
+#include "fuzz/targets/json_mutator.h"
+#include "fuzz/targets/target.h"
+
+namespace {
+
+using namespace axiscert;
+using namespace axiscert::fuzzing;
+using Json = nlohmann::json;
+
+// The one file that a plan may name here; seeds.py has a plan that does.
+constexpr std::string_view given_file =
+    R"({"id":"ok","precision":"binary32","a":[0,0,0],"b":[1,0,0],"c":[0,1,0],"p":[0,0,1],"r":0.5})"
+    "\n";
+
+// A plan's `path` is opened, whatever it names: of files that are not the target's it is to open none.
+bool names_only_the_given_file(const std::string& plan) {
+  const Json json = Json::parse(plan, nullptr, false);
+  if (!json.is_object() || !json.contains("sources") || !json["sources"].is_structured()) return true;
+  for (const Json& part : json["sources"]) {
+    if (part.is_object() && part.contains("path") && part.value("name", Json()) != "given.jsonl") return false;
+  }
+  return true;
+}
+
+std::uint64_t count_of(const std::string& plan) {
+  const Json json = Json::parse(plan, nullptr, false);
+  std::uint64_t count = 0;
+  if (!json.is_object() || !json.contains("sources") || !json["sources"].is_structured()) return count;
+  for (const Json& part : json["sources"]) {
+    if (part.is_object() && part.contains("queries") && part["queries"].is_number_unsigned()) {
+      count += part["queries"].get<std::uint64_t>();
+    }
+  }
+  return count;
+}
+
+std::string stream_of(std::string_view input) {
+  const std::size_t end = std::min(input.find('\0'), input.size());
+  std::string plan(input.substr(0, end));
+  const std::string_view replies = input.substr(std::min(end + 1, input.size()));
+  const std::size_t whole = sizeof(pipe::Head) + plan.size();
+  const auto precision = plan.find("binary64") == plan.npos ? Precision::binary32 : Precision::binary64;
+  const std::uint64_t count = count_of(plan);
+  plan.append(pipe::header_multiple - whole % pipe::header_multiple, ' ');
+  const pipe::Head head{pipe::magic,
+                        pipe::version,
+                        pipe::code_of(precision),
+                        count,
+                        static_cast<std::uint32_t>(sizeof(pipe::Head) + plan.size()),
+                        pipe::record_size_of(precision),
+                        sha256(std::as_bytes(std::span(plan)))};
+  std::string stream(sizeof head, '\0');
+  std::memcpy(stream.data(), &head, sizeof head);
+  return stream.append(plan).append(replies);
+}
+
+void check(const std::string& stream, const FilePlaces& places) {
+  ReplyStream read;
+  const bool is_read = accepts([&] {
+    std::istringstream in(stream);
+    read = read_replies(in, "fuzzed", places);
+  });
+  if (!is_read) return;
+  if (read.replies.size() != read.plan.queries()) {
+    fault(fmt::format("{} replies to the {} queries of the plan", read.replies.size(), read.plan.queries()));
+  }
+  std::string again;
+  if (!accepts([&] { again = header_of(read.plan); })) fault("the header of a plan that was read cannot be written");
+  std::istringstream in(again);
+  PipeHeader header;
+  if (!accepts([&] { header = read_header(in, "written", places); }))
+    fault("a header that was written is not read again");
+  if (header_of(header.plan) != again) fault("a header was written, read and written again to another");
+
+  const std::vector<pipe::ReplyRecord> replies = read.replies;
+  std::vector<ReplyStream> streams;
+  streams.push_back(std::move(read));
+  if (!accepts([&] { StoredReplies(std::vector(streams)); })) return;  // one source twice
+  const StoredReplies stored(std::move(streams));
+  std::size_t next = 0;
+  for (const PipePlan::Part& part : header.plan.parts) {
+    for (std::uint64_t i = 0; i < part.queries; ++i, ++next) {
+      const Source* source = nullptr;
+      for (const SourcePtr& one : stored.sources()) {
+        if (one->name() == part.source->name()) source = one.get();
+      }
+      const Answer answer = stored.at(*source, header.plan.precision, i);
+      if (static_cast<std::uint8_t>(answer.verdict) != replies[next].verdict) fault("a reply is not where it was");
+    }
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view input = text_of(data, size);
+  const bool is_whole = input.starts_with(std::string_view(pipe::magic.data(), pipe::magic.size()));
+  const std::string stream = is_whole ? std::string(input) : stream_of(input);
+  // libFuzzer keeps no input for which this is -1.
+  if (is_whole ? input.find("path") != input.npos
+               : !names_only_the_given_file(std::string(input.substr(0, input.find('\0'))))) {
+    return -1;
+  }
+  const MemoryFile file(given_file);
+  check(stream, {{"given.jsonl", file.path()}});
+  return 0;
+}
+
+// The plan by its structure, up to the zero byte; the replies by their bytes.
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t room, unsigned seed) {
+  return mutate_json_until(data, size, room, seed, '\0');
+}

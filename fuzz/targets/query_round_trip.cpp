@@ -1,0 +1,64 @@
+#include "fuzz/targets/query_round_trip.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "fuzz/query_file.h"
+
+namespace axiscert::fuzzing {
+namespace {
+
+template <class Real>
+bool is_same_number(Real x, Real y) {
+  return (std::isnan(x) && std::isnan(y)) || std::memcmp(&x, &y, sizeof x) == 0;
+}
+
+bool is_same_query(const StoredQuery& x, const StoredQuery& y) {
+  if (x.precision != y.precision || x.query.index() != y.query.index()) return false;
+  return std::visit(
+      [&](const auto& q) {
+        const auto other = coordinates(std::get<std::remove_cvref_t<decltype(q)>>(y.query));
+        const auto numbers = coordinates(q);
+        for (std::size_t k = 0; k < coordinate_count; ++k) {
+          if (!is_same_number(numbers[k], other[k])) return false;
+        }
+        return true;
+      },
+      x.query);
+}
+
+// In either precision, which only a CSV file has from here.
+void check(std::string_view bytes, Precision csv_precision) {
+  std::vector<StoredQuery> queries;
+  if (!accepts([&] { queries = parse_queries(bytes, "fuzzed", csv_precision); })) return;
+  std::string lines;
+  for (const StoredQuery& stored : queries) {
+    if (stored.query.index() != static_cast<std::size_t>(stored.precision)) {
+      fault(fmt::format("line {} says {} and holds the other precision", stored.line, name(stored.precision)));
+    }
+    lines += query_line(stored) + "\n";
+  }
+  std::vector<StoredQuery> again;
+  const bool is_read = accepts([&] { again = parse_queries(lines, "written", Precision::binary32); });
+  if (!is_read || again.size() != queries.size())
+    fault("what was written of a query file is not read again:\n" + lines);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const StoredQuery named{again[i].id, queries[i].precision, queries[i].query, 0};
+    if (!is_same_query(queries[i], again[i]) || query_line(named) != query_line(again[i])) {
+      fault(fmt::format("query {} of the file was read, written and read again to another:\n{}\n{}", i + 1,
+                        query_line(queries[i]), query_line(again[i])));
+    }
+  }
+}
+
+}  // namespace
+
+void check_round_trip(std::string_view bytes) {
+  check(bytes, Precision::binary32);
+  check(bytes, Precision::binary64);
+}
+
+}  // namespace axiscert::fuzzing
