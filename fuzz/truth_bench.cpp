@@ -1,9 +1,9 @@
 // What truth costs: the loop that a user would write, a judge by intervals, and axiscert's own unit, which makes the
 // queries besides, runs the kernel, judges all sixteen comparisons and tallies. The same queries for all three.
 //
-//     truth_bench [--queries N] [FAMILY...]     without names all families and a mesh; N: at most so many of each, for
-//     a
-//                                               quick look (default: eight units)
+//     truth_bench [--queries N] [FAMILY...]
+//
+// Without names all families and a mesh. N: at most so many of each, for a quick look (default: eight units).
 #include <fmt/format.h>
 #include <sys/resource.h>
 
