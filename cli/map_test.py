@@ -103,7 +103,7 @@ class Map(Case):
                            good[:-20]: ["axiscert-maps/1"],
                            good.replace("axiscert-maps/1", "axiscert-maps/2"): ["axiscert-maps/2"],
                            good.replace('"level": "axis"', '"level": "pane"'): ["/maps/0/pictures/0/level", "remove it"],
-                           good.replace('"witness"', '"witless"'): ["without \"witness\""]}.items():
+                           good.replace('"witness"', '"witless"'): ["/maps/0/witless"]}.items():
             with self.subTest(says=says):
                 self.assertNotEqual(text, good)
                 path.write_text(text)

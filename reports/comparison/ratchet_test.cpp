@@ -161,7 +161,7 @@ TEST(Ratchet, AnOutcomeOfAnotherPlanOrFormIsRefused) {
   const std::string good = folder.read("ratchet.json");
   for (const auto& [old, with, says] : {std::array{"held/1", "held/2", "axiscert-held/2"},
                                         {"\"plan\":\"", "\"plan\":\"f", "is of another plan"},
-                                        {"\"better\"", "\"bitter\"", "without \"better\""}}) {
+                                        {"\"better\"", "\"bitter\"", "/bitter"}}) {
     folder.write("ratchet.json", replaced(good, old, with));
     EXPECT_THAT(folder.rendering_error(), testing::AllOf(HasSubstr("ratchet.json"), HasSubstr(says)));
   }
