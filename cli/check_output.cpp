@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "fuzz/number_text.h"
 #include "reports/instrument/figures.h"
 
 namespace axiscert {

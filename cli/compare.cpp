@@ -1,6 +1,9 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "cli/commands.h"
 #include "cli/terminal.h"
@@ -14,6 +17,7 @@ namespace {
 
 struct CompareOptions {
   std::string before, after, format = "text", out;
+  std::vector<std::string> kernels;  // that may be loaded
   bool no_replay = false, quiet = false;
 };
 
@@ -23,10 +27,21 @@ void make_folder(const std::string& path) {
   if (failed) throw Error(fmt::format("--out {}: {}", path, failed.message()));
 }
 
+// The kernels that the user names are in OLD, or naming them would do nothing.
+std::set<std::string> trusted_kernels(const CompareOptions& options, const Json& record) {
+  const auto known = record["plan"]["kernels"].get<std::vector<std::string>>();
+  for (const std::string& id : options.kernels) {
+    if (std::find(known.begin(), known.end(), id) == known.end())
+      throw Error(fmt::format("--kernel {}: not in {}, which has: {}", id, options.before, fmt::join(known, ", ")));
+  }
+  return {options.kernels.begin(), options.kernels.end()};
+}
+
 int compare(const CompareOptions& options) {
   const Run before = read_run(options.before), after = read_run(options.after);
+  const std::set<std::string> trusted = trusted_kernels(options, before.record);
   std::vector<Replayed> replayed;
-  if (!options.no_replay) replayed = replay_witnesses(before.record, resolve_target("auto"));
+  if (!options.no_replay) replayed = replay_witnesses(before.record, resolve_target("auto"), trusted);
   const RunComparison comparison = compare_records(before.record, after.record, std::move(replayed));
   const ComparedRuns runs{before.record, after.record, options.before, options.after};
   const InstrumentReport report = comparison_report(runs, comparison);
@@ -64,7 +79,13 @@ void add_compare(CLI::App& app, Action& action) {
       ->check(CLI::IsMember({"text", "json", "markdown"}))
       ->capture_default_str();
   command->add_option("--out", options->out, "folder for compare.md, compare.json and compare.html");
+  command
+      ->add_option("--kernel", options->kernels,
+                   "plugin:PATH.so of OLD, which is loaded to ask it the witnesses of OLD again; no plug-in that a "
+                   "record names is loaded without it; repeatable")
+      ->allow_extra_args(false);
   command->add_flag("--no-replay", options->no_replay, "do not ask the kernels here the witnesses of OLD again");
+  add_plugin_seconds(*command);
   command->add_flag("--quiet", options->quiet, "print nothing but errors: the exit code is the answer");
   command->callback([&action, options] { action = [options] { return compare(*options); }; });
 }

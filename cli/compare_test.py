@@ -74,6 +74,52 @@ class Compare(Case):
         self.refused("compare", self.folder / "out", self.folder / "none", says=["none/record.json", "does not exist"])
 
 
+    def test_a_plugin_that_a_record_names_is_loaded_for_who_names_it_alone(self):
+        source, kernel, loaded = (self.folder / name for name in ("kernel.c", "kernel.so", "loaded"))
+        source.write_text(f'''
+#include <stdio.h>
+__attribute__((constructor)) static void tell(void) {{ FILE* file = fopen("{loaded}", "w"); if (file) fclose(file); }}''')
+        subprocess.run(["cc", "-shared", "-fPIC", source, "-o", kernel], check=True)
+        self.run_ok(*PLAN)
+        record = (self.folder / "out/record.json").read_text()
+        (self.folder / "out/record.json").write_text(record.replace('"published"', json.dumps(f"plugin:{kernel}")))
+        text = self.compare("out", "out")
+        self.assertIn("not replayed", text)
+        self.assertIn(f"--kernel plugin:{kernel}", text)
+        self.assertFalse(loaded.exists(), "what the record names was run")
+        self.compare("out", "out", "--kernel", f"plugin:{kernel}")
+        self.assertTrue(loaded.exists(), "the user named it")
+        self.refused("compare", self.folder / "out", self.folder / "out", "--kernel", "plugin:other.so",
+                     says=["--kernel plugin:other.so", "which has: plugin:"])
+
+    def test_a_folder_whose_name_is_not_utf8(self):
+        def run(*args):
+            return subprocess.run([os.fsencode(BUILD / "axiscert"), *map(os.fsencode, args)], capture_output=True, cwd=self.folder)
+
+        out = os.fsdecode(b"caf\xe9 '")
+        self.assertEqual(run("run", *PLAN, "--out", out).returncode, 0)
+        self.assertEqual(run("report", out).returncode, 0)
+        done = run("compare", out, out, "--out", os.fsdecode(b"c\xff"))
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+        compared = json.loads((self.folder / os.fsdecode(b"c\xff") / "compare.json").read_text())
+        self.assertEqual(compared["old"]["folder"], "caf\\xe9 '")
+        # The command that is shown is one that a shell reads as the folder's bytes.
+        (line,) = [line for line in done.stdout.decode().splitlines() if "axiscert compare $" in line]
+        word = line[line.index("$'"):].split(" $'")[0]
+        self.assertEqual(subprocess.run(["bash", "-c", f"printf %s {word}"], capture_output=True).stdout, os.fsencode(out))
+        # What a record would have to hold is refused, once and clearly.
+        queries, mesh, kernel = (os.fsdecode(name) for name in (b"q\xff.jsonl", b"m\xff.obj", b"k\xff.so"))
+        for name, text in {queries: "", kernel: "", mesh: "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}.items():
+            (self.folder / name).write_text(text)
+        for args in (["--queries", queries], ["--mesh", mesh], ["--kernel", "plugin:" + kernel]):
+            done = run("run", *args, "--out", "none")
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(b"\\xff", done.stderr)
+            self.assertIn(b"not UTF-8", done.stderr)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        self.assertFalse((self.folder / "none").exists())
+
+
 class Ratchet(Case):
     """A kernel of one's own under one name: as it is, with a fault, and mended."""
 
@@ -97,8 +143,22 @@ class Ratchet(Case):
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("vertex_b.side_c.false_separation", done.stderr)
         self.assertIn("to accept it:", done.stderr)
+        for again in (False, True):  # as the run wrote them, and as `report` writes them again from the folder
+            self.assertTrue(not again or axiscert("report", self.folder / "out").returncode == 0)
+            junit = ElementTree.parse(self.folder / "out/junit.xml").getroot()
+            failed = [case.get("name") for case in junit.iter("testcase") if case.find("failure[@type='ratchet']") is not None]
+            self.assertIn("repeated vertex_b.side_c", failed)
+            self.assertEqual([case for case in junit.iter("testcase") if case.find("skipped") is not None], [], "all was held")
+            (run,) = json.loads((self.folder / "out/report.sarif").read_text())["runs"]
+            worse = [r for r in run["results"] if r["ruleId"] == "worse-than-accepted"]
+            self.assertEqual(len(worse), done.stderr.count("axiscert: --ratchet: "))
+            self.assertIn("it does not hold", (self.folder / "out/report.md").read_text())
+        for name, schema in {"report.sarif": "testdata/sarif-2.1.0-rtm.5.json", "ratchet.json": "ratchet.schema.json"}.items():
+            self.assertEqual(validate(schema, self.folder / "out" / name).stderr, "")
         done = self.judge("none", "--ratchet", self.ratchet, "--quiet")
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+        self.assertEqual(self.judge("none").returncode, 0)
+        self.assertFalse((self.folder / "out/ratchet.json").exists(), "of the run before")
 
     def test_better_prints_the_line_and_holds(self):
         self.judge("none")
@@ -136,6 +196,7 @@ class Ratchet(Case):
         self.ratchet.write_text("axiscert-ratchet/1 0123456789abcdef\n")
         done = self.refused("run", *PLAN, "--ratchet", self.ratchet, "--out", out, says=["0123456789abcdef", "not comparable"])
         self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+        self.assertFalse(out.exists(), "the run was done before its ratchet was looked at")
 
 
 class CiFormats(Case):

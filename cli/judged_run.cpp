@@ -12,30 +12,31 @@
 #include "cli/shrunk.h"
 #include "cli/terminal.h"
 #include "fuzz/campaign.h"
+#include "fuzz/scale/stretch.h"
 #include "kernel/error.h"
 #include "kernel/self_check.h"
 #include "reports/comparison/ratchet.h"
+#include "reports/plan.h"
 #include "reports/render.h"
 #include "reports/requirement.h"
 
 namespace axiscert {
 namespace {
 
-// Says what is worse and what is better; writes what would be accepted. Whether the ratchet holds.
-bool holds(const Ratchet& ratchet, const Json& record, const RunFolder& folder, bool quiet) {
-  const std::string today = iso_time(std::chrono::system_clock::now()).substr(0, 10);
-  const RatchetOutcome outcome = hold_against(ratchet, record, today);
-  folder.write_text("ratchet.txt", outcome.accepted);
+constexpr const char* shrunk_file = "witnesses-shrunk.jsonl";
+
+// Says what is worse and what is better. Whether the ratchet holds.
+bool holds(const RatchetOutcome& outcome, bool quiet) {
   for (const std::string& better : outcome.better) {
     if (!quiet) fmt::print("{}\n", coloured("better: " + better, Colour::green));
   }
-  for (const std::string& failure : outcome.failures) fmt::print(stderr, "axiscert: --ratchet: {}\n", failure);
+  for (const RatchetFailure& failure : outcome.failures) fmt::print(stderr, "axiscert: --ratchet: {}\n", failure.text);
   return outcome.failures.empty();
 }
 
 }  // namespace
 
-std::optional<Ratchet> ratchet_of(const OutputOptions& output) {
+std::optional<Ratchet> ratchet_of(const OutputOptions& output, const Plan& plan) {
   if (output.ratchet.empty()) return std::nullopt;
   Ratchet ratchet = read_ratchet(output.ratchet);
   std::error_code none;
@@ -43,6 +44,7 @@ std::optional<Ratchet> ratchet_of(const OutputOptions& output) {
     throw Error(fmt::format("--ratchet {}: the run would write over it; keep the reviewed file outside of --out {}",
                             output.ratchet, output.out));
   }
+  require_plan(ratchet, plan_json(plan, planned(plan), output.require));
   return ratchet;
 }
 
@@ -51,7 +53,7 @@ HarnessFault saved(const RunFolder& folder, const OracleDisagreement& disagreeme
 }
 
 int judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked) {
-  const std::optional<Ratchet> ratchet = ratchet_of(output);
+  const std::optional<Ratchet> ratchet = ratchet_of(output, plan);
   const RunFolder folder(output.out);
   require_uncontracted(scalar_target);
   require_uncontracted(plan.target);
@@ -77,14 +79,19 @@ int put_result(const RunFolder& folder, const Plan& plan, const CampaignResult& 
                std::chrono::system_clock::time_point started, const Json& scale) {
   const double seconds = std::chrono::duration<double>(std::chrono::system_clock::now() - started).count();
   const Json record = record_of(plan, result, output.require);
+  std::optional<RatchetOutcome> held;
+  if (ratchet && result.complete)
+    held = hold_against(*ratchet, record, iso_time(std::chrono::system_clock::now()).substr(0, 10));
+  // Of the run before, in the same folder.
+  for (const char* file : {ratchet_outcome_file, shrunk_file}) folder.remove(file);
   folder.write("record.json", record);
+  if (held) folder.write(ratchet_outcome_file, outcome_json(*ratchet, *held));
   Json info = run_info(plan, result, target_asked, iso_time(started), seconds);
   if (!scale.is_null()) info["scale"] = scale;
   folder.write("run.json", info);
+  if (output.shrink != 0 && result.complete)
+    folder.write_text(shrunk_file, shrunk_witnesses(record, plan.target, output.shrink));
   render_reports(output.out);
-  if (output.shrink != 0 && result.complete) {
-    folder.write_text("witnesses-shrunk.jsonl", shrunk_witnesses(record, plan.target, output.shrink));
-  }
 
   if (!output.quiet) fmt::print("{}{}/report.html\n", summary_text(record, seconds), output.out);
   if (!result.complete) return exit_interrupted;
@@ -95,7 +102,7 @@ int put_result(const RunFolder& folder, const Plan& plan, const CampaignResult& 
       is_met = false;
     }
   }
-  if (ratchet && !holds(*ratchet, record, folder, output.quiet)) is_met = false;
+  if (held && !holds(*held, output.quiet)) is_met = false;
   return is_met ? exit_done : exit_requirement_failed;
 }
 

@@ -15,8 +15,9 @@ namespace axiscert {
 // disagree.
 int judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked);
 
-// What --ratchet names, for put_result; read before anything runs or is written. Throws Error.
-std::optional<Ratchet> ratchet_of(const OutputOptions& output);
+// What --ratchet names, for put_result; read, and held against the plan, before anything runs or is written. Throws
+// Error.
+std::optional<Ratchet> ratchet_of(const OutputOptions& output, const Plan& plan);
 
 // The second half of it, of a result that is there: record, reports, summary. `scale` is what run.json says of ranks
 // and journal, or null.

@@ -94,9 +94,22 @@ class Map(Case):
         self.refused("map", "-", "--kernel", "published+in-double", stdin=json.dumps({**TOUCHING, "precision": "binary64"}),
                      says=["in-double", "binary64"])
         self.refused("map", "-", "--name", "../x", "--out", self.folder, stdin=one, says=["../x", "letters"])
-        (self.folder / "maps").mkdir(exist_ok=True)
-        (self.folder / "maps/index.json").write_text("[]")
-        self.refused("map", "-", "--size", 4, "--out", self.folder, stdin=one, says=["maps/index.json", "axiscert-maps/1"])
+
+    def test_an_index_that_is_none_stays_as_it_is(self):
+        self.map("--size", 4, "--what", "plane", "--name", "other")
+        path = self.folder / "maps/index.json"
+        good = path.read_text()
+        for text, says in {"[]": ["axiscert-maps/1", "remove it, or give another --out"],
+                           good[:-20]: ["axiscert-maps/1"],
+                           good.replace("axiscert-maps/1", "axiscert-maps/2"): ["axiscert-maps/2"],
+                           good.replace('"level": "axis"', '"level": "pane"'): ["/maps/0/pictures/0/level", "remove it"],
+                           good.replace('"witness"', '"witless"'): ["/maps/0/witless"]}.items():
+            with self.subTest(says=says):
+                self.assertNotEqual(text, good)
+                path.write_text(text)
+                self.refused("map", "-", "--size", 4, "--out", self.folder, stdin=json.dumps(TOUCHING),
+                             says=["maps/index.json", *says])
+                self.assertEqual(path.read_text(), text)
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@
 #include "fuzz/sha256.h"
 #include "kernel/error.h"
 #include "reports/parsed_json.h"
+#include "kernel/utf8.h"
 #include "reports/plan.h"
 
 namespace axiscert {
@@ -78,6 +79,10 @@ PlanFile plan_file_of(const RunOptions& options, std::optional<std::uint64_t> un
   const Plan plan = plan_of(options);
   const Stretches stretches(plan, units_each ? *units_each : Stretches::default_units_each(plan));
   PlanFile file{"the plan", {}, {}, options, stretches.units_each()};
+  for (const auto* files : {&options.meshes, &options.queries}) {
+    for (const std::string& path : *files) require_utf8(path, "file");
+  }
+  if (options.corpus) require_utf8(*options.corpus, "--corpus");
   Json given = Json::object();
   for_each_option(options, [&](const char* name, const auto& value) { put(given[name], value); });
   file.json = {{"schema", plan_schema},

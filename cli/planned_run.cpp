@@ -57,7 +57,7 @@ class Lead {
         file_(file),
         plan_(plan),
         stretches_(stretches),
-        ratchet_(ratchet_of(output)),
+        ratchet_(ratchet_of(output, plan)),
         folder_(output.out),
         gathered_(plan, stretches),
         distributor_(crew, ranks),
@@ -234,10 +234,12 @@ void add_planned_options(CLI::App& command, PlannedOptions& o) {
   }
   command.add_flag("--resume", o.resume, "go on with the folder's journal, where there is one")->needs(plan);
   auto* shard = command.add_option("--shard", o.shard, "I/N: the I-th of N parts of the plan, for `axiscert merge`");
-  shard->needs(plan);
+  auto* ratchet = command.get_option("--ratchet");  // which holds a whole run
+  shard->needs(plan)->excludes(ratchet);
   command.add_option("--stretches", o.stretches, "file of numbers: do these stretches of the plan only")
       ->needs(plan)
-      ->excludes(shard);
+      ->excludes(shard)
+      ->excludes(ratchet);
   auto* recheck = command.add_option("--recheck", o.recheck,
                                      "fraction of the finished stretches to do again in another way; a difference is "
                                      "exit 3");

@@ -66,6 +66,12 @@ void RunFolder::write_text(const std::string& file, const std::string& text) con
   std::filesystem::rename(part, target);
 }
 
+void RunFolder::remove(const std::string& file) const {
+  std::error_code problem;
+  std::filesystem::remove(path_ / file, problem);
+  if (problem) throw Error(fmt::format("{}: cannot be removed: {}", (path_ / file).string(), problem.message()));
+}
+
 void RunFolder::write(const std::string& file, const Json& json) const { write_text(file, json.dump(1) + "\n"); }
 
 std::string RunFolder::save(const OracleDisagreement& d) const {

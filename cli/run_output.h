@@ -35,6 +35,7 @@ class RunFolder {
   explicit RunFolder(const std::string& path);  // throws Error
   void write(const std::string& file, const Json& json) const;
   void write_text(const std::string& file, const std::string& text) const;  // whole or not at all
+  void remove(const std::string& file) const;                               // where it is there
   // Saves the query that the oracles differ on, and returns the file's path.
   std::string save(const OracleDisagreement& disagreement) const;
 

@@ -42,9 +42,10 @@ std::string shrunk_witnesses(const Json& record, const std::string& target, std:
     const StoredQuery stored = parse_queries(witness.dump(), id, Precision::binary32).front();
     std::visit(
         [&]<class Real>(const Query<Real>& q) {
-          const auto flips = Diagnosis<Real>(kernel, target).flips(q);
+          Diagnosis<Real> diagnosis(kernel, target);
+          const auto flips = diagnosis.flips(q);
           // Somebody else's code may answer otherwise today.
-          if (flips.empty() || !Diagnosis<Real>(kernel, target).severity(q, flips.front())) return;
+          if (flips.empty() || !diagnosis.severity(q, flips.front())) return;
           const auto found = shrink(q, flips.front(), kernel, target, evaluations);
           text += shrunk_json(stored, flips.front(), found, kernel).dump() + "\n";
         },

@@ -11,6 +11,7 @@
 #include "exact/geometric_oracle.h"
 #include "exact/truth.h"
 #include "fuzz/file_bytes.h"
+#include "fuzz/number_text.h"
 #include "fuzz/query_line.h"
 #include "fuzz/symmetry.h"
 
@@ -167,12 +168,6 @@ void require_distinct(const std::vector<CorpusEntry>& entries) {
   }
 }
 
-std::string bit_text(ComparisonBits bits) {
-  std::string text;
-  for (std::size_t i = 0; i < comparison_count; ++i) text += ((bits >> i) & 1u) != 0 ? '1' : '0';
-  return text;
-}
-
 }  // namespace
 
 ExactAnswers exact_answers(const StoredQuery& stored) {
@@ -202,8 +197,8 @@ std::string corpus_line(const CorpusEntry& entry) {
                                      {"ties", nullptr}};
   if (const auto& d = entry.expected.squared_distance) {
     expected["squared_distance"] = d->get_num().get_str() + "/" + d->get_den().get_str();
-    expected["comparisons"] = bit_text(*entry.expected.comparisons);
-    expected["ties"] = bit_text(*entry.expected.ties);
+    expected["comparisons"] = bit_string(*entry.expected.comparisons, comparison_count);
+    expected["ties"] = bit_string(*entry.expected.ties, comparison_count);
   }
   std::string line = query_line(entry.stored);
   line.pop_back();

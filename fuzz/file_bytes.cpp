@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "kernel/error.h"
+#include "kernel/utf8.h"
 
 namespace axiscert {
 namespace {
@@ -50,6 +51,10 @@ std::string read_bytes(const std::string& path) {
   return read_bytes(file, path);
 }
 
-std::string base_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+std::string base_name(const std::string& path) {
+  const std::string name = std::filesystem::path(path).filename().string();
+  require_utf8(name, "file");
+  return name;
+}
 
 }  // namespace axiscert

@@ -14,7 +14,7 @@ std::string read_bytes(std::istream& in, const std::string& name);
 std::ifstream open_file(const std::string& path);
 std::size_t read_block(std::istream& in, std::span<char> block, const std::string& name);
 
-// The last part of the path: all that a record says of where a file was.
+// The last part of the path: all that a record says of where a file was. Throws Error where it is not UTF-8.
 std::string base_name(const std::string& path);
 
 }  // namespace axiscert

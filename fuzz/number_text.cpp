@@ -165,6 +165,14 @@ std::string format_number(Real x) {
 template std::string format_number<float>(float);
 template std::string format_number<double>(double);
 
+std::string bit_string(std::uint32_t bits, std::size_t count) {
+  std::string text(count, '0');
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((bits >> i) & 1u) text[i] = '1';
+  }
+  return text;
+}
+
 std::string shown(std::string_view text) {
   constexpr std::size_t limit = 60;
   std::string line(text.substr(0, limit));

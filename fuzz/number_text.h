@@ -1,6 +1,8 @@
 // Text to number and back, exactly: the one way a number is written in a query file, a witness or a report.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -16,6 +18,9 @@ Real parse_number(std::string_view text);
 // parse_number gives back the same number, of a NaN only that it is one.
 template <class Real>
 std::string format_number(Real x);
+
+// The lowest `count` bits as 0 and 1, bit 0 first: how comparisons, ties and axes are written everywhere.
+std::string bit_string(std::uint32_t bits, std::size_t count);
 
 // A piece of input as a message may quote it: one line, no control characters, cut short where it is long.
 std::string shown(std::string_view text);

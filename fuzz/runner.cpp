@@ -205,6 +205,14 @@ void Runner<Real>::judge_exactly(std::size_t i, const Query<Real>& q, const Trut
 }
 
 template <class Real>
+void Runner<Real>::measure_margins(const Query<Real>& q, Claims<Real>& claims, const Answer& answer) {
+  if (!answer.bits || (kernel_.limits.any() && !is_within(kernel_.limits, q))) return;
+  const FormulaTruth* sides = claims.sides(kernel_.formulae);
+  if (sides == nullptr) return;
+  count_margins<Real>(tally_.margins, *sides, sides->bits(kernel_.strictness), *answer.bits);
+}
+
+template <class Real>
 void Runner<Real>::sample(const Query<Real>& q, std::size_t i, LazyDistance<Real>& distance) {
   if (!is_answered(i) || (kernel_.limits.any() && !is_within(kernel_.limits, q))) return;
   if (const auto within = distance.within(radii_)) {

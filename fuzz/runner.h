@@ -66,6 +66,9 @@ class Runner {
                      const Answer& answer, bool is_filtered, LazyDistance<Real>& depth);
 
   Answer answer(std::size_t i) const { return reply_.outcome(i); }
+  // Of a query with a valid truth, whose sides `claims` evaluates.
+  void measure_margins(const Query<Real>& q, Claims<Real>& claims, const Answer& answer);
+  bool shows_comparisons() const { return kernel_.exposes != Exposure::verdict; }
   // Keeps a query for its critical radius; `distance` is asked where the answer and the limits allow one.
   void sample(const Query<Real>& q, std::size_t i, LazyDistance<Real>& distance);
 

@@ -146,6 +146,7 @@ void Tally::merge(const Tally& other) {
   critical_radius.unbounded += other.critical_radius.unbounded;
   critical_radius.unanswered += other.critical_radius.unanswered;
   for (std::size_t i = 0; i < finding_kind_count; ++i) merge_finding(findings[i], other.findings[i]);
+  margins.merge(other.margins);
 }
 
 void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth, const Standing& standing) {

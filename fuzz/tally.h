@@ -10,6 +10,7 @@
 
 #include "exact/error_measure.h"
 #include "exact/judge.h"
+#include "fuzz/margins.h"
 #include "kernel/finding.h"
 
 namespace axiscert {
@@ -107,6 +108,7 @@ struct Tally {
   std::array<ComparisonTally, comparison_count> comparisons;
   CriticalRadiusTally critical_radius;
   std::array<FindingTally, finding_kind_count> findings;  // by FindingKind
+  MarginTally margins;                                    // of the source's first queries (has_margins)
 
   void merge(const Tally& other);
 };

@@ -95,6 +95,7 @@ class UnitRun {
       if (open_[i]) judge_query(i, radii[i] == 0);
     }
     if (!plan_.replies) sample_critical_radii();
+    if (has_margins(first_)) measure_margins();
     out_.steps.judging += watch.lap();
   }
 
@@ -152,13 +153,16 @@ class UnitRun {
   void judge_query(std::size_t i, bool radius_is_zero) {
     for (Runner<Real>& runner : runners_) {
       if (runner.has_counted(i)) continue;
-      const Answer answer =
-          plan_.replies ? plan_.replies->at(source_, precision_of<Real>, first_ + i) : runner.answer(i);
+      const Answer answer = answer_of(runner, i);
       const bool by_signs = !exactly_[i] && runner.is_judged_by_signs();
       if (by_signs && runner.count_if_clean(i, (*decided_)[i].signs, radius_is_zero, answer)) continue;
       judge_closely(runner, i, by_signs, answer);
     }
     if (at_hand_) at_hand_.reset();
+  }
+
+  Answer answer_of(const Runner<Real>& runner, std::size_t i) const {
+    return plan_.replies ? plan_.replies->at(source_, precision_of<Real>, first_ + i) : runner.answer(i);
   }
 
   [[gnu::noinline]] void judge_closely(Runner<Real>& runner, std::size_t i, bool by_signs, const Answer& answer) {
@@ -194,6 +198,18 @@ class UnitRun {
     if (!is_filtered(i)) return truth;
     require_same((*decided_)[i], truth, q);
     return truth;
+  }
+
+  void measure_margins() {
+    const auto shows = [](const Runner<Real>& runner) { return runner.shows_comparisons(); };
+    if (std::none_of(runners_.begin(), runners_.end(), shows)) return;
+    for (std::size_t i = 0; i < batch_.size() && has_margins(first_ + i); ++i) {
+      const Query<Real> q = batch_[i];
+      if (!is_valid(q)) continue;
+      const FormulaTruth published = formula_truth(q);
+      Claims<Real> claims(q, published);
+      for (Runner<Real>& runner : runners_) runner.measure_margins(q, claims, answer_of(runner, i));
+    }
   }
 
   void sample_critical_radii() {

@@ -110,16 +110,22 @@ Json proofs(const Path& file) {
 
 Json mutation(const Path& file) {
   const Json whole = read_json(file);
-  Json data = {{"command", whole.is_object() ? first_of(whole, {"command"}) : Json()}, {"mutants", Json::array()}};
+  Json data = whole.is_object() ? picked(whole, {"command", "kernel", "complete"}) : Json::object();
+  data["mutants"] = data["controls"] = Json::array();
   for (const Json& row : rows_of(file, whole, {"mutants"})) {
     // Where and when it was caught, or null; or whether it was, with the rest beside.
     const Json caught = first_of(row, {"caught"});
     const Json& catch_of = caught.is_object() ? caught : row;
     data["mutants"].push_back({{"name", first_of(row, {"id", "name"})},
+                               {"precision", first_of(row, {"precision"})},
                                {"caught", caught.is_object() || caught == true},
                                {"family", first_of(catch_of, {"family"})},
                                {"queries", first_of(catch_of, {"queries"})},
                                {"equivalent", first_of(row, {"equivalent"})}});
+  }
+  if (whole.is_object() && whole.contains("controls")) {
+    for (const Json& row : rows_of(file, whole, {"controls"}))
+      data["controls"].push_back(picked(row, {"kernel", "precision", "claims", "queries", "flagged"}));
   }
   return data;
 }
@@ -223,14 +229,17 @@ Json attachments(const std::filesystem::path& folder, std::size_t image_bytes) {
 Json raw_files(const std::filesystem::path& folder) {
   Json files = Json::array();
   std::error_code ignored;
-  for (const char* name :
-       {"record.json", "run.json", "witnesses.jsonl", "report.md", "junit.xml", "proofs.json", "search.json",
-        "ladder.json", "precision.json", "league.json", "mutation.json", "maps/index.json"}) {
-    // The reports are written together with the page that points to them.
-    const std::string file = name;
-    const bool is_report = file == "witnesses.jsonl" || file == "report.md" || file == "junit.xml";
-    if (is_report || std::filesystem::exists(folder / file, ignored)) files.push_back(file);
-  }
+  const auto add = [&](std::initializer_list<const char*> names, bool is_written) {
+    for (const char* name : names) {
+      if (is_written || std::filesystem::exists(folder / name, ignored)) files.push_back(name);
+    }
+  };
+  add({"record.json", "run.json"}, false);
+  // Together with the page that points to them.
+  add({"witnesses.jsonl", "report.md", "junit.xml", "report.sarif", "ratchet.txt"}, true);
+  add({"witnesses-shrunk.jsonl", "ratchet.json", "proofs.json", "search.json", "ladder.json", "precision.json",
+       "league.json", "mutation.json", "maps/index.json"},
+      false);
   return files;
 }
 

@@ -14,7 +14,7 @@ TEST(Attachments, AreNullWhereTheFolderHasNone) {
   for (const Json& kind : attachments(folder.path(), 0)) EXPECT_TRUE(kind.is_null());
   render_reports(folder.path());
   EXPECT_EQ(page_data(folder.read("report.html"))["files"],
-            Json::array({"record.json", "witnesses.jsonl", "report.md", "junit.xml"}));
+            Json::array({"record.json", "witnesses.jsonl", "report.md", "junit.xml", "report.sarif", "ratchet.txt"}));
 }
 
 TEST(Attachments, ProofsAreReadByTheNamesOfTheirMembers) {

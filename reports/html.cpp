@@ -194,21 +194,25 @@ Json page_data(const Run& run) {
 // Each may use those before it.
 std::string scripts() {
   using namespace embedded;
-  const std::string_view all[] = {chart_min_js, chart_js,   table_js,    answer_js, heat_js,
-                                  bounds_js,    origins_js, maps_js,     scene_js,  snippets_js,
-                                  witnesses_js, results_js, appendix_js, report_js};
+  const std::string_view all[] = {chart_min_js, chart_js,     table_js,   answer_js,   heat_js,
+                                  bounds_js,    origins_js,   maps_js,    margins_js,  scene_js,
+                                  snippets_js,  witnesses_js, results_js, appendix_js, report_js};
   return fmt::format("{}", fmt::join(all, "\n"));
 }
 
 std::string render(const Run& run) {
-  Json data = page_data(run);
-  std::string page;
-  for (std::size_t limit = witness_limit;; limit = limit * 2 / 3) {
-    data["witnesses"] = cards(run.record, limit);
+  const auto with = [css = std::string(embedded::report_css), data = packed(page_data(run).dump()),
+                     js = scripts()](std::string witnesses) {
     const std::pair<std::string_view, std::string> places[] = {
-        {"/*CSS*/", std::string(embedded::report_css)}, {"/*DATA*/", packed(data.dump())}, {"/*JS*/", scripts()}};
-    page = filled(embedded::report_html, places);
-    if (page.size() <= page_bytes || limit == 0) return page;
+        {"/*CSS*/", css}, {"/*DATA*/", data}, {"/*WITNESSES*/", std::move(witnesses)}, {"/*JS*/", js}};
+    return filled(embedded::report_html, places);
+  };
+  const std::size_t taken = with("").size(), room = page_bytes - std::min(page_bytes, taken);
+  for (std::size_t limit = witness_limit;;) {
+    std::string witnesses = packed(cards(run.record, limit).dump());
+    if (witnesses.size() <= room || limit == 0) return with(std::move(witnesses));
+    // As many as would fit if all were as large, and at least one fewer.
+    limit = std::min(limit - 1, limit * room / witnesses.size());
   }
 }
 

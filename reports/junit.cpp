@@ -1,7 +1,8 @@
 // junit.xml, as the schema of Ant's JUnit task has it: one suite a kernel and precision, for CI systems. A case a
 // family for the verdict, failed where the run's requirement is not met there; a case a finding, always failed; a case
-// a family and comparison, failed where an error exceeds its tolerance, and skipped, which says NOT CHECKED, where it
-// has none.
+// a family and comparison, failed where an error exceeds its tolerance. A case fails, too, where it is worse than the
+// ratchet accepts, and is skipped, which says NOT CHECKED, where nothing was asked of it. What the ratchet says of
+// other than these cases stands in a suite of its own.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,6 +59,21 @@ std::string skipped(const std::string& why) {
   return fmt::format("<skipped message=\"{}\"/>", xml("NOT CHECKED: " + why));
 }
 
+// Whether a failure of ratchet.json is about a case: a family's verdict or comparison.
+bool is_about_case(const Json& failure, const Json& kernel, const std::string& family, const std::string& place) {
+  return failure["kernel"] == kernel["id"] && failure["precision"] == kernel["precision"] &&
+         failure["family"] == family && failure["cell"].get<std::string>().starts_with(place + ".");
+}
+
+// Of a run that was held to a ratchet: the case's failures, empty where there is none.
+std::string ratchet_outcome(const Json& held, const Json& kernel, const std::string& family, const std::string& place) {
+  std::string detail;
+  for (const Json& failure : held["failures"]) {
+    if (is_about_case(failure, kernel, family, place)) detail += failure["text"].get<std::string>() + "\n";
+  }
+  return detail.empty() ? "" : failure("ratchet", "worse than accepted, or expired", detail);
+}
+
 std::string verdict_outcome(const Json& require, const std::vector<Failure>& failures, const Json& kernel,
                             const std::string& family) {
   if (require.is_null()) return skipped("no requirement was asked (--require)");
@@ -81,6 +97,19 @@ std::string tolerance_outcome(const Json& tally, const Json& tolerance) {
                   thousands(tally["tolerance_failures"].get<std::uint64_t>()), tolerance.get<std::string>(),
                   error_amount(tally["smallest_passing_tolerance"]));
   return failure("tolerance", message, message);
+}
+
+// A case's outcome with what the ratchet says of it: Ant's schema has room for one failure a case. What was asked in no
+// other way was asked by the ratchet.
+std::string with_ratchet(const Json& held, const Json& kernel, const std::string& family, const std::string& place,
+                         const std::string& outcome) {
+  if (held.is_null()) return outcome;
+  const std::string worse = ratchet_outcome(held, kernel, family, place);
+  if (worse.empty()) return outcome.starts_with("<skipped") ? "" : outcome;
+  if (!outcome.starts_with("<failure")) return worse;
+  const std::string_view end = "</failure>";
+  const std::size_t text = worse.find('>') + 1;
+  return outcome.substr(0, outcome.size() - end.size()) + worse.substr(text);
 }
 
 void add_finding(Suite& suite, const Json& finding, const Json& plan) {
@@ -114,17 +143,46 @@ Suite suite_of(const Run& run, const Json& kernel, const std::vector<Failure>& f
     const Json& result = kernel["families"][family];
     Json counts = {{"trials", result["trials"]}, {"truth", result["truth"]}};
     counts.update(result["verdict"]);
-    suite.add(family + " verdict", verdict_outcome(plan["require"], failures, kernel, family), counts);
+    const auto held = [&](const std::string& place, const std::string& outcome) {
+      return with_ratchet(run.ratchet, kernel, family, place, outcome);
+    };
+    suite.add(family + " verdict", held("verdict", verdict_outcome(plan["require"], failures, kernel, family)), counts);
     for (const ComparisonInfo& info : comparisons) {
       const std::string comparison(info.name);
       const Json tally = result["comparisons"].is_null() ? Json(nullptr) : result["comparisons"][comparison];
       const Json tolerance = plan["tolerance"].value(comparison, Json(nullptr));
-      suite.add(family + " " + comparison, tolerance_outcome(tally, tolerance), tally);
+      const std::string outcome = tolerance_outcome(tally, tolerance);
+      suite.add(family + " " + comparison, tally.is_null() ? outcome : held(comparison, outcome), tally);
     }
   }
   if (!run.record["complete"].get<bool>()) {
     const std::string message = "the run was interrupted: what is here is about the queries that were asked";
     suite.add("complete", failure("interrupted", message, message), Json::object());
+  }
+  return suite;
+}
+
+// What the ratchet says of cells that have no case: findings, and kernels that were not judged.
+Suite suite_of_ratchet(const Run& run) {
+  Suite suite{"ratchet"};
+  const auto has_case = [&](const Json& failure) {
+    const std::string place = failure["cell"];
+    if (place.starts_with("finding.")) return false;
+    for (const Json& kernel : run.record["kernels"]) {
+      const Json& families = kernel["families"];
+      if (kernel["id"] != failure["kernel"] || kernel["precision"] != failure["precision"]) continue;
+      const auto family = families.find(failure["family"].get<std::string>());
+      if (family == families.end()) continue;
+      return place.starts_with("verdict.") || !(*family)["comparisons"].is_null();
+    }
+    return false;
+  };
+  for (const Json& failed : run.ratchet["failures"]) {
+    if (has_case(failed)) continue;
+    const std::string text = failed["text"];
+    suite.add(fmt::format("{} {} {} {}", failed["kernel"].get<std::string>(), failed["precision"].get<std::string>(),
+                          failed["family"].get<std::string>(), failed["cell"].get<std::string>()),
+              failure("ratchet", text, text), failed["fingerprint"]);
   }
   return suite;
 }
@@ -146,6 +204,9 @@ std::string render(const Run& run) {
   std::vector<Suite> listed;
   for (const std::string& kernel : not_judged(run.record)) listed.push_back(suite_of_findings(run, kernel));
   for (const Json& kernel : run.record["kernels"]) listed.push_back(suite_of(run, kernel, failures));
+  if (!run.ratchet.is_null()) {
+    if (Suite rest = suite_of_ratchet(run); rest.tests != 0) listed.push_back(std::move(rest));
+  }
   for (const Suite& suite : listed) {
     suites += fmt::format(
         "  <testsuite name=\"{0}\" tests=\"{3}\" failures=\"{4}\" errors=\"0\" skipped=\"{5}\" package=\"axiscert\" "

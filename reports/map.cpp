@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include "kernel/error.h"
+#include "reports/embedded.h"
 #include "reports/instrument/instrument.h"
+#include "reports/schema.h"
 
 namespace axiscert {
 namespace {
@@ -93,14 +95,9 @@ std::map<std::string, std::string> map_files(const Json& map, const MapPlan& pla
   Json maps = Json::array();
   if (!index.empty()) {
     const Json given = Json::parse(index, nullptr, false);
-    const Error damaged(fmt::format("maps/{}: not an index of schema {}; remove it, or give another --out",
-                                    map_index_file, index_schema));
-    if (!given.is_object() || !given.contains("schema") || given["schema"] != index_schema || !given.contains("maps") ||
-        !given["maps"].is_array()) {
-      throw damaged;
-    }
+    check_schema(Json::parse(embedded::maps_schema_json), given, fmt::format("maps/{}", map_index_file),
+                 "remove it, or give another --out");
     for (const Json& other : given["maps"]) {
-      if (!other.is_object() || !other.contains("name")) throw damaged;
       if (other["name"] != map["name"]) maps.push_back(other);
     }
   }

@@ -42,7 +42,7 @@ class Report {
     if (!record_["complete"].get<bool>()) {
       text += "\n> **INCOMPLETE**: the run was interrupted. What follows is about the queries that were asked.\n";
     }
-    return text + findings() + summary() + families() + outside() + asymmetries() + signs("axes", "axis") +
+    return text + ratchet() + findings() + summary() + families() + outside() + asymmetries() + signs("axes", "axis") +
            signs("comparisons", "comparison") + broken_links() + witnesses() + critical_radius() + reproduce();
   }
 
@@ -53,6 +53,18 @@ class Report {
         std::none_of(failures_.begin(), failures_.end(), [&](const Failure& failure) { return failure.is_of(kernel); });
     if (is_met && kernel["families"].empty()) return "not checked";
     return is_met ? "met" : "**not met**";
+  }
+
+  std::string ratchet() const {
+    if (run_.ratchet.is_null()) return "";
+    Section section("Ratchet");
+    const Json& failures = run_.ratchet["failures"];
+    section.line(fmt::format("Held to {}: {}", plain(run_.ratchet["file"]),
+                             failures.empty() ? "nothing is worse than accepted." : "**it does not hold**."));
+    section.line("");
+    for (const Json& failure : failures) section.line("- " + plain(failure["text"], 2000));
+    for (const Json& better : run_.ratchet["better"]) section.line("- better: " + plain(better, 2000));
+    return section.text();
   }
 
   std::string findings() const {

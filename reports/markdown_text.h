@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 #include <vector>
 
@@ -14,17 +15,28 @@ namespace axiscert {
 
 inline constexpr std::size_t section_limit = 88 * 1024;  // bytes; eleven sections at most: 1 MiB
 
-// A text as it is, wherever it stands: one line, cut short, nothing in it that Markdown or HTML would read.
+// A text as it is, wherever it stands: one line, cut short, nothing in it that Markdown or HTML would read, or that a
+// forge would take for a mention, an issue or an address.
 inline std::string plain(const std::string& given, std::size_t limit = 120) {
+  // Mentions and links are found in what was rendered, where no backslash is left: a comment parts the text there.
+  constexpr std::string_view apart = "<!-- -->";
   std::size_t end = std::min(limit, given.size());
   while (end < given.size() && end > 0 && (static_cast<unsigned char>(given[end]) & 0xc0) == 0x80) --end;
+  const auto is_word = [&](std::size_t i) {
+    return i < end && std::isalnum(static_cast<unsigned char>(given[i])) != 0;
+  };
   std::string text;
-  for (const char c : given.substr(0, end)) {
+  for (std::size_t i = 0; i < end; ++i) {
+    const char c = given[i];
+    const bool opens_address = given.compare(i, 3, "://") == 0, opens_host = given.compare(i, 4, "www.") == 0;
+    // Between letters an underscore emphasises nothing.
+    const bool emphasises = c == '_' && !(i > 0 && is_word(i - 1) && is_word(i + 1));
     if (c == '<') text += "&lt;";
     else if (c == '&') text += "&amp;";
     else if (static_cast<unsigned char>(c) < 0x20) text += ' ';
-    else if (std::string_view("\\`*[]|~#").find(c) != std::string_view::npos) text += std::string("\\") + c;
+    else if (emphasises || std::string_view("\\`*[]|~$").find(c) != std::string_view::npos) text += {'\\', c};
     else text += c;
+    if (c == '@' || c == '#' || opens_address || opens_host) text += apart;
   }
   return end < given.size() ? text + " ..." : text;
 }

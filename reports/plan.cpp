@@ -52,6 +52,7 @@ Json plan_json(const Plan& plan, const CampaignResult& result, const std::string
   }
   json["tolerance"] = plan.tolerance_texts;
   json["require"] = require.empty() ? Json(nullptr) : Json(require);
+  json["margin_queries"] = margin_queries;
   // Without a time limit the trials say which units there were; an interrupted run did some of them.
   if (plan.replies) json["replies"] = replies_json(plan);
   json["units_done"] = plan.seconds || !result.complete ? units : Json(nullptr);

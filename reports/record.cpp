@@ -39,8 +39,20 @@ void put_signs(Json& json, const SignTally& tally, bool has_tolerance, Decimal6 
   json["links"] = link_counts(tally.links, static_cast<std::size_t>(Link::rounding), link_count - 1);
 }
 
-Json comparison_json(const ComparisonTally& tally, bool has_tolerance) {
-  Json json;
+Json margins_json(const MarginTally& tally, std::size_t comparison) {
+  Json json = {{"right", Json::object()}, {"wrong", Json::object()}};
+  for (const auto& [key, count] : tally.counts()) {
+    const auto [of, exponent] = key;
+    if (of != comparison) continue;
+    const std::string name = exponent == tied_margin ? "tie" : std::to_string(exponent);
+    if (count.right != 0) json["right"][name] = count.right;
+    if (count.wrong != 0) json["wrong"][name] = count.wrong;
+  }
+  return json;
+}
+
+Json comparison_json(const ComparisonTally& tally, bool has_tolerance, Json margins) {
+  Json json = {{"margins", std::move(margins)}};
   put_signs(json, tally, has_tolerance, tally.largest_error.best());
   json["ties"] = tally.ties;
   json["range_events"] = tally.range_events;
@@ -141,7 +153,8 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
     axis["sole_separator"] = tally.axes[a].sole_separator;
   }
   for (std::size_t i = 0; i < comparison_count; ++i) {
-    all[std::string(comparisons[i].name)] = comparison_json(tally.comparisons[i], tolerances[i].has_value());
+    all[std::string(comparisons[i].name)] =
+        comparison_json(tally.comparisons[i], tolerances[i].has_value(), margins_json(tally.margins, i));
   }
   return json;
 }

@@ -25,8 +25,6 @@ void put_query(Json& into, const Query<Real>& q);
 Json exposures_json(const Kernel& kernel);
 // The limits that a kernel declares, null where it has none; null for each that it does not set.
 Json limits_json(const Limits& limits);
-// The bits as text, first comparison first.
-std::string bit_string(std::uint32_t bits, std::size_t count);
 // "verdict", ... as `check` and the witnesses list them.
 Json flips_json(const Judgement& judgement);
 

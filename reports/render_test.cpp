@@ -8,6 +8,7 @@
 #include <random>
 
 #include "reports/embedded.h"
+#include "reports/markdown_text.h"
 #include "reports/requirement.h"
 
 namespace axiscert {
@@ -54,7 +55,7 @@ TEST(Html, NamesInTheDataAreInert) {
   render_reports(plain.path());
   const std::string html = folder.read("report.html");
   EXPECT_EQ(occurrences(html, "<script"), occurrences(plain.read("report.html"), "<script"));
-  EXPECT_EQ(occurrences(html, "</script"), 2u);
+  EXPECT_EQ(occurrences(html, "</script"), 3u);
   EXPECT_THAT(html, Not(HasSubstr("alert(1)")));
   EXPECT_THAT(html, Not(HasSubstr("<!--")));
   EXPECT_EQ(page_data(html)["kernels"][1]["id"], evil);
@@ -184,13 +185,30 @@ TEST(Markdown, EscapesNames) {
   const TestFolder folder(named("a|b`<script>\n# c"));
   render_reports(folder.path());
   std::string text = folder.read("report.md");
-  EXPECT_THAT(text, HasSubstr("a\\|b\\`&lt;script> \\# c"));
+  EXPECT_THAT(text, HasSubstr("a\\|b\\`&lt;script> #<!-- --> c"));
   // Fenced commands show the name as it is.
   for (std::size_t open = text.find("```"); open != text.npos; open = text.find("```")) {
     text.erase(open, text.find("```", open + 3) + 3 - open);
   }
   EXPECT_THAT(text, Not(HasSubstr("<script")));
   EXPECT_THAT(text, Not(HasSubstr("a|b")));
+}
+
+// What a forge reads in a comment: mentions, issues, addresses, formulae, links, emphasis.
+TEST(Markdown, NamesMentionAndLinkNothing) {
+  EXPECT_EQ(plain("@octocat"), "@<!-- -->octocat");
+  EXPECT_EQ(plain("org/repo#12"), "org/repo#<!-- -->12");
+  EXPECT_EQ(plain("https://a.example www.b.example"), "https:<!-- -->//a.example w<!-- -->ww.b.example");
+  EXPECT_EQ(plain("[a](b) ![c](d)"), "\\[a\\](b) !\\[c\\](d)");
+  EXPECT_EQ(plain("_a_ edge_ab __b__ $x$"), "\\_a\\_ edge_ab \\_\\_b\\_\\_ \\$x\\$");
+  EXPECT_EQ(plain("a\r\n<img src=x>&lt;"), "a  &lt;img src=x>&amp;lt;");
+  const TestFolder folder(named("@octocat #1 https://a.example"));
+  render_reports(folder.path());
+  std::string text = folder.read("report.md");
+  for (std::size_t open = text.find("```"); open != text.npos; open = text.find("```")) {
+    text.erase(open, text.find("```", open + 3) + 3 - open);
+  }
+  for (const char* read : {"@octocat", "#1 ", "https://a"}) EXPECT_THAT(text, Not(HasSubstr(read)));
 }
 
 TEST(Markdown, StatesZeroWithItsLimitAndTheRequirement) {
@@ -279,6 +297,20 @@ TEST(Sarif, NamesComeBackAndResultsStandAtTheirWitness) {
               std::string::npos);
   }
   EXPECT_TRUE(is_named);
+}
+
+// In plain text SARIF's viewers make links of [text](target) and fill in {0}.
+TEST(Sarif, NamesAreNoLinks) {
+  const TestFolder folder(named("[x](https://a.example){0}\\"));
+  render_reports(folder.path());
+  const Json log = Json::parse(folder.read("report.sarif"));
+  std::size_t shown = 0;
+  for (const Json& result : log["runs"][0]["results"]) {
+    const std::string text = result["message"]["text"];
+    EXPECT_THAT(text, Not(HasSubstr("[x](")));
+    shown += occurrences(text, "\\[x\\](https://a.example){{0}}\\\\") != 0;
+  }
+  EXPECT_GT(shown, 0u);
 }
 
 TEST(Sarif, AResultACellThatIsNotZero) {

@@ -10,13 +10,27 @@
 #include <set>
 
 #include "kernel/names.h"
+#include "kernel/utf8.h"
 #include "reports/finding.h"
 #include "reports/summary.h"
 
 namespace axiscert {
 namespace {
 
+// Bytes that no report can hold as they are, by their numbers: what bash, zsh and ksh read, and POSIX from 2024 on.
+std::string quoted_bytes(const std::string& text) {
+  std::string word = "$'";
+  for (const unsigned char c : text) {
+    if (c == '\'' || c == '\\') word += fmt::format("\\{}", static_cast<char>(c));
+    else if (c < 0x20 || c >= 0x7f) word += fmt::format("\\{:03o}", c);
+    else word += static_cast<char>(c);
+  }
+  return word + "'";
+}
+
 std::string quoted(const std::string& text) {
+  const bool has_control = std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  if (has_control || !is_utf8(text)) return quoted_bytes(text);
   std::string word = "'";
   for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
   return word + "'";

@@ -13,6 +13,8 @@
 #include "fuzz/plain_line.h"
 #include "kernel/error.h"
 #include "kernel/names.h"
+#include "reports/comparison/cells.h"
+#include "reports/comparison/ratchet.h"
 #include "reports/embedded.h"
 #include "reports/parsed_json.h"
 #include "reports/schema.h"
@@ -20,20 +22,7 @@
 namespace axiscert {
 namespace {
 
-void check_schema(const Json& schema, const Json& value, const std::string& name) {
-  const auto& expected = schema.at("properties").at("schema").at("const").get_ref<const std::string&>();
-  if (!value.is_object() || !value.contains("schema")) {
-    throw Error(fmt::format("{}: has no \"schema\"; a run writes \"schema\": \"{}\" there", name, expected));
-  }
-  if (value["schema"] != expected) {
-    throw Error(fmt::format("{}: its schema is {}, this axiscert reads \"{}\"; use the axiscert that wrote it", name,
-                            shown(value["schema"].dump()), expected));
-  }
-  if (const auto fault = schema_fault(schema, value)) {
-    throw Error(fmt::format("{}: not as {} has it: {}; run it again, or restore the file as it was written", name,
-                            expected, *fault));
-  }
-}
+constexpr const char* advice = "run it again, or restore the file as it was written";
 
 // What the schema cannot say: sums, and names that refer to each other.
 class RecordCheck {
@@ -109,6 +98,7 @@ class RecordCheck {
     const std::uint64_t touching = number(truth["touching"]), contact = number(truth["contact"]);
     const std::uint64_t separated = number(truth["separated"]), valid = contact + separated;
     const std::string convention = kernel["touching"];
+    const bool is_complete = record_["complete"];
     const std::uint64_t must_touch = convention == name(Touching::contact) ? contact : contact - touching;
     const std::uint64_t must_not = convention == name(Touching::separated) ? separated + touching : separated;
     require(outside.is_null() == kernel["limits"].is_null(), where,
@@ -141,9 +131,7 @@ class RecordCheck {
       require(first.is_null() == (apart == number(count)), where,
               fmt::format("first_by_link and links do not agree on {}", link));
       // What was interrupted may have judged queries from anywhere in the plan.
-      const bool is_counted =
-          !record_["complete"] || number(first.is_null() ? Json(0) : first) <= number(family["trials"]);
-      require(first.is_null() || (first != 0 && is_counted), where,
+      require(first.is_null() || (first != 0 && (!is_complete || number(first) <= number(family["trials"]))), where,
               fmt::format("first_by_link of {} is no query of the family", link));
     }
   }
@@ -188,12 +176,12 @@ class RecordCheck {
 }  // namespace
 
 void check_record(const Json& record, const std::string& name) {
-  check_schema(Json::parse(embedded::record_schema_json), record, name);
+  check_schema(Json::parse(embedded::record_schema_json), record, name, advice);
   RecordCheck(record, name).check();
 }
 
 void check_run_info(const Json& info, const std::string& name) {
-  check_schema(Json::parse(embedded::run_schema_json), info, name);
+  check_schema(Json::parse(embedded::run_schema_json), info, name, advice);
 }
 
 Json read_json(const std::filesystem::path& path) {
@@ -219,8 +207,14 @@ Run read_run(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(record, ignored)) {
     throw Error(fmt::format("{}: does not exist; give the folder that `axiscert run --out` wrote", record.string()));
   }
-  Run run{read_json(record), nullptr, folder};
+  Run run{read_json(record), nullptr, nullptr, folder};
   check_record(run.record, record.string());
+  if (const auto held = folder / ratchet_outcome_file; std::filesystem::exists(held, ignored)) {
+    run.ratchet = read_json(held);
+    check_schema(Json::parse(embedded::ratchet_schema_json), run.ratchet, held.string(), advice);
+    if (run.ratchet["plan"] != plan_fingerprint(run.record["plan"]))
+      throw Error(fmt::format("{}: is of another plan than the record beside it; remove it", held.string()));
+  }
   if (std::filesystem::exists(info, ignored)) {
     run.info = read_json(info);
     check_run_info(run.info, info.string());

@@ -12,6 +12,7 @@ namespace axiscert {
 struct Run {
   Json record;                   // conforms to record.schema.json
   Json info;                     // conforms to run.schema.json; null where the folder has no run.json
+  Json ratchet;                  // conforms to ratchet.schema.json; null where the run was held to none
   std::filesystem::path folder;  // which may hold what other commands wrote beside them
 };
 

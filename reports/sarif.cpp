@@ -1,6 +1,7 @@
 // report.sarif: SARIF 2.1.0, for code scanning. A result a cell with something wrong in it: kernel, precision, family,
 // and the verdict or comparison. Its fingerprint is the cell's and so the same in every run, whatever the count; its
-// place is the line of its deepest witness in witnesses.jsonl.
+// place is the line of its deepest witness in witnesses.jsonl. What is worse than the ratchet accepts is a result of
+// its own, an error, at the same place.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,6 +35,9 @@ constexpr Rule rules[] = {
      "A comparison does not hold that holds in exact arithmetic, by the kernel's own formulae."},
     {"tolerance", "tolerance_failures", false, "error", "A comparison's error is above the tolerance asked for it."},
 };
+constexpr Rule ratchet_rule = {
+    "worse-than-accepted", "", false, "error",
+    "A figure is worse than the ratchet accepts, its waiver has expired, or it was not checked."};
 constexpr Rule finding_rule = {"plug-in", "", false, "error", "A plug-in did what a kernel must not."};
 
 const Rule* rule_of(const Cell& cell) {
@@ -52,19 +56,21 @@ Json rule_json(const Rule& rule) {
 
 class Log {
  public:
-  explicit Log(const Run& run) : record_(run.record) {
+  explicit Log(const Run& run) : record_(run.record), held_(run.ratchet) {
     if (const Json& require = record_["plan"]["require"]; !require.is_null()) failures_ = unmet(record_, require);
   }
 
   Json json() const {
     Json driver = {{"name", "axiscert"}, {"version", record_["plan"]["axiscert"]}, {"rules", Json::array()}};
     for (const Rule& rule : rules) driver["rules"].push_back(rule_json(rule));
-    driver["rules"].push_back(rule_json(finding_rule));
+    for (const Rule* rule : {&finding_rule, &ratchet_rule}) driver["rules"].push_back(rule_json(*rule));
     Json results = Json::array();
     for (const Cell& cell : cells_of(record_)) {
       const Rule* rule = rule_of(cell);
       if (rule != nullptr && !cell.is_zero()) results.push_back(result(cell, *rule));
     }
+    for (const Json& failure : held_.is_null() ? Json::array() : held_["failures"])
+      results.push_back(ratchet_result(failure));
     const Json invocation = {{"executionSuccessful", record_["complete"]}};
     const Json run = {{"tool", {{"driver", driver}}},
                       {"invocations", Json::array({invocation})},
@@ -78,34 +84,62 @@ class Log {
  private:
   Json result(const Cell& cell, const Rule& rule) const {
     const auto witnesses = witnesses_of(record_, cell);
+    const Json* const worst = deepest(witnesses);
     const std::string where = fmt::format("{} {} on {}, {}", cell.kernel, cell.precision, cell.family, cell.place);
     std::string message = fmt::format("{}: {} of {} queries. {}", where, thousands(cell.count()),
                                       thousands(cell.of.trials), rule.sentence);
-    std::size_t line = 1;
     if (cell.kind == Cell::Kind::finding) message = finding_message(cell);
-    if (const Json* worst = deepest(witnesses)) {
-      message += " Shown again by: " + replay_command(*worst, record_["plan"]);
-      for (const Json& witness : record_["witnesses"]) {
-        if (&witness == worst) break;
-        ++line;
-      }
-    }
+    if (worst != nullptr) message += " Shown again by: " + replay_command(*worst, record_["plan"]);
     const bool is_unmet = std::any_of(failures_.begin(), failures_.end(), [&](const Failure& failure) {
       return cell.place == "verdict" && failure.kernel == cell.kernel && failure.precision == cell.precision &&
              failure.family == cell.family;
     });
-    const Json place = {
-        {"physicalLocation", {{"artifactLocation", {{"uri", "witnesses.jsonl"}}}, {"region", {{"startLine", line}}}}},
-        {"logicalLocations",
-         Json::array({{{"name", cell.name()},
-                       {"fullyQualifiedName",
-                        fmt::format("{}/{}/{}/{}", cell.kernel, cell.precision, cell.family, cell.name())}}})}};
     return {{"ruleId", rule.id},
             {"ruleIndex", &rule == &finding_rule ? std::size(rules) : static_cast<std::size_t>(&rule - rules)},
             {"level", is_unmet ? "error" : rule.level},
-            {"message", {{"text", message}}},
-            {"locations", Json::array({place})},
+            {"message", {{"text", message_text(message)}}},
+            {"locations", Json::array({place_of(cell.key(), worst)})},
             {"partialFingerprints", {{"axiscertCell/v1", fingerprint(cell.key())}}}};
+  }
+
+  Json ratchet_result(const Json& failure) const {
+    const Json key = Json::array({failure["kernel"], failure["precision"], failure["family"], failure["cell"]});
+    const Json* worst = nullptr;
+    for (const Cell& cell : cells_of(record_)) {
+      if (cell.key() == key) worst = deepest(witnesses_of(record_, cell));
+    }
+    return {{"ruleId", ratchet_rule.id},
+            {"ruleIndex", std::size(rules) + 1},
+            {"level", ratchet_rule.level},
+            {"message", {{"text", message_text(failure["text"])}}},
+            {"locations", Json::array({place_of(key, worst)})},
+            {"partialFingerprints", {{"axiscertRatchet/v1", failure["fingerprint"]}}}};
+  }
+
+  // The line of a witness in witnesses.jsonl, or its first where there is none; and the cell's name.
+  Json place_of(const Json& key, const Json* witness) const {
+    std::size_t line = 1;
+    for (const Json& other : record_["witnesses"]) {
+      if (witness == nullptr || &other == witness) break;
+      ++line;
+    }
+    const auto part = [&](std::size_t i) { return key[i].get<std::string>(); };
+    return {
+        {"physicalLocation", {{"artifactLocation", {{"uri", "witnesses.jsonl"}}}, {"region", {{"startLine", line}}}}},
+        {"logicalLocations",
+         Json::array({{{"name", part(3)},
+                       {"fullyQualifiedName", fmt::format("{}/{}/{}/{}", part(0), part(1), part(2), part(3))}}})}};
+  }
+
+  // In a message's text SARIF reads [text](target) as a link and {0} as a place to fill in: none is meant here.
+  static std::string message_text(const std::string& text) {
+    std::string escaped;
+    for (const char c : text) {
+      if (c == '\\' || c == '[' || c == ']') escaped += '\\';
+      escaped += c;
+      if (c == '{' || c == '}') escaped += c;
+    }
+    return escaped;
   }
 
   std::string finding_message(const Cell& cell) const {
@@ -127,7 +161,7 @@ class Log {
     return found == witnesses.end() ? nullptr : *found;
   }
 
-  const Json& record_;
+  const Json &record_, &held_;
   std::vector<Failure> failures_;
 };
 

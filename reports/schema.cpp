@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "fuzz/number_text.h"
+#include "kernel/error.h"
 
 namespace axiscert {
 namespace {
@@ -69,6 +70,7 @@ class Checker {
     if (keyword == "required" || keyword == "properties" || keyword == "additionalProperties") {
       return value.is_object() ? check_members(keyword, rule, schema, value, where) : Fault();
     }
+    if (keyword == "propertyNames") return value.is_object() ? check_names(rule, value, where) : Fault();
     if (keyword == "items" || keyword == "minItems" || keyword == "maxItems" || keyword == "uniqueItems") {
       return value.is_array() ? check_items(keyword, rule, value, where) : Fault();
     }
@@ -128,6 +130,13 @@ class Checker {
     return std::nullopt;
   }
 
+  Fault check_names(const Json& rule, const Json& value, const std::string& where) {
+    for (const auto& [name, member] : value.items()) {
+      if (Fault fault = check(rule, Json(name), where + "/" + shown(name))) return fault;
+    }
+    return std::nullopt;
+  }
+
   Fault check_items(const std::string& keyword, const Json& rule, const Json& value, const std::string& where) {
     if (keyword == "minItems") return value.size() < rule ? wrong(where, value, "with too few items") : Fault();
     if (keyword == "maxItems") return value.size() > rule ? wrong(where, value, "with too many items") : Fault();
@@ -151,6 +160,20 @@ class Checker {
 
 std::optional<std::string> schema_fault(const Json& schema, const Json& value) {
   return Checker(schema).check(schema, value, "");
+}
+
+void check_schema(const Json& schema, const Json& value, const std::string& name, const std::string& advice) {
+  const auto& expected = schema.at("properties").at("schema").at("const").get_ref<const std::string&>();
+  if (!value.is_object() || !value.contains("schema")) {
+    throw Error(fmt::format("{}: has no \"schema\": \"{}\", which axiscert writes; {}", name, expected, advice));
+  }
+  if (value["schema"] != expected) {
+    throw Error(fmt::format("{}: its schema is {}, this axiscert reads \"{}\"; use the axiscert that wrote it", name,
+                            shown(value["schema"].dump()), expected));
+  }
+  if (const auto fault = schema_fault(schema, value)) {
+    throw Error(fmt::format("{}: not as {} has it: {}; {}", name, expected, *fault, advice));
+  }
 }
 
 }  // namespace axiscert

@@ -62,9 +62,9 @@ class TestFolder {
   std::filesystem::path path_;
 };
 
-// The page's data, read back as a browser does.
-inline Json page_data(const std::string& html) {
-  const std::string open = "<script type=\"text/plain\" id=\"data\">";
+// One part of a page's data, read back as a browser does.
+inline Json page_part(const std::string& html, const std::string& id) {
+  const std::string open = "<script type=\"text/plain\" id=\"" + id + "\">";
   const std::size_t begin = html.find(open) + open.size();
   const std::string text = html.substr(begin, html.find("</script>", begin) - begin);
   std::string deflated(text.size(), '\0');
@@ -82,6 +82,13 @@ inline Json page_data(const std::string& html) {
     json.resize(length);
     return Json::parse(json);
   }
+}
+
+// All of it, as the page's scripts have it.
+inline Json page_data(const std::string& html) {
+  Json data = page_part(html, "data");
+  data["witnesses"] = page_part(html, "witness-data");
+  return data;
 }
 
 inline std::size_t occurrences(const std::string& text, const std::string& piece) {

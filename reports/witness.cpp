@@ -20,14 +20,6 @@ void put_query(Json& into, const Query<Real>& q) {
 template void put_query<float>(Json&, const Query<float>&);
 template void put_query<double>(Json&, const Query<double>&);
 
-std::string bit_string(std::uint32_t bits, std::size_t count) {
-  std::string text(count, '0');
-  for (std::size_t i = 0; i < count; ++i) {
-    if ((bits >> i) & 1u) text[i] = '1';
-  }
-  return text;
-}
-
 Json flips_json(const Judgement& judgement) {
   Json flips = Json::array();
   for (const Flip& flip : judgement.flips()) {

@@ -4,11 +4,10 @@
 // The file is a line, "axiscert-journal/1 DIGEST\n", DIGEST that of the plan in 64 hex digits, and entries. An entry is
 // 16 bytes, little-endian, and its content:
 //   u32  length of the content
-//   u32  first 4 bytes of SHA-256 over the plan's digest, the entry's offset in the file (u64) and the length: a length
-//   is
-//        not believed without it, or a flipped bit in it would hide all that follows
+//   u32  first 4 bytes of SHA-256 over the plan's digest, the entry's offset in the file (u64) and the length
 //   u64  first 8 bytes of SHA-256 over the offset and the content
-// Checksums that know the offset tell an entry that was moved, too. A wrong entry passes with probability 2^-64.
+// A length is not believed without its own checksum, or a flipped bit in it would hide all that follows. Checksums that
+// know the offset tell an entry that was moved, too. A wrong entry passes with probability 2^-64.
 #pragma once
 
 #include <functional>

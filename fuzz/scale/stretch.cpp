@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 
 std::uint64_t size_of(const Plan& plan, const CellResult& cell) {
   const Source& source = *plan.sources[cell.source];
-  const auto fixed = source.fixed_size(cell.precision);
+  const auto fixed = plan.replies ? plan.replies->size(source, cell.precision) : source.fixed_size(cell.precision);
   return fixed ? *fixed : plan.trials(source, cell.precision);
 }
 

@@ -35,7 +35,8 @@ void visit_verdict(Archive& archive, Tally& tally) {
 
 template <class Archive, class Tally>
 void visit_tally(Archive& archive, Tally& tally) {
-  auto& [trials, separated, contact, touching, invalid, verdict, axes, comparisons, critical_radius, findings] = tally;
+  auto& [trials, separated, contact, touching, invalid, verdict, axes, comparisons, critical_radius, findings,
+         margins] = tally;
   archive(trials, separated, contact, touching, invalid);
   visit_verdict(archive, verdict);
   using Signs = std::conditional_t<std::is_const_v<Tally>, const SignTally, SignTally>;
@@ -54,6 +55,7 @@ void visit_tally(Archive& archive, Tally& tally) {
     auto& [count, first, detail] = finding;
     archive(count, first, detail);
   }
+  archive(margins);
 }
 
 template <class Archive, class Of>
@@ -90,6 +92,10 @@ class Encoder {
   template <class Value, std::size_t size>
   void put(const std::array<Value, size>& values) {
     for (const Value& value : values) put(value);
+  }
+  void put(const MarginTally& margins) {
+    put(margins.counts().size());
+    for (const auto& [key, count] : margins.counts()) (*this)(key.first, key.second, count.right, count.wrong);
   }
   template <class Rank>
   void put(const Leaders<Rank>& leaders) {
@@ -139,6 +145,17 @@ class Decoder {
   template <class Value, std::size_t size>
   void get(std::array<Value, size>& values) {
     for (Value& value : values) get(value);
+  }
+  void get(MarginTally& margins) {
+    std::size_t size = 0;
+    get(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      std::uint8_t comparison = 0;
+      std::int8_t exponent = 0;
+      MarginCount count;
+      (*this)(comparison, exponent, count.right, count.wrong);
+      margins.add(comparison, exponent, count);
+    }
   }
   template <class Rank>
   void get(Leaders<Rank>& leaders) {

@@ -11,6 +11,7 @@
 #include "kernel/error.h"
 #include "kernel/plugin.h"
 #include "kernel/plugin/supervisor.h"
+#include "kernel/utf8.h"
 
 namespace axiscert::plugin {
 namespace {
@@ -153,6 +154,7 @@ Shipped shipped(const Kind& kind) {
 }  // namespace
 
 Kernel load_plugin(std::string id, const std::string& path) {
+  require_utf8(id, "kernel");
   if (!std::filesystem::is_regular_file(path)) {
     throw Error(fmt::format("kernel '{}': there is no file {}; give the path of a plug-in's shared object", id, path));
   }

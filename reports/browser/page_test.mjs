@@ -238,8 +238,7 @@ test('shows exact and computed sides, hex and decimal, links and the command', a
 test('gives code that compiles and lines that are the witness', async () => {
   const {page, close} = await opened(real);
   const code = await page.evaluate(async () => {
-    const data = await unpacked(document.getElementById('data').textContent.trim());
-    const cards = data.witnesses.cards;
+    const {cards} = await unpacked(document.getElementById('witness-data').textContent.trim());
     const chosen = [...cards.slice(0, 20), ...cards.filter((card) => card.family === 'nonfinite').slice(0, 5)];
     const evil = {...cards[0], id: 'w"*/\\', kernel: '*/ #error\n#error \\', family: '\\\n#error', address: '??/\n#error'};
     return [...chosen, evil].map((card) => [cpp_test(card), c_array(card), json_line(card), card.id]);
@@ -253,6 +252,58 @@ test('gives code that compiles and lines that are the witness', async () => {
     code.map(([tests]) => tests).join('\n'));
   execFileSync('cc', ['-std=c99', '-fsyntax-only', '-trigraphs', path.join(source, 'arrays.c')], {stdio: 'inherit'});
   execFileSync('c++', ['-std=c++17', '-fsyntax-only', path.join(source, 'tests.cpp')], {stdio: 'inherit'});
+  await close();
+});
+
+test('draws the margins of each comparison with the band that errors reach', async () => {
+  const {page, close} = await opened(real);
+  const figures = page.locator('#margins figure');
+  assert.equal(await figures.count(), 16);
+  const record = record_of(real);
+  const [kernel] = record.kernels;
+  const sum = (counts) => Object.values(counts).reduce((x, y) => x + y, 0);
+  const shown = async (families) => {
+    const tallies = families.map((family) => family.comparisons['plane.radius']);
+    const [right, wrong] = ['right', 'wrong'].map((side) => tallies.reduce((n, tally) => n + sum(tally.margins[side]), 0));
+    const words = await figures.first().locator('[role="img"]').getAttribute('aria-label');
+    assert.match(words, new RegExp(`plane.radius: ${(right + wrong).toLocaleString('en-US')} measured, ${wrong} wrong`));
+    return {right, wrong};
+  };
+  const all = await shown(Object.values(kernel.families));
+  assert.ok(all.wrong > 0 && all.right + all.wrong <= 6 * record.plan.margin_queries);
+  await page.locator('#margins-controls select').nth(1).selectOption('general');
+  assert.equal((await shown([kernel.families.general])).right, record.plan.margin_queries);
+  // The band ends where the largest error does: its share of the axis, from the tie's bin on.
+  await page.locator('#margins-controls select').nth(1).selectOption('sliver');
+  const {band, bins} = await figures.first().evaluate((figure) => ({band: parseFloat(figure.querySelector('.band').style.width), bins: figure.querySelectorAll('.bin').length}));
+  const error = kernel.families.sliver.comparisons['plane.radius'].max_error_u;
+  assert.ok(Math.abs(band - 100 * Math.min(1, (1 + Math.log2(error) + bins - 25) / bins)) < 0.01, `${band} of ${bins} for ${error}`);
+  await page.locator('#margins details summary').click();
+  assert.equal(await page.locator('#margins table tbody tr').count(), 16);
+  assert.doesNotMatch(await page.locator('#not-checked').innerText(), /margins/);
+  await close();
+});
+
+test('says so where a record has no margins', async () => {
+  const older = folder('older');
+  fs.copyFileSync(path.join(testdata, 'record.json'), path.join(older, 'record.json'));
+  render(older);
+  const {page, close} = await opened(older);
+  assert.match(await page.locator('#margins').innerText(), /^Not counted/);
+  assert.match(await page.locator('#not-checked').innerText(), /Distribution of margins/);
+  await close();
+});
+
+test('quotes names in commands as a shell reads them', async () => {
+  const {page, close} = await opened(real);
+  const names = ['published', 'plugin:/my kernel.so', "it's", '$(touch x)', 'a\nb\'\\', '<script>', '*', ''];
+  for (const name of names) {
+    const word = await page.evaluate((text) => shell_word(text), name);
+    assert.equal(execFileSync('bash', ['-c', `printf %s ${word}`], {encoding: 'utf8'}), name);
+  }
+  assert.match(await page.locator('#bounds-missing').innerText(), /--kernel published /);
+  await page.locator('#bounds-controls select').selectOption({index: 2});
+  assert.match(await page.locator('#bounds-missing').innerText(), /--kernel 'published\+fma' /);
   await close();
 });
 
@@ -279,7 +330,7 @@ test('shows names from plug-ins, meshes and queries as text', async () => {
   for (const card of await page.locator('#witnesses-list > details').all()) await card.locator('summary').first().click();
   await page.waitForTimeout(200);
   assert.equal(await page.evaluate(() => window.evil), undefined);
-  assert.equal(await page.evaluate(() => document.scripts.length), 2);
+  assert.equal(await page.evaluate(() => document.scripts.length), 3);
   assert.equal(await page.evaluate(() => document.querySelectorAll('img:not(.map-picture img), b, [onclick], [onerror]').length), 0);
   await close();
 });
@@ -302,8 +353,11 @@ function attach(into) {
   write('proofs.json', {comparisons: [{name: 'plane.radius', formulae: 'published', precision: 'binary32', status: 'proved', proved_u: 640, attained_u: 346.2},
                                       {name: 'vertex_a.radius', formulae: 'published', precision: 'binary32', status: 'open'}]});
   write('search.json', {kernel: 'published', precision: 'binary32', comparisons: [{name: 'plane.radius', attained_u: 350, proved_u: null}, {name: 'vertex_a.radius', attained_u: 7.9, proved_u: null}]});
-  write('mutation.json', {mutants: [{name: '<i>published~swap:17</i>', caught: true, family: 'lattice', queries: 12},
-                                    {name: 'published~drop:3', caught: false}, {name: 'published~same:1', caught: false, equivalent: 'a + b is b + a'}]});
+  const mutant = (name, precision, more) => ({name, precision, caught: false, ...more});
+  write('mutation.json', {complete: false,
+    mutants: [mutant('<i>published~swap:17</i>', 'binary32', {caught: true, family: 'lattice', queries: 12}), mutant('published~drop:3', 'binary32'),
+              mutant('published~same:1', 'binary32', {equivalent: 'a + b is b + a'}), mutant('published~drop:3', 'binary64', {caught: true})],
+    controls: [{kernel: 'packed', precision: 'binary64', claims: 'formulae', queries: 1000, flagged: 3}]});
   const figures = (worst) => Object.fromEntries(['plane', 'vertex_a', 'vertex_b', 'vertex_c', 'edge_ab', 'edge_bc', 'edge_ca']
     .map((axis) => [axis, {false_separation: 1, missed_separation: 2, p99_u: 3, worst_u: worst}]));
   write('ladder.json', {precision: 'binary32', trials: 100, kernels: [['slow', 2], ['fast', 200], ['beaten', 300]].map(([id, worst]) =>
@@ -331,7 +385,12 @@ test('shows what other commands left in the folder, and links what it leaves out
   await maps.locator('select').selectOption({label: 'plane.radius: 2 wrong'});
   assert.match(await maps.innerText(), /Left out of this file for its size, 1,100,0[0-9]{2} bytes/);
   assert.equal(await maps.locator('a[href="maps/comparison.png"]').count(), 1);
-  assert.match(await page.locator('#mutation').innerText(), /1 of 2 mutants caught; 1 equivalent/);
+  const mutation = await page.locator('#mutation').innerText();
+  assert.match(mutation, /INCOMPLETE/);
+  assert.match(mutation, /binary32: 1 of 2 mutants caught; 1 equivalent/);
+  assert.match(mutation, /binary64: 1 of 1 mutants caught; 0 equivalent/);
+  assert.match(mutation, /published~drop:3\s+binary64\s+yes/);
+  assert.match(mutation, /packed\s+binary64\s+formulae\s+1,000\s+3/);
   assert.equal(await page.locator('.plot canvas').count(), 2);
   await page.locator('#ladder details summary').click();
   assert.match(await page.locator('#ladder table').innerText(), /beaten\s+20\s+3,000/);

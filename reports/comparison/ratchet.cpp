@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "kernel/error.h"
+#include "kernel/utf8.h"
 #include "reports/comparison/cells.h"
 #include "reports/format.h"
 #include "reports/summary.h"
@@ -122,11 +123,7 @@ Ratchet parse_ratchet(std::string_view text, const std::string& name) {
     const std::string_view content = text.substr(at, end - at);
     const Line line{name, ++number};
     at = end + 1;
-    try {
-      static_cast<void>(Json(content).dump());  // what JSON may not hold, no report may
-    } catch (const Json::exception&) {
-      line.fail("not UTF-8");
-    }
+    if (!is_utf8(content)) line.fail("not UTF-8");
     const std::vector<std::string> words =
         content.starts_with('#') ? std::vector<std::string>() : words_of(content, line);
     if (words.empty()) continue;
@@ -154,34 +151,38 @@ Ratchet read_ratchet(const std::string& path) {
     throw Error(fmt::format("{}: cannot be read: {}; a run without --ratchet writes one to begin with, ratchet.txt",
                             path, std::strerror(errno)));
   }
-  return parse_ratchet(text.view(), path);
+  return parse_ratchet(text.view(), as_utf8(path));
+}
+
+void require_plan(const Ratchet& ratchet, const Json& plan) {
+  const std::string given = plan_fingerprint(plan);
+  if (given == ratchet.plan) return;
+  throw Error(
+      fmt::format("{}: is of plan {}, this run of {}: other families, trials, seed, files, precisions or tolerances, "
+                  "whose figures are not comparable; run without --ratchet and review its ratchet.txt anew",
+                  ratchet.name, ratchet.plan, given.empty() ? "none that can be made again" : given));
 }
 
 RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, const std::string& today) {
-  const std::string plan = plan_fingerprint(record["plan"]);
-  if (plan != ratchet.plan) {
-    throw Error(
-        fmt::format("{}: is of plan {}, this run of {}: other families, trials, seed, files, precisions or "
-                    "tolerances, whose figures are not comparable; review ratchet.txt of this run anew",
-                    ratchet.name, ratchet.plan, plan.empty() ? "none that can be made again" : plan));
-  }
+  require_plan(ratchet, record["plan"]);
   RatchetOutcome outcome;
-  outcome.accepted = head(plan);
+  outcome.accepted = head(ratchet.plan);
+  const auto fail = [&](const Json& key, std::string text) { outcome.failures.push_back({key, std::move(text)}); };
   std::set<Json> judged;  // kernel and precision
   for (const Json& kernel : record["kernels"]) judged.insert(Json::array({kernel["id"], kernel["precision"]}));
   std::set<std::string> met;
   const auto check_expiry = [&](const RatchetEntry& entry) {
     if (entry.expiry == "never" || entry.expiry >= today) return;
-    outcome.failures.push_back(fmt::format("{}:{}: expired on {} ({}, {}): {}", ratchet.name, entry.line, entry.expiry,
-                                           entry.owner, entry.reason, name_of(entry.key)));
+    fail(entry.key, fmt::format("{}:{}: expired on {} ({}, {}): {}", ratchet.name, entry.line, entry.expiry,
+                                entry.owner, entry.reason, name_of(entry.key)));
   };
   for (const Cell& cell : cells_of(record)) {
     if (!is_held(cell)) continue;
     const std::string id = fingerprint(cell.key());
     const auto found = ratchet.entries.find(id);
     if (found == ratchet.entries.end()) {
-      outcome.failures.push_back(fmt::format("{}: {}, accepted is 0; to accept it: {}", name_of(cell.key()),
-                                             cell.figure.dump(), open_line(cell)));
+      fail(cell.key(), fmt::format("{}: {}, accepted is 0; to accept it: {}", name_of(cell.key()), cell.figure.dump(),
+                                   open_line(cell)));
       outcome.accepted += open_line(cell) + "\n";
       continue;
     }
@@ -192,8 +193,8 @@ RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, const st
     const std::string line =
         is_worse ? open_line(cell) : line_of(cell.key(), cell.figure, entry.expiry, entry.owner, entry.reason);
     if (is_worse) {
-      outcome.failures.push_back(fmt::format("{}: {}, accepted is {} ({}:{}); to accept it: {}", name_of(cell.key()),
-                                             cell.figure.dump(), entry.figure.dump(), ratchet.name, entry.line, line));
+      fail(cell.key(), fmt::format("{}: {}, accepted is {} ({}:{}); to accept it: {}", name_of(cell.key()),
+                                   cell.figure.dump(), entry.figure.dump(), ratchet.name, entry.line, line));
     } else if (is_less(cell.figure, entry.figure)) {
       outcome.better.push_back(fmt::format("{}: {}, accepted is {} ({}:{}); the line now: {}", name_of(cell.key()),
                                            cell.figure.dump(), entry.figure.dump(), ratchet.name, entry.line, line));
@@ -208,9 +209,9 @@ RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, const st
     const auto& kernels = record["plan"]["kernels"];
     if (of_loading ? std::find(kernels.begin(), kernels.end(), entry.key[0]) == kernels.end()
                    : judged.count(Json::array({entry.key[0], entry.key[1]})) == 0) {
-      outcome.failures.push_back(fmt::format("{}: NOT CHECKED: this run did not judge {} {} ({}:{})",
-                                             name_of(entry.key), entry.key[0].get<std::string>(),
-                                             entry.key[1].get<std::string>(), ratchet.name, entry.line));
+      fail(entry.key,
+           fmt::format("{}: NOT CHECKED: this run did not judge {} {} ({}:{})", name_of(entry.key),
+                       entry.key[0].get<std::string>(), entry.key[1].get<std::string>(), ratchet.name, entry.line));
       outcome.accepted += line_of(entry.key, entry.figure, entry.expiry, entry.owner, entry.reason) + "\n";
       continue;
     }
@@ -218,6 +219,20 @@ RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, const st
                                          entry.figure.dump(), ratchet.name, entry.line));
   }
   return outcome;
+}
+
+Json outcome_json(const Ratchet& ratchet, const RatchetOutcome& outcome) {
+  Json json = {{"schema", "axiscert-held/1"}, {"file", ratchet.name},     {"plan", ratchet.plan},
+               {"failures", Json::array()},   {"better", outcome.better}, {"accepted", outcome.accepted}};
+  for (const auto& [key, text] : outcome.failures) {
+    json["failures"].push_back({{"fingerprint", fingerprint(key)},
+                                {"kernel", key[0]},
+                                {"precision", key[1]},
+                                {"family", key[2]},
+                                {"cell", key[3]},
+                                {"text", text}});
+  }
+  return json;
 }
 
 std::string ratchet_text(const Json& record) {
@@ -230,6 +245,9 @@ std::string ratchet_text(const Json& record) {
   return text;
 }
 
-extern const Format ratchet_format = {"ratchet.txt", [](const Run& run) { return ratchet_text(run.record); }};
+extern const Format ratchet_format = {"ratchet.txt", [](const Run& run) {
+                                        return run.ratchet.is_null() ? ratchet_text(run.record)
+                                                                     : run.ratchet["accepted"].get<std::string>();
+                                      }};
 
 }  // namespace axiscert

@@ -35,13 +35,24 @@ struct Ratchet {
 Ratchet parse_ratchet(std::string_view text, const std::string& name);
 Ratchet read_ratchet(const std::string& path);
 
-struct RatchetOutcome {
-  std::vector<std::string> failures;  // worse, expired, or not checked: each names its cell
-  std::vector<std::string> better;    // each with the line that takes the place of the old one
-  std::string accepted;               // the file that would accept the record: what is worse waits for its words
+// Throws Error where a plan, as a record has it, is another than the ratchet's, or none that can be made again.
+void require_plan(const Ratchet& ratchet, const Json& plan);
+
+struct RatchetFailure {
+  Json key;          // of the cell
+  std::string text;  // names it, says what is wrong, and gives the line that would accept it
 };
-// `today` as YYYY-MM-DD. Throws Error where the record is of another plan, or of none.
+struct RatchetOutcome {
+  std::vector<RatchetFailure> failures;  // worse, expired, or not checked
+  std::vector<std::string> better;       // each with the line that takes the place of the old one
+  std::string accepted;                  // the file that would accept the record: what is worse waits for its words
+};
+// `today` as YYYY-MM-DD. Throws Error as require_plan does.
 RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, const std::string& today);
+
+// What the reports of a run tell of it, ratchet.json in its folder: conforms to ratchet.schema.json.
+inline constexpr const char* ratchet_outcome_file = "ratchet.json";
+Json outcome_json(const Ratchet& ratchet, const RatchetOutcome& outcome);
 
 // The file that accepts the record as it is, with EXPIRY, OWNER and REASON left to be filled in; a comment alone where
 // the record depended on time.

@@ -33,6 +33,12 @@ std::string error_of(const std::string& text) {
   return "";
 }
 
+std::vector<std::string> texts(const std::vector<RatchetFailure>& failures) {
+  std::vector<std::string> all;
+  for (const RatchetFailure& failure : failures) all.push_back(failure.text);
+  return all;
+}
+
 Json& tangent(Json& record) { return record["kernels"][0]["families"]["tangent"]; }
 
 TEST(Ratchet, TheReviewedStateHolds) {
@@ -49,11 +55,12 @@ TEST(Ratchet, WorseIsNamedWithTheLineThatWouldAcceptIt) {
   tangent(record)["verdict"]["deepest_false_contact"] = 0.75;
   const RatchetOutcome outcome = hold_against(parse_ratchet(reviewed(), "r.txt"), record, today);
   EXPECT_THAT(
-      outcome.failures,
+      texts(outcome.failures),
       ElementsAre(HasSubstr("published binary32 on tangent: verdict.false_separation: 41, accepted is 40 (r.txt:"),
                   HasSubstr("verdict.deepest_false_contact: 0.75, accepted is 0.125"),
                   HasSubstr("edge_bc.side_a.missed_separation: 2, accepted is 0; to accept it: ")));
-  EXPECT_THAT(outcome.failures[2], HasSubstr("published binary32 tangent edge_bc.side_a.missed_separation 2 EXPIRY"));
+  EXPECT_THAT(outcome.failures[2].text,
+              HasSubstr("published binary32 tangent edge_bc.side_a.missed_separation 2 EXPIRY"));
   // What nobody has reviewed is not accepted by copying it.
   EXPECT_THAT(error_of(outcome.accepted), HasSubstr("EXPIRY"));
 }
@@ -75,7 +82,7 @@ TEST(Ratchet, AnExpiredWaiverFailsFromTheDayAfter) {
   EXPECT_THAT(hold_against(parse_ratchet(reviewed(today), "r.txt"), record, today).failures, IsEmpty());
   const auto failures = hold_against(parse_ratchet(reviewed("2026-06-14"), "r.txt"), record, today).failures;
   EXPECT_THAT(failures, SizeIs(lines));
-  EXPECT_THAT(failures[0], HasSubstr("expired on 2026-06-14 (mk, rounds, see docs)"));
+  EXPECT_THAT(failures[0].text, HasSubstr("expired on 2026-06-14 (mk, rounds, see docs)"));
 }
 
 TEST(Ratchet, AKernelThatWasNotRunIsNotPassed) {
@@ -83,7 +90,7 @@ TEST(Ratchet, AKernelThatWasNotRunIsNotPassed) {
   record["kernels"].erase(1);
   const auto failures = hold_against(parse_ratchet(reviewed(), "r.txt"), record, today).failures;
   ASSERT_THAT(failures, testing::Not(IsEmpty()));
-  EXPECT_THAT(failures[0], HasSubstr("NOT CHECKED: this run did not judge <script> binary32"));
+  EXPECT_THAT(failures[0].text, HasSubstr("NOT CHECKED: this run did not judge <script> binary32"));
 }
 
 TEST(Ratchet, AnotherPlanIsRefused) {
@@ -93,6 +100,70 @@ TEST(Ratchet, AnotherPlanIsRefused) {
     Json record = stored_record();
     record["plan"][member] = value;
     EXPECT_THROW(hold_against(ratchet, record, today), Error) << member;
+  }
+}
+
+// The stored record with one comparison worse than accepted, and what the ratchet says of it.
+void write_held(const TestFolder& folder) {
+  Json record = stored_record();
+  Json& comparison = tangent(record)["comparisons"]["edge_bc.side_a"];
+  comparison["missed_separation"] = comparison["masked"] = 2;
+  const Ratchet ratchet = parse_ratchet(reviewed(), "r.txt");
+  folder.write("record.json", record.dump());
+  folder.write("ratchet.json", outcome_json(ratchet, hold_against(ratchet, record, today)).dump());
+}
+
+TEST(Ratchet, EveryFormatTellsOfIt) {
+  const TestFolder folder;
+  write_held(folder);
+  ASSERT_EQ(folder.rendering_error(), "");
+  const std::string worse = "published binary32 on tangent: edge_bc.side_a.missed_separation: 2, accepted is 0";
+  const std::string junit = folder.read("junit.xml"), name = "name=\"tangent edge_bc.side_a\"";
+  const std::string of_case =
+      junit.substr(junit.find(name), junit.find("</testcase>", junit.find(name)) - junit.find(name));
+  EXPECT_THAT(of_case, HasSubstr("<failure type=\"ratchet\""));
+  EXPECT_THAT(of_case, HasSubstr(worse));
+  EXPECT_EQ(occurrences(junit, worse), 1u);
+  // Held to the ratchet and no worse: checked, where nothing else asked.
+  EXPECT_THAT(junit, HasSubstr("name=\"tangent edge_ab.side_c\" time=\"0\"/>"));
+  EXPECT_THAT(folder.read("report.md"), HasSubstr("edge_bc.side_a.missed_separation: 2, accepted is 0"));
+  EXPECT_THAT(folder.read("ratchet.txt"), HasSubstr(" never mk \"rounds, see docs\"\n"));
+  const Json log = Json::parse(folder.read("report.sarif"))["runs"][0];
+  std::size_t found = 0;
+  for (const Json& result : log["results"]) {
+    if (result["ruleId"] != "worse-than-accepted") continue;
+    ++found;
+    EXPECT_EQ(log["tool"]["driver"]["rules"][result["ruleIndex"].get<std::size_t>()]["id"], "worse-than-accepted");
+    EXPECT_EQ(result["level"], "error");
+    EXPECT_THAT(result["message"]["text"].get<std::string>(), HasSubstr(worse));
+  }
+  EXPECT_EQ(found, 1u);
+}
+
+TEST(Ratchet, AFailureWithoutACaseHasASuiteOfItsOwn) {
+  Json record = stored_record();
+  record["kernels"].erase(1);
+  const TestFolder folder(record);
+  // A record without a kernel of its plan is none: what was held is told beside the whole one.
+  const Ratchet ratchet = parse_ratchet(reviewed(), "r.txt");
+  folder.write("ratchet.json", outcome_json(ratchet, hold_against(ratchet, record, today)).dump());
+  folder.write("record.json", stored_record().dump());
+  Json held = Json::parse(folder.read("ratchet.json"));
+  for (Json& failure : held["failures"]) failure["kernel"] = "gone";
+  folder.write("ratchet.json", held.dump());
+  ASSERT_EQ(folder.rendering_error(), "");
+  EXPECT_THAT(folder.read("junit.xml"), HasSubstr("<testsuite name=\"ratchet\""));
+}
+
+TEST(Ratchet, AnOutcomeOfAnotherPlanOrFormIsRefused) {
+  const TestFolder folder;
+  write_held(folder);
+  const std::string good = folder.read("ratchet.json");
+  for (const auto& [old, with, says] : {std::array{"held/1", "held/2", "axiscert-held/2"},
+                                        {"\"plan\":\"", "\"plan\":\"f", "is of another plan"},
+                                        {"\"better\"", "\"bitter\"", "/bitter"}}) {
+    folder.write("ratchet.json", replaced(good, old, with));
+    EXPECT_THAT(folder.rendering_error(), testing::AllOf(HasSubstr("ratchet.json"), HasSubstr(says)));
   }
 }
 

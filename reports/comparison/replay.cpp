@@ -12,6 +12,7 @@
 #include "kernel/error.h"
 #include "reports/finding.h"
 #include "reports/record.h"
+#include "reports/reproduce.h"
 
 namespace axiscert {
 namespace {
@@ -41,7 +42,11 @@ struct Asked {
   const Kernel* kernel = nullptr;
   std::string absent;
 
-  Asked(const std::string& id, std::string_view target) {
+  Asked(const std::string& id, std::string_view target, const std::set<std::string>& trusted) {
+    if (id.starts_with("plugin:") && !trusted.contains(id)) {
+      absent = fmt::format("a plug-in that a record names is loaded only with --kernel {}", shell_word(id));
+      return;
+    }
     try {
       kernel = &find_kernel(id);
       require_loaded(*kernel);
@@ -54,7 +59,8 @@ struct Asked {
 
 }  // namespace
 
-std::vector<Replayed> replay_witnesses(const Json& record, std::string_view target) {
+std::vector<Replayed> replay_witnesses(const Json& record, std::string_view target,
+                                       const std::set<std::string>& trusted) {
   std::map<std::string, Asked> kernels;
   std::vector<Replayed> all;
   for (const Json& witness : record["witnesses"]) {
@@ -66,7 +72,7 @@ std::vector<Replayed> replay_witnesses(const Json& record, std::string_view targ
     }
     const std::string line = witness.dump();
     const StoredQuery stored = query_of_json(line, Place{"witness " + replayed.id, 1});
-    Asked& asked = kernels.try_emplace(replayed.kernel, replayed.kernel, target).first->second;
+    Asked& asked = kernels.try_emplace(replayed.kernel, replayed.kernel, target, trusted).first->second;
     if (asked.examiner == nullptr || !asked.kernel->has(stored.precision)) {
       replayed.note = asked.examiner ? fmt::format("{} does not exist in {} here", replayed.kernel, replayed.precision)
                                      : asked.absent;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +16,7 @@ enum class ReplayOutcome {
   mended,       // flips before, none now
   changed,      // other flips than before
   wrong_now,    // the verdict was right, and is wrong now
-  not_replayed  // no such kernel here, or its answers came through a pipe
+  not_replayed  // no such kernel here, a plug-in that nobody vouched for, or answers that came through a pipe
 };
 inline constexpr std::array<std::string_view, 5> replay_names = {"as before", "mended", "changed", "wrong now",
                                                                  "not replayed"};
@@ -27,7 +28,9 @@ struct Replayed {
   bool is_alarm() const { return outcome == ReplayOutcome::wrong_now; }
 };
 
-// Every witness of the record, in its order. Throws OracleDisagreement.
-std::vector<Replayed> replay_witnesses(const Json& record, std::string_view target);
+// Every witness of the record, in its order. A plug-in is loaded where `trusted` has its id, "plugin:PATH", and nowhere
+// else: a record that came by mail must not choose what code runs here. Throws OracleDisagreement.
+std::vector<Replayed> replay_witnesses(const Json& record, std::string_view target,
+                                       const std::set<std::string>& trusted = {});
 
 }  // namespace axiscert

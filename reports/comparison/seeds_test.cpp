@@ -86,13 +86,24 @@ TEST(CompareSeeds, KnownWitnessesOfAnotherKernelDoNot) {
   // As if published had become nonstrict: phantom contacts are mended.
   const auto mended = replay_witnesses(renamed(run(sample, "published", 1), "nonstrict"), scalar_target);
   EXPECT_GT(count(mended, ReplayOutcome::mended), 0);
-  const auto absent = replay_witnesses(renamed(run(sample, "published", 1), "plugin:/nosuch.so"), scalar_target);
+  const auto absent = replay_witnesses(renamed(run(sample, "published", 1), "nosuch"), scalar_target);
   EXPECT_EQ(count(absent, ReplayOutcome::not_replayed), static_cast<std::ptrdiff_t>(absent.size()));
   EXPECT_NE(absent.at(0).note, "");
 }
 
+// The file does not exist: who tried to load it would say so.
+TEST(CompareSeeds, APluginThatARecordNamesIsLoadedForWhoNamesItAlone) {
+  const std::string id = "plugin:/no such.so";
+  const Json record = renamed(run({{"repeated"}, 64, {Precision::binary32}}, "published", 1), id);
+  const auto untrusted = replay_witnesses(record, scalar_target);
+  const auto trusted = replay_witnesses(record, scalar_target, {id});
+  ASSERT_FALSE(untrusted.empty());
+  EXPECT_EQ(untrusted[0].note, "a plug-in that a record names is loaded only with --kernel 'plugin:/no such.so'");
+  EXPECT_NE(trusted[0].note.find("there is no file /no such.so"), std::string::npos) << trusted[0].note;
+}
+
 TEST(CompareSeedsLong, AHundredPairsOfSeedsGiveAtMostFiveAlarms) {
-  Sample sample{{}, 512, {Precision::binary32}};
+  Sample sample{{}, 512, {Precision::binary32, Precision::binary64}};
   for (const Family* family : families()) sample.families.emplace_back(family->name);
   EXPECT_LE(alarms(sample, 100), 5);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "kernel/utf8.h"
 #include "reports/markdown_text.h"
 #include "reports/reproduce.h"
 #include "reports/summary.h"
@@ -115,7 +116,7 @@ InstrumentTable witness_table(const ComparedRuns& runs, const RunComparison& com
 
 std::string run_text(const char* which, const std::string& folder, const Json& record) {
   const Json& plan = record["plan"];
-  return fmt::format("{}: {}, axiscert {}, seed {}{}", which, folder, plan["axiscert"].get<std::string>(),
+  return fmt::format("{}: {}, axiscert {}, seed {}{}", which, as_utf8(folder), plan["axiscert"].get<std::string>(),
                      plan["seed"].dump(), record["complete"].get<bool>() ? "" : ", INTERRUPTED");
 }
 
@@ -192,7 +193,7 @@ std::string comparison_markdown(const ComparedRuns& runs, const RunComparison& c
 
 Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison) {
   const auto run = [](const std::string& folder, const Json& record) {
-    return Json{{"folder", folder},
+    return Json{{"folder", as_utf8(folder)},
                 {"axiscert", record["plan"]["axiscert"]},
                 {"seed", record["plan"]["seed"]},
                 {"complete", record["complete"]}};

@@ -8,7 +8,7 @@
 
 namespace axiscert {
 
-// The two records and what they are called in a report: folders as they were given.
+// The two records and their folders as they were given, in whatever bytes.
 struct ComparedRuns {
   const Json& before;
   const Json& after;

@@ -103,7 +103,7 @@ function show_bounds(data) {
     const {search, proofs} = data.attached;
     if (search?.kernel !== entry.id || search?.precision !== entry.precision) {
       missing.append(not_run(`Nobody hunted for the worst errors of ${entry_name(entry)}: it fills "attained".`,
-        `axiscert search --kernel ${entry.id} --precision ${entry.precision} --out DIR`));
+        `axiscert search --kernel ${shell_word(entry.id)} --precision ${entry.precision} --out DIR`));
     }
     if (proofs === null) {
       missing.append(not_run('No proofs.json in this folder: nothing here is proved. It fills "proved".',

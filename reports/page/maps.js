@@ -68,5 +68,5 @@ function show_maps(data) {
   }
   const worst = data.witnesses.cards[0];
   place.append(not_run('No maps/index.json in this folder: the neighbourhood of a witness, an ulp a pixel.',
-                       `axiscert map ${worst ? `'${worst.address.replaceAll("'", "'\\''")}'` : 'ADDRESS'} --along p.x --across r --out DIR`));
+                       `axiscert map ${worst ? `${shell_word(worst.address)} --kernel ${shell_word(worst.kernel)}` : 'ADDRESS'} --along p.x --across r --out DIR`));
 }

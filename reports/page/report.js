@@ -62,11 +62,12 @@ function show_reproduction(data) {
 function missing_parts(data) {
   const {proofs, search, maps, ladder, precision, league, mutation} = data.attached;
   const sentence = (part, what, text) => (part === null ? [`${what}: not run here (${text}).`] : []);
+  const counts_margins = data.kernels.length === 0 || data.kernels.some(has_margins);
   return [...sentence(proofs, 'Proofs of bounds', 'axiscert prove'), ...sentence(search, 'Search for the worst', 'axiscert search'),
           ...sentence(maps, 'Maps around witnesses', 'axiscert map'), ...sentence(ladder, 'Ladder of forms', 'axiscert ladder'),
           ...sentence(precision, 'Flips against precision', 'axiscert precision'),
           ...sentence(league, 'Other libraries', 'axiscert league'), ...sentence(mutation, 'Mutants', 'axiscert mutate'),
-          'Distribution of margins: nothing counts it.'];
+          ...(counts_margins ? [] : ['Distribution of margins: no kernel here shows comparisons, or an earlier version ran it.'])];
 }
 
 // The data as the page holds them: deflated, in base64.
@@ -80,6 +81,7 @@ async function show_report() {
   let data;
   try {
     data = await unpacked(document.getElementById('data').textContent.trim());
+    data.witnesses = await unpacked(document.getElementById('witness-data').textContent.trim());
   } catch (problem) {
     document.getElementById('banner').append(el('p', 'banner bad', 'This page cannot read its own data: the file was cut off or ' +
       `edited, or the browser is older than 2023 (${problem.message}). report.md beside it says the same in short.`));
@@ -92,6 +94,7 @@ async function show_report() {
   show_bounds(data);
   show_origins(data);
   show_maps(data);
+  show_margins(data);
   show_witnesses(data);
   show_families(data);
   show_signs(data);

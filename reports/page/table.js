@@ -150,6 +150,15 @@ function copy_button(text) {
   return button;
 }
 
+// As a word of a shell's command: in quotes where it is not plain, as reports/reproduce.cpp has it. A page's text is
+// Unicode, so bytes need no other form; control characters have their numbers.
+function shell_word(text) {
+  if (/^[A-Za-z0-9_.\/:=,-]+$/.test(text)) return text;
+  if (!/[\u0000-\u001f\u007f]/.test(text)) return `'${text.replaceAll("'", "'\\''")}'`;
+  const code = (c) => `\\${c.codePointAt(0).toString(8).padStart(3, '0')}`;
+  return `$'${text.replace(/['\\]/g, '\\$&').replace(/[\u0000-\u001f\u007f]/g, code)}'`;
+}
+
 function command(text) { return el('div', 'command', el('pre', '', el('code', '', text)), copy_button(text)); }
 
 function chip(text, kind) { return el('span', `chip ${kind ?? ''}`, text); }
