@@ -174,6 +174,8 @@ Goal True. statement "run". Abort.
 Print run.
 Goal True. statement "unbounded". Abort.
 Print unbounded.
+Goal True. statement "on_grid". Abort.
+Print on_grid.
 Goal True. statement "in_window". Abort.
 Print in_window.
 Goal True. statement "as_unbounded". Abort.
