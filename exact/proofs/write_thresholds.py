@@ -83,8 +83,8 @@ def header(exported, windows):
                   for n, name in zip(exported[form], COMPARISONS))
         + "}};" for form in FORMS)
     ends = {(f, i): f"static_cast<Real>(0x1p{windows[f][i]:+d})".replace("p+", "p") for f in FORMATS for i in range(2)}
-    return f"""// The thresholds of the filter that is proved never to lie (docs/proofs.md). Written by exact/proofs/write_thresholds.py
-// out of the Coq theory: do not edit.
+    return f"""// The thresholds of the filter that is proved never to lie (docs/proofs.md). Written by
+// exact/proofs/write_thresholds.py out of the Coq theory: do not edit.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The thresholds of the filter that is proved never to lie (docs/proofs.md). Written by exact/proofs/write_thresholds.py
-// out of the Coq theory: do not edit.
+// The thresholds of the filter that is proved never to lie (docs/proofs.md). Written by
+// exact/proofs/write_thresholds.py out of the Coq theory: do not edit.
 #pragma once
 
 #include <array>
