@@ -47,16 +47,6 @@ std::string signed_again(std::string_view text) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// Beyond it, writing the JSON here would take the stack that the reader is to be spared.
-bool is_deep(std::string_view text) {
-  std::size_t depth = 0, deepest = 0;
-  for (const char c : text) {
-    if (c == '[' || c == '{') deepest = std::max(deepest, ++depth);
-    else if ((c == ']' || c == '}') && depth > 0) --depth;
-  }
-  return deepest > 1000;
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

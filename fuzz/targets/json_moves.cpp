@@ -106,7 +106,18 @@ void rename_member(Json& holder, const std::string& key, Dice& dice) {
 
 }  // namespace
 
+bool is_deep(std::string_view text) {
+  constexpr std::size_t harmless = 1000;
+  std::size_t depth = 0, deepest = 0;
+  for (const char c : text) {
+    if (c == '[' || c == '{') deepest = std::max(deepest, ++depth);
+    else if ((c == ']' || c == '}') && depth > 0) --depth;
+  }
+  return deepest > harmless;
+}
+
 std::string moved_json(std::string_view text, JsonMove move, Dice& dice) {
+  if (is_deep(text)) return std::string(text);
   Json document = Json::parse(text, nullptr, false);
   if (document.is_discarded()) return std::string(text);
   std::vector<Json*> all;
@@ -136,7 +147,7 @@ std::string moved_json(std::string_view text, JsonMove move, Dice& dice) {
       nudge(chosen, dice);
       break;
     case JsonMove::nest:
-      levels = dice.below(8) == 0 ? 50000 : 1 + below(dice, 4);
+      levels = dice.below(8) == 0 ? 400000 : 1 + below(dice, 4);
       chosen = placeholder;
       break;
   }

@@ -20,7 +20,11 @@ enum class JsonMove : std::uint8_t {
 };
 inline constexpr std::size_t json_move_count = 7;
 
-// A document changed by the move; as it was where the move finds nothing to change, or the text is no JSON.
+// Whether brackets open so deep that nlohmann's functions on the value, which call themselves once a level, would take
+// the stack: here as in what is tested.
+bool is_deep(std::string_view text);
+
+// A document changed by the move; as it was where the move finds nothing to change, the text is no JSON, or deep.
 std::string moved_json(std::string_view text, JsonMove move, Dice& dice);
 
 // For LLVMFuzzerCustomMutator: a whole document, one line of many, or what stands before the first such byte. Every

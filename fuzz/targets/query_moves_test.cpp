@@ -132,10 +132,10 @@ TYPED_TEST(QueryMoveTest, TiesBringTheSphereToWhereItTouches) {
 
 TEST(QueryMoves, TakeNumbersOfEveryKind) {
   std::vector<std::uint8_t> bytes(greatest_size, 0xff);  // NaNs, and what their neighbours would be
-  for (const std::uint8_t fill : {0x00, 0x7f, 0x80, 0xff}) {
-    for (const std::uint8_t wide : {0, 1}) {
-      std::fill(bytes.begin(), bytes.end(), fill);
-      bytes[0] = wide;
+  for (const int fill : {0x00, 0x7f, 0x80, 0xff}) {
+    for (const int wide : {0, 1}) {
+      std::fill(bytes.begin(), bytes.end(), static_cast<std::uint8_t>(fill));
+      bytes[0] = static_cast<std::uint8_t>(wide);
       for (std::uint32_t s = 0; s < 300; ++s) {
         FuzzedQuery fuzzed = fuzzed_query(bytes);
         mutate(fuzzed, s);

@@ -63,6 +63,7 @@ def seeds(source):
     ]
     result["mesh"] = [
         b"\0v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 1 1e-40\nf 1 2 3\nf 1 2 3 4\nf 1 1 2\nl 1 2\n",
+        b"\0v 1e39 0 0\nv nan 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 0\nf 1 3 4\nf 2 3 4\nf 3 4 5\n",
         b"\1ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
         b"property list uchar int vertex_indices\nend_header\n0 0 0\n3e38 0 0\n0 -3e38 0\n3 0 1 2\n",
         b"\2solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n",
@@ -100,11 +101,14 @@ def seeds(source):
     for kernel in record["kernels"]:  # a smaller one: fewer cells, no less kinds of members
         kernel["families"] = dict(list(kernel["families"].items())[:1])
     record["kernels"], record["witnesses"] = record["kernels"][:1], record["witnesses"][:2]
+    # Deeper than a recursion stands.
+    deep = b'{"schema":' + b"[" * 500000 + b"]" * 500000 + b"}"
+    result["plan"].append(deep)
     result["record"] = [
         (source / "reports/testdata/record.json").read_bytes(),
         json.dumps(record).encode(),
         (source / "reports/testdata/run.json").read_bytes(),
-        b"[" * 4000,
+        deep,
     ]
     return result
 
