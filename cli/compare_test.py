@@ -99,7 +99,7 @@ __attribute__((constructor)) static void tell(void) {{ FILE* file = fopen("{load
         out = os.fsdecode(b"caf\xe9 '")
         self.assertEqual(run("run", *PLAN, "--out", out).returncode, 0)
         self.assertEqual(run("report", out).returncode, 0)
-        done = run("compare", out, out, "--out", os.fsdecode(b"c\xff"))
+        done = run("compare", out, out, "--format", "markdown", "--out", os.fsdecode(b"c\xff"))
         self.assertEqual((done.returncode, done.stderr), (0, b""))
         compared = json.loads((self.folder / os.fsdecode(b"c\xff") / "compare.json").read_text())
         self.assertEqual(compared["old"]["folder"], "caf\\xe9 '")
