@@ -9,7 +9,7 @@ import subprocess
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from command import BUILD, REPORTS, Case, axiscert
+from command import BUILD, QUERY, REPORTS, Case, axiscert
 
 PLAN = ["--family", "repeated", "--family", "tangent", "--trials", "1000", "--precision", "binary32"]
 
@@ -109,7 +109,7 @@ __attribute__((constructor)) static void tell(void) {{ FILE* file = fopen("{load
         self.assertEqual(subprocess.run(["bash", "-c", f"printf %s {word}"], capture_output=True).stdout, os.fsencode(out))
         # What a record would have to hold is refused, once and clearly.
         queries, mesh, kernel = (os.fsdecode(name) for name in (b"q\xff.jsonl", b"m\xff.obj", b"k\xff.so"))
-        for name, text in {queries: "", kernel: "", mesh: "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}.items():
+        for name, text in {queries: QUERY % 1, kernel: "", mesh: "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}.items():
             (self.folder / name).write_text(text)
         for args in (["--queries", queries], ["--mesh", mesh], ["--kernel", "plugin:" + kernel]):
             done = run("run", *args, "--out", "none")
