@@ -60,7 +60,8 @@ int compare(const CompareOptions& options) {
       // The first line is the answer.
       const std::string text = instrument_text(report);
       const std::size_t end = text.find('\n') + 1;
-      fmt::print("{}{}", coloured(text.substr(0, end), alarms != 0 ? Colour::red : Colour::green), text.substr(end));
+      fmt::print("{}{}", coloured(text.substr(0, end), alarms != 0 ? TextColour::red : TextColour::green),
+                 text.substr(end));
     }
   }
   return alarms == 0 ? exit_done : exit_requirement_failed;

@@ -9,7 +9,7 @@ import subprocess
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from command import BUILD, REPORTS, Case, axiscert
+from command import BUILD, QUERY, REPORTS, Case, axiscert
 
 PLAN = ["--family", "repeated", "--family", "tangent", "--trials", "1000", "--precision", "binary32"]
 
@@ -99,7 +99,7 @@ __attribute__((constructor)) static void tell(void) {{ FILE* file = fopen("{load
         out = os.fsdecode(b"caf\xe9 '")
         self.assertEqual(run("run", *PLAN, "--out", out).returncode, 0)
         self.assertEqual(run("report", out).returncode, 0)
-        done = run("compare", out, out, "--out", os.fsdecode(b"c\xff"))
+        done = run("compare", out, out, "--format", "markdown", "--out", os.fsdecode(b"c\xff"))
         self.assertEqual((done.returncode, done.stderr), (0, b""))
         compared = json.loads((self.folder / os.fsdecode(b"c\xff") / "compare.json").read_text())
         self.assertEqual(compared["old"]["folder"], "caf\\xe9 '")
@@ -109,7 +109,7 @@ __attribute__((constructor)) static void tell(void) {{ FILE* file = fopen("{load
         self.assertEqual(subprocess.run(["bash", "-c", f"printf %s {word}"], capture_output=True).stdout, os.fsencode(out))
         # What a record would have to hold is refused, once and clearly.
         queries, mesh, kernel = (os.fsdecode(name) for name in (b"q\xff.jsonl", b"m\xff.obj", b"k\xff.so"))
-        for name, text in {queries: "", kernel: "", mesh: "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}.items():
+        for name, text in {queries: QUERY % 1, kernel: "", mesh: "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}.items():
             (self.folder / name).write_text(text)
         for args in (["--queries", queries], ["--mesh", mesh], ["--kernel", "plugin:" + kernel]):
             done = run("run", *args, "--out", "none")

@@ -28,7 +28,7 @@ constexpr const char* shrunk_file = "witnesses-shrunk.jsonl";
 // Says what is worse and what is better. Whether the ratchet holds.
 bool holds(const RatchetOutcome& outcome, bool quiet) {
   for (const std::string& better : outcome.better) {
-    if (!quiet) fmt::print("{}\n", coloured("better: " + better, Colour::green));
+    if (!quiet) fmt::print("{}\n", coloured("better: " + better, TextColour::green));
   }
   for (const RatchetFailure& failure : outcome.failures) fmt::print(stderr, "axiscert: --ratchet: {}\n", failure.text);
   return outcome.failures.empty();

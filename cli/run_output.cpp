@@ -107,7 +107,7 @@ std::string kernels_table(const Json& kernels) {
       "kernel",           "precision", "queries",   "missed contacts",    "deepest",
       "phantom contacts", "deepest",   "no answer", "outside its limits", "wrong there"};
   std::vector<std::vector<std::string>> rows;
-  std::vector<Colour> colours;
+  std::vector<TextColour> colours;
   bool has_extra = false;
   for (const Json& kernel : kernels) {
     std::uint64_t trials = 0, missed = 0, phantom = 0, unanswered = 0, outside = 0, outside_wrong = 0;
@@ -129,7 +129,9 @@ std::string kernels_table(const Json& kernels) {
     rows.push_back({kernel["id"], kernel["precision"], thousands(trials), thousands(missed), amount(deepest_missed, 3),
                     thousands(phantom), amount(deepest_phantom, 3), thousands(unanswered), thousands(outside),
                     thousands(outside_wrong)});
-    colours.push_back(missed + unanswered != 0 ? Colour::red : phantom != 0 ? Colour::yellow : Colour::green);
+    colours.push_back(missed + unanswered != 0 ? TextColour::red
+                      : phantom != 0           ? TextColour::yellow
+                                               : TextColour::green);
   }
   if (rows.empty()) return "";
   if (!has_extra) {
