@@ -50,7 +50,7 @@ Query<Real> child(const Evaluator<Real>& evaluator, const Aim& aim, Dice& random
 }
 
 template <class Real>
-void best_first(std::vector<Candidate<Real>>& candidates) {
+void best_first(std::vector<ScoredQuery<Real>>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const auto& x, const auto& y) { return x.score > y.score; });
 }
@@ -58,11 +58,11 @@ void best_first(std::vector<Candidate<Real>>& candidates) {
 }  // namespace
 
 template <class Real>
-std::vector<Candidate<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim, Dice& random,
-                                   const std::vector<Query<Real>>& starts, std::uint64_t evaluations) {
+std::vector<ScoredQuery<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim, Dice& random,
+                                     const std::vector<Query<Real>>& starts, std::uint64_t evaluations) {
   QueryBatch<Real> batch(walkers * children);
   std::vector<double> scores;
-  std::vector<Candidate<Real>> found;
+  std::vector<ScoredQuery<Real>> found;
   for (Query<Real> q : starts) {
     settle(q);
     batch.push_back(q);
@@ -74,7 +74,7 @@ std::vector<Candidate<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim, D
   for (std::uint64_t done = batch.size(); done + batch.capacity() <= evaluations; done += batch.capacity()) {
     const bool is_polishing = done >= evaluations - evaluations / polish_share;
     batch.clear();
-    for (const Candidate<Real>& parent : found) {
+    for (const ScoredQuery<Real>& parent : found) {
       for (std::size_t i = 0; i < children; ++i) {
         const Query<Real>& other = found[random.below(found.size())].query;
         batch.push_back(child(evaluator, aim, random, parent.query, other, is_polishing));
@@ -92,9 +92,9 @@ std::vector<Candidate<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim, D
   return found;
 }
 
-template std::vector<Candidate<float>> climb(Evaluator<float>&, const Aim&, Dice&, const std::vector<Query<float>>&,
-                                             std::uint64_t);
-template std::vector<Candidate<double>> climb(Evaluator<double>&, const Aim&, Dice&, const std::vector<Query<double>>&,
-                                              std::uint64_t);
+template std::vector<ScoredQuery<float>> climb(Evaluator<float>&, const Aim&, Dice&, const std::vector<Query<float>>&,
+                                               std::uint64_t);
+template std::vector<ScoredQuery<double>> climb(Evaluator<double>&, const Aim&, Dice&,
+                                                const std::vector<Query<double>>&, std::uint64_t);
 
 }  // namespace axiscert

@@ -8,7 +8,7 @@ namespace axiscert {
 
 // A query and what it is estimated to show.
 template <class Real>
-struct Candidate {
+struct ScoredQuery {
   Query<Real> query;
   double score = 0;
 };
@@ -18,7 +18,7 @@ inline constexpr std::size_t walkers = 8, children = 8;  // that climb, and of e
 // Climbs from the best of `starts`, at most walkers * children of them, with `evaluations` of queries, and returns what
 // each walker found, best first. Depends on its arguments alone.
 template <class Real>
-std::vector<Candidate<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim, Dice& random,
-                                   const std::vector<Query<Real>>& starts, std::uint64_t evaluations);
+std::vector<ScoredQuery<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim, Dice& random,
+                                     const std::vector<Query<Real>>& starts, std::uint64_t evaluations);
 
 }  // namespace axiscert

@@ -181,7 +181,7 @@ class Hunt {
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     const auto candidates = climb(evaluator, aim, random, starts(slot.aim, random), slot.evaluations);
     std::vector<Entry> found;
-    for (const Candidate<Real>& candidate : candidates) {
+    for (const ScoredQuery<Real>& candidate : candidates) {
       if (candidate.score == 0 || found.size() == 2) break;
       if (const auto value = confirmer.value(aim, candidate.query)) found.push_back({*value, candidate.query});
     }
