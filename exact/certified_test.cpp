@@ -23,19 +23,16 @@ constexpr std::uint64_t seed = 20101230;
 
 // Few-bit numbers, one of them sometimes of another size: ties, repeated vertices, collinear ones, and every last step.
 template <class Real>
-Query<Real> coarse_query(std::mt19937_64& random) {
+Query<Real> coarse_query_of_any_size(std::mt19937_64& random) {
   using Limits = std::numeric_limits<Real>;
   const int exponents[] = {0, -20, Limits::max_exponent - 4, Limits::min_exponent - Limits::digits + 1};
-  std::array<Real, coordinate_count> v;
   const int exponent = exponents[random() % 4];
-  for (Real& x : v) x = std::ldexp(static_cast<Real>(static_cast<int>(random() % 7) - 3), exponent);
-  if (random() % 4 == 0) v[random() % 13] = std::ldexp(Real(1), exponents[random() % 4]);
-  v[12] = std::abs(v[12]);
-  Query<Real> q = from_coordinates(v);
-  if (random() % 3 == 0) q.b = q.a;
-  if (random() % 5 == 0) q.c = q.b;
-  if (random() % 7 == 0) q.p = q.a;
-  return q;
+  auto v = coordinates(testing_support::coarse_query<Real>(random, exponent));
+  if (random() % 4 == 0) {
+    const int another = exponents[random() % 4];
+    v[random() % 13] = std::ldexp(Real(1), another);
+  }
+  return from_coordinates(v);
 }
 
 // A sphere whose radius is within one ulp of the distance.
@@ -57,7 +54,7 @@ struct Judged {
       Judged made;
       std::mt19937_64 random(seed);
       for (int i = 0; i < 2403; ++i) {
-        Query<Real> q = i % 4 == 0   ? coarse_query<Real>(random)
+        Query<Real> q = i % 4 == 0   ? coarse_query_of_any_size<Real>(random)
                         : i % 4 == 1 ? tangent_query<Real>(random)
                                      : random_query<Real>(random, i % 4 == 2 && i % 16 != 2);
         if (i % 4 == 2 && i % 3 != 0) q.r = std::abs(q.r);

@@ -14,28 +14,16 @@
 namespace axiscert {
 namespace {
 
+using testing_support::coarse_query;
 using testing_support::random_query;
-
-// Few-bit numbers, repeated vertices and centres on vertices among them: ties are common.
-template <class Real>
-Query<Real> coarse_query(std::mt19937_64& random) {
-  std::array<Real, coordinate_count> v;
-  const int exponent = static_cast<int>(random() % 41) - 20;
-  for (Real& x : v) x = std::ldexp(static_cast<Real>(static_cast<int>(random() % 7) - 3), exponent);
-  v[12] = std::abs(v[12]);
-  Query<Real> q = from_coordinates(v);
-  if (random() % 3 == 0) q.b = q.a;
-  if (random() % 5 == 0) q.c = q.b;
-  if (random() % 7 == 0) q.p = q.a;
-  return q;
-}
 
 template <class Real>
 QueryBatch<Real> mixed_batch(std::uint64_t seed, std::size_t count) {
   std::mt19937_64 random(seed);
   QueryBatch<Real> batch(count);
   for (std::size_t i = 0; i < count; ++i) {
-    batch.push_back(i % 3 == 0 ? coarse_query<Real>(random) : random_query<Real>(random, i % 3 == 1));
+    const int exponent = static_cast<int>(random() % 41) - 20;
+    batch.push_back(i % 3 == 0 ? coarse_query<Real>(random, exponent) : random_query<Real>(random, i % 3 == 1));
   }
   return batch;
 }

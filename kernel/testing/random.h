@@ -1,7 +1,8 @@
-// Random queries of the kernel tests, and equality to the bit.
+// Random queries of the tests, and equality to the bit.
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <random>
 
@@ -28,6 +29,19 @@ Query<Real> random_query(std::mt19937_64& random, bool any_bits) {
                  : static_cast<Real>(static_cast<std::int64_t>(random()) >> 11) * Real(0x1p-52);
   }
   return from_coordinates(v);
+}
+
+// Integers from -3 to 3 times 2^exponent, repeated vertices and centres on vertices among them: ties are common.
+template <class Real>
+Query<Real> coarse_query(std::mt19937_64& random, int exponent) {
+  std::array<Real, coordinate_count> v;
+  for (Real& x : v) x = std::ldexp(static_cast<Real>(static_cast<int>(random() % 7) - 3), exponent);
+  v[12] = std::abs(v[12]);
+  Query<Real> q = from_coordinates(v);
+  if (random() % 3 == 0) q.b = q.a;
+  if (random() % 5 == 0) q.c = q.b;
+  if (random() % 7 == 0) q.p = q.a;
+  return q;
 }
 
 }  // namespace axiscert::testing_support
