@@ -433,7 +433,7 @@ test('reaches everything by keyboard', async () => {
   assert.equal(await page.evaluate(() => document.activeElement.className), 'skip');
   // Whatever answers a click is an element that a keyboard reaches, and has a name to be read out.
   const nameless = await page.$$eval('button, a, select, summary, input, [tabindex="0"]', (all) => all.filter((node) =>
-    !(node.innerText || node.getAttribute('aria-label') || node.labels?.[0]?.innerText || node.hidden || node.closest('[hidden]'))).map((node) => node.outerHTML.slice(0, 120)));
+    !(node.textContent.trim() || node.getAttribute('aria-label') || node.labels?.[0]?.innerText || node.hidden || node.closest('[hidden]'))).map((node) => node.outerHTML.slice(0, 120)));
   assert.deepEqual(nameless, []);
   await close();
 });
