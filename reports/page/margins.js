@@ -63,7 +63,8 @@ function margin_histogram(entry, row, bins, most) {
   }
   const ticks = el('div', 'ticks');
   bins.forEach((key, i) => {
-    if (key !== 'tie' && Number(key) % (bins.length > 40 ? 16 : 8) !== 0) return;
+    // Beside the tie's there is no room for another.
+    if (key !== 'tie' && (i < 4 || Number(key) % (bins.length > 40 ? 16 : 8) !== 0)) return;
     const tick = el('span', '', ...(key === 'tie' ? ['0'] : ['2', el('sup', '', key)]));
     tick.style.left = `${100 * (key === 'tie' ? 0.5 : i) / bins.length}%`;
     ticks.append(tick);
