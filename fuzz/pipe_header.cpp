@@ -11,6 +11,7 @@
 #include "fuzz/number_text.h"
 #include "fuzz/plain_line.h"
 #include "fuzz/sha256.h"
+#include "fuzz/whole_number.h"
 #include "kernel/error.h"
 
 namespace axiscert {
@@ -123,13 +124,22 @@ class Reader {
       fail(fmt::format("these queries were made by axiscert {}, this is {}: generate them again", shown(version),
                        AXISCERT_VERSION));
     }
-    PipePlan plan{json.at("seed").get<std::uint64_t>(), Precision::binary32, {}};
+    PipePlan plan{whole<std::uint64_t>(json, "seed"), Precision::binary32, {}};
     if (json.at("precision") == axiscert::name(Precision::binary64)) plan.precision = Precision::binary64;
     for (const Json& part : json.at("sources")) {
-      plan.parts.push_back({source_of(part, plan.precision), part.at("queries").get<std::uint64_t>()});
+      plan.parts.push_back({source_of(part, plan.precision), whole<std::uint64_t>(part, "queries")});
       check(part, plan.parts.back(), plan.precision);
     }
     return plan;
+  }
+
+  template <class Whole>
+  Whole whole(const Json& json, const char* member) const {
+    try {
+      return whole_number<Whole>(json.at(member));
+    } catch (const Error& wrong) {
+      fail(fmt::format("in its plan '{}': {}", member, wrong.what()));
+    }
   }
 
   SourcePtr source_of(const Json& part, Precision precision) const {
@@ -150,7 +160,7 @@ class Reader {
 
   void check(const Json& json, const PipePlan::Part& part, Precision precision) const {
     const Source& source = *part.source;
-    if (const auto version = json.at("version").get<int>(); version != source.version()) {
+    if (const auto version = whole<int>(json, "version"); version != source.version()) {
       fail(
           fmt::format("these queries are from version {} of the generator {}, which is at version {} here: generate "
                       "them again",

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "fuzz/whole_number.h"
 #include "kernel/error.h"
 
 namespace axiscert {
@@ -29,7 +30,7 @@ void Gathered::replay(std::string_view content) {
     add(*entry);
     return;
   }
-  begun_.push_back(nlohmann::json::from_cbor(content).get<std::uint64_t>());
+  begun_.push_back(whole_number<std::uint64_t>(nlohmann::json::from_cbor(content)));
   if (begun_.back() >= stretches_.count()) throw Error(fmt::format("the plan has no stretch {}", begun_.back()));
 }
 

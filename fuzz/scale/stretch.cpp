@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "fuzz/whole_number.h"
 #include "kernel/error.h"
 
 namespace axiscert {
@@ -132,7 +133,7 @@ Entry decode_entry(std::string_view bytes) {
   };
   try {
     const Json json = Json::from_cbor(bytes);
-    Entry entry{json.at(0).get<std::uint64_t>(), {}, text(json.at(2))};
+    Entry entry{whole_number<std::uint64_t>(json.at(0)), {}, text(json.at(2))};
     for (const Json& tally : json.at(1)) entry.tallies.push_back(text(tally));
     return entry;
   } catch (const Json::exception& wrong) {

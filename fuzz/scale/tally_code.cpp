@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "fuzz/whole_number.h"
 #include "kernel/error.h"
 
 namespace axiscert {
@@ -134,13 +135,15 @@ class Decoder {
   template <class Number>
     requires std::is_arithmetic_v<Number>
   void get(Number& value) {
-    next().get_to(value);
+    const Json& json = next();
+    if constexpr (std::is_integral_v<Number> && !std::is_same_v<Number, bool>) value = whole_number<Number>(json);
+    else json.get_to(value);
   }
   void get(std::string& text) { next().get_to(text); }
   void get(Decimal6& rank) { (*this)(rank.exponent, rank.mantissa); }
   void get(std::optional<std::uint64_t>& value) {
     const Json& json = next();
-    value = json.is_null() ? std::nullopt : std::optional(json.get<std::uint64_t>());
+    value = json.is_null() ? std::nullopt : std::optional(whole_number<std::uint64_t>(json));
   }
   template <class Value, std::size_t size>
   void get(std::array<Value, size>& values) {
@@ -170,7 +173,10 @@ class Decoder {
   void get(std::vector<double>& values) {
     const Json& runs = next();
     for (std::size_t i = 0; i + 1 < runs.size(); i += 2) {
-      values.insert(values.end(), runs[i + 1].get<std::size_t>(), runs[i].get<double>());
+      const auto count = whole_number<std::size_t>(runs[i + 1]);
+      constexpr std::size_t most = std::size_t{1} << 16;  // of a source (has_critical_radius)
+      if (count > most) throw Error(fmt::format("the bytes are no tally: a critical radius {} times", count));
+      values.insert(values.end(), count, runs[i].get<double>());
     }
   }
 
