@@ -123,7 +123,7 @@ class BadInput(Case):
 
 class Run(Case):
     def test_the_record_does_not_depend_on_threads_or_target(self):
-        plan = ["--trials", 3000 // DIVISOR, "--kernel", "published", "--kernel", "nonstrict", "--family", "all",
+        plan = ["--trials", 3000 // DIVISOR**2, "--kernel", "published", "--kernel", "nonstrict", "--family", "all",
                 "--mesh", MODELS / "OBJ/spider.obj"]
         self.run_ok(*plan, "--threads", 2)
         reference = (self.folder / "out/record.json").read_bytes()
@@ -148,7 +148,8 @@ class Run(Case):
         self.assertLess(counts[0]["second_opinions"], counts[1]["second_opinions"])
 
     def test_record_and_run_info_satisfy_their_schemas(self):
-        self.run_ok("--trials", 500, "--kernel", "published", "--kernel", "nonstrict", "--tolerance", "plane.radius=10")
+        self.run_ok("--trials", 500 // DIVISOR, "--kernel", "published", "--kernel", "nonstrict", "--tolerance",
+                    "plane.radius=10")
         for name in ("record", "run"):
             done = subprocess.run([sys.executable, REPORTS / "validate.py", REPORTS / f"{name}.schema.json",
                                    self.folder / f"out/{name}.json"], capture_output=True, text=True)
