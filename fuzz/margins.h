@@ -15,7 +15,7 @@ namespace axiscert {
 
 // Margins are measured on the first queries of each source, whatever decides the others: that few cost little, and the
 // first ones are the same on any threads, shards and filters.
-inline constexpr std::uint64_t margin_queries = 256;
+inline constexpr std::uint64_t margin_queries = 32;
 constexpr bool has_margins(std::uint64_t position) { return position < margin_queries; }
 
 // The k with 2^k < |l - r| / (u (|l| + |r|)) <= 2^(k+1), exactly, for exact sides l and r and u = 2^-24 or 2^-53 after
