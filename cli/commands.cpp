@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 
 #include "exact/truth.h"
 #include "kernel/error.h"
@@ -30,6 +31,12 @@ int tell(const std::exception_ptr& thrown) {
     fmt::print(stderr, "axiscert: unexpected: {}\n", unexpected.what());
     return exit_harness_fault;
   }
+}
+
+void make_folder(const std::string& path) {
+  std::error_code failed;
+  std::filesystem::create_directories(path, failed);
+  if (failed) throw Error(fmt::format("--out {}: {}", path, failed.message()));
 }
 
 void add_plugin_seconds(CLI::App& command) {

@@ -47,6 +47,9 @@ void add_man(CLI::App& app, Action& action);
 // Says on standard error what an action threw, and returns its ExitCode.
 int tell(const std::exception_ptr& thrown);
 
+// The folder of `--out`, where it is not there yet. Throws Error.
+void make_folder(const std::string& path);
+
 // The `--format` option of the commands that also write for programs.
 CLI::Option* add_format(CLI::App& command, std::string& format, const std::string& machine_format);
 // The `--plugin-seconds` option of the commands that run kernels.

@@ -21,12 +21,6 @@ struct CompareOptions {
   bool no_replay = false, quiet = false;
 };
 
-void make_folder(const std::string& path) {
-  std::error_code failed;
-  std::filesystem::create_directories(path, failed);
-  if (failed) throw Error(fmt::format("--out {}: {}", path, failed.message()));
-}
-
 // The kernels that the user names are in OLD, or naming them would do nothing.
 std::set<std::string> trusted_kernels(const CompareOptions& options, const Json& record) {
   const auto known = record["plan"]["kernels"].get<std::vector<std::string>>();

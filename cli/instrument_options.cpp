@@ -78,9 +78,7 @@ std::string instrument_command(const std::string& name, const InstrumentOptions&
 int put_instrument(const InstrumentReport& report, const InstrumentOptions& options) {
   fmt::print("{}", options.format == "json" ? report.data.dump(2) + "\n" : instrument_text(report));
   if (options.out.empty()) return exit_done;
-  std::error_code failed;
-  std::filesystem::create_directories(options.out, failed);
-  if (failed) throw Error(fmt::format("--out {}: {}", options.out, failed.message()));
+  make_folder(options.out);
   const std::filesystem::path folder = options.out;
   write_file(folder / (report.name + ".json"), report.data.dump(2) + "\n");
   write_file(folder / (report.name + ".html"), instrument_page(report));

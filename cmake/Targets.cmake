@@ -1,4 +1,4 @@
-# One flag set a floating-point mode, owned by a target; and the two functions that the folders share.
+# One flag set a floating-point mode, owned by a target; and the functions that the folders share.
 
 # Round to nearest, one rounding an operation. g++ contracts a*b+c into a fused operation by default wherever the
 # instruction set has one, vector intrinsics included; every translation unit here forbids it.

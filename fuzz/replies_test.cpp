@@ -247,6 +247,12 @@ TEST_F(RepliesToAFile, TheFileIsFoundAndKnown) {
 TEST_F(RepliesToAFile, APathThatIsNotUtf8IsRefused) {
   const std::string path = write("\xff.csv", "ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r\n0,0,0,1,0,0,0,1,0,0,0,1,1\n");
   EXPECT_THROW(query_file_source(path, Precision::binary32), Error);
+  // A folder may have any name, but not in a header.
+  std::filesystem::create_directory(folder_ / "\xff");
+  std::filesystem::rename(path, folder_ / "\xff/good.csv");
+  const PipePlan plan{
+      1, Precision::binary32, {{query_file_source((folder_ / "\xff/good.csv").string(), Precision::binary32), 1}}};
+  EXPECT_THROW(header_of(plan), Error);
 }
 
 // The bytes do not depend on threads, and are the queries' own.

@@ -5,6 +5,7 @@
 #include "kernel/error.h"
 #include "reports/embedded.h"
 #include "reports/instrument/instrument.h"
+#include "reports/parsed_json.h"
 #include "reports/schema.h"
 
 namespace axiscert {
@@ -94,7 +95,11 @@ std::map<std::string, std::string> map_files(const Json& map, const MapPlan& pla
   }
   Json maps = Json::array();
   if (!index.empty()) {
-    const Json given = Json::parse(index, nullptr, false);
+    Json given = Json::value_t::discarded;  // what is no JSON, for the schema to refuse
+    try {
+      given = parsed_json(index);
+    } catch (const Json::exception&) {
+    }
     check_schema(Json::parse(embedded::maps_schema_json), given, fmt::format("maps/{}", map_index_file),
                  "remove it, or give another --out");
     for (const Json& other : given["maps"]) {
