@@ -8,9 +8,10 @@
 #include "fuzz/number_text.h"
 #include "fuzz/plain_line.h"
 #include "fuzz/sha256.h"
+#include "fuzz/whole_number.h"
 #include "kernel/error.h"
-#include "reports/parsed_json.h"
 #include "kernel/utf8.h"
+#include "reports/parsed_json.h"
 #include "reports/plan.h"
 
 namespace axiscert {
@@ -43,11 +44,20 @@ void put(Json& json, const std::optional<Value>& value) {
 }
 template <class Value>
 void get(const Json& json, Value& value) {
-  json.get_to(value);
+  if constexpr (std::is_integral_v<Value>) value = whole_number<Value>(json);
+  else json.get_to(value);
 }
 template <class Value>
 void get(const Json& json, std::optional<Value>& value) {
-  if (!json.is_null()) value = json.get<Value>();
+  if (!json.is_null()) get(json, value.emplace());
+}
+template <class Value>
+void get_member(const Json& object, const char* name, Value& value) {
+  try {
+    get(object.at(name), value);
+  } catch (const std::exception& wrong) {  // Json::exception, or whole_number's Error
+    throw Error(fmt::format("'{}': {}", name, plain_line(wrong.what())));
+  }
 }
 
 std::string digest_of(Json json) {
@@ -120,9 +130,9 @@ PlanFile read_plan_file(const std::string& path) {
                     path, file.digest, shown(digest.dump())));
   }
   try {
-    for_each_option(file.options, [&](const char* name, auto& value) { get(json.at("options").at(name), value); });
-    json.at("units_per_stretch").get_to(file.units_each);
-  } catch (const Json::exception& wrong) {
+    for_each_option(file.options, [&](const char* name, auto& value) { get_member(json.at("options"), name, value); });
+    get_member(json, "units_per_stretch", file.units_each);
+  } catch (const std::exception& wrong) {
     throw Error(fmt::format("{}: not as {} has it: {}", path, plan_schema, plain_line(wrong.what())));
   }
   if (file.units_each == 0) throw Error(fmt::format("{}: a stretch has at least one unit, not 0", path));

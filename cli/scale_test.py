@@ -69,6 +69,17 @@ class Plan(PlanCase):
                             (text.replace('"seed": 1', '"seed": 2'), ["changed after it was written", "digest"])):
             broken.write_text(wrong)
             self.refused(*run, broken, says=["broken.json", *says])
+        for where, name, value, says in (("options", "trials", 1.8e19, "1.8e+19 is no whole number"),
+                                         ("options", "seed", -1, "-1 is no whole number"),
+                                         ("options", "families", 7, "must be array"),
+                                         (None, "units_per_stretch", 0.5, "0.5 is no whole number")):
+            plan = json.loads(text)
+            (plan[where] if where else plan)[name] = value
+            del plan["digest"]
+            compact = json.dumps(plan, separators=(",", ":"))
+            plan["digest"] = hashlib.sha256(compact.encode()).hexdigest()
+            broken.write_text(json.dumps(plan))
+            self.refused(*run, broken, says=["broken.json: not as axiscert-plan/1 has it", f"'{name}': ", says])
         self.refused(*run, self.folder / "none.json", says=["none.json"])
         self.refused(*run, self.plan, "--kernel", "reduced", says=["--plan", "--kernel"])
         self.refused("run", "--resume", says=["--plan"])
