@@ -6,7 +6,6 @@
 
 #include "fuzz/file_bytes.h"
 #include "fuzz/number_text.h"
-#include "fuzz/plain_line.h"
 #include "fuzz/sha256.h"
 #include "fuzz/whole_number.h"
 #include "kernel/error.h"
@@ -56,7 +55,7 @@ void get_member(const Json& object, const char* name, Value& value) {
   try {
     get(object.at(name), value);
   } catch (const std::exception& wrong) {  // Json::exception, or whole_number's Error
-    throw Error(fmt::format("'{}': {}", name, plain_line(wrong.what())));
+    throw Error(fmt::format("'{}': {}", name, wrong.what()));
   }
 }
 
@@ -132,8 +131,10 @@ PlanFile read_plan_file(const std::string& path) {
   try {
     for_each_option(file.options, [&](const char* name, auto& value) { get_member(json.at("options"), name, value); });
     get_member(json, "units_per_stretch", file.units_each);
+    for (const char* count : {"queries", "units", "stretches"}) whole_number<std::uint64_t>(json.at(count));
+    if (!json.at("plan").is_object()) throw Error("'plan' is no object");
   } catch (const std::exception& wrong) {
-    throw Error(fmt::format("{}: not as {} has it: {}", path, plan_schema, plain_line(wrong.what())));
+    throw Error(fmt::format("{}: not as {} has it: {}", path, plan_schema, wrong.what()));
   }
   if (file.units_each == 0) throw Error(fmt::format("{}: a stretch has at least one unit, not 0", path));
   return file;
@@ -163,7 +164,7 @@ std::string difference(const Json& plan, const Json& expected) {
     for (const auto& [key, ignored] : flat->items()) {
       const std::string is = value(here, key), expected_to_be = value(there, key);
       if (is != expected_to_be)
-        return fmt::format("{} is {}, and not {}", key.substr(1), shown(is), shown(expected_to_be));
+        return fmt::format("{} is {}, and not {}", key.empty() ? "the plan" : key.substr(1), shown(is), shown(expected_to_be));
     }
   }
   return here == there ? "" : "the order of its members is another";

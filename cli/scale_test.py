@@ -60,6 +60,17 @@ class Plan(PlanCase):
         subprocess.run(["/usr/bin/python3", REPORTS / "validate.py", REPORTS / "run.schema.json",
                         self.folder / "threads-2/run.json"], check=True)
 
+    def resigned(self, text, where, name, value):
+        """A plan with another value of a member, and the digest of what it is now."""
+        plan = json.loads(text)
+        (plan[where] if where else plan)[name] = value
+        del plan["digest"]
+        compact = json.dumps(plan, separators=(",", ":"), ensure_ascii=False)
+        plan["digest"] = hashlib.sha256(compact.encode()).hexdigest()
+        broken = self.folder / "broken.json"
+        broken.write_text(json.dumps(plan))
+        return broken
+
     def test_what_is_no_plan_of_this_axiscert_is_refused(self):
         text = self.plan.read_text()
         run = ["run", "--out", self.folder / "out", "--plan"]
@@ -72,14 +83,10 @@ class Plan(PlanCase):
         for where, name, value, says in (("options", "trials", 1.8e19, "1.8e+19 is no whole number"),
                                          ("options", "seed", -1, "-1 is no whole number"),
                                          ("options", "families", 7, "must be array"),
-                                         (None, "units_per_stretch", 0.5, "0.5 is no whole number")):
-            plan = json.loads(text)
-            (plan[where] if where else plan)[name] = value
-            del plan["digest"]
-            compact = json.dumps(plan, separators=(",", ":"))
-            plan["digest"] = hashlib.sha256(compact.encode()).hexdigest()
-            broken.write_text(json.dumps(plan))
-            self.refused(*run, broken, says=["broken.json: not as axiscert-plan/1 has it", f"'{name}': ", says])
+                                         (None, "units_per_stretch", 0.5, "0.5 is no whole number"),
+                                         (None, "plan", "\x1b[31m", "is no object")):
+            self.refused(*run, self.resigned(text, where, name, value), says=["broken.json: not as axiscert-plan/1 has it", f"'{name}'", says])
+        self.refused(*run, self.resigned(text, None, "plan", {}), says=["broken.json", "and not"])
         self.refused(*run, self.folder / "none.json", says=["none.json"])
         self.refused(*run, self.plan, "--kernel", "reduced", says=["--plan", "--kernel"])
         self.refused("run", "--resume", says=["--plan"])

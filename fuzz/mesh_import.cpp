@@ -17,7 +17,6 @@
 #include <cstring>
 #include <span>
 
-#include "fuzz/plain_line.h"
 #include "kernel/error.h"
 
 namespace axiscert {
@@ -156,7 +155,7 @@ std::string ending(int status, const ImportLimits& limits) {
 
 Error refused(const std::string& path, std::string reason) {
   if (reason.empty()) reason = "assimp gives no reason";
-  return Error(fmt::format("{}: not a mesh that can be read: {}", path, plain_line(reason)));
+  return Error(fmt::format("{}: not a mesh that can be read: {}", path, reason));
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "exact/rational.h"
-#include "fuzz/plain_line.h"
 #include "kernel/error.h"
+#include "kernel/plain_line.h"
 #include "kernel/names.h"
 
 namespace axiscert {

@@ -9,7 +9,6 @@
 
 #include "fuzz/file_bytes.h"
 #include "fuzz/number_text.h"
-#include "fuzz/plain_line.h"
 #include "fuzz/sha256.h"
 #include "fuzz/whole_number.h"
 #include "kernel/error.h"
@@ -52,7 +51,7 @@ class Reader {
     try {
       plan = plan_of(Json::parse(text));
     } catch (const Json::exception& wrong) {
-      fail(fmt::format("the plan in the header is none that this axiscert writes: {}", plain_line(wrong.what())));
+      fail(fmt::format("the plan in the header is none that this axiscert writes: {}", wrong.what()));
     }
     const std::uint64_t count = plan.queries();
     if (head_.precision != pipe::code_of(plan.precision) || head_.record_size != pipe::record_size_of(plan.precision) ||

@@ -9,7 +9,6 @@
 
 #include "fuzz/address.h"
 #include "fuzz/number_text.h"
-#include "fuzz/plain_line.h"
 #include "fuzz/query_line.h"
 #include "kernel/error.h"
 
@@ -122,7 +121,7 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
       const std::size_t colon = reason.find(": ", column);
       if (colon != reason.npos) reason.remove_prefix(colon + 2);
     }
-    std::string line = plain_line(reason.substr(0, 300));
+    std::string line(reason.substr(0, 300));
     if (depth_ == 0) line += outside_object();
     place_.fail(key_, fmt::format("malformed JSON at column {}: {}", position, line));
   }

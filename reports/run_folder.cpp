@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "fuzz/number_text.h"
-#include "fuzz/plain_line.h"
 #include "kernel/error.h"
 #include "kernel/names.h"
 #include "reports/comparison/cells.h"
@@ -196,7 +195,7 @@ Json read_json(const std::filesystem::path& path) {
     // "[json.exception.parse_error.101] parse error at line 3, column 7: ...": the bracket says nothing to a user.
     std::string what = problem.what();
     if (const auto end = what.find("] "); end != what.npos) what.erase(0, end + 2);
-    throw Error(fmt::format("{}: not JSON, cut off or edited: {} (byte {} is its end)", path.string(), plain_line(what),
+    throw Error(fmt::format("{}: not JSON, cut off or edited: {} (byte {} is its end)", path.string(), what,
                             text.view().size()));
   }
 }

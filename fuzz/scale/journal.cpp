@@ -13,7 +13,6 @@
 #include <optional>
 
 #include "fuzz/file_bytes.h"
-#include "fuzz/plain_line.h"
 #include "fuzz/sha256.h"
 #include "kernel/error.h"
 
@@ -61,7 +60,7 @@ class JournalReader {
     if (start.size() < line.size() && line.starts_with(start)) return {0, start.size()};
     if (start != line) {
       throw Error(fmt::format("{}: is no journal of this plan: it begins with \"{}\", the plan's journals with \"{}\"",
-                              path_, plain_line(start.substr(0, start.find('\n'))), line.substr(0, line.size() - 1)));
+                              path_, start.substr(0, start.find('\n')), line.substr(0, line.size() - 1)));
     }
     std::uint64_t offset = line.size();
     while (true) {
