@@ -164,7 +164,8 @@ std::string difference(const Json& plan, const Json& expected) {
     for (const auto& [key, ignored] : flat->items()) {
       const std::string is = value(here, key), expected_to_be = value(there, key);
       if (is != expected_to_be)
-        return fmt::format("{} is {}, and not {}", key.empty() ? "the plan" : key.substr(1), shown(is), shown(expected_to_be));
+        return fmt::format("{} is {}, and not {}", key.empty() ? "the plan" : key.substr(1), shown(is),
+                           shown(expected_to_be));
     }
   }
   return here == there ? "" : "the order of its members is another";
