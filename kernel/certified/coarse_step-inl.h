@@ -24,7 +24,8 @@ struct Lanes {
   AXISCERT_INLINE friend Lanes operator-(const Lanes& a) { return {hn::Neg(a.v)}; }
   // c - a b.
   AXISCERT_INLINE static Lanes minus_product(const Lanes& c, const Lanes& a, const Lanes& b) {
-    return {hn::NegMulAdd(a.v, b.v, c.v)};
+    if constexpr (fused) return {hn::NegMulAdd(a.v, b.v, c.v)};
+    else return c - a * b;
   }
   AXISCERT_INLINE static Lanes dot(const Vec3<Lanes>& a, const Vec3<Lanes>& b)
     requires fused
@@ -37,12 +38,12 @@ struct Lanes {
     return {minus_product(a.y * b.z, a.z, b.y), minus_product(a.z * b.x, a.x, b.z), minus_product(a.x * b.y, a.y, b.x)};
   }
 };
-template <class D>
-AXISCERT_INLINE Lanes<D> least(const Lanes<D>& a, const Lanes<D>& b) {
+template <class D, bool fused>
+AXISCERT_INLINE Lanes<D, fused> least(const Lanes<D, fused>& a, const Lanes<D, fused>& b) {
   return {hn::Min(a.v, b.v)};
 }
-template <class D>
-AXISCERT_INLINE Lanes<D> greatest(const Lanes<D>& a, const Lanes<D>& b) {
+template <class D, bool fused>
+AXISCERT_INLINE Lanes<D, fused> greatest(const Lanes<D, fused>& a, const Lanes<D, fused>& b) {
   return {hn::Max(a.v, b.v)};
 }
 
@@ -52,9 +53,40 @@ struct Decided {
   hn::Mask<D> separated, contact;
 };
 
-template <class D>
-AXISCERT_INLINE Decided<D> coarse_step(D d, const Problem<Lanes<D>>& q) {
-  using T = Lanes<D>;
+// The thresholds of a query of magnitude S whose triangle has the size E, and what margins are to them: the greatest of
+// the axes of each degree.
+template <class D, bool fused>
+struct CoarseLimits {
+  using T = Lanes<D, fused>;
+  using Real = hn::TFromD<D>;
+  T degree2, degree4, degree6;
+
+  AXISCERT_INLINE CoarseLimits(const T& S, const T& E) {
+    constexpr double u = unit_roundoff<Real>;
+    const auto constant = [](double x) HWY_ATTR { return T{hn::Set(D(), static_cast<Real>(x))}; };
+    const T SE = S * E;
+    degree2 = constant(CoarseThresholds::degree2 * u) * S;
+    degree4 = constant(CoarseThresholds::degree4 * u) * SE;
+    degree6 = constant(CoarseThresholds::degree6 * u) * (SE * E);
+  }
+  AXISCERT_INLINE hn::Mask<D> any_beyond(const T& vertices, const T& edges, const T& plane) const {
+    return hn::Or(hn::Or(hn::Gt(vertices.v, degree2.v), hn::Gt(edges.v, degree4.v)), hn::Gt(plane.v, degree6.v));
+  }
+  AXISCERT_INLINE hn::Mask<D> all_within(const T& vertices, const T& edges, const T& plane) const {
+    return hn::And(hn::And(hn::Lt(vertices.v, hn::Neg(degree2.v)), hn::Lt(edges.v, hn::Neg(degree4.v))),
+                   hn::Lt(plane.v, hn::Neg(degree6.v)));
+  }
+  // S is neither in the range nor out of it where a number is not finite; r >= 0 has to be asked.
+  AXISCERT_INLINE static hn::Mask<D> in_range(const T& S, const T& r) {
+    return hn::And(
+        hn::And(hn::Ge(S.v, hn::Set(D(), least_square<Real>)), hn::Le(S.v, hn::Set(D(), greatest_square<Real>))),
+        hn::Ge(r.v, hn::Zero(D())));
+  }
+};
+
+template <class D, bool fused>
+AXISCERT_INLINE Decided<D> coarse_step(D d, const Problem<Lanes<D, fused>>& q) {
+  using T = Lanes<D, fused>;
   using Real = hn::TFromD<D>;
   const auto constant = [d](double x) HWY_ATTR { return T{hn::Set(d, static_cast<Real>(x))}; };
   const Vec3<T> A = q.a - q.p, B = q.b - q.p, C = q.c - q.p;
@@ -81,21 +113,10 @@ AXISCERT_INLINE Decided<D> coarse_step(D d, const Problem<Lanes<D>>& q) {
   const T offset = dot(A, V);
   const T plane = T::minus_product(offset * offset, rr, dot(V, V));
 
-  constexpr double u = unit_roundoff<Real>;
-  const T SE = S * E;
-  const T threshold2 = constant(CoarseThresholds::degree2 * u) * S;
-  const T threshold4 = constant(CoarseThresholds::degree4 * u) * SE;
-  const T threshold6 = constant(CoarseThresholds::degree6 * u) * (SE * E);
-  // S is neither in the range nor out of it where a number is not finite; r >= 0 has to be asked.
-  const auto in_range =
-      hn::And(hn::And(hn::Ge(S.v, hn::Set(d, least_square<Real>)), hn::Le(S.v, hn::Set(d, greatest_square<Real>))),
-              hn::Ge(q.r.v, hn::Zero(d)));
-  const auto separated =
-      hn::Or(hn::Or(hn::Gt(vertices.v, threshold2.v), hn::Gt(edges.v, threshold4.v)), hn::Gt(plane.v, threshold6.v));
-  const auto contact =
-      hn::And(hn::And(hn::Lt(vertices.v, hn::Neg(threshold2.v)), hn::Lt(edges.v, hn::Neg(threshold4.v))),
-              hn::Lt(plane.v, hn::Neg(threshold6.v)));
-  return {hn::And(in_range, separated), hn::And(in_range, contact)};
+  const CoarseLimits<D, fused> limits(S, E);
+  const auto in_range = limits.in_range(S, q.r);
+  return {hn::And(in_range, limits.any_beyond(vertices, edges, plane)),
+          hn::And(in_range, limits.all_within(vertices, edges, plane))};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -5,10 +5,20 @@
 
 namespace axiscert::certified {
 
+// What an earlier step is certain of: bits of the axes A, B, C, ABC, AB, BC, CA, from the first bit of each group.
+// fails: the axis does not separate. radius, sides: these comparisons of the axis hold.
+struct Known {
+  static constexpr int vertex_axis = 0, plane_axis = 3, edge_axis = 4;
+  static constexpr int fails = 0, radius = 8, sides = 16;
+  std::uint64_t bits = 0;
+
+  bool has(int group, int axis) const noexcept { return ((bits >> (group + axis)) & 1u) != 0; }
+};
+
 // Whether the sphere is separated from the triangle, for the question asked. The query is valid: finite, r >= 0;
-// binary32 enters widened. In integers on the stack, in units of the least bit that is set in any of the thirteen
-// numbers; no floating-point operation, so that no mode matters. About 40 KiB of stack for numbers 2^600 apart, under 4
-// KiB for all of binary32.
-bool exactly_separated(const double (&query)[13], Question question) noexcept;
+// binary32 enters widened. Evaluates what is not known, in integers on the stack, in units of the least bit that is set
+// in any of the thirteen numbers; its only floating-point operations are exact ones, so that no rounding mode matters.
+// About 40 KiB of stack for numbers 2^600 apart, under 4 KiB for all of binary32.
+bool exactly_separated(const double (&query)[13], Question question, Known known) noexcept;
 
 }  // namespace axiscert::certified

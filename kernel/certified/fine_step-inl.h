@@ -13,6 +13,7 @@ struct FineStep {
   using T = Lanes<D>;
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
+  using Words = hn::RebindToUnsigned<D>;
 
   struct Leaf {
     Vec3<T> v;
@@ -20,9 +21,10 @@ struct FineStep {
     AXISCERT_INLINE Leaf(const Vec3<T>& from, const Vec3<T>& to)
         : v(to - from), norm(hn::Max(hn::Max(hn::Abs(v.x.v), hn::Abs(v.y.v)), hn::Abs(v.z.v))) {}
   };
-  // Certain answers of one axis so far: it separates, or it does not. An axis whose normal is zero does not.
+  // What is certain of one axis: its radius comparison holds, its sides hold, one of them fails. An axis whose normal
+  // is zero fails.
   struct Axis {
-    M holds, fails;
+    M radius, sides, fails;
   };
 
   D d;
@@ -50,15 +52,22 @@ struct FineStep {
   }
   AXISCERT_INLINE static M is_zero(V x) { return hn::Eq(x, hn::Zero(D())); }
 
+  AXISCERT_INLINE static M always() { return hn::Eq(hn::Zero(D()), hn::Zero(D())); }
   // exact margin >= 0, or < 0.
   AXISCERT_INLINE static void side(V margin, V bound, Axis& axis) {
-    axis.holds = hn::And(axis.holds, hn::Ge(margin, bound));
+    axis.sides = hn::And(axis.sides, hn::Ge(margin, bound));
     axis.fails = hn::Or(axis.fails, hn::Lt(margin, hn::Neg(bound)));
   }
   // exact margin > 0, or <= 0; for the open sphere a tie counts as beyond, but is never certain here.
   AXISCERT_INLINE Axis radius(V margin, V bound, M has_no_normal) const {
     const M within = open ? hn::Lt(margin, hn::Neg(bound)) : hn::Le(margin, hn::Neg(bound));
-    return {hn::Gt(margin, bound), hn::Or(has_no_normal, within)};
+    return {hn::Gt(margin, bound), always(), hn::Or(has_no_normal, within)};
+  }
+
+  // Finite, r >= 0: the squares of binary32 stay finite.
+  AXISCERT_INLINE M is_valid() const {
+    const T size = ((dot(a.v, a.v) + dot(b.v, b.v)) + dot(c.v, c.v)) + rr;
+    return hn::And(hn::Lt(size.v, constant(std::numeric_limits<double>::infinity())), hn::Ge(r, hn::Zero(d)));
   }
 
   // Each leaf and r zero or in the range that keeps underflow out of the bounds.
@@ -111,7 +120,12 @@ struct FineStep {
     return axis;
   }
 
-  AXISCERT_INLINE Decided<D> decide() const {
+  struct Answer {
+    Decided<D> decided;
+    hn::Vec<Words> known;  // Known's bits
+  };
+
+  AXISCERT_INLINE Answer answer() const {
     // AB x AC, zero where B = C. There AB = -CA to the bit, but a fused cross product of these need not vanish.
     const M b_is_c = is_zero(bc.norm);
     Vec3<T> normal = cross(ca.v, ab.v);
@@ -125,12 +139,22 @@ struct FineStep {
                          edge(a, ab, normal, omega, normal_sum),
                          edge(b, bc, normal, omega, normal_sum),
                          edge(c, ca, normal, omega, normal_sum)};
-    Decided<D> decided{axes[0].holds, axes[0].fails};
-    for (int i = 1; i < 7; ++i) {
-      decided.separated = hn::Or(decided.separated, axes[i].holds);
-      decided.contact = hn::And(decided.contact, axes[i].fails);
+    Answer found{{hn::MaskFromVec(hn::Zero(d)), always()}, hn::Zero(Words())};
+    for (int i = 0; i < 7; ++i) {
+      found.decided.separated = hn::Or(found.decided.separated, hn::And(axes[i].radius, axes[i].sides));
+      found.decided.contact = hn::And(found.decided.contact, axes[i].fails);
     }
-    return decided;
+    if (hn::AllTrue(d, hn::Or(found.decided.separated, found.decided.contact))) return found;
+    for (int i = 0; i < 7; ++i) {
+      note(axes[i].fails, Known::fails + i, found.known);
+      note(axes[i].radius, Known::radius + i, found.known);
+      note(axes[i].sides, Known::sides + i, found.known);
+    }
+    return found;
+  }
+  AXISCERT_INLINE static void note(M mask, int bit, hn::Vec<Words>& known) {
+    const auto one = hn::Set(Words(), std::uint64_t{1} << bit);
+    known = hn::Or(known, hn::And(hn::BitCast(Words(), hn::VecFromMask(D(), mask)), one));
   }
 };
 

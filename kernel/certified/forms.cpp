@@ -1,4 +1,7 @@
 // The steps on every instruction set.
+#include <limits>
+#include <type_traits>
+
 #include "kernel/certified/exact_step.h"
 #include "kernel/certified/steps.h"
 #include "kernel/certified/thresholds.h"
@@ -15,6 +18,7 @@
 #include "kernel/certified/coarse_step-inl.h"
 #include "kernel/certified/conservative_step-inl.h"
 #include "kernel/certified/fine_step-inl.h"
+#include "kernel/certified/pair_step-inl.h"
 #include "kernel/certified/block-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,7 +28,15 @@ Forms forms() {
   using Doubles = hn::ScalableTag<double>;
   using OneFloat = hn::CappedTag<float, 1>;
   using OneDouble = hn::CappedTag<double, 1>;
-  return {decide<Floats, Doubles>, decide<Doubles, Doubles>, decide<OneFloat, OneDouble>, decide<OneDouble, OneDouble>};
+  // Four at once, where there are such.
+  using FourFloats = std::conditional_t<hn::MaxLanes(Floats()) >= 4, hn::CappedTag<float, 4>, void>;
+  using FourDoubles = std::conditional_t<hn::MaxLanes(Doubles()) >= 4, hn::CappedTag<double, 4>, void>;
+  return {decide<Floats, Doubles>,
+          decide<Doubles, Doubles>,
+          decide<OneFloat, OneDouble>,
+          decide<OneDouble, OneDouble>,
+          decide_pair<FourFloats, OneFloat, OneDouble>,
+          decide_pair<FourDoubles, OneDouble, OneDouble>};
 }
 }  // namespace axiscert::certified::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

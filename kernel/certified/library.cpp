@@ -102,13 +102,10 @@ axiscert_counts by_mesh(const Real* sphere, const Mesh& mesh, std::size_t size, 
 
 template <class Real>
 axiscert_verdict pair(const Real* triangle, const Real* sphere, axiscert_question question) noexcept {
-  Block<Real> block{{}, 1, true};
-  for (std::size_t k = 0; k < 9; ++k) block.column[k] = triangle + k;
-  for (std::size_t k = 9; k < 13; ++k) block.column[k] = sphere + (k - 9);
   BlockAnswer answer;
   {
     const DefaultModes modes;
-    forms().one<Real>()(block, static_cast<Question>(question), answer);
+    forms().pair<Real>()(triangle, sphere, static_cast<Question>(question), answer);
   }
   return answer.invalid[0] ? AXISCERT_INVALID : answer.contact[0] ? AXISCERT_CONTACT : AXISCERT_SEPARATED;
 }

@@ -2,6 +2,7 @@
 // forms of the steps for each instruction set.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -28,6 +29,21 @@ struct BlockAnswer {
   std::uint64_t invalid[block_size / 64];
 };
 
+// Where the set bits of a byte are, the lowest first; 0 in the other places.
+struct SetBits {
+  std::uint8_t place[8];
+};
+inline constexpr auto set_bits_first = [] {
+  std::array<SetBits, 256> all{};
+  for (unsigned bits = 0; bits < 256; ++bits) {
+    unsigned next = 0;
+    for (std::uint8_t i = 0; i < 8; ++i) {
+      if ((bits >> i) & 1u) all[bits].place[next++] = i;
+    }
+  }
+  return all;
+}();
+
 // The steps on one instruction set. The modes of kernel/certified/default_modes.h have to be set.
 struct Forms {
   void (*block32)(const Block<float>&, Question, BlockAnswer&) noexcept;
@@ -35,6 +51,9 @@ struct Forms {
   // One query at a time, in the same steps.
   void (*one32)(const Block<float>&, Question, BlockAnswer&) noexcept;
   void (*one64)(const Block<double>&, Question, BlockAnswer&) noexcept;
+  // ax ay az bx by bz cx cy cz and px py pz r; the first word of the answer alone is written.
+  void (*pair32)(const float* triangle, const float* sphere, Question, BlockAnswer&) noexcept;
+  void (*pair64)(const double* triangle, const double* sphere, Question, BlockAnswer&) noexcept;
 
   template <class Real>
   auto block() const noexcept {
@@ -45,6 +64,11 @@ struct Forms {
   auto one() const noexcept {
     if constexpr (sizeof(Real) == 4) return one32;
     else return one64;
+  }
+  template <class Real>
+  auto pair() const noexcept {
+    if constexpr (sizeof(Real) == 4) return pair32;
+    else return pair64;
   }
 };
 
