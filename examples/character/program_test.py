@@ -127,8 +127,11 @@ class Program(unittest.TestCase):
 
     @unittest.skipUnless(HAS_BULLET and DIVISOR == 1, "the figures are those of a build with Bullet; sanitized they are slow")
     def test_the_figures_of_the_document_are_what_the_command_makes(self):
-        blocks = re.findall(r"```\n\$ character (.*?)\n(.*?)```", (ROOT / "docs/certified.md").read_text(), re.DOTALL)
+        section = re.search(r"## A walk\n(.*?)\n## ", (ROOT / "docs/certified.md").read_text(), re.DOTALL)[1]
+        blocks = re.findall(r"```\n\$ character (.*?)\n(.*?)```", section, re.DOTALL)
         self.assertTrue(blocks)
+        for number in re.findall(r"\d[\d,]+\d", re.sub(r"```.*?```", "", section, flags=re.DOTALL)):
+            self.assertRegex("".join(figures for _, figures in blocks), rf"\b{number.replace(',', '')}\b")
         for command, figures in blocks:
             arguments = [word.replace("/usr/share/assimp/models", str(MODELS)) for word in shlex.split(command)]
             self.assertEqual(self.walked(*arguments, "--out", self.folder / "walk.svg"), figures, command)

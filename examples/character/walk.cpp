@@ -50,20 +50,21 @@ class Character {
   }
 
  private:
-  using Place = Point;  // each number is a float
+  using Place = std::array<float, 3>;
 
-  Sphere sphere(const Place& p) const {
-    return {{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}, options_.radius};
+  Sphere sphere(const Place& p) const { return {{p[0], p[1], p[2]}, options_.radius}; }
+  static Place rounded(const Point& p) {
+    return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
   }
-  Place rounded(const Place& p) const { return point(sphere(p).centre); }
+  static Point exact(const Place& p) { return {p[0], p[1], p[2]}; }
   Place lowered(Place p, double by) const {
-    p[up_] -= by;
-    return rounded(p);
+    p[up_] = static_cast<float>(double(p[up_]) - by);
+    return p;
   }
 
   bool is_near(const Place& p, const Place& q) const {
     double square = 0;
-    for (std::size_t k = 0; k < 3; ++k) square += (p[k] - q[k]) * (p[k] - q[k]);
+    for (std::size_t k = 0; k < 3; ++k) square += (double(p[k]) - q[k]) * (double(p[k]) - q[k]);
     return square < 4 * double(options_.radius) * double(options_.radius);
   }
 
@@ -93,7 +94,7 @@ class Character {
     double distance;
   };
   Way way_from(std::uint32_t triangle, const Place& p) const {
-    const Point near = nearest_point(ground_.triangle(triangle), p);
+    const Point near = nearest_point(ground_.triangle(triangle), exact(p));
     Point way = {p[0] - near[0], p[1] - near[1], p[2] - near[2]};
     const double length = std::sqrt((way[0] * way[0] + way[1] * way[1]) + way[2] * way[2]);
     for (std::size_t k = 0; k < 3; ++k) way[k] = length > 0 ? way[k] / length : k == up_;
@@ -119,9 +120,9 @@ class Character {
         if (!deepest || way.distance < deepest->distance) deepest = way;
       }
       if (!deepest) break;
-      Place out = p;
-      for (std::size_t k = 0; k < 3; ++k) out[k] += deepest->direction[k] * (options_.radius - deepest->distance);
-      out = rounded(out);
+      Point to = exact(p);
+      for (std::size_t k = 0; k < 3; ++k) to[k] += deepest->direction[k] * (options_.radius - deepest->distance);
+      const Place out = rounded(to);
       if (out == p) break;
       p = out;
       contacts(p, Moment::slide);
@@ -139,7 +140,7 @@ class Character {
         continue;
       }
       for (;;) {
-        const Place middle = lowered(p, (p[up_] - low[up_]) / 2);
+        const Place middle = lowered(p, (double(p[up_]) - low[up_]) / 2);
         if (middle == p || middle == low) return low;
         if (contacts(middle, Moment::fall) > 0) low = middle;
         else p = middle;
@@ -156,12 +157,12 @@ class Character {
 
   std::optional<Place> ahead(const Place& from) {
     const double stride = options_.radius * 0.5;
-    Place to = from;
-    to[(up_ + 1) % 3] += heading_[0] * stride;
-    to[(up_ + 2) % 3] += heading_[1] * stride;
-    to = slid(rounded(to));
-    const double along = (to[(up_ + 1) % 3] - from[(up_ + 1) % 3]) * heading_[0] +
-                         (to[(up_ + 2) % 3] - from[(up_ + 2) % 3]) * heading_[1];
+    Point there = exact(from);
+    there[(up_ + 1) % 3] += heading_[0] * stride;
+    there[(up_ + 2) % 3] += heading_[1] * stride;
+    const Place to = slid(rounded(there));
+    const double along = (double(to[(up_ + 1) % 3]) - from[(up_ + 1) % 3]) * heading_[0] +
+                         (double(to[(up_ + 2) % 3]) - from[(up_ + 2) % 3]) * heading_[1];
     if (along < stride * least_progress) return std::nullopt;
     return held(fallen(to, 2 * double(options_.radius)));
   }
@@ -171,7 +172,7 @@ class Character {
     const double reach = (ground_.high()[up_] - ground_.low()[up_]) + 8 * double(options_.radius);
     for (int tried = 0; tried < places; ++tried) {
       const std::size_t t = random_.below(ground_.size());
-      Place place = {};
+      Point place = {};
       for (const Vec3<float>& v : ground_.triangle(t)) {
         const Point at = point(v);
         for (std::size_t k = 0; k < 3; ++k) place[k] += at[k] / 3;
