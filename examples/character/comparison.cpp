@@ -1,0 +1,138 @@
+#include "examples/character/comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "exact/depth.h"
+#include "exact/geometric_oracle.h"
+#include "kernel/error.h"
+
+namespace axiscert::character {
+namespace {
+
+// Of the candidates from `first` on.
+std::vector<Verdict> answers(const Ground& ground, const Walk& walk, const Implementation<float>& kernel,
+                             std::size_t first_ask, std::size_t last_ask) {
+  const std::size_t first = walk.asks[first_ask].first;
+  QueryBatch<float> batch(walk.asks[last_ask - 1].first + walk.asks[last_ask - 1].count - first);
+  for (std::size_t a = first_ask; a < last_ask; ++a) {
+    const Ask& ask = walk.asks[a];
+    for (std::size_t i = 0; i < ask.count; ++i) {
+      batch.push_back(ground.query(ask.sphere, walk.triangles[ask.first + i]));
+    }
+  }
+  std::vector<Verdict> found(batch.size());
+  if (!found.empty()) kernel.verdicts(batch.columns(), found.data());
+  return found;
+}
+
+// The certified answer to the kernel's own question, and whether another one is wrong.
+struct Truth {
+  bool contact, counts;
+};
+Truth truth_of(const Walk& walk, std::size_t i, Touching touching) {
+  const bool closed = walk.closed[i] == AXISCERT_CONTACT, open = walk.open[i] == AXISCERT_CONTACT;
+  switch (touching) {
+    case Touching::contact:
+      return {closed, true};
+    case Touching::separated:
+      return {open, true};
+    case Touching::either:
+      return {closed, closed == open};
+  }
+  return {closed, true};
+}
+
+void confirm(const Query<float>& q, bool contact, Touching touching, const std::string& kernel) {
+  const int order = distance_order(q);
+  if (contact == (touching == Touching::separated ? order < 0 : order <= 0)) return;
+  throw HarnessFault(
+      fmt::format("the certified predicate says {} of a sphere and a triangle on which {} differs, and "
+                  "CGAL's exact distance sides with {}",
+                  contact ? "contact" : "separated", kernel, kernel));
+}
+
+class Judge {
+ public:
+  Judge(const Ground& ground, const Walk& walk, const Kernel& kernel) : ground_(ground), walk_(walk) {
+    comparison_.kernel = kernel.id;
+    comparison_.touching = kernel.touching;
+  }
+
+  void ask(std::size_t a, const Verdict* said) {
+    const Ask& ask = walk_.asks[a];
+    Tally& tally = comparison_.tallies[static_cast<std::size_t>(ask.moment)];
+    bool touches = false, counts = true, found = false;
+    for (std::size_t i = 0; i < ask.count; ++i) {
+      const Truth truth = truth_of(walk_, ask.first + i, comparison_.touching);
+      const bool contact = said[i] == Verdict::contact;
+      touches |= truth.contact;
+      counts &= truth.counts;
+      found |= contact;
+      if (truth.counts && contact != truth.contact) add(a, walk_.triangles[ask.first + i], truth.contact, tally);
+    }
+    if (touches == found || !counts) return;
+    for (Tally* sum : {&tally, &comparison_.all}) ++(touches ? sum->lost : sum->phantom);
+    if (touches && ask.moment == Moment::rest) comparison_.lost.push_back(a);
+  }
+
+  Comparison comparison() && { return std::move(comparison_); }
+
+ private:
+  void add(std::size_t a, std::uint32_t t, bool missed, Tally& tally) {
+    const Query<float> q = ground_.query(walk_.asks[a].sphere, t);
+    confirm(q, missed, comparison_.touching, comparison_.kernel);
+    const Wrong wrong{a, t, missed, depth(q, squared_distance(q))};
+    tally.errors.add(wrong);
+    comparison_.all.errors.add(wrong);
+    (ground_.has_area(t) ? comparison_.with_area : comparison_.without_area).add(wrong);
+    comparison_.wrong.push_back(wrong);
+  }
+
+  const Ground& ground_;
+  const Walk& walk_;
+  Comparison comparison_;
+};
+
+}  // namespace
+
+void Errors::add(const Wrong& wrong) {
+  ++(wrong.missed ? missed : invented);
+  double& deepest = wrong.missed ? deepest_missed : deepest_invented;
+  deepest = std::max(deepest, wrong.depth);
+}
+
+AskedByMoment asked(const Ground& ground, const Walk& walk) {
+  AskedByMoment all;
+  for (const Ask& ask : walk.asks) {
+    Asked& sum = all[static_cast<std::size_t>(ask.moment)];
+    ++sum.spheres;
+    sum.triangles += ask.count;
+    for (std::size_t i = ask.first; i < ask.first + ask.count; ++i) {
+      if (walk.closed[i] != AXISCERT_CONTACT) continue;
+      ++sum.contacts;
+      if (walk.open[i] != AXISCERT_CONTACT) ++sum.touching;
+      if (!ground.has_area(walk.triangles[i])) ++sum.without_area;
+    }
+  }
+  return all;
+}
+
+Comparison compared(const Ground& ground, const Walk& walk, const Kernel& kernel) {
+  constexpr std::size_t batch = 1 << 14;  // triangles, at least
+  const Implementation<float> implementation = kernel.on<float>(resolve_target("auto"));
+  Judge judge(ground, walk, kernel);
+  for (std::size_t first = 0; first < walk.asks.size();) {
+    std::size_t last = first + 1;
+    while (last < walk.asks.size() && walk.asks[last].first < walk.asks[first].first + batch) ++last;
+    const std::vector<Verdict> said = answers(ground, walk, implementation, first, last);
+    for (std::size_t a = first; a < last; ++a) {
+      judge.ask(a, said.data() + (walk.asks[a].first - walk.asks[first].first));
+    }
+    first = last;
+  }
+  return std::move(judge).comparison();
+}
+
+}  // namespace axiscert::character

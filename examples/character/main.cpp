@@ -1,0 +1,157 @@
+// character MESH: a sphere walks over a mesh by the certified predicate; what other kernels say of the same spheres.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <optional>
+
+#include "examples/character/comparison.h"
+#include "examples/character/picture.h"
+#include "examples/character/table.h"
+#include "fuzz/file_bytes.h"
+#include "fuzz/number_text.h"
+#include "kernel/error.h"
+#include "kernel/self_check.h"
+#include "reports/finding.h"
+
+namespace axiscert::character {
+namespace {
+
+struct Options {
+  std::string mesh, radius, up, out;
+  std::uint64_t seed = 1, steps = 2000;
+  std::vector<std::string> kernels;
+};
+
+constexpr double default_share = 64, least_share = 4096;  // of the box's diagonal
+
+float radius_of(const Options& options, const Mesh& mesh) {
+  const double least = mesh.diagonal / least_share;
+  if (!(mesh.diagonal >= 0x1p-100 && mesh.diagonal <= 0x1p+100)) {
+    throw Error(fmt::format("{}: its box has the diagonal {}; a walk takes one from 2^-100 to 2^100", options.mesh,
+                            mesh.diagonal));
+  }
+  if (options.radius.empty()) return static_cast<float>(mesh.diagonal / default_share);
+  const auto refused = [&](const std::string& why) {
+    return Error(
+        fmt::format("--radius {}: {}; a number from {:.3g} to {:.3g}, a {}th of the diagonal of the mesh's box "
+                    "to all of it",
+                    shown(options.radius), why, least, mesh.diagonal, least_share));
+  };
+  float radius = 0;
+  try {
+    radius = parse_number<float>(options.radius);
+  } catch (const Error& wrong) {
+    throw refused(wrong.what());
+  }
+  if (!(radius >= least && radius <= mesh.diagonal)) throw refused("no size for this mesh");
+  return radius;
+}
+
+// Those asked for; without any, the published test and Bullet's, where Bullet's was built.
+std::vector<const Kernel*> kernels_of(const Options& options, std::string& not_checked) {
+  std::vector<const Kernel*> found;
+  for (const std::string& id : options.kernels) found.push_back(&find_kernel(id));
+  if (options.kernels.empty()) {
+    found.push_back(&find_kernel("published"));
+    try {
+      found.push_back(&find_kernel("peer/bullet"));
+    } catch (const Error& absent) {
+      not_checked = fmt::format("NOT CHECKED: {}\n", absent.what());
+    }
+  }
+  for (const Kernel* kernel : found) {
+    require_loaded(*kernel);
+    if (!kernel->has(Precision::binary32)) {
+      throw Error(fmt::format("--kernel {}: it does not exist in binary32, which this walk is in", kernel->id));
+    }
+  }
+  return found;
+}
+
+// Opened before the walk, so that nothing is walked in vain.
+class Out {
+ public:
+  explicit Out(const std::string& path) : path_(path), file_(path, std::ios::binary) { require(); }
+  void write(const std::string& text) {
+    file_ << text;
+    file_.close();
+    require();
+  }
+
+ private:
+  void require() const {
+    if (!file_) throw Error(fmt::format("--out {}: {}; a file that can be written", path_, std::strerror(errno)));
+  }
+  std::string path_;
+  std::ofstream file_;
+};
+
+// Digits only: CLI11 would take "-1" for the greatest number there is.
+std::string whole_number(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+  return digits ? "" : fmt::format("'{}' is not a whole number from 0 on", text);
+}
+
+int run(const Options& options) {
+  require_uncontracted(resolve_target("auto"));
+  std::string not_checked;
+  const std::vector<const Kernel*> kernels = kernels_of(options, not_checked);
+  Mesh mesh = load_mesh(options.mesh, read_bytes(options.mesh).size());
+  const WalkOptions walk_options{options.seed, options.steps, radius_of(options, mesh)};
+  const std::uint64_t without_area = mesh.degenerate_triangles;
+  const std::size_t up = options.up.empty() ? thinnest_axis(mesh.triangles) : std::size_t(options.up[0] - 'x');
+  const Ground ground(std::move(mesh.triangles), up);
+  std::optional<Out> out;
+  if (!options.out.empty()) out.emplace(options.out);
+  const Walk walk = walked(ground, walk_options);
+  std::vector<Comparison> comparisons;
+  for (const Kernel* kernel : kernels) comparisons.push_back(compared(ground, walk, *kernel));
+
+  const std::string title =
+      fmt::format("{}: {} triangles, {} of them without area; a sphere of radius {} takes {} steps, {} up, seed {}",
+                  base_name(options.mesh), ground.size(), without_area, walk_options.radius, walk_options.steps,
+                  "xyz"[up], options.seed);
+  fmt::print("{}\n{} times turned round, {} times set down\n\n{}{}", title, walk.turns, walk.paths.size(),
+             table(ground, walk, comparisons), not_checked);
+  if (out) out->write(picture(ground, walk, comparisons, title));
+  return 0;
+}
+
+}  // namespace
+}  // namespace axiscert::character
+
+int main(int argc, char** argv) {
+  using namespace axiscert;
+  character::Options o;
+  CLI::App app{
+      "A sphere walks and slides over a mesh by the certified predicate, and other kernels are asked of each of its "
+      "spheres."};
+  app.add_option("MESH", o.mesh, "file of any format that assimp reads")->required();
+  app.add_option("--steps", o.steps, "of half a radius")->check(CLI::Range(1, 1000000))->capture_default_str();
+  app.add_option("--seed", o.seed, "of where it is set down and where it turns")
+      ->check(character::whole_number)
+      ->capture_default_str();
+  app.add_option("--radius", o.radius, "of the sphere (default: a 64th of the diagonal of the mesh's box)");
+  app.add_option("--up", o.up, "axis (default: along which the mesh is thinnest)")
+      ->check(CLI::IsMember({"x", "y", "z"}));
+  app.add_option("--kernel", o.kernels,
+                 "kernel id as of `axiscert kernels`, repeatable (default: published, peer/bullet)")
+      ->allow_extra_args(false);
+  app.add_option("--out", o.out, "SVG picture of the walk");
+  app.footer("Exit codes: 0 done; 2 bad usage or input; 3 the certified predicate and CGAL's exact distance disagree.");
+  try {
+    app.parse(argc, argv);
+    return character::run(o);
+  } catch (const CLI::ParseError& usage) {
+    return app.exit(usage) == 0 ? 0 : 2;
+  } catch (const HarnessFault& fault) {
+    fmt::print(stderr, "character: {}\n", fault.what());
+    return 3;
+  } catch (const Error& error) {
+    fmt::print(stderr, "character: {}\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,14 @@
+// The walk as SVG, seen from above: a panel of the walk, and one a kernel with what it missed and invented.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "examples/character/comparison.h"
+
+namespace axiscert::character {
+
+std::string picture(const Ground& ground, const Walk& walk, std::span<const Comparison> comparisons,
+                    const std::string& title);
+
+}  // namespace axiscert::character

@@ -1,0 +1,144 @@
+#!/usr/bin/env python3
+"""The program: the same output every time, a picture that shows it, refusals that say what would be right, and the figures of
+docs/certified.md.
+
+program_test.py BUILD_FOLDER MODELS_FOLDER TRIAL_DIVISOR [unittest arguments]
+"""
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "cli"))
+from command import BUILD, DIVISOR, MODELS  # noqa: E402
+
+SPIDER = MODELS / "OBJ/spider.obj"
+SVG = "{http://www.w3.org/2000/svg}"
+HAS_BULLET = (BUILD / "peers/bullet.so").exists()
+
+
+def character(*args, program=BUILD / "character"):
+    return subprocess.run([program, *map(str, args)], capture_output=True, text=True, timeout=300)
+
+
+def tables(text):
+    """The rows of the output's tables, each a list of words: of the walk, of kernels by moment, of kernels by triangle."""
+    return [[line.split() for line in table.splitlines()[1:]] for table in text.split("NOT CHECKED")[0].split("\n\n")[1:]]
+
+
+class Program(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def walked(self, *args, **options):
+        done = character(*args, **options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "")
+        return done.stdout
+
+    def test_the_same_walk_gives_the_same_bytes_and_another_seed_another(self):
+        made = []
+        for out in ("a.svg", "b.svg"):
+            text = self.walked(SPIDER, "--steps", 100, "--out", self.folder / out)
+            made.append((text, (self.folder / out).read_bytes()))
+        self.assertEqual(*made)
+        self.assertNotEqual(self.walked(SPIDER, "--steps", 100, "--seed", 2), made[0][0])
+
+    def test_a_walk_meets_what_it_is_for(self):
+        walk, kernels, _ = tables(self.walked(SPIDER, "--steps", 200))
+        for row in walk:
+            self.assertGreater(int(row[3]), 0, row)
+        self.assertGreater(int(walk[-1][5]), 0, "no contact with a triangle without area")
+        (published,) = [row for row in kernels if row[:2] == ["published", "all"]]
+        self.assertGreater(int(published[2]), 0)
+        self.assertGreater(int(published[3]), 0)
+
+    def test_the_kernel_of_the_walk_itself_is_never_wrong(self):
+        _, kernels, _ = tables(self.walked(SPIDER, "--steps", 200, "--kernel", "certified", "--kernel", "conservative"))
+        for row in kernels:
+            if row[0] == "certified":
+                self.assertEqual(row[2:], ["0", "0", "0", "0"])
+            else:
+                self.assertEqual([row[2], row[4]], ["0", "0"], "conservative, which misses nothing")
+
+    def test_the_picture_has_a_panel_a_kernel_and_marks_where_it_is_wrong(self):
+        out = self.folder / "walk.svg"
+        self.walked(SPIDER, "--steps", 100, "--kernel", "published", "--kernel", "certified", "--out", out)
+        panels = [g for g in xml.parse(out).getroot().findall(f"{SVG}g") if g.find(f"{SVG}use") is not None]
+        areas = [len([p for p in panel.iter(f"{SVG}path") if "area" in p.get("class", "")]) for panel in panels]
+        self.assertEqual(len(areas), 3)
+        self.assertEqual(areas[0], 0, "the walk's own panel")
+        self.assertGreater(areas[1], 0, "published")
+        self.assertEqual(areas[2], 0, "certified")
+
+    def test_every_format_gives_the_same_walk(self):
+        """The same triangles in the same order; the first line names the file."""
+        walks = {self.walked(MODELS / file, "--steps", 50, "--up", "y", "--kernel", "published").split("\n", 1)[1]
+                 for file in ("OBJ/WusonOBJ.obj", "PLY/Wuson.ply", "RAW/Wuson.raw")}
+        self.assertEqual(len(walks), 1)
+
+    def test_without_bullet_the_rest_is_done_and_that_is_said(self):
+        program = self.folder / "character"
+        shutil.copy(BUILD / "character", program)
+        text = self.walked(SPIDER, "--steps", 20, program=program)
+        self.assertIn("NOT CHECKED: ", text)
+        self.assertIn("peer/bullet", text)
+        self.assertEqual({row[0] for row in tables(text)[1]}, {"published"})
+
+    def test_bad_input_is_refused_and_told_what_would_be_right(self):
+        refusals = [
+            ([], ["MESH is required"]),
+            ([self.folder / "none.obj"], ["none.obj", "No such file or directory"]),
+            ([MODELS / "OBJ/point_cloud.obj"], ["point_cloud.obj", "no triangles"]),
+            ([MODELS / "invalid/malformed.obj"], ["malformed.obj", "not a mesh"]),
+            ([SPIDER, "--steps", 0], ["--steps", "0", "1000000"]),
+            ([SPIDER, "--steps", "many"], ["--steps", "many"]),
+            ([SPIDER, "--seed", -1], ["--seed", "-1"]),
+            ([SPIDER, "--up", "w"], ["--up", "w", "x,y,z"]),
+            ([SPIDER, "--radius", "wide"], ["--radius wide", "a number from"]),
+            ([SPIDER, "--radius", "nan"], ["--radius nan", "a number from"]),
+            ([SPIDER, "--radius", 0], ["--radius 0", "a number from"]),
+            ([SPIDER, "--radius", -1], ["--radius -1", "a number from"]),
+            ([SPIDER, "--radius", 1e9], ["--radius 1000000000.0", "a number from"]),
+            ([SPIDER, "--kernel", "nobody"], ["nobody", "published"]),
+            ([SPIDER, "--steps", 5, "--out", self.folder / "no/where.svg"], ["where.svg", "No such file or directory"]),
+        ]
+        point = self.folder / "point.obj"
+        point.write_text("v 1 1 1\nf 1 1 1\n")
+        refusals.append(([point], ["point.obj", "diagonal 0"]))
+        steep = self.folder / "steep.obj"
+        steep.write_text("v 0 0 0\nv 0 1 0\nv 1 0.5 20\nf 1 2 3\n")
+        refusals.append(([steep, "--up", "z", "--radius", "0.25"], ["nothing to stand on", "--up", "--radius"]))
+        for arguments, says in refusals:
+            with self.subTest(arguments=arguments):
+                done = character(*arguments)
+                self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+                self.assertEqual(done.stdout, "")
+                for part in says:
+                    self.assertIn(part, done.stderr)
+
+    @unittest.skipUnless(HAS_BULLET and DIVISOR == 1, "the figures are those of a build with Bullet; sanitized they are slow")
+    def test_the_figures_of_the_document_are_what_the_command_makes(self):
+        section = re.search(r"## A walk\n(.*?)\n## ", (ROOT / "docs/certified.md").read_text(), re.DOTALL)[1]
+        blocks = re.findall(r"```\n\$ character (.*?)\n(.*?)```", section, re.DOTALL)
+        self.assertTrue(blocks)
+        for number in re.findall(r"\d[\d,]+\d", re.sub(r"```.*?```", "", section, flags=re.DOTALL)):
+            self.assertRegex("".join(figures for _, figures in blocks), rf"\b{number.replace(',', '')}\b")
+        for command, figures in blocks:
+            arguments = [word.replace("/usr/share/assimp/models", str(MODELS)) for word in shlex.split(command)]
+            self.assertEqual(self.walked(*arguments, "--out", self.folder / "walk.svg"), figures, command)
+            stored = ROOT / "docs/plots" / f"walk-{Path(arguments[0]).stem}.svg"
+            if stored.exists():
+                self.assertEqual((self.folder / "walk.svg").read_bytes(), stored.read_bytes(), stored)
+
+
+if __name__ == "__main__":
+    unittest.main()

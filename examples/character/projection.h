@@ -1,0 +1,39 @@
+// From above, into a panel of a picture: the axis up comes out of the page, and what is right-handed stays so.
+#pragma once
+
+#include <algorithm>
+
+#include "examples/character/ground.h"
+
+namespace axiscert::character {
+
+struct Pixel {
+  double x, y;
+};
+
+class Projection {
+ public:
+  // The mesh's box and `margin` around it, at most as wide and as high as this.
+  Projection(const Ground& ground, double margin, double width, double height)
+      : right_(ground.up() == 0 ? 1 : 0), across_(ground.up() == 2 ? 1 : 2), sign_(ground.up() == 1 ? 1 : -1) {
+    const double w = ground.high()[right_] - ground.low()[right_] + 2 * margin;
+    const double h = ground.high()[across_] - ground.low()[across_] + 2 * margin;
+    scale_ = std::min(width / w, height / h);
+    left_ = ground.low()[right_] - margin;
+    top_ = (sign_ > 0 ? ground.low()[across_] : ground.high()[across_]) - sign_ * margin;
+    size_ = {w * scale_, h * scale_};
+  }
+
+  Pixel operator()(const Point& p) const {
+    return {(p[right_] - left_) * scale_, (p[across_] - top_) * sign_ * scale_};
+  }
+  Pixel size() const { return size_; }
+  double scale() const { return scale_; }  // pixels a unit
+
+ private:
+  std::size_t right_, across_;
+  double sign_, scale_, left_, top_;
+  Pixel size_;
+};
+
+}  // namespace axiscert::character
