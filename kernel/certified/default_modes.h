@@ -25,10 +25,14 @@ class DefaultModes {
 #elif defined(__aarch64__)
   DefaultModes() noexcept {
     asm volatile("mrs %0, fpcr" : "=r"(callers_));
-    if (is_changed()) asm volatile("msr fpcr, %0" ::"r"(default_modes));
+    if (!is_changed()) return;
+    asm volatile("mrs %0, fpsr" : "=r"(callers_flags_));
+    asm volatile("msr fpcr, %0" ::"r"(default_modes) : "memory");
   }
   ~DefaultModes() {
-    if (is_changed()) asm volatile("msr fpcr, %0" ::"r"(callers_));
+    if (!is_changed()) return;
+    asm volatile("msr fpcr, %0" ::"r"(callers_) : "memory");
+    asm volatile("msr fpsr, %0" ::"r"(callers_flags_) : "memory");
   }
 #else
 #error "how this processor's floating-point modes are set is not known here"
@@ -44,7 +48,7 @@ class DefaultModes {
 #else
   static constexpr std::uint64_t default_modes = 0;
   bool is_changed() const noexcept { return callers_ != default_modes; }
-  std::uint64_t callers_;
+  std::uint64_t callers_, callers_flags_;
 #endif
 };
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The installed library as a user meets it: moved elsewhere, found by CMake and by pkg-config, from C and C++; and the Debian
-package, unpacked. Usage: package_test.py BUILD_FOLDER"""
+packages, unpacked. Usage: package_test.py BUILD_FOLDER"""
 import os
 import re
 import subprocess
@@ -57,12 +57,16 @@ class Package(unittest.TestCase):
         needed = set(re.findall(r"\(NEEDED\).*\[(.*?)\.so", done("readelf", "--dynamic", library)))
         self.assertLessEqual(needed, {"libhwy", "libstdc++", "libm", "libgcc_s", "libc", "ld-linux-x86-64"})
 
-    def test_the_debian_package_holds_it(self):
+    def test_the_debian_packages_hold_it(self):
         done("cpack", "-G", "DEB", "-B", self.folder / "deb", "--config", BUILD / "CPackConfig.cmake")
-        (package,) = (self.folder / "deb").glob("*.deb")
-        self.assertRegex(done("dpkg-deb", "--field", package, "Depends"), "libhwy")
+        (runtime,) = (self.folder / "deb").glob("libaxiscert0_*.deb")
+        (development,) = (self.folder / "deb").glob("libaxiscert-dev_*.deb")
+        self.assertRegex(done("dpkg-deb", "--field", runtime, "Depends"), "libhwy")
+        self.assertRegex(done("dpkg-deb", "--field", development, "Depends"), r"^libaxiscert0 \(= ")
         root = self.folder / "root"
-        done("dpkg-deb", "--extract", package, root)
+        done("dpkg-deb", "--extract", runtime, root)
+        self.assertEqual({file.name for file in root.rglob("libaxiscert.so*")}, {"libaxiscert.so.0", "libaxiscert.so.0.1.0"})
+        done("dpkg-deb", "--extract", development, root)
         build = self.folder / "from_deb"
         done("cmake", "-S", EXAMPLE, "-B", build, f"-DCMAKE_PREFIX_PATH={root / 'usr'}")
         done("cmake", "--build", build)

@@ -1,0 +1,77 @@
+# The certified predicate, which needs nothing of the command: the component `library`, and the Debian packages. Its package
+# file finds the rest relative to itself: the folder can be moved.
+include(CMakePackageConfigHelpers)
+set(package_folder lib/cmake/axiscert)
+configure_package_config_file(cmake/axiscertConfig.cmake.in ${PROJECT_BINARY_DIR}/axiscertConfig.cmake
+                              INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/axiscertConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+target_include_directories(axiscert_certified INTERFACE $<INSTALL_INTERFACE:include>)
+
+# axiscert_install_library(component lib runtime options...): the library and what building against it takes, under `lib`;
+# what its programs need at run time as the component `runtime`.
+function(axiscert_install_library component lib runtime)
+  set(with COMPONENT ${component} ${ARGN})
+  if(runtime STREQUAL component)
+    install(TARGETS axiscert_certified EXPORT ${component}Targets LIBRARY DESTINATION ${lib} ${with})
+  else()
+    install(TARGETS axiscert_certified EXPORT ${component}Targets LIBRARY DESTINATION ${lib} COMPONENT ${runtime} ${ARGN}
+            NAMELINK_SKIP)
+    install(TARGETS axiscert_certified LIBRARY DESTINATION ${lib} ${with} NAMELINK_ONLY)
+  endif()
+  file(RELATIVE_PATH prefix /${lib}/pkgconfig /)
+  string(REGEX REPLACE "/$" "" prefix ${prefix})
+  configure_file(cmake/axiscert.pc.in ${PROJECT_BINARY_DIR}/${component}/axiscert.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${component}/axiscert.pc DESTINATION ${lib}/pkgconfig ${with})
+  install(EXPORT ${component}Targets FILE axiscertCertifiedTargets.cmake NAMESPACE axiscert::
+          DESTINATION ${lib}/cmake/axiscert ${with})
+  install(FILES ${PROJECT_BINARY_DIR}/axiscertConfig.cmake ${PROJECT_BINARY_DIR}/axiscertConfigVersion.cmake
+          DESTINATION ${lib}/cmake/axiscert ${with})
+  install(FILES kernel/certified.h kernel/certified.hpp kernel/plugin.h DESTINATION include/axiscert ${with})
+endfunction()
+
+axiscert_install_library(library lib library)
+install(FILES LICENSE NOTICE docs/certified.md DESTINATION share/doc/libaxiscert COMPONENT library)
+
+# `cpack -G DEB` in the build folder, as Debian divides a library: `runtime` is libaxiscert0, what a program needs that was
+# linked with it, its dependencies as dpkg-shlibdeps finds them; `development` is libaxiscert-dev.
+axiscert_install_library(development lib/${CMAKE_LIBRARY_ARCHITECTURE} runtime EXCLUDE_FROM_ALL)
+
+# What Debian asks of every package: who may copy it, and what changed.
+find_program(AXISCERT_GZIP gzip REQUIRED)
+configure_file(cmake/debian/changelog.in ${PROJECT_BINARY_DIR}/debian/changelog @ONLY)
+execute_process(COMMAND ${AXISCERT_GZIP} -9nc ${PROJECT_BINARY_DIR}/debian/changelog
+                OUTPUT_FILE ${PROJECT_BINARY_DIR}/debian/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
+foreach(package runtime:libaxiscert0 development:libaxiscert-dev)
+  string(REPLACE ":" ";" package ${package})
+  list(POP_FRONT package component)
+  install(FILES cmake/debian/copyright NOTICE DESTINATION share/doc/${package} COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(FILES ${PROJECT_BINARY_DIR}/debian/changelog.gz DESTINATION share/doc/${package} COMPONENT ${component} EXCLUDE_FROM_ALL)
+endforeach()
+install(FILES docs/certified.md DESTINATION share/doc/libaxiscert-dev COMPONENT development EXCLUDE_FROM_ALL)
+
+set(CPACK_PACKAGE_NAME axiscert)
+set(CPACK_PACKAGE_VENDOR axiscert)
+set(CPACK_PACKAGE_CONTACT "the authors of axiscert <axiscert@example.org>")
+set(CPACK_COMPONENTS_ALL runtime development)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
+                                                WORLD_EXECUTE)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "exact test of a sphere against a triangle, in SIMD")
+set(how "For every finite input in binary32 and binary64 the answer is that of exact\narithmetic on the numbers as given.")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libaxiscert0)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_MULTIARCH same)
+configure_file(cmake/debian/shlibs.in ${PROJECT_BINARY_DIR}/debian/shlibs @ONLY)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/triggers
+                                               ${PROJECT_BINARY_DIR}/debian/shlibs)
+set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "${how}")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libaxiscert-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libaxiscert0 (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_MULTIARCH same)
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "${how}\nThis package has what building against it takes, for C and C++.")
+include(CPack)
