@@ -35,6 +35,10 @@ FAULTS = {
         "Definition vertex_side_sides (A B : vec) := (dot A A, dot A B).", "Sound.v"),
     "an exported threshold that is not the proved one": ("Exported.v", "(13240, 6%nat)", "(13241, 6%nat)", "Exported.v"),
     "a window too wide": ("Filters.v", "8388608 (-4) eq_refl", "8388608 (-3) eq_refl", "Filters.v"),
+    "a bound beside a margin too small": (
+        "Margins.v", "Definition edge_side_units : R := 3.", "Definition edge_side_units : R := 2.", "Margins.v"),
+    "a coarse threshold too small": (
+        "Certified.v", "Definition coarse_degree_4 : R := 11.15625.", "Definition coarse_degree_4 : R := 10.", "Certified.v"),
 }
 
 # A theorem made weaker, so that it still has its proof: what is replaced in which file, and what says less then.
