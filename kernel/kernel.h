@@ -31,7 +31,8 @@ struct Answers {
 // One kernel in one precision on one instruction set. Both functions are total: any bits in, no trap, no allocation.
 template <class Real>
 struct Implementation {
-  // Verdict only; `out` holds batch.size entries. `separated` or `contact`: a kernel does not look for bad input.
+  // Verdict only; `out` holds batch.size entries. `separated` or `contact`, of a filter `undecided` too; only some
+  // look for bad input, and say `invalid`.
   std::function<void(const QueryColumns<Real>& batch, Verdict* out)> verdicts;
   // Comparison bits and computed sides; `out` is sized to the batch. Empty for a kernel that shows only verdicts.
   std::function<void(const QueryColumns<Real>& batch, Answers<Real>& out)> explain = {};

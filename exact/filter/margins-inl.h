@@ -24,12 +24,18 @@
 // part, underflows, and the term of a bound that belongs to it is 2^-800 or more, or zero together with a leaf, and
 // then all its products are exact zeros: such errors are below 2^-200 of the bound, and inside its sixteenth.
 //
+// The constants are MarginBounds, of exact/proofs/coq/Margins.v: there each bound is proved to exceed its margin's
+// error by a thirty-second part, where each operation errs by U relatively; that thirty-second is the bound's own
+// rounding. That nothing underflows, and the bounds of the scales, are what is said here.
+//
 // So a margin that exceeds its bound has the sign of the exact one; and where the bound is zero all of its operands are
 // exact zeros, the margin is exact, and a tie is certain.
+#include "kernel/filter/margin_bounds.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert {
 namespace HWY_NAMESPACE {
+using filter::MarginBounds;
 
 // A batch's numbers as double lanes.
 struct RawQuery {
@@ -65,7 +71,7 @@ enum class EdgeForm { published, reduced };
 // The multiples of U, a sixteenth greater; and sums and products of bounds.
 template <class T>
 AXISCERT_INLINE V units(double n) {
-  return hn::Set(D(), n * T::unit * (1 + 0x1p-4));
+  return hn::Set(D(), n * T::unit * MarginBounds::unit_factor);
 }
 AXISCERT_INLINE V times(V x, V y) { return hn::Mul(x, y); }
 AXISCERT_INLINE V plus(V x, V y) { return hn::Add(x, y); }
@@ -123,7 +129,8 @@ struct Margins {
 
     const Vec3<T> normal = cross(ca.v, ab.v);  // AB x AC
     const V no_area = hn::Zero(D());
-    const V omega = hn::IfThenElse(hn::Eq(bc.norm, no_area), no_area, times(units<T>(8), times(ab.norm, ca.norm)));
+    const V omega = hn::IfThenElse(hn::Eq(bc.norm, no_area), no_area,
+                                   times(units<T>(MarginBounds::normal_units), times(ab.norm, ca.norm)));
     plane(normal, omega, emit);
     edge(edge_ab_radius, edge_ab_side_c, a, ab, normal, omega, emit);
     edge(edge_bc_radius, edge_bc_side_a, b, bc, normal, omega, emit);
@@ -138,7 +145,7 @@ struct Margins {
   template <class Emit>
   AXISCERT_INLINE void vertex(Comparison which, const T& aa, Emit& emit) const {
     const V scale = plus(aa.leading(), rr.leading());
-    const V bound = times(units<T>(6), scale);
+    const V bound = times(units<T>(MarginBounds::vertex_radius_units), scale);
     emit(which, Margin<T>{aa - rr, bound, scale, scale_bound(bound, scale)});
   }
 
@@ -146,7 +153,7 @@ struct Margins {
   template <class Emit>
   AXISCERT_INLINE void vertex_side(Comparison which, const T& margin, const T& aa, const Leaf<T>& from,
                                    const Leaf<T>& along, Emit& emit) const {
-    const V bound = times(units<T>(15), times(from.norm, along.norm));
+    const V bound = times(units<T>(MarginBounds::vertex_side_units), times(from.norm, along.norm));
     const V square = aa.leading();
     const V scale = plus(hn::Abs(plus(square, margin.leading())), square);
     // The first sum rounds relative to its larger operand, which the square's own 2^-48 and the bound's cover.
@@ -162,13 +169,15 @@ struct Margins {
     const V sum = absolute_sum(normal);
     const T d = dot(a.v, normal), e = dot(normal, normal);
     const T lhs = d * d, rhs = rr * e;
-    const V three_omega = times(constant(3.2), omega);
-    const V delta = times(a.norm, times_plus(units<T>(4), sum, three_omega));
-    const V lhs_error =
-        times_plus(delta, times_plus(constant(2.125), hn::Abs(d.leading()), times(delta, constant(1.125))),
-                   times(units<T>(2), lhs.leading()));
-    const V rhs_error = times_plus(rr.leading(), times(omega, times_plus(constant(2.125), sum, three_omega)),
-                                   times(units<T>(6), rhs.leading()));
+    const V three_omega = times(constant(MarginBounds::thrice), omega);
+    const V delta = times(a.norm, times_plus(units<T>(MarginBounds::offset_units), sum, three_omega));
+    const V lhs_error = times_plus(delta,
+                                   times_plus(constant(MarginBounds::twice), hn::Abs(d.leading()),
+                                              times(delta, constant(MarginBounds::once_offset))),
+                                   times(units<T>(MarginBounds::plane_lhs_units), lhs.leading()));
+    const V rhs_error =
+        times_plus(rr.leading(), times(omega, times_plus(constant(MarginBounds::twice), sum, three_omega)),
+                   times(units<T>(MarginBounds::plane_rhs_units), rhs.leading()));
     const V bound = plus(lhs_error, rhs_error);
     const V scale = plus(lhs.leading(), rhs.leading());
     emit(Comparison::plane_radius, Margin<T>{lhs - rhs, bound, scale, scale_bound(bound, scale)});
@@ -182,14 +191,18 @@ struct Margins {
   AXISCERT_INLINE void edge(Comparison radius, Comparison side, const Leaf<T>& from, const Leaf<T>& along,
                             const Vec3<T>& normal, V omega, Emit& emit) const {
     const Vec3<T> n = cross(from.v, along.v);
-    const V nu = times(units<T>(8), times(from.norm, along.norm));
+    const V nu = times(units<T>(MarginBounds::normal_units), times(from.norm, along.norm));
     const V n_sum = absolute_sum(n), v_sum = absolute_sum(normal);
     const T nn = dot(n, n), e = dot(along.v, along.v), rr_e = rr * e;
-    const V radius_bound = times_plus(nu, times_plus(constant(2.125), n_sum, times(constant(3.2), nu)),
-                                      times_plus(units<T>(4), nn.leading(), times(units<T>(8), rr_e.leading())));
+    const V radius_bound =
+        times_plus(nu, times_plus(constant(MarginBounds::twice), n_sum, times(constant(MarginBounds::thrice), nu)),
+                   times_plus(units<T>(MarginBounds::edge_square_units), nn.leading(),
+                              times(units<T>(MarginBounds::edge_rhs_units), rr_e.leading())));
     // omega (n + 3 nu) + v (nu + 3 U n)
-    const V side_bound = times_plus(times(omega, constant(1.0625)), times_plus(constant(3.1), nu, n_sum),
-                                    times(v_sum, times_plus(units<T>(3), n_sum, times(nu, constant(1.0625)))));
+    const V side_bound = times_plus(
+        times(omega, constant(MarginBounds::once)), times_plus(constant(MarginBounds::thrice_in_side), nu, n_sum),
+        times(v_sum,
+              times_plus(units<T>(MarginBounds::edge_side_units), n_sum, times(nu, constant(MarginBounds::once)))));
     Margin<T> of_radius{nn - rr_e, radius_bound, plus(nn.leading(), rr_e.leading()), {}};
     Margin<T> of_side{-dot(n, normal), side_bound, {}, {}};
     if constexpr (form == EdgeForm::published) {
@@ -203,8 +216,9 @@ struct Margins {
   }
   AXISCERT_INLINE static void scale_by(Margin<T>& margin, const T& e) {
     margin.value = margin.value * e;
-    margin.bound = plus(times(e.leading(), margin.bound), times(units<T>(6), hn::Abs(margin.value.leading())));
-    margin.bound = times(margin.bound, constant(1.0625));
+    margin.bound = plus(times(e.leading(), margin.bound),
+                        times(units<T>(MarginBounds::edge_length_units), hn::Abs(margin.value.leading())));
+    margin.bound = times(margin.bound, constant(MarginBounds::once));
     margin.scale = times(margin.scale, e.leading());
   }
 };

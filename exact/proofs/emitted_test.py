@@ -75,7 +75,29 @@ FAULTS = {  # of a text that is right: what is replaced once, and what the reade
 }
 
 
+# What the grammar has, and what it has not, beside what is emitted.
+GRAMMATICAL = ["(FPCore () 1)", "(FPCore f (x) :cite () :pre (< 0 x 1) (sqrt x))", "(FPCore (x) (let ([a 1/2] [a* .5e-3]) (* a a*)))",
+               "(FPCore (x) (if (not (isnan x)) (pow x 2) 0x1.8p-3))", "(FPCore (x) :pre (>= x) (let ([b (< x 1)]) (if b x E)))",
+               '(FPCore (x) :name "a \\"b\\"" ; (\n :example ([x 1]) (- x))']
+UNGRAMMATICAL = ["(FPCore 1)", "(FPCore (x x) x)", "(FPCore (x) y)", "(FPCore (x) (+ x x x))", "(FPCore (x) (let ((a x)) a))",
+                 "(FPCore (x) :pre (and) x)", "(FPCore (x) :pre x x)", "(FPCore (x) (< x 1))", "(FPCore (x) (if x x x))",
+                 "(FPCore (x) 1.)", "(FPCore (x) 1/0)", "(FPCore (x) x x)", "(FPCore (x) :cite (a) b x)", "(FPCore (x) (x))",
+                 "(FPCore (x) (let ([a 1] [b a]) b))", "(FPCore (x) x", "(FPCore (x) [+ x x])", "(FPCore (1) 1)"]
+
+
+def check_grammar():
+    for text in GRAMMATICAL:
+        fpcore.cores(text)
+    for text in UNGRAMMATICAL:
+        try:
+            fpcore.cores(text)
+        except fpcore.Malformed:
+            continue
+        raise AssertionError(f"{text} is accepted")
+
+
 def check_fpcore(print_sides, folder):
+    check_grammar()
     seed, count = 20260000, 12
     checked = 0
     for precision in ("binary32", "binary64"):

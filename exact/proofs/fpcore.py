@@ -1,6 +1,6 @@
 """FPCore 2.0 (https://fpbench.org/spec/fpcore-2.0.html): read, checked against the grammar, evaluated exactly or rounded.
 
-The part of the language without loops, tensors and conditionals, which straight-line programs need."""
+The part of the language without loops, tensors and annotations. Only + - * and fma are evaluated, in straight-line programs."""
 import re
 from fractions import Fraction
 
@@ -12,8 +12,12 @@ HEXNUM = re.compile(r"[+-]?0x([0-9a-f]+(\.[0-9a-f]+)?|\.[0-9a-f]+)(p[-+]?[0-9]+)
 CONSTANTS = {"E", "LOG2E", "LOG10E", "LN2", "LN10", "PI", "PI_2", "PI_4", "M_1_PI", "M_2_PI", "M_2_SQRTPI", "SQRT2",
              "SQRT1_2", "INFINITY", "NAN", "TRUE", "FALSE"}
 # Arithmetic: real operands, a real; tests: real operands, a boolean; by their numbers of operands.
-ARITHMETIC = {"+": {2}, "-": {1, 2}, "*": {2}, "/": {2}, "fabs": {1}, "fma": {3}, "sqrt": {1}}
+ARITHMETIC = {"+": {2}, "-": {1, 2}, "*": {2}, "/": {2}, "fma": {3}}
+ARITHMETIC |= dict.fromkeys("""fabs exp exp2 expm1 log log10 log2 log1p sqrt cbrt sin cos tan asin acos atan sinh cosh tanh asinh acosh
+                               atanh erf erfc tgamma lgamma ceil floor trunc round nearbyint""".split(), {1})
+ARITHMETIC |= dict.fromkeys("pow hypot atan2 fmod remainder fmax fmin fdim copysign".split(), {2})
 TESTS = {"<", ">", "<=", ">=", "==", "!="}
+CLASSES = {"isfinite", "isinf", "isnan", "isnormal", "signbit"}
 ROUNDINGS = {"nearestEven", "nearestAway", "toPositive", "toNegative", "toZero"}
 
 
@@ -74,7 +78,7 @@ def type_of(expression, bound):
             return "boolean" if expression in ("TRUE", "FALSE") else "real"
         if not is_symbol(expression) or expression not in bound:
             raise Malformed(f"'{expression}' is not bound")
-        return "real"
+        return bound[expression]
     if type(expression) is not list or not expression or not is_symbol(expression[0]):
         raise Malformed(f"{expression}: an operation and its operands are expected")
     operation, *operands = expression
@@ -85,17 +89,17 @@ def type_of(expression, bound):
         for binding in operands[0]:
             if not isinstance(binding, Bracketed) or len(binding) != 2 or not is_symbol(binding[0]):
                 raise Malformed(f"{binding}: [symbol expression] is expected")
-            if type_of(binding[1], inner if operation == "let*" else bound) != "real":
-                raise Malformed(f"{binding[0]}: a real is expected")
-            inner[binding[0]] = True
+            inner[binding[0]] = type_of(binding[1], inner if operation == "let*" else bound)
         return type_of(operands[1], inner)
     types = [type_of(operand, bound) for operand in operands]
     if operation in ARITHMETIC and len(operands) in ARITHMETIC[operation] and set(types) == {"real"}:
         return "real"
-    if operation in TESTS and len(operands) >= 2 and set(types) == {"real"}:
+    if operation in TESTS and set(types) == {"real"} or operation in CLASSES and types == ["real"]:
         return "boolean"
-    if operation in ("and", "or") and set(types) <= {"boolean"}:
+    if operation in ("and", "or") and set(types) == {"boolean"} or operation == "not" and types == ["boolean"]:
         return "boolean"
+    if operation == "if" and len(types) == 3 and types[0] == "boolean" and types[1] == types[2]:
+        return types[1]
     raise Malformed(f"({operation} ...) with {len(operands)} operands {types} is not in the language")
 
 
@@ -124,7 +128,7 @@ class Core:
         self._check()
 
     def _check(self):
-        bound = dict.fromkeys(self.arguments, True)
+        bound = dict.fromkeys(self.arguments, "real")
         if type_of(self.body, bound) != "real":
             raise Malformed(f"{self.name}: a real is expected")
         p = self.properties

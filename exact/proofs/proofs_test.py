@@ -18,9 +18,9 @@ def scripts(pattern):
     return found
 
 
-def accepted(text):
+def accepted(text, seconds=600):
     """Whether Gappa proves a script; a script that it cannot read is an error of the test."""
-    run = subprocess.run(["gappa"], input=text, capture_output=True, text=True, timeout=600)
+    run = subprocess.run(["gappa"], input=text, capture_output=True, text=True, timeout=seconds)
     assert "syntax error" not in run.stderr, run.stderr
     return run.returncode == 0
 
@@ -30,9 +30,20 @@ def read(path):
         return file.read()
 
 
+def proved(text):
+    """Gappa's search depends on where its memory lies: of one script of 176 about every seventh run fails, after minutes."""
+    for seconds in (60, 60, 60, 600):
+        try:
+            if accepted(text, seconds):
+                return True
+        except subprocess.TimeoutExpired:
+            pass
+    return False
+
+
 def require(paths):
     for path in paths:
-        assert accepted(read(path)), f"{path}: Gappa does not prove the bound"
+        assert proved(read(path)), f"{path}: Gappa does not prove the bound"
     print(f"{len(paths)} bounds accepted")
 
 

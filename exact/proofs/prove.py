@@ -34,7 +34,14 @@ FAULTS = {
         "Sat7.v", "Definition vertex_side_sides (A B : vec) := (dot A B, dot A A).",
         "Definition vertex_side_sides (A B : vec) := (dot A A, dot A B).", "Sound.v"),
     "an exported threshold that is not the proved one": ("Exported.v", "(13240, 6%nat)", "(13241, 6%nat)", "Exported.v"),
-    "a window too wide": ("Filters.v", "8388608 (-4) eq_refl", "8388608 (-3) eq_refl", "Filters.v"),
+    "a filter's window too wide": ("Filters.v", "8388608 (-4) eq_refl", "8388608 (-3) eq_refl", "Filters.v"),
+    "a comparison's window too wide": (
+        "Windows.v", "edge_ab_side_c | edge_bc_side_a | edge_ca_side_b => 20", "edge_ab_side_c | edge_bc_side_a | edge_ca_side_b => 21",
+        "Windows.v"),
+    "a bound beside a margin too small": (
+        "Margins.v", "Definition edge_side_units : R := 3.", "Definition edge_side_units : R := 2.", "Margins.v"),
+    "a coarse threshold too small": (
+        "Certified.v", "Definition coarse_degree_4 : R := 11.15625.", "Definition coarse_degree_4 : R := 10.", "Certified.v"),
 }
 
 # A theorem made weaker, so that it still has its proof: what is replaced in which file, and what says less then.

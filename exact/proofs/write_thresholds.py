@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Exports the filter's thresholds and windows out of the Coq theory, where they are proved to suffice.
 
-  write_thresholds.py [--check] [--coq FOLDER] [--header FILE]
+  write_thresholds.py [--check] [--coq FOLDER] [--headers FOLDER]
 
-reads coq/Thresholds.v and coq/Filters.v and writes
-  kernel/filter/thresholds.h   for the kernels
-  coq/Exported.v               the same figures as theorems about the filters that never lie, so that what was read here is
-                               what is proved there
+reads coq/Thresholds.v, coq/Filters.v, coq/Margins.v, coq/Certified.v and coq/CertifiedStep.v and writes
+  kernel/filter/thresholds.h      for the kernels
+  kernel/filter/margin_bounds.h   for the filters of exact/ and the certified predicate
+  coq/Exported.v                  the same figures as theorems about what never lies, so that what was read here is what is
+                                  proved there
 With --check nothing is written; exit status 1 names the file that is not current. 2: the theory is not as expected."""
 import argparse
 import pathlib
@@ -71,6 +72,23 @@ def window_end(text, which, number_format):
     return significand.bit_length() - 1 + exponent
 
 
+def constants(text, file):
+    """The real constants that a file defines, as they are spelt, in its order."""
+    found = dict(re.findall(r"^Definition (\w+) : R := ([\d.]*\d)\.$", text, re.M))
+    if not found:
+        stop(f"{file}: no 'Definition NAME : R := NUMBER.'")
+    return found
+
+
+def least_square(text, number_format):
+    """The exponent of the least S that the coarse step looks at."""
+    precision, emax = FORMATS[number_format]
+    found = re.search(rf"Theorem coarse_never_lies\d+ : coarse_never_lies {precision} \({3 - emax - precision}\) \((-?\d+)\)\.", text)
+    if not found:
+        stop(f"CertifiedStep.v: no 'Theorem coarse_never_lies... : coarse_never_lies {precision} ({3 - emax - precision}) (...).'")
+    return int(found.group(1))
+
+
 def dotted(comparison):
     """As reports spell it: vertex_a.side_b."""
     return re.sub("_(radius|side)", r".\1", comparison)
@@ -115,21 +133,49 @@ inline constexpr Real greatest_magnitude =
 """
 
 
+def margins_header(bounds, coarse, least):
+    def members(of):
+        return "\n".join(f"  static constexpr double {name} = {value};" for name, value in of.items())
+
+    coarse = {name.removeprefix("coarse_"): value for name, value in coarse.items()}
+    coarse |= {f"least_square_{f}": f"0x1p{exponent:+d}" for f, exponent in least.items()}
+    return f"""// The constants of the bounds beside each margin, proved to suffice (docs/proofs.md). Written by
+// exact/proofs/write_thresholds.py out of the Coq theory: do not edit.
+#pragma once
+
+namespace axiscert::filter {{
+
+// `units` are multiples of the relative error of an operation times unit_factor; the others are factors of what was
+// bounded before (exact/filter/margins-inl.h).
+struct MarginBounds {{
+{members(bounds)}
+}};
+
+// Multiples of u: of S, S E and S E^2, where S as computed is no less than least_square
+// (kernel/certified/thresholds.h).
+struct CoarseBounds {{
+{members(coarse)}
+}};
+
+}}  // namespace axiscert::filter
+"""
+
+
 def listed(items):
     whole = "; ".join(item.replace(" ", "\0") for item in items)
     return "[" + textwrap.fill(whole, 112, subsequent_indent=" " * 5).replace("\0", " ") + "]"
 
 
-def exported_v(exported, windows):
+def exported_v(exported, windows, bounds, coarse):
     def rows(form):
         pairs = [f"({n}, {degree(form, name)}%nat)" for n, name in zip(exported[form], COMPARISONS)]
         return listed(pairs)
 
-    text = """(* What kernel/filter/thresholds.h says, proved of the filters that never lie. Written by write_thresholds.py: do not
-   edit. *)
+    text = """(* What kernel/filter/thresholds.h says, proved of the filters that never lie, and what margin_bounds.h says. Written by
+   write_thresholds.py: do not edit. *)
 From Coq Require Import Reals ZArith List.
 From Flocq Require Import Core BinarySingleNaN.
-From Axiscert Require Import Vectors Expression Programs Filter Thresholds Filters.
+From Axiscert Require Import Vectors Expression Programs Filter Thresholds Filters Margins Certified.
 Import ListNotations.
 
 Definition in_order :=
@@ -155,6 +201,19 @@ Theorem exported_filters_{number_format} fused :
             f"  {form}_filter{bits} fused =\n    filter {precision} {emax} _ _ ({form}_program fused) {form}_threshold "
             f"least_{number_format} greatest_{number_format}"
             for form in FORMS) + ".\nProof. split; reflexivity. Qed.\n"
+    text += f"""
+(* The constants of the theorems about margins. *)
+Theorem exported_margin_bounds :
+  {listed(bounds)} =
+    {listed(bounds.values())}%R.
+Proof. reflexivity. Qed.
+
+(* The constants of the certified predicate's coarse step. *)
+Theorem exported_coarse_bounds :
+  {listed(coarse)} =
+    {listed(coarse.values())}%R.
+Proof. reflexivity. Qed.
+"""
     return text
 
 
@@ -162,14 +221,19 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--coq", type=pathlib.Path, default=PROOFS / "coq")
-    parser.add_argument("--header", type=pathlib.Path, default=PROOFS.parents[1] / "kernel" / "filter" / "thresholds.h")
+    parser.add_argument("--headers", type=pathlib.Path, default=PROOFS.parents[1] / "kernel" / "filter")
     options = parser.parse_args()
     proved, filters = (options.coq / "Thresholds.v").read_text(), (options.coq / "Filters.v").read_text()
     exported = {form: thresholds(proved, form) for form in FORMS}
     windows = {f: [window_end(filters, which, f) for which in ("least", "greatest")] for f in FORMATS}
+    bounds = constants((options.coq / "Margins.v").read_text(), "Margins.v")
+    coarse = constants((options.coq / "Certified.v").read_text(), "Certified.v")
+    step = (options.coq / "CertifiedStep.v").read_text()
+    least = {f: least_square(step, f) for f in FORMATS}
     stale = False
-    for path, text in ((options.header, header(exported, windows)),
-                       (options.coq / "Exported.v", exported_v(exported, windows))):
+    for path, text in ((options.headers / "thresholds.h", header(exported, windows)),
+                       (options.headers / "margin_bounds.h", margins_header(bounds, coarse, least)),
+                       (options.coq / "Exported.v", exported_v(exported, windows, bounds, coarse))):
         if options.check and (not path.exists() or path.read_text() != text):
             print(f"write_thresholds: {path} is not current: run exact/proofs/write_thresholds.py", file=sys.stderr)
             stale = True

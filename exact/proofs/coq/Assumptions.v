@@ -1,5 +1,6 @@
 (* What each main theorem rests on, printed; Assumptions.expected is what it has to print. *)
-From Axiscert Require Import Exact Reduced RecordedIsSat7 RecordedIsProgram Expression Run Windows Thresholds Filter Filters Exported Decides.
+From Axiscert Require Import Exact Reduced RecordedIsSat7 RecordedIsProgram Expression Run Windows Thresholds Filter Filters
+  Margins CertifiedStep Exported Decides.
 
 Tactic Notation "theorem" string(name) := idtac "==" name.
 Goal True. theorem "sat7_exact". Abort.
@@ -68,5 +69,25 @@ Goal True. theorem "exported_filters_binary32". Abort.
 Print Assumptions exported_filters_binary32.
 Goal True. theorem "exported_filters_binary64". Abort.
 Print Assumptions exported_filters_binary64.
+Goal True. theorem "vertex_radius_bound". Abort.
+Print Assumptions vertex_radius_bound.
+Goal True. theorem "vertex_side_bound". Abort.
+Print Assumptions vertex_side_bound.
+Goal True. theorem "plane_radius_bound". Abort.
+Print Assumptions plane_radius_bound.
+Goal True. theorem "edge_radius_bound". Abort.
+Print Assumptions edge_radius_bound.
+Goal True. theorem "edge_side_bound". Abort.
+Print Assumptions edge_side_bound.
+Goal True. theorem "times_length_bound". Abort.
+Print Assumptions times_length_bound.
+Goal True. theorem "coarse_never_lies32". Abort.
+Print Assumptions coarse_never_lies32.
+Goal True. theorem "coarse_never_lies64". Abort.
+Print Assumptions coarse_never_lies64.
+Goal True. theorem "exported_margin_bounds". Abort.
+Print Assumptions exported_margin_bounds.
+Goal True. theorem "exported_coarse_bounds". Abort.
+Print Assumptions exported_coarse_bounds.
 Goal True. theorem "filters_decide". Abort.
 Print Assumptions filters_decide.

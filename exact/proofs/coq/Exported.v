@@ -1,8 +1,8 @@
-(* What kernel/filter/thresholds.h says, proved of the filters that never lie. Written by write_thresholds.py: do not
-   edit. *)
+(* What kernel/filter/thresholds.h says, proved of the filters that never lie, and what margin_bounds.h says. Written by
+   write_thresholds.py: do not edit. *)
 From Coq Require Import Reals ZArith List.
 From Flocq Require Import Core BinarySingleNaN.
-From Axiscert Require Import Vectors Expression Programs Filter Thresholds Filters.
+From Axiscert Require Import Vectors Expression Programs Filter Thresholds Filters Margins Certified.
 Import ListNotations.
 
 Definition in_order :=
@@ -47,3 +47,17 @@ Theorem exported_filters_binary64 fused :
   reduced_filter64 fused =
     filter 53 1024 _ _ (reduced_program fused) reduced_threshold least_binary64 greatest_binary64.
 Proof. split; reflexivity. Qed.
+
+(* The constants of the theorems about margins. *)
+Theorem exported_margin_bounds :
+  [unit_factor; vertex_radius_units; vertex_side_units; normal_units; offset_units; plane_lhs_units;
+     plane_rhs_units; edge_square_units; edge_rhs_units; edge_side_units; edge_length_units; once; once_offset;
+     twice; thrice_in_side; thrice] =
+    [1.0625; 6; 15; 8; 4; 2; 6; 4; 8; 3; 6; 1.0625; 1.125; 2.125; 3.1; 3.2]%R.
+Proof. reflexivity. Qed.
+
+(* The constants of the certified predicate's coarse step. *)
+Theorem exported_coarse_bounds :
+  [coarse_degree_2; coarse_degree_4; coarse_degree_6] =
+    [20.1875; 11.15625; 5.84375]%R.
+Proof. reflexivity. Qed.

@@ -3,7 +3,8 @@
 From Coq Require Import Reals ZArith List.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Sat7 Exact Reduced Sides RecordedIsSat7 RecordedIsProgram Expression Programs Format Run
-  Window Windows Thresholds Filter Filters Exported Decides.
+  Window Windows Thresholds Filter Filters Lanes Margins Certified CertifiedStep
+  Exported Decides.
 Open Scope R_scope.
 Set Printing Width 120.
 
@@ -74,6 +75,26 @@ Goal True. statement "exported_filters_binary32". Abort.
 Check exported_filters_binary32.
 Goal True. statement "exported_filters_binary64". Abort.
 Check exported_filters_binary64.
+Goal True. statement "vertex_radius_bound". Abort.
+Check vertex_radius_bound.
+Goal True. statement "vertex_side_bound". Abort.
+Check vertex_side_bound.
+Goal True. statement "plane_radius_bound". Abort.
+Check plane_radius_bound.
+Goal True. statement "edge_radius_bound". Abort.
+Check edge_radius_bound.
+Goal True. statement "edge_side_bound". Abort.
+Check edge_side_bound.
+Goal True. statement "times_length_bound". Abort.
+Check times_length_bound.
+Goal True. statement "coarse_never_lies32". Abort.
+Check coarse_never_lies32.
+Goal True. statement "coarse_never_lies64". Abort.
+Check coarse_never_lies64.
+Goal True. statement "exported_margin_bounds". Abort.
+Check exported_margin_bounds.
+Goal True. statement "exported_coarse_bounds". Abort.
+Check exported_coarse_bounds.
 Goal True. statement "filters_decide". Abort.
 Check filters_decide.
 
@@ -272,3 +293,55 @@ Goal True. statement "never_lies". Abort.
 Print never_lies.
 Goal True. statement "all_filters". Abort.
 Print all_filters.
+Goal True. statement "rounds". Abort.
+Print Lanes.rounds.
+Goal True. statement "leaf_of". Abort.
+Print leaf_of.
+Goal True. statement "computed_dot". Abort.
+Print computed_dot.
+Goal True. statement "computed_difference". Abort.
+Print computed_difference.
+Goal True. statement "computed_cross". Abort.
+Print computed_cross.
+Goal True. statement "greatest_component". Abort.
+Print greatest_component.
+Goal True. statement "total". Abort.
+Print total.
+Goal True. statement "kept". Abort.
+Print kept.
+Goal True. statement "units". Abort.
+Print units.
+Goal True. statement "component_error". Abort.
+Print component_error.
+Goal True. statement "computed_normal". Abort.
+Print computed_normal.
+Goal True. statement "offset_error". Abort.
+Print offset_error.
+Goal True. statement "plane_bound". Abort.
+Print plane_bound.
+Goal True. statement "edge_radius_limit". Abort.
+Print edge_radius_limit.
+Goal True. statement "edge_side_limit". Abort.
+Print edge_side_limit.
+Goal True. statement "rounded_sub". Abort.
+Print rounded_sub.
+Goal True. statement "rounded_minus_product". Abort.
+Print rounded_minus_product.
+Goal True. statement "rounded_dot". Abort.
+Print rounded_dot.
+Goal True. statement "rounded_cross". Abort.
+Print rounded_cross.
+Goal True. statement "coarse_S". Abort.
+Print coarse_S.
+Goal True. statement "coarse_E". Abort.
+Print coarse_E.
+Goal True. statement "coarse_threshold". Abort.
+Print coarse_threshold.
+Goal True. statement "coarse_margin". Abort.
+Print coarse_margin.
+Goal True. statement "exact_margin". Abort.
+Print exact_margin.
+Goal True. statement "in_format". Abort.
+Print in_format.
+Goal True. statement "coarse_never_lies". Abort.
+Print coarse_never_lies.
