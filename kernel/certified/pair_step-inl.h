@@ -1,8 +1,9 @@
 // The first step for one query alone: its vertices, and the edges that begin there, one a lane. No guard: included once
 // for each of Highway's instruction sets, after coarse_step-inl.h.
 //
-// The margins are those of coarse_step and so are their thresholds (kernel/certified/thresholds.h): V and d come from
-// another pair of edges and another vertex in each lane, for which the derivation holds as well.
+// Each lane has what coarse_step computes of the same triangle with its vertices renamed in turn: S, E, the axes of the
+// vertex called A and of the edge AB, the plane's. So what is certain of a lane is certain of the query, and the three
+// have all axes between them.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
