@@ -206,6 +206,55 @@ TYPED_TEST(CertifiedTest, EveryShapeGivesTheSameAnswers) {
   }
 }
 
+// Chunks of triangles beyond each face of the sphere's box, or at it, or that reach across; and spheres and vertices
+// that are no numbers.
+TYPED_TEST(CertifiedTest, OneSphereAndTrianglesBeyondItsBox) {
+  using Real = TypeParam;
+  constexpr std::size_t chunk = 64, triangles = 16 * chunk;
+  constexpr Real nan = std::numeric_limits<Real>::quiet_NaN(), infinity = std::numeric_limits<Real>::infinity();
+  std::mt19937_64 random(seed);
+  std::array<std::vector<Real>, 9> storage;
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const auto v = coordinates(random_query<Real>(random, false));
+    const std::size_t face = t / chunk % 8;  // the last two: across
+    for (std::size_t k = 0; k < 9; ++k) {
+      const Real side = face % 2 ? Real(-1) : Real(1), beyond = t < triangles / 2 ? Real(4) : Real(0.25);
+      const bool is_axis = k % 3 == face / 2;
+      storage[k].push_back(!is_axis ? v[k] / 4 : side * (beyond + (k < 3 && t % 4 == 0 ? Real(0) : std::abs(v[k]))));
+    }
+  }
+  storage[4][7 * chunk + 5] = nan;
+  for (const std::size_t t : {std::size_t{3}, 2 * chunk + 9, 5 * chunk + 63})
+    storage[t % 9][t] = t % 2 ? nan : infinity;
+  std::array<const Real*, 9> columns;
+  for (std::size_t k = 0; k < 9; ++k) columns[k] = storage[k].data();
+
+  const Real greatest = std::numeric_limits<Real>::max(), tenth = Real(0.1);
+  const Real spheres[][4] = {{0, 0, 0, Real(0.25)}, {0, 0, 0, 3},         {tenth, tenth, -tenth, tenth},
+                             {0, 0, 0, 0},          {0, nan, 0, 1},       {0, 0, infinity, 1},
+                             {0, 0, 0, infinity},   {0, 0, 0, -1},        {0, 0, 0, nan},
+                             {greatest, 0, 0, 1},   {-greatest, 0, 0, 1}, {greatest, 0, 0, greatest},
+                             {0, 0, 0, Real(1e-40)}};
+  int counts[4] = {};
+  for (const auto& sphere : spheres) {
+    std::vector<std::uint8_t> found(triangles);
+    certified::triangles(sphere, columns, triangles, AXISCERT_CLOSED_SPHERE, {found.data(), nullptr, nullptr});
+    for (std::size_t t = 0; t < triangles; ++t) {
+      std::array<Real, coordinate_count> v;
+      for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = k < 9 ? storage[k][t] : sphere[k - 9];
+      const Query<Real> q = from_coordinates(v);
+      const int expected = !is_valid(q)             ? AXISCERT_INVALID
+                           : distance_order(q) <= 0 ? AXISCERT_CONTACT
+                                                    : AXISCERT_SEPARATED;
+      ASSERT_EQ(found[t], expected) << "triangle " << t << ", sphere " << sphere[0] << ' ' << sphere[1] << ' '
+                                    << sphere[2] << ' ' << sphere[3];
+      ++counts[expected];
+    }
+  }
+  EXPECT_GT(counts[AXISCERT_CONTACT], 100);
+  EXPECT_GT(counts[AXISCERT_SEPARATED], 1000);
+}
+
 TYPED_TEST(CertifiedTest, ConservativeNeverMissesAContactAndItsPhantomsAreAsShallowAsPromised) {
   const auto& judged = Judged<TypeParam>::all();
   const QueryBatch<TypeParam> batch = judged.batch();

@@ -1,6 +1,6 @@
 // What exactness costs: `certified` and `conservative` beside the raw tests and CGAL, the same queries for all.
 //
-//     certified_bench [FAMILY...]     without names all families and a mesh
+//     certified_bench [FAMILY...]     without names all families and a mesh, and what a large mesh costs
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "fuzz/bench_table.h"
 #include "fuzz/build_info.h"
+#include "fuzz/certified_stream.h"
 #include "fuzz/plain_judges.h"
 #include "fuzz/source.h"
 #include "fuzz/thread_seconds.h"
@@ -97,6 +98,7 @@ void run(const std::vector<std::string_view>& names) {
     measure<float>(*source, target);
     measure<double>(*source, target);
   }
+  if (names.empty()) print_certified_streams();
 }
 
 }  // namespace

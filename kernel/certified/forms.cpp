@@ -2,6 +2,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "hwy/cache_control.h"
 #include "kernel/certified/exact_step.h"
 #include "kernel/certified/steps.h"
 #include "kernel/certified/thresholds.h"
@@ -16,8 +17,10 @@
 #define AXISCERT_PER_TARGET
 #include "kernel/geometry.h"
 #include "kernel/certified/coarse_step-inl.h"
+#include "kernel/certified/box_step-inl.h"
 #include "kernel/certified/conservative_step-inl.h"
 #include "kernel/certified/fine_step-inl.h"
+#include "kernel/certified/leftovers-inl.h"
 #include "kernel/certified/pair_step-inl.h"
 #include "kernel/certified/block-inl.h"
 

@@ -1,0 +1,53 @@
+// Before the first step, where all ask of one sphere: triangles beyond one face of its box. Of a large mesh that is nearly
+// all, and a fourth of the first step's operations. No guard: included once for each of Highway's instruction sets, after
+// coarse_step-inl.h.
+//
+// Exact, whatever the sizes: low <= p - r and high >= p + r. A difference x of two numbers is off by u |x| at most, and not
+// at all where x is subnormal, so x - 4 u |x|, as computed, is low enough: the product and the difference lose less than
+// 2 u |x| of it. Where x overflows, low is not a number or -infinity, and nothing is below it.
+HWY_BEFORE_NAMESPACE();
+namespace axiscert::certified {
+namespace HWY_NAMESPACE {
+
+template <class D>
+class BoxStep {
+ public:
+  using T = Lanes<D>;
+  using V = hn::Vec<D>;
+  using Real = hn::TFromD<D>;
+
+  AXISCERT_INLINE BoxStep(Real px, Real py, Real pz, Real r) {
+    const Real p[3] = {px, py, pz};
+    // Else there is no query, and nothing beyond.
+    const bool is_sphere = r >= 0 && ((px - px) + (py - py)) + ((pz - pz) + (r - r)) == 0;
+    for (int k = 0; k < 3; ++k) {
+      const Real below = p[k] - r, above = p[k] + r;
+      constexpr Real unit = 4 * unit_roundoff<Real>;
+      low_[k] = is_sphere ? below - unit * magnitude(below) : -infinity;
+      high_[k] = is_sphere ? above + unit * magnitude(above) : infinity;
+    }
+  }
+
+  // All of the lanes; false where a coordinate is not finite. An overflowing sum is no harm.
+  AXISCERT_INLINE bool all_beyond(const Problem<T>& q) const {
+    const D d;
+    const auto beyond = [&](const T& a, const T& b, const T& c, int k) HWY_ATTR {
+      const V greatest = hn::Max(hn::Max(a.v, b.v), c.v), least = hn::Min(hn::Min(a.v, b.v), c.v);
+      return hn::Or(hn::Lt(greatest, hn::Set(d, low_[k])), hn::Gt(least, hn::Set(d, high_[k])));
+    };
+    const auto any = hn::Or(hn::Or(beyond(q.a.x, q.b.x, q.c.x, 0), beyond(q.a.y, q.b.y, q.c.y, 1)),
+                            beyond(q.a.z, q.b.z, q.c.z, 2));
+    const auto sum = [](const Vec3<T>& v) HWY_ATTR { return (v.x + v.y) + v.z; };
+    const T all = (sum(q.a) + sum(q.b)) + sum(q.c);
+    return hn::AllTrue(d, hn::And(any, hn::Eq((all - all).v, hn::Zero(d))));
+  }
+
+ private:
+  static constexpr Real infinity = std::numeric_limits<Real>::infinity();
+  static constexpr Real magnitude(Real x) { return x < 0 ? -x : x; }
+  Real low_[3], high_[3];
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace axiscert::certified
+HWY_AFTER_NAMESPACE();
