@@ -1,6 +1,9 @@
 // What exactness costs: `certified` and `conservative` beside the raw tests and CGAL, the same queries for all.
 //
-//     certified_bench [FAMILY...]     without names all families and a mesh, and what a large mesh costs
+//     certified_bench [--target T] [FAMILY...]
+//
+// Without names all families and a mesh, and what a large mesh costs. T is an instruction set of `axiscert kernels`, the
+// best one if none is given; one pair is always asked on the best.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -81,9 +84,15 @@ void measure(const Source& source, const std::string& target) {
   std::fflush(stdout);
 }
 
-void run(const std::vector<std::string_view>& names) {
+void run(std::vector<std::string_view> names) {
+  std::string wanted = "auto";
+  if (!names.empty() && names[0] == "--target") {
+    if (names.size() == 1) throw std::invalid_argument("--target: say which, as `axiscert kernels` names it");
+    wanted = names[1];
+    names.erase(names.begin(), names.begin() + 2);
+  }
   const std::vector<SourcePtr> sources = sources_named(names);
-  const std::string target = resolve_target("auto");
+  const std::string target = resolve_target(wanted);
   fmt::print(
       "{}; {}, {} -ffp-contract=off; instruction set {}. One thread, processor time, ns a query, medians of {} "
       "interleaved repetitions over 2^14 queries.\n\n"
