@@ -219,8 +219,9 @@ TYPED_TEST(CertifiedTest, OneSphereAndTrianglesBeyondItsBox) {
     const std::size_t face = t / chunk % 8;  // the last two: across
     for (std::size_t k = 0; k < 9; ++k) {
       const Real side = face % 2 ? Real(-1) : Real(1), beyond = t < triangles / 2 ? Real(4) : Real(0.25);
-      const bool is_axis = k % 3 == face / 2;
-      storage[k].push_back(!is_axis ? v[k] / 4 : side * (beyond + (k < 3 && t % 4 == 0 ? Real(0) : std::abs(v[k]))));
+      const bool is_axis = k % 3 == face / 2, is_touching = k < 3 && t % 4 == 0;
+      if (is_touching) storage[k].push_back(is_axis ? side * beyond : Real(0));
+      else storage[k].push_back(is_axis ? side * (beyond + std::abs(v[k])) : v[k] / 4);
     }
   }
   storage[4][7 * chunk + 5] = nan;

@@ -2,8 +2,8 @@
 //
 //     certified_bench [--target T] [FAMILY...]
 //
-// Without names all families and a mesh, and what a large mesh costs. T is an instruction set of `axiscert kernels`, the
-// best one if none is given; one pair is always asked on the best.
+// Without names all families and a mesh, and what a large mesh costs. T is an instruction set of `axiscert kernels`,
+// the best one if none is given; one pair is always asked on the best.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,10 +1,9 @@
-// Before the first step, where all ask of one sphere: triangles beyond one face of its box. Of a large mesh that is nearly
-// all, and a fourth of the first step's operations. No guard: included once for each of Highway's instruction sets, after
-// coarse_step-inl.h.
+// Before the first step, where all ask of one sphere: triangles beyond one face of its box. Of a large mesh that is
+// nearly all, and a fourth of the first step's operations. No guard: included once for each of Highway's instruction
+// sets, after coarse_step-inl.h.
 //
-// Exact, whatever the sizes: low <= p - r and high >= p + r. A difference x of two numbers is off by u |x| at most, and not
-// at all where x is subnormal, so x - 4 u |x|, as computed, is low enough: the product and the difference lose less than
-// 2 u |x| of it. Where x overflows, low is not a number or -infinity, and nothing is below it.
+// Exact, whatever the sizes: low is the number nearest p - r, so a number below it is below p - r; and nothing is below
+// it where the difference overflows.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
@@ -21,10 +20,8 @@ class BoxStep {
     // Else there is no query, and nothing beyond.
     const bool is_sphere = r >= 0 && ((px - px) + (py - py)) + ((pz - pz) + (r - r)) == 0;
     for (int k = 0; k < 3; ++k) {
-      const Real below = p[k] - r, above = p[k] + r;
-      constexpr Real unit = 4 * unit_roundoff<Real>;
-      low_[k] = is_sphere ? below - unit * magnitude(below) : -infinity;
-      high_[k] = is_sphere ? above + unit * magnitude(above) : infinity;
+      low_[k] = is_sphere ? p[k] - r : -infinity;
+      high_[k] = is_sphere ? p[k] + r : infinity;
     }
   }
 
@@ -35,8 +32,8 @@ class BoxStep {
       const V greatest = hn::Max(hn::Max(a.v, b.v), c.v), least = hn::Min(hn::Min(a.v, b.v), c.v);
       return hn::Or(hn::Lt(greatest, hn::Set(d, low_[k])), hn::Gt(least, hn::Set(d, high_[k])));
     };
-    const auto any = hn::Or(hn::Or(beyond(q.a.x, q.b.x, q.c.x, 0), beyond(q.a.y, q.b.y, q.c.y, 1)),
-                            beyond(q.a.z, q.b.z, q.c.z, 2));
+    const auto any =
+        hn::Or(hn::Or(beyond(q.a.x, q.b.x, q.c.x, 0), beyond(q.a.y, q.b.y, q.c.y, 1)), beyond(q.a.z, q.b.z, q.c.z, 2));
     const auto sum = [](const Vec3<T>& v) HWY_ATTR { return (v.x + v.y) + v.z; };
     const T all = (sum(q.a) + sum(q.b)) + sum(q.c);
     return hn::AllTrue(d, hn::And(any, hn::Eq((all - all).v, hn::Zero(d))));
@@ -44,7 +41,6 @@ class BoxStep {
 
  private:
   static constexpr Real infinity = std::numeric_limits<Real>::infinity();
-  static constexpr Real magnitude(Real x) { return x < 0 ? -x : x; }
   Real low_[3], high_[3];
 };
 

@@ -1,5 +1,5 @@
-// Blocks as vectors, and the queries of a block that a step passed on, packed. No guard: included once for each of Highway's
-// instruction sets, after coarse_step-inl.h.
+// Blocks as vectors, and the queries of a block that a step passed on, packed. No guard: included once for each of
+// Highway's instruction sets, after coarse_step-inl.h.
 #include <bit>
 #include <cstring>
 
