@@ -48,7 +48,7 @@ class Steps {
   Steps(const Block<Real>& block, Question question, BlockAnswer& answer) noexcept
       : block_(block), question_(question), answer_(answer) {}
 
-  // The first step asks chunks of 64, a word of the answer. Where it passes most of the first on, the queries come from
+  // The first step asks chunks of 64, a word of the answer. Where it passes most of one on, the queries come from
   // where it is of no use, and the next step takes the other chunks as they are.
   HWY_NOINLINE void run() noexcept {
     Leftovers<Real> left;
