@@ -85,7 +85,8 @@ class Plan(PlanCase):
                                          ("options", "families", 7, "must be array"),
                                          (None, "units_per_stretch", 0.5, "0.5 is no whole number"),
                                          (None, "plan", "\x1b[31m", "is no object")):
-            self.refused(*run, self.resigned(text, where, name, value), says=["broken.json: not as axiscert-plan/1 has it", f"'{name}'", says])
+            self.refused(*run, self.resigned(text, where, name, value),
+                         says=["broken.json: not as axiscert-plan/1 has it", f"'{name}'", says])
         self.refused(*run, self.resigned(text, None, "plan", {}), says=["broken.json", "and not"])
         self.refused(*run, self.folder / "none.json", says=["none.json"])
         self.refused(*run, self.plan, "--kernel", "reduced", says=["--plan", "--kernel"])

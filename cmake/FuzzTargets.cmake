@@ -29,7 +29,8 @@ endfunction()
 
 # axiscert_fuzz_target(NAME RUNS n LENGTH bytes SOURCES... LIBRARIES...): the program fuzz_NAME, and the test fuzz.NAME, which
 # gives it so many inputs made from the seeds of fuzz/targets/seeds.py. A number of inputs and a seed, and no clock: one
-# program does the same every time; of another build (paths, addresses) libFuzzer learns other things. It writes nothing but an input at which the target fails.
+# program does the same every time; of another build (paths, addresses) libFuzzer learns other things. It writes nothing
+# but an input at which the target fails.
 function(axiscert_fuzz_target name)
   if(NOT AXISCERT_FUZZ_TARGETS)
     return()

@@ -17,23 +17,9 @@
 namespace axiscert {
 namespace {
 
-using testing_support::random_query;
+using testing_support::coarse_query_of_any_size, testing_support::random_query;
 
 constexpr std::uint64_t seed = 20101230;
-
-// Few-bit numbers, one of them sometimes of another size: ties, repeated vertices, collinear ones, and every last step.
-template <class Real>
-Query<Real> coarse_query_of_any_size(std::mt19937_64& random) {
-  using Limits = std::numeric_limits<Real>;
-  const int exponents[] = {0, -20, Limits::max_exponent - 4, Limits::min_exponent - Limits::digits + 1};
-  const int exponent = exponents[random() % 4];
-  auto v = coordinates(testing_support::coarse_query<Real>(random, exponent));
-  if (random() % 4 == 0) {
-    const int another = exponents[random() % 4];
-    v[random() % 13] = std::ldexp(Real(1), another);
-  }
-  return from_coordinates(v);
-}
 
 // A sphere whose radius is within one ulp of the distance.
 template <class Real>

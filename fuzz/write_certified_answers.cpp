@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 
 #include "exact/geometric_oracle.h"
 #include "fuzz/corpus.h"
@@ -20,16 +19,6 @@ namespace {
 
 constexpr std::uint64_t seed = 20101230;
 constexpr std::size_t largest_group = 299;  // more than a block of the library, and no whole number of vectors
-
-// Integers from -3 to 3 at several sizes, the least and the greatest among them, one number at times of another.
-template <class Real>
-Query<Real> integers(std::mt19937_64& random) {
-  using Limits = std::numeric_limits<Real>;
-  const int exponents[] = {0, -20, Limits::max_exponent - 4, Limits::min_exponent - Limits::digits + 1};
-  auto v = coordinates(testing_support::coarse_query<Real>(random, exponents[random() % 4]));
-  if (random() % 4 == 0) v[random() % coordinate_count] = std::ldexp(Real(1), exponents[random() % 4]);
-  return from_coordinates(v);
-}
 
 template <class Real>
 void judge_and_write(const std::string& name, std::size_t in_a_group, const std::vector<Query<Real>>& queries,
@@ -84,7 +73,7 @@ void write_precision(const std::vector<SourcePtr>& sources, std::size_t size, st
   }
   std::mt19937_64 random(seed);
   std::vector<Query<Real>> queries(size);
-  for (Query<Real>& q : queries) q = integers<Real>(random);
+  for (Query<Real>& q : queries) q = testing_support::coarse_query_of_any_size<Real>(random);
   write_all("integers", queries, file);
 }
 

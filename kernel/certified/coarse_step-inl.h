@@ -65,9 +65,9 @@ struct CoarseLimits {
     constexpr double u = unit_roundoff<Real>;
     const auto constant = [](double x) HWY_ATTR { return T{hn::Set(D(), static_cast<Real>(x))}; };
     const T SE = S * E;
-    degree2 = constant(CoarseThresholds::degree2 * u) * S;
-    degree4 = constant(CoarseThresholds::degree4 * u) * SE;
-    degree6 = constant(CoarseThresholds::degree6 * u) * (SE * E);
+    degree2 = constant(filter::CoarseBounds::degree_2 * u) * S;
+    degree4 = constant(filter::CoarseBounds::degree_4 * u) * SE;
+    degree6 = constant(filter::CoarseBounds::degree_6 * u) * (SE * E);
   }
   AXISCERT_INLINE hn::Mask<D> any_beyond(const T& vertices, const T& edges, const T& plane) const {
     return hn::Or(hn::Or(hn::Gt(vertices.v, degree2.v), hn::Gt(edges.v, degree4.v)), hn::Gt(plane.v, degree6.v));

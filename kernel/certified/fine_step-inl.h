@@ -1,5 +1,5 @@
 // The second step: the same margins in doubles, each with a bound of its own from the leaves that it is made of
-// (docs/error_model.md, "The bounds of lanes"; the constants in kernel/certified/thresholds.h). No guard: included once
+// (docs/error_model.md, "The bounds of lanes"; the constants in kernel/filter/margin_bounds.h). No guard: included once
 // for each of Highway's instruction sets, after coarse_step-inl.h.
 //
 // A bound that is zero means operands that are exact zeros, so repeated vertices are decided here: a side of 0 >= 0
@@ -7,6 +7,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
+using filter::MarginBounds;
 
 template <class D>
 struct FineStep {
@@ -45,7 +46,7 @@ struct FineStep {
         rr(q.r * q.r),
         r(q.r.v) {}
 
-  AXISCERT_INLINE static V units(double n) { return hn::Set(D(), n * FineBounds::unit); }
+  AXISCERT_INLINE static V units(double n) { return hn::Set(D(), n * 0x1p-53 * MarginBounds::unit_factor); }
   AXISCERT_INLINE static V constant(double x) { return hn::Set(D(), x); }
   AXISCERT_INLINE static V sum_of_sizes(const Vec3<T>& v) {
     return hn::Add(hn::Add(hn::Abs(v.x.v), hn::Abs(v.y.v)), hn::Abs(v.z.v));
@@ -82,9 +83,9 @@ struct FineStep {
   // sign: +1 where `along` leads away from the vertex, -1 where it leads to it.
   AXISCERT_INLINE Axis vertex(const Leaf& from, const Leaf& away, const Leaf& towards) const {
     const T square = dot(from.v, from.v);
-    Axis axis = radius((square - rr).v, hn::Mul(units(FineBounds::vertex_radius), (square + rr).v),
+    Axis axis = radius((square - rr).v, hn::Mul(units(MarginBounds::vertex_radius_units), (square + rr).v),
                        hn::MaskFromVec(hn::Zero(d)));
-    const V one = hn::Mul(units(FineBounds::vertex_side), from.norm);
+    const V one = hn::Mul(units(MarginBounds::vertex_side_units), from.norm);
     side(dot(from.v, away.v).v, hn::Mul(one, away.norm), axis);
     side(hn::Neg(dot(from.v, towards.v).v), hn::Mul(one, towards.norm), axis);
     return axis;
@@ -94,28 +95,31 @@ struct FineStep {
     const V sum = sum_of_sizes(normal);
     const T offset = dot(a.v, normal), e = dot(normal, normal);
     const T lhs = offset * offset, rhs = rr * e;
-    const V three_omega = hn::Mul(constant(3.2), omega);
-    const V delta = hn::Mul(a.norm, hn::MulAdd(units(FineBounds::offset_sum), sum, three_omega));
-    const V lhs_error =
-        hn::MulAdd(delta, hn::MulAdd(constant(2.125), hn::Abs(offset.v), hn::Mul(delta, constant(1.125))),
-                   hn::Mul(units(FineBounds::plane_lhs), lhs.v));
-    const V rhs_error = hn::MulAdd(rr.v, hn::Mul(omega, hn::MulAdd(constant(2.125), sum, three_omega)),
-                                   hn::Mul(units(FineBounds::plane_rhs), rhs.v));
+    const V three_omega = hn::Mul(constant(MarginBounds::thrice), omega);
+    const V delta = hn::Mul(a.norm, hn::MulAdd(units(MarginBounds::offset_units), sum, three_omega));
+    const V lhs_error = hn::MulAdd(delta,
+                                   hn::MulAdd(constant(MarginBounds::twice), hn::Abs(offset.v),
+                                              hn::Mul(delta, constant(MarginBounds::once_offset))),
+                                   hn::Mul(units(MarginBounds::plane_lhs_units), lhs.v));
+    const V rhs_error = hn::MulAdd(rr.v, hn::Mul(omega, hn::MulAdd(constant(MarginBounds::twice), sum, three_omega)),
+                                   hn::Mul(units(MarginBounds::plane_rhs_units), rhs.v));
     const M has_no_normal = hn::And(is_zero(omega), is_zero(sum));
     return radius((lhs - rhs).v, hn::Add(lhs_error, rhs_error), has_no_normal);
   }
 
   AXISCERT_INLINE Axis edge(const Leaf& from, const Leaf& along, const Vec3<T>& normal, V omega, V normal_sum) const {
     const Vec3<T> N = cross(from.v, along.v);
-    const V nu = hn::Mul(units(FineBounds::normal), hn::Mul(from.norm, along.norm)), sum = sum_of_sizes(N);
+    const V nu = hn::Mul(units(MarginBounds::normal_units), hn::Mul(from.norm, along.norm)), sum = sum_of_sizes(N);
     const T square = dot(N, N), rhs = rr * dot(along.v, along.v);
-    const V radius_bound = hn::MulAdd(nu, hn::MulAdd(constant(2.125), sum, hn::Mul(constant(3.2), nu)),
-                                      hn::MulAdd(units(FineBounds::edge_radius_square), square.v,
-                                                 hn::Mul(units(FineBounds::edge_radius_rhs), rhs.v)));
+    const V radius_bound =
+        hn::MulAdd(nu, hn::MulAdd(constant(MarginBounds::twice), sum, hn::Mul(constant(MarginBounds::thrice), nu)),
+                   hn::MulAdd(units(MarginBounds::edge_square_units), square.v,
+                              hn::Mul(units(MarginBounds::edge_rhs_units), rhs.v)));
     Axis axis = radius((square - rhs).v, radius_bound, is_zero(along.norm));
-    const V side_bound =
-        hn::MulAdd(hn::Mul(omega, constant(1.0625)), hn::MulAdd(constant(3.1), nu, sum),
-                   hn::Mul(normal_sum, hn::MulAdd(units(FineBounds::edge_side), sum, hn::Mul(nu, constant(1.0625)))));
+    const V side_bound = hn::MulAdd(
+        hn::Mul(omega, constant(MarginBounds::once)), hn::MulAdd(constant(MarginBounds::thrice_in_side), nu, sum),
+        hn::Mul(normal_sum,
+                hn::MulAdd(units(MarginBounds::edge_side_units), sum, hn::Mul(nu, constant(MarginBounds::once)))));
     side(hn::Neg(dot(N, normal).v), side_bound, axis);
     return axis;
   }
@@ -130,7 +134,7 @@ struct FineStep {
     const M b_is_c = is_zero(bc.norm);
     Vec3<T> normal = cross(ca.v, ab.v);
     for (T* x : {&normal.x, &normal.y, &normal.z}) x->v = hn::IfThenZeroElse(b_is_c, x->v);
-    const V omega = hn::IfThenZeroElse(b_is_c, hn::Mul(units(FineBounds::normal), hn::Mul(ab.norm, ca.norm)));
+    const V omega = hn::IfThenZeroElse(b_is_c, hn::Mul(units(MarginBounds::normal_units), hn::Mul(ab.norm, ca.norm)));
     const V normal_sum = sum_of_sizes(normal);
     const Axis axes[] = {vertex(a, ab, ca),
                          vertex(b, bc, ab),

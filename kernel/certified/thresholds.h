@@ -1,5 +1,5 @@
-// The thresholds of the certified predicate: every error constant that it depends on, with its derivation. Proved ones
-// can replace them here.
+// The derivation of the certified predicate's thresholds, and the ranges that it holds in. The constants themselves are
+// those that Coq has proved, kernel/filter/margin_bounds.h.
 //
 // u is the unit roundoff of the number type, 2^-24 or 2^-53; hats are computed values. Rounding is to nearest with
 // gradual underflow (kernel/certified/default_modes.h sees to it). A fused multiply-add rounds once where the
@@ -39,29 +39,20 @@
 // docs/error_model.md, "The bounds of lanes", where |x|o is the greatest component of a leaf and |x|1 the sum of three.
 #pragma once
 
+#include "kernel/filter/margin_bounds.h"
+
 namespace axiscert::certified {
 
 template <class Real>
 inline constexpr Real unit_roundoff = sizeof(Real) == 4 ? static_cast<Real>(0x1p-24) : static_cast<Real>(0x1p-53);
 
-// Multiples of u.
-struct CoarseThresholds {
-  static constexpr double degree2 = 19 * (1 + 0x1p-4);    // of S
-  static constexpr double degree4 = 10.5 * (1 + 0x1p-4);  // of S E
-  static constexpr double degree6 = 5.5 * (1 + 0x1p-4);   // of S E^2
-};
 inline constexpr double least_relative_triangle = 0x1p-20;  // of S, added to E
 template <class Real>
-inline constexpr Real least_square = sizeof(Real) == 4 ? static_cast<Real>(0x1p-21) : static_cast<Real>(0x1p-300);
+inline constexpr Real least_square = sizeof(Real) == 4 ? static_cast<Real>(filter::CoarseBounds::least_square_binary32)
+                                                       : static_cast<Real>(filter::CoarseBounds::least_square_binary64);
 template <class Real>
 inline constexpr Real greatest_square = sizeof(Real) == 4 ? static_cast<Real>(0x1p38) : static_cast<Real>(0x1p300);
 
-// Multiples of U = 2^-53; x.y, N and V by component, and so on as in the table.
-struct FineBounds {
-  static constexpr double unit = 0x1p-53 * (1 + 0x1p-4);
-  static constexpr double vertex_radius = 6, vertex_side = 15, normal = 8, offset_sum = 4;
-  static constexpr double edge_radius_square = 4, edge_radius_rhs = 8, edge_side = 3, plane_lhs = 2, plane_rhs = 6;
-};
 // binary64 in doubles: a leaf and the radius are zero or in [2^-100, 2^100], so that underflow is below 2^-200 of a
 // bound; binary32 in doubles needs no such guard (docs/error_model.md).
 inline constexpr double least_fine_leaf = 0x1p-100, greatest_fine_leaf = 0x1p100;

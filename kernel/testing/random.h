@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <random>
 
 #include "kernel/query.h"
@@ -42,6 +43,20 @@ Query<Real> coarse_query(std::mt19937_64& random, int exponent) {
   if (random() % 5 == 0) q.c = q.b;
   if (random() % 7 == 0) q.p = q.a;
   return q;
+}
+
+// Few-bit numbers, one of them sometimes of another size: ties, repeated vertices, collinear ones, and every last step.
+template <class Real>
+Query<Real> coarse_query_of_any_size(std::mt19937_64& random) {
+  using Limits = std::numeric_limits<Real>;
+  const int exponents[] = {0, -20, Limits::max_exponent - 4, Limits::min_exponent - Limits::digits + 1};
+  const int exponent = exponents[random() % 4];
+  auto v = coordinates(coarse_query<Real>(random, exponent));
+  if (random() % 4 == 0) {
+    const int another = exponents[random() % 4];
+    v[random() % 13] = std::ldexp(Real(1), another);
+  }
+  return from_coordinates(v);
 }
 
 }  // namespace axiscert::testing_support
