@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -30,6 +31,39 @@ Query<Real> tangent_query(std::mt19937_64& random) {
   return q;
 }
 
+// Integers whose margins are zero, or far smaller than what they are the difference of and yet not small: a centre on
+// the plane or on an edge, with a sphere of any size or of none; or a sphere that touches an edge, or misses by less
+// than a 2^100th of its radius.
+template <class Real>
+Query<Real> integer_query(std::mt19937_64& random) {
+  const int bits = static_cast<int>(4 + random() % (std::numeric_limits<Real>::digits - 6));
+  const auto below = [&](int n) { return static_cast<std::int64_t>(random() >> (64 - n)); };
+  const auto point = [&](std::int64_t unit) {
+    const auto one = [&] { return (below(bits) - (std::int64_t{1} << (bits - 1))) * unit; };
+    return Vec3<std::int64_t>{one(), one(), one()};
+  };
+  Vec3<std::int64_t> a = point(4), b = point(4), c = point(4), p = (a + a + b + c) / std::int64_t{4};
+  std::int64_t r = random() % 2 ? 0 : below(3);
+  if (random() % 3 == 0) p = (a + b) / std::int64_t{2};
+  if (random() % 2 == 0) {
+    r = (std::int64_t{1} << bits) + below(bits);
+    const std::int64_t along = std::int64_t{1} << below(5);
+    a = {-along * below(bits / 2 + 1), 0, r}, b = {along * below(bits / 2 + 1), 0, r}, c = {0, 0, r + below(bits)};
+    p = {0, static_cast<std::int64_t>(random() % 3) - 1, 0};
+  }
+  std::array<std::size_t, 3> axes = {0, 1, 2};
+  std::shuffle(axes.begin(), axes.end(), random);
+  const int exponent = static_cast<int>(random() % 21) - 10;
+  const auto real = [&](const Vec3<std::int64_t>& v) {
+    const std::array<std::int64_t, 3> own = {v.x, v.y, v.z};
+    const auto one = [&](std::size_t k) { return std::ldexp(static_cast<Real>(own[axes[k]]), exponent); };
+    return Vec3<Real>{one(0), one(1), one(2)};
+  };
+  std::array<Vec3<Real>, 3> v = {real(a), real(b), real(c)};
+  std::rotate(v.begin(), v.begin() + random() % 3, v.end());
+  return {v[0], v[1], v[2], real(p), std::ldexp(static_cast<Real>(r), exponent)};
+}
+
 template <class Real>
 struct Judged {
   std::vector<Query<Real>> queries;
@@ -39,11 +73,12 @@ struct Judged {
     static const Judged judged = [] {
       Judged made;
       std::mt19937_64 random(seed);
-      for (int i = 0; i < 2403; ++i) {
-        Query<Real> q = i % 4 == 0   ? coarse_query_of_any_size<Real>(random)
+      for (int i = 0; i < 4003; ++i) {
+        Query<Real> q = i >= 2403    ? integer_query<Real>(random)
+                        : i % 4 == 0 ? coarse_query_of_any_size<Real>(random)
                         : i % 4 == 1 ? tangent_query<Real>(random)
                                      : random_query<Real>(random, i % 4 == 2 && i % 16 != 2);
-        if (i % 4 == 2 && i % 3 != 0) q.r = std::abs(q.r);
+        if (i < 2403 && i % 4 == 2 && i % 3 != 0) q.r = std::abs(q.r);
         made.queries.push_back(q);
         made.order.push_back(is_valid(q) ? distance_order(q) : 2);
       }

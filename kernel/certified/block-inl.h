@@ -7,16 +7,6 @@ HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
 
-constexpr int stored_exponent(std::uint64_t bits) { return static_cast<int>((bits >> 52) & 0x7ff); }
-
-// Finite, r >= 0.
-inline bool is_valid(const double (&q)[13]) {
-  for (const double x : q) {
-    if (stored_exponent(std::bit_cast<std::uint64_t>(x)) == 0x7ff) return false;
-  }
-  return q[12] >= 0;
-}
-
 // Scales by a power of two so that the greatest number is near 1. False where that loses a bit, or where it has been
 // near 1 before.
 inline bool scaled_to_range(const double (&q)[13], double (&scaled)[13]) {
@@ -36,8 +26,6 @@ inline bool scaled_to_range(const double (&q)[13], double (&scaled)[13]) {
   }
   return exact;
 }
-
-inline void set_bit(std::uint64_t* words, std::size_t i) { words[i / 64] |= std::uint64_t{1} << (i % 64); }
 
 // A block through the steps: D takes the queries, D2, of doubles, those that are left over.
 template <class D, class D2>
@@ -110,61 +98,110 @@ class Steps {
     return contact & low_bits(count);
   }
 
-  // What the first step left. In doubles it is a step between for binary32: half as dear as the second.
+  // What the first step left: once more in doubles, and comparison by comparison. Where few are open it goes on with
+  // these, and where many are, the fine step, twice as dear, may find out more.
   HWY_NOINLINE void settle(Leftovers<Real>& left) noexcept {
-    if constexpr (sizeof(Real) == 4) {
-      Leftovers<Real> less;
-      const D2 d;
-      const Block<Real> block = left.block(block_);
-      for (std::size_t j = 0; j < left.size; j += fine_lanes) {
-        const Decided<D2> decided = coarse_step(d, load(d, block, j));
-        const std::uint64_t queries = low_bits(left.size - j < fine_lanes ? left.size - j : fine_lanes);
-        const std::uint64_t contact = bits_of(d, decided.contact) & queries;
-        const std::uint64_t pending = queries & ~(contact | bits_of(d, decided.separated));
-        add_contacts(contact, left.index + j);
-        if (pending != 0) {
-          less.add(hn::Rebind<Real, D2>(), block, j, pending,
-                   [index = left.index + j](std::size_t lane) { return std::size_t{index[lane]}; });
-        }
+    const D2 d;
+    const Block<Real> block = left.block(block_);
+    Leftovers<Real> less;
+    OpenComparisons<D2, Leftovers<Real>> open(left, block, open_sphere());
+    bool is_worth_it = true;  // as it was of the queries before
+    for (std::size_t j = 0; j < left.size; j += fine_lanes) {
+      const CoarseMargins<D2, true> margins(load(d, block, j));
+      const CoarseLimits<D2, true> limits(margins.S, margins.E);
+      const Decided<D2> decided = coarse_step(margins, limits);
+      const std::uint64_t queries = low_bits(left.size - j < fine_lanes ? left.size - j : fine_lanes);
+      const std::uint64_t contact = bits_of(d, decided.contact) & queries;
+      const std::uint64_t pending = queries & ~(contact | bits_of(d, decided.separated));
+      add_contacts(contact, left.index + j);
+      if (pending == 0) continue;
+      std::uint64_t few = 0;
+      if (is_worth_it) {
+        const auto known = coarsely_known(d, margins, limits);
+        few = pending & bits_of(d, hn::And(has_one_open(d, known), limits.in_deep_range(margins.S)));
+        open.add(j, few, known);
+        is_worth_it = 2 * std::popcount(few) >= std::popcount(pending);
       }
-      if (less.size != 0) fine(less);
-    } else {
-      fine(left);
-      if (again_.size != 0) fine_again();
+      if (const std::uint64_t many = pending & ~few; many != 0) {
+        less.add(hn::Rebind<Real, D2>(), block, j, many,
+                 [index = left.index + j](std::size_t lane) { return std::size_t{index[lane]}; });
+      }
     }
+    conclude(open, left, block);
+    if (less.size != 0) fine(less);
+    if (again_.size != 0) fine_again();
   }
 
+  bool open_sphere() const noexcept { return question_ == Question::open_sphere; }
   AXISCERT_INLINE void add_contacts(std::uint64_t lanes, const std::uint16_t* index) noexcept {
     for (; lanes != 0; lanes &= lanes - 1) set_bit(answer_.contact, index[std::countr_zero(lanes)]);
   }
 
-  // The second step, and the last for those that it does not settle.
+  // The fine step, and again what it left open.
   template <class Left>
   HWY_NOINLINE void fine(Left& left) noexcept {
     const D2 d;
-    const auto from = left.block(block_);
+    const auto block = left.block(block_);
+    OpenComparisons<D2, Left> open(left, block, open_sphere());
     for (std::size_t j = 0; j < left.size; j += fine_lanes) {
-      const FineStep<D2> step(d, load(d, from, j), question_ == Question::open_sphere);
+      const FineStep<D2> step(d, load(d, block, j), open_sphere());
       const auto found = step.answer();
       const std::uint64_t queries = low_bits(left.size - j < fine_lanes ? left.size - j : fine_lanes);
       const std::uint64_t valid = bits_of(d, step.is_valid()) & queries;
-      const std::uint64_t sound = sizeof(Real) == 8 ? bits_of(d, step.in_range()) & valid : valid;
+      const std::uint64_t sound = sizeof(Real) == 8 ? bits_of(d, step.is_sound()) & valid : valid;
       const std::uint64_t separated = bits_of(d, found.decided.separated) & sound;
       const std::uint64_t contact = bits_of(d, found.decided.contact) & sound;
-      std::uint64_t rest = queries & ~(contact | separated);
       add_contacts(contact, left.index + j);
-      if (rest == 0) continue;
-      alignas(64) std::uint64_t known[fine_lanes];
-      hn::Store(found.known, hn::RebindToUnsigned<D2>(), known);
-      for (; rest != 0; rest &= rest - 1) {
+      const std::uint64_t pending = sound & ~(contact | separated);
+      const std::uint64_t quick = pending & ~bits_of(d, has_one_open(d, found.known)) & have_few_bits(block, j);
+      open.add(j, pending & ~quick, found.known);
+      open.add_unasked(j, quick, found.known);
+      for (std::uint64_t rest = queries & ~sound; rest != 0; rest &= rest - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-        double q[13];
-        widened(from, j + lane, q);
-        if (((sound >> lane) & 1u) != 0) last_step(q, left.index[j + lane], Known{known[lane]});
-        else if (((valid >> lane) & 1u) != 0 || is_valid(q)) scaled_step(q, left.index[j + lane]);
-        else set_bit(answer_.invalid, left.index[j + lane]);
+        unsound(block, j + lane, left.index[j + lane], ((valid >> lane) & 1u) != 0);
       }
     }
+    conclude(open, left, block);
+  }
+
+  // Of the queries at j..j + lanes: whose numbers have few bits, so that the last step is as quick as the deep one of
+  // two comparisons; a query alone is in any case.
+  template <class Number>
+  AXISCERT_INLINE static std::uint64_t have_few_bits(const Block<Number>& block, std::size_t j) noexcept {
+    if constexpr (sizeof(Number) == 4 || fine_lanes == 1) return ~std::uint64_t{0};
+    else {
+      const D2 d;
+      const hn::RebindToUnsigned<D2> words;
+      auto any = hn::Zero(words);
+      for (std::size_t k = 0; k < (block.one_sphere ? 9u : 13u); ++k) {
+        any = hn::Or(any, hn::BitCast(words, hn::LoadU(d, block.column[k] + j)));
+      }
+      const auto last_bits = hn::And(any, hn::Set(words, (std::uint64_t{1} << 28) - 1));
+      return bits_of(d, hn::RebindMask(d, hn::Eq(last_bits, hn::Zero(words))));
+    }
+  }
+
+  // The deep step's answers, and the last step for those that it does not settle.
+  template <class Open, class Left, class Number>
+  AXISCERT_INLINE void conclude(Open& open, const Left& left, const Block<Number>& block) noexcept {
+    open.finish([&](std::size_t place, Known known) HWY_ATTR {
+      // Either is as likely: no branch on which.
+      const std::size_t i = left.index[place];
+      answer_.contact[i / 64] |= std::uint64_t{known.is_contact()} << (i % 64);
+      if (known.is_separated() | known.is_contact()) return;
+      double q[13];
+      widened(block, place, q);
+      last_step(q, i, known);
+    });
+  }
+
+  // The i-th of the block, which the second step cannot look at; or not one, if it is no query.
+  template <class Number>
+  void unsound(const Block<Number>& from, std::size_t place, std::size_t i, bool known_valid) noexcept {
+    double q[13];
+    widened(from, place, q);
+    if (known_valid || is_valid(q)) scaled_step(q, i);
+    else set_bit(answer_.invalid, i);
   }
 
   // For a query that is the i-th of the block, or that one scaled.
@@ -194,56 +231,6 @@ class Steps {
   BlockAnswer& answer_;
   Leftovers<Real, again_size> again_;  // scaled
 };
-
-// What the conservative test could not look at: no query, or differences that overflow. Those it asks again with all
-// numbers times 2^-4: where a difference overflowed, what that rounds is nothing.
-template <class D, class Real = hn::TFromD<D>>
-HWY_NOINLINE void settle_conservatively(const Block<Real>& block, const std::uint64_t* pending, BlockAnswer& answer) {
-  const D d;
-  for (std::size_t i = 0; i < block.size; ++i) {
-    if (!((pending[i / 64] >> (i % 64)) & 1u)) continue;
-    double q[13];
-    widened(block, i, q);
-    if (!is_valid(q)) {
-      set_bit(answer.invalid, i);
-      continue;
-    }
-    Real column[13][hn::MaxLanes(D())] = {};
-    Block<Real> one{{}, 1, false};
-    for (std::size_t k = 0; k < 13; ++k) {
-      column[k][0] = static_cast<Real>(q[k] * 0x1p-4);
-      one.column[k] = column[k];
-    }
-    if (!(bits_of(d, Conservative<D>::answer_scaled(load<false>(d, one, 0)).separated) & 1u))
-      set_bit(answer.contact, i);
-  }
-}
-
-template <class D, class Real = hn::TFromD<D>>
-HWY_NOINLINE void decide_conservatively(const Block<Real>& block, BlockAnswer& answer) {
-  const D d;
-  constexpr std::size_t lanes = hn::MaxLanes(D());
-  std::uint64_t pending[block_size / 64] = {}, any = 0;
-  const auto vector = [&](const Block<Real>& from, std::size_t at, std::size_t count, std::size_t i) HWY_ATTR {
-    auto found = Conservative<D>::answer(load<false>(d, from, at));
-    if (!hn::AllFalse(d, found.unknown)) {
-      const auto scaled = Conservative<D>::answer_scaled(load<false>(d, from, at));
-      found = {hn::Or(found.separated, hn::And(found.unknown, scaled.separated)),
-               hn::And(found.unknown, scaled.unknown)};
-    }
-    const std::uint64_t unknown = bits_of(d, found.unknown) & low_bits(count);
-    answer.contact[i / 64] |= (~(bits_of(d, found.separated) | unknown) & low_bits(count)) << (i % 64);
-    pending[i / 64] |= unknown << (i % 64);
-    any |= unknown;
-  };
-  std::size_t i = 0;
-  for (; i + lanes <= block.size; i += lanes) vector(block, i, lanes, i);
-  if (i < block.size) {
-    const Tail<Real, lanes> tail(block, i);
-    vector(tail.block, 0, block.size - i, i);
-  }
-  if (any != 0) settle_conservatively<D>(block, pending, answer);
-}
 
 // D takes the queries of the block, D2 those that are left over.
 template <class D, class D2, class Real = hn::TFromD<D>>

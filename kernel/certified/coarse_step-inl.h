@@ -17,7 +17,12 @@ using axiscert::HWY_NAMESPACE::cross, axiscert::HWY_NAMESPACE::dot, axiscert::HW
 template <class D, bool fused = true>
 struct Lanes {
   using V = hn::Vec<D>;
+  static constexpr double unit = unit_roundoff<hn::TFromD<D>>;
   V v;
+  AXISCERT_INLINE V leading() const { return v; }
+  AXISCERT_INLINE Lanes zero_where(hn::Mask<D> mask) const { return {hn::IfThenZeroElse(mask, v)}; }
+  AXISCERT_INLINE static Lanes difference(V x, V y) { return {hn::Sub(x, y)}; }
+  AXISCERT_INLINE static Lanes square(V x) { return {hn::Mul(x, x)}; }
   AXISCERT_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) { return {hn::Add(a.v, b.v)}; }
   AXISCERT_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) { return {hn::Sub(a.v, b.v)}; }
   AXISCERT_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) { return {hn::Mul(a.v, b.v)}; }
@@ -53,6 +58,24 @@ struct Decided {
   hn::Mask<D> separated, contact;
 };
 
+// What is certain of one axis: its radius comparison holds, its sides hold, one of them fails.
+template <class D>
+struct AxisMasks {
+  hn::Mask<D> radius, sides, fails;
+};
+// As Known's bits.
+template <class D>
+AXISCERT_INLINE void note(D d, const AxisMasks<D>& masks, int axis, hn::Vec<hn::RebindToUnsigned<D>>& known) {
+  const hn::RebindToUnsigned<D> words;
+  const auto add = [&](hn::Mask<D> mask, int bit) HWY_ATTR {
+    const auto one = hn::Set(words, std::uint64_t{1} << (bit + axis));
+    known = hn::Or(known, hn::And(hn::BitCast(words, hn::VecFromMask(d, mask)), one));
+  };
+  add(masks.fails, Known::fails);
+  add(masks.radius, Known::radius);
+  add(masks.sides, Known::sides);
+}
+
 // The thresholds of a query of magnitude S whose triangle has the size E, and what margins are to them: the greatest of
 // the axes of each degree.
 template <class D, bool fused>
@@ -76,6 +99,10 @@ struct CoarseLimits {
     return hn::And(hn::And(hn::Lt(vertices.v, hn::Neg(degree2.v)), hn::Lt(edges.v, hn::Neg(degree4.v))),
                    hn::Lt(plane.v, hn::Neg(degree6.v)));
   }
+  // Sizes that the deep step's range (Margins::in_range) mostly holds; it looks itself.
+  AXISCERT_INLINE static hn::Mask<D> in_deep_range(const T& S) {
+    return hn::And(hn::Ge(S.v, hn::Set(D(), Real{0x1p-100})), hn::Le(S.v, hn::Set(D(), Real{0x1p198})));
+  }
   // S is neither in the range nor out of it where a number is not finite; r >= 0 has to be asked.
   AXISCERT_INLINE static hn::Mask<D> in_range(const T& S, const T& r) {
     return hn::And(
@@ -84,39 +111,93 @@ struct CoarseLimits {
   }
 };
 
+// The sixteen margins.
 template <class D, bool fused>
-AXISCERT_INLINE Decided<D> coarse_step(D d, const Problem<Lanes<D, fused>>& q) {
+struct CoarseMargins {
   using T = Lanes<D, fused>;
   using Real = hn::TFromD<D>;
-  const auto constant = [d](double x) HWY_ATTR { return T{hn::Set(d, static_cast<Real>(x))}; };
-  const Vec3<T> A = q.a - q.p, B = q.b - q.p, C = q.c - q.p;
-  const Vec3<T> AB = q.b - q.a, BC = q.c - q.b, CA = q.a - q.c;
-  const T aa = dot(A, A), bb = dot(B, B), cc = dot(C, C), rr = q.r * q.r;
-  const T e1 = dot(AB, AB), e2 = dot(BC, BC), e3 = dot(CA, CA);
-  const T S = ((aa + bb) + cc) + rr;
-  const T E = ((e1 + e2) + e3) + constant(least_relative_triangle) * S;
-
-  // 2 A.AB = (B.B - A.A) - e1, and so on.
-  const T ab = bb - aa, ac = cc - aa, bc = cc - bb;
-  const T vertex_a = least(least(aa - rr, ab - e1), ac - e3);
-  const T vertex_b = least(least(bb - rr, -ab - e1), bc - e2);
-  const T vertex_c = least(least(cc - rr, -ac - e3), -bc - e2);
-  const T vertices = greatest(greatest(vertex_a, vertex_b), vertex_c);
-
-  const Vec3<T> V = cross(CA, AB);  // AB x AC
-  const auto edge = [&](const Vec3<T>& from, const Vec3<T>& along, const T& e) HWY_ATTR {
-    const Vec3<T> N = cross(from, along);
-    return least(T::minus_product(dot(N, N), rr, e), -dot(N, V));
+  struct Vertex {
+    T radius, away, towards;
   };
-  const T edges = greatest(greatest(edge(A, AB, e1), edge(B, BC, e2)), edge(C, CA, e3));
+  struct Edge {
+    T radius, side;
+  };
+  Vertex vertex[3];
+  T plane;
+  Edge edge[3];
+  T S, E, r;
 
-  const T offset = dot(A, V);
-  const T plane = T::minus_product(offset * offset, rr, dot(V, V));
+  AXISCERT_INLINE explicit CoarseMargins(const Problem<T>& q) : r(q.r) {
+    const auto constant = [](double x) HWY_ATTR { return T{hn::Set(D(), static_cast<Real>(x))}; };
+    const Vec3<T> A = q.a - q.p, B = q.b - q.p, C = q.c - q.p;
+    const Vec3<T> AB = q.b - q.a, BC = q.c - q.b, CA = q.a - q.c;
+    const T aa = dot(A, A), bb = dot(B, B), cc = dot(C, C), rr = q.r * q.r;
+    const T e1 = dot(AB, AB), e2 = dot(BC, BC), e3 = dot(CA, CA);
+    S = ((aa + bb) + cc) + rr;
+    E = ((e1 + e2) + e3) + constant(least_relative_triangle) * S;
 
-  const CoarseLimits<D, fused> limits(S, E);
-  const auto in_range = limits.in_range(S, q.r);
-  return {hn::And(in_range, limits.any_beyond(vertices, edges, plane)),
-          hn::And(in_range, limits.all_within(vertices, edges, plane))};
+    // 2 A.AB = (B.B - A.A) - e1, and so on.
+    const T ab = bb - aa, ac = cc - aa, bc = cc - bb;
+    vertex[0] = {aa - rr, ab - e1, ac - e3};
+    vertex[1] = {bb - rr, bc - e2, -ab - e1};
+    vertex[2] = {cc - rr, -ac - e3, -bc - e2};
+
+    const Vec3<T> V = cross(CA, AB);  // AB x AC
+    const auto of_edge = [&](const Vec3<T>& from, const Vec3<T>& along, const T& e) HWY_ATTR {
+      const Vec3<T> N = cross(from, along);
+      return Edge{T::minus_product(dot(N, N), rr, e), -dot(N, V)};
+    };
+    edge[0] = of_edge(A, AB, e1);
+    edge[1] = of_edge(B, BC, e2);
+    edge[2] = of_edge(C, CA, e3);
+
+    const T offset = dot(A, V);
+    plane = T::minus_product(offset * offset, rr, dot(V, V));
+  }
+};
+
+// The same of each comparison, in doubles: Known's bits, of lanes in the range of the step.
+template <class D, bool fused>
+AXISCERT_INLINE hn::Vec<hn::RebindToUnsigned<D>> coarsely_known(D d, const CoarseMargins<D, fused>& m,
+                                                                const CoarseLimits<D, fused>& limits) {
+  using T = Lanes<D, fused>;
+  const auto all = hn::Eq(hn::Zero(d), hn::Zero(d));
+  auto known = hn::Zero(hn::RebindToUnsigned<D>());
+  const auto sides_of = [&](const T& side, const T& degree, AxisMasks<D>& axis) HWY_ATTR {
+    axis.sides = hn::Gt(side.v, degree.v);
+    axis.fails = hn::Or(axis.fails, hn::Lt(side.v, hn::Neg(degree.v)));
+  };
+  const auto radius = [&](const T& margin, const T& degree) HWY_ATTR {
+    return AxisMasks<D>{hn::Gt(margin.v, degree.v), all, hn::Lt(margin.v, hn::Neg(degree.v))};
+  };
+  for (int i = 0; i < 3; ++i) {
+    AxisMasks<D> vertex = radius(m.vertex[i].radius, limits.degree2), edge = radius(m.edge[i].radius, limits.degree4);
+    sides_of(least(m.vertex[i].away, m.vertex[i].towards), limits.degree2, vertex);
+    sides_of(m.edge[i].side, limits.degree4, edge);
+    note(d, vertex, Known::vertex_axis + i, known);
+    note(d, edge, Known::edge_axis + i, known);
+  }
+  note(d, radius(m.plane, limits.degree6), Known::plane_axis, known);
+  return known;
+}
+
+template <class D, bool fused>
+AXISCERT_INLINE Decided<D> coarse_step(const CoarseMargins<D, fused>& m, const CoarseLimits<D, fused>& limits) {
+  using T = Lanes<D, fused>;
+  const auto of_vertex = [&](int i) HWY_ATTR {
+    return least(least(m.vertex[i].radius, m.vertex[i].away), m.vertex[i].towards);
+  };
+  const auto of_edge = [&](int i) HWY_ATTR { return least(m.edge[i].radius, m.edge[i].side); };
+  const T vertices = greatest(greatest(of_vertex(0), of_vertex(1)), of_vertex(2));
+  const T edges = greatest(greatest(of_edge(0), of_edge(1)), of_edge(2));
+  const auto in_range = limits.in_range(m.S, m.r);
+  return {hn::And(in_range, limits.any_beyond(vertices, edges, m.plane)),
+          hn::And(in_range, limits.all_within(vertices, edges, m.plane))};
+}
+template <class D, bool fused>
+AXISCERT_INLINE Decided<D> coarse_step(D, const Problem<Lanes<D, fused>>& q) {
+  const CoarseMargins<D, fused> margins(q);
+  return coarse_step(margins, CoarseLimits<D, fused>(margins.S, margins.E));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -8,11 +8,25 @@ namespace axiscert::certified {
 // What an earlier step is certain of: bits of the axes A, B, C, ABC, AB, BC, CA, from the first bit of each group.
 // fails: the axis does not separate. radius, sides: these comparisons of the axis hold.
 struct Known {
-  static constexpr int vertex_axis = 0, plane_axis = 3, edge_axis = 4;
+  static constexpr int vertex_axis = 0, plane_axis = 3, edge_axis = 4, axes = 7;
   static constexpr int fails = 0, radius = 8, sides = 16;
   std::uint64_t bits = 0;
 
+  // The comparisons there are: the plane has no sides.
+  static constexpr std::uint64_t comparisons = 0b1111111 << radius | 0b1110111 << sides;
+
+  // A bit an axis: comparisons that are not known, of axes that may still separate.
+  std::uint32_t open_radii() const noexcept { return open(radius); }
+  std::uint32_t open_sides() const noexcept { return open(sides); }
+  bool is_separated() const noexcept { return ((bits >> radius) & (bits >> sides) & 0b1111111) != 0; }
+  bool is_contact() const noexcept { return ((bits >> fails) & 0b1111111) == 0b1111111; }
+
   bool has(int group, int axis) const noexcept { return ((bits >> (group + axis)) & 1u) != 0; }
+
+ private:
+  std::uint32_t open(int group) const noexcept {
+    return static_cast<std::uint32_t>(~((bits >> fails) | (bits >> group)) & (comparisons >> group) & 0b1111111);
+  }
 };
 
 // Whether the sphere is separated from the triangle, for the question asked. The query is valid: finite, r >= 0;

@@ -66,6 +66,7 @@ struct Packing {
 // Queries of a block that a step passed on, packed.
 template <class Real, std::size_t capacity = block_size>
 struct Leftovers {
+  using Number = Real;
   static constexpr std::size_t padding = 16;  // whole vectors are read and written: 16 floats at most
   alignas(64) Real column[13][capacity + padding];
   std::uint16_t index[capacity];  // in the block
@@ -115,6 +116,18 @@ AXISCERT_INLINE void widened(const Block<Real>& block, std::size_t i, double (&q
   const std::size_t of_sphere = block.one_sphere ? 0 : i;
   for (std::size_t k = 9; k < 13; ++k) q[k] = static_cast<double>(block.column[k][of_sphere]);
 }
+
+constexpr int stored_exponent(std::uint64_t bits) { return static_cast<int>((bits >> 52) & 0x7ff); }
+
+// Finite, r >= 0.
+inline bool is_valid(const double (&q)[13]) {
+  for (const double x : q) {
+    if (stored_exponent(std::bit_cast<std::uint64_t>(x)) == 0x7ff) return false;
+  }
+  return q[12] >= 0;
+}
+
+inline void set_bit(std::uint64_t* words, std::size_t i) { words[i / 64] |= std::uint64_t{1} << (i % 64); }
 
 // A copy of what is left after whole vectors, so that no lane reads outside the block.
 template <class Real, std::size_t lanes>

@@ -35,7 +35,8 @@
 // 2^-20 S, 2^-40.4 S^2 and 2^-61.4 S^3 in binary32, 2^-49 S, 2^-69.4 S^2, 2^-90.4 S^3 in binary64: with S >= 2^-21
 // (2^-300) the worst of these terms is below 2^-24 of its threshold, and every threshold is a normal number.
 //
-// The fine step is evaluated in doubles, with a bound for each margin from the leaves of its own:
+// The fine step is evaluated in doubles, the deep one in pairs of them, with a bound for each margin from the leaves of
+// its own:
 // docs/error_model.md, "The bounds of lanes", where |x|o is the greatest component of a leaf and |x|1 the sum of three.
 #pragma once
 
@@ -53,8 +54,8 @@ inline constexpr Real least_square = sizeof(Real) == 4 ? static_cast<Real>(filte
 template <class Real>
 inline constexpr Real greatest_square = sizeof(Real) == 4 ? static_cast<Real>(0x1p38) : static_cast<Real>(0x1p300);
 
-// binary64 in doubles: a leaf and the radius are zero or in [2^-100, 2^100], so that underflow is below 2^-200 of a
-// bound; binary32 in doubles needs no such guard (docs/error_model.md).
+// binary64 in doubles, and all in pairs: a leaf and the radius are zero or in [2^-100, 2^100], so that underflow is
+// below 2^-200 of a bound; binary32 in doubles needs no such guard (docs/error_model.md).
 inline constexpr double least_fine_leaf = 0x1p-100, greatest_fine_leaf = 0x1p100;
 
 }  // namespace axiscert::certified

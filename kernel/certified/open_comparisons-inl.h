@@ -1,0 +1,162 @@
+// What a step in doubles left open: comparison by comparison through the deep step, those of a kind together. No guard:
+// included once for each of Highway's instruction sets, after deep_step-inl.h and leftovers-inl.h.
+HWY_BEFORE_NAMESPACE();
+namespace axiscert::certified {
+namespace HWY_NAMESPACE {
+
+// Known's bits of at most one open comparison.
+template <class D>
+AXISCERT_INLINE hn::Mask<D> has_one_open(D d, hn::Vec<hn::RebindToUnsigned<D>> known) {
+  const hn::RebindToUnsigned<D> words;
+  const auto fails = hn::And(known, hn::Set(words, 0b1111111 << Known::fails));
+  const auto closed = hn::Or(known, hn::Or(hn::ShiftLeft<Known::radius>(fails), hn::ShiftLeft<Known::sides>(fails)));
+  const auto open = hn::AndNot(closed, hn::Set(words, Known::comparisons));
+  return hn::RebindMask(d, hn::Eq(hn::And(open, hn::Sub(open, hn::Set(words, 1))), hn::Zero(words)));
+}
+
+// Of the queries of `Left`, in their places there.
+template <class D, class Left>
+class OpenComparisons {
+ public:
+  using Number = typename Left::Number;
+
+  // block: the same queries.
+  OpenComparisons(const Left& left, const Block<Number>& block, bool open_sphere) noexcept
+      : left_(left), open_(open_sphere), sphere_stride_(block.one_sphere ? 0 : 1) {
+    std::copy(block.column + 9, block.column + 13, sphere_);
+  }
+
+  // The queries at first..first + lanes, those of `mask`, of which this much is known.
+  AXISCERT_INLINE void add(std::size_t first, std::uint64_t mask, hn::Vec<hn::RebindToUnsigned<D>> known) noexcept {
+    if (mask == 0) return;
+    store(first, known);
+    for (; mask != 0; mask &= mask - 1) add(first + static_cast<std::size_t>(std::countr_zero(mask)));
+  }
+
+  // The same, of which nothing more is asked.
+  AXISCERT_INLINE void add_unasked(std::size_t first, std::uint64_t mask,
+                                   hn::Vec<hn::RebindToUnsigned<D>> known) noexcept {
+    if (mask == 0) return;
+    store(first, known);
+    for (; mask != 0; mask &= mask - 1) list(first + static_cast<std::size_t>(std::countr_zero(mask)));
+  }
+
+  // take(place, known) for each query, with all that is known now.
+  template <class Take>
+  void finish(Take&& take) noexcept {
+    for (std::size_t kind = 0; kind < comparing_count; ++kind) {
+      if (queue_[kind].size >= worth_asking) answer(static_cast<Comparing>(kind));
+    }
+    for (std::size_t i = 0; i < size_; ++i) take(std::size_t{places_[i]}, Known{known_[places_[i]]});
+  }
+
+ private:
+  static constexpr std::size_t lanes = hn::MaxLanes(D()), capacity = 2 * lanes;
+  // Fewer at the end are left to the last step, which costs a query about as much as the deep step a vector's fifth.
+  static constexpr std::size_t worth_asking = lanes == 1 ? 1 : lanes / 2 + 1;
+  static constexpr Comparing radius_of_[Known::axes] = {
+      Comparing::vertex_radius, Comparing::vertex_radius, Comparing::vertex_radius, Comparing::plane_radius,
+      Comparing::edge_radius,   Comparing::edge_radius,   Comparing::edge_radius};
+  static constexpr Comparing sides_of_[Known::axes] = {
+      Comparing::vertex_sides, Comparing::vertex_sides, Comparing::vertex_sides, {},
+      Comparing::edge_side,    Comparing::edge_side,    Comparing::edge_side};
+  // The first columns of the vertices that become A, B and C.
+  struct Turn {
+    std::uint8_t a, b, c;
+  };
+  static constexpr Turn turn_of_[Known::axes] = {{0, 3, 6}, {3, 6, 0}, {6, 0, 3}, {0, 3, 6},
+                                                 {0, 3, 6}, {3, 6, 0}, {6, 0, 3}};
+
+  struct Queue {
+    alignas(64) Number column[13][capacity];
+    std::uint16_t place[capacity];
+    std::uint8_t axis[capacity];
+    std::size_t size = 0;
+  };
+
+  AXISCERT_INLINE void store(std::size_t first, hn::Vec<hn::RebindToUnsigned<D>> known) noexcept {
+    hn::StoreU(known, hn::RebindToUnsigned<D>(), known_ + first);
+  }
+  AXISCERT_INLINE void list(std::size_t place) noexcept { places_[size_++] = static_cast<std::uint16_t>(place); }
+  AXISCERT_INLINE void add(std::size_t place) noexcept {
+    list(place);
+    const Known known{known_[place]};
+    for (std::uint32_t rest = known.open_radii(); rest != 0; rest &= rest - 1) {
+      ask(radius_of_[std::countr_zero(rest)], std::countr_zero(rest), place);
+    }
+    for (std::uint32_t rest = known.open_sides(); rest != 0; rest &= rest - 1) {
+      ask(sides_of_[std::countr_zero(rest)], std::countr_zero(rest), place);
+    }
+  }
+  AXISCERT_INLINE void ask(Comparing what, int axis, std::size_t place) noexcept {
+    Queue& queue = queue_[static_cast<std::size_t>(what)];
+    const std::size_t at = queue.size++;
+    const auto copy = [&](std::size_t to, const Number* from) { queue.column[to][at] = *from; };
+    const auto copy_vertex = [&](std::size_t to, std::size_t from) {
+      copy(to, left_.column[from] + place);
+      copy(to + 1, left_.column[from + 1] + place);
+      copy(to + 2, left_.column[from + 2] + place);
+    };
+    const Turn& turn = turn_of_[axis];
+    copy_vertex(0, turn.a);
+    copy_vertex(3, turn.b);
+    copy_vertex(6, turn.c);
+    const std::size_t of_sphere = place * sphere_stride_;
+    copy(9, sphere_[0] + of_sphere);
+    copy(10, sphere_[1] + of_sphere);
+    copy(11, sphere_[2] + of_sphere);
+    copy(12, sphere_[3] + of_sphere);
+    queue.place[at] = static_cast<std::uint16_t>(place);
+    queue.axis[at] = static_cast<std::uint8_t>(axis);
+    if (queue.size == capacity) answer(what);
+  }
+
+  HWY_NOINLINE void answer(Comparing what) noexcept {
+    switch (what) {
+      case Comparing::vertex_radius: return answer<Comparing::vertex_radius>(Known::radius);
+      case Comparing::vertex_sides: return answer<Comparing::vertex_sides>(Known::sides);
+      case Comparing::edge_radius: return answer<Comparing::edge_radius>(Known::radius);
+      case Comparing::edge_side: return answer<Comparing::edge_side>(Known::sides);
+      case Comparing::plane_radius: return answer<Comparing::plane_radius>(Known::radius);
+    }
+  }
+  template <Comparing what>
+  HWY_NOINLINE void answer(int group) noexcept {
+    Queue& queue = queue_[static_cast<std::size_t>(what)];
+    const std::size_t end = (queue.size + lanes - 1) / lanes * lanes;
+    for (std::size_t i = queue.size; i < end; ++i) {
+      for (auto& column : queue.column) column[i] = 0;
+    }
+    for (std::size_t first = 0; first < end; first += lanes) answer<what>(queue, first, group);
+    queue.size = 0;
+  }
+
+  template <Comparing what>
+  AXISCERT_INLINE void answer(const Queue& queue, std::size_t first, int group) noexcept {
+    const D d;
+    Block<Number> queries{{}, lanes, false};
+    for (std::size_t k = 0; k < 13; ++k) queries.column[k] = queue.column[k] + first;
+    const DeepStep<D> step(d, load(d, queries, 0), open_);
+    const auto found = step.template answer<what>();
+    const std::uint64_t holds = bits_of(d, found.holds), fails = bits_of(d, found.fails);
+    const std::size_t count = std::min(queue.size - first, lanes);
+    for (std::size_t i = 0; i < count; ++i) {
+      const int axis = queue.axis[first + i];
+      known_[queue.place[first + i]] |=
+          (((holds >> i) & 1u) << (group + axis)) | (((fails >> i) & 1u) << (Known::fails + axis));
+    }
+  }
+
+  const Left& left_;
+  const Number* sphere_[4];
+  const bool open_;
+  const std::size_t sphere_stride_;
+  std::uint64_t known_[block_size + lanes];  // Known's bits, of the places that are in places_
+  std::uint16_t places_[block_size];
+  std::size_t size_ = 0;
+  Queue queue_[comparing_count];
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace axiscert::certified
+HWY_AFTER_NAMESPACE();
