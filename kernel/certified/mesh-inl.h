@@ -1,6 +1,6 @@
-// One sphere against a chunk of triangles of an indexed mesh. Those beyond one face of the sphere's box are told by their
-// vertices and never gathered; the rest are made blocks. No guard: included once for each of Highway's instruction sets,
-// after block-inl.h and outcodes-inl.h.
+// One sphere against a chunk of triangles of an indexed mesh. Those beyond one face of the sphere's box are told by
+// their vertices and never gathered; the rest are made blocks. No guard: included once for each of Highway's
+// instruction sets, after block-inl.h and outcodes-inl.h.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
@@ -123,8 +123,7 @@ class MeshSteps {
       }
       const std::uint32_t* v = vertices_of(i);
       const auto a = load(v[0]), b = load(v[1]), c = load(v[2]);
-      const auto beyond =
-          hn::Or(hn::Lt(hn::Max(hn::Max(a, b), c), low), hn::Gt(hn::Min(hn::Min(a, b), c), high));
+      const auto beyond = hn::Or(hn::Lt(hn::Max(hn::Max(a, b), c), low), hn::Gt(hn::Min(hn::Min(a, b), c), high));
       const auto sum = hn::Add(hn::Add(a, b), c);
       // Not Ne, which on AVX-512 is false of a NaN.
       const bool is_finite = hn::AllTrue(d, hn::Or(fourth, hn::Eq(hn::Sub(sum, sum), hn::Zero(d))));
@@ -150,14 +149,16 @@ class MeshSteps {
         }
       }
     };
-    ask(count, [&](std::size_t i) { return std::size_t{place[i]}; },
+    ask(
+        count, [&](std::size_t i) { return std::size_t{place[i]}; },
         [&](const BlockAnswer& found, std::size_t first, std::size_t size) {
           scatter(found.contact, answer_.contact, place + first, size);
           scatter(found.invalid, answer_.invalid, place + first, size);
         });
   }
   HWY_NOINLINE void ask_all() noexcept {
-    ask(mesh_.size, [](std::size_t i) { return i; },
+    ask(
+        mesh_.size, [](std::size_t i) { return i; },
         [&](const BlockAnswer& found, std::size_t first, std::size_t size) {
           std::memcpy(answer_.contact + first / 64, found.contact, words(size) * sizeof *found.contact);
           std::memcpy(answer_.invalid + first / 64, found.invalid, words(size) * sizeof *found.invalid);

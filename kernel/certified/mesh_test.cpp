@@ -65,9 +65,10 @@ struct Ground {
 template <class Real>
 std::vector<std::array<Real, 4>> spheres() {
   constexpr Real nan = std::numeric_limits<Real>::quiet_NaN(), infinity = std::numeric_limits<Real>::infinity();
-  return {{50, 50, 0, 3},  {50, 50, 2, 1},       {Real(49.6), 47, Real(0.5), Real(2.2)}, {0, 0, 0, 2}, {99, 99, 0, 0},
-          {50, 50, 9, 3},  {50, 50, -8, 60},     {50, 50, 0, -3},
-          {50, nan, 0, 3}, {50, 50, 0, infinity}, {-infinity, 50, 0, 3}};
+  return {{50, 50, 0, 3},        {50, 50, 2, 1},       {Real(49.6), 47, Real(0.5), Real(2.2)},
+          {0, 0, 0, 2},          {99, 99, 0, 0},       {50, 50, 9, 3},
+          {50, 50, -8, 60},      {50, 50, 0, -3},      {50, nan, 0, 3},
+          {50, 50, 0, infinity}, {-infinity, 50, 0, 3}};
 }
 
 // How the triangles lie: in the order of the vertices, in the reverse, by turns from either end, and anyhow.
@@ -77,8 +78,10 @@ std::vector<std::vector<std::uint32_t>> orders(std::size_t size) {
   std::vector<std::uint32_t> backwards(forwards.rbegin(), forwards.rend()), turns, shuffled = forwards;
   for (std::size_t from = 0; from < size / 2; from += mesh_chunk_size) {
     const std::size_t end = std::min(from + mesh_chunk_size, size / 2);
-    turns.insert(turns.end(), forwards.begin() + static_cast<std::ptrdiff_t>(from), forwards.begin() + static_cast<std::ptrdiff_t>(end));
-    turns.insert(turns.end(), backwards.begin() + static_cast<std::ptrdiff_t>(from), backwards.begin() + static_cast<std::ptrdiff_t>(end));
+    turns.insert(turns.end(), forwards.begin() + static_cast<std::ptrdiff_t>(from),
+                 forwards.begin() + static_cast<std::ptrdiff_t>(end));
+    turns.insert(turns.end(), backwards.begin() + static_cast<std::ptrdiff_t>(from),
+                 backwards.begin() + static_cast<std::ptrdiff_t>(end));
   }
   std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937_64(seed));
   return {forwards, backwards, turns, shuffled};
@@ -149,12 +152,18 @@ TYPED_TEST(MeshTest, IsThePairsAnswerOnEveryInstructionSetInEveryOrder) {
           for (const std::uint32_t t : order) expected.push_back(by_pair[t]);
           const Ground<Real> in_order = ordered(ground, order);
           for (const std::string& target : simd_targets()) {
-            SCOPED_TRACE(target + ", order " + std::to_string(o) + ", stride " + std::to_string(stride) + ", question " +
-                         std::to_string(question) + ", sphere " + at);
+            SCOPED_TRACE(target + ", order " + std::to_string(o) + ", stride " + std::to_string(stride) +
+                         ", question " + std::to_string(question) + ", sphere " + at);
             Outcodes of_range, of_list;
             const Forms& forms = table.on(target);
-            ASSERT_EQ(first_difference(verdicts(forms, in_order, nullptr, order.size(), sphere.data(), question, of_range), expected), "");
-            ASSERT_EQ(first_difference(verdicts(forms, ground, order.data(), order.size(), sphere.data(), question, of_list), expected), "");
+            ASSERT_EQ(
+                first_difference(verdicts(forms, in_order, nullptr, order.size(), sphere.data(), question, of_range),
+                                 expected),
+                "");
+            ASSERT_EQ(
+                first_difference(verdicts(forms, ground, order.data(), order.size(), sphere.data(), question, of_list),
+                                 expected),
+                "");
           }
         }
       }
@@ -165,12 +174,44 @@ TYPED_TEST(MeshTest, IsThePairsAnswerOnEveryInstructionSetInEveryOrder) {
   EXPECT_GT(counts[AXISCERT_INVALID], 1000);
 }
 
-// That the other test asks all of the ways.
+// One triangle far from the others, at each place of chunks that are no whole vectors; and no code is right before it
+// has been computed.
+TYPED_TEST(MeshTest, SeesTheOneTriangleThatIsFarFromTheOthers) {
+  using Real = TypeParam;
+  const SimdTable<Forms> table([] { return chosen_forms(); });
+  const std::array<Real, 4> sphere{2, 4, 0, Real(0.5)};
+  const std::uint32_t near = 3 * 2 * (side - 1) + 4;  // its vertices: 302, 303, 402; the last touches
+  Ground<Real> ground(3);
+  ASSERT_EQ(ground.pair_by_pair(sphere.data(), AXISCERT_CLOSED_SPHERE)[near], AXISCERT_CONTACT);
+  for (std::size_t size = 64; size < 90; ++size) {
+    for (std::size_t place = 0; place < size; ++place) {
+      std::vector<std::uint32_t> order(size, 0);
+      std::vector<std::uint8_t> expected(size, AXISCERT_SEPARATED);
+      order[place] = near;
+      expected[place] = AXISCERT_CONTACT;
+      const Ground<Real> in_order = ordered(ground, order);
+      for (const std::string& target : simd_targets()) {
+        Outcodes outcodes;
+        outcodes.are_useful = true;  // or else the one triangle may be the one tried
+        std::fill(std::begin(outcodes.code), std::end(outcodes.code), std::uint8_t{63});
+        ASSERT_EQ(first_difference(verdicts(table.on(target), in_order, nullptr, size, sphere.data(),
+                                            AXISCERT_CLOSED_SPHERE, outcodes),
+                                   expected),
+                  "")
+            << target << ", " << size << " triangles";
+        ASSERT_EQ(outcodes.end, 403u);
+      }
+    }
+  }
+}
+
+// That the first test asks all of the ways.
 TYPED_TEST(MeshTest, TakesTheTableOrTheVerticesOrNeither) {
   using Real = TypeParam;
   const Ground<Real> ground(3);
   const auto all_orders = orders(ground.size());
-  const auto after = [&](const std::vector<std::uint32_t>& order, const std::array<Real, 4>& sphere, axiscert_question question) {
+  const auto after = [&](const std::vector<std::uint32_t>& order, const std::array<Real, 4>& sphere,
+                         axiscert_question question) {
     Outcodes outcodes;
     verdicts(chosen_forms(), ground, order.data(), order.size(), sphere.data(), question, outcodes);
     return outcodes;
@@ -178,7 +219,8 @@ TYPED_TEST(MeshTest, TakesTheTableOrTheVerticesOrNeither) {
   const std::array<Real, 4> small{50, 50, 0, 3}, large{50, 50, 0, 90};
   for (std::size_t o = 0; o < all_orders.size(); ++o) {
     EXPECT_TRUE(after(all_orders[o], small, AXISCERT_CLOSED_SPHERE).are_useful);
-    EXPECT_EQ(after(all_orders[o], small, AXISCERT_CLOSED_SPHERE).end != 0, o < 3) << "the table, where vertices are near";
+    EXPECT_EQ(after(all_orders[o], small, AXISCERT_CLOSED_SPHERE).end != 0, o < 3)
+        << "the table, where vertices are near";
     EXPECT_FALSE(after(all_orders[o], large, AXISCERT_CLOSED_SPHERE).are_useful);
     EXPECT_EQ(after(all_orders[o], small, AXISCERT_CONSERVATIVE).end, 0u);
   }
