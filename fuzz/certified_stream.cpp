@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint32_t side = 2049;  // vertices a side: 2^23 triangles, 288 MiB of binary32
 constexpr std::size_t triangle_count = std::size_t{2} * (side - 1) * (side - 1);
-constexpr int repetitions = 5;
+constexpr int repetitions = 9;
 
 // Rolling ground of one unit a cell, as an indexed mesh and as columns.
 template <class Real>
@@ -74,19 +74,21 @@ std::uint64_t sum_of(const std::vector<Element>& all) {
   return sum;
 }
 
-double median_seconds(const std::function<void()>& pass) {
-  std::vector<double> seconds;
-  for (int i = 0; i < repetitions; ++i) {
-    const double start = thread_seconds();
-    pass();
-    seconds.push_back(thread_seconds() - start);
-  }
-  return median(seconds);
+double seconds(const std::function<void()>& pass) {
+  const double start = thread_seconds();
+  pass();
+  return thread_seconds() - start;
 }
 
+// By turns, so that what else the machine does befalls both.
 void print_row(std::string_view shape, Precision precision, std::size_t bytes, const std::function<void()>& ask,
                const std::function<void()>& read) {
-  const double asked = median_seconds(ask), plain = median_seconds(read), size = static_cast<double>(bytes);
+  std::vector<double> asks, reads;
+  for (int i = 0; i < repetitions; ++i) {
+    asks.push_back(seconds(ask));
+    reads.push_back(seconds(read));
+  }
+  const double asked = median(asks), plain = median(reads), size = static_cast<double>(bytes);
   fmt::print("| {} | {} | {:.0f} | {:.2f} | {:.1f} | {:.1f} | {:.0f} % |\n", shape, name(precision), size / 0x1p20,
              asked / static_cast<double>(triangle_count) * 1e9, size / asked * 1e-9, size / plain * 1e-9,
              100 * plain / asked);
