@@ -46,7 +46,7 @@ class MeshSteps {
     return true;
   }
 
-  // Of a triangle in 64.
+  // Most of those tried, one in 64.
   AXISCERT_INLINE bool separates_most(const SphereBox<Real>& box) const noexcept {
     std::size_t separated = 0;
     for (std::size_t i = 32; i < mesh_.size; i += 64) {
