@@ -48,7 +48,8 @@ typedef struct axiscert_counts {
 } axiscert_counts;
 
 /* An indexed mesh: vertex v begins at vertices[v * stride], stride >= 3; triangle t is indices[3 t], [3 t + 1],
- * [3 t + 2]. Nothing checks the indices. */
+ * [3 t + 2]. Nothing checks the indices. Between the least and the greatest vertex of the triangles asked, others may
+ * be read too, whatever they are. */
 typedef struct axiscert_mesh_f32 {
   const float* vertices;
   size_t stride;

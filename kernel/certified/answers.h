@@ -8,7 +8,8 @@
 
 namespace axiscert::certified {
 
-inline void write_verdicts(const BlockAnswer& answer, std::size_t size, std::uint8_t* out) noexcept {
+template <std::size_t most>
+void write_verdicts(const Answer<most>& answer, std::size_t size, std::uint8_t* out) noexcept {
   // Eight bits to eight bytes of 0 or 1.
   const auto spread = [](std::uint64_t bits) {
     const std::uint64_t each = ((bits & 0xff) * 0x0101010101010101ull) & 0x8040201008040201ull;

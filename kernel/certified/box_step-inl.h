@@ -8,6 +8,28 @@ HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
 
+// Where px py pz r is no sphere, nothing is beyond.
+template <class Real>
+struct SphereBox {
+  Real low[3], high[3];
+
+  AXISCERT_INLINE SphereBox(Real px, Real py, Real pz, Real r) {
+    constexpr Real infinity = std::numeric_limits<Real>::infinity();
+    const Real p[3] = {px, py, pz};
+    const bool is_sphere = r >= 0 && ((px - px) + (py - py)) + ((pz - pz) + (r - r)) == 0;
+    for (int k = 0; k < 3; ++k) {
+      low[k] = is_sphere ? p[k] - r : -infinity;
+      high[k] = is_sphere ? p[k] + r : infinity;
+    }
+  }
+  // The faces that a vertex is beyond, a bit each.
+  AXISCERT_INLINE unsigned beyond(const Real* x) const {
+    unsigned faces = 0;
+    for (int k = 0; k < 3; ++k) faces |= unsigned{x[k] < low[k]} << 2 * k | unsigned{x[k] > high[k]} << (2 * k + 1);
+    return faces;
+  }
+};
+
 template <class D>
 class BoxStep {
  public:
@@ -15,22 +37,14 @@ class BoxStep {
   using V = hn::Vec<D>;
   using Real = hn::TFromD<D>;
 
-  AXISCERT_INLINE BoxStep(Real px, Real py, Real pz, Real r) {
-    const Real p[3] = {px, py, pz};
-    // Else there is no query, and nothing beyond.
-    const bool is_sphere = r >= 0 && ((px - px) + (py - py)) + ((pz - pz) + (r - r)) == 0;
-    for (int k = 0; k < 3; ++k) {
-      low_[k] = is_sphere ? p[k] - r : -infinity;
-      high_[k] = is_sphere ? p[k] + r : infinity;
-    }
-  }
+  AXISCERT_INLINE BoxStep(Real px, Real py, Real pz, Real r) : box_(px, py, pz, r) {}
 
   // All of the lanes; false where a coordinate is not finite. An overflowing sum is no harm.
   AXISCERT_INLINE bool all_beyond(const Problem<T>& q) const {
     const D d;
     const auto beyond = [&](const T& a, const T& b, const T& c, int k) HWY_ATTR {
       const V greatest = hn::Max(hn::Max(a.v, b.v), c.v), least = hn::Min(hn::Min(a.v, b.v), c.v);
-      return hn::Or(hn::Lt(greatest, hn::Set(d, low_[k])), hn::Gt(least, hn::Set(d, high_[k])));
+      return hn::Or(hn::Lt(greatest, hn::Set(d, box_.low[k])), hn::Gt(least, hn::Set(d, box_.high[k])));
     };
     const auto any =
         hn::Or(hn::Or(beyond(q.a.x, q.b.x, q.c.x, 0), beyond(q.a.y, q.b.y, q.c.y, 1)), beyond(q.a.z, q.b.z, q.c.z, 2));
@@ -40,8 +54,7 @@ class BoxStep {
   }
 
  private:
-  static constexpr Real infinity = std::numeric_limits<Real>::infinity();
-  Real low_[3], high_[3];
+  SphereBox<Real> box_;
 };
 
 }  // namespace HWY_NAMESPACE

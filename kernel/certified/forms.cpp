@@ -29,6 +29,8 @@
 #include "kernel/certified/conservative_block-inl.h"
 #include "kernel/certified/pair_step-inl.h"
 #include "kernel/certified/block-inl.h"
+#include "kernel/certified/outcodes-inl.h"
+#include "kernel/certified/mesh-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified::HWY_NAMESPACE {
@@ -44,6 +46,8 @@ Forms forms() {
           decide<Doubles, Doubles>,
           decide<OneFloat, OneDouble>,
           decide<OneDouble, OneDouble>,
+          decide_mesh<Floats, Doubles, FourFloats>,
+          decide_mesh<Doubles, Doubles, FourDoubles>,
           decide_pair<FourFloats, OneFloat, OneDouble>,
           decide_pair<FourDoubles, OneDouble, OneDouble>};
 }

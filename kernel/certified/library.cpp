@@ -25,8 +25,8 @@ class Results {
   axiscert_counts counts() const noexcept { return counts_; }
 
   // name(i): what the i-th query of all is called among the hits.
-  template <class Name>
-  void add(const BlockAnswer& answer, std::size_t size, Name&& name) noexcept {
+  template <std::size_t most, class Name>
+  void add(const Answer<most>& answer, std::size_t size, Name&& name) noexcept {
     if (to_.verdict) write_verdicts(answer, size, to_.verdict + first_);
     for (std::size_t w = 0; w * 64 < size; ++w) {
       if (to_.contact) to_.contact[first_ / 64 + w] = answer.contact[w];
@@ -73,29 +73,22 @@ axiscert_counts by_columns(const Real* const* columns, const Real* sphere, std::
   return out.counts();
 }
 
-// number(i): the triangle that is the i-th.
-template <class Real, class Mesh, class Number>
-axiscert_counts by_mesh(const Real* sphere, const Mesh& mesh, std::size_t size, axiscert_question question,
-                        const axiscert_results* results, Number&& number) noexcept {
+// The triangles of a list or, where it is null, those from `first` on.
+template <class Real, class Mesh>
+axiscert_counts by_mesh(const Real* sphere, const Mesh* mesh, const std::uint32_t* list, std::size_t first,
+                        std::size_t size, axiscert_question question, const axiscert_results* results) noexcept {
   Results out(results, static_cast<Question>(question));
   const DefaultModes modes;
-  const auto decide = forms().block<Real>();
-  alignas(64) Real column[9][block_size];
-  Block<Real> block{{}, 0, true};
-  for (std::size_t k = 0; k < 9; ++k) block.column[k] = column[k];
-  for (std::size_t k = 9; k < 13; ++k) block.column[k] = sphere + (k - 9);
-  for (std::size_t first = 0; first < size; first += block_size) {
-    block.size = block_from(first, size);
-    for (std::size_t i = 0; i < block.size; ++i) {
-      const std::uint32_t* vertices = mesh.indices + 3 * std::size_t{number(first + i)};
-      for (std::size_t v = 0; v < 3; ++v) {
-        const Real* from = mesh.vertices + mesh.stride * vertices[v];
-        for (std::size_t k = 0; k < 3; ++k) column[3 * v + k][i] = from[k];
-      }
-    }
-    BlockAnswer answer;
-    decide(block, out.question(), answer);
-    out.add(answer, block.size, number);
+  const auto decide = forms().mesh<Real>();
+  Outcodes outcodes;
+  MeshChunk<Real> chunk{sphere, mesh->vertices, mesh->stride, mesh->indices + 3 * first, list, 0};
+  for (std::size_t rest = size; rest != 0; rest -= chunk.size) {
+    chunk.size = rest < mesh_chunk_size ? rest : mesh_chunk_size;
+    MeshAnswer answer;
+    decide(chunk, out.question(), outcodes, answer);
+    out.add(answer, chunk.size, [list, first](std::size_t i) { return list ? list[i] : first + i; });
+    if (list) chunk.list += chunk.size;
+    else chunk.indices += 3 * chunk.size;
   }
   return out.counts();
 }
@@ -108,17 +101,6 @@ axiscert_verdict pair(const Real* triangle, const Real* sphere, axiscert_questio
     forms().pair<Real>()(triangle, sphere, static_cast<Question>(question), answer);
   }
   return answer.invalid[0] ? AXISCERT_INVALID : answer.contact[0] ? AXISCERT_CONTACT : AXISCERT_SEPARATED;
-}
-
-template <class Real, class Mesh>
-axiscert_counts by_list(const Real* sphere, const Mesh* mesh, const std::uint32_t* triangle, std::size_t count,
-                        axiscert_question question, const axiscert_results* results) noexcept {
-  return by_mesh(sphere, *mesh, count, question, results, [triangle](std::size_t i) { return triangle[i]; });
-}
-template <class Real, class Mesh>
-axiscert_counts by_range(const Real* sphere, const Mesh* mesh, std::size_t first, std::size_t count,
-                         axiscert_question question, const axiscert_results* results) noexcept {
-  return by_mesh(sphere, *mesh, count, question, results, [first](std::size_t i) { return first + i; });
 }
 
 }  // namespace
@@ -151,20 +133,20 @@ axiscert_counts axiscert_triangles_f64(const double* sphere, const double* const
 axiscert_counts axiscert_mesh_list_f32(const float* sphere, const axiscert_mesh_f32* mesh,
                                        const std::uint32_t* triangle, std::size_t count, axiscert_question question,
                                        const axiscert_results* results) noexcept {
-  return by_list(sphere, mesh, triangle, count, question, results);
+  return by_mesh(sphere, mesh, triangle, 0, count, question, results);
 }
 axiscert_counts axiscert_mesh_list_f64(const double* sphere, const axiscert_mesh_f64* mesh,
                                        const std::uint32_t* triangle, std::size_t count, axiscert_question question,
                                        const axiscert_results* results) noexcept {
-  return by_list(sphere, mesh, triangle, count, question, results);
+  return by_mesh(sphere, mesh, triangle, 0, count, question, results);
 }
 axiscert_counts axiscert_mesh_range_f32(const float* sphere, const axiscert_mesh_f32* mesh, std::size_t first,
                                         std::size_t count, axiscert_question question,
                                         const axiscert_results* results) noexcept {
-  return by_range(sphere, mesh, first, count, question, results);
+  return by_mesh(sphere, mesh, nullptr, first, count, question, results);
 }
 axiscert_counts axiscert_mesh_range_f64(const double* sphere, const axiscert_mesh_f64* mesh, std::size_t first,
                                         std::size_t count, axiscert_question question,
                                         const axiscert_results* results) noexcept {
-  return by_range(sphere, mesh, first, count, question, results);
+  return by_mesh(sphere, mesh, nullptr, first, count, question, results);
 }

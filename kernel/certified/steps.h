@@ -24,9 +24,33 @@ struct Block {
 };
 
 // Bit i of word i / 64 is query i. None is in both; bits from the size on are zero.
-struct BlockAnswer {
-  std::uint64_t contact[block_size / 64];
-  std::uint64_t invalid[block_size / 64];
+template <std::size_t most>
+struct Answer {
+  std::uint64_t contact[most / 64];
+  std::uint64_t invalid[most / 64];
+};
+using BlockAnswer = Answer<block_size>;
+
+// Up to mesh_chunk_size triangles of an indexed mesh (kernel/certified.h), asked of one sphere, px py pz r: those that
+// a list names, or where it is null, those whose indices these are.
+inline constexpr std::size_t mesh_chunk_size = 1024;
+template <class Real>
+struct MeshChunk {
+  const Real* sphere;
+  const Real* vertices;
+  std::size_t stride;
+  const std::uint32_t* indices;
+  const std::uint32_t* list;
+  std::size_t size;
+};
+using MeshAnswer = Answer<mesh_chunk_size>;
+
+// What is kept from chunk to chunk: of the vertices first to end - 1 which faces of the sphere's box they are beyond,
+// and whether that told most triangles of the last chunk.
+struct Outcodes {
+  std::uint32_t first = 0, end = 0;
+  bool are_useful = false;
+  std::uint8_t code[8192];
 };
 
 // Where the set bits of a byte are, the lowest first; 0 in the other places.
@@ -51,6 +75,8 @@ struct Forms {
   // One query at a time, in the same steps.
   void (*one32)(const Block<float>&, Question, BlockAnswer&) noexcept;
   void (*one64)(const Block<double>&, Question, BlockAnswer&) noexcept;
+  void (*mesh32)(const MeshChunk<float>&, Question, Outcodes&, MeshAnswer&) noexcept;
+  void (*mesh64)(const MeshChunk<double>&, Question, Outcodes&, MeshAnswer&) noexcept;
   // ax ay az bx by bz cx cy cz and px py pz r; the first word of the answer alone is written.
   void (*pair32)(const float* triangle, const float* sphere, Question, BlockAnswer&) noexcept;
   void (*pair64)(const double* triangle, const double* sphere, Question, BlockAnswer&) noexcept;
@@ -64,6 +90,11 @@ struct Forms {
   auto one() const noexcept {
     if constexpr (sizeof(Real) == 4) return one32;
     else return one64;
+  }
+  template <class Real>
+  auto mesh() const noexcept {
+    if constexpr (sizeof(Real) == 4) return mesh32;
+    else return mesh64;
   }
   template <class Real>
   auto pair() const noexcept {
