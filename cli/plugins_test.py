@@ -170,6 +170,16 @@ class Plugins(Case):
         self.refused("run", "--kernel", f"plugin:{self.folder}/a@b/c.so@flushed", says=["c.so@flushed", "process of its own"])
         self.refused("run", "--kernel", f"plugin:{self.folder}/a@b/nosuch.so", says=["a@b/nosuch.so", "no file"])
 
+    def test_the_league_takes_times_as_multiples_of_the_certified_kernel(self):
+        plan = ("--kernel", "published", "--family", "general", "--trials", "64", "--precision", "binary32")
+        self.assertNotIn("where certified takes 1", axiscert("league", *plan).stdout)
+        shown = axiscert("league", *plan, "--kernel", "certified").stdout
+        header, published, certified = shown.split("over all families\n")[1].splitlines()[:3]
+        self.assertTrue(header.endswith("where certified takes 1"), header)
+        self.assertEqual(certified.split()[-1], "1")
+        ns = [float(row.split()[-2]) for row in (published, certified)]
+        self.assertAlmostEqual(float(published.split()[-1]), ns[0] / ns[1], delta=0.02 * ns[0] / ns[1])
+
     def test_what_measures_formulae_takes_no_plugin(self):
         for command in ("ladder", "precision", "condition"):
             self.refused(command, "--kernel", "fault/none", says=["fault/none", "critical-radius"])
