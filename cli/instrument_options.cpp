@@ -50,6 +50,10 @@ std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, 
                       "critical-radius and league",
                       id));
     }
+    if (measures == Measures::formulae && kernel.call != Call{}) {
+      throw Error(
+          fmt::format("--kernel {}: this command measures formulae in an arithmetic, however they are called", id));
+    }
     require_loaded(kernel);
     if (!kernel.has(precision)) {
       throw Error(fmt::format("--precision {}: kernel {} does not exist in it", options.precision, id));

@@ -55,8 +55,7 @@ HarnessFault saved(const RunFolder& folder, const OracleDisagreement& disagreeme
 int judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked) {
   const std::optional<Ratchet> ratchet = ratchet_of(output, plan);
   const RunFolder folder(output.out);
-  require_uncontracted(scalar_target);
-  require_uncontracted(plan.target);
+  for (const std::string& target : targets_of(plan)) require_uncontracted(target);
 
   const std::atomic<bool>& interrupted = watch_for_interrupts();
   const auto started = std::chrono::system_clock::now();

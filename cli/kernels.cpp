@@ -2,7 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.h"
-#include "kernel/kernel.h"
+#include "kernel/called.h"
 #include "kernel/plugin/load.h"
 #include "reports/record.h"
 
@@ -48,6 +48,11 @@ void print_kernels() {
   for (const ArithmeticInfo& arithmetic : arithmetics()) {
     fmt::print("{:<20} {}; {}\n", "+" + arithmetic.name, arithmetic.summary, fmt::join(precisions_of(arithmetic), " "));
   }
+  fmt::print(
+      "\nKERNEL@CALL[,CALL...], for each of the above, is it on an instruction set of its own ({}), or called in other "
+      "floating-point modes:\n",
+      fmt::join(targets, ", "));
+  for (const CallMode& mode : call_modes()) fmt::print("{:<20} {}\n", fmt::format("@{}", mode.name), mode.summary);
   fmt::print(
       "\nPlug-ins: plugin:PATH.so is one of your own; peer/ are libraries, fault/ kernels with a planted fault:\n");
   for (const Kernel* kernel : shipped_kernels()) print_kernel(*kernel, "plug-in");

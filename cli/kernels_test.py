@@ -28,7 +28,10 @@ class Kernels(Case):
         refused = axiscert("check", "-", "--kernel", "published+nosuch").stderr.strip()
         self.assertEqual(refused.split("; arithmetics: ")[1].split(", "), arithmetics)
         text = axiscert("kernels").stdout.splitlines()
-        for name in [kernel["id"] for kernel in listed] + ["+" + a for a in arithmetics]:
+        refused = axiscert("check", "-", "--kernel", "certified@nosuch").stderr.strip()
+        modes = refused.split("; modes: ")[1].split(", ")
+        self.assertIn(f"instruction sets here: {', '.join(listed[0]['targets'])};", refused)
+        for name in [kernel["id"] for kernel in listed] + ["+" + a for a in arithmetics] + ["@" + m for m in modes]:
             self.assertEqual(len([line for line in text if line.split()[:1] == [name]]), 1, name)
 
     def test_what_is_listed_exists_in_the_precisions_it_says(self):
@@ -54,6 +57,9 @@ class Kernels(Case):
         ids, arithmetics = [k["id"] for k in listed], [c["arithmetic"] for c in listed[0]["arithmetics"]]
         self.assertEqual([names for header, names in named.items() if header[0] == "kernel"], [ids, ids])
         self.assertEqual([names for header, names in named.items() if header[0] == "arithmetic"], [arithmetics])
+        refused = axiscert("check", "-", "--kernel", "certified@nosuch").stderr.strip()
+        (calls,) = [names for header, names in named.items() if header[0] == "call"]
+        self.assertEqual(calls[1:], refused.split("; modes: ")[1].split(", "))
         (shown,) = [rows for header, rows in tables.items() if header[-1] == "exposes"]
         for row, kernel in zip(shown, listed):
             self.assertIn(row[-1], kernel["exposes"], kernel["id"])
@@ -100,6 +106,42 @@ class Kernels(Case):
                             ("nope+fma", "'nope' is no rung")):
             done = self.refused("run", "--kernel", wrong, says=[wrong, says])
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+
+    def test_a_kernel_is_judged_as_it_is_called(self):
+        """The exact one is right however it is called, in one run; the published one loses what is flushed, and rounds up."""
+        targets = self.listed()[0]["targets"]
+        exact = [f"certified@{target}" for target in targets] + ["certified@scalar,upward,flushed", "certified@downward"]
+        plan = [f"--kernel={kernel}" for kernel in exact]
+        plan += ["--family=scale", "--family=tangent", "--family=subnormal", "--trials", 2000]
+        record = self.run_ok(*plan, "--kernel", f"certified@{targets[0].lower()}", "--require", "exact")
+        self.assertEqual(list(dict.fromkeys(k["id"] for k in record["kernels"])), exact)
+
+        record = self.run_ok(*plan, "--kernel", "published", "--kernel", f"published@{targets[0]}", "--kernel",
+                             "published@flushed", "--require", "exact", code=1)
+        plain, there, flushed = (family(record, "scale", kernel=k)["verdict"]
+                                 for k in ("published", f"published@{targets[0]}", "published@flushed"))
+        self.assertEqual(there, plain)
+        self.assertGreater(flushed["false_contact"], plain["false_contact"])
+        references = {k["id"]: k["reference"] for k in record["kernels"]}
+        self.assertTrue(references[f"published@{targets[0]}"])
+        self.assertFalse(references["published@flushed"])
+        self.assertEqual(flushed["links"]["range"] + flushed["links"]["implementation"], 0)
+        self.assertGreater(flushed["links"]["unattributed"], 0)
+
+        record = self.run_ok("--kernel=published@upward", "--kernel=published+up", "--family=sliver", "--trials", 2000)
+        called, arithmetic = (family(record, "sliver", kernel=k) for k in ("published@upward", "published+up"))
+        for name, counts in arithmetic["comparisons"].items():
+            for kind in ("false_separation", "missed_separation", "max_error_u"):
+                self.assertEqual(called["comparisons"][name][kind], counts[kind], (name, kind))
+
+    def test_what_cannot_be_called_otherwise(self):
+        best = self.listed()[0]["targets"][0]
+        for wrong, says in (("fault/none@upward", "process of its own"), ("ladder-0@" + best, "same instructions"),
+                            ("certified@upward,downward", "two directions"), ("certified@", "instruction sets here: ")):
+            done = self.refused("run", "--kernel", wrong, says=[wrong, says])
+            self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+        for command in ("ladder", "precision", "condition"):
+            self.refused(command, "--kernel", "published@upward", says=["published@upward", "formulae"])
 
 
 if __name__ == "__main__":

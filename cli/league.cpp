@@ -21,8 +21,8 @@ struct LeagueOptions : InstrumentOptions {
   int threads = 0;  // 0: all cores
 };
 
-const std::vector<std::string> own_kernels = {"published", "nonstrict", "reduced-nonstrict", "minkowski",
-                                              "closest-point"};
+const std::vector<std::string> own_kernels = {"published",     "nonstrict", "reduced-nonstrict", "minkowski",
+                                              "closest-point", "certified", "conservative"};
 const std::vector<std::string> default_families = {"general", "tangent",   "tie",      "lattice", "sliver",
                                                    "needle",  "collinear", "repeated", "on",      "grid",
                                                    "scale",   "far",       "subnormal"};
@@ -85,8 +85,7 @@ int run_league(const LeagueOptions& options) {
   plan.trials = [&](const Source&, Precision) { return options.trials; };
   plan.target = resolve_target("auto");
   plan.threads = threads_of(options.threads);
-  require_uncontracted(scalar_target);
-  require_uncontracted(plan.target);
+  for (const std::string& target : targets_of(plan)) require_uncontracted(target);
 
   const std::atomic<bool> interrupted = false;
   CampaignResult result;

@@ -205,9 +205,9 @@ int run_as(Ranks* ranks, const PlannedOptions& options, const RunOptions& run) {
   plan.threads = ranks && run.threads == 0 ? 1 : threads_of(run.threads);
   Plan again = plan;
   if (options.recheck > 0) again.target = recheck_target(options, plan.target);
-  for (const std::string& target : std::set{std::string(scalar_target), plan.target, again.target}) {
-    require_uncontracted(target);
-  }
+  std::set<std::string> targets = targets_of(plan);
+  targets.insert(again.target);
+  for (const std::string& target : targets) require_uncontracted(target);
   const Stretches stretches(plan, file.units_each);
   Crew crew(plan.threads,
             [&](Task task) { return encode(run_stretch(is_again(task) ? again : plan, stretches, stretch_of(task))); });

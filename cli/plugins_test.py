@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Somebody's own kernel through the command: what it does wrong is told, what it does in its own way is no fault."""
 import json
+import shutil
 import subprocess
 import unittest
 
@@ -156,6 +157,28 @@ class Plugins(Case):
     def test_no_such_plugin(self):
         self.refused("run", "--kernel", "plugin:/nosuch.so", says=["/nosuch.so", "no file"])
         self.refused("run", "--kernel", "peer/nosuch", says=["peer/nosuch"])
+
+    def test_the_path_of_a_plugin_may_look_like_a_call(self):
+        """It is called as it is; what would set modes for it is refused."""
+        plain = self.compiled("other")
+        for name in ("a@b/c.so", "c.so", "c.so@upward"):
+            path = self.folder / name
+            path.parent.mkdir(exist_ok=True)
+            shutil.copy(plain.removeprefix("plugin:"), path)
+            record = self.run_ok("--kernel", f"plugin:{path}", "--family", "general", "--trials", "100", "--require", "logic")
+            self.assertEqual([k["id"] for k in record["kernels"]], [f"plugin:{path}"])
+        self.refused("run", "--kernel", f"plugin:{self.folder}/a@b/c.so@flushed", says=["c.so@flushed", "process of its own"])
+        self.refused("run", "--kernel", f"plugin:{self.folder}/a@b/nosuch.so", says=["a@b/nosuch.so", "no file"])
+
+    def test_the_league_takes_times_as_multiples_of_the_certified_kernel(self):
+        plan = ("--kernel", "published", "--family", "general", "--trials", "64", "--precision", "binary32")
+        self.assertNotIn("where certified takes 1", axiscert("league", *plan).stdout)
+        shown = axiscert("league", *plan, "--kernel", "certified").stdout
+        header, published, certified = shown.split("over all families\n")[1].splitlines()[:3]
+        self.assertTrue(header.endswith("where certified takes 1"), header)
+        self.assertEqual(certified.split()[-1], "1")
+        ns = [float(row.split()[-2]) for row in (published, certified)]
+        self.assertAlmostEqual(float(published.split()[-1]), ns[0] / ns[1], delta=0.02 * ns[0] / ns[1])
 
     def test_what_measures_formulae_takes_no_plugin(self):
         for command in ("ladder", "precision", "condition"):

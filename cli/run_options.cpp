@@ -131,7 +131,11 @@ void add_output_options(CLI::App& command, OutputOptions& o) {
 }
 
 CLI::Option* add_plan_options(CLI::App& command, RunOptions& o) {
-  command.add_option("--kernel", o.kernels, "kernel id, repeatable (default: published)")->allow_extra_args(false);
+  command
+      .add_option(
+          "--kernel", o.kernels,
+          "kernel id, KERNEL@CALL for one called otherwise (see `axiscert kernels`), repeatable (default: published)")
+      ->allow_extra_args(false);
   CLI::Option* trials = add_source_options(command, o);
   command.add_option("--corpus", o.corpus, "the corpus too, that of this folder or the one that comes along")
       ->expected(0, 1)

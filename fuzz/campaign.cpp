@@ -77,6 +77,14 @@ std::vector<CellResult> cells_of(const Plan& plan) {
   return cells;
 }
 
+std::set<std::string> targets_of(const Plan& plan) {
+  std::set<std::string> targets = {std::string(scalar_target), plan.target};
+  for (const Kernel* kernel : plan.kernels) {
+    if (!kernel->call.target.empty()) targets.insert(kernel->call.target);
+  }
+  return targets;
+}
+
 CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupted,
                             const std::function<void(const Progress&)>& report) {
   CampaignResult result;

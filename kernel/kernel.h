@@ -63,6 +63,16 @@ std::vector<std::string> available_targets();
 inline constexpr std::string_view scalar_target = "scalar";
 // The name as `available_targets` spells it (any case is accepted; `auto` is the best). Throws Error with what exists.
 std::string resolve_target(std::string_view name);
+bool same_letters(std::string_view a, std::string_view b);  // in any case
+
+// How a kernel is called where that is not as a plan says (kernel/called.h).
+struct Call {
+  std::string target = {};                // on this instruction set and no other; empty: the one that is asked for
+  Rounding rounding = Rounding::nearest;  // the caller's modes
+  bool flush = false;
+  bool operator==(const Call&) const = default;
+  bool has_modes() const { return rounding != Rounding::nearest || flush; }
+};
 
 // What a kernel shows beside its verdict. Each includes the one before.
 enum class Exposure : std::uint8_t { verdict, comparisons, sides };
@@ -84,6 +94,7 @@ struct Kernel {
   bool takes_arithmetic = false;  // is the rung of RUNG+ARITHMETIC
   Touching touching = Touching::contact;
   Limits limits = {};
+  Call call = {};
   std::string file = {};               // of a plug-in: its path
   std::vector<Finding> findings = {};  // of loading it, whatever is asked
 
@@ -112,9 +123,9 @@ const std::vector<ArithmeticInfo>& arithmetics();
 
 // The kernels that stand in the registry.
 std::span<const Kernel> kernels();
-// One of those; RUNG+ARITHMETIC, for the scalar form of a rung in one of arithmetics(); plugin:PATH for a plug-in
-// (kernel/plugin.h), peer/NAME or fault/NAME for one that comes with axiscert. Throws Error naming what exists. The
-// reference is good for the life of the program.
+// One of those; RUNG+ARITHMETIC, for the scalar form of a rung in one of arithmetics(); either with @CALL
+// (kernel/called.h); plugin:PATH for a plug-in (kernel/plugin.h), peer/NAME or fault/NAME for one that comes with
+// axiscert. Throws Error naming what exists. The reference is good for the life of the program.
 const Kernel& find_kernel(std::string_view id);
 
 }  // namespace axiscert

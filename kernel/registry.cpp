@@ -7,6 +7,7 @@
 #include <deque>
 #include <mutex>
 
+#include "kernel/called.h"
 #include "kernel/certified/kernels.h"
 #include "kernel/eigen.h"
 #include "kernel/error.h"
@@ -176,14 +177,21 @@ Kernel composed(std::string_view id, const Kernel& rung, const ArithmeticInfo& a
   return kernel;
 }
 
+// "KERNEL@CALL".
+const Kernel& found_as_called(std::string_view id, std::string_view call) {
+  if (plugin::plugin_path(id)) {
+    throw Error(
+        fmt::format("kernel '{}@{}': {} runs in a process of its own, which what is set here does not reach; "
+                    "only kernels of axiscert's own can be called otherwise",
+                    id, call, id));
+  }
+  Kernel kernel = called(find_kernel(id), call);
+  return kept(kernel.id, [&] { return std::move(kernel); });
+}
+
 std::string with_dashes(std::string name) {
   std::replace(name.begin(), name.end(), '_', '-');
   return name;
-}
-
-bool same_letters(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 }  // namespace
@@ -225,6 +233,7 @@ const std::vector<ArithmeticInfo>& arithmetics() {
 
 const Kernel& find_kernel(std::string_view id) {
   if (const Kernel* kernel = registered(id)) return *kernel;
+  if (const auto at = call_in(id)) return found_as_called(id.substr(0, *at), id.substr(*at + 1));
   if (const auto path = plugin::plugin_path(id))
     return kept(id, [&] { return plugin::load_plugin(std::string(id), *path); });
   if (id.find('~') != id.npos) return kept(id, [&] { return mutants::kernel_of(mutants::find_mutant(id)); });
@@ -252,6 +261,11 @@ const Kernel& find_kernel(std::string_view id) {
   }
   throw Error(fmt::format("kernel '{}': unknown arithmetic '{}'; arithmetics: {}", id, arithmetic_name,
                           fmt::join(known, ", ")));
+}
+
+bool same_letters(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 std::vector<std::string> available_targets() {
