@@ -98,19 +98,19 @@ class Steps {
     return contact & low_bits(count);
   }
 
-  // What the first step left: once more in doubles, and comparison by comparison. Where few are open it goes on with
-  // these, and where many are, the fine step, twice as dear, may find out more.
+  // What the first step left: once more in doubles, and comparison by comparison. Where one is open it goes on with
+  // that, and where more are, the fine step, twice as dear, may find out more: of these, packed where they lie.
   HWY_NOINLINE void settle(Leftovers<Real>& left) noexcept {
     const D2 d;
     const Block<Real> block = left.block(block_);
-    Leftovers<Real> less;
     OpenComparisons<D2, Leftovers<Real>> open(left, block, open_sphere());
     bool is_worth_it = true;  // as it was of the queries before
-    for (std::size_t j = 0; j < left.size; j += fine_lanes) {
+    left.size = 0;
+    for (std::size_t j = 0; j < block.size; j += fine_lanes) {
       const CoarseMargins<D2, true> margins(load(d, block, j));
       const CoarseLimits<D2, true> limits(margins.S, margins.E);
       const Decided<D2> decided = coarse_step(margins, limits);
-      const std::uint64_t queries = low_bits(left.size - j < fine_lanes ? left.size - j : fine_lanes);
+      const std::uint64_t queries = low_bits(block.size - j < fine_lanes ? block.size - j : fine_lanes);
       const std::uint64_t contact = bits_of(d, decided.contact) & queries;
       const std::uint64_t pending = queries & ~(contact | bits_of(d, decided.separated));
       add_contacts(contact, left.index + j);
@@ -123,12 +123,12 @@ class Steps {
         is_worth_it = 2 * std::popcount(few) >= std::popcount(pending);
       }
       if (const std::uint64_t many = pending & ~few; many != 0) {
-        less.add(hn::Rebind<Real, D2>(), block, j, many,
+        left.add(hn::Rebind<Real, D2>(), block, j, many,
                  [index = left.index + j](std::size_t lane) { return std::size_t{index[lane]}; });
       }
     }
-    conclude(open, left, block);
-    if (less.size != 0) fine(less);
+    conclude(open, [&](std::size_t, std::size_t i, double(&q)[13]) HWY_ATTR { widened(block_, i, q); });
+    if (left.size != 0) fine(left);
     if (again_.size != 0) fine_again();
   }
 
@@ -161,7 +161,7 @@ class Steps {
         unsound(block, j + lane, left.index[j + lane], ((valid >> lane) & 1u) != 0);
       }
     }
-    conclude(open, left, block);
+    conclude(open, [&](std::size_t place, std::size_t, double(&q)[13]) HWY_ATTR { widened(block, place, q); });
   }
 
   // Of the queries at j..j + lanes: whose numbers have few bits, so that the last step is as quick as the deep one of
@@ -181,16 +181,15 @@ class Steps {
     }
   }
 
-  // The deep step's answers, and the last step for those that it does not settle.
-  template <class Open, class Left, class Number>
-  AXISCERT_INLINE void conclude(Open& open, const Left& left, const Block<Number>& block) noexcept {
-    open.finish([&](std::size_t place, Known known) HWY_ATTR {
+  // The deep step's answers, and the last step for those that it does not settle. read(place, index, q): the query.
+  template <class Open, class Read>
+  AXISCERT_INLINE void conclude(Open& open, Read&& read) noexcept {
+    open.finish([&](std::size_t place, std::size_t i, Known known) HWY_ATTR {
       // Either is as likely: no branch on which.
-      const std::size_t i = left.index[place];
       answer_.contact[i / 64] |= std::uint64_t{known.is_contact()} << (i % 64);
       if (known.is_separated() | known.is_contact()) return;
       double q[13];
-      widened(block, place, q);
+      read(place, i, q);
       last_step(q, i, known);
     });
   }

@@ -1,5 +1,5 @@
-// A block of queries through the conservative test. No guard: included once for each of Highway's instruction sets, after
-// conservative_step-inl.h and leftovers-inl.h.
+// A block of queries through the conservative test. No guard: included once for each of Highway's instruction sets,
+// after conservative_step-inl.h and leftovers-inl.h.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {

@@ -1,5 +1,6 @@
 // The third step: single comparisons, a query's a lane, in pairs of doubles; a value too small for these by its residue
-// modulo 2^64 where that is enough. No guard: included once for each of Highway's instruction sets, after wrapped-inl.h.
+// modulo 2^64 where that is enough. No guard: included once for each of Highway's instruction sets, after
+// wrapped-inl.h.
 //
 // The query is turned so that the comparison is of its vertex A, its edge AB or its plane.
 HWY_BEFORE_NAMESPACE();
@@ -61,7 +62,8 @@ class DeepStep {
   }
   // Adds what the residue of a margin says of a sign that is open.
   template <int degree>
-  AXISCERT_INLINE static void include(const Margin& margin, const W& residue, M is_exact, const Units<D>& units, Sign& sign) {
+  AXISCERT_INLINE static void include(const Margin& margin, const W& residue, M is_exact, const Units<D>& units,
+                                      Sign& sign) {
     const M known = hn::And(hn::And(sign.open(), is_exact), units.template is_known<degree>(margin.bound));
     const M zero = residue.is_zero(), negative = residue.is_negative();
     sign.positive = hn::Or(sign.positive, hn::AndNot(hn::Or(zero, negative), known));
@@ -70,8 +72,9 @@ class DeepStep {
   }
   // Where a normal is zero, its residue being this.
   AXISCERT_INLINE static M is_known_zero(const Normal& normal, const Vec3<W>& residue, const Units<D>& units) {
-    return hn::And(hn::And(hn::And(units.are_exact(), units.template is_known<2>(normal.error)), hn::Le(normal.sum, normal.error)),
-                   is_zero(residue));
+    return hn::And(
+        hn::And(hn::And(units.are_exact(), units.template is_known<2>(normal.error)), hn::Le(normal.sum, normal.error)),
+        is_zero(residue));
   }
 
   AXISCERT_INLINE static Answer side(const Sign& sign) { return {hn::Or(sign.positive, sign.zero), sign.negative}; }
@@ -147,7 +150,8 @@ class DeepStep {
       include<6>(margin, d * d - r * r * dot(n, n), units.radius_is_exact(), units, found);
       flat = is_known_zero(normal, n, units);
       const M is_small = hn::Le(PairMargins::size_of(offset.value), offset.error);
-      on_plane = hn::And(hn::And(units.are_exact(), units.template is_known<3>(offset.error)), hn::And(is_small, d.is_zero()));
+      on_plane =
+          hn::And(hn::And(units.are_exact(), units.template is_known<3>(offset.error)), hn::And(is_small, d.is_zero()));
     }
     // A tie of a triangle without area is no tie of the open sphere's question: it has no such axis.
     const Answer answer = open_ ? Answer{found.positive, found.negative} : radius(found);

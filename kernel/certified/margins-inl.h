@@ -1,7 +1,7 @@
 // The sixteen margins of the reduced form, each with a bound of its error from the leaves that it is made of, over a
-// number type T of lanes: doubles for the fine step, pairs of doubles for the deep one. docs/error_model.md, "The bounds
-// of lanes", has the derivation, kernel/filter/margin_bounds.h the constants. No guard: included once for each of
-// Highway's instruction sets, after coarse_step-inl.h.
+// number type T of lanes: doubles for the fine step, pairs of doubles for the deep one. docs/error_model.md, "The
+// bounds of lanes", has the derivation, kernel/filter/margin_bounds.h the constants. No guard: included once for each
+// of Highway's instruction sets, after coarse_step-inl.h.
 //
 // T::unit is U, the relative error that the derivation grants an operation; T::leading the double nearest to a number.
 //
@@ -105,19 +105,17 @@ struct Margins {
   // N = normal_of(vertex, along).
   AXISCERT_INLINE Margin edge_radius(const Normal& N, const Leaf& along) const {
     const T square = dot(N.v, N.v), rhs = rr * dot(along.v, along.v);
-    const V bound =
-        hn::MulAdd(N.error,
-                   hn::MulAdd(constant(MarginBounds::twice), N.sum, hn::Mul(constant(MarginBounds::thrice), N.error)),
-                   hn::MulAdd(units(MarginBounds::edge_square_units), square.leading(),
-                              hn::Mul(units(MarginBounds::edge_rhs_units), rhs.leading())));
+    const V bound = hn::MulAdd(
+        N.error, hn::MulAdd(constant(MarginBounds::twice), N.sum, hn::Mul(constant(MarginBounds::thrice), N.error)),
+        hn::MulAdd(units(MarginBounds::edge_square_units), square.leading(),
+                   hn::Mul(units(MarginBounds::edge_rhs_units), rhs.leading())));
     return {(square - rhs).leading(), bound};
   }
   AXISCERT_INLINE Margin edge_side(const Normal& N, const Normal& n) const {
-    const V bound = hn::MulAdd(
-        hn::Mul(n.error, constant(MarginBounds::once)),
-        hn::MulAdd(constant(MarginBounds::thrice_in_side), N.error, N.sum),
-        hn::Mul(n.sum, hn::MulAdd(units(MarginBounds::edge_side_units), N.sum,
-                                  hn::Mul(N.error, constant(MarginBounds::once)))));
+    const V bound = hn::MulAdd(hn::Mul(n.error, constant(MarginBounds::once)),
+                               hn::MulAdd(constant(MarginBounds::thrice_in_side), N.error, N.sum),
+                               hn::Mul(n.sum, hn::MulAdd(units(MarginBounds::edge_side_units), N.sum,
+                                                         hn::Mul(N.error, constant(MarginBounds::once)))));
     return {hn::Neg(dot(N.v, n.v).leading()), bound};
   }
 

@@ -14,7 +14,7 @@ AXISCERT_INLINE hn::Mask<D> has_one_open(D d, hn::Vec<hn::RebindToUnsigned<D>> k
   return hn::RebindMask(d, hn::Eq(hn::And(open, hn::Sub(open, hn::Set(words, 1))), hn::Zero(words)));
 }
 
-// Of the queries of `Left`, in their places there.
+// Of the queries of `Left`, in their places there; what is added is read at once.
 template <class D, class Left>
 class OpenComparisons {
  public:
@@ -41,13 +41,14 @@ class OpenComparisons {
     for (; mask != 0; mask &= mask - 1) list(first + static_cast<std::size_t>(std::countr_zero(mask)));
   }
 
-  // take(place, known) for each query, with all that is known now.
+  // take(place, index, known) for each query, with all that is known now; the index that it had when it was added.
   template <class Take>
   void finish(Take&& take) noexcept {
     for (std::size_t kind = 0; kind < comparing_count; ++kind) {
       if (queue_[kind].size >= worth_asking) answer(static_cast<Comparing>(kind));
     }
-    for (std::size_t i = 0; i < size_; ++i) take(std::size_t{places_[i]}, Known{known_[places_[i]]});
+    for (std::size_t i = 0; i < size_; ++i)
+      take(std::size_t{place_[i]}, std::size_t{index_[i]}, Known{known_[place_[i]]});
   }
 
  private:
@@ -77,7 +78,10 @@ class OpenComparisons {
   AXISCERT_INLINE void store(std::size_t first, hn::Vec<hn::RebindToUnsigned<D>> known) noexcept {
     hn::StoreU(known, hn::RebindToUnsigned<D>(), known_ + first);
   }
-  AXISCERT_INLINE void list(std::size_t place) noexcept { places_[size_++] = static_cast<std::uint16_t>(place); }
+  AXISCERT_INLINE void list(std::size_t place) noexcept {
+    place_[size_] = static_cast<std::uint16_t>(place);
+    index_[size_++] = left_.index[place];
+  }
   AXISCERT_INLINE void add(std::size_t place) noexcept {
     list(place);
     const Known known{known_[place]};
@@ -113,11 +117,16 @@ class OpenComparisons {
 
   HWY_NOINLINE void answer(Comparing what) noexcept {
     switch (what) {
-      case Comparing::vertex_radius: return answer<Comparing::vertex_radius>(Known::radius);
-      case Comparing::vertex_sides: return answer<Comparing::vertex_sides>(Known::sides);
-      case Comparing::edge_radius: return answer<Comparing::edge_radius>(Known::radius);
-      case Comparing::edge_side: return answer<Comparing::edge_side>(Known::sides);
-      case Comparing::plane_radius: return answer<Comparing::plane_radius>(Known::radius);
+      case Comparing::vertex_radius:
+        return answer<Comparing::vertex_radius>(Known::radius);
+      case Comparing::vertex_sides:
+        return answer<Comparing::vertex_sides>(Known::sides);
+      case Comparing::edge_radius:
+        return answer<Comparing::edge_radius>(Known::radius);
+      case Comparing::edge_side:
+        return answer<Comparing::edge_side>(Known::sides);
+      case Comparing::plane_radius:
+        return answer<Comparing::plane_radius>(Known::radius);
     }
   }
   template <Comparing what>
@@ -151,8 +160,8 @@ class OpenComparisons {
   const Number* sphere_[4];
   const bool open_;
   const std::size_t sphere_stride_;
-  std::uint64_t known_[block_size + lanes];  // Known's bits, of the places that are in places_
-  std::uint16_t places_[block_size];
+  std::uint64_t known_[block_size + lanes];  // Known's bits, of the places that are in place_
+  std::uint16_t place_[block_size], index_[block_size];
   std::size_t size_ = 0;
   Queue queue_[comparing_count];
 };

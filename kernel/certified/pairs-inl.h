@@ -1,5 +1,5 @@
-// Pairs of doubles, hi + lo, hi the double nearest to the sum. No guard: included once for each of Highway's instruction
-// sets, after coarse_step-inl.h.
+// Pairs of doubles, hi + lo, hi the double nearest to the sum. No guard: included once for each of Highway's
+// instruction sets, after coarse_step-inl.h.
 //
 // What an operation errs by, in u^2 = 2^-106, beyond terms of u^3, of operands whose lo is at most u of hi:
 //   x y        the rounded products hi lo' and lo hi' 1 each, the sums with the error of hi hi' 2 and 3, lo lo' 1:
@@ -7,8 +7,8 @@
 //   x.y        8 of each product; the low parts' sums (3 + 3 + 2 + 5) of their sizes' sum: 21 sum |x_i y_i|
 //   x y' - y x'  8 of each product, 3 + 4: 15 (|x y'| + |y x'|)
 //   x - y      1 of each size for their low parts, 2 for what the sum rounded and these: 4 (|x| + |y|)
-// The derivation of the bounds (docs/error_model.md) grants U for each of the first, x y and x - y, 3 U for each product
-// of x.y, 2 U for each of the third, and a leaf U where here it is exact: U = 2^-102 is twice as much and more.
+// The derivation of the bounds (docs/error_model.md) grants U for each of the first, x y and x - y, 3 U for each
+// product of x.y, 2 U for each of the third, and a leaf U where here it is exact: U = 2^-102 is twice as much and more.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {

@@ -84,7 +84,9 @@ class Units {
   AXISCERT_INLINE W integer(V x) const {
     return {hn::BitCast(Words(), hn::ConvertTo(hn::RebindToSigned<D>(), hn::Mul(x, per_unit_)))};
   }
-  AXISCERT_INLINE W integer(const Pairs<D>& x) const { return has_low_ ? integer(x.hi) + integer(x.lo) : integer(x.hi); }
+  AXISCERT_INLINE W integer(const Pairs<D>& x) const {
+    return has_low_ ? integer(x.hi) + integer(x.lo) : integer(x.hi);
+  }
   AXISCERT_INLINE Vec3<W> integer(const Leaf& leaf) const {
     return {integer(leaf.x), integer(leaf.y), integer(leaf.z)};
   }
