@@ -35,4 +35,15 @@ struct CoarseBounds {
   static constexpr double least_square_binary64 = 0x1p-300;
 };
 
+// Multiples of u W, W as computed no less than least_square and the scaled normal's square no less than least_normal
+// (kernel/certified/conservative_step-inl.h).
+struct ConservativeBounds {
+  static constexpr double error = 10;
+  static constexpr double square_error = 19.125;
+  static constexpr double least_square_binary32 = 0x1p-42;
+  static constexpr double least_normal_binary32 = 0x1p-60;
+  static constexpr double least_square_binary64 = 0x1p-400;
+  static constexpr double least_normal_binary64 = 0x1p-120;
+};
+
 }  // namespace axiscert::filter

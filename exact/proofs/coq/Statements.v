@@ -3,7 +3,7 @@
 From Coq Require Import Reals ZArith List.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Sat7 Exact Reduced Sides RecordedIsSat7 RecordedIsProgram Expression Programs Format Run
-  Window Windows Thresholds Filter Filters Lanes Margins Certified CertifiedStep
+  Window Windows Thresholds Filter Filters Lanes Margins Certified CertifiedStep Conservative ConservativeStep
   Exported Decides.
 Open Scope R_scope.
 Set Printing Width 120.
@@ -91,10 +91,16 @@ Goal True. statement "coarse_never_lies32". Abort.
 Check coarse_never_lies32.
 Goal True. statement "coarse_never_lies64". Abort.
 Check coarse_never_lies64.
+Goal True. statement "conservative_never_misses32". Abort.
+Check conservative_never_misses32.
+Goal True. statement "conservative_never_misses64". Abort.
+Check conservative_never_misses64.
 Goal True. statement "exported_margin_bounds". Abort.
 Check exported_margin_bounds.
 Goal True. statement "exported_coarse_bounds". Abort.
 Check exported_coarse_bounds.
+Goal True. statement "exported_conservative_bounds". Abort.
+Check exported_conservative_bounds.
 Goal True. statement "filters_decide". Abort.
 Check filters_decide.
 
@@ -345,3 +351,17 @@ Goal True. statement "in_format". Abort.
 Print in_format.
 Goal True. statement "coarse_never_lies". Abort.
 Print coarse_never_lies.
+Goal True. statement "conservative_W". Abort.
+Print conservative_W.
+Goal True. statement "conservative_share". Abort.
+Print conservative_share.
+Goal True. statement "conservative_edge". Abort.
+Print conservative_edge.
+Goal True. statement "conservative_normal". Abort.
+Print conservative_normal.
+Goal True. statement "conservative_plane". Abort.
+Print conservative_plane.
+Goal True. statement "conservative_separated". Abort.
+Print conservative_separated.
+Goal True. statement "conservative_never_misses". Abort.
+Print conservative_never_misses.
