@@ -42,6 +42,9 @@ FAULTS = {
         "Margins.v", "Definition edge_side_units : R := 3.", "Definition edge_side_units : R := 2.", "Margins.v"),
     "a coarse threshold too small": (
         "Certified.v", "Definition coarse_degree_4 : R := 11.15625.", "Definition coarse_degree_4 : R := 10.", "Certified.v"),
+    "a coarse range that overflows": ("CoarseFloat.v", "24 128 (-21) 19 eq_refl", "24 128 (-21) 20 eq_refl", "CoarseFloat.v"),
+    "a fused product of the wrong sign": (
+        "Sizes.v", "if fused then Bfma mode_NE (Bopp y) z x", "if fused then Bfma mode_NE y z x", "Sizes.v"),
     "an error of the conservative test too small": (
         "Conservative.v", "Definition conservative_error : R := 10.", "Definition conservative_error : R := 7.", "Conservative.v"),
     "a range of the conservative test too wide": (
@@ -58,6 +61,9 @@ WEAKENED = {
     "a program recorded for one comparison only": (
         "RecordedIsProgram.v", "Theorem published_float_program rnd q m K :",
         "Theorem published_float_program rnd q m K : K = plane_radius ->", "published_float_program"),
+    "a coarse step that may lie of an infinite radius": (
+        "CoarseFloat.v", "(r : binary_float prec emax),\n", "(r : binary_float prec emax), is_finite r = true ->\n",
+        "float_coarse_never_lies"),
     "a conservative test that may miss a point's contact": (
         "ConservativeStep.v", "in_format prec emin p -> 0 <= r ->\n  let rnd", "in_format prec emin p -> 0 < r ->\n  let rnd",
         "conservative_never_misses"),

@@ -3,8 +3,8 @@
 
   write_thresholds.py [--check] [--coq FOLDER] [--headers FOLDER]
 
-reads coq/Thresholds.v, coq/Filters.v, coq/Margins.v, coq/Certified.v, coq/CertifiedStep.v, coq/Conservative.v and
-coq/ConservativeStep.v and writes
+reads coq/Thresholds.v, coq/Filters.v, coq/Margins.v, coq/Certified.v, coq/CertifiedStep.v, coq/CoarseFloat.v,
+coq/Conservative.v and coq/ConservativeStep.v and writes
   kernel/filter/thresholds.h      for the kernels
   kernel/filter/margin_bounds.h   for the filters of exact/ and the certified predicate
   coq/Exported.v                  the same figures as theorems about what never lies, so that what was read here is what is
@@ -91,6 +91,15 @@ def exponents(text, file, theorem, number_format):
     return [int(exponent) for exponent in re.findall(r"-?\d+", found.group(1))]
 
 
+def float_exponents(text, number_format):
+    """The exponents of the least and the greatest S of the theorem about the coarse step over IEEE-754 numbers."""
+    precision, emax = FORMATS[number_format]
+    found = re.search(rf"Theorem float_coarse_never_lies\d+ : float_coarse_never_lies {precision} {emax} \((-?\d+)\) (\d+) ", text)
+    if not found:
+        stop(f"CoarseFloat.v: no 'Theorem float_coarse_never_lies... : float_coarse_never_lies {precision} {emax} (...) ...'")
+    return [int(found.group(1)), 2 * int(found.group(2))]
+
+
 def dotted(comparison):
     """As reports spell it: vertex_a.side_b."""
     return re.sub("_(radius|side)", r".\1", comparison)
@@ -142,7 +151,7 @@ def margins_header(bounds, coarse, conservative, ends):
     coarse = {name.removeprefix("coarse_"): value for name, value in coarse.items()}
     conservative = {name.removeprefix("conservative_"): value for name, value in conservative.items()}
     for f in FORMATS:
-        coarse[f"least_square_{f}"], = (f"0x1p{exponent:+d}" for exponent in ends["coarse", f])
+        coarse[f"least_square_{f}"], coarse[f"greatest_square_{f}"] = (f"0x1p{exponent:+d}" for exponent in ends["coarse", f])
         conservative[f"least_square_{f}"], conservative[f"least_normal_{f}"] = (
             f"0x1p{exponent:+d}" for exponent in ends["conservative", f])
     return f"""// The constants of the bounds beside each margin, proved to suffice (docs/proofs.md). Written by
@@ -157,7 +166,7 @@ struct MarginBounds {{
 {members(bounds)}
 }};
 
-// Multiples of u: of S, S E and S E^2, where S as computed is no less than least_square
+// Multiples of u: of S, S E and S E^2, where S as computed is from least_square to greatest_square
 // (kernel/certified/thresholds.h).
 struct CoarseBounds {{
 {members(coarse)}
@@ -247,9 +256,13 @@ def main():
     bounds = constants((options.coq / "Margins.v").read_text(), "Margins.v")
     coarse = constants((options.coq / "Certified.v").read_text(), "Certified.v")
     conservative = constants((options.coq / "Conservative.v").read_text(), "Conservative.v")
-    ends = {(step, f): exponents((options.coq / file).read_text(), file, theorem, f) for f in FORMATS
-            for step, file, theorem in (("coarse", "CertifiedStep.v", "coarse_never_lies"),
-                                        ("conservative", "ConservativeStep.v", "conservative_never_misses"))}
+    step = (options.coq / "ConservativeStep.v").read_text()
+    ends = {("conservative", f): exponents(step, "ConservativeStep.v", "conservative_never_misses", f) for f in FORMATS}
+    steps = [(options.coq / name).read_text() for name in ("CertifiedStep.v", "CoarseFloat.v")]
+    for f in FORMATS:
+        ends["coarse", f] = float_exponents(steps[1], f)
+        if ends["coarse", f][:1] != exponents(steps[0], "CertifiedStep.v", "coarse_never_lies", f):
+            stop(f"CertifiedStep.v and CoarseFloat.v: the least S differs in {f}")
     stale = False
     for path, text in ((options.headers / "thresholds.h", header(exported, windows)),
                        (options.headers / "margin_bounds.h", margins_header(bounds, coarse, conservative, ends)),
