@@ -51,6 +51,7 @@ FAULTS = {
         "ConservativeStep.v", "conservative_never_misses 24 (-149) (-42)", "conservative_never_misses 24 (-149) (-43)", "ConservativeStep.v"),
     "a margin of the conservative test with the error added": (
         "ConservativeStep.v", "(mix s xz yz) - error)", "(mix s xz yz) + error)", "ConservativeStep.v"),
+    "phantoms too shallow": ("PhantomStep.v", "Definition phantom_depth : R := 20.", "Definition phantom_depth : R := 19.", "PhantomStep.v"),
 }
 
 # A theorem made weaker, so that it still has its proof: what is replaced in which file, and what says less then.
@@ -67,6 +68,8 @@ WEAKENED = {
     "a conservative test that may miss a point's contact": (
         "ConservativeStep.v", "in_format prec emin p -> 0 <= r ->\n  let rnd", "in_format prec emin p -> 0 < r ->\n  let rnd",
         "conservative_never_misses"),
+    "phantoms that may be deeper": (
+        "PhantomStep.v", "Definition phantom_depth : R := 20.", "Definition phantom_depth : R := 21.", "phantom_depth"),
 }
 
 

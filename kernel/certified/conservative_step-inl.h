@@ -30,8 +30,8 @@
 //   -
 //                              11.4 sqrt u M, and passes above r + 4.3 sqrt u L: x >= 15.7. Otherwise the triangle lies
 //                              within 2 sqrt u M of its longest edge, whose n has lost that much more: x >= 16.25.
-// Stated is x = 20. What is below the ranges, V of 2^-30 W (2^-60 W) or an edge whose square underflows, is a triangle
-// within 2^-14 M (2^-29 M) of an edge or a vertex: 0.4 of x at most.
+// Stated is x = 20, which exact/proofs/coq/PhantomStep.v proves. What is below the ranges, V of 2^-30 W (2^-60 W) or an
+// edge whose square underflows, is a triangle within 2^-14 M (2^-29 M) of an edge or a vertex: 0.4 of x at most.
 //
 // Range: W in [2^-42, 2^60] (binary64: 2^-400, 2^400). V is scaled by the power of two below 1 / W, so that |V| <= 8;
 // then every product compared is at least 18 u W 2^-60 (2^-120), a normal number, and below 2^122. What underflows in a

@@ -1,6 +1,6 @@
 (* What each main theorem rests on, printed; Assumptions.expected is what it has to print. *)
 From Axiscert Require Import Exact Reduced RecordedIsSat7 RecordedIsProgram Expression Run Windows Thresholds Filter Filters
-  Margins CertifiedStep CoarseFloat ConservativeStep Exported Decides.
+  Margins CertifiedStep CoarseFloat ConservativeStep PhantomStep Exported Decides.
 
 Tactic Notation "theorem" string(name) := idtac "==" name.
 Goal True. theorem "sat7_exact". Abort.
@@ -93,6 +93,10 @@ Goal True. theorem "conservative_never_misses32". Abort.
 Print Assumptions conservative_never_misses32.
 Goal True. theorem "conservative_never_misses64". Abort.
 Print Assumptions conservative_never_misses64.
+Goal True. theorem "conservative_phantoms_shallow32". Abort.
+Print Assumptions conservative_phantoms_shallow32.
+Goal True. theorem "conservative_phantoms_shallow64". Abort.
+Print Assumptions conservative_phantoms_shallow64.
 Goal True. theorem "exported_margin_bounds". Abort.
 Print Assumptions exported_margin_bounds.
 Goal True. theorem "exported_coarse_bounds". Abort.

@@ -40,6 +40,15 @@ Proof.
   assert (0 <= k * norm X) by (apply Rmult_le_pos; lra). lra.
 Qed.
 
+Lemma leaf_norm u x X : 0 <= u <= / 1048576 -> leaf_of u x X -> norm (sub X x) <= u * norm x.
+Proof.
+  intros u0 (hx & hy & hz). pose proof (norm_nonneg x).
+  eapply Rle_trans; [apply (norm_monotone _ (Vec (u * Rabs (cx x)) (u * Rabs (cy x)) (u * Rabs (cz x)))); assumption |].
+  apply norm_at_most; [apply Rmult_le_pos; lra |].
+  replace (u * norm x * (u * norm x)) with (u * u * (norm x * norm x)) by ring. rewrite norm_square, <- (sizes_square x).
+  unfold sizes, dot. rewrite !Rabs_mult. cbn [cx cy cz]. right. ring.
+Qed.
+
 Section Conservative.
   Variables u eta : R.
   Hypothesis u_range : 0 < u <= / 1048576.
@@ -100,12 +109,8 @@ Section Conservative.
   (* A vector beyond which all computed vertices lie, by the radius and what the translation was off. *)
   Lemma leaf_off x X : leaf_of x X -> norm X <= 1.00001 * w -> norm (sub X x) <= 1.003 * (u * w).
   Proof.
-    intros (hx & hy & hz) size. pose proof (norm_nonneg x) as x0.
-    assert (norm (sub X x) <= u * norm x) as off.
-    { eapply Rle_trans; [apply (norm_monotone _ (Vec (u * Rabs (cx x)) (u * Rabs (cy x)) (u * Rabs (cz x)))); assumption |].
-      apply norm_at_most; [apply Rmult_le_pos; lra |].
-      replace (u * norm x * (u * norm x)) with (u * u * (norm x * norm x)) by ring. rewrite norm_square, <- (sizes_square x).
-      unfold sizes, dot. rewrite !Rabs_mult. cbn [cx cy cz]. right. ring. }
+    intros leaf size. pose proof (norm_nonneg x) as x0.
+    pose proof (leaf_norm u x X u_weak leaf) as off.
     pose proof (difference_of_norms x X u off ltac:(lra)). pose proof w_facts as [w0 _]. assert (0 <= u * w) by (apply Rmult_le_pos; lra).
     apply (Rmult_le_compat_l u) in size; lra.
   Qed.

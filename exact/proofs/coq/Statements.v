@@ -3,7 +3,7 @@
 From Coq Require Import Reals ZArith List.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Sat7 Exact Reduced Sides RecordedIsSat7 RecordedIsProgram Expression Programs Format Run
-  Window Windows Thresholds Filter Filters Lanes Margins Certified CertifiedStep Sizes CoarseFloat Conservative ConservativeStep
+  Window Windows Thresholds Filter Filters Lanes Margins Certified CertifiedStep Sizes CoarseFloat Conservative ConservativeStep PhantomStep
   Exported Decides.
 Open Scope R_scope.
 Set Printing Width 120.
@@ -99,6 +99,10 @@ Goal True. statement "conservative_never_misses32". Abort.
 Check conservative_never_misses32.
 Goal True. statement "conservative_never_misses64". Abort.
 Check conservative_never_misses64.
+Goal True. statement "conservative_phantoms_shallow32". Abort.
+Check conservative_phantoms_shallow32.
+Goal True. statement "conservative_phantoms_shallow64". Abort.
+Check conservative_phantoms_shallow64.
 Goal True. statement "exported_margin_bounds". Abort.
 Check exported_margin_bounds.
 Goal True. statement "exported_coarse_bounds". Abort.
@@ -401,3 +405,9 @@ Goal True. statement "float_coarse_never_lies". Abort.
 Print float_coarse_never_lies.
 Goal True. statement "coarse_steps". Abort.
 Print coarse_steps.
+Goal True. statement "phantom_depth". Abort.
+Print phantom_depth.
+Goal True. statement "query_size". Abort.
+Print query_size.
+Goal True. statement "conservative_phantoms_shallow". Abort.
+Print conservative_phantoms_shallow.
