@@ -90,7 +90,8 @@ Section Conservative.
   Proof.
     pose proof w_facts as [w0 ww].
     assert (dot X X <= 1.00001 * W -> dot X X <= 1.00001 * W /\ norm X <= 1.00001 * w) as enough.
-    { intros H. split; [assumption |]. apply norm_at_most; [lra |]. replace (1.00001 * w * (1.00001 * w)) with (1.00001 * 1.00001 * (w * w)) by ring. lra. }
+    { intros H. split; [assumption |]. apply norm_at_most; [lra |].
+    replace (1.00001 * w * (1.00001 * w)) with (1.00001 * 1.00001 * (w * w)) by ring. lra. }
     intros [-> | [-> | ->]]; apply enough; eapply square_size; try eassumption; tauto.
   Qed.
   Lemma vertices_dot X Y : vertex X -> vertex Y -> norm X * norm Y <= 1.00001 * W /\ Rabs (dot X Y) <= 1.00001 * W.
@@ -128,7 +129,8 @@ Section Conservative.
     assert (dot n q = x * dot n a + y * dot n b + z * dot n c) as split_up by apply dot_combination.
     set (k := t - 1.003 * (u * w) * norm n) in *.
     assert (k <= dot n q) as far.
-    { rewrite split_up. apply Rmult_le_compat_l with (r := x) in ha; [| assumption]. apply Rmult_le_compat_l with (r := y) in hb; [| assumption].
+    { rewrite split_up. apply Rmult_le_compat_l with (r := x) in ha; [| assumption]. apply Rmult_le_compat_l with (r := y) in hb;
+      [| assumption].
       apply Rmult_le_compat_l with (r := z) in hc; [| assumption].
       assert (x * k + y * k + z * k = k) by (replace (x * k + y * k + z * k) with ((x + y + z) * k) by ring; rewrite sum; ring). lra. }
     assert (r * norm n < k) as rn by (unfold k; lra).
@@ -149,7 +151,8 @@ Section Conservative.
   Qed.
   Lemma R_from_below : r * r + 17 * (u * W) <= Rc.
   Proof.
-    pose proof square_error_near as near. unfold conservative_square_error in near. pose proof radius_size as [size off]. pose proof computed_R as H. unfold Lanes.rounds in H. pose proof uW.
+    pose proof square_error_near as near. unfold conservative_square_error in near. pose proof radius_size as [size off].
+    pose proof computed_R as H. unfold Lanes.rounds in H. pose proof uW.
     pose proof (Rmult_le_pos _ _ r_nonneg r_nonneg). apply Rabs_le_inv in near, off, H.
     assert (Rabs (rr + square_error) <= 1.0001 * W) as total by (apply Rabs_le; lra). apply (Rmult_le_compat_l u) in total; [| lra]. lra.
   Qed.
@@ -197,16 +200,19 @@ Section Conservative.
     rounds (yy - xy) d2 -> rounds (s * d2) f2 -> rounds (xy + f2) at_y ->
     rounds (yz - xz) d3 -> rounds (s * d3) f3 -> rounds (xz + f3) at_z ->
     rounds (at_y - at_x) d4 -> rounds (s * d4) f4 -> rounds (at_x + f4) nn -> rounds (nn + square_error) square ->
-    least <= at_x -> least <= at_y -> least <= at_z -> least = at_x \/ least = at_y \/ least = at_z -> rounds (least - error) m -> rounds (m * m) mm -> rounds (Rc * square) rs ->
+    least <= at_x -> least <= at_y -> least <= at_z -> least = at_x \/ least = at_y \/ least = at_z -> rounds (least - error) m ->
+      rounds (m * m) mm -> rounds (Rc * square) rs ->
     0 < m -> rs < mm -> clear a b c (r * r).
   Proof.
     intros vX vY vZ all s01 Hxx Hxy Hyy Hxz Hyz Hd1 Hf1 Hx Hd2 Hf2 Hy Hd3 Hf3 Hz Hd4 Hf4 Hn Hs lx ly lz one Hm Hmm Hrs m0 passes.
     pose proof uW as (u0 & uW1 & uW2 & uW3). pose proof w_facts as [w0 ww].
-    assert (product : forall P Q d, vertex P -> vertex Q -> computed_dot P Q d -> Rabs (dot P Q) <= 1.00001 * W /\ Rabs (d - dot P Q) <= 3.002 * (u * W)).
+    assert (product : forall P Q d, vertex P -> vertex Q -> computed_dot P Q d ->
+      Rabs (dot P Q) <= 1.00001 * W /\ Rabs (d - dot P Q) <= 3.002 * (u * W)).
     { intros P Q d HP HQ H. destruct (vertices_dot P Q HP HQ) as [long size]. split; [assumption |].
       apply dot_error in H; [| exact u_weak | assumption]. pose proof (sizes_norm P Q) as sn.
       assert (u * sizes P Q <= u * (1.00001 * W)) by (apply Rmult_le_compat_l; lra). lra. }
-    destruct (product _ _ _ vX vX Hxx) as [sxx oxx]. destruct (product _ _ _ vX vY Hxy) as [sxy oxy]. destruct (product _ _ _ vY vY Hyy) as [syy oyy].
+    destruct (product _ _ _ vX vX Hxx) as [sxx oxx]. destruct (product _ _ _ vX vY Hxy) as [sxy oxy].
+    destruct (product _ _ _ vY vY Hyy) as [syy oyy].
     destruct (product _ _ _ vX vZ Hxz) as [sxz oxz]. destruct (product _ _ _ vY vZ Hyz) as [syz oyz].
     set (n := between X Y s).
     destruct (mixed 3.002 s _ _ _ _ _ _ _ ltac:(lra) s01 sxx sxy oxx oxy Hd1 Hf1 Hx) as [sx ox].
@@ -224,7 +230,8 @@ Section Conservative.
     { intros T HT. destruct (all T HT) as [-> | [-> | ->]]; lra. }
     apply (separates n m beyond).
     (* The squares. *)
-    pose proof (dot_self_nonneg n) as n0. pose proof square_error_near as near. unfold conservative_square_error in near. pose proof R_from_below as Rlow. apply Rabs_le_inv in near, on, sn.
+    pose proof (dot_self_nonneg n) as n0. pose proof square_error_near as near. unfold conservative_square_error in near.
+    pose proof R_from_below as Rlow. apply Rabs_le_inv in near, on, sn.
     pose proof Hs as offs. unfold Lanes.rounds in offs. assert (Rabs (nn + square_error) <= 1.001 * W) as ss by (apply Rabs_le; lra).
     apply (Rmult_le_compat_l u) in ss; [| lra]. apply Rabs_le_inv in offs.
     assert (dot n n + 5 * (u * W) <= square) as slow by lra.
@@ -239,14 +246,17 @@ Section Conservative.
     assert (q * (1 - u) - 2 * eta < m * m * (1 + u)) as first.
     { assert (q * (1 - u) <= Rc * square * (1 - u)) by (apply Rmult_le_compat_r; lra). lra. }
     assert (q * (1 - 2 * u) - 2 * eta < m * m) as second.
-    { apply (Rmult_lt_compat_r (1 - u)) in first; [| lra]. assert (0 <= u * u * (m * m)) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra | assumption]).
-      assert (0 <= u * u * q) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra | assumption]). assert (0 <= eta * u) by (apply Rmult_le_pos; lra). lra. }
+    { apply (Rmult_lt_compat_r (1 - u)) in first; [| lra]. assert (0 <= u * u * (m * m)) by (apply Rmult_le_pos; [apply Rmult_le_pos;
+      lra | assumption]).
+      assert (0 <= u * u * q) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra | assumption]).
+      assert (0 <= eta * u) by (apply Rmult_le_pos; lra). lra. }
     assert (0 <= v * v) as vv by (apply Rmult_le_pos; lra).
     assert (0 < v * v) as vv' by (apply Rmult_lt_0_compat; lra).
     assert (rho * n2 + 14.9 * (v * n2) + 39 * (v * v) <= q * (1 - 2 * u)) as third.
     { assert (0 <= v * rho) as vr by (apply Rmult_le_pos; lra). assert (0 <= v * n2) as vn by (apply Rmult_le_pos; lra).
       assert (u * (rho * n2) <= 1.00001 * (v * n2)) as t1.
-      { replace (u * (rho * n2)) with (u * n2 * rho) by ring. replace (1.00001 * (v * n2)) with (u * n2 * (1.00001 * W)) by (unfold v; ring).
+      { replace (u * (rho * n2)) with (u * n2 * rho) by ring. replace (1.00001 * (v * n2)) with (u * n2 * (1.00001 * W)) by (unfold v;
+        ring).
         apply Rmult_le_compat_l; [apply Rmult_le_pos; lra | lra]. }
       assert (u * (v * rho) <= 1.00001 * (v * v)) as t2.
       { replace (u * (v * rho)) with (u * v * rho) by ring. replace (1.00001 * (v * v)) with (u * v * (1.00001 * W)) by (unfold v; ring).
@@ -308,13 +318,16 @@ Section Conservative.
     assert (q * (1 - u) - 2 * eta < m * m * (1 + u)) as first.
     { assert (q * (1 - u) <= Rc * square * (1 - u)) by (apply Rmult_le_compat_r; lra). lra. }
     assert (q * (1 - 2 * u) - 2 * eta < m * m) as second.
-    { apply (Rmult_lt_compat_r (1 - u)) in first; [| lra]. assert (0 <= u * u * (m * m)) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra | assumption]).
-      assert (0 <= u * u * q) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra | assumption]). assert (0 <= eta * u) by (apply Rmult_le_pos; lra). lra. }
+    { apply (Rmult_lt_compat_r (1 - u)) in first; [| lra]. assert (0 <= u * u * (m * m)) by (apply Rmult_le_pos; [apply Rmult_le_pos;
+      lra | assumption]).
+      assert (0 <= u * u * q) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra | assumption]).
+      assert (0 <= eta * u) by (apply Rmult_le_pos; lra). lra. }
     assert (0 <= v * n2) as vn by (apply Rmult_le_pos; lra).
     assert ((rho + 11.9 * v) * n2 <= q * (1 - 2 * u)) as third.
     { assert (0 <= rho * n2) as rn by (apply Rmult_le_pos; lra).
       assert (u * (rho * n2) <= 1.00001 * (v * n2)) as t1.
-      { replace (u * (rho * n2)) with (u * n2 * rho) by ring. replace (1.00001 * (v * n2)) with (u * n2 * (1.00001 * W)) by (unfold v; ring).
+      { replace (u * (rho * n2)) with (u * n2 * rho) by ring. replace (1.00001 * (v * n2)) with (u * n2 * (1.00001 * W)) by (unfold v;
+        ring).
         apply Rmult_le_compat_l; [apply Rmult_le_pos; lra | lra]. }
       pose proof (small (v * n2) vn). assert (0 <= u * u * (rho * n2)) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra | assumption]).
       assert (0 <= u * u * (v * n2)) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra | assumption]). unfold q. lra. }
@@ -334,7 +347,8 @@ Section Conservative.
     unfold h in longer.
     destruct least as [(la & lb & lc) | (la & lb & lc)].
     - apply (separates n (m - 3.002 * (u * (w * N)))); [| fold N; lra]. intros X [-> | [-> | ->]]; lra.
-    - pose proof (norm_opposite n) as same. fold N in same. apply (separates (scale n (-1)) (m - 3.002 * (u * (w * N)))); [| rewrite same; lra].
+    - pose proof (norm_opposite n) as same. fold N in same. apply (separates (scale n (-1)) (m - 3.002 * (u * (w * N)))); [| rewrite same;
+      lra].
       intros X [-> | [-> | ->]]; rewrite dot_opposite; lra.
   Qed.
 End Conservative.

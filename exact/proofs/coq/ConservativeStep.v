@@ -74,7 +74,8 @@ Section Format.
   Hypothesis large_enough : bpow radix2 least <= W.
 
   Lemma eta_power : eta = bpow radix2 (emin - 1).
-  Proof. unfold eta, half_least. replace (emin - 1)%Z with (emin + -1)%Z by lia. rewrite bpow_plus. change (bpow radix2 (-1)) with (/ 2). ring. Qed.
+  Proof. unfold eta, half_least. replace (emin - 1)%Z with (emin + -1)%Z by lia. rewrite bpow_plus. change (bpow radix2 (-1)) with (/ 2).
+  ring. Qed.
   Lemma u_range : 0 < u <= / 1048576.
   Proof. split; [apply bpow_gt_0 | apply (u_small prec prec20)]. Qed.
   Lemma W_positive : 0 < W.
@@ -127,15 +128,18 @@ Section Format.
   Proof.
     cbv zeta. intros vX vY vZ all [positive beyond]. apply separated_iff_clear; [assumption |].
     destruct formats as (fa & fb & fc & _). pose proof (rounding prec emin prec20) as rounds_to. fold rnd u eta in rounds_to.
-    destruct (least_of (rnd (rounded_dot rnd false X X + rnd (conservative_share rnd X along * rnd (rounded_dot rnd false X Y - rounded_dot rnd false X X))))
+    destruct (least_of (rnd (rounded_dot rnd false X X + rnd (conservative_share rnd X along * rnd (rounded_dot rnd false X Y - rounded_dot
+      rnd false X X))))
       (rnd (rounded_dot rnd false X Y + rnd (conservative_share rnd X along * rnd (rounded_dot rnd false Y Y - rounded_dot rnd false X Y))))
-      (rnd (rounded_dot rnd false X Z + rnd (conservative_share rnd X along * rnd (rounded_dot rnd false Y Z - rounded_dot rnd false X Z)))))
+      (rnd (rounded_dot rnd false X Z + rnd (conservative_share rnd X along * rnd (rounded_dot rnd false Y Z - rounded_dot rnd false X
+        Z)))))
       as [(lx & ly & lz) one].
     apply (edge_axis u eta u_range (eta_positive emin) (sub a p) (sub b p) (sub c p) (rounded_sub rnd a p) (rounded_sub rnd b p)
       (rounded_sub rnd c p) r _ _ _ _ W r_nonneg (leaf a fa) (leaf b fb) (leaf c fc) (dots _ _) (dots _ _) (dots _ _) (rounds_to _)
       W_greatest W_positive underflow_2 _ _ (rounds_to _) (rounds_to _) _ (rounds_to _) underflow_4 X Y Z _ _ _ _ _
       (conservative_share rnd X along) _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ vX vY vZ all (share_range rnd X along)
-      (dots _ _) (dots _ _) (dots _ _) (dots _ _) (dots _ _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _)
+      (dots _ _) (dots _ _) (dots _ _) (dots _ _) (dots _ _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _)
+        (rounds_to _)
       (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) lx ly lz one
       (rounds_to _) (rounds_to _) (rounds_to _) positive beyond).
   Qed.
@@ -151,10 +155,12 @@ Section Format.
       { replace least_normal with (1 + (least_normal - 1))%Z at 1 by lia. rewrite bpow_plus. reflexivity. }
       pose proof (eta_below (-20) least_normal (bpow radix2 least_normal) ltac:(lia) ltac:(lra)) as tiny.
       pose proof (bpow_gt_0 radix2 (least_normal - 1)). cbn in tiny. unfold eta in *. lra. }
-    pose proof u_range as [u0 _]. pose proof W_positive as W0. pose proof (Rmult_lt_0_compat _ _ u0 W0) as v0. pose proof (dot_self_nonneg n) as n0.
+    pose proof u_range as [u0 _]. pose proof W_positive as W0. pose proof (Rmult_lt_0_compat _ _ u0 W0) as v0.
+    pose proof (dot_self_nonneg n) as n0.
     assert (eta <= / 1000000 * (u * dot n n)) as tiny.
     { apply Rle_trans with (bpow radix2 (-20) * (u * dot n n)).
-      - apply eta_below with (- prec + (least_normal - 1))%Z; [lia |]. rewrite bpow_plus. apply Rmult_le_compat_l; [apply bpow_ge_0 | assumption].
+      - apply eta_below with (- prec + (least_normal - 1))%Z; [lia |]. rewrite bpow_plus. apply Rmult_le_compat_l;
+        [apply bpow_ge_0 | assumption].
       - apply Rmult_le_compat_r; [apply Rmult_le_pos; lra | cbn; lra]. }
     assert (eta <= / 1000000 * (u * W * dot n n)) as tiny'.
     { apply Rle_trans with (bpow radix2 (-20) * (u * W * dot n n)).

@@ -13,7 +13,8 @@ Proof. unfold clamp, Rmin, Rmax. repeat destruct Rle_dec; lra. Qed.
 (* A relative error matters no more than at 1. *)
 Lemma clamp_near x a k e : 0 <= k <= 1 -> 0 <= e -> Rabs (x - a) <= k * Rabs a + e -> Rabs (clamp x - clamp a) <= k + e.
 Proof.
-  intros k0 e0 H. apply Rabs_le_inv in H. destruct (Rle_lt_dec a 0) as [a0 | a0]; [rewrite Rabs_left1 in H by assumption | rewrite Rabs_pos_eq in H by lra].
+  intros k0 e0 H. apply Rabs_le_inv in H. destruct (Rle_lt_dec a 0) as [a0 | a0];
+    [rewrite Rabs_left1 in H by assumption | rewrite Rabs_pos_eq in H by lra].
   - assert (k * a <= 0) by nra. assert (a <= k * a) by nra. apply Rabs_le. unfold clamp, Rmin, Rmax. repeat destruct Rle_dec; lra.
   - destruct (Rle_lt_dec a 1) as [a1 | a1].
     + assert (k * a <= k) by nra. apply Rabs_le. unfold clamp, Rmin, Rmax. repeat destruct Rle_dec; lra.
@@ -27,7 +28,8 @@ Proof. unfold best. destruct Rlt_dec; [apply clamp_range | lra]. Qed.
 
 Lemma dot_star X Y c Z : dot (between X Y c) Z = dot X Z + c * dot (sub Y X) Z. Proof. unfold between. vec_ring. Qed.
 Lemma dot_along X Y c : dot (between X Y c) (sub Y X) = dot X (sub Y X) + c * dot (sub Y X) (sub Y X). Proof. unfold between. vec_ring. Qed.
-Lemma star_first X Y c : dot (between X Y c) X = dot (between X Y c) (between X Y c) - c * dot (between X Y c) (sub Y X). Proof. unfold between. vec_ring. Qed.
+Lemma star_first X Y c : dot (between X Y c) X = dot (between X Y c) (between X Y c) - c * dot (between X Y c) (sub Y X). Proof.
+unfold between. vec_ring. Qed.
 Lemma star_second X Y c : dot (between X Y c) Y = dot (between X Y c) (between X Y c) + (1 - c) * dot (between X Y c) (sub Y X).
 Proof. unfold between. vec_ring. Qed.
 Lemma same_points X Y Z : dot (sub Y X) (sub Y X) <= 0 -> dot Z (sub Y X) = 0.
@@ -93,7 +95,8 @@ Lemma rest_square X Y Z p : let rest := sub (sub Z X) (scale (sub Y X) p) in
   dot rest rest = length2 X Z - 2 * p * g X Y Z + p * p * length2 X Y.
 Proof. cbv zeta. unfold length2, g. vec_ring. Qed.
 Lemma star_thin X Y Z t : 0 < t -> length2 X Z <= length2 X Y -> length2 Y Z <= length2 X Y ->
-  dot (normal X Y Z) (normal X Y Z) <= 9 * (t * t) * length2 X Y -> dot (star X Y) (star X Y) - 3 * (norm (star X Y) * t) <= dot (star X Y) Z.
+  dot (normal X Y Z) (normal X Y Z) <= 9 * (t * t) * length2 X Y ->
+    dot (star X Y) (star X Y) - 3 * (norm (star X Y) * t) <= dot (star X Y) Z.
 Proof.
   intros t0 xz yz thin. destruct (star_nearest X Y) as [sX sY]. rewrite normal_square in thin.
   assert (length2 Y Z = length2 X Y + length2 X Z - 2 * g X Y Z) as law by (unfold length2, g; vec_ring).
@@ -109,7 +112,8 @@ Proof.
     assert (dot rest rest = length2 X Z - 2 * p * q + p * p * e) as square by apply rest_square.
     assert (norm rest <= 3 * t) as short.
     { apply norm_at_most; [lra |]. rewrite square. apply Rmult_le_reg_r with e; [assumption |].
-      replace ((length2 X Z - 2 * p * q + p * p * e) * e) with (e * length2 X Z - 2 * (p * e) * q + (p * e) * (p * e)) by ring. rewrite pe. lra. }
+      replace ((length2 X Z - 2 * p * q + p * p * e) * e) with (e * length2 X Z - 2 * (p * e) * q + (p * e) * (p * e)) by ring. rewrite pe.
+      lra. }
     pose proof (dot_norm (star X Y) rest) as part. apply Rabs_le_inv in part.
     assert (norm (star X Y) * norm rest <= norm (star X Y) * (3 * t)) by (apply Rmult_le_compat_l; assumption).
     assert ((1 - p) * dot (star X Y) (star X Y) <= (1 - p) * dot (star X Y) X) by (apply Rmult_le_compat_l; lra).
@@ -138,15 +142,19 @@ Section Computed.
       replace (add Y (scale X (-1))) with (sub Y X) in tri by (clear; destruct X, Y; unfold add, sub, scale; cbn; f_equal; ring). lra. }
     pose proof (small w ltac:(lra)) as uw. assert (0 < u * w) as uw0 by (apply Rmult_lt_0_compat; lra).
     assert (between X Y (clamp at_) = add (star X Y) (scale a (clamp at_ - best X Y))) as moved.
-    { unfold star, between, a. generalize (clamp at_), (best X Y). clear. intros. destruct X, Y; unfold add, sub, scale; cbn; f_equal; ring. }
+    { unfold star, between, a. generalize (clamp at_), (best X Y). clear. intros. destruct X, Y; unfold add, sub, scale; cbn; f_equal;
+      ring. }
     assert (norm (sub (between X Y (clamp at_)) (star X Y)) = Rabs (clamp at_ - best X Y) * l) as size.
     { rewrite moved. set (k := clamp at_ - best X Y). replace (sub (add (star X Y) (scale a k)) (star X Y)) with (scale a k)
         by (generalize (star X Y); clear; intros; destruct a; unfold add, sub, scale; cbn; f_equal; ring).
-      unfold norm at 1. replace (dot (scale a k) (scale a k)) with (k * k * (l * l)) by (rewrite ll; generalize k; clear; intros; destruct a; unfold dot, scale; cbn; ring).
-      rewrite <- (Rabs_pos_eq (l * l)) by (apply Rmult_le_pos; assumption). replace (k * k * Rabs (l * l)) with ((Rabs k * l) * (Rabs k * l)).
+      unfold norm at 1. replace (dot (scale a k) (scale a k)) with (k * k * (l * l)) by (rewrite ll; generalize k; clear; intros;
+        destruct a; unfold dot, scale; cbn; ring).
+      rewrite <- (Rabs_pos_eq (l * l)) by (apply Rmult_le_pos; assumption).
+      replace (k * k * Rabs (l * l)) with ((Rabs k * l) * (Rabs k * l)).
       - apply sqrt_square. apply Rmult_le_pos; [apply Rabs_pos | assumption].
       - rewrite (Rabs_pos_eq (l * l)) by (apply Rmult_le_pos; assumption).
-        replace (Rabs k * l * (Rabs k * l)) with (Rabs k * Rabs k * (l * l)) by ring. rewrite <- Rabs_mult, (Rabs_pos_eq (k * k)) by apply Rle_0_sqr. ring. }
+        replace (Rabs k * l * (Rabs k * l)) with (Rabs k * Rabs k * (l * l)) by ring.
+        rewrite <- Rabs_mult, (Rabs_pos_eq (k * k)) by apply Rle_0_sqr. ring. }
     rewrite size. destruct (Rle_lt_dec l (20 * (u * w))) as [short | long].
     { pose proof (clamp_range at_). pose proof (best_range X Y). assert (Rabs (clamp at_ - best X Y) <= 1) by (apply Rabs_le; lra).
       apply Rle_trans with (1 * l); [apply Rmult_le_compat_r; assumption | lra]. }
@@ -171,7 +179,8 @@ Section Computed.
       assert (l - u * l <= norm along) as alow.
       { pose proof (norm_triangle along (sub a along)) as tri. rewrite add_difference, norm_turned in tri. fold l in tri. lra. }
       assert (dot along along <= (l + u * l) * (l + u * l)) as up.
-      { rewrite <- norm_square. apply Rmult_le_compat; try apply norm_nonneg; pose proof (norm_triangle a (sub along a)) as tri; rewrite add_difference in tri; fold l in tri; lra. }
+      { rewrite <- norm_square. apply Rmult_le_compat; try apply norm_nonneg; pose proof (norm_triangle a (sub along a)) as tri;
+        rewrite add_difference in tri; fold l in tri; lra. }
       assert ((l - u * l) * (l - u * l) <= dot along along) as down by (rewrite <- norm_square; apply Rmult_le_compat; lra).
       pose proof (small (l * l) ltac:(lra)). pose proof (smaller u u_weak (l * l) ltac:(lra)).
       assert (u * dot along along <= u * ((l + u * l) * (l + u * l))) by (apply Rmult_le_compat_l; lra).
@@ -181,26 +190,32 @@ Section Computed.
     { apply dot_error in Hd; [| exact u_weak | assumption]. pose proof (sizes_norm X along) as sn.
       assert (norm X * norm along <= 1.00001 * w * (1.000001 * l)) as big by (apply Rmult_le_compat; try apply norm_nonneg; assumption).
       assert (u * sizes X along <= u * (1.00001 * w * (1.000001 * l))) by (apply Rmult_le_compat_l; lra).
-      pose proof (dot_norm X (sub along a)) as change. assert (norm X * norm (sub along a) <= 1.00001 * w * (u * l)) by (apply Rmult_le_compat; try apply norm_nonneg; assumption).
+      pose proof (dot_norm X (sub along a)) as change.
+      assert (norm X * norm (sub along a) <= 1.00001 * w * (u * l)) by (apply Rmult_le_compat; try apply norm_nonneg; assumption).
       replace (d - dot X a) with ((d - dot X along) + dot X (sub along a)) by (rewrite (dot_moved X a along); ring).
       eapply Rle_trans; [apply Rabs_triang |]. lra. }
     pose proof (small (l * l) ltac:(lra)) as ull. apply Rabs_le_inv in oe. assert (0 < e) as e0 by lra. specialize (Hat e0).
     unfold best. fold a. rewrite <- ll. destruct Rlt_dec as [_ |]; [| lra].
     (* at against g / l^2. *)
-    set (x := - dot X a / (l * l)). set (z := u * w / l). assert (0 < z) as z0 by (apply Rmult_lt_0_compat; [assumption | apply Rinv_0_lt_compat; assumption]).
+    set (x := - dot X a / (l * l)). set (z := u * w / l). assert (0 < z) as z0 by (apply Rmult_lt_0_compat;
+      [assumption | apply Rinv_0_lt_compat; assumption]).
     assert (z * l = u * w) as zl by (unfold z; field; lra).
     assert (u <= 2.0001 * z) as uz.
     { apply Rmult_le_reg_r with l; [assumption |]. replace (2.0001 * z * l) with (2.0001 * (z * l)) by ring. rewrite zl.
       assert (u * l <= u * (2.0001 * w)) by (apply Rmult_le_compat_l; lra). lra. }
     set (k := l * l / e). assert (k * e = l * l) as ke by (unfold k; field; lra).
     assert (Rabs (k - 1) <= 5.2 * u) as k1.
-    { apply Rabs_le. assert (0 <= u * (u * (l * l)) <= u * (l * l) / 1048576) by (apply small; lra). split; apply Rmult_le_reg_r with e; try assumption.
-      - replace ((k - 1) * e) with (k * e - e) by ring. rewrite ke. assert (u * (l * l - 5.1 * (u * (l * l))) <= u * e) by (apply Rmult_le_compat_l; lra). lra.
-      - replace ((k - 1) * e) with (k * e - e) by ring. rewrite ke. assert (u * (l * l - 5.1 * (u * (l * l))) <= u * e) by (apply Rmult_le_compat_l; lra). lra. }
+    { apply Rabs_le. assert (0 <= u * (u * (l * l)) <= u * (l * l) / 1048576) by (apply small; lra). split; apply Rmult_le_reg_r with e;
+      try assumption.
+      - replace ((k - 1) * e) with (k * e - e) by ring. rewrite ke.
+      assert (u * (l * l - 5.1 * (u * (l * l))) <= u * e) by (apply Rmult_le_compat_l; lra). lra.
+      - replace ((k - 1) * e) with (k * e - e) by ring. rewrite ke.
+      assert (u * (l * l - 5.1 * (u * (l * l))) <= u * e) by (apply Rmult_le_compat_l; lra). lra. }
     set (y := (dot X a - d) / (l * l)).
     assert (Rabs y <= 4.02 * z) as yz.
     { unfold y, Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ (l * l))) by (left; apply Rinv_0_lt_compat; assumption).
-      rewrite <- Rabs_Ropp. replace (- (dot X a - d)) with (d - dot X a) by ring. replace (4.02 * z) with (4.02 * (u * w * l) * / (l * l)) by (unfold z; field; lra).
+      rewrite <- Rabs_Ropp. replace (- (dot X a - d)) with (d - dot X a) by ring.
+      replace (4.02 * z) with (4.02 * (u * w * l) * / (l * l)) by (unfold z; field; lra).
       apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; assumption | assumption]. }
     assert (- d / e = (x + y) * k) as quotient by (unfold x, y, k; field; lra).
     unfold Lanes.rounds in Hat. rewrite quotient in Hat.
@@ -210,9 +225,11 @@ Section Computed.
     apply (Rmult_le_compat_l u) in qsize; [| lra]. pose proof (small (Rabs x) (Rabs_pos x)). pose proof (small z ltac:(lra)).
     assert (Rabs (at_ - x) <= 6.3 * u * Rabs x + 4.1 * z) as close.
     { replace (at_ - x) with ((at_ - (x + y) * k) + x * (k - 1) + y * k) by ring.
-      eapply Rle_trans; [apply Rabs_triang |]. eapply Rle_trans; [apply Rplus_le_compat_r, Rabs_triang |]. rewrite (Rabs_mult x), (Rabs_mult y).
+      eapply Rle_trans; [apply Rabs_triang |]. eapply Rle_trans; [apply Rplus_le_compat_r, Rabs_triang |].
+      rewrite (Rabs_mult x), (Rabs_mult y).
       assert (Rabs x * Rabs (k - 1) <= Rabs x * (5.2 * u)) by (apply Rmult_le_compat_l; [apply Rabs_pos | assumption]).
-      apply Rabs_le_inv in k1. assert (Rabs y * Rabs k <= 4.02 * z * 1.00001) by (apply Rmult_le_compat; auto using Rabs_pos; rewrite Rabs_pos_eq; lra). lra. }
+      apply Rabs_le_inv in k1. assert (Rabs y * Rabs k <= 4.02 * z * 1.00001) by (apply Rmult_le_compat; auto using Rabs_pos;
+        rewrite Rabs_pos_eq; lra). lra. }
     pose proof (clamp_near at_ x (6.3 * u) (4.1 * z) ltac:(lra) ltac:(lra) close) as final.
     apply Rle_trans with ((6.3 * u + 4.1 * z) * l); [apply Rmult_le_compat_r; assumption |].
     replace ((6.3 * u + 4.1 * z) * l) with (6.3 * (u * l) + 4.1 * (z * l)) by ring. rewrite zl.

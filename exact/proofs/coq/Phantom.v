@@ -77,7 +77,8 @@ Section Phantom.
   Qed.
   Lemma Rc_range : 0 <= Rc <= r * r + 22 * (t * t).
   Proof.
-    destruct t_facts as (_ & _ & _ & -> & _). destruct rr_near as [size off]. pose proof uW as (v0 & v1 & _). pose proof (Rmult_le_pos _ _ r_nonneg r_nonneg).
+    destruct t_facts as (_ & _ & _ & -> & _). destruct rr_near as [size off]. pose proof uW as (v0 & v1 & _).
+    pose proof (Rmult_le_pos _ _ r_nonneg r_nonneg).
     pose proof (square_error_near u eta u_range eta_nonneg W W_positive underflow_2 square_error computed_square_error) as near.
     pose proof computed_R as H'. unfold conservative_square_error in near. unfold Lanes.rounds in H'. apply Rabs_le_inv in off, near.
     assert (Rabs (rr + square_error) <= 1.001 * W) as whole by (apply Rabs_le; lra). apply (Rmult_le_compat_l u) in whole; [| lra].
@@ -112,25 +113,30 @@ Section Phantom.
   Proof.
     intros vX vY vZ s01 Hxx Hxy Hyy Hxz Hyz Hd1 Hf1 Hx Hd2 Hf2 Hy Hd3 Hf3 Hz Hd4 Hf4 Hn Hs one Hm Hmm Hrs close far sX sY sZ.
     pose proof uW as (u0 & uW1 & uW2 & uW3). destruct t_facts as (w0 & ww & t0 & tt & uwt).
-    assert (product : forall P Q d, vertex A B C P -> vertex A B C Q -> computed_dot P Q d -> Rabs (dot P Q) <= 1.00001 * W /\ Rabs (d - dot P Q) <= 3.002 * (u * W)).
+    assert (product : forall P Q d, vertex A B C P -> vertex A B C Q -> computed_dot P Q d ->
+      Rabs (dot P Q) <= 1.00001 * W /\ Rabs (d - dot P Q) <= 3.002 * (u * W)).
     { intros P Q d HP HQ H. apply sizes_known in HP, HQ. pose proof (dot_norm P Q). pose proof (norm_square P). pose proof (norm_square Q).
       pose proof (Rle_0_sqr (norm P - norm Q)) as sq. unfold Rsqr in sq. split; [lra |].
       apply dot_error in H; [| exact u_weak | assumption]. pose proof (sizes_norm P Q) as sn.
       assert (u * sizes P Q <= u * (1.00001 * W)) by (apply Rmult_le_compat_l; lra). lra. }
-    destruct (product _ _ _ vX vX Hxx) as [sxx oxx]. destruct (product _ _ _ vX vY Hxy) as [sxy oxy]. destruct (product _ _ _ vY vY Hyy) as [syy oyy].
+    destruct (product _ _ _ vX vX Hxx) as [sxx oxx]. destruct (product _ _ _ vX vY Hxy) as [sxy oxy].
+    destruct (product _ _ _ vY vY Hyy) as [syy oyy].
     destruct (product _ _ _ vX vZ Hxz) as [sxz oxz]. destruct (product _ _ _ vY vZ Hyz) as [syz oyz].
     set (n := between X Y s) in *.
     destruct (mixed u eta u_range W W_positive underflow_2 3.002 s _ _ _ _ _ _ _ ltac:(lra) s01 sxx sxy oxx oxy Hd1 Hf1 Hx) as [sx ox].
     destruct (mixed u eta u_range W W_positive underflow_2 3.002 s _ _ _ _ _ _ _ ltac:(lra) s01 sxy syy oxy oyy Hd2 Hf2 Hy) as [sy oy].
     destruct (mixed u eta u_range W W_positive underflow_2 3.002 s _ _ _ _ _ _ _ ltac:(lra) s01 sxz syz oxz oyz Hd3 Hf3 Hz) as [sz oz].
-    destruct (mixed u eta u_range W W_positive underflow_2 8.012 s _ _ at_x at_y _ _ _ ltac:(lra) s01 sx sy ltac:(lra) ltac:(lra) Hd4 Hf4 Hn) as [sn on].
+    destruct (mixed u eta u_range W W_positive underflow_2 8.012 s _ _ at_x at_y _ _ _ ltac:(lra) s01 sx sy ltac:(lra) ltac:(lra) Hd4 Hf4
+      Hn) as [sn on].
     rewrite <- dot_between_first in ox, sx. rewrite <- dot_between in oy, sy, oz, sz.
     rewrite <- dot_between_first, <- dot_between, <- dot_between_itself in on, sn. fold n in ox, sx, oy, sy, oz, sz, on, sn.
     set (nu := norm star) in *. assert (nu * nu = dot star star) as nn2 by apply norm_square. rewrite <- nn2 in sX, sY, sZ.
     (* The products with n for those with star. *)
     assert (near : forall T, vertex A B C T -> dot star T - 30.001 * (u * W) <= dot n T).
-    { intros T HT. apply sizes_known in HT as [_ HT]. fold w in HT. pose proof (dot_norm T (sub n star)) as change. apply Rabs_le_inv in change.
-      assert (norm T * norm (sub n star) <= 1.00001 * w * (30 * (u * w))) as part by (apply Rmult_le_compat; try assumption; apply norm_nonneg).
+    { intros T HT. apply sizes_known in HT as [_ HT]. fold w in HT. pose proof (dot_norm T (sub n star)) as change.
+    apply Rabs_le_inv in change.
+      assert (norm T * norm (sub n star) <= 1.00001 * w * (30 * (u * w))) as part by (apply Rmult_le_compat; try assumption;
+        apply norm_nonneg).
       replace (1.00001 * w * (30 * (u * w))) with (30.0003 * (u * (w * w))) in part by lra. rewrite ww in part.
       pose proof (dot_moved T star n). rewrite (dot_swapped T n), (dot_swapped T star) in *. lra. }
     pose proof (near X vX) as nX. pose proof (near Y vY) as nY. pose proof (near Z vZ) as nZ.
@@ -142,7 +148,8 @@ Section Phantom.
     assert (nu * nu - 3 * (nu * t) - 50 * (t * t) <= m) as mlow by (rewrite tt; destruct one as [-> | [-> | ->]]; lra).
     (* The squares. *)
     assert (norm n <= 1.0001 * w) as nsize.
-    { apply norm_at_most; [lra |]. apply Rabs_le_inv in sn. replace (1.0001 * w * (1.0001 * w)) with (1.0001 * 1.0001 * (w * w)) by ring. lra. }
+    { apply norm_at_most; [lra |]. apply Rabs_le_inv in sn. replace (1.0001 * w * (1.0001 * w)) with (1.0001 * 1.0001 * (w * w)) by ring.
+    lra. }
     pose proof (small w ltac:(lra)) as uw.
     assert (nu <= 1.001 * w) as nusize.
     { unfold nu. pose proof (norm_triangle n (sub star n)) as tri. rewrite add_difference in tri. rewrite norm_turned in close. lra. }
@@ -154,7 +161,8 @@ Section Phantom.
       - apply Rmult_le_compat; try apply norm_nonneg; assumption.
       - assert (u * w * nu <= u * w * (1.001 * w)) by (apply Rmult_le_compat_l; lra).
         assert (u * w * (u * w) <= u * w * (w / 1048576)) by (apply Rmult_le_compat_l; lra).
-        replace (u * w * (1.001 * w)) with (1.001 * (u * (w * w))) in * by ring. replace (u * w * (w / 1048576)) with (u * (w * w) / 1048576) in * by field.
+        replace (u * w * (1.001 * w)) with (1.001 * (u * (w * w))) in * by ring.
+        replace (u * w * (w / 1048576)) with (u * (w * w) / 1048576) in * by field.
         rewrite ww in *. lra. }
     pose proof (square_error_near u eta u_range eta_nonneg W W_positive underflow_2 square_error computed_square_error) as snear.
     unfold conservative_square_error in snear. pose proof (dot_self_nonneg n) as n0. apply Rabs_le_inv in snear, on, sn.
@@ -162,7 +170,8 @@ Section Phantom.
     apply (Rmult_le_compat_l u) in ss; [| lra]. apply Rabs_le_inv in offs.
     assert (0 <= square <= nu * nu + 94 * (t * t)) as srange by (rewrite tt; lra).
     assert (u * (nu * nu) <= 1.01 * (t * t)) as unu.
-    { rewrite tt. apply (Rmult_le_compat_l u) in nusq; [| lra]. replace (u * (1.001 * w * (1.001 * w))) with (1.002001 * (u * (w * w))) in nusq by lra. rewrite ww in nusq. lra. }
+    { rewrite tt. apply (Rmult_le_compat_l u) in nusq; [| lra].
+    replace (u * (1.001 * w * (1.001 * w))) with (1.002001 * (u * (w * w))) in nusq by lra. rewrite ww in nusq. lra. }
     destruct (deep_edge u t nu r m Rc square ltac:(lra) t0 r_nonneg far unu mlow Rc_range srange) as [m0 beyond].
     split; [assumption |]. apply (passes_rounded m square); try assumption. lra.
   Qed.

@@ -84,22 +84,27 @@ Section Plane.
     assert (G <= / 1000) as Gs.
     { apply Rsqr_incr_0_var; [| lra]. unfold Rsqr. rewrite GG. lra. }
     assert (G * w = t) as Gw.
-    { apply Rsqr_inj; [apply Rmult_le_pos; lra | lra |]. unfold Rsqr. rewrite tt. replace (G * w * (G * w)) with (G * G * (w * w)) by ring. rewrite GG, ww. reflexivity. }
-    pose proof (sizes_known A (or_introl eq_refl)) as [_ sA]. pose proof (sizes_known C (or_intror (or_intror eq_refl))) as [_ sC]. fold w in sA, sC.
+    { apply Rsqr_inj; [apply Rmult_le_pos; lra | lra |]. unfold Rsqr. rewrite tt. replace (G * w * (G * w)) with (G * G * (w * w)) by ring.
+    rewrite GG, ww. reflexivity. }
+    pose proof (sizes_known A (or_introl eq_refl)) as [_ sA]. pose proof (sizes_known C (or_intror (or_intror eq_refl))) as [_ sC].
+    fold w in sA, sC.
     assert (ca <= 2.0001 * w) as caw.
     { unfold ca. replace (sub A C) with (add A (scale C (-1))) by (clear; destruct A, C; unfold add, sub, scale; cbn; f_equal; ring).
       pose proof (norm_triangle A (scale C (-1))) as tri. rewrite norm_opposite in tri. lra. }
     assert (G * q <= 0.6668 * Vn) as Gq.
-    { apply Rsqr_incr_0_var; [| lra]. unfold Rsqr. replace (G * q * (G * q)) with (G * G * (ca * ca * (ab * ab))) by (unfold q; ring). rewrite GG.
+    { apply Rsqr_incr_0_var; [| lra]. unfold Rsqr. replace (G * q * (G * q)) with (G * G * (ca * ca * (ab * ab))) by (unfold q; ring).
+    rewrite GG.
       assert (ca * ca <= 2.0001 * w * (2.0001 * w)) as c2 by (apply Rmult_le_compat; lra).
       assert (ca * ca * (ab * ab) <= 4.0005 * W * longest) as c3.
-      { apply Rmult_le_compat; try (apply Rle_0_sqr); [| assumption]. replace (2.0001 * w * (2.0001 * w)) with (2.0001 * 2.0001 * (w * w)) in c2 by ring. rewrite ww in c2. lra. }
+      { apply Rmult_le_compat; try (apply Rle_0_sqr); [| assumption].
+      replace (2.0001 * w * (2.0001 * w)) with (2.0001 * 2.0001 * (w * w)) in c2 by ring. rewrite ww in c2. lra. }
       apply (Rmult_le_compat_l u) in c3; [| lra]. rewrite tt in thick.
       assert (0 <= Vn * Vn) by (apply Rmult_le_pos; lra). lra. }
     assert (u * q <= 0.6668 * (G * Vn)) as uq.
     { rewrite <- GG. replace (G * G * q) with (G * (G * q)) by ring. apply (Rmult_le_compat_l G) in Gq; lra. }
     (* n is near k V. *)
-    assert (0 < k) as k0 by (destruct (Rlt_le_dec 0 k) as [| neg]; [assumption |]; pose proof (Rmult_le_compat_r W _ _ ltac:(lra) neg); lra).
+    assert (0 < k) as k0 by (destruct (Rlt_le_dec 0 k) as [| neg]; [assumption |]; pose proof (Rmult_le_compat_r W _ _ ltac:(lra) neg);
+      lra).
     set (K := k * Vn). assert (9 * u <= K) as Ku.
     { unfold K. apply Rle_trans with (k * (9 * (t * t))); [rewrite tt; replace (k * (9 * (u * W))) with (9 * u * (k * W)) by ring |].
       - pose proof (Rmult_le_compat_l (9 * u) _ _ ltac:(lra) kW). lra.
@@ -109,11 +114,13 @@ Section Plane.
     assert (u * u <= G / 1000) as uuG by (pose proof (Rmult_le_compat u G u (/ 1000) ltac:(lra) ltac:(lra) uG ltac:(lra)); lra).
     assert (k * eta <= / 1000000 * (G * K)) as keta.
     { apply Rle_trans with (k * (/ 1000000 * (u * u * Vn))).
-      - apply Rmult_le_compat_l; [lra |]. eapply Rle_trans; [exact underflow_5 |]. apply Rmult_le_compat_l; [lra |]. apply Rmult_le_compat_l; [apply Rmult_le_pos; lra | rewrite <- tt; lra].
+      - apply Rmult_le_compat_l; [lra |]. eapply Rle_trans; [exact underflow_5 |]. apply Rmult_le_compat_l; [lra |].
+      apply Rmult_le_compat_l; [apply Rmult_le_pos; lra | rewrite <- tt; lra].
       - unfold K. replace (k * (/ 1000000 * (u * u * Vn))) with (/ 1000000 * (u * u * (k * Vn))) by ring. fold K.
         assert (u * u * K <= G / 1000 * K) by (apply Rmult_le_compat_r; lra). lra. }
     assert (eta <= / 1000000 * (G * K)) as etaK.
-    { eapply Rle_trans; [exact underflow_3 |]. assert (u * u * u <= G / 1000 * K) by (apply Rmult_le_compat; try lra; apply Rmult_le_pos; lra). lra. }
+    { eapply Rle_trans; [exact underflow_3 |]. assert (u * u * u <= G / 1000 * K) by (apply Rmult_le_compat; try lra; apply Rmult_le_pos;
+      lra). lra. }
     pose proof (cross_near _ _ _ _ _ lCA lAB HN) as Noff. fold V ca ab q in Noff.
     assert (norm N <= Vn + (5.665 * u * q + 7 * eta)) as Nlen.
     { pose proof (norm_triangle V (sub N V)) as tri. rewrite add_difference in tri. fold Vn in tri. lra. }
@@ -128,12 +135,15 @@ Section Plane.
     { rewrite (sub_between n (scale N k) (scale V k)). eapply Rle_trans; [apply norm_triangle |]. rewrite sub_scaled, norm_scaled by lra.
       apply (Rmult_le_compat_l k) in Noff, Nlen, uq; try lra. assert (k * (G * Vn) = G * K) as GKV by (unfold K; ring).
       apply (Rmult_le_compat_l u) in Nlen; [| lra]. fold K in Nlen.
-      assert (u * (k * Vn) <= k * (u * q)) by (replace (k * (u * q)) with (u * (k * q)) by ring; apply Rmult_le_compat_l; [lra |]; apply Rmult_le_compat_l; lra).
+      assert (u * (k * Vn) <= k * (u * q)) by (replace (k * (u * q)) with (u * (k * q)) by ring; apply Rmult_le_compat_l; [lra |];
+        apply Rmult_le_compat_l; lra).
       assert (0 <= k * (u * q)) as kuq by (apply Rmult_le_pos; [lra | apply Rmult_le_pos; lra]). pose proof (small _ kuq).
       assert (0 <= k * eta) as ke0 by (apply Rmult_le_pos; lra). pose proof (small _ ke0). lra. }
     set (N0 := norm n). assert (N0 <= K + 4.46 * (G * K) /\ K - 4.46 * (G * K) <= N0) as [Nup Ndown].
-    { pose proof (norm_triangle (scale V k) (sub n (scale V k))) as tri. rewrite add_difference, norm_scaled in tri by lra. fold Vn K N0 in tri.
-      pose proof (norm_triangle n (sub (scale V k) n)) as tri'. rewrite add_difference, norm_turned, norm_scaled in tri' by lra. fold Vn K N0 in tri'. lra. }
+    { pose proof (norm_triangle (scale V k) (sub n (scale V k))) as tri. rewrite add_difference, norm_scaled in tri by lra.
+    fold Vn K N0 in tri.
+      pose proof (norm_triangle n (sub (scale V k) n)) as tri'. rewrite add_difference, norm_turned, norm_scaled in tri' by lra.
+      fold Vn K N0 in tri'. lra. }
     assert (G * K <= / 1000 * K) as GKs by (apply Rmult_le_compat_r; lra).
     assert (8.9 * u <= N0) as N0u by lra. assert (0 < N0) as N00 by lra.
     (* rho is no more than w. *)
@@ -145,7 +155,8 @@ Section Plane.
     assert (eta <= / 1000000 * (t * N0)) as etat.
     { assert (eta <= / 1000000 * (u * u * (u * w))) as e1.
       { apply Rsqr_incr_0_var; [| repeat apply Rmult_le_pos; lra]. unfold Rsqr.
-        replace (/ 1000000 * (u * u * (u * w)) * (/ 1000000 * (u * u * (u * w)))) with (/ 1000000 * (u * u * u) * (/ 1000000 * (u * u * (u * (w * w))))) by ring.
+        replace (/ 1000000 * (u * u * (u * w)) * (/ 1000000 * (u * u * (u * w)))) with (/ 1000000 * (u * u * u) * (/ 1000000 * (u * u * (u
+          * (w * w))))) by ring.
         rewrite ww. apply Rmult_le_compat; assumption. }
       eapply Rle_trans; [exact e1 |]. apply Rmult_le_compat_l; [lra |]. replace (u * u * (u * w)) with (u * w * (u * u)) by ring.
       apply Rmult_le_compat; try lra; [apply Rmult_le_pos; lra |]. pose proof (small u ltac:(lra)). lra. }
@@ -157,16 +168,20 @@ Section Plane.
     assert (apart : forall X, vertex A B C X -> Rabs (dot X n - k * dot A V) <= 4.4601 * (t * K)).
     { intros X HX. destruct (sizes_known X HX) as [_ size]. fold w in size.
       assert (dot X V = dot A V) as same by (destruct (dot_plane A B C), HX as [-> | [-> | ->]]; auto).
-      rewrite (dot_moved X (scale V k) n), dot_scaled, same. replace (k * dot A V + dot X (sub n (scale V k)) - k * dot A V) with (dot X (sub n (scale V k))) by ring.
+      rewrite (dot_moved X (scale V k) n), dot_scaled, same.
+      replace (k * dot A V + dot X (sub n (scale V k)) - k * dot A V) with (dot X (sub n (scale V k))) by ring.
       eapply Rle_trans; [apply dot_norm |].
-      assert (norm X * norm (sub n (scale V k)) <= 1.00001 * w * (4.46 * (G * K))) as part by (apply Rmult_le_compat; try apply norm_nonneg; assumption).
+      assert (norm X * norm (sub n (scale V k)) <= 1.00001 * w * (4.46 * (G * K))) as part by (apply Rmult_le_compat;
+        try apply norm_nonneg; assumption).
       replace (1.00001 * w * (4.46 * (G * K))) with (4.4600446 * (G * w * K)) in part by lra. rewrite Gw in part.
       assert (0 <= t * K) by (apply Rmult_le_pos; lra). lra. }
     set (d := dot A V) in *. fold Vn in high.
-    assert (k * (rho * Vn) <= k * Rabs d) as kd by (apply Rmult_le_compat_l; lra). replace (k * (rho * Vn)) with (rho * K) in kd by (unfold K; ring).
+    assert (k * (rho * Vn) <= k * Rabs d) as kd by (apply Rmult_le_compat_l; lra).
+    replace (k * (rho * Vn)) with (rho * K) in kd by (unfold K; ring).
     assert (N0 * (r + 10.9 * t) <= rho * K - 4.4601 * (t * K) - 0.0031 * (t * N0)) as enough.
     { assert (N0 * (1 - 4.46 * G) <= K) as NK.
-      { assert (0 <= G * (G * K)) by (apply Rmult_le_pos; lra). assert (N0 * (1 - 4.46 * G) <= (K + 4.46 * (G * K)) * (1 - 4.46 * G)) by (apply Rmult_le_compat_r; lra). lra. }
+      { assert (0 <= G * (G * K)) by (apply Rmult_le_pos; lra).
+      assert (N0 * (1 - 4.46 * G) <= (K + 4.46 * (G * K)) * (1 - 4.46 * G)) by (apply Rmult_le_compat_r; lra). lra. }
       assert (N0 * (1 - 4.46 * G) * (rho - 4.4601 * t) <= K * (rho - 4.4601 * t)) as step by (apply Rmult_le_compat_r; lra).
       assert (G * rho <= 1.00001 * t) as Grho by (rewrite <- Gw; apply (Rmult_le_compat_l G) in rhow; lra).
       assert (N0 * (G * rho) <= N0 * (1.00001 * t)) by (apply Rmult_le_compat_l; lra).
@@ -188,7 +203,8 @@ Section Plane.
     assert (8.9 * u * (8.9 * u) <= N0 * N0) as NNu by (apply Rmult_le_compat; lra).
     assert (0 < N0 * N0) as NN0 by (apply Rmult_lt_0_compat; assumption).
     assert (eta <= / 1000000 * (u * (N0 * N0))) as etaN.
-    { eapply Rle_trans; [exact underflow_3 |]. replace (u * u * u) with (u * (u * u)) by ring. apply Rmult_le_compat_l; [lra |]. apply Rmult_le_compat_l; lra. }
+    { eapply Rle_trans; [exact underflow_3 |]. replace (u * u * u) with (u * (u * u)) by ring. apply Rmult_le_compat_l; [lra |].
+    apply Rmult_le_compat_l; lra. }
     pose proof (small (N0 * N0) ltac:(lra)) as uNN. assert (0 < m) as m0.
     { replace (y + 6.2 * t) with (r + 10.9 * t) in mlow by (unfold y; lra). lra. }
     split; [lra |]. split; [assumption |].
@@ -202,7 +218,8 @@ Section Plane.
     { assert (y <= 1.01 * w) as yw by (unfold y; lra). assert (u * y <= u * (1.01 * w)) by (apply Rmult_le_compat_l; lra).
       replace (u * (y * y)) with (u * y * y) by ring. apply Rle_trans with (0.00101 * t * y); [apply Rmult_le_compat_r; lra | lra]. }
     assert (0 <= Rc * square) as Rs0 by (apply Rmult_le_pos; lra). assert (0 <= m * m) as mm0 by apply Rle_0_sqr.
-    unfold Lanes.rounds in Hmm, Hrs. rewrite (Rabs_pos_eq (m * m)) in Hmm by assumption. rewrite (Rabs_pos_eq (Rc * square)) in Hrs by assumption.
+    unfold Lanes.rounds in Hmm, Hrs. rewrite (Rabs_pos_eq (m * m)) in Hmm by assumption.
+    rewrite (Rabs_pos_eq (Rc * square)) in Hrs by assumption.
     apply Rabs_le_inv in Hmm, Hrs.
     assert (Rc * square * (1 + u) <= y * y * (N0 * N0 * (1 + 3.1 * u)) * (1 + u)) as top' by (apply Rmult_le_compat_r; lra).
     assert (N0 * (y + 6.2 * t) * (N0 * (y + 6.2 * t)) * (1 - u) <= m * m * (1 - u)) as bottom' by (apply Rmult_le_compat_r; lra).
@@ -218,6 +235,7 @@ Section Plane.
     apply (Rmult_le_compat_l M) in t1, t2; try lra.
     assert (0 < M * (t * t)) by (apply Rmult_lt_0_compat; lra). assert (0 <= M * (y * t)) by (apply Rmult_le_pos; lra).
     replace (y * y * (M * (1 + 3.1 * u)) * (1 + u)) with (M * (y * y * (1 + 3.1 * u) * (1 + u))) in top' by ring.
-    replace (N0 * (y + 6.2 * t) * (N0 * (y + 6.2 * t)) * (1 - u)) with (M * ((y + 6.2 * t) * (y + 6.2 * t) * (1 - u))) in bottom' by (unfold M; ring). lra.
+    replace (N0 * (y + 6.2 * t) * (N0 * (y + 6.2 * t)) * (1 - u)) with (M * ((y + 6.2 * t) * (y + 6.2 * t) * (1 - u))) in bottom' by
+      (unfold M; ring). lra.
   Qed.
 End Plane.

@@ -77,7 +77,8 @@ Section Format.
   Qed.
   Lemma tiny_5 : eta <= / 1000000 * (u * u * (u * W)).
   Proof.
-    pose proof urange as [u0 _]. fold u in u0. pose proof W0 as W1. fold rnd W in W1. replace (u * u * (u * W)) with (u * u * u * W) by ring. rewrite <- u3.
+    pose proof urange as [u0 _]. fold u in u0. pose proof W0 as W1. fold rnd W in W1.
+    replace (u * u * (u * W)) with (u * u * u * W) by ring. rewrite <- u3.
     eapply Rle_trans; [| apply small_factor; apply Rmult_le_pos; [apply bpow_ge_0 | lra]].
     apply (eta_below emin) with (- 3 * prec + least)%Z; [lia |]. rewrite bpow_plus. apply Rmult_le_compat_l; [apply bpow_ge_0 | assumption].
   Qed.
@@ -104,7 +105,8 @@ Section Format.
     destruct (t_facts u urange W W0) as (w0 & ww & _). fold w in w0, ww.
     assert (norm (sub (between X Y (conservative_share rnd X (rounded_sub rnd Y X))) (star X Y)) <= 30 * (u * w)) as close.
     { unfold conservative_share. fold product. set (at_ := if Rlt_dec _ _ then _ else _).
-      apply (share_near u eta w urange eta0 w0 tiny_1) with (rounded_sub rnd Y X) (product (rounded_sub rnd Y X) (rounded_sub rnd Y X)) (product X (rounded_sub rnd Y X)).
+      apply (share_near u eta w urange eta0 w0 tiny_1) with (rounded_sub rnd Y X) (product (rounded_sub rnd Y X) (rounded_sub rnd Y X))
+        (product X (rounded_sub rnd Y X)).
       - replace (u * (u * w) * (u * w)) with (u * u * (u * (w * w))) by ring. rewrite ww. exact tiny_5.
       - apply sizes_known. exact vX.
       - apply sizes_known. exact vY.
@@ -115,32 +117,40 @@ Section Format.
       - intros e0. unfold at_. destruct Rlt_dec; [lra | reflexivity]. }
     unfold conservative_edge. fold product W. set (s := conservative_share rnd X (rounded_sub rnd Y X)) in *.
     match goal with |- 0 < rnd (Rmin (Rmin ?x ?y) ?z - ?e) /\ _ => destruct (least_of x y z) as [_ one] end.
-    apply (edge_deep u eta urange eta0 A B C r _ W _ _ _ r_nonneg W0 tiny_2 tiny_4 sizes_known rr_near (rounds_to _) (rounds_to _) (rounds_to _) X Y Z
+    apply (edge_deep u eta urange eta0 A B C r _ W _ _ _ r_nonneg W0 tiny_2 tiny_4 sizes_known rr_near (rounds_to _) (rounds_to _)
+      (rounds_to _) X Y Z
       _ _ _ _ _ s _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ (star X Y) vX vY vZ (share_range rnd X _)
-      (dots _ _) (dots _ _) (dots _ _) (dots _ _) (dots _ _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _)
-      (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) one (rounds_to _) (rounds_to _) (rounds_to _)
+      (dots _ _) (dots _ _) (dots _ _) (dots _ _) (dots _ _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _)
+        (rounds_to _)
+      (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) (rounds_to _) one (rounds_to _) (rounds_to _)
+        (rounds_to _)
       close away sX sY third).
   Qed.
 
   Lemma plane_says longest : dot (sub A C) (sub A C) <= longest -> dot (sub B A) (sub B A) <= longest ->
-    9 * (t * t) * longest < dot (normal A B C) (normal A B C) -> good_face A B C -> conservative_plane rnd u (bpow radix2 least_normal) a b c p r.
+    9 * (t * t) * longest < dot (normal A B C) (normal A B C) -> good_face A B C ->
+      conservative_plane rnd u (bpow radix2 least_normal) a b c p r.
   Proof.
     intros la lb thick (fa & fb & fc). rewrite <- (normal_cross A B C) in thick. set (V := cross (sub A C) (sub B A)) in *.
     destruct (t_facts u urange W W0) as (w0 & ww & t0 & tt & _). fold w t in w0, ww, t0, tt.
-    pose proof (dot_self_nonneg (sub A C)) as L0. assert (0 < dot V V) as V0 by (assert (0 <= 9 * (t * t) * longest) by (repeat apply Rmult_le_pos; lra); lra).
+    pose proof (dot_self_nonneg (sub A C)) as L0.
+    assert (0 < dot V V) as V0 by (assert (0 <= 9 * (t * t) * longest) by (repeat apply Rmult_le_pos; lra); lra).
     pose proof (lam_total A B C) as total. rewrite <- (normal_cross A B C) in total. fold V in total.
     pose proof (face_point A B C) as foot. rewrite <- (normal_cross A B C) in foot. fold V in foot.
     assert (offset A B C = dot A V) as od by (unfold offset; rewrite <- (normal_cross A B C); reflexivity). rewrite od in foot.
     assert ((r + 19.9 * t) * norm V <= Rabs (dot A V)) as high.
     { set (i := / dot V V). assert (0 < i) as i0 by (apply Rinv_0_lt_compat; assumption).
-      pose proof (far (lam B C A * i) (lam C A B * i) (lam A B C * i) ltac:(apply Rmult_le_pos; lra) ltac:(apply Rmult_le_pos; lra) ltac:(apply Rmult_le_pos; lra)) as away.
+      pose proof (far (lam B C A * i) (lam C A B * i) (lam A B C * i) ltac:(apply Rmult_le_pos; lra) ltac:(apply Rmult_le_pos;
+        lra) ltac:(apply Rmult_le_pos; lra)) as away.
       rewrite <- combination_scaled, foot in away. specialize (away ltac:(rewrite <- !Rmult_plus_distr_r, total; unfold i; field; lra)).
       rewrite norm_scaled in away by lra.
       assert (norm (scale V (dot A V)) = Rabs (dot A V) * norm V) as size.
       { destruct (Rle_lt_dec 0 (dot A V)) as [d0 | d0].
         - rewrite norm_scaled by assumption. rewrite Rabs_pos_eq by assumption. reflexivity.
-        - rewrite Rabs_left by assumption. rewrite <- norm_scaled by lra. unfold norm. f_equal. generalize (dot A V). clear. intros. destruct V. unfold dot, scale. cbn. ring. }
-      rewrite size in away. assert (0 < norm V) as n0 by (apply sqrt_lt_R0; assumption). assert (norm V * norm V = dot V V) as NN by apply norm_square.
+        - rewrite Rabs_left by assumption. rewrite <- norm_scaled by lra. unfold norm. f_equal. generalize (dot A V). clear. intros.
+        destruct V. unfold dot, scale. cbn. ring. }
+      rewrite size in away. assert (0 < norm V) as n0 by (apply sqrt_lt_R0; assumption).
+      assert (norm V * norm V = dot V V) as NN by apply norm_square.
       apply (Rmult_le_compat_r (norm V)) in away; [| lra].
       replace (i * (Rabs (dot A V) * norm V) * norm V) with (Rabs (dot A V) * (i * (norm V * norm V))) in away by ring.
       rewrite NN in away. unfold i in away. rewrite Rinv_l, Rmult_1_r in away by lra. exact away. }
@@ -149,19 +159,23 @@ Section Format.
     { pose proof W0 as W1. fold rnd W in W1. pose proof (bpow_mag_le radix2 W ltac:(lra)) as low. rewrite Rabs_pos_eq in low by lra.
       apply Rle_trans with (k * bpow radix2 (mag radix2 W - 1)); [| apply Rmult_le_compat_l; [apply bpow_ge_0 | assumption]].
       unfold k. rewrite <- bpow_plus. change 1 with (bpow radix2 0). apply bpow_le. lia. }
-    set (n := conservative_normal rnd a b c p r). pose proof (rounded_in_format a p) as formA. pose proof (rounded_in_format b p) as formB. pose proof (rounded_in_format c p) as formC.
+    set (n := conservative_normal rnd a b c p r). pose proof (rounded_in_format a p) as formA. pose proof (rounded_in_format b p) as formB.
+    pose proof (rounded_in_format c p) as formC.
     fold A in formA. fold B in formB. fold C in formC.
     set (at_a := rounded_dot rnd false A n). set (at_b := rounded_dot rnd false B n). set (at_c := rounded_dot rnd false C n).
     set (side := fun x => if Rlt_dec at_a 0 then - x else x). set (m := Rmin (Rmin (side at_a) (side at_b)) (side at_c)).
     destruct (plane_deep u eta urange eta0 A B C r W _ r_nonneg W0 tiny_3 tiny_5 sizes_known
-      (Rc_range u eta urange eta0 r _ W _ _ r_nonneg W0 tiny_2 rr_near (rounds_to _) (rounds_to _)) longest _ _ _ k n at_a at_b at_c (rounded_dot rnd false n n) m _ _
+      (Rc_range u eta urange eta0 r _ W _ _ r_nonneg W0 tiny_2 rr_near (rounds_to _) (rounds_to _)) longest _ _ _ k n at_a at_b at_c
+        (rounded_dot rnd false n n) m _ _
       (r + 19.9 * t) (leaf_difference prec emin prec20 _ _ formA formC) (leaf_difference prec emin prec20 _ _ formB formA)
-      (cross_is_computed u eta rnd rounds_to false _ _) kW (rounds_to _) (rounds_to _) (rounds_to _) (dots _ _) (dots _ _) (dots _ _) (dots _ _) la lb thick
+      (cross_is_computed u eta rnd rounds_to false _ _) kW (rounds_to _) (rounds_to _) (rounds_to _) (dots _ _) (dots _ _) (dots _ _) (dots
+        _ _) la lb thick
       (Rle_refl _) high (rounds_to _) (rounds_to _)) as (long & positive & beyond).
     - intros neg. unfold m, side. destruct Rlt_dec; [apply least_of | lra].
     - intros pos. unfold m, side. destruct Rlt_dec; [lra | apply least_of].
     - split; [| split; [exact positive | exact beyond]]. eapply Rle_trans; [| exact long].
-      apply Rle_trans with (bpow radix2 (5 + (- prec + - prec))); [apply bpow_le; lia |]. rewrite !bpow_plus. fold (Expression.u prec). fold u.
+      apply Rle_trans with (bpow radix2 (5 + (- prec + - prec))); [apply bpow_le; lia |]. rewrite !bpow_plus. fold (Expression.u prec).
+      fold u.
       change (bpow radix2 5) with 32. assert (0 <= u * u) by (apply Rmult_le_pos; lra). lra.
   Qed.
 
@@ -169,19 +183,26 @@ Section Format.
   Proof.
     pose proof (or_introl eq_refl : vertex A B C A) as vA. pose proof (or_intror (or_introl eq_refl) : vertex A B C B) as vB.
     pose proof (or_intror (or_intror eq_refl) : vertex A B C C) as vC.
-    pose proof (rounded_in_format a p) as fA. pose proof (rounded_in_format b p) as fB. pose proof (rounded_in_format c p) as fC. fold A in fA. fold B in fB. fold C in fC.
+    pose proof (rounded_in_format a p) as fA. pose proof (rounded_in_format b p) as fB. pose proof (rounded_in_format c p) as fC.
+    fold A in fA. fold B in fB. fold C in fC.
     assert (away : r + 19.9 * t <= norm (star A B) /\ r + 19.9 * t <= norm (star B C) /\ r + 19.9 * t <= norm (star C A)).
     { unfold star. pose proof (best_range A B). pose proof (best_range B C). pose proof (best_range C A).
       rewrite (proj1 (edge_combination A B C _)), (proj1 (proj2 (edge_combination A B C _))), (proj2 (proj2 (edge_combination A B C _))).
       repeat split; apply far; lra. }
     destruct away as (sAB & sBC & sCA). destruct (t_facts u urange W W0) as (w0 & ww & t0 & tt & _). fold w t in w0, ww, t0, tt.
     pose proof (norm_nonneg (star A B)) as n1. pose proof (norm_nonneg (star B C)) as n2. pose proof (norm_nonneg (star C A)) as n3.
-    assert (edge_ab : dot (star A B) (star A B) - 3 * (norm (star A B) * t) <= dot (star A B) C -> conservative_separated rnd u (bpow radix2 least_normal) a b c p r).
-    { intros H. left. pose proof (edge_says A B C vA vB vC fA fB sAB H) as E. cbv zeta in E. rewrite (rounded_dot_swapped rnd A C) in E. exact E. }
-    assert (edge_bc : dot (star B C) (star B C) - 3 * (norm (star B C) * t) <= dot (star B C) A -> conservative_separated rnd u (bpow radix2 least_normal) a b c p r).
-    { intros H. right; left. pose proof (edge_says B C A vB vC vA fB fC sBC H) as E. cbv zeta in E. rewrite (rounded_dot_swapped rnd B A) in E. exact E. }
-    assert (edge_ca : dot (star C A) (star C A) - 3 * (norm (star C A) * t) <= dot (star C A) B -> conservative_separated rnd u (bpow radix2 least_normal) a b c p r).
-    { intros H. right; right; left. pose proof (edge_says C A B vC vA vB fC fA sCA H) as E. cbv zeta in E. rewrite (rounded_dot_swapped rnd C B) in E. exact E. }
+    assert (edge_ab : dot (star A B) (star A B) - 3 * (norm (star A B) * t) <= dot (star A B) C ->
+      conservative_separated rnd u (bpow radix2 least_normal) a b c p r).
+    { intros H. left. pose proof (edge_says A B C vA vB vC fA fB sAB H) as E. cbv zeta in E. rewrite (rounded_dot_swapped rnd A C) in E.
+    exact E. }
+    assert (edge_bc : dot (star B C) (star B C) - 3 * (norm (star B C) * t) <= dot (star B C) A ->
+      conservative_separated rnd u (bpow radix2 least_normal) a b c p r).
+    { intros H. right; left. pose proof (edge_says B C A vB vC vA fB fC sBC H) as E. cbv zeta in E.
+    rewrite (rounded_dot_swapped rnd B A) in E. exact E. }
+    assert (edge_ca : dot (star C A) (star C A) - 3 * (norm (star C A) * t) <= dot (star C A) B ->
+      conservative_separated rnd u (bpow radix2 least_normal) a b c p r).
+    { intros H. right; right; left. pose proof (edge_says C A B vC vA vB fC fA sCA H) as E. cbv zeta in E.
+    rewrite (rounded_dot_swapped rnd C B) in E. exact E. }
     pose proof (Rmult_le_pos _ t n1 ltac:(lra)). pose proof (Rmult_le_pos _ t n2 ltac:(lra)). pose proof (Rmult_le_pos _ t n3 ltac:(lra)).
     (* Thick: by the nearest feature. *)
     assert (thick : forall longest, length2 A B <= longest -> length2 C A <= longest ->
@@ -197,16 +218,20 @@ Section Format.
       - apply edge_bc. pose proof (star_edge _ _ _ e). lra.
       - apply edge_ca. pose proof (star_edge _ _ _ e). lra. }
     pose proof (length2_swap A B) as ab. pose proof (length2_swap B C) as bc. pose proof (length2_swap C A) as ca.
-    assert (normal B C A = normal A B C /\ normal C A B = normal A B C) as [nb nc] by (split; unfold normal; clear; destruct A, B, C; unfold cross, sub; cbn; f_equal; ring).
+    assert (normal B C A = normal A B C /\ normal C A B = normal A B C) as [nb nc] by (split; unfold normal; clear; destruct A, B, C;
+      unfold cross, sub; cbn; f_equal; ring).
     (* Thin: by the longest edge. *)
     assert (cases : forall X Y Z, length2 X Z <= length2 X Y -> length2 Y Z <= length2 X Y -> normal X Y Z = normal A B C ->
       length2 A B <= length2 X Y -> length2 C A <= length2 X Y ->
-      (dot (star X Y) (star X Y) - 3 * (norm (star X Y) * t) <= dot (star X Y) Z -> conservative_separated rnd u (bpow radix2 least_normal) a b c p r) ->
+      (dot (star X Y) (star X Y) - 3 * (norm (star X Y) * t) <= dot (star X Y) Z ->
+        conservative_separated rnd u (bpow radix2 least_normal) a b c p r) ->
       conservative_separated rnd u (bpow radix2 least_normal) a b c p r).
-    { intros X Y Z xz yz same lab lca says. destruct (Rle_lt_dec (dot (normal A B C) (normal A B C)) (9 * (t * t) * length2 X Y)) as [thin | more].
+    { intros X Y Z xz yz same lab lca says. destruct (Rle_lt_dec (dot (normal A B C) (normal A B C)) (9 * (t * t) * length2 X Y)) as [thin
+      | more].
       - apply says. apply star_thin; try assumption. rewrite same. exact thin.
       - apply (thick (length2 X Y)); assumption. }
-    destruct (Rle_lt_dec (length2 A B) (length2 B C)) as [x | x], (Rle_lt_dec (length2 B C) (length2 C A)) as [y | y], (Rle_lt_dec (length2 A B) (length2 C A)) as [z | z];
+    destruct (Rle_lt_dec (length2 A B) (length2 B C)) as [x | x], (Rle_lt_dec (length2 B C) (length2 C A)) as [y | y],
+      (Rle_lt_dec (length2 A B) (length2 C A)) as [z | z];
       first [ apply (cases A B C); [lra | lra | reflexivity | lra | lra | exact edge_ab]
             | apply (cases B C A); [lra | lra | exact nb | lra | lra | exact edge_bc]
             | apply (cases C A B); [lra | lra | exact nc | lra | lra | exact edge_ca] ].
@@ -222,7 +247,8 @@ Definition conservative_phantoms_shallow (prec emin least least_normal : Z) : Pr
   (forall X, in_triangle X a b c -> r + phantom_depth * sqrt (u prec) * query_size a b c p r < distance p X) ->
   conservative_separated rnd (u prec) (bpow radix2 least_normal) a b c p r.
 
-Lemma shallow_instance prec emin least least_normal : (20 <= prec)%Z -> (emin - 1 <= least - prec - 20)%Z -> (emin - 1 <= 2 * (least - prec) - 17)%Z ->
+Lemma shallow_instance prec emin least least_normal : (20 <= prec)%Z -> (emin - 1 <= least - prec - 20)%Z ->
+  (emin - 1 <= 2 * (least - prec) - 17)%Z ->
   (emin - 1 <= - 3 * prec - 20)%Z -> (emin - 1 <= least - 3 * prec - 20)%Z -> (least_normal <= 5 - 2 * prec)%Z ->
   conservative_phantoms_shallow prec emin least least_normal.
 Proof.
@@ -238,7 +264,8 @@ Proof.
   assert (leaf : forall v, in_format prec emin v -> leaf_of u (sub v p) (rounded_sub rnd v p)).
   { intros v fv. apply (leaf_difference prec emin p20); assumption. }
   destruct (t_facts u (conj u0 u1) W W0) as (w0 & ww & t0 & tt & uwt). set (w := sqrt W) in *. set (t := sqrt (u * W)) in *.
-  assert (t = sqrt u * w) as Gw by (unfold t, w; apply sqrt_mult; lra). set (G := sqrt u) in *. assert (0 < G) as G0 by (apply sqrt_lt_R0; lra).
+  assert (t = sqrt u * w) as Gw by (unfold t, w; apply sqrt_mult; lra). set (G := sqrt u) in *. assert (0 < G) as G0 by (apply sqrt_lt_R0;
+    lra).
   pose proof (distance_norm p a) as da. pose proof (distance_norm p b) as db. pose proof (distance_norm p c) as dc.
   assert (norm (sub a p) <= M /\ norm (sub b p) <= M /\ norm (sub c p) <= M /\ r <= M) as (Ma & Mb & Mc & Mr).
   { unfold M, query_size. rewrite <- da, <- db, <- dc. repeat split.
@@ -251,30 +278,40 @@ Proof.
   (* W is no more than M^2, but for roundings. *)
   assert (square : forall v, in_format prec emin v -> norm (sub v p) <= M ->
     rounded_dot rnd false (rounded_sub rnd v p) (rounded_sub rnd v p) <= 1.00001 * (M * M) + 6 * eta).
-  { intros v fv long. pose proof (leaf_norm u _ _ ltac:(lra) (leaf v fv)) as off. set (X := rounded_sub rnd v p) in *. set (x := sub v p) in *.
+  { intros v fv long. pose proof (leaf_norm u _ _ ltac:(lra) (leaf v fv)) as off. set (X := rounded_sub rnd v p) in *.
+  set (x := sub v p) in *.
     pose proof (norm_triangle x (sub X x)) as tri. rewrite add_difference in tri. pose proof (Rmult_le_compat_l u _ _ ltac:(lra) long).
-    assert (norm X <= M + u * M) as XM by lra. assert (norm X * norm X <= (M + u * M) * (M + u * M)) as XX by (apply Rmult_le_compat; try apply norm_nonneg; assumption).
-    rewrite norm_square in XX. pose proof (dot_error u eta ltac:(lra) eta0 _ _ _ (dots X X)) as off'. rewrite sizes_square in off'. apply Rabs_le_inv in off'.
-    pose proof (smaller u ltac:(lra) _ MM). assert (dot X X <= 1.000003 * (M * M)) by lra. assert (u * dot X X <= u * (1.000003 * (M * M))) by (apply Rmult_le_compat_l; lra). lra. }
+    assert (norm X <= M + u * M) as XM by lra. assert (norm X * norm X <= (M + u * M) * (M + u * M)) as XX by (apply Rmult_le_compat;
+      try apply norm_nonneg; assumption).
+    rewrite norm_square in XX. pose proof (dot_error u eta ltac:(lra) eta0 _ _ _ (dots X X)) as off'. rewrite sizes_square in off'.
+    apply Rabs_le_inv in off'.
+    pose proof (smaller u ltac:(lra) _ MM). assert (dot X X <= 1.000003 * (M * M)) by lra.
+    assert (u * dot X X <= u * (1.000003 * (M * M))) by (apply Rmult_le_compat_l; lra). lra. }
   assert (W <= 1.00001 * (M * M) + 6 * eta) as WM.
   { unfold W, conservative_W. repeat apply Rmax_lub; try (apply square; assumption).
     pose proof (rounds_to (r * r)) as H. unfold Lanes.rounds in H. assert (r * r <= M * M) as rM by (apply Rmult_le_compat; lra).
-    rewrite (Rabs_pos_eq (r * r)) in H by (apply Rmult_le_pos; assumption). apply Rabs_le_inv in H. pose proof (Rmult_le_compat_l u _ _ ltac:(lra) rM). lra. }
+    rewrite (Rabs_pos_eq (r * r)) in H by (apply Rmult_le_pos; assumption). apply Rabs_le_inv in H.
+    pose proof (Rmult_le_compat_l u _ _ ltac:(lra) rM). lra. }
   pose proof (small u ltac:(lra) W ltac:(lra)) as uW.
   assert (w <= 1.0001 * M) as wM.
   { apply Rsqr_incr_0_var; [| lra]. unfold Rsqr. rewrite ww. lra. }
   (* Every point was moved by u w. *)
-  assert (moved : forall v, in_format prec emin v -> vertex A B C (rounded_sub rnd v p) -> norm (sub (sub v p) (rounded_sub rnd v p)) <= 1.003 * (u * w)).
+  assert (moved : forall v, in_format prec emin v -> vertex A B C (rounded_sub rnd v p) ->
+    norm (sub (sub v p) (rounded_sub rnd v p)) <= 1.003 * (u * w)).
   { intros v fv HX. rewrite norm_turned. apply (leaf_off u (conj u0 u1) W W0 _ _ (leaf v fv)).
-    apply (vertex_size u eta (conj u0 u1) eta0 A B C _ _ _ _ W (dots _ _) (dots _ _) (dots _ _) (W_greatest prec emin a b c p r) W0 tiny). exact HX. }
-  intros x y z x0 y0 z0 sum. specialize (far (combination x y z a b c) (ex_intro _ x (ex_intro _ y (ex_intro _ z (conj x0 (conj y0 (conj z0 (conj sum eq_refl)))))))).
+    apply (vertex_size u eta (conj u0 u1) eta0 A B C _ _ _ _ W (dots _ _) (dots _ _) (dots _ _) (W_greatest prec emin a b c p r) W0 tiny).
+    exact HX. }
+  intros x y z x0 y0 z0 sum. specialize (far (combination x y z a b c) (ex_intro _ x (ex_intro _ y (ex_intro _ z (conj x0 (conj y0 (conj z0
+    (conj sum eq_refl)))))))).
   rewrite distance_norm, (combination_moved _ _ _ _ _ _ _ sum) in far. fold A B C.
   set (exact := combination x y z (sub a p) (sub b p) (sub c p)) in *. set (computed := combination x y z A B C).
   assert (norm (sub exact computed) <= 1.003 * (u * w)) as off.
   { unfold exact, computed. rewrite combination_difference. unfold combination. eapply Rle_trans; [apply norm_triangle |].
     eapply Rle_trans; [apply Rplus_le_compat_r, norm_triangle |]. rewrite !norm_scaled by assumption.
-    pose proof (moved a fa (or_introl eq_refl)) as ha. pose proof (moved b fb (or_intror (or_introl eq_refl))) as hb. pose proof (moved c fc (or_intror (or_intror eq_refl))) as hc.
-    fold A in ha. fold B in hb. fold C in hc. apply (Rmult_le_compat_l x) in ha; [| assumption]. apply (Rmult_le_compat_l y) in hb; [| assumption]. apply (Rmult_le_compat_l z) in hc; [| assumption].
+    pose proof (moved a fa (or_introl eq_refl)) as ha. pose proof (moved b fb (or_intror (or_introl eq_refl))) as hb.
+    pose proof (moved c fc (or_intror (or_intror eq_refl))) as hc.
+    fold A in ha. fold B in hb. fold C in hc. apply (Rmult_le_compat_l x) in ha; [| assumption]. apply (Rmult_le_compat_l y) in hb;
+      [| assumption]. apply (Rmult_le_compat_l z) in hc; [| assumption].
     replace (1.003 * (u * w)) with (x * (1.003 * (u * w)) + y * (1.003 * (u * w)) + z * (1.003 * (u * w))); [lra |].
     replace z with (1 - x - y) by lra. ring. }
   pose proof (norm_triangle computed (sub exact computed)) as tri. rewrite add_difference in tri.

@@ -68,7 +68,8 @@ Section Sizes.
   Lemma sub_finite v w : finite_vec (float_sub v w) ->
     finite_vec v /\ finite_vec w /\ real_vec (float_sub v w) = rounded_sub nearest (real_vec v) (real_vec w).
   Proof.
-    intros (X & Y & Z). cbn [fx fy fz float_sub] in X, Y, Z. unfold finite_vec, Filter.real_vec, rounded_sub. cbn [cx cy cz fx fy fz float_sub].
+    intros (X & Y & Z). cbn [fx fy fz float_sub] in X, Y, Z. unfold finite_vec, Filter.real_vec, rounded_sub.
+    cbn [cx cy cz fx fy fz float_sub].
     apply minus_finite in X as (? & ? & ->). apply minus_finite in Y as (? & ? & ->). apply minus_finite in Z as (? & ? & ->). auto 10.
   Qed.
   Variable half : Z.  (* h = 2^half *)
@@ -77,12 +78,14 @@ Section Sizes.
   Hypothesis fits_emax : (6 * half + 13 <= emax)%Z.
   Hypothesis deep : (emin <= -30)%Z.
 
-  Lemma constant_spec n e : (0 <= n < 2 ^ prec)%Z -> (emin <= e <= emax - prec)%Z -> is_finite (constant n e) = true /\ B2R (constant n e) = IZR n * bpow radix2 e.
+  Lemma constant_spec n e : (0 <= n < 2 ^ prec)%Z -> (emin <= e <= emax - prec)%Z ->
+    is_finite (constant n e) = true /\ B2R (constant n e) = IZR n * bpow radix2 e.
   Proof.
     intros n_small e_range. unfold constant. pose proof (binary_normalize_correct prec emax _ _ mode_NE n e false) as H. cbv zeta in H.
     assert (F2R (Float radix2 n e) = IZR n * bpow radix2 e) as value by reflexivity.
     assert (generic_format radix2 (FLT_exp emin prec) (F2R (Float radix2 n e))) as format.
-    { apply generic_format_FLT. apply (FLT_spec _ _ _ _ (Float radix2 n e)); [reflexivity | |]; cbn [Fnum Fexp]; [rewrite Z.abs_eq by lia; apply n_small | lia]. }
+    { apply generic_format_FLT. apply (FLT_spec _ _ _ _ (Float radix2 n e)); [reflexivity | |]; cbn [Fnum Fexp]; [rewrite Z.abs_eq by lia;
+      apply n_small | lia]. }
     assert (round radix2 (SpecFloat.fexp prec emax) (round_mode mode_NE) (F2R (Float radix2 n e)) = F2R (Float radix2 n e)) as same
       by (apply round_generic; [apply valid_rnd_round_mode | exact format]).
     rewrite same, Rlt_bool_true in H; [rewrite <- value; tauto |].
@@ -114,7 +117,8 @@ Section Sizes.
     apply Rle_lt_trans with (bpow radix2 (12 + 6 * half)); [| apply bpow_lt; lia].
     replace (12 + 6 * half)%Z with (12 + (half + (half + (half + (half + (half + half))))))%Z by lia. rewrite !bpow_plus. fold h.
     assert (h ^ n <= h ^ 6) by (apply Rle_pow; [apply (h_power 1) || (pose proof (h_power 1); cbn in *; lra) | assumption]).
-    apply Rle_trans with (4096 * h ^ 6); [apply Rmult_le_compat; try lra; pose proof (Rabs_pos (nearest z)); nra |]. cbn [pow]. change (bpow radix2 12) with 4096. lra.
+    apply Rle_trans with (4096 * h ^ 6); [apply Rmult_le_compat; try lra; pose proof (Rabs_pos (nearest z)); nra |]. cbn [pow].
+    change (bpow radix2 12) with 4096. lra.
   Qed.
   Lemma size_nonneg n k X x : sized n k X x -> 0 <= k.
   Proof. intros (_ & _ & size). pose proof (Rabs_pos x). pose proof (h_power n). destruct (Rle_lt_dec 0 k); [assumption |]. nra. Qed.
@@ -134,7 +138,8 @@ Section Sizes.
     sized n K (Bminus mode_NE X Y) (nearest (x - y)).
   Proof.
     intros n6 (FX & <- & sx) (FY & <- & sy) KK.
-    destruct (rounded_size n (k + k') K (B2R X - B2R Y) n6) as [size fit]; [unfold Rminus; eapply Rle_trans; [apply Rabs_triang |]; rewrite Rabs_Ropp; lra | exact KK |].
+    destruct (rounded_size n (k + k') K (B2R X - B2R Y) n6) as [size fit]; [unfold Rminus; eapply Rle_trans; [apply Rabs_triang |];
+      rewrite Rabs_Ropp; lra | exact KK |].
     destruct (minus_fits prec emax _ _ X Y FX FY fit). repeat split; assumption.
   Qed.
   Lemma mult_sized n n' k k' K X x Y y : (n + n' <= 6)%nat -> sized n k X x -> sized n' k' Y y -> 1.0001 * (k * k') + 0.0001 <= K <= 4096 ->
@@ -188,7 +193,8 @@ Section Sizes.
   Proof.
     intros n6 (vx & vy & vz) (wx & wy & wz) KK. assert (0 <= k * k') by (apply Rmult_le_pos; eapply size_nonneg; eassumption).
     split; [| split]; cbn [fx fy fz cx cy cz float_cross rounded_cross];
-      (eapply minus_product_sized; [exact n6 | eapply mult_sized; [exact n6 | eassumption | eassumption | split; [apply Rle_refl | lra]] | eassumption | eassumption | lra]).
+      (eapply minus_product_sized; [exact n6 | eapply mult_sized; [exact n6 | eassumption | eassumption | split;
+        [apply Rle_refl | lra]] | eassumption | eassumption | lra]).
   Qed.
 
   (* What S says of the numbers that it is made of. *)
@@ -199,11 +205,14 @@ Section Sizes.
     intros F y0. rewrite <- (rnd_format prec emin x F) at 1. apply (Format.rnd_monotone prec emin ltac:(lia)). lra.
   Qed.
   Lemma rounded_nonneg x : 0 <= x -> 0 <= nearest x.
-  Proof. intros x0. rewrite <- (rnd_format prec emin 0 (generic_format_0 _ _)). apply (Format.rnd_monotone prec emin ltac:(lia)). exact x0. Qed.
+  Proof. intros x0. rewrite <- (rnd_format prec emin 0 (generic_format_0 _ _)). apply (Format.rnd_monotone prec emin ltac:(lia)). exact x0.
+  Qed.
   Lemma square_above v : let D := rounded_dot nearest fused v v in
-    (nearest (cx v * cx v) <= D /\ nearest (cy v * cy v) <= D /\ nearest (cz v * cz v) <= D) /\ 0 <= D /\ generic_format radix2 (FLT_exp emin prec) D.
+    (nearest (cx v * cx v) <= D /\ nearest (cy v * cy v) <= D /\ nearest (cz v * cz v) <= D) /\ 0 <= D /\
+      generic_format radix2 (FLT_exp emin prec) D.
   Proof.
-    cbv zeta. pose proof (Rle_0_sqr (cx v)) as x0. pose proof (Rle_0_sqr (cy v)) as y0. pose proof (Rle_0_sqr (cz v)) as z0. unfold Rsqr in *.
+    cbv zeta. pose proof (Rle_0_sqr (cx v)) as x0. pose proof (Rle_0_sqr (cy v)) as y0. pose proof (Rle_0_sqr (cz v)) as z0.
+    unfold Rsqr in *.
     assert (step : forall t q, generic_format radix2 (FLT_exp emin prec) t -> 0 <= t -> 0 <= q ->
       let s := if fused then nearest (t + q) else nearest (t + nearest q) in
       generic_format radix2 (FLT_exp emin prec) s /\ t <= s /\ nearest q <= s).
@@ -231,6 +240,7 @@ Section Sizes.
     { unfold half_least. assert (bpow radix2 emin <= bpow radix2 (-30)) by (apply bpow_le; lia). cbn in *. lra. }
     pose proof (Rle_0_sqr x) as x0. unfold Rsqr in x0. rewrite (Rabs_pos_eq (x * x)) in off by assumption.
     pose proof (Rmult_le_compat_r (x * x) _ _ x0 (proj2 us)). apply Rabs_le_inv in off. pose proof (h_power 2). pose proof (h_power 1).
-    apply Rsqr_incr_0_var; [| lra]. rewrite <- Rsqr_abs. unfold Rsqr. replace (1.001 * h ^ 1 * (1.001 * h ^ 1)) with (1.002001 * h ^ 2) by (cbn [pow]; lra). lra.
+    apply Rsqr_incr_0_var; [| lra]. rewrite <- Rsqr_abs. unfold Rsqr.
+    replace (1.001 * h ^ 1 * (1.001 * h ^ 1)) with (1.002001 * h ^ 2) by (cbn [pow]; lra). lra.
   Qed.
 End Sizes.
