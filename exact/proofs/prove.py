@@ -42,6 +42,16 @@ FAULTS = {
         "Margins.v", "Definition edge_side_units : R := 3.", "Definition edge_side_units : R := 2.", "Margins.v"),
     "a coarse threshold too small": (
         "Certified.v", "Definition coarse_degree_4 : R := 11.15625.", "Definition coarse_degree_4 : R := 10.", "Certified.v"),
+    "a coarse range that overflows": ("CoarseFloat.v", "24 128 (-21) 19 eq_refl", "24 128 (-21) 20 eq_refl", "CoarseFloat.v"),
+    "a fused product of the wrong sign": (
+        "Sizes.v", "if fused then Bfma mode_NE (Bopp y) z x", "if fused then Bfma mode_NE y z x", "Sizes.v"),
+    "an error of the conservative test too small": (
+        "Conservative.v", "Definition conservative_error : R := 10.", "Definition conservative_error : R := 7.", "Conservative.v"),
+    "a range of the conservative test too wide": (
+        "ConservativeStep.v", "conservative_never_misses 24 (-149) (-42)", "conservative_never_misses 24 (-149) (-43)", "ConservativeStep.v"),
+    "a margin of the conservative test with the error added": (
+        "ConservativeStep.v", "(mix s xz yz) - error)", "(mix s xz yz) + error)", "ConservativeStep.v"),
+    "phantoms too shallow": ("PhantomStep.v", "Definition phantom_depth : R := 20.", "Definition phantom_depth : R := 19.", "PhantomStep.v"),
 }
 
 # A theorem made weaker, so that it still has its proof: what is replaced in which file, and what says less then.
@@ -52,6 +62,14 @@ WEAKENED = {
     "a program recorded for one comparison only": (
         "RecordedIsProgram.v", "Theorem published_float_program rnd q m K :",
         "Theorem published_float_program rnd q m K : K = plane_radius ->", "published_float_program"),
+    "a coarse step that may lie of an infinite radius": (
+        "CoarseFloat.v", "(r : binary_float prec emax),\n", "(r : binary_float prec emax), is_finite r = true ->\n",
+        "float_coarse_never_lies"),
+    "a conservative test that may miss a point's contact": (
+        "ConservativeStep.v", "in_format prec emin p -> 0 <= r ->\n  let rnd", "in_format prec emin p -> 0 < r ->\n  let rnd",
+        "conservative_never_misses"),
+    "phantoms that may be deeper": (
+        "PhantomStep.v", "Definition phantom_depth : R := 20.", "Definition phantom_depth : R := 21.", "phantom_depth"),
 }
 
 

@@ -22,7 +22,8 @@ class Thresholds(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.coq = pathlib.Path(self.folder.name)
-        for name in ("Thresholds.v", "Filters.v", "Margins.v", "Certified.v", "CertifiedStep.v", "Exported.v"):
+        for name in ("Thresholds.v", "Filters.v", "Margins.v", "Certified.v", "CertifiedStep.v", "CoarseFloat.v",
+                     "Conservative.v", "ConservativeStep.v", "Exported.v"):
             shutil.copy(PROOFS / "coq" / name, self.coq)
         for name in ("thresholds.h", "margin_bounds.h"):
             shutil.copy(HEADERS / name, self.coq)
@@ -47,7 +48,9 @@ class Thresholds(unittest.TestCase):
                 ("margin_bounds.h", "= 15;", "= 14;", {"margin_bounds.h"}),
                 ("Margins.v", ": R := 3.2.", ": R := 3.3.", margins),
                 ("Certified.v", ": R := 20.1875.", ": R := 20.", margins),
-                ("CertifiedStep.v", "53 (-1074) (-300)", "53 (-1074) (-301)", {"margin_bounds.h"})):
+                ("CoarseFloat.v", "53 1024 (-300) 150", "53 1024 (-300) 151", {"margin_bounds.h"}),
+                ("Conservative.v", ": R := 19.125.", ": R := 19.", margins),
+                ("ConservativeStep.v", "(-42) (-60)", "(-42) (-61)", {"margin_bounds.h"})):
             with self.subTest(file=file, new=new):
                 self.setUp()
                 self.replace(file, old, new)
@@ -61,6 +64,7 @@ class Thresholds(unittest.TestCase):
                 ("Thresholds.v", "  | plane_radius => 2642\n", "", "plane_radius"),
                 ("Margins.v", " : R := ", " : R := 1 * ", "Margins.v"),
                 ("CertifiedStep.v", "24 (-149) (-21)", "24 (-149) l", "coarse_never_lies 24 (-149)"),
+                ("CertifiedStep.v", "53 (-1074) (-300)", "53 (-1074) (-301)", "binary64"),
                 ("Filters.v", "8388608 (-42)", "8388609 (-42)", "8388609")):
             with self.subTest(new=new):
                 self.setUp()

@@ -3,7 +3,8 @@
 
   write_thresholds.py [--check] [--coq FOLDER] [--headers FOLDER]
 
-reads coq/Thresholds.v, coq/Filters.v, coq/Margins.v, coq/Certified.v and coq/CertifiedStep.v and writes
+reads coq/Thresholds.v, coq/Filters.v, coq/Margins.v, coq/Certified.v, coq/CertifiedStep.v, coq/CoarseFloat.v,
+coq/Conservative.v and coq/ConservativeStep.v and writes
   kernel/filter/thresholds.h      for the kernels
   kernel/filter/margin_bounds.h   for the filters of exact/ and the certified predicate
   coq/Exported.v                  the same figures as theorems about what never lies, so that what was read here is what is
@@ -80,13 +81,23 @@ def constants(text, file):
     return found
 
 
-def least_square(text, number_format):
-    """The exponent of the least S that the coarse step looks at."""
+def exponents(text, file, theorem, number_format):
+    """What a theorem about a step has behind the precision and the least exponent, in parentheses: other exponents."""
     precision, emax = FORMATS[number_format]
-    found = re.search(rf"Theorem coarse_never_lies\d+ : coarse_never_lies {precision} \({3 - emax - precision}\) \((-?\d+)\)\.", text)
+    says = f"{theorem} {precision} ({3 - emax - precision})"
+    found = re.search(rf"Theorem {theorem}\d+ : {re.escape(says)}((?: \(-?\d+\))+)\.", text)
     if not found:
-        stop(f"CertifiedStep.v: no 'Theorem coarse_never_lies... : coarse_never_lies {precision} ({3 - emax - precision}) (...).'")
-    return int(found.group(1))
+        stop(f"{file}: no 'Theorem {theorem}... : {says} (...).'")
+    return [int(exponent) for exponent in re.findall(r"-?\d+", found.group(1))]
+
+
+def float_exponents(text, number_format):
+    """The exponents of the least and the greatest S of the theorem about the coarse step over IEEE-754 numbers."""
+    precision, emax = FORMATS[number_format]
+    found = re.search(rf"Theorem float_coarse_never_lies\d+ : float_coarse_never_lies {precision} {emax} \((-?\d+)\) (\d+) ", text)
+    if not found:
+        stop(f"CoarseFloat.v: no 'Theorem float_coarse_never_lies... : float_coarse_never_lies {precision} {emax} (...) ...'")
+    return [int(found.group(1)), 2 * int(found.group(2))]
 
 
 def dotted(comparison):
@@ -133,12 +144,16 @@ inline constexpr Real greatest_magnitude =
 """
 
 
-def margins_header(bounds, coarse, least):
+def margins_header(bounds, coarse, conservative, ends):
     def members(of):
         return "\n".join(f"  static constexpr double {name} = {value};" for name, value in of.items())
 
     coarse = {name.removeprefix("coarse_"): value for name, value in coarse.items()}
-    coarse |= {f"least_square_{f}": f"0x1p{exponent:+d}" for f, exponent in least.items()}
+    conservative = {name.removeprefix("conservative_"): value for name, value in conservative.items()}
+    for f in FORMATS:
+        coarse[f"least_square_{f}"], coarse[f"greatest_square_{f}"] = (f"0x1p{exponent:+d}" for exponent in ends["coarse", f])
+        conservative[f"least_square_{f}"], conservative[f"least_normal_{f}"] = (
+            f"0x1p{exponent:+d}" for exponent in ends["conservative", f])
     return f"""// The constants of the bounds beside each margin, proved to suffice (docs/proofs.md). Written by
 // exact/proofs/write_thresholds.py out of the Coq theory: do not edit.
 #pragma once
@@ -151,10 +166,16 @@ struct MarginBounds {{
 {members(bounds)}
 }};
 
-// Multiples of u: of S, S E and S E^2, where S as computed is no less than least_square
+// Multiples of u: of S, S E and S E^2, where S as computed is from least_square to greatest_square
 // (kernel/certified/thresholds.h).
 struct CoarseBounds {{
 {members(coarse)}
+}};
+
+// Multiples of u W, W as computed no less than least_square and the scaled normal's square no less than least_normal
+// (kernel/certified/conservative_step-inl.h).
+struct ConservativeBounds {{
+{members(conservative)}
 }};
 
 }}  // namespace axiscert::filter
@@ -166,7 +187,7 @@ def listed(items):
     return "[" + textwrap.fill(whole, 112, subsequent_indent=" " * 5).replace("\0", " ") + "]"
 
 
-def exported_v(exported, windows, bounds, coarse):
+def exported_v(exported, windows, bounds, coarse, conservative):
     def rows(form):
         pairs = [f"({n}, {degree(form, name)}%nat)" for n, name in zip(exported[form], COMPARISONS)]
         return listed(pairs)
@@ -175,7 +196,7 @@ def exported_v(exported, windows, bounds, coarse):
    write_thresholds.py: do not edit. *)
 From Coq Require Import Reals ZArith List.
 From Flocq Require Import Core BinarySingleNaN.
-From Axiscert Require Import Vectors Expression Programs Filter Thresholds Filters Margins Certified.
+From Axiscert Require Import Vectors Expression Programs Filter Thresholds Filters Margins Certified Conservative.
 Import ListNotations.
 
 Definition in_order :=
@@ -213,6 +234,12 @@ Theorem exported_coarse_bounds :
   {listed(coarse)} =
     {listed(coarse.values())}%R.
 Proof. reflexivity. Qed.
+
+(* The constants of its conservative test. *)
+Theorem exported_conservative_bounds :
+  {listed(conservative)} =
+    {listed(conservative.values())}%R.
+Proof. reflexivity. Qed.
 """
     return text
 
@@ -228,12 +255,18 @@ def main():
     windows = {f: [window_end(filters, which, f) for which in ("least", "greatest")] for f in FORMATS}
     bounds = constants((options.coq / "Margins.v").read_text(), "Margins.v")
     coarse = constants((options.coq / "Certified.v").read_text(), "Certified.v")
-    step = (options.coq / "CertifiedStep.v").read_text()
-    least = {f: least_square(step, f) for f in FORMATS}
+    conservative = constants((options.coq / "Conservative.v").read_text(), "Conservative.v")
+    step = (options.coq / "ConservativeStep.v").read_text()
+    ends = {("conservative", f): exponents(step, "ConservativeStep.v", "conservative_never_misses", f) for f in FORMATS}
+    steps = [(options.coq / name).read_text() for name in ("CertifiedStep.v", "CoarseFloat.v")]
+    for f in FORMATS:
+        ends["coarse", f] = float_exponents(steps[1], f)
+        if ends["coarse", f][:1] != exponents(steps[0], "CertifiedStep.v", "coarse_never_lies", f):
+            stop(f"CertifiedStep.v and CoarseFloat.v: the least S differs in {f}")
     stale = False
     for path, text in ((options.headers / "thresholds.h", header(exported, windows)),
-                       (options.headers / "margin_bounds.h", margins_header(bounds, coarse, least)),
-                       (options.coq / "Exported.v", exported_v(exported, windows, bounds, coarse))):
+                       (options.headers / "margin_bounds.h", margins_header(bounds, coarse, conservative, ends)),
+                       (options.coq / "Exported.v", exported_v(exported, windows, bounds, coarse, conservative))):
         if options.check and (not path.exists() or path.read_text() != text):
             print(f"write_thresholds: {path} is not current: run exact/proofs/write_thresholds.py", file=sys.stderr)
             stale = True

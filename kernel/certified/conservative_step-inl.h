@@ -10,7 +10,8 @@
 // = n.A + s (n.B - n.A), off by 13.3 u M^2: the exact values are convex combinations, and |A.B - A.A| <= 2 M^2 rounds
 // twice.
 //
-// Never a missed contact. The exact vertices separate if n.X > (r + u M) |n| for the computed ones.
+// Never a missed contact (exact/proofs/coq/Conservative.v; its constants come from there). The exact vertices separate
+// if n.X > (r + u M) |n| for the computed ones.
 //   edge   m = min n.X^ - 10 u W is at most the exact one. It passes where m > 0 and m^2 > R (n.n^ + 18 u W), R = rr +
 //   18
 //          u W: R >= (r + u M)^2, for 2 r u M <= 2 u W; n.n^ + 18 u W >= n.n (1 + 3 u), which the products lose.
@@ -29,8 +30,8 @@
 //   -
 //                              11.4 sqrt u M, and passes above r + 4.3 sqrt u L: x >= 15.7. Otherwise the triangle lies
 //                              within 2 sqrt u M of its longest edge, whose n has lost that much more: x >= 16.25.
-// Stated is x = 20. What is below the ranges, V of 2^-30 W (2^-60 W) or an edge whose square underflows, is a triangle
-// within 2^-14 M (2^-29 M) of an edge or a vertex: 0.4 of x at most.
+// Stated is x = 20, which exact/proofs/coq/PhantomStep.v proves. What is below the ranges, V of 2^-30 W (2^-60 W) or an
+// edge whose square underflows, is a triangle within 2^-14 M (2^-29 M) of an edge or a vertex: 0.4 of x at most.
 //
 // Range: W in [2^-42, 2^60] (binary64: 2^-400, 2^400). V is scaled by the power of two below 1 / W, so that |V| <= 8;
 // then every product compared is at least 18 u W 2^-60 (2^-120), a normal number, and below 2^122. What underflows in a
@@ -46,6 +47,7 @@ struct Conservative {
   using M = hn::Mask<D>;
   using Real = hn::TFromD<D>;
   using Bits = hn::RebindToUnsigned<D>;
+  using Bounds = filter::ConservativeBounds;
   static constexpr bool is_float = sizeof(Real) == 4;
 
   AXISCERT_INLINE static V constant(double x) { return hn::Set(D(), static_cast<Real>(x)); }
@@ -111,7 +113,7 @@ struct Conservative {
     const T aa = dot(A, A), bb = dot(B, B), cc = dot(C, C), ab = dot(A, B), bc = dot(B, C), ca = dot(C, A);
     const T rr = r * r;
     const T W{hn::Max(hn::Max(aa.v, bb.v), hn::Max(cc.v, rr.v))};
-    const T error = units(10) * W, square_error = units(18 * (1 + 0x1p-4)) * W, R = rr + square_error;
+    const T error = units(Bounds::error) * W, square_error = units(Bounds::square_error) * W, R = rr + square_error;
 
     M separated = hn::MaskFromVec(hn::Zero(d));
     const auto try_axis = [&](const T& m, const T& square, M usable) HWY_ATTR {
@@ -141,11 +143,12 @@ struct Conservative {
     const T at_a = dot(A, normal), at_b = dot(B, normal), at_c = dot(C, normal), square = dot(normal, normal);
     const T side{hn::CopySignToAbs(constant(1), at_a.v)};  // V or -V, whichever A lies beyond
     try_axis(least_of(side * at_a, side * at_b, side * at_c), square,
-             hn::Ge(square.v, constant(is_float ? 0x1p-60 : 0x1p-120)));
+             hn::Ge(square.v, constant(is_float ? Bounds::least_normal_binary32 : Bounds::least_normal_binary64)));
 
     const auto is_known =
-        hn::And(is_good, hn::And(hn::Ge(W.v, constant(is_float ? 0x1p-42 : 0x1p-400)),
-                                 hn::Le(squares(A, B, C, r).v, constant(is_float ? 0x1p60 : 0x1p400))));
+        hn::And(is_good,
+                hn::And(hn::Ge(W.v, constant(is_float ? Bounds::least_square_binary32 : Bounds::least_square_binary64)),
+                        hn::Le(squares(A, B, C, r).v, constant(is_float ? 0x1p60 : 0x1p400))));
     return {hn::And(separated, is_known), hn::Not(is_known)};
   }
 };

@@ -29,11 +29,12 @@
 //                                                                  <= 21.4 u S w^2 <= 5.4 u S E^2
 //
 // Range of the coarse step: S^ in [least_square, greatest_square], and E + 2^-20 S in place of E. Overflow: e <= 4 S /
-// 2, every value is at most 16 S^3 <= 2^118 (binary64: 2^904). Underflow: a product, fused or not, errs by eta = 2^-150
-// (2^-1075) more. |N| <= 1.5 S, |V| <= 2 S, |d| <= 2 S^1.5; N and V are off by 4 eta more, d by 4 |A| eta + 3 eta. So
-// at degree 2: 3 eta; 4: 16 S eta + 3 eta; 6: 18 S^2 eta + 16 S^1.5 eta + 3 S eta + 2 eta. The thresholds are at least
-// 2^-20 S, 2^-40.4 S^2 and 2^-61.4 S^3 in binary32, 2^-49 S, 2^-69.4 S^2, 2^-90.4 S^3 in binary64: with S >= 2^-21
-// (2^-300) the worst of these terms is below 2^-24 of its threshold, and every threshold is a normal number.
+// 2, every value is at most 16 S^3 <= 2^118 (binary64: 2^904); exact/proofs/coq/CoarseFloat.v has it to the bit.
+// Underflow: a product, fused or not, errs by eta = 2^-150 (2^-1075) more. |N| <= 1.5 S, |V| <= 2 S, |d| <= 2 S^1.5; N
+// and V are off by 4 eta more, d by 4 |A| eta + 3 eta. So at degree 2: 3 eta; 4: 16 S eta + 3 eta; 6: 18 S^2 eta + 16
+// S^1.5 eta + 3 S eta + 2 eta. The thresholds are at least 2^-20 S, 2^-40.4 S^2 and 2^-61.4 S^3 in binary32, 2^-49 S,
+// 2^-69.4 S^2, 2^-90.4 S^3 in binary64: with S >= 2^-21 (2^-300) the worst of these terms is below 2^-24 of its
+// threshold, and every threshold is a normal number.
 //
 // The fine step is evaluated in doubles, the deep one in pairs of them, with a bound for each margin from the leaves of
 // its own:
@@ -52,7 +53,9 @@ template <class Real>
 inline constexpr Real least_square = sizeof(Real) == 4 ? static_cast<Real>(filter::CoarseBounds::least_square_binary32)
                                                        : static_cast<Real>(filter::CoarseBounds::least_square_binary64);
 template <class Real>
-inline constexpr Real greatest_square = sizeof(Real) == 4 ? static_cast<Real>(0x1p38) : static_cast<Real>(0x1p300);
+inline constexpr Real greatest_square =
+    sizeof(Real) == 4 ? static_cast<Real>(filter::CoarseBounds::greatest_square_binary32)
+                      : static_cast<Real>(filter::CoarseBounds::greatest_square_binary64);
 
 // binary64 in doubles, and all in pairs: a leaf and the radius are zero or in [2^-100, 2^100], so that underflow is
 // below 2^-200 of a bound; binary32 in doubles needs no such guard (docs/error_model.md).

@@ -25,14 +25,27 @@ struct MarginBounds {
   static constexpr double thrice = 3.2;
 };
 
-// Multiples of u: of S, S E and S E^2, where S as computed is no less than least_square
+// Multiples of u: of S, S E and S E^2, where S as computed is from least_square to greatest_square
 // (kernel/certified/thresholds.h).
 struct CoarseBounds {
   static constexpr double degree_2 = 20.1875;
   static constexpr double degree_4 = 11.15625;
   static constexpr double degree_6 = 5.84375;
   static constexpr double least_square_binary32 = 0x1p-21;
+  static constexpr double greatest_square_binary32 = 0x1p+38;
   static constexpr double least_square_binary64 = 0x1p-300;
+  static constexpr double greatest_square_binary64 = 0x1p+300;
+};
+
+// Multiples of u W, W as computed no less than least_square and the scaled normal's square no less than least_normal
+// (kernel/certified/conservative_step-inl.h).
+struct ConservativeBounds {
+  static constexpr double error = 10;
+  static constexpr double square_error = 19.125;
+  static constexpr double least_square_binary32 = 0x1p-42;
+  static constexpr double least_normal_binary32 = 0x1p-60;
+  static constexpr double least_square_binary64 = 0x1p-400;
+  static constexpr double least_normal_binary64 = 0x1p-120;
 };
 
 }  // namespace axiscert::filter

@@ -1,6 +1,6 @@
 (* What each main theorem rests on, printed; Assumptions.expected is what it has to print. *)
 From Axiscert Require Import Exact Reduced RecordedIsSat7 RecordedIsProgram Expression Run Windows Thresholds Filter Filters
-  Margins CertifiedStep Exported Decides.
+  Margins CertifiedStep CoarseFloat ConservativeStep PhantomStep Exported Decides.
 
 Tactic Notation "theorem" string(name) := idtac "==" name.
 Goal True. theorem "sat7_exact". Abort.
@@ -85,9 +85,25 @@ Goal True. theorem "coarse_never_lies32". Abort.
 Print Assumptions coarse_never_lies32.
 Goal True. theorem "coarse_never_lies64". Abort.
 Print Assumptions coarse_never_lies64.
+Goal True. theorem "float_coarse_never_lies32". Abort.
+Print Assumptions float_coarse_never_lies32.
+Goal True. theorem "float_coarse_never_lies64". Abort.
+Print Assumptions float_coarse_never_lies64.
+Goal True. theorem "conservative_never_misses32". Abort.
+Print Assumptions conservative_never_misses32.
+Goal True. theorem "conservative_never_misses64". Abort.
+Print Assumptions conservative_never_misses64.
+Goal True. theorem "conservative_phantoms_shallow32". Abort.
+Print Assumptions conservative_phantoms_shallow32.
+Goal True. theorem "conservative_phantoms_shallow64". Abort.
+Print Assumptions conservative_phantoms_shallow64.
 Goal True. theorem "exported_margin_bounds". Abort.
 Print Assumptions exported_margin_bounds.
 Goal True. theorem "exported_coarse_bounds". Abort.
 Print Assumptions exported_coarse_bounds.
+Goal True. theorem "exported_conservative_bounds". Abort.
+Print Assumptions exported_conservative_bounds.
 Goal True. theorem "filters_decide". Abort.
 Print Assumptions filters_decide.
+Goal True. theorem "coarse_step_decides". Abort.
+Print Assumptions coarse_step_decides.

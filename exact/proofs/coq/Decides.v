@@ -1,7 +1,8 @@
-(* The filters do decide: two queries, evaluated to the bit; and their answers at the edges of their domain. *)
+(* The filters and the certified predicate's coarse step do decide: two queries, evaluated to the bit; and their answers at the edges
+   of their domain. *)
 From Coq Require Import ZArith.
 From Flocq Require Import Core BinarySingleNaN.
-From Axiscert Require Import Vectors Filter Filters.
+From Axiscert Require Import Vectors Filter Filters CoarseFloat.
 Open Scope Z_scope.
 
 Section Queries.
@@ -28,4 +29,21 @@ Definition all_filters (far near touching nan infinite negative : answer) : Prop
 
 Theorem filters_decide :
   all_filters answer_separated answer_contact answer_undecided answer_undecided answer_undecided answer_undecided.
+Proof. intros fused; destruct fused; vm_compute; repeat split. Qed.
+
+(* separated, contact; then what it says of the tangent sphere and of radii that are no radii. *)
+Definition coarse_steps (far near neither : bool * bool) : Prop :=
+  forall fused,
+  let step32 r := let q := above 24 128 _ _ r in
+    (float_separated 24 128 _ _ fused (-21) 19 (fa _ _ q) (fb _ _ q) (fc _ _ q) (fp _ _ q) r,
+     float_contact 24 128 _ _ fused (-21) 19 (fa _ _ q) (fb _ _ q) (fc _ _ q) (fp _ _ q) r) in
+  let step64 r := let q := above 53 1024 _ _ r in
+    (float_separated 53 1024 _ _ fused (-300) 150 (fa _ _ q) (fb _ _ q) (fc _ _ q) (fp _ _ q) r,
+     float_contact 53 1024 _ _ fused (-300) 150 (fa _ _ q) (fb _ _ q) (fc _ _ q) (fp _ _ q) r) in
+  let answers {prec emax} f (two four three minus_two : binary_float prec emax) :=
+    f two = far /\ f four = near /\ f three = neither /\ f B754_nan = neither /\ f (B754_infinity false) = neither /\ f minus_two = neither in
+  answers step32 (whole 24 128 _ _ 2) (whole 24 128 _ _ 4) (whole 24 128 _ _ 3) (whole 24 128 _ _ (-2)) /\
+  answers step64 (whole 53 1024 _ _ 2) (whole 53 1024 _ _ 4) (whole 53 1024 _ _ 3) (whole 53 1024 _ _ (-2)).
+
+Theorem coarse_step_decides : coarse_steps (true, false) (false, true) (false, false).
 Proof. intros fused; destruct fused; vm_compute; repeat split. Qed.

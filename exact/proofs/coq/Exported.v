@@ -2,7 +2,7 @@
    write_thresholds.py: do not edit. *)
 From Coq Require Import Reals ZArith List.
 From Flocq Require Import Core BinarySingleNaN.
-From Axiscert Require Import Vectors Expression Programs Filter Thresholds Filters Margins Certified.
+From Axiscert Require Import Vectors Expression Programs Filter Thresholds Filters Margins Certified Conservative.
 Import ListNotations.
 
 Definition in_order :=
@@ -60,4 +60,10 @@ Proof. reflexivity. Qed.
 Theorem exported_coarse_bounds :
   [coarse_degree_2; coarse_degree_4; coarse_degree_6] =
     [20.1875; 11.15625; 5.84375]%R.
+Proof. reflexivity. Qed.
+
+(* The constants of its conservative test. *)
+Theorem exported_conservative_bounds :
+  [conservative_error; conservative_square_error] =
+    [10; 19.125]%R.
 Proof. reflexivity. Qed.

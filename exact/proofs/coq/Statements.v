@@ -3,7 +3,7 @@
 From Coq Require Import Reals ZArith List.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Sat7 Exact Reduced Sides RecordedIsSat7 RecordedIsProgram Expression Programs Format Run
-  Window Windows Thresholds Filter Filters Lanes Margins Certified CertifiedStep
+  Window Windows Thresholds Filter Filters Lanes Margins Certified CertifiedStep Sizes CoarseFloat Conservative ConservativeStep PhantomStep
   Exported Decides.
 Open Scope R_scope.
 Set Printing Width 120.
@@ -91,12 +91,28 @@ Goal True. statement "coarse_never_lies32". Abort.
 Check coarse_never_lies32.
 Goal True. statement "coarse_never_lies64". Abort.
 Check coarse_never_lies64.
+Goal True. statement "float_coarse_never_lies32". Abort.
+Check float_coarse_never_lies32.
+Goal True. statement "float_coarse_never_lies64". Abort.
+Check float_coarse_never_lies64.
+Goal True. statement "conservative_never_misses32". Abort.
+Check conservative_never_misses32.
+Goal True. statement "conservative_never_misses64". Abort.
+Check conservative_never_misses64.
+Goal True. statement "conservative_phantoms_shallow32". Abort.
+Check conservative_phantoms_shallow32.
+Goal True. statement "conservative_phantoms_shallow64". Abort.
+Check conservative_phantoms_shallow64.
 Goal True. statement "exported_margin_bounds". Abort.
 Check exported_margin_bounds.
 Goal True. statement "exported_coarse_bounds". Abort.
 Check exported_coarse_bounds.
+Goal True. statement "exported_conservative_bounds". Abort.
+Check exported_conservative_bounds.
 Goal True. statement "filters_decide". Abort.
 Check filters_decide.
+Goal True. statement "coarse_step_decides". Abort.
+Check coarse_step_decides.
 
 (* Definitions. *)
 Goal True. statement "vec". Abort.
@@ -345,3 +361,53 @@ Goal True. statement "in_format". Abort.
 Print in_format.
 Goal True. statement "coarse_never_lies". Abort.
 Print coarse_never_lies.
+Goal True. statement "conservative_W". Abort.
+Print conservative_W.
+Goal True. statement "conservative_share". Abort.
+Print conservative_share.
+Goal True. statement "conservative_edge". Abort.
+Print conservative_edge.
+Goal True. statement "conservative_normal". Abort.
+Print conservative_normal.
+Goal True. statement "conservative_plane". Abort.
+Print conservative_plane.
+Goal True. statement "conservative_separated". Abort.
+Print conservative_separated.
+Goal True. statement "conservative_never_misses". Abort.
+Print conservative_never_misses.
+Goal True. statement "float_sub". Abort.
+Print float_sub.
+Goal True. statement "float_add_product". Abort.
+Print float_add_product.
+Goal True. statement "float_dot". Abort.
+Print float_dot.
+Goal True. statement "float_minus_product". Abort.
+Print float_minus_product.
+Goal True. statement "float_cross". Abort.
+Print float_cross.
+Goal True. statement "constant". Abort.
+Print constant.
+Goal True. statement "float_S". Abort.
+Print float_S.
+Goal True. statement "float_E". Abort.
+Print float_E.
+Goal True. statement "float_threshold". Abort.
+Print float_threshold.
+Goal True. statement "float_margin". Abort.
+Print float_margin.
+Goal True. statement "float_in_range". Abort.
+Print float_in_range.
+Goal True. statement "float_separated". Abort.
+Print float_separated.
+Goal True. statement "float_contact". Abort.
+Print float_contact.
+Goal True. statement "float_coarse_never_lies". Abort.
+Print float_coarse_never_lies.
+Goal True. statement "coarse_steps". Abort.
+Print coarse_steps.
+Goal True. statement "phantom_depth". Abort.
+Print phantom_depth.
+Goal True. statement "query_size". Abort.
+Print query_size.
+Goal True. statement "conservative_phantoms_shallow". Abort.
+Print conservative_phantoms_shallow.
