@@ -118,7 +118,7 @@ class Steps {
       std::uint64_t few = 0;
       if (is_worth_it) {
         const auto known = coarsely_known(d, margins, limits);
-        few = pending & bits_of(d, hn::And(has_one_open(d, known), limits.in_deep_range(margins.S)));
+        few = pending & bits_of(d, hn::And(has_one_open(d, known), limits.in_deep_range(margins.S, margins.r)));
         open.add(j, few, known);
         is_worth_it = 2 * std::popcount(few) >= std::popcount(pending);
       }

@@ -99,9 +99,10 @@ struct CoarseLimits {
     return hn::And(hn::And(hn::Lt(vertices.v, hn::Neg(degree2.v)), hn::Lt(edges.v, hn::Neg(degree4.v))),
                    hn::Lt(plane.v, hn::Neg(degree6.v)));
   }
-  // Sizes that the deep step's range (Margins::in_range) mostly holds; it looks itself.
-  AXISCERT_INLINE static hn::Mask<D> in_deep_range(const T& S) {
-    return hn::And(hn::Ge(S.v, hn::Set(D(), Real{0x1p-100})), hn::Le(S.v, hn::Set(D(), Real{0x1p198})));
+  // Valid queries of sizes that the deep step's range (Margins::in_range) mostly holds; it looks itself.
+  AXISCERT_INLINE static hn::Mask<D> in_deep_range(const T& S, const T& r) {
+    return hn::And(hn::And(hn::Ge(S.v, hn::Set(D(), Real{0x1p-100})), hn::Le(S.v, hn::Set(D(), Real{0x1p198}))),
+                   hn::Ge(r.v, hn::Zero(D())));
   }
   // S is neither in the range nor out of it where a number is not finite; r >= 0 has to be asked.
   AXISCERT_INLINE static hn::Mask<D> in_range(const T& S, const T& r) {
