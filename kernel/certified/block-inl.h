@@ -187,7 +187,7 @@ class Steps {
     open.finish([&](std::size_t place, std::size_t i, Known known) HWY_ATTR {
       // Either is as likely: no branch on which.
       answer_.contact[i / 64] |= std::uint64_t{known.is_contact()} << (i % 64);
-      if (known.is_separated() | known.is_contact()) return;
+      if (int{known.is_separated()} | int{known.is_contact()}) return;
       double q[13];
       read(place, i, q);
       last_step(q, i, known);

@@ -1,8 +1,6 @@
 // Integers modulo 2^64, a query a lane: a value that is known to be below 2^63 in magnitude is known exactly by its
 // residue, however large the products that it is made of. No guard: included once for each of Highway's instruction
 // sets, after pairs-inl.h.
-#include <type_traits>
-
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
@@ -17,15 +15,16 @@ struct Wrapped {
   AXISCERT_INLINE friend Wrapped operator-(const Wrapped& x, const Wrapped& y) { return {hn::Sub(x.v, y.v)}; }
   AXISCERT_INLINE friend Wrapped operator-(const Wrapped& x) { return {hn::Sub(hn::Zero(Words()), x.v)}; }
   AXISCERT_INLINE friend Wrapped operator*(const Wrapped& x, const Wrapped& y) {
-    // Highway 1.0 has no such product; compilers have, of their vectors and of what a single lane is.
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
+    return {x.v * y.v};
+#else
+    // Highway 1.0 has no such product of other vectors; compilers have.
     using Raw = decltype(x.v.raw);
-    if constexpr (std::is_integral_v<Raw>) {
-      return {V(x.v.raw * y.v.raw)};
-    } else {
-      using Factors [[gnu::vector_size(sizeof(Raw))]] = std::uint64_t;
-      return {V{reinterpret_cast<Raw>(reinterpret_cast<Factors>(x.v.raw) * reinterpret_cast<Factors>(y.v.raw))}};
-    }
+    using Factors [[gnu::vector_size(sizeof(Raw))]] = std::uint64_t;
+    return {V{reinterpret_cast<Raw>(reinterpret_cast<Factors>(x.v.raw) * reinterpret_cast<Factors>(y.v.raw))}};
+#endif
   }
+  // Of the integer below 2^63 in magnitude that it is modulo 2^64.
   AXISCERT_INLINE hn::Mask<D> is_zero() const { return hn::RebindMask(D(), hn::Eq(v, hn::Zero(Words()))); }
   AXISCERT_INLINE hn::Mask<D> is_negative() const {
     const hn::RebindToSigned<D> integers;
