@@ -36,7 +36,7 @@ Query<Real> tangent_query(std::mt19937_64& random) {
 // than a 2^100th of its radius.
 template <class Real>
 Query<Real> integer_query(std::mt19937_64& random) {
-  const int bits = static_cast<int>(4 + random() % (std::numeric_limits<Real>::digits - 6));
+  const int bits = static_cast<int>(4 + random() % (random() % 2 ? std::numeric_limits<Real>::digits - 6 : 4));
   const auto below = [&](int n) { return static_cast<std::int64_t>(random() >> (64 - n)); };
   const auto point = [&](std::int64_t unit) {
     const auto one = [&] { return (below(bits) - (std::int64_t{1} << (bits - 1))) * unit; };
@@ -46,8 +46,9 @@ Query<Real> integer_query(std::mt19937_64& random) {
   std::int64_t r = random() % 2 ? 0 : below(3);
   if (random() % 3 == 0) p = (a + b) / std::int64_t{2};
   if (random() % 2 == 0) {
-    r = (std::int64_t{1} << bits) + below(bits);
-    const std::int64_t along = std::int64_t{1} << below(5);
+    r = random() % 4 ? (std::int64_t{1} << bits) + below(bits) : 0;
+    const unsigned longest = static_cast<unsigned>(57 - bits / 2);
+    const std::int64_t along = std::int64_t{1} << (random() % 2 ? longest : random() % longest);
     a = {-along * below(bits / 2 + 1), 0, r}, b = {along * below(bits / 2 + 1), 0, r}, c = {0, 0, r + below(bits)};
     p = {0, static_cast<std::int64_t>(random() % 3) - 1, 0};
   }
@@ -61,7 +62,11 @@ Query<Real> integer_query(std::mt19937_64& random) {
   };
   std::array<Vec3<Real>, 3> v = {real(a), real(b), real(c)};
   std::rotate(v.begin(), v.begin() + random() % 3, v.end());
-  return {v[0], v[1], v[2], real(p), std::ldexp(static_cast<Real>(r), exponent)};
+  Query<Real> q = {v[0], v[1], v[2], real(p), std::ldexp(static_cast<Real>(r), exponent)};
+  // Of no common unit that the others are few of.
+  if (random() % 4 == 0) q.p = q.p * std::ldexp(Real(1), -static_cast<int>(random() % 90));
+  if (random() % 4 == 0) q.r = std::nextafter(q.r, Real(4) * q.r);
+  return q;
 }
 
 template <class Real>
