@@ -107,7 +107,7 @@ class Steps {
     bool is_worth_it = true;  // as it was of the queries before
     left.size = 0;
     for (std::size_t j = 0; j < block.size; j += fine_lanes) {
-      const CoarseMargins<D2, true> margins(load(d, block, j));
+      const CoarseMargins<D2, true> margins = coarse_margins(load(d, block, j));
       const CoarseLimits<D2, true> limits(margins.S, margins.E);
       const Decided<D2> decided = coarse_step(margins, limits);
       const std::uint64_t queries = low_bits(block.size - j < fine_lanes ? block.size - j : fine_lanes);

@@ -84,13 +84,13 @@ struct CoarseLimits {
   using Real = hn::TFromD<D>;
   T degree2, degree4, degree6;
 
-  AXISCERT_INLINE CoarseLimits(const T& S, const T& E) {
+  AXISCERT_INLINE CoarseLimits(const T& S, const T& E)
+      : degree2(units(filter::CoarseBounds::degree_2) * S),
+        degree4(units(filter::CoarseBounds::degree_4) * (S * E)),
+        degree6(units(filter::CoarseBounds::degree_6) * ((S * E) * E)) {}
+  AXISCERT_INLINE static T units(double n) {
     constexpr double u = unit_roundoff<Real>;
-    const auto constant = [](double x) HWY_ATTR { return T{hn::Set(D(), static_cast<Real>(x))}; };
-    const T SE = S * E;
-    degree2 = constant(filter::CoarseBounds::degree_2 * u) * S;
-    degree4 = constant(filter::CoarseBounds::degree_4 * u) * SE;
-    degree6 = constant(filter::CoarseBounds::degree_6 * u) * (SE * E);
+    return {hn::Set(D(), static_cast<Real>(n * u))};
   }
   AXISCERT_INLINE hn::Mask<D> any_beyond(const T& vertices, const T& edges, const T& plane) const {
     return hn::Or(hn::Or(hn::Gt(vertices.v, degree2.v), hn::Gt(edges.v, degree4.v)), hn::Gt(plane.v, degree6.v));
@@ -116,7 +116,6 @@ struct CoarseLimits {
 template <class D, bool fused>
 struct CoarseMargins {
   using T = Lanes<D, fused>;
-  using Real = hn::TFromD<D>;
   struct Vertex {
     T radius, away, towards;
   };
@@ -127,35 +126,34 @@ struct CoarseMargins {
   T plane;
   Edge edge[3];
   T S, E, r;
-
-  AXISCERT_INLINE explicit CoarseMargins(const Problem<T>& q) : r(q.r) {
-    const auto constant = [](double x) HWY_ATTR { return T{hn::Set(D(), static_cast<Real>(x))}; };
-    const Vec3<T> A = q.a - q.p, B = q.b - q.p, C = q.c - q.p;
-    const Vec3<T> AB = q.b - q.a, BC = q.c - q.b, CA = q.a - q.c;
-    const T aa = dot(A, A), bb = dot(B, B), cc = dot(C, C), rr = q.r * q.r;
-    const T e1 = dot(AB, AB), e2 = dot(BC, BC), e3 = dot(CA, CA);
-    S = ((aa + bb) + cc) + rr;
-    E = ((e1 + e2) + e3) + constant(least_relative_triangle) * S;
-
-    // 2 A.AB = (B.B - A.A) - e1, and so on.
-    const T ab = bb - aa, ac = cc - aa, bc = cc - bb;
-    vertex[0] = {aa - rr, ab - e1, ac - e3};
-    vertex[1] = {bb - rr, bc - e2, -ab - e1};
-    vertex[2] = {cc - rr, -ac - e3, -bc - e2};
-
-    const Vec3<T> V = cross(CA, AB);  // AB x AC
-    const auto of_edge = [&](const Vec3<T>& from, const Vec3<T>& along, const T& e) HWY_ATTR {
-      const Vec3<T> N = cross(from, along);
-      return Edge{T::minus_product(dot(N, N), rr, e), -dot(N, V)};
-    };
-    edge[0] = of_edge(A, AB, e1);
-    edge[1] = of_edge(B, BC, e2);
-    edge[2] = of_edge(C, CA, e3);
-
-    const T offset = dot(A, V);
-    plane = T::minus_product(offset * offset, rr, dot(V, V));
-  }
 };
+template <class D, bool fused>
+AXISCERT_INLINE CoarseMargins<D, fused> coarse_margins(const Problem<Lanes<D, fused>>& q) {
+  using T = Lanes<D, fused>;
+  const Vec3<T> A = q.a - q.p, B = q.b - q.p, C = q.c - q.p;
+  const Vec3<T> AB = q.b - q.a, BC = q.c - q.b, CA = q.a - q.c;
+  const T aa = dot(A, A), bb = dot(B, B), cc = dot(C, C), rr = q.r * q.r;
+  const T e1 = dot(AB, AB), e2 = dot(BC, BC), e3 = dot(CA, CA);
+  const T S = ((aa + bb) + cc) + rr;
+  const T least{hn::Set(D(), static_cast<hn::TFromD<D>>(least_relative_triangle))};
+  const T E = ((e1 + e2) + e3) + least * S;
+
+  // 2 A.AB = (B.B - A.A) - e1, and so on.
+  const T ab = bb - aa, ac = cc - aa, bc = cc - bb;
+
+  const Vec3<T> V = cross(CA, AB);  // AB x AC
+  const auto edge = [&](const Vec3<T>& from, const Vec3<T>& along, const T& e) HWY_ATTR {
+    const Vec3<T> N = cross(from, along);
+    return typename CoarseMargins<D, fused>::Edge{T::minus_product(dot(N, N), rr, e), -dot(N, V)};
+  };
+  const T offset = dot(A, V);
+  return {{{aa - rr, ab - e1, ac - e3}, {bb - rr, bc - e2, -ab - e1}, {cc - rr, -ac - e3, -bc - e2}},
+          T::minus_product(offset * offset, rr, dot(V, V)),
+          {edge(A, AB, e1), edge(B, BC, e2), edge(C, CA, e3)},
+          S,
+          E,
+          q.r};
+}
 
 // The same of each comparison, in doubles: Known's bits, of lanes in the range of the step.
 template <class D, bool fused>
@@ -197,7 +195,7 @@ AXISCERT_INLINE Decided<D> coarse_step(const CoarseMargins<D, fused>& m, const C
 }
 template <class D, bool fused>
 AXISCERT_INLINE Decided<D> coarse_step(D, const Problem<Lanes<D, fused>>& q) {
-  const CoarseMargins<D, fused> margins(q);
+  const CoarseMargins<D, fused> margins = coarse_margins(q);
   return coarse_step(margins, CoarseLimits<D, fused>(margins.S, margins.E));
 }
 
