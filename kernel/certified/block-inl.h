@@ -194,7 +194,7 @@ class Steps {
     });
   }
 
-  // The i-th of the block, which the second step cannot look at; or not one, if it is no query.
+  // The i-th of the block, which the fine step cannot look at; or not one, if it is no query.
   template <class Number>
   void unsound(const Block<Number>& from, std::size_t place, std::size_t i, bool known_valid) noexcept {
     double q[13];
@@ -207,7 +207,7 @@ class Steps {
   AXISCERT_INLINE void last_step(const double (&q)[13], std::size_t i, Known known) noexcept {
     if (!exactly_separated(q, question_, known)) set_bit(answer_.contact, i);
   }
-  // The same of one that the second step could not look at. Scaled, it may.
+  // The same of one that the fine step could not look at. Scaled, it may.
   AXISCERT_INLINE void scaled_step(const double (&q)[13], std::size_t i) noexcept {
     if constexpr (sizeof(Real) == 8) {
       if (double scaled[13]; scaled_to_range(q, scaled)) {

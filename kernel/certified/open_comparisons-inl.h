@@ -1,5 +1,7 @@
 // What a step in doubles left open: comparison by comparison through the deep step, those of a kind together. No guard:
 // included once for each of Highway's instruction sets, after deep_step-inl.h and leftovers-inl.h.
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
@@ -28,17 +30,16 @@ class OpenComparisons {
 
   // The queries at first..first + lanes, those of `mask`, of which this much is known.
   AXISCERT_INLINE void add(std::size_t first, std::uint64_t mask, hn::Vec<hn::RebindToUnsigned<D>> known) noexcept {
-    if (mask == 0) return;
-    store(first, known);
-    for (; mask != 0; mask &= mask - 1) add(first + static_cast<std::size_t>(std::countr_zero(mask)));
+    for_each_place(first, mask, known, [&](std::size_t place) HWY_ATTR {
+      list(place);
+      ask_all(place);
+    });
   }
 
   // The same, of which nothing more is asked.
   AXISCERT_INLINE void add_unasked(std::size_t first, std::uint64_t mask,
                                    hn::Vec<hn::RebindToUnsigned<D>> known) noexcept {
-    if (mask == 0) return;
-    store(first, known);
-    for (; mask != 0; mask &= mask - 1) list(first + static_cast<std::size_t>(std::countr_zero(mask)));
+    for_each_place(first, mask, known, [&](std::size_t place) HWY_ATTR { list(place); });
   }
 
   // take(place, index, known) for each query, with all that is known now; the index that it had when it was added.
@@ -75,15 +76,18 @@ class OpenComparisons {
     std::size_t size = 0;
   };
 
-  AXISCERT_INLINE void store(std::size_t first, hn::Vec<hn::RebindToUnsigned<D>> known) noexcept {
+  template <class Visit>
+  AXISCERT_INLINE void for_each_place(std::size_t first, std::uint64_t mask, hn::Vec<hn::RebindToUnsigned<D>> known,
+                                      Visit&& visit) noexcept {
+    if (mask == 0) return;
     hn::StoreU(known, hn::RebindToUnsigned<D>(), known_ + first);
+    for (; mask != 0; mask &= mask - 1) visit(first + static_cast<std::size_t>(std::countr_zero(mask)));
   }
   AXISCERT_INLINE void list(std::size_t place) noexcept {
     place_[size_] = static_cast<std::uint16_t>(place);
     index_[size_++] = left_.index[place];
   }
-  AXISCERT_INLINE void add(std::size_t place) noexcept {
-    list(place);
+  AXISCERT_INLINE void ask_all(std::size_t place) noexcept {
     const Known known{known_[place]};
     for (std::uint32_t rest = known.open_radii(); rest != 0; rest &= rest - 1) {
       ask(radius_of_[std::countr_zero(rest)], std::countr_zero(rest), place);

@@ -1,5 +1,7 @@
 // Which faces of the sphere's box the vertices of a mesh are beyond: a bit each, vertices neighbours in memory at once.
 // No guard: included once for each of Highway's instruction sets, after box_step-inl.h.
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
@@ -22,10 +24,10 @@ class OutcodeStep {
   // are too many.
   AXISCERT_INLINE bool has(VertexRange range) {
     if (range.first <= known_.end && range.end >= known_.first) {  // grows, if there is room
-      const VertexRange both{least(range.first, known_.first), greatest(range.end, known_.end)};
+      const VertexRange both{std::min(range.first, known_.first), std::max(range.end, known_.end)};
       if (both.end - both.first <= sizeof known_.code) range = both;
     }
-    VertexRange kept{greatest(range.first, known_.first), least(range.end, known_.end)};
+    VertexRange kept{std::max(range.first, known_.first), std::min(range.end, known_.end)};
     if (kept.end < kept.first) kept = {range.first, range.first};
     const std::size_t size = range.end - range.first, missing = size - (kept.end - kept.first);
     if (size > sizeof known_.code || missing > most_a_triangle * mesh_.size) return false;
@@ -58,9 +60,6 @@ class OutcodeStep {
  private:
   static constexpr std::size_t lanes = hn::MaxLanes(D()), most_a_triangle = 8;
   using Bytes = hn::Rebind<std::uint8_t, D>;
-
-  static std::uint32_t least(std::uint32_t a, std::uint32_t b) { return a < b ? a : b; }
-  static std::uint32_t greatest(std::uint32_t a, std::uint32_t b) { return a > b ? a : b; }
 
   AXISCERT_INLINE hn::Vec<Bytes> codes(V x, V y, V z) const {
     const D d;
