@@ -33,7 +33,7 @@ Query<Real> tangent_query(std::mt19937_64& random) {
 
 // Integers whose margins are zero, or far smaller than what they are the difference of and yet not small: a centre on
 // the plane or on an edge, with a sphere of any size or of none; or a sphere that touches an edge, or misses by less
-// than a 2^100th of its radius.
+// than a 2^100th of its radius. Of some, what is zero is a few of the least number there is instead.
 template <class Real>
 Query<Real> integer_query(std::mt19937_64& random) {
   const int bits = static_cast<int>(4 + random() % (random() % 2 ? std::numeric_limits<Real>::digits - 6 : 4));
@@ -54,7 +54,7 @@ Query<Real> integer_query(std::mt19937_64& random) {
   }
   std::array<std::size_t, 3> axes = {0, 1, 2};
   std::shuffle(axes.begin(), axes.end(), random);
-  const int exponent = static_cast<int>(random() % 21) - 10;
+  const int exponent = static_cast<int>(random() % 21) + (sizeof(Real) == 8 && random() % 4 == 0 ? 60 : -10);
   const auto real = [&](const Vec3<std::int64_t>& v) {
     const std::array<std::int64_t, 3> own = {v.x, v.y, v.z};
     const auto one = [&](std::size_t k) { return std::ldexp(static_cast<Real>(own[axes[k]]), exponent); };
@@ -66,7 +66,14 @@ Query<Real> integer_query(std::mt19937_64& random) {
   // Of no common unit that the others are few of.
   if (random() % 4 == 0) q.p = q.p * std::ldexp(Real(1), -static_cast<int>(random() % 90));
   if (random() % 4 == 0) q.r = std::nextafter(q.r, Real(4) * q.r);
-  return q;
+  if (random() % 4 != 0) return q;
+  // Of the least numbers there are.
+  auto all = coordinates(q);
+  for (std::size_t k = 0; k < 12; ++k) {
+    if (all[k] == 0 && random() % 2 == 0)
+      all[k] = std::numeric_limits<Real>::denorm_min() * Real(random() % 2 ? 1 : -3);
+  }
+  return from_coordinates(all);
 }
 
 template <class Real>

@@ -154,8 +154,8 @@ class Steps {
       add_contacts(contact, left.index + j);
       const std::uint64_t pending = sound & ~(contact | separated);
       const std::uint64_t quick = pending & ~bits_of(d, has_one_open(d, found.known)) & have_few_bits(block, j);
-      open.add(j, pending & ~quick, found.known);
       open.add_unasked(j, quick, found.known);
+      open.add(j, pending & ~quick, found.known);  // last: it may add answers to what is known of these already
       for (std::uint64_t rest = queries & ~sound; rest != 0; rest &= rest - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
         unsound(block, j + lane, left.index[j + lane], ((valid >> lane) & 1u) != 0);

@@ -55,7 +55,8 @@ class Units {
       }
     }
     has_low_ = !hn::AllTrue(d, hn::Eq(low, hn::Zero(d)));
-    // 2^(60 - the exponent of the greatest): all below 2^61, and a leaf's two parts together below 2^62.
+    // 2^(60 - the exponent of the greatest): all below 2^61, and a leaf's two parts together below 2^62. That is for a
+    // greatest number in DeepStep's range, or for zeros; of others nothing is believed.
     const auto exponent = hn::And(hn::BitCast(Words(), greatest), words(0x7ff0'0000'0000'0000));
     per_unit_ = hn::BitCast(d, hn::Sub(words(std::uint64_t{2 * 1023 + 60} << 52), exponent));
     auto any = integer(r).v;
@@ -102,9 +103,10 @@ class Units {
  private:
   using Words = typename W::Words;
   AXISCERT_INLINE static hn::Vec<Words> words(std::uint64_t x) { return hn::Set(Words(), x); }
+  // Exact but where it underflows: to zero, or to what is below one.
   AXISCERT_INLINE M is_integer(V x) const {
-    const V scaled = hn::Mul(x, per_unit_);
-    return hn::Eq(hn::Trunc(scaled), scaled);
+    const V scaled = hn::Mul(x, per_unit_), zero = hn::Zero(d_);
+    return hn::And(hn::Eq(hn::Trunc(scaled), scaled), hn::Or(hn::Ne(scaled, zero), hn::Eq(x, zero)));
   }
 
   D d_;
