@@ -66,6 +66,7 @@ Allowed allowed(std::string_view family) {
                            {"needle", wide ? 15u : 1u, 2, 5},
                            {"collinear", 0, 145, 336},
                            {"tie", 0, 0, 30},
+                           {"speck", 2, 2, 40},
                            {"lattice", 12, 50, 110},
                            {"far", 0, 0, 12},
                            {"scale", 5, 6, 10},

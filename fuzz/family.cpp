@@ -17,6 +17,7 @@
   X(collinear)               \
   X(repeated)                \
   X(tie)                     \
+  X(speck)                   \
   X(lattice)                 \
   X(far)                     \
   X(scale)                   \

@@ -180,5 +180,27 @@ TYPED_TEST(FamilyShapes, GridPutsTheCentreOnTheTriangleInSmallIntegers) {
   EXPECT_GT(zero, 300u);
 }
 
+TYPED_TEST(FamilyShapes, SpeckIsATieButForWhatIsFarBelowIt) {
+  using Limits = std::numeric_limits<TypeParam>;
+  int ties = 0, nearer = 0, farther = 0, of_the_least = 0;
+  for_each_query<TypeParam>("speck", 3000, [&](const Query<TypeParam>& q, std::uint64_t) {
+    ASSERT_TRUE(is_valid(q));
+    const auto all = coordinates(q);
+    bool has_least = false;
+    for (const TypeParam x : all) has_least = has_least || std::abs(x) == Limits::denorm_min();
+    of_the_least += has_least;
+    const int order = distance_order(q);
+    ties += order == 0;
+    nearer += order < 0;
+    farther += order > 0;
+    const TypeParam d = nearest_sqrt<TypeParam>(squared_distance(q));
+    EXPECT_LE(std::abs(d - q.r), 8 * q.r * Limits::epsilon());
+  });
+  EXPECT_GT(ties, 200);
+  EXPECT_GT(nearer, 800);
+  EXPECT_GT(farther, 800);
+  EXPECT_GT(of_the_least, 500);
+}
+
 }  // namespace
 }  // namespace axiscert

@@ -1,5 +1,6 @@
 // Integers that touch exactly: the distance is r, on each of the seven features in turn.
 #include "fuzz/families/shapes.h"
+#include "fuzz/families/ties.h"
 #include "fuzz/family.h"
 
 namespace axiscert {
@@ -68,8 +69,10 @@ template <>
 constexpr std::array<Size, 3> sizes<double> = {
     {{1, 4, 4}, {64, 1 << 10, 1 << 30}, {1 << 10, 1 << 24, std::int64_t{1} << 52}}};
 
+}  // namespace
+
 template <class Real>
-Query<Real> tie(Stream& random, std::uint64_t position) {
+Query<Real> touching_integers(Stream& random, std::uint64_t position) {
   const Size& size = sizes<Real>[position / axis_count % 3];
   const Rotation rotate = rotation(random, size.quaternion);
   const auto local = local_vertices(random, position % axis_count, size.local);
@@ -81,12 +84,15 @@ Query<Real> tie(Stream& random, std::uint64_t position) {
   };
   return {real(local[0]), real(local[1]), real(local[2]), real({0, 0, z}), static_cast<Real>(z * rotate.n)};
 }
-
-}  // namespace
+template Query<float> touching_integers(Stream&, std::uint64_t);
+template Query<double> touching_integers(Stream&, std::uint64_t);
 
 extern const Family tie_family = {
-    "tie",      "integers that touch exactly, on each of the seven features in turn; small ones and large ones",
-    2,          false,
-    tie<float>, tie<double>};
+    "tie",
+    "integers that touch exactly, on each of the seven features in turn; small ones and large ones",
+    2,
+    false,
+    touching_integers<float>,
+    touching_integers<double>};
 
 }  // namespace axiscert
