@@ -43,6 +43,7 @@ Call parsed(std::string_view words, const std::string& id) {
       value = asked;
     };
     if (target != targets.end()) set(call.target, "", *target, "instruction sets");
+    else if (word.empty()) refuse(fmt::format("a word is missing after '@' or ','; {}", known_words()));
     else if (mode == call_modes().end())
       refuse(fmt::format("after '@', '{}' says no way to call a kernel; {}", word, known_words()));
     else if (mode->flush) set(call.flush, false, true, "");

@@ -28,10 +28,10 @@ TEST(Called, AnIdHasOneSpellingAndOneKernel) {
 TEST(Called, WhatCannotBeIsRefusedWithWhatCan) {
   const std::string best = available_targets().front();
   const std::pair<std::string, std::string> refusals[] = {
-      {"certified@", "after '@', '' says no way to call a kernel; instruction sets here: " + best},
+      {"certified@", "a word is missing after '@' or ','; instruction sets here: " + best},
       {"certified@MMX", "'MMX' says no way to call a kernel"},
       {"certified@upward@flushed", "; modes: upward, downward, toward-zero, flushed"},
-      {"certified@upward,", "'' says no way"},
+      {"certified@upward,", "a word is missing"},
       {"certified@flushed,Flushed", "'Flushed' stands there twice"},
       {"certified@" + best + ",scalar," + best, "two instruction sets"},
       {"certified@upward,toward-zero", "two directions of rounding"},

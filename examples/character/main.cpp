@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <optional>
@@ -36,8 +38,7 @@ float radius_of(const Options& options, const Mesh& mesh) {
   if (options.radius.empty()) return static_cast<float>(mesh.diagonal / default_share);
   const auto refused = [&](const std::string& why) {
     return Error(
-        fmt::format("--radius {}: {}; a number from {:.3g} to {:.3g}, a {}th of the diagonal of the mesh's box "
-                    "to all of it",
+        fmt::format("--radius {}: {}; a number from {} to {}, a {}th of the diagonal of the mesh's box to all of it",
                     shown(options.radius), why, least, mesh.diagonal, least_share));
   };
   float radius = 0;
@@ -53,7 +54,10 @@ float radius_of(const Options& options, const Mesh& mesh) {
 // Those asked for; without any, the published test and Bullet's, where Bullet's was built.
 std::vector<const Kernel*> kernels_of(const Options& options, std::string& not_checked) {
   std::vector<const Kernel*> found;
-  for (const std::string& id : options.kernels) found.push_back(&find_kernel(id));
+  for (const std::string& id : options.kernels) {
+    const Kernel* kernel = &find_kernel(id);
+    if (std::ranges::find(found, kernel) == found.end()) found.push_back(kernel);
+  }
   if (options.kernels.empty()) {
     found.push_back(&find_kernel("published"));
     try {
@@ -71,11 +75,13 @@ std::vector<const Kernel*> kernels_of(const Options& options, std::string& not_c
   return found;
 }
 
-// Opened before the walk, so that nothing is walked in vain.
+// Opened before the walk, so that nothing is walked in vain; what is there already stays until there is something else.
 class Out {
  public:
-  explicit Out(const std::string& path) : path_(path), file_(path, std::ios::binary) { require(); }
+  explicit Out(const std::string& path) : path_(path), file_(path, std::ios::binary | std::ios::app) { require(); }
   void write(const std::string& text) {
+    file_.close();
+    file_.open(path_, std::ios::binary | std::ios::trunc);
     file_ << text;
     file_.close();
     require();
@@ -89,10 +95,12 @@ class Out {
   std::ofstream file_;
 };
 
-// Digits only: CLI11 would take "-1" for the greatest number there is.
+// Digits only, and as many as fit: CLI11 would take "-1" and 2^64 for the greatest number there is.
 std::string whole_number(const std::string& text) {
-  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
-  return digits ? "" : fmt::format("'{}' is not a whole number from 0 on", text);
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_one = error == std::errc() && end == text.data() + text.size();
+  return is_one ? "" : fmt::format("'{}' is not a whole number from 0 to 2^64 - 1", text);
 }
 
 int run(const Options& options) {
@@ -101,7 +109,7 @@ int run(const Options& options) {
   const std::vector<const Kernel*> kernels = kernels_of(options, not_checked);
   Mesh mesh = load_mesh(options.mesh, read_bytes(options.mesh).size());
   const WalkOptions walk_options{options.seed, options.steps, radius_of(options, mesh)};
-  const std::uint64_t without_area = mesh.degenerate_triangles;
+  const std::uint64_t without_area = mesh.degenerate_triangles, left_out = mesh.skipped_primitives;
   const std::size_t up = options.up.empty() ? thinnest_axis(mesh.triangles) : std::size_t(options.up[0] - 'x');
   const Ground ground(std::move(mesh.triangles), up);
   std::optional<Out> out;
@@ -111,9 +119,10 @@ int run(const Options& options) {
   for (const Kernel* kernel : kernels) comparisons.push_back(compared(ground, walk, *kernel));
 
   const std::string title =
-      fmt::format("{}: {} triangles, {} of them without area; a sphere of radius {} takes {} steps, {} up, seed {}",
-                  base_name(options.mesh), ground.size(), without_area, walk_options.radius, walk_options.steps,
-                  "xyz"[up], options.seed);
+      fmt::format("{}: {} triangles, {} of them without area{}; a sphere of radius {} takes {} steps, {} up, seed {}",
+                  base_name(options.mesh), ground.size(), without_area,
+                  left_out == 0 ? "" : fmt::format(", and {} faces that are none, left out", left_out),
+                  walk_options.radius, walk_options.steps, "xyz"[up], options.seed);
   fmt::print("{}\n{} times turned round, {} times set down\n\n{}{}", title, walk.turns, walk.paths.size(),
              table(ground, walk, comparisons), not_checked);
   if (out) out->write(picture(ground, walk, comparisons, title));

@@ -157,23 +157,32 @@ std::string grouped(std::uint64_t n) {
   return fmt::format("{},{:03}", grouped(n / 1000), n % 1000);
 }
 
+// The depth of a wrong answer, where there is one: most are roundings, which the marks do not show.
+std::string deepest(double depth) { return depth > 0 ? fmt::format(", by {:.1e} at most", depth) : ""; }
+
+struct LegendEntry {
+  std::string_view mark, words;
+  double width;
+};
+constexpr std::array<LegendEntry, 6> legend_entries = {{
+    {"<circle class=\"dot missed\" cx=\"8\" cy=\"-4\" r=\"4.2\"/>", "missed a contact", 150},
+    {"<circle class=\"dot invented\" cx=\"8\" cy=\"-4\" r=\"4.2\"/>", "invented one", 124},
+    {"<circle class=\"dot both\" cx=\"8\" cy=\"-4\" r=\"4.2\"/>", "both", 72},
+    {"<circle class=\"lost\" cx=\"8\" cy=\"-4\" r=\"4.6\"/>", "stood, and lost the ground", 208},
+    {"<path class=\"area missed\" d=\"M1,1L15,1 8,-10Z\"/>",
+     "triangle that it was wrong about, a line where it has no area", 420},
+    {"<circle class=\"set\" cx=\"8\" cy=\"-4\" r=\"3.6\"/>", "set down", 100},
+}};
+constexpr double legend_width = [] {
+  double width = 2 * margin;
+  for (const LegendEntry& entry : legend_entries) width += entry.width;
+  return width;
+}();
+
 std::string legend(double y) {
-  struct Entry {
-    std::string_view mark, words;
-    double width;
-  };
-  constexpr std::array<Entry, 6> entries = {{
-      {"<circle class=\"dot missed\" cx=\"8\" cy=\"-4\" r=\"4.2\"/>", "missed a contact", 150},
-      {"<circle class=\"dot invented\" cx=\"8\" cy=\"-4\" r=\"4.2\"/>", "invented one", 124},
-      {"<circle class=\"dot both\" cx=\"8\" cy=\"-4\" r=\"4.2\"/>", "both", 72},
-      {"<circle class=\"lost\" cx=\"8\" cy=\"-4\" r=\"4.6\"/>", "stood, and lost the ground", 208},
-      {"<path class=\"area missed\" d=\"M1,1L15,1 8,-10Z\"/>",
-       "triangle that it was wrong about, a line where it has no area", 420},
-      {"<circle class=\"set\" cx=\"8\" cy=\"-4\" r=\"3.6\"/>", "set down", 100},
-  }};
   std::string svg;
   double x = margin;
-  for (const Entry& entry : entries) {
+  for (const LegendEntry& entry : legend_entries) {
     svg += fmt::format("<g transform=\"translate({:.0f} {:.0f})\">{}{}</g>\n", x, y, entry.mark,
                        text(22, 0, "count", entry.words));
     x += entry.width;
@@ -190,7 +199,7 @@ std::string picture(const Ground& ground, const Walk& walk, std::span<const Comp
   const bool beside = size.x < 1.6 * size.y;
   const double columns = beside ? double(comparisons.size() + 1) : 1,
                rows = beside ? 1 : double(comparisons.size() + 1);
-  const double width = std::max(2 * margin + columns * size.x + (columns - 1) * gap, 960.0);
+  const double width = std::max(2 * margin + columns * size.x + (columns - 1) * gap, legend_width);
   const double height = head + rows * (caption + size.y) + (rows - 1) * gap + foot;
 
   std::uint64_t contacts = 0, touching = 0;
@@ -223,8 +232,9 @@ std::string picture(const Ground& ground, const Walk& walk, std::span<const Comp
       paths(walk, project, "walk") + starts(walk, project));
   for (const Comparison& comparison : comparisons) {
     panel(comparison.kernel + (comparison.touching == Touching::separated ? ", to which touching is no contact" : ""),
-          fmt::format("{} contacts missed, {} invented", grouped(comparison.all.errors.missed),
-                      grouped(comparison.all.errors.invented)),
+          fmt::format("{} contacts missed{}, {} invented{}", grouped(comparison.all.errors.missed),
+                      deepest(comparison.all.errors.deepest_missed), grouped(comparison.all.errors.invented),
+                      deepest(comparison.all.errors.deepest_invented)),
           fmt::format("stood {} times, lost the ground {} times", grouped(walk.rests.size()),
                       grouped(comparison.lost.size())),
           marks(ground, walk, comparison, project));

@@ -130,7 +130,8 @@ class Character {
     return p;
   }
 
-  // Down from p, by no more than `reach`, to the highest float with a contact; nothing where there is none.
+  // Down from p, by no more than `reach`, to a float with a contact whose next above has none, or to p if it has one;
+  // nothing where there is none at any half a radius.
   std::optional<Place> fallen(Place p, double reach) {
     if (contacts(p, Moment::fall) > 0) return p;
     for (double depth = options_.radius * 0.5; depth <= reach; depth += options_.radius * 0.5) {

@@ -1,8 +1,8 @@
 // A sphere moves and slides over the ground, as the character of a game does, and keeps every question that it asked.
 //
 // A step: go half a radius ahead; push out of what the sphere sinks into, along the way from its nearest point; fall to
-// the highest float at which the ground is touched. What is too steep or leads over a brink turns the character round.
-// Whether there is contact is always what the certified predicate says; directions are rounded.
+// a float at which the ground is touched and above which it is not. What is too steep or leads over a brink turns the
+// character round. Whether there is contact is always what the certified predicate says; directions are rounded.
 #pragma once
 
 #include <cstdint>

@@ -12,24 +12,24 @@
 //
 // Never a missed contact (exact/proofs/coq/Conservative.v; its constants come from there). The exact vertices separate
 // if n.X > (r + u M) |n| for the computed ones.
-//   edge   m = min n.X^ - 10 u W is at most the exact one. It passes where m > 0 and m^2 > R (n.n^ + 18 u W), R = rr +
-//   18
-//          u W: R >= (r + u M)^2, for 2 r u M <= 2 u W; n.n^ + 18 u W >= n.n (1 + 3 u), which the products lose.
+//   edge   m = min n.X^ - 10 u W is at most the exact one. It passes where m > 0 and m^2 > R (n.n^ + 18 u W), with
+//          R = rr + 18 u W: R >= (r + u M)^2, for 2 r u M <= 2 u W; n.n^ + 18 u W >= n.n (1 + 3 u), which the products
+//          lose.
 //   plane  n is what was stored, n.X^ >= computed - 3.1 u |n| M. It passes where m = min n.X^ > 0 and m^2 > R n.n^:
-//   after
-//          the roundings of m^2, n.n and R (7 u) that is m^2 > (rr + 10.6 u W) n.n >= ((r + 4.1 u M) |n|)^2.
+//          after the roundings of m^2, n.n and R (7 u) that is m^2 > (rr + 10.6 u W) n.n >= ((r + 4.1 u M) |n|)^2.
+// The constants used are a sixteenth greater, which the terms of u^2 are inside of.
 //
 // Phantom depth. Let L = max(M, r), so that W <= L^2, and rho > r + x sqrt u L the distance.
-//   nearest is on an edge      A.AB is off by 4.1 u |A| |AB|, |AB|^2 by 5.1 u |AB|^2: n is d, at most 16.5 u M long,
-//   from the
-//                              nearest point n*, along the edge. n*.X >= rho^2 for every X of the triangle and n*.d >=
-//                              0, so n.X >= rho^2 - 33 u M^2, m >= rho^2 - 52.5 u W; and n.n <= rho^2 + 33.1 u W. It
-//                              passes where (rho^2 - 52.5 u W)^2 > (rr + 21 u W) (rho^2 + 65 u W) (1 + 3 u), for which
-//                              rho^2 (rho^2 - rr) > 194.1 u W rho^2 + 1400 u^2 W^2 is enough: x >= 14.25.
-//   within the face            |V^ - V| <= 5.66 u |AB| |CA|. Where |V| >= sqrt u |AB| |CA|, n = V^ has n.X / |n| >= rho
-//   -
-//                              11.4 sqrt u M, and passes above r + 4.3 sqrt u L: x >= 15.7. Otherwise the triangle lies
-//                              within 2 sqrt u M of its longest edge, whose n has lost that much more: x >= 16.25.
+//   nearest is on an edge
+//          A.AB is off by 4.1 u |A| |AB|, |AB|^2 by 5.1 u |AB|^2: n is d, at most 16.5 u M long, from the nearest point
+//          n*, along the edge. n*.X >= rho^2 for every X of the triangle and n*.d >= 0, so n.X >= rho^2 - 33 u M^2,
+//          m >= rho^2 - 52.5 u W; and n.n <= rho^2 + 33.1 u W. It passes where
+//          (rho^2 - 52.5 u W)^2 > (rr + 21 u W) (rho^2 + 65 u W) (1 + 3 u), for which
+//          rho^2 (rho^2 - rr) > 194.1 u W rho^2 + 1400 u^2 W^2 is enough: x >= 14.25.
+//   within the face
+//          |V^ - V| <= 5.66 u |AB| |CA|. Where |V| >= sqrt u |AB| |CA|, n = V^ has n.X / |n| >= rho - 11.4 sqrt u M,
+//          and passes above r + 4.3 sqrt u L: x >= 15.7. Otherwise the triangle lies within 2 sqrt u M of its longest
+//          edge, whose n has lost that much more: x >= 16.25.
 // Stated is x = 20, which exact/proofs/coq/PhantomStep.v proves. What is below the ranges, V of 2^-30 W (2^-60 W) or an
 // edge whose square underflows, is a triangle within 2^-14 M (2^-29 M) of an edge or a vertex: 0.4 of x at most.
 //

@@ -32,7 +32,7 @@ struct Known {
 // Whether the sphere is separated from the triangle, for the question asked. The query is valid: finite, r >= 0;
 // binary32 enters widened. Evaluates what is not known, in integers on the stack, in units of the least bit that is set
 // in any of the thirteen numbers; its only floating-point operations are exact ones, so that no rounding mode matters.
-// About 40 KiB of stack for numbers 2^600 apart, under 4 KiB for all of binary32.
+// About 40 KiB of stack for numbers 2^600 apart or more, under 4 KiB for all of binary32.
 bool exactly_separated(const double (&query)[13], Question question, Known known) noexcept;
 
 }  // namespace axiscert::certified

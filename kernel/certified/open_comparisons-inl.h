@@ -46,7 +46,7 @@ class OpenComparisons {
   template <class Take>
   void finish(Take&& take) noexcept {
     for (std::size_t kind = 0; kind < comparing_count; ++kind) {
-      if (queue_[kind].size >= worth_asking) answer(static_cast<Comparing>(kind));
+      if (queue_[kind].size >= worth_asking) flush(static_cast<Comparing>(kind));
     }
     for (std::size_t i = 0; i < size_; ++i)
       take(std::size_t{place_[i]}, std::size_t{index_[i]}, Known{known_[place_[i]]});
@@ -116,36 +116,37 @@ class OpenComparisons {
     copy(12, sphere_[3] + of_sphere);
     queue.place[at] = static_cast<std::uint16_t>(place);
     queue.axis[at] = static_cast<std::uint8_t>(axis);
-    if (queue.size == capacity) answer(what);
+    if (queue.size == capacity) flush(what);
   }
 
-  HWY_NOINLINE void answer(Comparing what) noexcept {
+  // The queue asked, and emptied.
+  HWY_NOINLINE void flush(Comparing what) noexcept {
     switch (what) {
       case Comparing::vertex_radius:
-        return answer<Comparing::vertex_radius>(Known::radius);
+        return flush<Comparing::vertex_radius>(Known::radius);
       case Comparing::vertex_sides:
-        return answer<Comparing::vertex_sides>(Known::sides);
+        return flush<Comparing::vertex_sides>(Known::sides);
       case Comparing::edge_radius:
-        return answer<Comparing::edge_radius>(Known::radius);
+        return flush<Comparing::edge_radius>(Known::radius);
       case Comparing::edge_side:
-        return answer<Comparing::edge_side>(Known::sides);
+        return flush<Comparing::edge_side>(Known::sides);
       case Comparing::plane_radius:
-        return answer<Comparing::plane_radius>(Known::radius);
+        return flush<Comparing::plane_radius>(Known::radius);
     }
   }
   template <Comparing what>
-  HWY_NOINLINE void answer(int group) noexcept {
+  HWY_NOINLINE void flush(int group) noexcept {
     Queue& queue = queue_[static_cast<std::size_t>(what)];
     const std::size_t end = (queue.size + lanes - 1) / lanes * lanes;
     for (std::size_t i = queue.size; i < end; ++i) {
       for (auto& column : queue.column) column[i] = 0;
     }
-    for (std::size_t first = 0; first < end; first += lanes) answer<what>(queue, first, group);
+    for (std::size_t first = 0; first < end; first += lanes) ask_vector<what>(queue, first, group);
     queue.size = 0;
   }
 
   template <Comparing what>
-  AXISCERT_INLINE void answer(const Queue& queue, std::size_t first, int group) noexcept {
+  AXISCERT_INLINE void ask_vector(const Queue& queue, std::size_t first, int group) noexcept {
     const D d;
     Block<Number> queries{{}, lanes, false};
     for (std::size_t k = 0; k < 13; ++k) queries.column[k] = queue.column[k] + first;
