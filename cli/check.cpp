@@ -10,7 +10,7 @@
 namespace axiscert {
 namespace {
 
-struct Options {
+struct CheckOptions {
   std::string file, kernel = "published", format = "text", target = "auto", precision = "binary32";
   bool errors = false;
 };
@@ -20,7 +20,7 @@ std::optional<SideErrors> errors_of(const StoredQuery& stored, const Kernel& ker
                     stored.query);
 }
 
-int check(const Options& options) {
+int check(const CheckOptions& options) {
   const Kernel& kernel = find_kernel(options.kernel);
   require_loaded(kernel);
   const std::string target = resolve_target(options.target);
@@ -49,7 +49,7 @@ int check(const Options& options) {
 void add_check(CLI::App& app, Action& action) {
   auto* command =
       app.add_subcommand("check", "Judge each query of a file: exact and computed answers, and why they differ");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckOptions>();
   command->add_option("FILE", options->file, "query file, JSON Lines or CSV; - reads standard input")->required();
   command->add_option("--kernel", options->kernel, "kernel id")->capture_default_str();
   command->add_option("--target", options->target, "instruction set, or auto")->capture_default_str();

@@ -8,11 +8,11 @@
 namespace axiscert {
 namespace {
 
-struct Options : InstrumentOptions {
+struct ConditionOptions : InstrumentOptions {
   std::uint64_t flips = 256, sample = 64;
 };
 
-int measure(const Options& options) {
+int measure(const ConditionOptions& options) {
   ConditionPlan plan{
       instrument_kernels(options, {"published", "reduced", "ladder-0"}, Measures::formulae),
       instrument_sources(options, {"general", "tangent", "seam", "sliver", "collinear", "far", "ratio", "scale"}),
@@ -38,7 +38,7 @@ int measure(const Options& options) {
 
 void add_condition(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("condition", "Tell flips that are the query's fault from those of the formula");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ConditionOptions>();
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
   const CLI::Range count(std::uint64_t{0}, std::uint64_t{1} << 32);
   command->add_option("--flips", options->flips, "flips evaluated per kernel, family and comparison")

@@ -12,15 +12,15 @@
 namespace axiscert {
 namespace {
 
-struct Options {
+struct CorpusOptions {
   std::string folder, file, name, provenance, about, note, precision = "binary32", format = "text";
 };
 
-std::string folder_of(const Options& options) {
+std::string folder_of(const CorpusOptions& options) {
   return options.folder.empty() ? default_corpus_folder() : options.folder;
 }
 
-int list(const Options& options) {
+int list(const CorpusOptions& options) {
   const auto entries = read_corpus(folder_of(options));
   for (const CorpusEntry& entry : entries) {
     if (options.format != "text") {
@@ -35,7 +35,7 @@ int list(const Options& options) {
   return exit_done;
 }
 
-int add(const Options& options) {
+int add(const CorpusOptions& options) {
   const std::string folder = folder_of(options);
   const Provenance provenance = parse_provenance(options.provenance, options.about);
   const auto queries = read_query_file(options.file, parse_precision(options.precision));
@@ -76,7 +76,7 @@ int add(const Options& options) {
 void add_corpus(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("corpus", "The queries that are kept with their exact answers: list and add");
   command->require_subcommand(1);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CorpusOptions>();
   const auto add_folder = [&](CLI::App& to) {
     to.add_option("--folder", options->folder, "the corpus (default: the one that comes along)");
   };

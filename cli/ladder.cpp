@@ -28,7 +28,7 @@ const std::vector<std::string> default_kernels = {"ladder-0",
                                                   "reduced-along",
                                                   "reduced-determinant",
                                                   "reduced-shared"};
-const std::vector<std::string> default_families = {"general", "tangent", "seam", "sliver", "far", "scale"};
+const std::vector<std::string> ladder_families = {"general", "tangent", "seam", "sliver", "far", "scale"};
 
 void require_comparisons(const Kernel& kernel) {
   if (kernel.exposes != Exposure::verdict) return;
@@ -47,7 +47,7 @@ int ladder(const LadderOptions& options) {
   plan.precision = parse_precision(options.precision);
   plan.kernels = instrument_kernels(options, default_kernels, Measures::formulae);
   for (const Kernel* kernel : plan.kernels) require_comparisons(*kernel);
-  plan.sources = instrument_sources(options, default_families);
+  plan.sources = instrument_sources(options, ladder_families);
   plan.trials = options.trials;
   plan.seed = options.seed;
   plan.speed = !options.no_speed;

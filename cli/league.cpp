@@ -23,9 +23,9 @@ struct LeagueOptions : InstrumentOptions {
 
 const std::vector<std::string> own_kernels = {"published",     "nonstrict", "reduced-nonstrict", "minkowski",
                                               "closest-point", "certified", "conservative"};
-const std::vector<std::string> default_families = {"general", "tangent",   "tie",      "lattice", "sliver",
-                                                   "needle",  "collinear", "repeated", "on",      "grid",
-                                                   "scale",   "far",       "subnormal"};
+const std::vector<std::string> league_families = {"general", "tangent",   "tie",      "lattice", "sliver",
+                                                  "needle",  "collinear", "repeated", "on",      "grid",
+                                                  "scale",   "far",       "subnormal"};
 constexpr int repetitions = 5;
 
 void add_kernel(League& league, const std::string& id) {
@@ -78,7 +78,7 @@ int run_league(const LeagueOptions& options) {
     for (const std::string& id : options.kernels) add_kernel(league, id);
     league.contenders = plan.kernels.size();
   }
-  plan.sources = instrument_sources(options, default_families);
+  plan.sources = instrument_sources(options, league_families);
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};
   plan.seed = options.seed;

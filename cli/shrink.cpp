@@ -14,7 +14,7 @@
 namespace axiscert {
 namespace {
 
-struct Options {
+struct ShrinkOptions {
   std::vector<std::string> queries;
   std::string kernel = "published", target = "auto", precision = "binary32", what, format = "text";
   std::uint64_t evaluations = 1000000;
@@ -59,7 +59,7 @@ struct NothingToKeep : Error {
 
 // What is to be kept: what was asked for, or the first that is wrong: verdict before axes before comparisons.
 template <class Real>
-Symptom wanted(const Query<Real>& q, const StoredQuery& stored, const Options& options, const Kernel& kernel,
+Symptom wanted(const Query<Real>& q, const StoredQuery& stored, const ShrinkOptions& options, const Kernel& kernel,
                std::string_view target) {
   const auto fail = [&](const std::string& what) {
     return NothingToKeep(fmt::format("query '{}': {}", stored.id, what));
@@ -103,7 +103,7 @@ void print_text(const StoredQuery& stored, const StoredQuery& smaller, const Sym
 }
 
 template <class Real>
-void shrink_one(const Query<Real>& q, const StoredQuery& stored, const Options& options, const Kernel& kernel,
+void shrink_one(const Query<Real>& q, const StoredQuery& stored, const ShrinkOptions& options, const Kernel& kernel,
                 std::string_view target) {
   const Symptom kept = wanted(q, stored, options, kernel, target);
   const auto found = shrink(q, kept, kernel, target, options.evaluations);
@@ -113,7 +113,7 @@ void shrink_one(const Query<Real>& q, const StoredQuery& stored, const Options& 
   std::fflush(stdout);
 }
 
-int shrink_all(const Options& options) {
+int shrink_all(const ShrinkOptions& options) {
   const Kernel& kernel = find_kernel(options.kernel);
   require_loaded(kernel);
   const std::string target = resolve_target(options.target);
@@ -146,7 +146,7 @@ int shrink_all(const Options& options) {
 void add_shrink(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
       "shrink", "Make queries smaller on which a kernel is wrong, the same way and no less badly, for people to read");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ShrinkOptions>();
   command->add_option("QUERY", options->queries, "query files (- for standard input) and addresses")->required();
   command->add_option("--kernel", options->kernel, "kernel id")->capture_default_str();
   command->add_option("--target", options->target, "instruction set, or auto")->capture_default_str();

@@ -8,6 +8,23 @@ target_compile_options(kernel_fp INTERFACE -ffp-contract=off)
 add_library(axiscert_warnings INTERFACE)
 target_compile_options(axiscert_warnings INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion)
 
+# axiscert_unity(TARGET): its sources compiled eight at a time, for most of what a file costs is headers and what it instantiates of
+# them. So names in unnamed namespaces are a target's own, not a file's. Not those that compile for several instruction sets, which
+# include themselves, nor, as CMake has it, those with options of their own.
+function(axiscert_unity target)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    get_filename_component(path ${source} ABSOLUTE)
+    if(EXISTS ${path})
+      file(STRINGS ${path} vectors REGEX "foreach_target\\.h" LIMIT_COUNT 1)
+      if(vectors)
+        set_property(SOURCE ${source} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+      endif()
+    endif()
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+endfunction()
+
 # axiscert_test(NAME SOURCES... LIBRARIES libraries... [PRECOMPILE header]): a GoogleTest program, one CTest test a case.
 # Suites whose names end in "Long", typed ones (SuiteLong/0) too, get the label `long`. PRECOMPILE: what many of the sources
 # include, read once.
@@ -18,6 +35,7 @@ function(axiscert_test name)
   cmake_parse_arguments(arg "" "PRECOMPILE" "LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_warnings GTest::gtest_main)
+  axiscert_unity(${name})
   if(arg_PRECOMPILE)
     target_precompile_headers(${name} PRIVATE <gtest/gtest.h> "${PROJECT_SOURCE_DIR}/${arg_PRECOMPILE}")
   endif()

@@ -22,7 +22,7 @@ Implementation<float> by_radius(Contact contact) {
           nullptr};
 }
 
-const Query<float> query{{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 0, 0}, 0};
+const Query<float> at_distance_two{{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 0, 0}, 0};
 
 TEST(CriticalRadius, TheExactOneIsTheLeastFloatNotBelowTheDistance) {
   EXPECT_EQ(exact_critical_radius<float>(4), 2.f);
@@ -57,34 +57,37 @@ Implementation<float> silent_at(float radius) {
 TEST(CriticalRadius, ARadiusWithoutAnAnswerIsToldFromNoRadius) {
   const float max = std::numeric_limits<float>::max();
   for (const float silent : {max, std::nextafter(2.f, 0.f), 2.f}) {
-    EXPECT_EQ(critical_radius(silent_at(silent), query), (CriticalRadius<float>{std::nullopt, false})) << silent;
-    const auto error = critical_radius_error<float>(silent_at(silent), query, 4);
+    EXPECT_EQ(critical_radius(silent_at(silent), at_distance_two), (CriticalRadius<float>{std::nullopt, false}))
+        << silent;
+    const auto error = critical_radius_error<float>(silent_at(silent), at_distance_two, 4);
     EXPECT_FALSE(error.answered) << silent;
     EXPECT_FALSE(error.ulps) << silent;
   }
-  EXPECT_EQ(critical_radius(by_radius([](float) { return false; }), query),
+  EXPECT_EQ(critical_radius(by_radius([](float) { return false; }), at_distance_two),
             (CriticalRadius<float>{std::nullopt, true}));
-  EXPECT_EQ(critical_radius(by_radius([](float r) { return r >= 2; }), query), (CriticalRadius<float>{2.f, true}));
+  EXPECT_EQ(critical_radius(by_radius([](float r) { return r >= 2; }), at_distance_two),
+            (CriticalRadius<float>{2.f, true}));
 }
 
 // A kernel that promises nothing beyond 8 may answer anything there.
 TEST(CriticalRadius, IsSoughtWithinTheRangeAlone) {
   const auto limited = by_radius([](float r) { return r >= 2 && r <= 8; });
-  EXPECT_FALSE(critical_radius(limited, query).radius);
-  EXPECT_EQ(critical_radius(limited, query, {1, 8}).radius, 2.f);
-  EXPECT_EQ(critical_radius_error<float>(limited, query, 4, {1, 8}).ulps, 0);
-  EXPECT_FALSE(critical_radius_error<float>(limited, query, 4, {3, 8}).ulps) << "the distance is 2";
-  EXPECT_FALSE(critical_radius_error<float>(limited, query, 4, {0, 1}).ulps);
-  EXPECT_TRUE(critical_radius_error<float>(limited, query, 4, {3, 8}).answered);
+  EXPECT_FALSE(critical_radius(limited, at_distance_two).radius);
+  EXPECT_EQ(critical_radius(limited, at_distance_two, {1, 8}).radius, 2.f);
+  EXPECT_EQ(critical_radius_error<float>(limited, at_distance_two, 4, {1, 8}).ulps, 0);
+  EXPECT_FALSE(critical_radius_error<float>(limited, at_distance_two, 4, {3, 8}).ulps) << "the distance is 2";
+  EXPECT_FALSE(critical_radius_error<float>(limited, at_distance_two, 4, {0, 1}).ulps);
+  EXPECT_TRUE(critical_radius_error<float>(limited, at_distance_two, 4, {3, 8}).answered);
 }
 
 void expect_reversal(const Implementation<float>& kernel, const std::string& what) {
-  const auto found = radius_reversal<float>(kernel, query, critical_radius(kernel, query).radius, 2.f);
+  const auto found =
+      radius_reversal<float>(kernel, at_distance_two, critical_radius(kernel, at_distance_two).radius, 2.f);
   ASSERT_TRUE(found) << what;
   EXPECT_LT(found->contact, found->separated) << what;
   QueryBatch<float> batch(2);
   for (const float r : {found->contact, found->separated}) {
-    Query<float> q = query;
+    Query<float> q = at_distance_two;
     q.r = r;
     batch.push_back(q);
   }
@@ -104,7 +107,7 @@ TEST(CriticalRadius, AKernelThatIsNotMonotoneIsFoundWithAValidPair) {
 TEST(CriticalRadius, MonotoneKernelsAreNotAccused) {
   for (const auto& kernel : {by_radius([](float r) { return r >= 2; }), by_radius([](float) { return true; }),
                              by_radius([](float) { return false; })}) {
-    EXPECT_FALSE(radius_reversal<float>(kernel, query, critical_radius(kernel, query).radius, 2.f));
+    EXPECT_FALSE(radius_reversal<float>(kernel, at_distance_two, critical_radius(kernel, at_distance_two).radius, 2.f));
   }
   // Radius sides that grow with r, side comparisons that do not read it.
   std::mt19937_64 random(31);

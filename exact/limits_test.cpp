@@ -8,21 +8,21 @@
 namespace axiscert {
 namespace {
 
-const Query<float> query{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 1};  // area 1/2
+const Query<float> half_a_square{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 1};  // area 1/2
 
 TEST(Limits, NoneHoldEverything) {
   EXPECT_FALSE(Limits{}.any());
-  EXPECT_TRUE(is_within({}, query));
+  EXPECT_TRUE(is_within({}, half_a_square));
   EXPECT_TRUE(is_within({}, Query<float>{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {0, 0, 0}, 0}));
 }
 
 TEST(Limits, BoundsAreWithin) {
-  EXPECT_TRUE(is_within({.least_coordinate = 1, .greatest_coordinate = 2}, query));
-  EXPECT_FALSE(is_within({.least_coordinate = std::nextafter(1.0, 2)}, query));
-  EXPECT_FALSE(is_within({.greatest_coordinate = std::nextafter(2.0, 1)}, query));
-  EXPECT_TRUE(is_within({.least_radius = 1, .greatest_radius = 1}, query));
-  EXPECT_FALSE(is_within({.least_radius = std::nextafter(1.0, 2)}, query));
-  EXPECT_FALSE(is_within({.greatest_radius = std::nextafter(1.0, 0)}, query));
+  EXPECT_TRUE(is_within({.least_coordinate = 1, .greatest_coordinate = 2}, half_a_square));
+  EXPECT_FALSE(is_within({.least_coordinate = std::nextafter(1.0, 2)}, half_a_square));
+  EXPECT_FALSE(is_within({.greatest_coordinate = std::nextafter(2.0, 1)}, half_a_square));
+  EXPECT_TRUE(is_within({.least_radius = 1, .greatest_radius = 1}, half_a_square));
+  EXPECT_FALSE(is_within({.least_radius = std::nextafter(1.0, 2)}, half_a_square));
+  EXPECT_FALSE(is_within({.greatest_radius = std::nextafter(1.0, 0)}, half_a_square));
 }
 
 TEST(Limits, ZeroIsNoCoordinateTooSmallAndTheSignIsNothing) {
@@ -36,8 +36,8 @@ TEST(Limits, ZeroIsNoCoordinateTooSmallAndTheSignIsNothing) {
 }
 
 TEST(Limits, AreaIsExact) {
-  EXPECT_TRUE(is_within({.least_area = 0.5}, query));
-  EXPECT_FALSE(is_within({.least_area = std::nextafter(0.5, 1)}, query));
+  EXPECT_TRUE(is_within({.least_area = 0.5}, half_a_square));
+  EXPECT_FALSE(is_within({.least_area = std::nextafter(0.5, 1)}, half_a_square));
   const Query<float> root{{0, 0, 0}, {2, 0, 0}, {0, 1, 1}, {5, 5, 5}, 1};  // area sqrt(2)
   const double nearest = std::sqrt(2.0);                                   // above it
   EXPECT_FALSE(is_within({.least_area = nearest}, root));

@@ -17,7 +17,7 @@ using testing_support::random_query;
 // Of any bits, and of one size that is any power of two, where what is less than the least subnormal is lost; few-bit
 // numbers and repeated vertices among the latter, so that sums end halfway between two numbers, or at zero.
 template <class Real>
-Query<Real> query(std::mt19937_64& random, int kind) {
+Query<Real> query_of_any_size(std::mt19937_64& random, int kind) {
   if (kind % 2 == 0) {
     Query<Real> q = random_query<Real>(random, true);
     while (!is_valid(q)) q = random_query<Real>(random, true);
@@ -34,7 +34,7 @@ Query<Real> query(std::mt19937_64& random, int kind) {
   v[12] = std::abs(v[12]);
   Query<Real> q = from_coordinates(v);
   if (kind % 8 == 5) q.b = q.a;
-  return is_valid(q) ? q : query<Real>(random, kind);
+  return is_valid(q) ? q : query_of_any_size<Real>(random, kind);
 }
 
 template <class Real>
@@ -43,7 +43,7 @@ void expect_as_mpfr(int count) {
   SCOPED_TRACE(testing::Message() << "seed " << seed);
   std::mt19937_64 random(seed);
   QueryBatch<Real> batch(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) batch.push_back(query<Real>(random, i));
+  for (int i = 0; i < count; ++i) batch.push_back(query_of_any_size<Real>(random, i));
   std::vector<ComparisonBits> found(batch.size());
   int out_of_range = 0;
   for (const Formulae formulae : {Formulae::published, Formulae::reduced}) {

@@ -78,7 +78,7 @@ TEST(WideEnclosed, EnclosesTheRational) {
 
 // Any bits; one size, at any power of two; and vertices or centre repeated.
 template <class Real>
-Query<Real> query(std::mt19937_64& random, int kind) {
+Query<Real> wide_query(std::mt19937_64& random, int kind) {
   using Limits = std::numeric_limits<Real>;
   auto v = coordinates(random_query<Real>(random, kind % 3 == 0));
   const int size = static_cast<int>(random() % (Limits::max_exponent - Limits::min_exponent)) + Limits::min_exponent;
@@ -106,7 +106,7 @@ void expect_exact_signs(int count) {
   std::mt19937_64 random(seed);
   int decided = 0, ties = 0;
   for (int i = 0; i < count; ++i) {
-    const Query<Real> q = query<Real>(random, i);
+    const Query<Real> q = wide_query<Real>(random, i);
     const auto found = WideMargins(widened(q)).signs();
     if (!found) continue;
     const FormulaTruth truth = formula_truth(q);
@@ -135,7 +135,7 @@ TYPED_TEST(WideMarginsTest, ErrorsAreWithinTheirBounds) {
     const Kernel& kernel = find_kernel(id);
     const EdgeSides sides = kernel.formulae == Formulae::published ? EdgeSides::published : EdgeSides::reduced;
     for (int i = 0; i < count; ++i) {
-      const Query<Real> q = query<Real>(random, i);
+      const Query<Real> q = wide_query<Real>(random, i);
       Sides<Real> computed;
       reference(kernel.formulae, Arithmetic::plain, Strictness::strict, q, &computed);
       const WideMargins margins(widened(q));
@@ -169,7 +169,7 @@ TYPED_TEST(WideMarginsTest, ErrorsAreWithinTheirBounds) {
 TYPED_TEST(WideMarginsTest, VertexSidesAreThoseOfAllSixteen) {
   std::mt19937_64 random(8);
   for (int i = 0; i < 300; ++i) {
-    const auto q = query<TypeParam>(random, i);
+    const auto q = wide_query<TypeParam>(random, i);
     const FormulaTruth truth = formula_truth(i % 2 == 0 ? Formulae::published : Formulae::reduced, q);
     int compared = 0;
     for (std::size_t k = 0; k < comparison_count; ++k) {

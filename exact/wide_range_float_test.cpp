@@ -12,7 +12,7 @@ namespace axiscert {
 namespace {
 
 // Of at most 24 bits, with exponents as degree 3 has them; often few bits or a long carry, where halves and ties occur.
-double operand(std::mt19937_64& random) {
+double any_operand(std::mt19937_64& random) {
   constexpr std::int64_t kinds[] = {1, 3, 0x800000, 0x800001, 0xfffffe, 0xffffff};
   const std::uint64_t choice = random() % 12;
   const std::int64_t significand =
@@ -26,9 +26,9 @@ TEST(WideRangeFloat, RoundsAsMpfrDoes) {
   std::mt19937_64 random(seed);
   int ties = 0, rounded = 0;
   for (int i = 0; i < 1000000; ++i) {
-    const double x = operand(random);
+    const double x = any_operand(random);
     // Half of the sums are of numbers up to 60 places apart.
-    double y = operand(random);
+    double y = any_operand(random);
     if (i % 2 == 0 && x != 0 && y != 0)
       y = std::ldexp(y, std::ilogb(x) - std::ilogb(y) + static_cast<int>(random() % 121) - 60);
     const auto same = [](const WideRangeFloat& found, const Mpfr<24>& expected) {

@@ -32,7 +32,7 @@ struct OwnMesh {
   ~OwnMesh() { std::filesystem::remove(path); }
 };
 
-std::string refusal(const std::string& path) {
+std::string mesh_refusal(const std::string& path) {
   try {
     const auto file = mesh_source(path)->file();
     return fmt::format("accepted with {} triangles", file->triangles);
@@ -79,20 +79,20 @@ TEST(Mesh, AFileWithoutTrianglesIsRefusedInOneLineThatNamesIt) {
         model("glTF2/IndexOutOfRange/AllIndicesOutOfRange.gltf"), model("glTF2/RecursiveNodes/RecursiveNodes.gltf"),
         model("invalid/malformed.obj"), model("invalid/empty.ply"), model("nowhere.obj"), model("OBJ"), spaces.path,
         stranger.path, nothing.path}) {
-    const std::string message = refusal(path);
+    const std::string message = mesh_refusal(path);
     EXPECT_EQ(message.substr(0, path.size() + 2), path + ": ");
     EXPECT_GT(message.size(), path.size() + 10) << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }
-  EXPECT_PRED_FORMAT2(testing::IsSubstring, "No such file or directory", refusal(model("nowhere.obj")));
-  EXPECT_PRED_FORMAT2(testing::IsSubstring, "Invalid face index", refusal(model("invalid/malformed.obj")));
-  EXPECT_PRED_FORMAT2(testing::IsSubstring, "12 faces", refusal(infinite));
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "No such file or directory", mesh_refusal(model("nowhere.obj")));
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "Invalid face index", mesh_refusal(model("invalid/malformed.obj")));
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "12 faces", mesh_refusal(infinite));
 }
 
 // assimp asks for 16 GB for this file of 300 bytes, and aborts where it gets them.
 TEST(Mesh, AFileThatBreaksAssimpIsAnError) {
-  EXPECT_PRED_FORMAT2(testing::IsSubstring, "OutOfMemory.off: ", refusal(model("invalid/OutOfMemory.off")));
-  EXPECT_EQ(refusal(model("invalid/OutOfMemory.off")).find("accepted"), std::string::npos);
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "OutOfMemory.off: ", mesh_refusal(model("invalid/OutOfMemory.off")));
+  EXPECT_EQ(mesh_refusal(model("invalid/OutOfMemory.off")).find("accepted"), std::string::npos);
 }
 
 TEST(Mesh, AFileOnWhichAssimpNeverEndsIsAnError) {
@@ -113,7 +113,7 @@ TEST(Mesh, EveryModelLoadsOrIsRefusedAndNothingIsPrinted) {
   for (const char* folder : {"OBJ", "PLY", "STL", "OFF", "glTF2", "invalid"}) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(model(folder))) {
       if (!entry.is_regular_file()) continue;
-      const std::string path = entry.path(), message = refusal(path);
+      const std::string path = entry.path(), message = mesh_refusal(path);
       if (message.starts_with("accepted")) ++loaded;
       else if (message.starts_with(path + ": ") && message.find('\n') == std::string::npos) ++refused;
       else wrong += message + "\n";

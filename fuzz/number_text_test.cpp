@@ -22,7 +22,7 @@ auto bits(Real x) {
 }
 
 template <class Real>
-std::string refusal(std::string_view text) {
+std::string number_refusal(std::string_view text) {
   try {
     return "accepted as " + format_number(parse_number<Real>(text));
   } catch (const Error& wrong) {
@@ -121,10 +121,11 @@ TEST(NumberText, DecimalsReachSubnormalsAndZeroCorrectly) {
 TEST(NumberText, DecimalsBeyondTheRangeAreErrors) {
   EXPECT_EQ(parse_number<float>("3.4028235e38"), std::numeric_limits<float>::max());
   EXPECT_EQ(parse_number<float>("3.4028235677973366163e38"), std::numeric_limits<float>::max());  // below the midpoint
-  EXPECT_EQ(refusal<float>("3.4028235677973366164e38"),
+  EXPECT_EQ(number_refusal<float>("3.4028235677973366164e38"),
             "3.4028235677973366164e38 overflows binary32; the greatest number is 0x1.fffffep+127");
-  EXPECT_EQ(refusal<double>("-1e309"), "-1e309 overflows binary64; the greatest number is 0x1.fffffffffffffp+1023");
-  EXPECT_NE(refusal<double>("1e99999999999999999999999").find("overflows"), std::string::npos);
+  EXPECT_EQ(number_refusal<double>("-1e309"),
+            "-1e309 overflows binary64; the greatest number is 0x1.fffffffffffffp+1023");
+  EXPECT_NE(number_refusal<double>("1e99999999999999999999999").find("overflows"), std::string::npos);
 }
 
 TEST(NumberText, HexadecimalIsExactOrAnError) {
@@ -136,14 +137,16 @@ TEST(NumberText, HexadecimalIsExactOrAnError) {
   EXPECT_EQ(parse_number<float>("0x1" + std::string(100, '0') + "p-400"), 1.0f);
   EXPECT_EQ(parse_number<double>("0x0.0000000000001p-1022"), 0x1p-1074);
   EXPECT_EQ(bits(parse_number<float>("-0x0p+0")), bits(-0.0f));
-  EXPECT_EQ(refusal<float>("0x1.9999999p-3"), "0x1.9999999p-3 is not exact in binary32; nearest is 0x1.99999ap-3");
-  EXPECT_EQ(refusal<float>("-0x1.8p-149"), "-0x1.8p-149 is not exact in binary32; nearest is -0x1p-148");
-  EXPECT_EQ(refusal<double>("0x1p-9999999999999999999"),
+  EXPECT_EQ(number_refusal<float>("0x1.9999999p-3"),
+            "0x1.9999999p-3 is not exact in binary32; nearest is 0x1.99999ap-3");
+  EXPECT_EQ(number_refusal<float>("-0x1.8p-149"), "-0x1.8p-149 is not exact in binary32; nearest is -0x1p-148");
+  EXPECT_EQ(number_refusal<double>("0x1p-9999999999999999999"),
             "0x1p-9999999999999999999 is not exact in binary64; nearest is 0x0p+0");
-  EXPECT_NE(refusal<double>("0x1." + std::string(1000, '0') + "1p+0").find("nearest is 0x1p+0"), std::string::npos);
-  EXPECT_EQ(refusal<float>("0x1p+128"), "0x1p+128 overflows binary32; the greatest number is 0x1.fffffep+127");
-  EXPECT_NE(refusal<float>("0x1.ffffffp+127").find("overflows"), std::string::npos);
-  EXPECT_NE(refusal<float>("0x1p9999999999999999999").find("overflows"), std::string::npos);
+  EXPECT_NE(number_refusal<double>("0x1." + std::string(1000, '0') + "1p+0").find("nearest is 0x1p+0"),
+            std::string::npos);
+  EXPECT_EQ(number_refusal<float>("0x1p+128"), "0x1p+128 overflows binary32; the greatest number is 0x1.fffffep+127");
+  EXPECT_NE(number_refusal<float>("0x1.ffffffp+127").find("overflows"), std::string::npos);
+  EXPECT_NE(number_refusal<float>("0x1p9999999999999999999").find("overflows"), std::string::npos);
 }
 
 TEST(NumberText, NoOtherSpellingIsANumber) {
@@ -154,7 +157,7 @@ TEST(NumberText, NoOtherSpellingIsANumber) {
                            "INF", "infinity", "Infinity", "nan(1)",    "-",     ".",    "-.",    "1e",        "1e+",
                            "e5",  "1,5",      "1.2.3",    "0x",        "0xp1",  "0x1p", "0x1p+", "0x1.8p-3f", "1.0f",
                            "--1", "0x-1p0",   "1p3",      "0x1e5p1.0", "1_000", "\t1",  "1\n",   "0b1"}) {
-    const std::string message = refusal<float>(text);
+    const std::string message = number_refusal<float>(text);
     EXPECT_NE(message.find("is not a number"), std::string::npos) << "'" << text << "': " << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }

@@ -36,7 +36,7 @@ ReplyStream read(const std::string& bytes, const FilePlaces& places = {}) {
 }
 
 // The message about a stream that cannot be read: one line that begins with the stream's name.
-std::string refusal(const std::string& bytes) {
+std::string reply_refusal(const std::string& bytes) {
   try {
     read(bytes);
     return "accepted";
@@ -48,7 +48,7 @@ std::string refusal(const std::string& bytes) {
   }
 }
 void expect_refusal(const std::string& bytes, const std::string& part) {
-  EXPECT_PRED_FORMAT2(testing::IsSubstring, part, refusal(bytes));
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, part, reply_refusal(bytes));
 }
 
 // A header whose head says what `change` makes of it; the hash of the plan is right again.
@@ -137,7 +137,7 @@ TEST(BadReplies, TheHeaderWasChanged) {
   const auto expect_change = [](const std::function<void(pipe::Head&)>& change, const std::string& part) {
     expect_refusal(changed_header(change) + bytes_of(good), part);
   };
-  EXPECT_EQ(refusal(changed_header(nothing) + bytes_of(good)), "accepted");
+  EXPECT_EQ(reply_refusal(changed_header(nothing) + bytes_of(good)), "accepted");
   expect_change([](pipe::Head& h) { h.version = 2; }, "version 2 of the format");
   expect_change([](pipe::Head& h) { h.precision = 64; }, "the header was changed");
   expect_change([](pipe::Head& h) { h.record_size = 104; }, "the header was changed");

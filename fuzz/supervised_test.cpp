@@ -11,7 +11,7 @@
 namespace axiscert {
 namespace {
 
-const std::atomic<bool> never = false;
+const std::atomic<bool> uncancelled = false;
 
 Plan plan_of(std::vector<const Kernel*> kernels, const std::string& family, std::uint64_t trials) {
   Plan plan;
@@ -24,7 +24,7 @@ Plan plan_of(std::vector<const Kernel*> kernels, const std::string& family, std:
 }
 
 std::vector<Tally> tallies_of(const Plan& plan) {
-  return run_campaign(plan, never, [](const Progress&) {}).cells[0].tallies;
+  return run_campaign(plan, uncancelled, [](const Progress&) {}).cells[0].tallies;
 }
 
 const FindingTally& of(const Tally& tally, FindingKind kind) { return tally.findings[static_cast<std::size_t>(kind)]; }

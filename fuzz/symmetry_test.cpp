@@ -14,7 +14,7 @@
 namespace axiscert {
 namespace {
 
-constexpr std::uint64_t seed = 20260611;
+constexpr std::uint64_t symmetry_seed = 20260611;
 
 template <class Real>
 StoredQuery stored(const Query<Real>& q) {
@@ -42,9 +42,9 @@ Query<Real> translated_and_scaled(const Query<Real>& q, Stream& random) {
 
 template <class Real>
 void expect_one_form() {
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  SCOPED_TRACE(testing::Message() << "seed " << symmetry_seed);
   for (std::uint64_t n = 0; n < 4; ++n) {
-    Stream random(seed, name_hash("symmetry"), 1, precision_of<Real>, n);
+    Stream random(symmetry_seed, name_hash("symmetry"), 1, precision_of<Real>, n);
     const Query<Real> q = small_query<Real>(random);
     const std::string form = canonical_form(stored(q));
     const auto truth = second_opinion(q);

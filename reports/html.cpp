@@ -24,7 +24,7 @@ namespace {
 // witnesses and linking the images of maps that find no room.
 constexpr std::size_t page_bytes = 2'900'000;
 constexpr std::size_t image_bytes = 1'000'000;
-constexpr std::size_t witness_limit = 2000;
+constexpr std::size_t page_witnesses = 2000;
 
 // What the schema says of each counter: the page's column notes.
 Json notes() {
@@ -200,7 +200,7 @@ std::string scripts() {
   return fmt::format("{}", fmt::join(all, "\n"));
 }
 
-std::string render(const Run& run) {
+std::string render_html(const Run& run) {
   const auto with = [css = std::string(embedded::report_css), data = packed(page_data(run).dump()),
                      js = scripts()](std::string witnesses) {
     const std::pair<std::string_view, std::string> places[] = {
@@ -208,7 +208,7 @@ std::string render(const Run& run) {
     return filled(embedded::report_html, places);
   };
   const std::size_t taken = with("").size(), room = page_bytes - std::min(page_bytes, taken);
-  for (std::size_t limit = witness_limit;;) {
+  for (std::size_t limit = page_witnesses;;) {
     std::string witnesses = packed(cards(run.record, limit).dump());
     if (witnesses.size() <= room || limit == 0) return with(std::move(witnesses));
     // As many as would fit if all were as large, and at least one fewer.
@@ -218,6 +218,6 @@ std::string render(const Run& run) {
 
 }  // namespace
 
-extern const Format html_format = {"report.html", render};
+extern const Format html_format = {"report.html", render_html};
 
 }  // namespace axiscert

@@ -196,7 +196,7 @@ std::string seconds(const Json& info) {
   return info.is_null() ? "0" : fmt::format("{:.3f}", info["seconds"].get<double>());
 }
 
-std::string render(const Run& run) {
+std::string render_junit(const Run& run) {
   const Json& require = run.record["plan"]["require"];
   const std::vector<Failure> failures = require.is_null() ? std::vector<Failure>() : unmet(run.record, require);
   std::string suites;
@@ -222,6 +222,6 @@ std::string render(const Run& run) {
 
 }  // namespace
 
-extern const Format junit_format = {"junit.xml", render};
+extern const Format junit_format = {"junit.xml", render_junit};
 
 }  // namespace axiscert

@@ -14,7 +14,7 @@
 namespace axiscert {
 namespace {
 
-constexpr std::size_t witness_limit = 10;
+constexpr std::size_t table_witnesses = 10;
 
 std::string count(const Json& value) { return value.is_null() ? "not checked" : thousands(value.get<std::uint64_t>()); }
 std::string depth(const Json& value) { return amount(value.get<double>(), 4); }
@@ -30,9 +30,9 @@ std::string links(const Json& counts) {
   return broken.empty() ? "none" : fmt::format("{}", fmt::join(broken, ", "));
 }
 
-class Report {
+class MarkdownReport {
  public:
-  explicit Report(const Run& run) : run_(run), record_(run.record), plan_(run.record["plan"]) {
+  explicit MarkdownReport(const Run& run) : run_(run), record_(run.record), plan_(run.record["plan"]) {
     if (!plan_["require"].is_null()) failures_ = unmet(record_, plan_["require"]);
     for (const Json& kernel : record_["kernels"]) totals_.push_back(all_families(kernel));
   }
@@ -265,7 +265,7 @@ class Report {
 
   std::string witnesses() const {
     Section section("Worst witnesses");
-    const auto worst = worst_witnesses(record_, witness_limit);
+    const auto worst = worst_witnesses(record_, table_witnesses);
     section.line(fmt::format("{} of {}, the deepest of each kernel, family and kind; witnesses.jsonl has all.",
                              worst.size(), record_["witnesses"].size()));
     for (std::size_t i = 0; i < worst.size(); ++i) {
@@ -320,10 +320,10 @@ class Report {
   std::vector<Failure> failures_;
 };
 
-std::string render(const Run& run) { return Report(run).text(); }
+std::string render_markdown(const Run& run) { return MarkdownReport(run).text(); }
 
 }  // namespace
 
-extern const Format markdown_format = {"report.md", render};
+extern const Format markdown_format = {"report.md", render_markdown};
 
 }  // namespace axiscert

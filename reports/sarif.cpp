@@ -165,10 +165,10 @@ class Log {
   std::vector<Failure> failures_;
 };
 
-std::string render(const Run& run) { return Log(run).json().dump(1) + "\n"; }
+std::string render_sarif(const Run& run) { return Log(run).json().dump(1) + "\n"; }
 
 }  // namespace
 
-extern const Format sarif_format = {"report.sarif", render};
+extern const Format sarif_format = {"report.sarif", render_sarif};
 
 }  // namespace axiscert

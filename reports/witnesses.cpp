@@ -4,7 +4,7 @@
 namespace axiscert {
 namespace {
 
-std::string render(const Run& run) {
+std::string render_witnesses(const Run& run) {
   std::string text;
   for (const Json& witness : run.record["witnesses"]) {
     Json query;
@@ -16,6 +16,6 @@ std::string render(const Run& run) {
 
 }  // namespace
 
-extern const Format witnesses_format = {"witnesses.jsonl", render};
+extern const Format witnesses_format = {"witnesses.jsonl", render_witnesses};
 
 }  // namespace axiscert

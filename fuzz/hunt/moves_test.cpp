@@ -11,7 +11,7 @@
 namespace axiscert {
 namespace {
 
-constexpr std::uint64_t seed = 20;
+constexpr std::uint64_t moves_seed = 20;
 
 template <class Real>
 class Moves : public testing::Test {};
@@ -19,7 +19,7 @@ using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(Moves, Reals);
 
 Dice dice(std::uint64_t position) {
-  Stream stream(seed, name_hash("moves_test"), 1, Precision::binary32, position);
+  Stream stream(moves_seed, name_hash("moves_test"), 1, Precision::binary32, position);
   return Dice(stream);
 }
 
@@ -43,7 +43,7 @@ TYPED_TEST(Moves, WhatIsWithinOneIsSoExactly) {
     const Real p = std::ldexp(random.template symmetric<Real>(), exponent);
     const Real a = moved_by_ulps(Real(p + (random.coin() ? Real(1) : Real(-1))), random.integer(-2, 2));
     const bool expected = abs(exact(a) - exact(p)) <= 1;
-    EXPECT_EQ(is_within_one(a, p), expected) << a << " - " << p << ", seed " << seed;
+    EXPECT_EQ(is_within_one(a, p), expected) << a << " - " << p << ", seed " << moves_seed;
     beyond += !expected;
   }
   EXPECT_GT(beyond, 2000);
@@ -53,12 +53,12 @@ TYPED_TEST(Moves, WhateverTheyMakeSettlesInTheBox) {
   using Real = TypeParam;
   Dice random = dice(1);
   for (const Family* family : families()) {
-    Query<Real> q = family->make<Real>(seed, 0);
-    const Query<Real> other = family->make<Real>(seed, 1);
+    Query<Real> q = family->make<Real>(moves_seed, 0);
+    const Query<Real> other = family->make<Real>(moves_seed, 1);
     for (int i = 0; i < 2000; ++i) {
       move(random, q, other);
       settle(q);
-      ASSERT_TRUE(in_box(q)) << family->name << ", move " << i << ", seed " << seed;
+      ASSERT_TRUE(in_box(q)) << family->name << ", move " << i << ", seed " << moves_seed;
       const auto before = coordinates(q);
       settle(q);
       ASSERT_EQ(coordinates(q), before) << "settled already; " << family->name << ", move " << i;
@@ -79,7 +79,7 @@ TYPED_TEST(Moves, RepeatThemselves) {
   using Real = TypeParam;
   const auto walk = [] {
     Dice random = dice(2);
-    Query<Real> q = find_family("general").make<Real>(seed, 0);
+    Query<Real> q = find_family("general").make<Real>(moves_seed, 0);
     for (int i = 0; i < 1000; ++i) {
       move(random, q, q);
       settle(q);

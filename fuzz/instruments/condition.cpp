@@ -9,18 +9,12 @@
 #include "exact/depth.h"
 #include "exact/geometric_oracle.h"
 #include "fuzz/campaign.h"
+#include "fuzz/instruments/blocks.h"
 
 namespace axiscert {
 namespace {
 
-constexpr std::uint64_t block_size = 512;
-
 using ByComparison = std::array<std::uint64_t, comparison_count>;
-
-struct Block {
-  std::size_t source;
-  std::uint64_t first, size;
-};
 
 // Comparisons of one kernel's answer to one query, to be evaluated.
 struct Request {
@@ -65,7 +59,7 @@ std::pair<Verdict, ComparisonBits> answer_of(const Implementation<Real>& kernel,
 
 // Every flip and every wrong verdict among the queries of a block.
 template <class Real>
-Findings search(const ConditionPlan& plan, const std::vector<Implementation<Real>>& kernels, const Block& block) {
+Findings search(const ConditionPlan& plan, const std::vector<Implementation<Real>>& kernels, const QueryBlock& block) {
   Findings found{0, std::vector<KernelFindings>(kernels.size())};
   const Source& source = *plan.sources[block.source];
   const std::uint64_t stride = plan.sample == 0 ? 0 : (plan.trials + plan.sample - 1) / plan.sample;
@@ -173,12 +167,7 @@ template <class Real>
 ConditionResult measure(const ConditionPlan& plan) {
   std::vector<Implementation<Real>> kernels;
   for (const Kernel* kernel : plan.kernels) kernels.push_back(kernel->on<Real>(scalar_target));
-  std::vector<Block> blocks;
-  for (std::size_t s = 0; s < plan.sources.size(); ++s) {
-    for (std::uint64_t first = 0; first < plan.trials; first += block_size) {
-      blocks.push_back({s, first, std::min(block_size, plan.trials - first)});
-    }
-  }
+  const std::vector<QueryBlock> blocks = blocks_of(plan.sources.size(), plan.trials, 512);
   std::vector<Findings> findings(blocks.size());
   tbb::parallel_for(std::size_t{0}, blocks.size(),
                     [&](std::size_t i) { findings[i] = search(plan, kernels, blocks[i]); });

@@ -10,7 +10,7 @@
 namespace axiscert {
 namespace {
 
-ConditionPlan plan_of(std::vector<const Kernel*> kernels, std::vector<std::string_view> families) {
+ConditionPlan condition_plan(std::vector<const Kernel*> kernels, std::vector<std::string_view> families) {
   ConditionPlan plan;
   plan.kernels = std::move(kernels);
   for (const auto name : families) plan.sources.push_back(family_source(find_family(name)));
@@ -30,7 +30,8 @@ void expect_consistent(const ConditionCounts& c, const ConditionPlan& plan) {
 }
 
 TEST(ConditionInstrument, TangencyToAnUlpIsTheQuerysFaultAndOverflowTheFormulas) {
-  const auto plan = plan_of({&find_kernel("published"), &find_kernel("ladder-0")}, {"general", "tangent", "scale"});
+  const auto plan =
+      condition_plan({&find_kernel("published"), &find_kernel("ladder-0")}, {"general", "tangent", "scale"});
   const ConditionResult result = measure_condition(plan);
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     for (const ConditionCell& cell : result.cells[k]) {
@@ -52,7 +53,7 @@ TEST(ConditionInstrument, TangencyToAnUlpIsTheQuerysFaultAndOverflowTheFormulas)
 TEST(ConditionInstrument, AWrongBitOnWellConditionedQueriesIsUnstable) {
   const Kernel planted = published_with_a_wrong_bit(Comparison::edge_bc_side_a);
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
-    auto plan = plan_of({&planted}, {"general"});
+    auto plan = condition_plan({&planted}, {"general"});
     plan.precision = precision;
     const ConditionCell cell = measure_condition(plan).cells[0][0];
     const ConditionCounts& wrong = cell.comparisons[static_cast<std::size_t>(Comparison::edge_bc_side_a)];
@@ -66,7 +67,8 @@ TEST(ConditionInstrument, AWrongBitOnWellConditionedQueriesIsUnstable) {
 }
 
 TEST(ConditionInstrument, DoesNotDependOnThreads) {
-  const auto plan = plan_of({&find_kernel("published"), &find_kernel("ladder-0")}, {"seam", "sliver", "collinear"});
+  const auto plan =
+      condition_plan({&find_kernel("published"), &find_kernel("ladder-0")}, {"seam", "sliver", "collinear"});
   std::vector<ConditionResult> results;
   for (const std::size_t threads : {1, 4}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);

@@ -7,17 +7,11 @@
 #include "exact/critical_radius.h"
 #include "exact/geometric_oracle.h"
 #include "fuzz/address.h"
+#include "fuzz/instruments/blocks.h"
 #include "fuzz/query_file.h"
 
 namespace axiscert {
 namespace {
-
-constexpr std::uint64_t block_size = 256;
-
-struct Block {
-  std::size_t source;
-  std::uint64_t first, size;
-};
 
 struct BlockResult {
   std::uint64_t left_out = 0;
@@ -67,7 +61,7 @@ void measure(const Implementation<Real>& kernel, const Query<Real>& q, const Rat
 }
 
 template <class Real>
-BlockResult run(const CriticalRadiusPlan& plan, const Block& block) {
+BlockResult run(const CriticalRadiusPlan& plan, const QueryBlock& block) {
   // Of each block its own: what somebody else's code does in one is no part of another.
   std::vector<Implementation<Real>> kernels;
   for (const Kernel* kernel : plan.kernels) kernels.push_back(kernel->on<Real>(scalar_target));
@@ -96,12 +90,7 @@ BlockResult run(const CriticalRadiusPlan& plan, const Block& block) {
 
 template <class Real>
 CriticalRadiusResult measure_all(const CriticalRadiusPlan& plan) {
-  std::vector<Block> blocks;
-  for (std::size_t s = 0; s < plan.sources.size(); ++s) {
-    for (std::uint64_t first = 0; first < plan.trials; first += block_size) {
-      blocks.push_back({s, first, std::min(block_size, plan.trials - first)});
-    }
-  }
+  const std::vector<QueryBlock> blocks = blocks_of(plan.sources.size(), plan.trials, 256);
   std::vector<BlockResult> results(blocks.size());
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) { results[i] = run<Real>(plan, blocks[i]); });
 

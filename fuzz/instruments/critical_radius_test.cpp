@@ -11,7 +11,7 @@
 namespace axiscert {
 namespace {
 
-CriticalRadiusPlan plan_of(std::vector<const Kernel*> kernels, std::vector<std::string_view> families) {
+CriticalRadiusPlan radius_plan(std::vector<const Kernel*> kernels, std::vector<std::string_view> families) {
   CriticalRadiusPlan plan;
   plan.kernels = std::move(kernels);
   for (const auto name : families) plan.sources.push_back(family_source(find_family(name)));
@@ -28,7 +28,7 @@ void expect_consistent(const CriticalRadii& cell) {
 
 TEST(CriticalRadiusInstrument, MonotoneKernelsAreNotAccused) {
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
-    auto plan = plan_of({&find_kernel("published"), &find_kernel("minkowski")}, {"general", "sliver", "scale"});
+    auto plan = radius_plan({&find_kernel("published"), &find_kernel("minkowski")}, {"general", "sliver", "scale"});
     plan.precision = precision;
     plan.trials = precision == Precision::binary32 ? 600 : 100;
     for (const auto& by_family : measure_critical_radii(plan).cells) {
@@ -44,7 +44,7 @@ TEST(CriticalRadiusInstrument, MonotoneKernelsAreNotAccused) {
 
 TEST(CriticalRadiusInstrument, APlantedGapIsFoundOnEveryTriangleWithAValidPair) {
   const Kernel planted = published_with_a_gap();
-  const auto plan = plan_of({&planted}, {"general"});
+  const auto plan = radius_plan({&planted}, {"general"});
   const CriticalRadii cell = measure_critical_radii(plan).cells[0][0];
   expect_consistent(cell);
   EXPECT_EQ(cell.reversals, cell.measured);
@@ -63,7 +63,7 @@ TEST(CriticalRadiusInstrument, APlantedGapIsFoundOnEveryTriangleWithAValidPair) 
 }
 
 TEST(CriticalRadiusInstrument, InvalidQueriesAndDistancesBeyondThePrecisionAreLeftOut) {
-  const auto plan = plan_of({&find_kernel("published")}, {"nonfinite"});
+  const auto plan = radius_plan({&find_kernel("published")}, {"nonfinite"});
   const CriticalRadiusResult result = measure_critical_radii(plan);
   EXPECT_EQ(result.left_out[0] + result.cells[0][0].measured, plan.trials);
   EXPECT_GT(result.left_out[0], 0u);
@@ -71,7 +71,7 @@ TEST(CriticalRadiusInstrument, InvalidQueriesAndDistancesBeyondThePrecisionAreLe
 
 TEST(CriticalRadiusInstrument, DoesNotDependOnThreads) {
   const Kernel planted = published_with_a_gap();
-  const auto plan = plan_of({&planted, &find_kernel("ladder-0+prescaled")}, {"repeated", "ratio"});
+  const auto plan = radius_plan({&planted, &find_kernel("ladder-0+prescaled")}, {"repeated", "ratio"});
   std::vector<CriticalRadiusResult> results;
   for (const std::size_t threads : {1, 4}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);

@@ -12,11 +12,10 @@
 #include "exact/critical_radius.h"
 #include "exact/geometric_oracle.h"
 #include "fuzz/campaign.h"
+#include "fuzz/instruments/blocks.h"
 
 namespace axiscert {
 namespace {
-
-constexpr std::uint64_t block_size = 1024;
 
 using Accuracies = std::vector<KernelAccuracy>;  // source by source, in each the kernels
 
@@ -84,20 +83,19 @@ void count_critical_radius(KernelAccuracy& into, const Implementation<Real>& ker
   else if (error) ++into.radius_unbounded;
 }
 
-// The block of a source from position `first` on; `into` are the kernels on that source.
+// `into` are the kernels on the block's source.
 template <class Real>
-void judge_block(const LadderPlan& plan, const Source& source, std::uint64_t first, KernelAccuracy* into) {
-  const std::uint64_t size = std::min(block_size, plan.trials - first);
-  QueryBatch<Real> batch(size);
-  for (std::uint64_t i = 0; i < size; ++i) {
+void judge_block(const LadderPlan& plan, const QueryBlock& block, KernelAccuracy* into) {
+  QueryBatch<Real> batch(block.size);
+  for (std::uint64_t i = 0; i < block.size; ++i) {
     Query<Real> q;
-    source.make(plan.seed, first + i, q);
+    plan.sources[block.source]->make(plan.seed, block.first + i, q);
     batch.push_back(q);
   }
   std::vector<Answered<Real>> answered;
   for (const Kernel* kernel : plan.kernels) answered.emplace_back(*kernel, batch.columns());
-  for (std::uint64_t i = 0; i < size; ++i) {
-    const std::uint64_t position = first + i;
+  for (std::uint64_t i = 0; i < block.size; ++i) {
+    const std::uint64_t position = block.first + i;
     const Query<Real> q = batch[i];
     const Truth truth = exact_truth(q, position % second_opinion_stride == 0);
     if (!truth.formula) continue;
@@ -113,14 +111,13 @@ void judge_block(const LadderPlan& plan, const Source& source, std::uint64_t fir
 }
 
 Accuracies accuracies(const LadderPlan& plan) {
-  const std::uint64_t blocks = (plan.trials + block_size - 1) / block_size;
+  const std::vector<QueryBlock> blocks = blocks_of(plan.sources.size(), plan.trials, 1024);
   const Accuracies none(plan.sources.size() * plan.kernels.size());
-  const auto judge = [&](const tbb::blocked_range<std::uint64_t>& range, Accuracies found) {
-    for (std::uint64_t i = range.begin(); i < range.end(); ++i) {
-      const std::uint64_t source = i / blocks, first = i % blocks * block_size;
-      KernelAccuracy* into = found.data() + source * plan.kernels.size();
-      if (plan.precision == Precision::binary32) judge_block<float>(plan, *plan.sources[source], first, into);
-      else judge_block<double>(plan, *plan.sources[source], first, into);
+  const auto judge = [&](const tbb::blocked_range<std::size_t>& range, Accuracies found) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      KernelAccuracy* into = found.data() + blocks[i].source * plan.kernels.size();
+      if (plan.precision == Precision::binary32) judge_block<float>(plan, blocks[i], into);
+      else judge_block<double>(plan, blocks[i], into);
     }
     return found;
   };
@@ -128,8 +125,7 @@ Accuracies accuracies(const LadderPlan& plan) {
     for (std::size_t i = 0; i < a.size(); ++i) a[i].merge(b[i]);
     return a;
   };
-  return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::uint64_t>(0, plan.sources.size() * blocks, 4), none,
-                                            judge, merge);
+  return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::size_t>(0, blocks.size(), 4), none, judge, merge);
 }
 
 template <class Real>

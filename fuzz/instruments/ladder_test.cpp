@@ -10,8 +10,8 @@
 namespace axiscert {
 namespace {
 
-LadderPlan plan_of(std::vector<const Kernel*> kernels, std::vector<std::string> families, std::uint64_t trials,
-                   Precision precision = Precision::binary32) {
+LadderPlan ladder_plan(std::vector<const Kernel*> kernels, std::vector<std::string> families, std::uint64_t trials,
+                       Precision precision = Precision::binary32) {
   LadderPlan plan;
   plan.kernels = std::move(kernels);
   for (const std::string& family : families) plan.sources.push_back(family_source(find_family(family)));
@@ -29,8 +29,8 @@ void expect_same(const LadderEntry& a, const LadderEntry& b) {
 
 TEST(Ladder, TheLastRungIsThePublishedTest) {
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
-    const auto entries = measure_ladder(
-        plan_of({&find_kernel("published"), &find_kernel("ladder-9")}, {"tangent", "sliver", "scale"}, 600, precision));
+    const auto entries = measure_ladder(ladder_plan({&find_kernel("published"), &find_kernel("ladder-9")},
+                                                    {"tangent", "sliver", "scale"}, 600, precision));
     EXPECT_GT(entries[0].all.verdict_flips(), 0u);
     EXPECT_FALSE(entries[0].all.radius_errors_ulps.empty());
     expect_same(entries[0], entries[1]);
@@ -58,7 +58,7 @@ TEST(Ladder, APlantedErrorShowsOnItsAxisAndNowhereElse) {
   Kernel planted = find_kernel("published");
   planted.id = "planted";
   planted.binary32 = [](std::string_view) { return off_on_one_edge<float>(); };
-  const auto entries = measure_ladder(plan_of({&find_kernel("published"), &planted}, {"general", "tangent"}, 2000));
+  const auto entries = measure_ladder(ladder_plan({&find_kernel("published"), &planted}, {"general", "tangent"}, 2000));
   for (std::size_t i = 0; i < axis_count; ++i) {
     const ComparisonAccuracy sound = entries[0].all.of(axis_comparisons[i]),
                              off = entries[1].all.of(axis_comparisons[i]);
@@ -76,7 +76,7 @@ TEST(Ladder, APlantedErrorShowsOnItsAxisAndNowhereElse) {
 }
 
 TEST(Ladder, SignErrorsAreToldApartByRange) {
-  const auto entries = measure_ladder(plan_of({&find_kernel("published")}, {"tangent", "scale"}, 1000));
+  const auto entries = measure_ladder(ladder_plan({&find_kernel("published")}, {"tangent", "scale"}, 1000));
   const ComparisonAccuracy tangent = entries[0].by_source[0].of(0xffff), scale = entries[0].by_source[1].of(0xffff);
   EXPECT_GT(tangent.rounding_sign_errors(), 0u);
   EXPECT_EQ(tangent.by_range, 0u);
@@ -84,7 +84,7 @@ TEST(Ladder, SignErrorsAreToldApartByRange) {
 }
 
 TEST(Ladder, ThreadsChangeNothing) {
-  LadderPlan plan = plan_of({&find_kernel("ladder-0"), &find_kernel("reduced-shared")}, {"general", "far"}, 6000);
+  LadderPlan plan = ladder_plan({&find_kernel("ladder-0"), &find_kernel("reduced-shared")}, {"general", "far"}, 6000);
   plan.threads = 1;
   const auto one = measure_ladder(plan);
   plan.threads = 3;
@@ -93,7 +93,7 @@ TEST(Ladder, ThreadsChangeNothing) {
 }
 
 TEST(Ladder, AKernelThatKeepsItsSidesToItselfHasSignsAndNoErrors) {
-  const auto entries = measure_ladder(plan_of({&find_kernel("published+in-double")}, {"tangent"}, 1000));
+  const auto entries = measure_ladder(ladder_plan({&find_kernel("published+in-double")}, {"tangent"}, 1000));
   EXPECT_EQ(entries[0].all.of(0xffff).errors.count(), 0u);
   EXPECT_EQ(entries[0].all.of(0xffff).sign_errors(), 0u) << "binary64 decides binary32 queries";
 }

@@ -10,8 +10,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr const char* placeholder = "@nested@";
 
-std::size_t below(Dice& dice, std::size_t n) { return static_cast<std::size_t>(dice.below(n)); }
-
 void collect(Json& value, std::vector<Json*>& all) {
   all.push_back(&value);
   for (Json& part : value) {
@@ -51,13 +49,13 @@ Json strange_value(Dice& dice) {
                                            Json::array({nullptr}),
                                            Json{{"", ""}},
                                            std::string(300, 'x')};
-  return values[below(dice, values.size())];
+  return values[dice.below(values.size())];
 }
 
 std::string any_key(const std::vector<Json*>& all, Dice& dice) {
-  const Json& holder = *all[below(dice, all.size())];
+  const Json& holder = *all[dice.below(all.size())];
   if (!holder.is_object() || holder.empty()) return dice.coin() ? "schema" : "";
-  return std::next(holder.begin(), static_cast<std::ptrdiff_t>(below(dice, holder.size()))).key();
+  return std::next(holder.begin(), static_cast<std::ptrdiff_t>(dice.below(holder.size()))).key();
 }
 
 void nudge(Json& value, Dice& dice) {
@@ -71,8 +69,8 @@ void nudge(Json& value, Dice& dice) {
   } else if (value.is_string()) {
     std::string text = value;
     static constexpr std::string_view characters = "0123456789abcdefpx.+-/:,|<& \"\\\n\x7f";
-    const std::size_t at = below(dice, text.size() + 1);
-    const char c = characters[below(dice, characters.size())];
+    const std::size_t at = dice.below(text.size() + 1);
+    const char c = characters[dice.below(characters.size())];
     if (at == text.size() || dice.coin()) text.insert(at, 1, c);
     else if (dice.coin()) text.erase(at, 1);
     else text[at] = c;
@@ -84,12 +82,12 @@ void nudge(Json& value, Dice& dice) {
 
 void remove_part(Json& holder, Dice& dice) {
   if (holder.empty() || !holder.is_structured()) return;
-  holder.erase(std::next(holder.begin(), static_cast<std::ptrdiff_t>(below(dice, holder.size()))));
+  holder.erase(std::next(holder.begin(), static_cast<std::ptrdiff_t>(dice.below(holder.size()))));
 }
 
 void duplicate_part(Json& holder, const std::string& key, Dice& dice) {
   if (holder.empty() || !holder.is_structured()) return;
-  const auto at = std::next(holder.begin(), static_cast<std::ptrdiff_t>(below(dice, holder.size())));
+  const auto at = std::next(holder.begin(), static_cast<std::ptrdiff_t>(dice.below(holder.size())));
   const Json part = *at;
   if (holder.is_array()) holder.insert(at, part);
   else holder[key] = part;
@@ -98,7 +96,7 @@ void duplicate_part(Json& holder, const std::string& key, Dice& dice) {
 void rename_member(Json& holder, const std::string& key, Dice& dice) {
   if (!holder.is_object() || holder.empty()) return;
   Json renamed = Json::object();
-  const std::size_t which = below(dice, holder.size());
+  const std::size_t which = dice.below(holder.size());
   std::size_t i = 0;
   for (const auto& [old_key, part] : holder.items()) renamed[i++ == which ? key : old_key] = part;
   holder = renamed;
@@ -122,7 +120,7 @@ std::string moved_json(std::string_view text, JsonMove move, Dice& dice) {
   if (document.is_discarded()) return std::string(text);
   std::vector<Json*> all;
   collect(document, all);
-  Json& chosen = *all[below(dice, all.size())];
+  Json& chosen = *all[dice.below(all.size())];
   const std::string key = any_key(all, dice);
   std::size_t levels = 0;
   switch (move) {
@@ -130,7 +128,7 @@ std::string moved_json(std::string_view text, JsonMove move, Dice& dice) {
       chosen = strange_value(dice);
       break;
     case JsonMove::copy: {
-      const Json other = *all[below(dice, all.size())];
+      const Json other = *all[dice.below(all.size())];
       chosen = other;
       break;
     }
@@ -147,7 +145,7 @@ std::string moved_json(std::string_view text, JsonMove move, Dice& dice) {
       nudge(chosen, dice);
       break;
     case JsonMove::nest:
-      levels = dice.below(8) == 0 ? 400000 : 1 + below(dice, 4);
+      levels = dice.below(8) == 0 ? 400000 : 1 + dice.below(4);
       chosen = placeholder;
       break;
   }

@@ -16,8 +16,6 @@ using Numbers = std::array<Real, coordinate_count>;
 constexpr std::size_t radius_place = coordinate_count - 1, points = 4;
 constexpr std::size_t place_of(std::size_t point, std::size_t axis) { return 3 * point + axis; }
 
-std::size_t below(Dice& dice, std::size_t n) { return static_cast<std::size_t>(dice.below(n)); }
-
 Dice dice_of(std::uint32_t seed) {
   constexpr std::uint64_t generator = name_hash("fuzz-target");
   Stream stream(seed, generator, 1, Precision::binary32, 0);
@@ -48,7 +46,7 @@ Real special(Dice& dice) {
       Real(1) - Limits::epsilon() / 2,
       std::ldexp(Real(1), static_cast<int>(dice.integer(Limits::min_exponent, Limits::max_exponent - 1)))};
   if (dice.below(64) == 0) return dice.coin() ? Limits::infinity() : Limits::quiet_NaN();
-  const Real x = usual[below(dice, usual.size())];
+  const Real x = usual[dice.below(usual.size())];
   return dice.coin() ? x : -x;
 }
 
@@ -61,11 +59,11 @@ void move_exponent(Dice& dice, Numbers<Real>& v) {
     case 0:
       break;
     case 1:
-      first = 3 * below(dice, points);
+      first = 3 * dice.below(points);
       count = 3;
       break;
     default:
-      first = below(dice, coordinate_count);
+      first = dice.below(coordinate_count);
       count = 1;
   }
   for (std::size_t k = first; k < first + count; ++k) v[k] = std::ldexp(v[k], by);
@@ -75,12 +73,12 @@ template <class Real>
 void change_sign(Dice& dice, Numbers<Real>& v) {
   switch (dice.below(3)) {
     case 0: {
-      Real& x = v[below(dice, coordinate_count)];
+      Real& x = v[dice.below(coordinate_count)];
       x = -x;
       break;
     }
     case 1: {
-      const std::size_t axis = below(dice, 3);
+      const std::size_t axis = dice.below(3);
       for (std::size_t point = 0; point < points; ++point) v[place_of(point, axis)] = -v[place_of(point, axis)];
       break;
     }
@@ -91,9 +89,9 @@ void change_sign(Dice& dice, Numbers<Real>& v) {
 
 template <class Real>
 void repeat(Dice& dice, Numbers<Real>& v) {
-  const std::size_t to = below(dice, 3), from = (to + 1 + below(dice, 3)) % points;
+  const std::size_t to = dice.below(3), from = (to + 1 + dice.below(3)) % points;
   const bool on_line = dice.coin();
-  const std::size_t other = (to + 1 + below(dice, 2)) % 3;
+  const std::size_t other = (to + 1 + dice.below(2)) % 3;
   const auto along = static_cast<Real>(dice.integer(-2, 4)) / 2;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Real at = v[place_of(from, axis)], step = v[place_of(other, axis)] - at;
@@ -103,7 +101,7 @@ void repeat(Dice& dice, Numbers<Real>& v) {
 
 template <class Real>
 void swap(Dice& dice, Numbers<Real>& v) {
-  const std::size_t i = below(dice, 3), j = (i + 1 + below(dice, 2)) % 3;
+  const std::size_t i = dice.below(3), j = (i + 1 + dice.below(2)) % 3;
   if (dice.coin()) {
     for (std::size_t axis = 0; axis < 3; ++axis) std::swap(v[place_of(i, axis)], v[place_of(j, axis)]);
   } else {
@@ -124,7 +122,7 @@ void to_tie(Dice& dice, Numbers<Real>& v) {
   } else if (info(which).is_radius) {
     found = nearest_tie_radius(q, which);
   } else {
-    const std::size_t axis = below(dice, 3);
+    const std::size_t axis = dice.below(3);
     place = place_of(3, axis);
     found = nearest_tie_coordinate(q, which, static_cast<int>(axis));
   }
@@ -135,7 +133,7 @@ template <class Real>
 void apply_to_numbers(QueryMove move, Dice& dice, Numbers<Real>& v) {
   switch (move) {
     case QueryMove::ulps: {
-      Real& x = v[below(dice, coordinate_count)];
+      Real& x = v[dice.below(coordinate_count)];
       x = neighbour(dice, x);
       break;
     }
@@ -146,10 +144,10 @@ void apply_to_numbers(QueryMove move, Dice& dice, Numbers<Real>& v) {
       change_sign(dice, v);
       break;
     case QueryMove::special:
-      v[below(dice, coordinate_count)] = special<Real>(dice);
+      v[dice.below(coordinate_count)] = special<Real>(dice);
       break;
     case QueryMove::copy: {
-      const std::size_t to = below(dice, coordinate_count), from = below(dice, coordinate_count);
+      const std::size_t to = dice.below(coordinate_count), from = dice.below(coordinate_count);
       v[to] = dice.below(4) == 0 ? -v[from] : v[from];
       break;
     }

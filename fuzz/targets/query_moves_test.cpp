@@ -13,10 +13,10 @@
 namespace axiscert::fuzzing {
 namespace {
 
-constexpr std::uint64_t seed = 20;
+constexpr std::uint64_t moves_seed = 20;
 
 Dice dice_of(std::uint64_t position) {
-  Stream stream(seed, name_hash("query-moves-test"), 1, Precision::binary32, position);
+  Stream stream(moves_seed, name_hash("query-moves-test"), 1, Precision::binary32, position);
   return Dice(stream);
 }
 
@@ -90,7 +90,7 @@ TYPED_TEST(QueryMoveTest, EachChangesTheQueryAndNoMoreOfItThanItSays) {
       apply(move, dice, after);
       ASSERT_EQ(after.query.index(), before.query.index());
       EXPECT_GE(kept<TypeParam>(before, after), least)
-          << query_move_names[static_cast<std::size_t>(move)] << ", seed " << seed << ", position " << position;
+          << query_move_names[static_cast<std::size_t>(move)] << ", seed " << moves_seed << ", position " << position;
       changes += bytes_of(after) != bytes_of(before);
     }
     EXPECT_GT(changes, 50) << query_move_names[static_cast<std::size_t>(move)];
@@ -114,7 +114,7 @@ TYPED_TEST(QueryMoveTest, SpecialNumbersAreAllReached) {
     }
   }
   EXPECT_TRUE(nan && infinite && zero && negative_zero && least && greatest_subnormal)
-      << nan << infinite << zero << negative_zero << least << greatest_subnormal << " of seed " << seed;
+      << nan << infinite << zero << negative_zero << least << greatest_subnormal << " of seed " << moves_seed;
 }
 
 TYPED_TEST(QueryMoveTest, TiesBringTheSphereToWhereItTouches) {
@@ -127,7 +127,7 @@ TYPED_TEST(QueryMoveTest, TiesBringTheSphereToWhereItTouches) {
     apply(QueryMove::tie, dice, fuzzed);
     touching += std::get<Query<TypeParam>>(fuzzed.query).r == 2;
   }
-  EXPECT_GT(touching, 20) << "seed " << seed;
+  EXPECT_GT(touching, 20) << "seed " << moves_seed;
 }
 
 TEST(QueryMoves, TakeNumbersOfEveryKind) {

@@ -11,9 +11,9 @@
 namespace axiscert {
 namespace {
 
-class Report {
+class ConditionReport {
  public:
-  Report(const ConditionPlan& plan, const ConditionResult& result)
+  ConditionReport(const ConditionPlan& plan, const ConditionResult& result)
       : plan_(plan), result_(result), origin_{plan.seed, plan.precision} {}
 
   InstrumentReport report(const std::string& command) const {
@@ -234,7 +234,7 @@ class Report {
 
 InstrumentReport condition_report(const ConditionPlan& plan, const ConditionResult& result,
                                   const std::string& command) {
-  return Report(plan, result).report(command);
+  return ConditionReport(plan, result).report(command);
 }
 
 }  // namespace axiscert

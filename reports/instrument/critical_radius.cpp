@@ -10,9 +10,9 @@ namespace {
 
 const Decimal6 one_ulp = round_up(Rational(1));
 
-class Report {
+class CriticalRadiusReport {
  public:
-  Report(const CriticalRadiusPlan& plan, const CriticalRadiusResult& result)
+  CriticalRadiusReport(const CriticalRadiusPlan& plan, const CriticalRadiusResult& result)
       : plan_(plan), result_(result), origin_{plan.seed, plan.precision} {}
 
   InstrumentReport report(const std::string& command) const {
@@ -220,7 +220,7 @@ class Report {
 
 InstrumentReport critical_radius_report(const CriticalRadiusPlan& plan, const CriticalRadiusResult& result,
                                         const std::string& command) {
-  return Report(plan, result).report(command);
+  return CriticalRadiusReport(plan, result).report(command);
 }
 
 }  // namespace axiscert

@@ -56,9 +56,10 @@ Radii radii(std::vector<double> errors, std::uint64_t unbounded) {
           unbounded == 0 ? fmt::format("{:.3g}", errors.back()) : "unbounded"};
 }
 
-class Report {
+class LeagueReport {
  public:
-  Report(const League& league, const CampaignResult& result) : league_(league), plan_(league.plan), result_(result) {}
+  LeagueReport(const League& league, const CampaignResult& result)
+      : league_(league), plan_(league.plan), result_(result) {}
 
   InstrumentReport report(const std::string& command) const {
     InstrumentReport report{"league", "Kernels and libraries on the same queries", command, notes(), {}, {}, data()};
@@ -270,7 +271,7 @@ class Report {
 }  // namespace
 
 InstrumentReport league_report(const League& league, const CampaignResult& result, const std::string& command) {
-  return Report(league, result).report(command);
+  return LeagueReport(league, result).report(command);
 }
 
 }  // namespace axiscert

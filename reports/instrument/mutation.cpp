@@ -68,9 +68,9 @@ struct Score {
   }
 };
 
-class Report {
+class MutationReport {
  public:
-  Report(const MutationPlan& plan, const MutationResult& result, const std::vector<Control>& controls)
+  MutationReport(const MutationPlan& plan, const MutationResult& result, const std::vector<Control>& controls)
       : plan_(plan), result_(result), controls_(controls) {}
 
   InstrumentReport report(const std::string& command, bool whole) const {
@@ -281,7 +281,7 @@ std::vector<std::string> mutation_faults(const MutationResult& result, const std
 
 InstrumentReport mutation_report(const MutationPlan& plan, const MutationResult& result,
                                  const std::vector<Control>& controls, const std::string& command, bool whole) {
-  return Report(plan, result, controls).report(command, whole);
+  return MutationReport(plan, result, controls).report(command, whole);
 }
 
 std::string instrument_markdown(const InstrumentReport& report) {

@@ -10,9 +10,9 @@
 namespace axiscert {
 namespace {
 
-class Report {
+class SearchReport {
  public:
-  Report(const HuntPlan& plan, const HuntResult& result) : plan_(plan), result_(result) {}
+  SearchReport(const HuntPlan& plan, const HuntResult& result) : plan_(plan), result_(result) {}
 
   InstrumentReport report(const std::string& command) const {
     InstrumentReport report;
@@ -143,7 +143,7 @@ class Report {
 }  // namespace
 
 InstrumentReport search_report(const HuntPlan& plan, const HuntResult& result, const std::string& command) {
-  return Report(plan, result).report(command);
+  return SearchReport(plan, result).report(command);
 }
 
 std::string search_witnesses(const HuntResult& result) {
