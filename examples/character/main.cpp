@@ -30,16 +30,17 @@ struct Options {
 constexpr double default_share = 64, least_share = 4096;  // of the box's diagonal
 
 float radius_of(const Options& options, const Mesh& mesh) {
-  const double least = mesh.diagonal / least_share;
   if (!(mesh.diagonal >= 0x1p-100 && mesh.diagonal <= 0x1p+100)) {
     throw Error(fmt::format("{}: its box has the diagonal {}; a walk takes one from 2^-100 to 2^100", options.mesh,
                             mesh.diagonal));
   }
   if (options.radius.empty()) return static_cast<float>(mesh.diagonal / default_share);
+  // Floats, so that what a refusal names is not refused.
+  const auto least = static_cast<float>(mesh.diagonal / least_share), greatest = static_cast<float>(mesh.diagonal);
   const auto refused = [&](const std::string& why) {
     return Error(
         fmt::format("--radius {}: {}; a number from {} to {}, a {}th of the diagonal of the mesh's box to all of it",
-                    shown(options.radius), why, least, mesh.diagonal, least_share));
+                    shown(options.radius), why, least, greatest, least_share));
   };
   float radius = 0;
   try {
@@ -47,7 +48,7 @@ float radius_of(const Options& options, const Mesh& mesh) {
   } catch (const Error& wrong) {
     throw refused(wrong.what());
   }
-  if (!(radius >= least && radius <= mesh.diagonal)) throw refused("no size for this mesh");
+  if (!(radius >= least && radius <= greatest)) throw refused("no size for this mesh");
   return radius;
 }
 
@@ -118,11 +119,11 @@ int run(const Options& options) {
   std::vector<Comparison> comparisons;
   for (const Kernel* kernel : kernels) comparisons.push_back(compared(ground, walk, *kernel));
 
-  const std::string title =
-      fmt::format("{}: {} triangles, {} of them without area{}; a sphere of radius {} takes {} steps, {} up, seed {}",
-                  base_name(options.mesh), ground.size(), without_area,
-                  left_out == 0 ? "" : fmt::format(", and {} faces that are none, left out", left_out),
-                  walk_options.radius, walk_options.steps, "xyz"[up], options.seed);
+  const std::string title = fmt::format(
+      "{}: {} triangles, {} of them without area{}; a sphere of radius {} takes {} steps, {} up, seed {}",
+      base_name(options.mesh), ground.size(), without_area,
+      left_out == 0 ? "" : fmt::format(", {} with numbers that are not finite, or lines or points, left out", left_out),
+      walk_options.radius, walk_options.steps, "xyz"[up], options.seed);
   fmt::print("{}\n{} times turned round, {} times set down\n\n{}{}", title, walk.turns, walk.paths.size(),
              table(ground, walk, comparisons), not_checked);
   if (out) out->write(picture(ground, walk, comparisons, title));

@@ -102,6 +102,7 @@ class Program(unittest.TestCase):
             ([SPIDER, "--steps", 0], ["--steps", "0", "1000000"]),
             ([SPIDER, "--steps", "many"], ["--steps", "many"]),
             ([SPIDER, "--seed", -1], ["--seed", "-1"]),
+            ([SPIDER, "--seed", 2**64], ["--seed", str(2**64), "2^64 - 1"]),
             ([SPIDER, "--up", "w"], ["--up", "w", "x,y,z"]),
             ([SPIDER, "--radius", "wide"], ["--radius wide", "a number from"]),
             ([SPIDER, "--radius", "nan"], ["--radius nan", "a number from"]),
@@ -124,6 +125,25 @@ class Program(unittest.TestCase):
                 self.assertEqual(done.stdout, "")
                 for part in says:
                     self.assertIn(part, done.stderr)
+
+    def test_the_least_radius_that_a_refusal_names_is_taken(self):
+        said = character(SPIDER, "--radius", 0).stderr
+        least = re.search(r"a number from (\S+) to", said).group(1)
+        self.walked(SPIDER, "--steps", 1, "--radius", least)
+
+    def test_a_walk_that_cannot_be_leaves_an_older_picture(self):
+        steep, picture = self.folder / "steep.obj", self.folder / "old.svg"
+        steep.write_text("v 0 0 0\nv 0 1 0\nv 1 0.5 20\nf 1 2 3\n")
+        picture.write_text("older")
+        self.assertEqual(character(steep, "--up", "z", "--radius", "0.25", "--out", picture).returncode, 2)
+        self.assertEqual(picture.read_text(), "older")
+
+    def test_faces_that_are_none_and_kernels_named_twice_are_told_and_dropped(self):
+        mesh = self.folder / "floor.obj"
+        mesh.write_text("v 0 0 0\nv 9 0 0\nv 0 9 0\nv 9 9 0\nv nan 0 0\nf 1 2 3\nf 2 4 3\nf 1 2 5\n")
+        text = self.walked(mesh, "--up", "z", "--steps", 5, "--kernel", "published", "--kernel", "published")
+        self.assertIn("floor.obj: 2 triangles, 0 of them without area, 1 with numbers that are not finite, or lines or points, left out; ", text)
+        self.assertEqual(len([row for row in tables(text)[1] if row[1] == "all"]), 1)
 
     @unittest.skipUnless(HAS_BULLET and DIVISOR == 1, "the figures are those of a build with Bullet; sanitized they are slow")
     def test_the_figures_of_the_document_are_what_the_command_makes(self):

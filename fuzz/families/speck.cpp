@@ -8,7 +8,7 @@
 namespace axiscert {
 namespace {
 
-// Powers of two that the tie is multiplied by: all of these may be exact, so that more than the range is at stake.
+// A tie is multiplied by up to this power of two, or by its inverse; neither rounds or overflows.
 template <class Real>
 constexpr int most_doublings = sizeof(Real) == 4 ? 80 : 120;
 
