@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "exact/depth.h"
 #include "exact/geometric_oracle.h"
@@ -55,9 +56,12 @@ Query<Real> integer_query(std::mt19937_64& random) {
   std::array<std::size_t, 3> axes = {0, 1, 2};
   std::shuffle(axes.begin(), axes.end(), random);
   const int exponent = static_cast<int>(random() % 21) + (sizeof(Real) == 8 && random() % 4 == 0 ? 60 : -10);
+  // A centre on the plane or on an edge stays there where the axes are scaled.
+  std::array<int, 3> scale = {exponent, exponent, exponent};
+  if (random() % 4 == 0) scale[random() % 3] -= static_cast<int>(random() % 60);
   const auto real = [&](const Vec3<std::int64_t>& v) {
     const std::array<std::int64_t, 3> own = {v.x, v.y, v.z};
-    const auto one = [&](std::size_t k) { return std::ldexp(static_cast<Real>(own[axes[k]]), exponent); };
+    const auto one = [&](std::size_t k) { return std::ldexp(static_cast<Real>(own[axes[k]]), scale[k]); };
     return Vec3<Real>{one(0), one(1), one(2)};
   };
   std::array<Vec3<Real>, 3> v = {real(a), real(b), real(c)};
@@ -65,7 +69,7 @@ Query<Real> integer_query(std::mt19937_64& random) {
   Query<Real> q = {v[0], v[1], v[2], real(p), std::ldexp(static_cast<Real>(r), exponent)};
   // Of no common unit that the others are few of.
   if (random() % 4 == 0) q.p = q.p * std::ldexp(Real(1), -static_cast<int>(random() % 90));
-  if (random() % 4 == 0) q.r = std::nextafter(q.r, Real(4) * q.r);
+  if (random() % 4 == 0) q.r = std::nextafter(q.r, std::numeric_limits<Real>::infinity());
   if (random() % 4 != 0) return q;
   // Of the least numbers there are.
   auto all = coordinates(q);
@@ -74,6 +78,43 @@ Query<Real> integer_query(std::mt19937_64& random) {
       all[k] = std::numeric_limits<Real>::denorm_min() * Real(random() % 2 ? 1 : -3);
   }
   return from_coordinates(all);
+}
+
+// The inverse of x modulo m, or 0 where there is none.
+std::int64_t inverse(std::int64_t x, std::int64_t m) {
+  std::int64_t a = x % m, b = m, u = 1, v = 0;
+  while (b != 0) {
+    const std::int64_t q = a / b;
+    a = std::exchange(b, a - q * b);
+    u = std::exchange(v, u - q * v);
+  }
+  return a == 1 ? (u % m + m) % m : 0;
+}
+
+// A centre as near to the plane of its triangle as a point of integers may be that is not on it, and a radius that this
+// is, but for what it is rounded by, or near: far below the units that the other numbers are few of.
+template <class Real>
+Query<Real> plane_query(std::mt19937_64& random) {
+  const int bits = sizeof(Real) == 4 ? 20 : 28;
+  const auto number = [&] { return static_cast<std::int64_t>(random() >> (64 - bits)) | 1; };
+  for (;;) {
+    // AB = (p, 0, s), AC = (0, q, t), V = (-s q, -t p, p q); x V = 1, above the triangle.
+    const std::int64_t p = number(), q = number(), s = number(), t = number();
+    const std::int64_t x = inverse(p - s % p * (q % p) % p, p), y = inverse(q - t % q * (p % q) % q, q);
+    const double area =
+        static_cast<double>(x) / static_cast<double>(p) + static_cast<double>(y) / static_cast<double>(q);
+    if (x == 0 || y == 0 || area >= 1) continue;
+    __extension__ using Int128 = __int128;
+    const Int128 V[3] = {-Int128{s} * q, -Int128{t} * p, Int128{p} * q};
+    const auto z = static_cast<std::int64_t>((1 - V[0] * x - V[1] * y) / V[2]);
+    const double normal = std::hypot(static_cast<double>(V[0]), static_cast<double>(V[1]), static_cast<double>(V[2]));
+    const auto point = [](std::int64_t a, std::int64_t b, std::int64_t c) {
+      return Vec3<Real>{static_cast<Real>(a), static_cast<Real>(b), static_cast<Real>(c)};
+    };
+    const auto r = static_cast<Real>(
+        (1 + std::ldexp(static_cast<double>(random() % 5) - 2, -static_cast<int>(random() % 60))) / normal);
+    return {point(0, 0, 0), point(p, 0, s), point(0, q, t), point(x, y, z), r};
+  }
 }
 
 template <class Real>
@@ -85,8 +126,9 @@ struct Judged {
     static const Judged judged = [] {
       Judged made;
       std::mt19937_64 random(seed);
-      for (int i = 0; i < 4003; ++i) {
-        Query<Real> q = i >= 2403    ? integer_query<Real>(random)
+      for (int i = 0; i < 4403; ++i) {
+        Query<Real> q = i >= 4003    ? plane_query<Real>(random)
+                        : i >= 2403  ? integer_query<Real>(random)
                         : i % 4 == 0 ? coarse_query_of_any_size<Real>(random)
                         : i % 4 == 1 ? tangent_query<Real>(random)
                                      : random_query<Real>(random, i % 4 == 2 && i % 16 != 2);

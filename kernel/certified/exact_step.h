@@ -30,9 +30,10 @@ struct Known {
 };
 
 // Whether the sphere is separated from the triangle, for the question asked. The query is valid: finite, r >= 0;
-// binary32 enters widened. Evaluates what is not known, in integers on the stack, in units of the least bit that is set
-// in any of the thirteen numbers; its only floating-point operations are exact ones, so that no rounding mode matters.
-// About 40 KiB of stack for numbers 2^600 apart or more, under 4 KiB for all of binary32.
+// binary32 enters widened. Evaluates what is not known, in integers on the stack: of 1 to 12 words, in units of the
+// least bit that is set in any of the thirteen numbers, where these are fewer than 2^126 apart; else by balls, and what
+// these do not tell by the digits that are not zero. Its only floating-point operations are exact ones, so that no
+// rounding mode matters. About 4 KiB of stack, 26 for numbers farther apart.
 bool exactly_separated(const double (&query)[13], Question question, Known known) noexcept;
 
 }  // namespace axiscert::certified

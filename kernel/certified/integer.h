@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 
 namespace axiscert::certified {
 
@@ -68,9 +69,10 @@ struct Integer {
   }
 };
 
-// a b, which fits in `words` words.
-template <std::size_t words, std::size_t m, std::size_t n>
-Integer<words> product(const Integer<m>& a, const Integer<n>& b) noexcept {
+// a b, which fits in the words of `Result`.
+template <class Result, std::size_t m, std::size_t n>
+Result product(const Integer<m>& a, const Integer<n>& b) noexcept {
+  constexpr std::size_t words = std::size(Result{}.word);
   static_assert(words <= m + n);
   if constexpr (words <= 2) {
     return Integer<words>::of(a.native() * b.native());
@@ -112,14 +114,15 @@ Integer<words> product(const Integer<m>& a, const Integer<n>& b) noexcept {
 }
 
 // significand 2^shift, where that fits.
-template <std::size_t words>
-Integer<words> shifted(std::uint64_t significand, unsigned shift, bool negative) noexcept {
-  Integer<words> x{};
+template <class Result>
+Result shifted(std::uint64_t significand, unsigned shift, bool negative) noexcept {
+  constexpr std::size_t words = std::size(Result{}.word);
+  Result x{};
   const std::size_t at = shift / 64;
   const unsigned by = shift % 64;
   if (at < words) x.word[at] = significand << by;
   if (by != 0 && at + 1 < words) x.word[at + 1] = significand >> (64 - by);
-  return negative ? Integer<words>{} - x : x;
+  return negative ? Result{} - x : x;
 }
 
 }  // namespace axiscert::certified

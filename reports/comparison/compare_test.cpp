@@ -10,8 +10,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-Json& tangent(Json& record) { return record["kernels"][0]["families"]["tangent"]; }
-
 // The stored record, and the same as if drawn from another seed.
 Json other_seed() {
   Json record = stored_record();
@@ -45,12 +43,12 @@ TEST(Compare, ARunWithItselfDoesNotDiffer) {
 TEST(Compare, OnTheSameQueriesOneIsADifference) {
   const Json before = stored_record();
   Json after = before;
-  Json& verdict = tangent(after)["verdict"];
+  Json& verdict = tangent_counts(after)["verdict"];
   verdict["false_separation"] = 41;
   verdict["false_contact"] = 19;
   verdict["deepest_false_contact"] = 0.5;
-  tangent(after)["comparisons"]["vertex_a.radius"]["false_separation"] = 0;
-  tangent(after)["comparisons"]["edge_bc.side_a"]["missed_separation"] = 1;
+  tangent_counts(after)["comparisons"]["vertex_a.radius"]["false_separation"] = 0;
+  tangent_counts(after)["comparisons"]["edge_bc.side_a"]["missed_separation"] = 1;
   const RunComparison found = compare_records(before, after, {});
   EXPECT_EQ(cell(found, "verdict.false_separation").change, Change::worse);
   EXPECT_EQ(cell(found, "verdict.false_contact").change, Change::better);
@@ -65,10 +63,10 @@ TEST(Compare, OnTheSameQueriesOneIsADifference) {
 TEST(Compare, OnOtherQueriesOnlyWhatChanceDoesNotExplain) {
   const Json before = stored_record();
   Json after = other_seed();
-  Json& verdict = tangent(after)["verdict"];
+  Json& verdict = tangent_counts(after)["verdict"];
   verdict["false_separation"] = 55;            // of 995, where 40 were: chance
   verdict["deepest_false_separation"] = 0.99;  // a maximum
-  tangent(after)["comparisons"]["plane.radius"]["max_error_u"] = 1e9;
+  tangent_counts(after)["comparisons"]["plane.radius"]["max_error_u"] = 1e9;
   EXPECT_EQ(compare_records(before, after, {}).alarms(), 0u);
   verdict["false_separation"] = 140;
   const RunComparison found = compare_records(before, after, {});
@@ -96,7 +94,7 @@ TEST(Compare, WhatOnlyOneHasIsNotCompared) {
   Json after = before;
   after["kernels"].erase(1);
   after["kernels"][0]["families"].erase("lattice");
-  tangent(after)["comparisons"] = nullptr;
+  tangent_counts(after)["comparisons"] = nullptr;
   after["plan"]["tolerance"]["plane.radius"] = "3";
   const RunComparison found = compare_records(before, after, {});
   std::vector<std::string> whats;
@@ -155,7 +153,7 @@ TEST(Compare, MarkdownStaysUnderAMebibyte) {
   Json before = stored_record();
   for (int i = 0; i < 300; ++i) {
     const std::string name = "family-" + std::string(300, 'x') + std::to_string(i);
-    before["kernels"][0]["families"][name] = tangent(before);
+    before["kernels"][0]["families"][name] = tangent_counts(before);
     before["plan"]["families"].push_back(name);
   }
   Json after = before;

@@ -39,8 +39,6 @@ std::vector<std::string> texts(const std::vector<RatchetFailure>& failures) {
   return all;
 }
 
-Json& tangent_family(Json& record) { return record["kernels"][0]["families"]["tangent"]; }
-
 TEST(Ratchet, TheReviewedStateHolds) {
   const RatchetOutcome outcome = hold_against(parse_ratchet(reviewed(), "r.txt"), stored_record(), today);
   EXPECT_THAT(outcome.failures, IsEmpty());
@@ -50,9 +48,9 @@ TEST(Ratchet, TheReviewedStateHolds) {
 
 TEST(Ratchet, WorseIsNamedWithTheLineThatWouldAcceptIt) {
   Json record = stored_record();
-  tangent_family(record)["comparisons"]["edge_bc.side_a"]["missed_separation"] = 2;
-  tangent_family(record)["verdict"]["false_separation"] = 41;
-  tangent_family(record)["verdict"]["deepest_false_contact"] = 0.75;
+  tangent_counts(record)["comparisons"]["edge_bc.side_a"]["missed_separation"] = 2;
+  tangent_counts(record)["verdict"]["false_separation"] = 41;
+  tangent_counts(record)["verdict"]["deepest_false_contact"] = 0.75;
   const RatchetOutcome outcome = hold_against(parse_ratchet(reviewed(), "r.txt"), record, today);
   EXPECT_THAT(
       texts(outcome.failures),
@@ -67,8 +65,8 @@ TEST(Ratchet, WorseIsNamedWithTheLineThatWouldAcceptIt) {
 
 TEST(Ratchet, BetterPrintsTheLineAndHolds) {
   Json record = stored_record();
-  tangent_family(record)["verdict"]["false_separation"] = 39;
-  tangent_family(record)["comparisons"]["vertex_a.radius"]["false_separation"] = 0;
+  tangent_counts(record)["verdict"]["false_separation"] = 39;
+  tangent_counts(record)["comparisons"]["vertex_a.radius"]["false_separation"] = 0;
   const RatchetOutcome outcome = hold_against(parse_ratchet(reviewed(), "r.txt"), record, today);
   EXPECT_THAT(outcome.failures, IsEmpty());
   EXPECT_THAT(outcome.better, ElementsAre(HasSubstr("verdict.false_separation 39 never mk \"rounds, see docs\""),
@@ -106,7 +104,7 @@ TEST(Ratchet, AnotherPlanIsRefused) {
 // The stored record with one comparison worse than accepted, and what the ratchet says of it.
 void write_held(const TestFolder& folder) {
   Json record = stored_record();
-  Json& comparison = tangent_family(record)["comparisons"]["edge_bc.side_a"];
+  Json& comparison = tangent_counts(record)["comparisons"]["edge_bc.side_a"];
   comparison["missed_separation"] = comparison["masked"] = 2;
   const Ratchet ratchet = parse_ratchet(reviewed(), "r.txt");
   folder.write("record.json", record.dump());
