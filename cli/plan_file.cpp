@@ -131,7 +131,8 @@ PlanFile read_plan_file(const std::string& path) {
   try {
     for_each_option(file.options, [&](const char* name, auto& value) { get_member(json.at("options"), name, value); });
     get_member(json, "units_per_stretch", file.units_each);
-    for (const char* count : {"queries", "units", "stretches"}) whole_number<std::uint64_t>(json.at(count));
+    std::uint64_t counted;  // again, where the plan is taken
+    for (const char* count : {"queries", "units", "stretches"}) get_member(json, count, counted);
     if (!json.at("plan").is_object()) throw Error("'plan' is no object");
   } catch (const std::exception& wrong) {
     throw Error(fmt::format("{}: not as {} has it: {}", path, plan_schema, wrong.what()));

@@ -84,6 +84,8 @@ class Plan(PlanCase):
                                          ("options", "seed", -1, "-1 is no whole number"),
                                          ("options", "families", 7, "must be array"),
                                          (None, "units_per_stretch", 0.5, "0.5 is no whole number"),
+                                         (None, "queries", -7, "-7 is no whole number"),
+                                         (None, "stretches", "many", "is no whole number"),
                                          (None, "plan", "\x1b[31m", "is no object")):
             self.refused(*run, self.resigned(text, where, name, value),
                          says=["broken.json: not as axiscert-plan/1 has it", f"'{name}'", says])

@@ -69,10 +69,8 @@ template <>
 constexpr std::array<Size, 3> sizes<double> = {
     {{1, 4, 4}, {64, 1 << 10, 1 << 30}, {1 << 10, 1 << 24, std::int64_t{1} << 52}}};
 
-}  // namespace
-
 template <class Real>
-Query<Real> touching_integers(Stream& random, std::uint64_t position) {
+Query<Real> turned_and_moved(Stream& random, std::uint64_t position) {
   const Size& size = sizes<Real>[position / axis_count % 3];
   const Rotation rotate = rotation(random, size.quaternion);
   const auto local = local_vertices(random, position % axis_count, size.local);
@@ -83,6 +81,13 @@ Query<Real> touching_integers(Stream& random, std::uint64_t position) {
     return Vec3<Real>{static_cast<Real>(moved.x), static_cast<Real>(moved.y), static_cast<Real>(moved.z)};
   };
   return {real(local[0]), real(local[1]), real(local[2]), real({0, 0, z}), static_cast<Real>(z * rotate.n)};
+}
+
+}  // namespace
+
+template <class Real>
+Query<Real> touching_integers(Stream& random, std::uint64_t position) {
+  return turned_and_moved<Real>(random, position);
 }
 template Query<float> touching_integers(Stream&, std::uint64_t);
 template Query<double> touching_integers(Stream&, std::uint64_t);
