@@ -14,8 +14,8 @@ namespace axiscert::certified {
 
 // A value of a degree in a query's numbers, in units of the least double to that power. Digits from -2^55 to 2^55 - 1
 // to the base 2^56: of a number there is one such form, and no borrow travels in it. In those units the numbers are
-// below 2^(n - 1), n = 2099, and the values below 2^(degree n + 7) (exact_step.cpp, Integers); one below 2^b has at
-// most (b + 2) / 56 digits, rounded up, which is 38 for each degree.
+// below 2^(n - 1), n = 2099, and the values and what they are sums of below 2^(degree n + 7) (exact_step.cpp,
+// Integers); one below 2^b has at most (b + 2) / 56 digits, rounded up, which is 38 for each degree.
 template <int degree>
 struct BalancedDigits {
   static constexpr int base_bits = 56, most = 38 * degree;

@@ -159,14 +159,14 @@ bool separated_by_digits(const double (&q)[13], bool open, Known known) noexcept
 }
 
 // A radius of at most this power of two, where the other twelve numbers are integers below 2^(n - 1): rr times 1,
-// |AB|^2 < 2^(2n + 2) or |V|^2 < 2^(4n + 4) is below 1, and the other side of a radius comparison is an integer. Beyond
-// iff that is not zero, closed or open: as the closed sphere of radius 0 is. Meshes are asked with the least radius
-// that there is.
+// |AB|^2 < 2^(2n + 2) or |V|^2 < 2^(4n + 4) is below 1, and the other side of a radius comparison is an integer. Of an
+// axis that has a normal: beyond iff that is not zero, closed or open, as the closed sphere of radius 0 is. Meshes are
+// asked with the least radius that there is.
 constexpr int negligible_radius(int n) { return -2 * n - 2; }
 
 // The numbers as integers below 2^(bits - 1), if they are that in units of 2^(top - bits + 1), where 2^top is the least
-// power of two above all of them; but for a radius that is negligible in these. The processor's own conversions, exact
-// where they give the number back.
+// power of two above all of them; but for a radius that is negligible in these. The processor's own conversions: one
+// that is inexact does not give the number back, but of a radius that underflows, negligible however that rounds.
 template <int bits>
 bool fit(const double (&q)[13], int top, Query13<Integers<bits>>& numbers, bool& open) noexcept {
   static_assert(bits <= 62);

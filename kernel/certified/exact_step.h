@@ -6,7 +6,8 @@
 namespace axiscert::certified {
 
 // What an earlier step is certain of: bits of the axes A, B, C, ABC, AB, BC, CA, from the first bit of each group.
-// fails: the axis does not separate. radius, sides: these comparisons of the axis hold.
+// fails: the axis does not separate. radius, sides: these comparisons of the axis hold; its radius only where it has a
+// normal, for where A = B the open sphere's 0 >= 0 says nothing.
 struct Known {
   static constexpr int vertex_axis = 0, plane_axis = 3, edge_axis = 4, axes = 7;
   static constexpr int fails = 0, radius = 8, sides = 16;
@@ -32,8 +33,9 @@ struct Known {
 // Whether the sphere is separated from the triangle, for the question asked. The query is valid: finite, r >= 0;
 // binary32 enters widened. Evaluates what is not known, in integers on the stack: of 1 to 12 words, in units of the
 // least bit that is set in any of the thirteen numbers, where these are fewer than 2^126 apart; else by balls, and what
-// these do not tell by the digits that are not zero. Its only floating-point operations are exact ones, so that no
-// rounding mode matters. About 4 KiB of stack, 26 for numbers farther apart.
+// these do not tell by the digits that are not zero. No rounding mode matters: a floating-point operation that is
+// inexact does not give its number back, which is looked at; subnormal numbers must not be flushed. About 4 KiB of
+// stack, 29 for numbers farther apart.
 bool exactly_separated(const double (&query)[13], Question question, Known known) noexcept;
 
 }  // namespace axiscert::certified
