@@ -2,8 +2,6 @@
 // digits or balls.
 #pragma once
 
-#include "kernel/certified/exact_step.h"
-
 namespace axiscert::certified {
 
 template <class Number>
