@@ -7,12 +7,15 @@
 #include <limits>
 #include <random>
 
+#include "exact/test_rational.h"
 #include "kernel/certified/ball.h"
 #include "kernel/certified/balanced_digits.h"
 #include "kernel/certified/integer.h"
 
 namespace axiscert::certified {
 namespace {
+
+using testing_support::times_power;
 
 constexpr std::uint64_t seed = 1074;
 
@@ -110,12 +113,9 @@ TEST(BalancedDigits, AreFewOfNumbersFarApart) {
   EXPECT_EQ((digits_of(Dyadic(1)) - digits_of(Dyadic(std::numeric_limits<double>::denorm_min()))).size, 2);
 }
 
-mpq_class times_power_of_two(const mpq_class& x, int exponent) {
-  return exponent < 0 ? mpq_class(x / power_of_two(-exponent)) : mpq_class(x * power_of_two(exponent));
-}
 void expect_holds(const Ball& ball, const mpq_class& exact) {
-  const mpq_class low = times_power_of_two(mpq_class(static_cast<long>(ball.middle - ball.error)), ball.exponent),
-                  high = times_power_of_two(mpq_class(static_cast<long>(ball.middle + ball.error)), ball.exponent);
+  const mpq_class low = times_power(mpq_class(static_cast<long>(ball.middle - ball.error)), ball.exponent),
+                  high = times_power(mpq_class(static_cast<long>(ball.middle + ball.error)), ball.exponent);
   EXPECT_LE(low, exact);
   EXPECT_GE(high, exact);
   EXPECT_LE(ball.error, (std::int64_t{1} << 62) + 1);

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "exact/error_measure.h"
-#include "exact/rational.h"
+#include "exact/test_rational.h"
 #include "exact/vertex_sides.h"
 #include "kernel/kernel.h"
 #include "kernel/scalar.h"
@@ -16,19 +16,12 @@
 namespace axiscert {
 namespace {
 
-using testing_support::random_query;
+using testing_support::random_query, testing_support::times_power;
 
 // A power of two of any exponent that binary64 has, times a number of few bits or of all.
 double operand(std::mt19937_64& random) {
   const auto significand = static_cast<double>(static_cast<std::int64_t>(random()) >> (random() % 64));
   return std::ldexp(significand, static_cast<int>(random() % 2098) - 1137);
-}
-
-Rational times_power(const Rational& x, int exponent) {
-  Rational result;
-  if (exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  else mpq_div_2exp(result.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  return result;
 }
 
 // Sums, differences and products up to degree 6 of numbers of far and of near sizes, each beside the rational.

@@ -29,8 +29,9 @@ inline std::string text_of(const std::filesystem::path& path) {
 // testdata/record.json: `published` with flips on `tangent`, none on `lattice` and `mesh/a|b.obj`; `<script>`, which
 // shows only verdicts, with flips on both of its families. Tolerance for plane.radius, requirement `logic`.
 inline Json stored_record() { return Json::parse(text_of(AXISCERT_TESTDATA "/record.json")); }
-inline Json& tangent_counts(Json& record) { return record["kernels"][0]["families"]["tangent"]; }
 inline Json stored_run_info() { return Json::parse(text_of(AXISCERT_TESTDATA "/run.json")); }
+// What it says of `published` on `tangent`.
+inline Json& tangent_counts(Json& record) { return record["kernels"][0]["families"]["tangent"]; }
 
 class TestFolder {
  public:

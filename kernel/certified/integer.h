@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 
 namespace axiscert::certified {
 
@@ -15,6 +14,7 @@ __extension__ using Int128 = __int128;
 // integers; signs are masks, for a branch on them would be missed every other time.
 template <std::size_t words>
 struct Integer {
+  static constexpr std::size_t size = words;
   std::uint64_t word[words];  // the least first
 
   std::uint64_t sign_mask() const noexcept { return ~((word[words - 1] >> 63) - 1); }  // all ones where negative
@@ -72,7 +72,7 @@ struct Integer {
 // a b, which fits in the words of `Result`.
 template <class Result, std::size_t m, std::size_t n>
 Result product(const Integer<m>& a, const Integer<n>& b) noexcept {
-  constexpr std::size_t words = std::size(Result{}.word);
+  constexpr std::size_t words = Result::size;
   static_assert(words <= m + n);
   if constexpr (words <= 2) {
     return Integer<words>::of(a.native() * b.native());
@@ -116,7 +116,7 @@ Result product(const Integer<m>& a, const Integer<n>& b) noexcept {
 // significand 2^shift, where that fits.
 template <class Result>
 Result shifted(std::uint64_t significand, unsigned shift, bool negative) noexcept {
-  constexpr std::size_t words = std::size(Result{}.word);
+  constexpr std::size_t words = Result::size;
   Result x{};
   const std::size_t at = shift / 64;
   const unsigned by = shift % 64;
