@@ -6,11 +6,9 @@ if(TARGET axiscert_plugin_host)
 endif()
 
 # Plug-ins that come along: `peer/NAME` and `fault/NAME`.
-foreach(folder peers faults)
-  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/kernel/${folder}/CMakeLists.txt)
-    continue()
-  endif()
-  get_property(targets DIRECTORY ${PROJECT_SOURCE_DIR}/kernel/${folder} PROPERTY BUILDSYSTEM_TARGETS)
+foreach(room kernel/peers kernel/sphere_triangle/faults)
+  get_filename_component(folder ${room} NAME)
+  get_property(targets DIRECTORY ${PROJECT_SOURCE_DIR}/${room} PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target ${targets})
     get_target_property(type ${target} TYPE)
     if(type STREQUAL MODULE_LIBRARY)
@@ -31,7 +29,7 @@ add_library(axiscert_plugin INTERFACE)
 target_include_directories(axiscert_plugin INTERFACE $<INSTALL_INTERFACE:include>)
 set_target_properties(axiscert_plugin PROPERTIES EXPORT_NAME plugin)
 install(TARGETS axiscert_plugin EXPORT axiscertTargets)
-install(FILES kernel/plugin.h DESTINATION include/axiscert)
+install(FILES kernel/include/axiscert/plugin.h DESTINATION include/axiscert)
 
 install(EXPORT axiscertTargets NAMESPACE axiscert:: DESTINATION ${package_folder})
 install(FILES ${PROJECT_BINARY_DIR}/axiscertConfig.cmake ${PROJECT_BINARY_DIR}/axiscertConfigVersion.cmake

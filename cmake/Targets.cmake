@@ -8,39 +8,64 @@ target_compile_options(kernel_fp INTERFACE -ffp-contract=off)
 add_library(axiscert_warnings INTERFACE)
 target_compile_options(axiscert_warnings INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion)
 
-# axiscert_unity(TARGET): its sources compiled eight at a time, for most of what a file costs is headers and what it instantiates of
-# them. So names in unnamed namespaces are a target's own, not a file's. Not those that compile for several instruction sets, which
-# include themselves, nor, as CMake has it, those with options of their own.
-function(axiscert_unity target)
-  get_target_property(sources ${target} SOURCES)
-  foreach(source ${sources})
-    get_filename_component(path ${source} ABSOLUTE)
-    if(EXISTS ${path})
-      file(STRINGS ${path} vectors REGEX "foreach_target\\.h" LIMIT_COUNT 1)
-      if(vectors)
-        set_property(SOURCE ${source} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
-      endif()
-    endif()
-  endforeach()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+# axiscert_sources(result ROOMS folders... [EXCEPT names...]): what the rooms are compiled from, so that a new file is no line here. Tests,
+# benchmarks, fuzz targets and programs (`_test`, `_bench`, `_target`, `write_`, `print_`) are named by whoever makes them.
+function(axiscert_sources result)
+  cmake_parse_arguments(arg "" "" "ROOMS;EXCEPT" ${ARGN})
+  list(TRANSFORM arg_ROOMS APPEND /*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${arg_ROOMS})
+  list(FILTER sources EXCLUDE REGEX "_(test|bench|target)\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "(^|/)(write|print)_[a-z_]*\\.cpp$")
+  list(REMOVE_ITEM sources ${arg_EXCEPT})
+  set(${result} ${sources} PARENT_SCOPE)
 endfunction()
 
-# axiscert_test(NAME SOURCES... LIBRARIES libraries... [PRECOMPILE header]): a GoogleTest program, one CTest test a case.
-# Suites whose names end in "Long", typed ones (SuiteLong/0) too, get the label `long`. PRECOMPILE: what many of the sources
-# include, read once.
+# What every test may ask for: where the tree and the build are, the meshes of the package assimp-testmodels, and by how much the
+# numbers of queries are divided. The same for all of them, so that they can share a precompiled header.
+add_library(axiscert_test_settings INTERFACE)
+target_compile_definitions(axiscert_test_settings INTERFACE
+  SOURCE_FOLDER="${PROJECT_SOURCE_DIR}" BUILD_FOLDER="${PROJECT_BINARY_DIR}" TEST_MODELS="${TEST_MODELS}"
+  TRIAL_DIVISOR=${AXISCERT_TRIAL_DIVISOR} AXISCERT_VERSION="${PROJECT_VERSION}")
+
+# axiscert_test_header(LAYER LIBRARIES libraries... HEADERS headers...): the precompiled header of a layer's tests, read once.
+function(axiscert_test_header layer)
+  if(NOT AXISCERT_TESTS)
+    return()
+  endif()
+  cmake_parse_arguments(arg "" "" "LIBRARIES;HEADERS" ${ARGN})
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/${layer}_test_header.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "" @ONLY)
+  add_library(${layer}_test_header OBJECT EXCLUDE_FROM_ALL ${source})
+  target_link_libraries(${layer}_test_header PRIVATE ${arg_LIBRARIES} axiscert_test_settings axiscert_warnings GTest::gtest GTest::gmock)
+  target_precompile_headers(${layer}_test_header PRIVATE <gtest/gtest.h> <gmock/gmock.h> ${arg_HEADERS})
+endfunction()
+
+# axiscert_test(NAME SOURCES... [ROOMS folders...] LIBRARIES libraries... [HEADER layer] [LONG]): a GoogleTest program, one CTest test
+# a case, of its sources and the `_test.cpp` of its rooms. Suites whose names end in "Long", typed ones (SuiteLong/0) too, get the label
+# `long`; with LONG all do. HEADER: the layer whose precompiled header it takes.
 function(axiscert_test name)
   if(NOT AXISCERT_TESTS)
     return()
   endif()
-  cmake_parse_arguments(arg "" "PRECOMPILE" "LIBRARIES" ${ARGN})
-  add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
-  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_warnings GTest::gtest_main)
-  axiscert_unity(${name})
-  if(arg_PRECOMPILE)
-    target_precompile_headers(${name} PRIVATE <gtest/gtest.h> "${PROJECT_SOURCE_DIR}/${arg_PRECOMPILE}")
+  cmake_parse_arguments(arg "LONG" "HEADER" "LIBRARIES;ROOMS" ${ARGN})
+  set(sources ${arg_UNPARSED_ARGUMENTS})
+  if(arg_ROOMS)
+    list(TRANSFORM arg_ROOMS APPEND /*_test.cpp)
+    file(GLOB found CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${arg_ROOMS})
+    list(APPEND sources ${found})
+  endif()
+  add_executable(${name} ${sources})
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_test_settings axiscert_warnings GTest::gtest GTest::gmock GTest::gtest_main)
+  if(arg_HEADER)
+    target_precompile_headers(${name} REUSE_FROM ${arg_HEADER}_test_header)
   endif()
   include(GoogleTest)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER -*Long.*:*Long/* TEST_LIST ${name}_fast PROPERTIES TIMEOUT 900)
+  set(long_label "")
+  if(arg_LONG)
+    set(long_label LABELS long)
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER -*Long.*:*Long/* TEST_LIST ${name}_fast
+                       PROPERTIES ${long_label} TIMEOUT 900)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER *Long.*:*Long/* TEST_LIST ${name}_long
                        PROPERTIES LABELS long TIMEOUT 7200)
 endfunction()
@@ -52,7 +77,7 @@ function(axiscert_bench name)
   endif()
   cmake_parse_arguments(arg "" "" "LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
-  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_warnings benchmark::benchmark_main)
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_test_settings axiscert_warnings benchmark::benchmark_main)
 endfunction()
 
 # axiscert_vector_sources(SOURCES...): of these, those that compile for several instruction sets lose UBSan, whose checks of

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/evaluate.h"
+#include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

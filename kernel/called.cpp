@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "kernel/error.h"
+#include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
 
 namespace axiscert {

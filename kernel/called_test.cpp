@@ -6,7 +6,7 @@
 #include <cfenv>
 #include <random>
 
-#include "kernel/error.h"
+#include "kernel/base/error.h"
 #include "kernel/testing/queries.h"
 #include "kernel/testing/random.h"
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/arithmetic_list.h"
+#include "kernel/arithmetic/arithmetic_list.h"
 #include "kernel/finding.h"
-#include "kernel/formulae_list.h"
+#include "kernel/sphere_triangle/formulae_list.h"
 #include "kernel/query.h"
 
 namespace axiscert {
@@ -124,8 +124,8 @@ const std::vector<ArithmeticInfo>& arithmetics();
 // The kernels that stand in the registry.
 std::span<const Kernel> kernels();
 // One of those; RUNG+ARITHMETIC, for the scalar form of a rung in one of arithmetics(); either with @CALL
-// (kernel/called.h); plugin:PATH for a plug-in (kernel/plugin.h), peer/NAME or fault/NAME for one that comes with
-// axiscert. Throws Error naming what exists. The reference is good for the life of the program.
+// (kernel/called.h); plugin:PATH for a plug-in (kernel/include/axiscert/plugin.h), peer/NAME or fault/NAME for one that
+// comes with axiscert. Throws Error naming what exists. The reference is good for the life of the program.
 const Kernel& find_kernel(std::string_view id);
 
 }  // namespace axiscert

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "kernel/contracted.h"
-#include "kernel/error.h"
-#include "kernel/evaluate.h"
+#include "kernel/sphere_triangle/reference/contracted.h"
+#include "kernel/base/error.h"
+#include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/kernel.h"
-#include "kernel/scalar.h"
+#include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/self_check.h"
 
 namespace axiscert {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "kernel/geometry.h"
+#include "kernel/base/geometry.h"
 #include "kernel/names.h"
 
 namespace axiscert {

@@ -8,15 +8,15 @@
 #include <mutex>
 
 #include "kernel/called.h"
-#include "kernel/certified/kernels.h"
-#include "kernel/eigen.h"
-#include "kernel/error.h"
-#include "kernel/filter/kernels.h"
-#include "kernel/mutants/mutant.h"
-#include "kernel/packed.h"
+#include "kernel/sphere_triangle/certified/kernels.h"
+#include "kernel/sphere_triangle/forms/eigen.h"
+#include "kernel/base/error.h"
+#include "kernel/sphere_triangle/certified_filter/kernels.h"
+#include "kernel/sphere_triangle/mutants/mutant.h"
+#include "kernel/sphere_triangle/forms/packed.h"
 #include "kernel/plugin/load.h"
-#include "kernel/scalar_kernel.h"
-#include "kernel/simd.h"
+#include "kernel/sphere_triangle/reference/scalar_kernel.h"
+#include "kernel/sphere_triangle/forms/simd.h"
 
 namespace axiscert {
 namespace {

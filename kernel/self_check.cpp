@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "kernel/error.h"
-#include "kernel/evaluate.h"
+#include "kernel/base/error.h"
+#include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

@@ -7,9 +7,9 @@
 #include <cstring>
 
 #include "examples/character/comparison.h"
-#include "exact/geometric_oracle.h"
-#include "fuzz/sha256.h"
-#include "kernel/error.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "fuzz/files/sha256.h"
+#include "kernel/base/error.h"
 
 namespace axiscert::character {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "exact/depth.h"
-#include "exact/geometric_oracle.h"
-#include "kernel/error.h"
+#include "exact/sphere_triangle/measures/depth.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "kernel/base/error.h"
 
 namespace axiscert::character {
 namespace {

@@ -21,7 +21,7 @@ struct Wrong {
   std::size_t ask;
   std::uint32_t triangle;
   bool missed;   // else invented
-  double depth;  // exact/depth.h
+  double depth;  // exact/sphere_triangle/measures/depth.h
 };
 
 struct Errors {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "exact/area.h"
+#include "exact/sphere_triangle/oracles/area.h"
 
 namespace axiscert::character {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/mesh.h"
-#include "kernel/certified.h"
+#include "fuzz/meshes/mesh.h"
+#include "kernel/include/axiscert/certified.h"
 
 namespace axiscert::character {
 

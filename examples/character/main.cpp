@@ -12,11 +12,11 @@
 #include "examples/character/comparison.h"
 #include "examples/character/picture.h"
 #include "examples/character/table.h"
-#include "fuzz/file_bytes.h"
-#include "fuzz/number_text.h"
-#include "kernel/error.h"
+#include "fuzz/files/file_bytes.h"
+#include "fuzz/files/number_text.h"
+#include "kernel/base/error.h"
 #include "kernel/self_check.h"
-#include "reports/finding.h"
+#include "reports/wording/finding.h"
 
 namespace axiscert::character {
 namespace {

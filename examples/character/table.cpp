@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/aligned_table.h"
+#include "reports/wording/aligned_table.h"
 
 namespace axiscert::character {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "fuzz/random.h"
-#include "kernel/error.h"
+#include "fuzz/queries/random.h"
+#include "kernel/base/error.h"
 
 namespace axiscert::character {
 namespace {

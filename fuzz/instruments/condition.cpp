@@ -4,11 +4,12 @@
 
 #include <algorithm>
 
-#include "exact/claim.h"
-#include "exact/condition.h"
-#include "exact/depth.h"
-#include "exact/geometric_oracle.h"
-#include "fuzz/campaign.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/measures/condition_number.h"
+#include "exact/sphere_triangle/measures/depth.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "fuzz/campaign/campaign.h"
 #include "fuzz/instruments/blocks.h"
 
 namespace axiscert {
@@ -70,7 +71,7 @@ Findings search(const ConditionPlan& plan, const std::vector<Implementation<Real
   for (std::uint64_t position = block.first; position < block.first + block.size; ++position) {
     Query<Real> q;
     source.make(plan.seed, position, q);
-    const Truth truth = exact_truth(q, position % second_opinion_stride == 0);
+    const ExactTruth truth = exact_truth(q, position % second_opinion_stride == 0);
     if (!truth.formula) {
       ++found.invalid;
       continue;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fuzz/instruments/extreme.h"
-#include "fuzz/source.h"
+#include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
@@ -38,7 +38,8 @@ struct ConditionCounts {
   bool operator==(const ConditionCounts&) const = default;
 };
 
-// How far the centre has to move for the answer to be right, relative to the scene: exact/depth.h.
+// How far the centre has to move for the answer to be right, relative to the scene:
+// exact/sphere_triangle/measures/depth.h.
 struct WrongVerdict {
   double depth;
   std::uint64_t position;

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "fuzz/family.h"
+#include "fuzz/queries/family.h"
 #include "fuzz/instruments/instruments_testing.h"
 
 namespace axiscert {

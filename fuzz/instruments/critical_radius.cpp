@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "exact/critical_radius.h"
-#include "exact/geometric_oracle.h"
-#include "fuzz/address.h"
+#include "exact/sphere_triangle/measures/critical_radius.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "fuzz/queries/address.h"
 #include "fuzz/instruments/blocks.h"
-#include "fuzz/query_file.h"
+#include "fuzz/files/query_file.h"
 
 namespace axiscert {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fuzz/instruments/extreme.h"
-#include "fuzz/source.h"
+#include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

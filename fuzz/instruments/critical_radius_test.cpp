@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "fuzz/family.h"
+#include "fuzz/queries/family.h"
 #include "fuzz/instruments/instruments_testing.h"
-#include "fuzz/query_file.h"
+#include "fuzz/files/query_file.h"
 
 namespace axiscert {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "exact/error_measure.h"
+#include "exact/sphere_triangle/measures/error_measure.h"
 
 namespace axiscert {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/formula_oracle.h"
-#include "exact/unbounded.h"
-#include "fuzz/family.h"
+#include "exact/sphere_triangle/oracles/formula_oracle.h"
+#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "fuzz/queries/family.h"
 
 namespace axiscert {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "exact/error_measure.h"
+#include "exact/numbers/decimal6.h"
 
 namespace axiscert {
 

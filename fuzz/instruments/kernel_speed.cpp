@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "fuzz/family.h"
+#include "fuzz/queries/family.h"
 
 namespace axiscert {
 namespace {

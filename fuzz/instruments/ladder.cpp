@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/claim.h"
-#include "exact/critical_radius.h"
-#include "exact/geometric_oracle.h"
-#include "fuzz/campaign.h"
+#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/measures/critical_radius.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "fuzz/campaign/campaign.h"
 #include "fuzz/instruments/blocks.h"
 
 namespace axiscert {
@@ -97,7 +99,7 @@ void judge_block(const LadderPlan& plan, const QueryBlock& block, KernelAccuracy
   for (std::uint64_t i = 0; i < block.size; ++i) {
     const std::uint64_t position = block.first + i;
     const Query<Real> q = batch[i];
-    const Truth truth = exact_truth(q, position % second_opinion_stride == 0);
+    const ExactTruth truth = exact_truth(q, position % second_opinion_stride == 0);
     if (!truth.formula) continue;
     Claims<Real> claims(q, *truth.formula);
     std::optional<Rational> distance;

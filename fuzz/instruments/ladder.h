@@ -4,7 +4,7 @@
 #include "fuzz/instruments/error_spread.h"
 #include "fuzz/instruments/exponent_window.h"
 #include "fuzz/instruments/kernel_speed.h"
-#include "fuzz/source.h"
+#include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

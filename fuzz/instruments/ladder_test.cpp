@@ -1,11 +1,12 @@
 // The ladder: a row is one kernel's and no other's; windows are those that are known; threads change nothing.
+#include "exact/sphere_triangle/measures/error_measure.h"
 #include "fuzz/instruments/ladder.h"
 
 #include <gtest/gtest.h>
 
-#include "exact/unbounded.h"
+#include "exact/sphere_triangle/unbounded/unbounded.h"
 #include "fuzz/instruments/ladder_steps.h"
-#include "kernel/scalar_kernel.h"
+#include "kernel/sphere_triangle/reference/scalar_kernel.h"
 
 namespace axiscert {
 namespace {

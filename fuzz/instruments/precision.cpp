@@ -6,9 +6,10 @@
 
 #include <limits>
 
-#include "exact/at_precision.h"
-#include "exact/claim.h"
-#include "fuzz/campaign.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/sphere_triangle/unbounded/at_precision.h"
+#include "exact/judge/claim.h"
+#include "fuzz/campaign/campaign.h"
 
 namespace axiscert {
 namespace {
@@ -63,7 +64,7 @@ template <class Real>
 void measure_query(const PrecisionPlan& plan, const Source& source, std::uint64_t position, PrecisionTally& tally) {
   Query<Real> q;
   source.make(plan.seed, position, q);
-  const Truth truth = exact_truth(q, position % second_opinion_stride == 0);
+  const ExactTruth truth = exact_truth(q, position % second_opinion_stride == 0);
   if (!truth.formula) return;
   ++tally.queries;
   Claims<Real> claims(q, *truth.formula);

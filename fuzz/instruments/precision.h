@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "fuzz/source.h"
+#include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

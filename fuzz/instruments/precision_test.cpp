@@ -8,11 +8,11 @@
 #include <bit>
 #include <limits>
 
-#include "exact/at_precision.h"
-#include "exact/degree.h"
-#include "exact/unbounded.h"
-#include "fuzz/family_testing.h"
-#include "kernel/error.h"
+#include "exact/sphere_triangle/unbounded/at_precision.h"
+#include "exact/sphere_triangle/unbounded/degree.h"
+#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "fuzz/queries/family_testing.h"
+#include "kernel/base/error.h"
 
 namespace axiscert {
 namespace {

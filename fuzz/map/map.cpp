@@ -7,9 +7,10 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/filter/decided_check.h"
-#include "fuzz/hunt/moves.h"
-#include "fuzz/hunt/proved.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/sphere_triangle/filters/decided_check.h"
+#include "fuzz/search/moves.h"
+#include "fuzz/search/proved.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
@@ -130,7 +131,7 @@ class Drawing {
   // The pixels from `first` to before `last`, row by row.
   void draw(std::size_t first, std::size_t last) const {
     const Implementation<Real> kernel = plan_.kernel->on<Real>(plan_.target);
-    Ladder<Real> ladder(filter_on<Real>(plan_.target));
+    Cascade<Real> cascade(filter_on<Real>(plan_.target));
     QueryBatch<Real> batch(batch_pixels);
     Reply<Real> reply;
     for (std::size_t at = first; at < last; at += batch.size()) {
@@ -139,7 +140,7 @@ class Drawing {
         batch.push_back(query_at(plan_.plane, witness_, i % plan_.plane.columns(), i / plan_.plane.columns()));
       }
       ask(kernel, batch.columns(), reply);
-      const std::vector<DecidedSigns>& decided = ladder.decide(batch);
+      const std::vector<DecidedSigns>& decided = cascade.decide(batch);
       for (std::size_t i = 0; i < batch.size(); ++i) {
         const Query<Real> q = batch[i];
         if (!is_valid(q)) continue;  // no_query, as it was begun

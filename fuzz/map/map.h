@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "exact/filter/ladder.h"
-#include "exact/judge.h"
+#include "exact/sphere_triangle/filters/cascade.h"
+#include "exact/judge/judge.h"
 #include "fuzz/map/plane.h"
-#include "fuzz/query_file.h"
+#include "fuzz/files/query_file.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
@@ -61,7 +61,7 @@ struct MapPicture {
 // every 64th, the signs are decided again by CGAL, the exact formulae and MPFR: throws OracleDisagreement.
 //
 // The uncertain band of a comparison is where a bound does not tell its sign: the proved bound of the kernel's own
-// sides where there is one and the query is in its box (fuzz/hunt/proved.h), else that of the lanes of the filter
+// sides where there is one and the query is in its box (fuzz/search/proved.h), else that of the lanes of the filter
 // (docs/error_model.md). Of an axis and of a verdict, where the certain comparisons do not settle it.
 std::vector<MapPicture> draw_map(const MapPlan& plan);
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/examine.h"
-#include "exact/rational.h"
-#include "fuzz/family.h"
+#include "exact/judge/examine.h"
+#include "exact/numbers/rational.h"
+#include "fuzz/queries/family.h"
 #include "fuzz/instruments/instruments_testing.h"
-#include "fuzz/query_testing.h"
+#include "fuzz/files/query_testing.h"
 
 namespace axiscert {
 namespace {

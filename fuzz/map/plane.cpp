@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fuzz/hunt/moves.h"
-#include "kernel/error.h"
+#include "fuzz/search/moves.h"
+#include "kernel/base/error.h"
 
 namespace axiscert {
 namespace {

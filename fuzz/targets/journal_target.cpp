@@ -8,9 +8,9 @@
 #include <fstream>
 #include <vector>
 
-#include "fuzz/file_bytes.h"
-#include "fuzz/scale/gathered.h"
-#include "fuzz/scale/journal.h"
+#include "fuzz/files/file_bytes.h"
+#include "fuzz/campaign/parts/gathered.h"
+#include "fuzz/campaign/parts/journal.h"
 #include "fuzz/targets/target.h"
 
 namespace {

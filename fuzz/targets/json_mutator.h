@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "fuzz/hunt/dice.h"
+#include "fuzz/search/dice.h"
 
 namespace axiscert::fuzzing {
 

@@ -5,20 +5,21 @@
 
 #include <map>
 
-#include "exact/claim.h"
-#include "exact/critical_radius.h"
-#include "exact/depth.h"
-#include "exact/filter/decided_check.h"
-#include "exact/geometric_oracle.h"
-#include "exact/grid_signs.h"
-#include "exact/wide_margins.h"
-#include "fuzz/query_file.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/measures/critical_radius.h"
+#include "exact/sphere_triangle/measures/depth.h"
+#include "exact/sphere_triangle/filters/decided_check.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/sphere_triangle/filters/grid_signs.h"
+#include "exact/sphere_triangle/filters/wide_margins.h"
+#include "fuzz/files/query_file.h"
 #include "fuzz/targets/margin_bucket.h"
 #include "fuzz/targets/query_moves.h"
 #include "fuzz/targets/target.h"
 #include "kernel/ask.h"
-#include "kernel/certified.h"
-#include "kernel/scalar.h"
+#include "kernel/include/axiscert/certified.h"
+#include "kernel/sphere_triangle/reference/scalar.h"
 
 namespace {
 
@@ -188,7 +189,7 @@ class Look {
   }
 
   const Query<Real>& q_;
-  std::optional<Truth> truth_;
+  std::optional<ExactTruth> truth_;
   mutable double depth_ = 0;
 };
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "exact/formula_oracle.h"
+#include "exact/sphere_triangle/oracles/formula_oracle.h"
 
 namespace axiscert::fuzzing {
 

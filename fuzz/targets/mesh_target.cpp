@@ -11,11 +11,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "fuzz/family.h"
-#include "fuzz/mesh.h"
-#include "fuzz/mesh_import.h"
-#include "fuzz/random.h"
-#include "fuzz/source.h"
+#include "fuzz/queries/family.h"
+#include "fuzz/meshes/mesh.h"
+#include "fuzz/meshes/mesh_import.h"
+#include "fuzz/queries/random.h"
+#include "fuzz/queries/source.h"
 #include "fuzz/targets/target.h"
 
 namespace {

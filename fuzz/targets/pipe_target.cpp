@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "fuzz/file_bytes.h"
-#include "fuzz/replies.h"
-#include "fuzz/sha256.h"
+#include "fuzz/files/file_bytes.h"
+#include "fuzz/pipe/replies.h"
+#include "fuzz/files/sha256.h"
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
 

@@ -1,7 +1,7 @@
 // Query files: accepted and written again, they are the same queries; or refused by Error.
 #include <bit>
 
-#include "fuzz/query_file.h"
+#include "fuzz/files/query_file.h"
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/query_round_trip.h"
 

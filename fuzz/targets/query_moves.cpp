@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "exact/nearest_root.h"
-#include "fuzz/hunt/moves.h"
+#include "exact/sphere_triangle/measures/nearest_root.h"
+#include "fuzz/search/moves.h"
 
 namespace axiscert::fuzzing {
 namespace {

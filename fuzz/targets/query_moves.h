@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "fuzz/hunt/dice.h"
+#include "fuzz/search/dice.h"
 #include "fuzz/targets/fuzzed_query.h"
 
 namespace axiscert::fuzzing {

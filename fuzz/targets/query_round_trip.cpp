@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "fuzz/query_file.h"
+#include "fuzz/files/query_file.h"
 
 namespace axiscert::fuzzing {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "kernel/error.h"
+#include "kernel/base/error.h"
 
 namespace axiscert::fuzzing {
 

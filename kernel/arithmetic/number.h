@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "kernel/geometry.h"
+#include "kernel/base/geometry.h"
 
 namespace axiscert::arithmetic {
 

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <concepts>
 
-#include "kernel/plugin.h"
+#include "kernel/include/axiscert/plugin.h"
 #include "kernel/query.h"
 
 namespace axiscert::peer {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/plugin.h"
+#include "kernel/include/axiscert/plugin.h"
 #include "kernel/query.h"
 
 namespace axiscert::peer {
@@ -24,10 +24,10 @@ struct Reply {
 };
 
 // Runs body(plugin, write) with the plug-in's axiscert_plugin loaded. A body that takes 2 s of processor time is ended
-// by SIGXCPU. PEERS_FOLDER is the test program's.
+// by SIGXCPU. They stand in the folder of the build.
 using AxiscertPlugin = const axiscert_kernel*(std::uint32_t);
 inline Reply in_peer(const std::string& name, const std::function<std::string(AxiscertPlugin*)>& body) {
-  const std::string path = std::string(PEERS_FOLDER) + "/" + name + ".so";
+  const std::string path = BUILD_FOLDER "/peers/" + name + ".so";
   int ends[2];
   if (pipe(ends) != 0) return {"pipe failed", -1};
   const pid_t child = fork();

@@ -1,7 +1,7 @@
 // The floating-point modes of the thread, to see whether a call left them changed.
 #pragma once
 
-#include "kernel/environment.h"
+#include "kernel/base/environment.h"
 #include "kernel/plugin/shared_memory.h"
 
 namespace axiscert::plugin {

@@ -13,8 +13,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "kernel/address_sanitizer.h"
-#include "kernel/plugin.h"
+#include "kernel/base/address_sanitizer.h"
+#include "kernel/include/axiscert/plugin.h"
 #include "kernel/plugin/fault_handler.h"
 #include "kernel/plugin/floating_state.h"
 #include "kernel/plugin/shared_memory.h"

@@ -16,7 +16,7 @@
 #include <ctime>
 #include <filesystem>
 
-#include "kernel/error.h"
+#include "kernel/base/error.h"
 
 extern char** environ;
 

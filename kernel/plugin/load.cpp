@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "kernel/error.h"
-#include "kernel/plugin.h"
+#include "kernel/base/error.h"
+#include "kernel/include/axiscert/plugin.h"
 #include "kernel/plugin/supervisor.h"
-#include "kernel/utf8.h"
+#include "kernel/base/utf8.h"
 
 namespace axiscert::plugin {
 namespace {

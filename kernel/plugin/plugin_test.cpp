@@ -9,7 +9,7 @@
 #include <fstream>
 #include <random>
 
-#include "kernel/error.h"
+#include "kernel/base/error.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
 
@@ -41,7 +41,7 @@ struct Seen {
   std::vector<Finding> findings;
 };
 
-std::string path_of(const std::string& name) { return fmt::format("{}/{}.so", MISBEHAVING, name); }
+std::string path_of(const std::string& name) { return fmt::format(BUILD_FOLDER "/misbehaving/{}.so", name); }
 
 Seen supervise(const std::string& name) {
   const Kernel& kernel = find_kernel("plugin:" + path_of(name));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reports/comparison/two_proportions.h"
-#include "reports/json.h"
+#include "fuzz/files/json.h"
 
 namespace axiscert {
 

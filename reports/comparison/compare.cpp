@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "reports/summary.h"
+#include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {

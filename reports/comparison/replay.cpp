@@ -7,12 +7,12 @@
 #include <map>
 #include <memory>
 
-#include "exact/examine.h"
-#include "fuzz/query_line.h"
-#include "kernel/error.h"
-#include "reports/finding.h"
-#include "reports/record.h"
-#include "reports/reproduce.h"
+#include "exact/judge/examine.h"
+#include "fuzz/files/query_line.h"
+#include "kernel/base/error.h"
+#include "reports/wording/finding.h"
+#include "fuzz/confirm/record.h"
+#include "reports/wording/reproduce.h"
 
 namespace axiscert {
 namespace {

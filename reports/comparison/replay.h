@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/json.h"
+#include "fuzz/files/json.h"
 
 namespace axiscert {
 

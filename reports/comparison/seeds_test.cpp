@@ -3,7 +3,7 @@
 
 #include "kernel/kernel.h"
 #include "reports/comparison/compare.h"
-#include "reports/record.h"
+#include "fuzz/confirm/record.h"
 
 namespace axiscert {
 namespace {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <map>
 
-#include "kernel/utf8.h"
-#include "reports/markdown_text.h"
-#include "reports/reproduce.h"
-#include "reports/summary.h"
+#include "kernel/base/utf8.h"
+#include "reports/formats/markdown_text.h"
+#include "reports/wording/reproduce.h"
+#include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "fuzz/address.h"
+#include "fuzz/queries/address.h"
 #include "fuzz/instruments/extreme.h"
-#include "reports/json.h"
-#include "reports/summary.h"
+#include "fuzz/files/json.h"
+#include "reports/wording/summary.h"
 
 namespace axiscert {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/aligned_table.h"
-#include "reports/json.h"
+#include "reports/wording/aligned_table.h"
+#include "fuzz/files/json.h"
 
 namespace axiscert {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "fuzz/instruments/ladder_steps.h"
-#include "reports/instrument/ladder.h"
+#include "reports/instrument/ladder_report.h"
 
 namespace axiscert {
 namespace {

@@ -1,9 +1,9 @@
 // An instrument's page: tables as HTML, plots drawn by Chart.js from the figures beneath them.
 #include <fmt/format.h>
 
-#include "reports/embedded.h"
+#include "reports/page/embedded.h"
 #include "reports/instrument/instrument.h"
-#include "reports/page_template.h"
+#include "reports/page/page_template.h"
 
 namespace axiscert {
 namespace {

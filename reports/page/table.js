@@ -150,7 +150,7 @@ function copy_button(text) {
   return button;
 }
 
-// As a word of a shell's command: in quotes where it is not plain, as reports/reproduce.cpp has it. A page's text is
+// As a word of a shell's command: in quotes where it is not plain, as reports/wording/reproduce.cpp has it. A page's text is
 // Unicode, so bytes need no other form; control characters have their numbers.
 function shell_word(text) {
   if (/^[A-Za-z0-9_.\/:=,-]+$/.test(text)) return text;

@@ -1,11 +1,11 @@
 /* What the misbehaving plug-ins share: the published test in binary32, which they answer rightly but for the one thing
  * that each does wrong. Those that do it on some queries only do it on those whose radius is above 1000.
  */
-#include "kernel/plugin.h"
+#include "kernel/include/axiscert/plugin.h"
 
 #define real float
 #define OF_REAL(name) name##_binary32
-#include "kernel/faults/published_test.h"
+#include "kernel/sphere_triangle/faults/published_test.h"
 #undef real
 #undef OF_REAL
 

@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include "cli/running/check_output.h"
+#include "cli/commands/commands.h"
+#include "exact/judge/examine.h"
+#include "fuzz/queries/address.h"
+#include "fuzz/files/query_file.h"
+#include "reports/wording/finding.h"
+
+namespace axiscert {
+namespace {
+
+struct CheckOptions {
+  std::string file, kernel = "published", format = "text", target = "auto", precision = "binary32";
+  bool errors = false;
+};
+
+std::optional<SideErrors> errors_of(const StoredQuery& stored, const Kernel& kernel, const std::string& target) {
+  return std::visit([&]<class Real>(const Query<Real>& q) { return Confirmer<Real>(kernel, target).errors(q); },
+                    stored.query);
+}
+
+int check(const CheckOptions& options) {
+  const Kernel& kernel = find_kernel(options.kernel);
+  require_loaded(kernel);
+  const std::string target = resolve_target(options.target);
+  const auto queries = read_query_file(options.file, parse_precision(options.precision));
+  Examiner examiner(kernel, target);
+  for (const StoredQuery& stored : queries) {
+    if (!kernel.has(stored.precision)) {
+      throw Error(fmt::format("{}: query '{}' is in {}, in which kernel {} does not exist", options.file, stored.id,
+                              name(stored.precision), kernel.id));
+    }
+    const Examination found = std::visit([&](const auto& q) { return examiner.examine(q); }, stored.query);
+    if (options.format == "text") {
+      fmt::print("{}\n", check_text(stored.id, kernel, found));
+      if (options.errors) fmt::print("{}\n", errors_text(errors_of(stored, kernel, target)));
+    } else {
+      Json json = check_json(stored.id, kernel, found);
+      if (options.errors) json["errors"] = errors_json(errors_of(stored, kernel, target));
+      fmt::print("{}\n", json.dump());
+    }
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Action& action) {
+  auto* command =
+      app.add_subcommand("check", "Judge each query of a file: exact and computed answers, and why they differ");
+  auto options = std::make_shared<CheckOptions>();
+  command->add_option("FILE", options->file, "query file, JSON Lines or CSV; - reads standard input")->required();
+  command->add_option("--kernel", options->kernel, "kernel id")->capture_default_str();
+  command->add_option("--target", options->target, "instruction set, or auto")->capture_default_str();
+  command->add_option("--precision", options->precision, "of a CSV file, which does not say")->capture_default_str();
+  command->add_flag("--errors", options->errors, "the errors of the computed sides as well, in u, exactly");
+  add_plugin_seconds(*command);
+  add_format(*command, options->format, "jsonl");
+  command->callback([&action, options] { action = [options] { return check(*options); }; });
+}
+
+}  // namespace axiscert

@@ -1,0 +1,101 @@
+#include "fuzz/files/corpus.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "cli/commands/commands.h"
+#include "fuzz/queries/address.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+struct CorpusOptions {
+  std::string folder, file, name, provenance, about, note, precision = "binary32", format = "text";
+};
+
+std::string folder_of(const CorpusOptions& options) {
+  return options.folder.empty() ? default_corpus_folder() : options.folder;
+}
+
+int list(const CorpusOptions& options) {
+  const auto entries = read_corpus(folder_of(options));
+  for (const CorpusEntry& entry : entries) {
+    if (options.format != "text") {
+      fmt::print("{}\n", corpus_line(entry));
+      continue;
+    }
+    const std::string about = entry.provenance.about.empty() ? "" : " (" + entry.provenance.about + ")";
+    fmt::print("{:<40} {} {}{}  {}: {}{}\n", entry.stored.id, name(entry.stored.precision),
+               name(entry.expected.verdict), entry.expected.touching ? ", touching" : "", entry.provenance.kind,
+               entry.provenance.where, about);
+  }
+  return exit_done;
+}
+
+int add(const CorpusOptions& options) {
+  const std::string folder = folder_of(options);
+  const Provenance provenance = parse_provenance(options.provenance, options.about);
+  const auto queries = read_query_file(options.file, parse_precision(options.precision));
+  if (queries.size() != 1) {
+    throw Error(fmt::format("{}: {} queries; a file with the one that is to be named '{}' belongs here", options.file,
+                            queries.size(), options.name));
+  }
+  if (options.name.empty()) throw Error("--name: empty; an entry needs a name");
+  std::vector<CorpusEntry> entries;
+  // The first entry of a corpus has no corpus to be held against.
+  std::error_code problem;
+  if (!std::filesystem::is_empty(folder, problem) && !problem) entries = read_corpus(folder);
+  if (problem) throw Error(fmt::format("{}: the corpus cannot be read: {}", folder, problem.message()));
+  CorpusEntry entry{queries.front(), provenance, options.note, exact_answers(queries.front()),
+                    (std::filesystem::path(folder) / (provenance.kind + ".jsonl")).string()};
+  entry.stored.id = options.name;
+  for (const CorpusEntry& other : entries) {
+    if (other.stored.id == options.name) {
+      throw Error(fmt::format("--name {}: that is the name of {}:{}", options.name, other.file, other.stored.line));
+    }
+  }
+  if (const CorpusEntry* same = find_image(entries, entry.stored)) {
+    throw Error(
+        fmt::format("{}: it is in the corpus as '{}' ({}:{}), but for vertex order, axes, signs, translation or "
+                    "a power of two",
+                    options.file, same->stored.id, same->file, same->stored.line));
+  }
+  std::ofstream file(entry.file, std::ios::app | std::ios::binary);
+  file << corpus_line(entry) << "\n";
+  file.close();
+  if (!file) throw Error(fmt::format("{}: cannot be written", entry.file));
+  fmt::print("{}: {}\n", entry.file, corpus_line(entry));
+  return exit_done;
+}
+
+}  // namespace
+
+void add_corpus(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("corpus", "The queries that are kept with their exact answers: list and add");
+  command->require_subcommand(1);
+  auto options = std::make_shared<CorpusOptions>();
+  const auto add_folder = [&](CLI::App& to) {
+    to.add_option("--folder", options->folder, "the corpus (default: the one that comes along)");
+  };
+  auto* listing = command->add_subcommand("list", "Every entry: name, exact verdict, where it came from");
+  add_folder(*listing);
+  add_format(*listing, options->format, "jsonl");
+  listing->callback([&action, options] { action = [options] { return list(*options); }; });
+
+  auto* adding = command->add_subcommand(
+      "add", "Admit a query with its exact answers, unless it is there already up to the symmetries of the test");
+  adding->add_option("FILE", options->file, "query file with one query; - reads standard input")->required();
+  adding->add_option("--name", options->name, "what the entry is called")->required();
+  adding->add_option("--provenance", options->provenance, "KIND:WHERE; kinds: address, search, report, made")
+      ->required();
+  adding->add_option("--about", options->about, "what a report was about: static, sweep or other");
+  adding->add_option("--note", options->note, "a sentence on what is hard about it");
+  adding->add_option("--precision", options->precision, "of a CSV file, which does not say")->capture_default_str();
+  add_folder(*adding);
+  adding->callback([&action, options] { action = [options] { return add(*options); }; });
+}
+
+}  // namespace axiscert

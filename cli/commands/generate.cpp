@@ -1,0 +1,104 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include "cli/commands/commands.h"
+#include "cli/options/run_options.h"
+#include "fuzz/queries/address.h"
+#include "fuzz/pipe/query_stream.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+struct GenerateOptions : SourceOptions {
+  std::string precision = "binary32", out_file = "-";
+  bool binary = false;
+  int threads = 0;
+};
+
+// The reader of a pipe has closed it: it had enough, or it failed, which is its own to say.
+struct ReaderLeft {};
+
+// A file or standard output, by descriptor: a stream would keep a failed write to itself until the end.
+class Output {
+ public:
+  explicit Output(const std::string& path) : name_(path == "-" ? "standard output" : path) {
+    if (path == "-") return;
+    descriptor_ = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) throw cannot_write();
+  }
+  ~Output() {
+    if (descriptor_ != STDOUT_FILENO) close(descriptor_);
+  }
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+
+  bool is_terminal() const { return isatty(descriptor_) != 0; }
+
+  void write(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+      if (written >= 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+      else if (errno == EPIPE) throw ReaderLeft();
+      else if (errno != EINTR) throw cannot_write();
+    }
+  }
+
+ private:
+  Error cannot_write() const { return Error(fmt::format("{}: cannot be written: {}", name_, std::strerror(errno))); }
+
+  std::string name_;
+  int descriptor_ = STDOUT_FILENO;
+};
+
+PipePlan plan_of(const GenerateOptions& options) {
+  PipePlan plan{options.seed, parse_precision(options.precision), {}};
+  const auto sources = sources_of(options, plan.precision);
+  say_what_is_left_out(sources, {plan.precision});
+  for (const SourcePtr& source : sources) {
+    const auto fixed = source->fixed_size(plan.precision);
+    plan.parts.push_back({source, fixed ? *fixed : trials_of(options, *source, plan.precision)});
+  }
+  if (plan.queries() == 0)
+    throw Error(fmt::format("no queries in {}; --precision asks for the other", options.precision));
+  return plan;
+}
+
+int generate(const GenerateOptions& options) {
+  const PipePlan plan = plan_of(options);
+  const auto encoding = options.binary ? QueryEncoding::binary : QueryEncoding::json_lines;
+  if (options.binary) header_of(plan);  // that there is one, before a file is begun
+  std::signal(SIGPIPE, SIG_IGN);
+  const Output output(options.out_file);
+  if (options.binary && output.is_terminal()) {
+    throw Error("--binary would write bytes to a terminal: pipe them into a program, or give a file with -o");
+  }
+  try {
+    write_queries(plan, encoding, threads_of(options.threads), [&](std::string_view bytes) { output.write(bytes); });
+  } catch (const ReaderLeft&) {
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_generate(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "generate", "Write queries, as a query file or (--binary) for a program whose replies `axiscert judge` takes");
+  auto options = std::make_shared<GenerateOptions>();
+  add_source_options(*command, *options);
+  command->add_option("--precision", options->precision, "binary32 or binary64; that of CSV files")
+      ->capture_default_str();
+  command->add_flag("--binary", options->binary, "the query stream of docs/pipe.md instead of JSON Lines");
+  command->add_option("-o,--out-file", options->out_file, "file to write, - for standard output")
+      ->capture_default_str();
+  add_thread_option(*command, options->threads);
+  command->callback([&action, options] { action = [options] { return generate(*options); }; });
+}
+
+}  // namespace axiscert

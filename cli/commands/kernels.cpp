@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/commands/commands.h"
+#include "kernel/called.h"
+#include "kernel/plugin/load.h"
+#include "fuzz/confirm/record.h"
+
+namespace axiscert {
+namespace {
+
+std::vector<std::string_view> precisions_of(const ArithmeticInfo& arithmetic) {
+  std::vector<std::string_view> names;
+  if (arithmetic.in_binary32) names.push_back(name(Precision::binary32));
+  if (arithmetic.in_binary64) names.push_back(name(Precision::binary64));
+  return names;
+}
+
+std::vector<std::string_view> precisions_of(const Kernel& kernel) {
+  std::vector<std::string_view> names;
+  for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+    if (kernel.has(precision)) names.push_back(name(precision));
+  }
+  return names;
+}
+
+// The plug-ins that come with axiscert, by their ids.
+std::vector<const Kernel*> shipped_kernels() {
+  std::vector<const Kernel*> all;
+  for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
+    for (const std::string& name : shipped.names) all.push_back(&find_kernel(std::string(shipped.prefix) + name));
+  }
+  return all;
+}
+
+void print_kernel(const Kernel& kernel, const std::string& targets) {
+  fmt::print("{:<20} {}; {}; {}; exposes {}\n", kernel.id, kernel.summary, fmt::join(precisions_of(kernel), " "),
+             targets, fmt::join(exposures_json(kernel).get<std::vector<std::string>>(), ", "));
+}
+
+void print_kernels() {
+  const auto targets = available_targets();
+  for (const Kernel& kernel : kernels()) {
+    print_kernel(kernel, kernel.has_simd ? fmt::format("{}", fmt::join(targets, " ")) : std::string(scalar_target));
+  }
+  fmt::print(
+      "\nKERNEL+ARITHMETIC, for each kernel from published to ladder-9, is its scalar form in another arithmetic:\n");
+  for (const ArithmeticInfo& arithmetic : arithmetics()) {
+    fmt::print("{:<20} {}; {}\n", "+" + arithmetic.name, arithmetic.summary, fmt::join(precisions_of(arithmetic), " "));
+  }
+  fmt::print(
+      "\nKERNEL@CALL[,CALL...], for each of the above, is it on an instruction set of its own ({}), or called in other "
+      "floating-point modes:\n",
+      fmt::join(targets, ", "));
+  for (const CallMode& mode : call_modes()) fmt::print("{:<20} {}\n", fmt::format("@{}", mode.name), mode.summary);
+  fmt::print(
+      "\nPlug-ins: plugin:PATH.so is one of your own; peer/ are libraries, fault/ kernels with a planted fault:\n");
+  for (const Kernel* kernel : shipped_kernels()) print_kernel(*kernel, "plug-in");
+  for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
+    for (const auto& absent : shipped.absent) {
+      fmt::print("{:<20} NOT BUILT, for want of the Debian package {}\n",
+                 fmt::format("{}{}", shipped.prefix, absent.name), absent.package);
+    }
+  }
+}
+
+Json plugin_json(const Kernel& kernel) {
+  return {{"id", kernel.id},
+          {"summary", kernel.summary},
+          {"formulae", name(kernel.formulae)},
+          {"precisions", precisions_of(kernel)},
+          {"targets", Json::array()},
+          {"exposes", exposures_json(kernel)},
+          {"arithmetics", Json::array()}};
+}
+
+// A kernel that takes other arithmetics has their ids with it; a plug-in runs on no target of ours.
+Json kernels_json() {
+  Json all = Json::array();
+  for (const Kernel& kernel : kernels()) {
+    Json composed = Json::array();
+    for (const ArithmeticInfo& arithmetic : arithmetics()) {
+      if (!kernel.takes_arithmetic) break;
+      composed.push_back({{"id", kernel.id + "+" + arithmetic.name},
+                          {"arithmetic", arithmetic.name},
+                          {"summary", arithmetic.summary},
+                          {"precisions", precisions_of(arithmetic)}});
+    }
+    all.push_back({{"id", kernel.id},
+                   {"summary", kernel.summary},
+                   {"formulae", name(kernel.formulae)},
+                   {"precisions", precision_names},
+                   {"targets", kernel.has_simd ? Json(available_targets()) : Json{scalar_target}},
+                   {"exposes", exposures_json(kernel)},
+                   {"arithmetics", composed}});
+  }
+  for (const Kernel* kernel : shipped_kernels()) all.push_back(plugin_json(*kernel));
+  return all;
+}
+
+int list_kernels(const std::string& format) {
+  if (format == "text") print_kernels();
+  else fmt::print("{}\n", kernels_json().dump(2));
+  return exit_done;
+}
+
+}  // namespace
+
+void add_kernels(CLI::App& app, Action& action) {
+  auto* command =
+      app.add_subcommand("kernels", "List the kernels, their precisions, instruction sets and what they expose");
+  auto format = std::make_shared<std::string>("text");
+  add_format(*command, *format, "json");
+  command->callback([&action, format] { action = [format] { return list_kernels(*format); }; });
+}
+
+}  // namespace axiscert

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/options/instrument_options.h"
+#include "fuzz/queries/address.h"
+#include "kernel/base/error.h"
+#include "kernel/self_check.h"
+#include "reports/instrument/ladder_report.h"
+
+namespace axiscert {
+namespace {
+
+struct LadderOptions : InstrumentOptions {
+  bool no_speed = false;
+};
+
+const std::vector<std::string> default_kernels = {"ladder-0",
+                                                  "ladder-1",
+                                                  "ladder-2",
+                                                  "ladder-3",
+                                                  "ladder-4",
+                                                  "ladder-5",
+                                                  "ladder-6",
+                                                  "ladder-7",
+                                                  "ladder-8",
+                                                  "ladder-9",
+                                                  "reduced",
+                                                  "reduced-along",
+                                                  "reduced-determinant",
+                                                  "reduced-shared"};
+const std::vector<std::string> ladder_families = {"general", "tangent", "seam", "sliver", "far", "scale"};
+
+void require_comparisons(const Kernel& kernel) {
+  if (kernel.exposes != Exposure::verdict) return;
+  std::vector<std::string_view> able;
+  for (const Kernel& other : kernels()) {
+    if (other.exposes != Exposure::verdict) able.push_back(other.id);
+  }
+  throw Error(
+      fmt::format("--kernel {}: it shows only its verdict, and ladder measures comparisons; kernels that show "
+                  "them: {}, and RUNG+ARITHMETIC",
+                  kernel.id, fmt::join(able, ", ")));
+}
+
+int ladder(const LadderOptions& options) {
+  LadderPlan plan;
+  plan.precision = parse_precision(options.precision);
+  plan.kernels = instrument_kernels(options, default_kernels, Measures::formulae);
+  for (const Kernel* kernel : plan.kernels) require_comparisons(*kernel);
+  plan.sources = instrument_sources(options, ladder_families);
+  plan.trials = options.trials;
+  plan.seed = options.seed;
+  plan.speed = !options.no_speed;
+  require_uncontracted(scalar_target);
+  const std::string command = instrument_command("ladder", options) + (options.no_speed ? " --no-speed" : "");
+  return put_instrument(ladder_report(plan, measure_ladder(plan), command), options);
+}
+
+}  // namespace
+
+void add_ladder(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("ladder", "Measure what each step of the derivation costs: errors, range, time");
+  auto options = std::make_shared<LadderOptions>();
+  add_instrument_options(*command, *options, std::uint64_t{1} << 14);
+  command->add_flag("--no-speed", options->no_speed, "take no times: all that is left is the same on every run");
+  command->callback([&action, options] { action = [options] { return ladder(*options); }; });
+}
+
+}  // namespace axiscert

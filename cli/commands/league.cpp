@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "cli/options/instrument_options.h"
+#include "cli/options/run_options.h"
+#include "cli/running/run_output.h"
+#include "fuzz/queries/address.h"
+#include "fuzz/instruments/kernel_speed.h"
+#include "kernel/base/error.h"
+#include "kernel/plugin/load.h"
+#include "kernel/self_check.h"
+#include "reports/instrument/league_report.h"
+
+namespace axiscert {
+namespace {
+
+struct LeagueOptions : InstrumentOptions {
+  bool no_speed = false;
+  int threads = 0;  // 0: all cores
+};
+
+const std::vector<std::string> own_kernels = {"published",     "nonstrict", "reduced-nonstrict", "minkowski",
+                                              "closest-point", "certified", "conservative"};
+const std::vector<std::string> league_families = {"general", "tangent",   "tie",      "lattice", "sliver",
+                                                  "needle",  "collinear", "repeated", "on",      "grid",
+                                                  "scale",   "far",       "subnormal"};
+constexpr int repetitions = 5;
+
+void add_kernel(League& league, const std::string& id) {
+  const Kernel& kernel = find_kernel(id);
+  if (std::find(league.plan.kernels.begin(), league.plan.kernels.end(), &kernel) != league.plan.kernels.end()) return;
+  league.plan.kernels.push_back(&kernel);
+}
+
+// Our own, every peer, and apart from them every kernel with a fault.
+void add_all_kernels(League& league) {
+  for (const std::string& id : own_kernels) add_kernel(league, id);
+  for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
+    const bool competes = shipped.prefix == "peer/";
+    for (const std::string& name : shipped.names) add_kernel(league, std::string(shipped.prefix) + name);
+    if (competes) league.contenders = league.plan.kernels.size();
+    if (shipped.names.empty()) {
+      league.not_checked.push_back(
+          fmt::format("NOT CHECKED: {}*: this axiscert was built without them.", shipped.prefix));
+    }
+    for (const auto& absent : shipped.absent) {
+      league.not_checked.push_back(
+          fmt::format("NOT CHECKED: {}{}: it was not built, for want of the Debian package {}.", shipped.prefix,
+                      absent.name, absent.package));
+    }
+  }
+}
+
+template <class Real>
+void take_times(League& league) {
+  std::vector<const Kernel*> timed;
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < league.contenders; ++k) {
+    if (!league.plan.kernels[k]->has(precision_of<Real>)) continue;
+    timed.push_back(league.plan.kernels[k]);
+    places.push_back(k);
+  }
+  const auto speeds = measure_speed<Real>(timed, repetitions);
+  for (std::size_t i = 0; i < timed.size(); ++i) {
+    const auto& best = speeds[i].best_target;
+    league.nanoseconds[{precision_of<Real>, places[i]}] = best ? best->second : speeds[i].scalar_ns;
+  }
+}
+
+int run_league(const LeagueOptions& options) {
+  League league;
+  Plan& plan = league.plan;
+  if (options.kernels.empty()) {
+    add_all_kernels(league);
+  } else {
+    for (const std::string& id : options.kernels) add_kernel(league, id);
+    league.contenders = plan.kernels.size();
+  }
+  plan.sources = instrument_sources(options, league_families);
+  if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
+  else plan.precisions = {parse_precision(options.precision)};
+  plan.seed = options.seed;
+  plan.trials = [&](const Source&, Precision) { return options.trials; };
+  plan.target = resolve_target("auto");
+  plan.threads = threads_of(options.threads);
+  for (const std::string& target : targets_of(plan)) require_uncontracted(target);
+
+  const std::atomic<bool> interrupted = false;
+  CampaignResult result;
+  {
+    ProgressLine progress;
+    result = run_campaign(plan, interrupted, [&](const Progress& p) { progress.show(p); });
+  }
+  if (!options.no_speed) {
+    for (const Precision precision : plan.precisions) {
+      if (precision == Precision::binary32) take_times<float>(league);
+      else take_times<double>(league);
+    }
+  }
+  const std::string command = instrument_command("league", options) + (options.no_speed ? " --no-speed" : "");
+  for (const std::string& sentence : league.not_checked) fmt::print(stderr, "axiscert: {}\n", sentence);
+  return put_instrument(league_report(league, result, command), options);
+}
+
+}  // namespace
+
+void add_league(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "league", "Production libraries and our kernels on the same queries, and how soon planted faults are caught");
+  auto options = std::make_shared<LeagueOptions>();
+  options->precision.clear();
+  add_instrument_options(*command, *options, std::uint64_t{1} << 14);
+  add_thread_option(*command, options->threads);
+  command->add_flag("--no-speed", options->no_speed, "take no times");
+  command->callback([&action, options] { action = [options] { return run_league(*options); }; });
+}
+
+}  // namespace axiscert

@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/options/address_query.h"
+#include "cli/commands/commands.h"
+#include "cli/running/run_output.h"
+#include "fuzz/files/file_bytes.h"
+#include "kernel/base/error.h"
+#include "kernel/self_check.h"
+#include "reports/wording/finding.h"
+#include "reports/instrument/map.h"
+#include "reports/wording/reproduce.h"
+#include "reports/run_folder/run_folder.h"
+
+namespace axiscert {
+namespace {
+
+struct MapOptions {
+  std::string query, id, kernel = "published", target = "auto", precision = "binary32", along, across, name = "map",
+                         out = "out", format = "text";
+  std::vector<std::string> what;
+  bool exponents = false;
+  std::optional<std::size_t> size;
+  std::int64_t ulps = 1;
+  AddressFiles files;
+};
+
+constexpr std::size_t default_size = 256;
+
+// The one query that is given, or the one that --id chooses.
+StoredQuery witness_of(const MapOptions& options) {
+  std::vector<StoredQuery> queries = queries_given({options.query}, options.precision, options.files);
+  if (!options.id.empty()) {
+    std::erase_if(queries, [&](const StoredQuery& q) { return q.id != options.id; });
+  }
+  if (queries.size() != 1) {
+    throw Error(fmt::format("{}: {} queries{}; a map is drawn around one: choose it with --id", options.query,
+                            queries.size(), options.id.empty() ? "" : " of the id '" + options.id + "'"));
+  }
+  const bool valid = std::visit([](const auto& q) { return is_valid(q); }, queries.front().query);
+  if (!valid) throw Error(fmt::format("query '{}': not a valid query to draw a map around", queries.front().id));
+  return queries.front();
+}
+
+std::vector<MapSubject> subjects_of(const MapOptions& options, const Kernel& kernel) {
+  std::vector<MapSubject> all = map_subjects();
+  if (!has_comparison_maps(kernel)) all.resize(1);
+  if (options.what.empty()) return all;
+  std::vector<std::string_view> names;
+  for (const MapSubject& subject : all) names.push_back(name(subject));
+  for (const std::string& what : options.what) {
+    if (std::find(names.begin(), names.end(), what) != names.end()) continue;
+    throw Error(fmt::format("--what {}: kernel {} has maps of: {}", what, kernel.id, fmt::join(names, ", ")));
+  }
+  std::erase_if(all, [&](const MapSubject& subject) {
+    return std::find(options.what.begin(), options.what.end(), name(subject)) == options.what.end();
+  });
+  return all;
+}
+
+Plane plane_of(const MapOptions& options, const StoredQuery& witness) {
+  const auto given = [](const std::string& text, const char* otherwise) {
+    return parse_numbers(text.empty() ? otherwise : text);
+  };
+  const MovedNumbers across = given(options.across, "r");
+  if (!options.exponents) {
+    return ulp_plane(given(options.along, "a.x"), across, options.size.value_or(default_size), options.ulps);
+  }
+  const MovedNumbers along = given(options.along, "scene");
+  return std::visit(
+      [&](const auto& q) { return exponent_plane(q, along, across, options.size.value_or(greatest_map)); },
+      witness.query);
+}
+
+std::string command_of(const MapOptions& options, const MapPlan& plan) {
+  std::string command = "axiscert map " + shell_word(options.query);
+  const auto add_file = [&](const char* option, const std::string& file) {
+    if (!file.empty()) command += fmt::format(" {} {}", option, shell_word(file));
+  };
+  add_file("--mesh", options.files.mesh);
+  add_file("--queries", options.files.queries);
+  add_file("--corpus", options.files.corpus);
+  if (!options.id.empty()) command += " --id " + shell_word(options.id);
+  if (options.precision != MapOptions().precision) command += " --precision " + options.precision;
+  if (options.target != MapOptions().target) command += " --target " + options.target;
+  command += fmt::format(" --kernel {} --along {} --across {}", shell_word(options.kernel),
+                         plan.plane.along.numbers.name, plan.plane.across.numbers.name);
+  if (options.exponents) command += " --exponents";
+  else command += fmt::format(" --ulps {}", options.ulps);
+  if (options.size || !options.exponents) command += fmt::format(" --size {}", options.size.value_or(default_size));
+  for (const std::string& what : options.what) command += " --what " + what;
+  return command + " --name " + options.name;
+}
+
+int draw(const MapOptions& options) {
+  const Kernel& kernel = find_kernel(options.kernel);
+  require_loaded(kernel);
+  const StoredQuery witness = witness_of(options);
+  if (!kernel.has(witness.precision)) {
+    throw Error(fmt::format("query '{}' is in {}, in which kernel {} does not exist", witness.id,
+                            name(witness.precision), kernel.id));
+  }
+  const MapPlan plan{&kernel, resolve_target(options.target), witness, plane_of(options, witness),
+                     subjects_of(options, kernel)};
+  const std::string folder = (std::filesystem::path(options.out) / "maps").string();
+  const OutputFolder writable(folder);  // found so before anything runs
+  require_uncontracted(plan.target);
+  const std::vector<MapPicture> pictures = draw_map(plan);
+  const Json map = map_json(options.name, plan, pictures, command_of(options, plan));
+  const auto index = std::filesystem::path(folder) / map_index_file;
+  write_files(folder, map_files(map, plan, pictures, std::filesystem::exists(index) ? read_bytes(index.string()) : ""));
+  fmt::print("{}", options.format == "json" ? map.dump(1) + "\n" : map_text(map));
+  if (options.format == "text") fmt::print("{} pictures and {} in {}\n", pictures.size(), map_index_file, folder);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_map(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "map", "Draw where a kernel is wrong around a query: a plane through query space, an ulp or an exponent a pixel");
+  auto options = std::make_shared<MapOptions>();
+  MapOptions& o = *options;
+  command->add_option("QUERY", o.query, "query file (- for standard input) or address")->required();
+  command->add_option("--id", o.id, "which query of the file");
+  command->add_option("--kernel", o.kernel, "kernel id")->capture_default_str();
+  command->add_option("--along", o.along,
+                      "what moves to the right: a.x ... p.z, r (default: a.x); with --exponents also "
+                      "a, b, c, p, triangle, scene (default: scene)");
+  command->add_option("--across", o.across, "what moves upwards (default: r)");
+  auto* exponents = command->add_flag("--exponents", o.exponents, "every power of two in place of ulps");
+  command->add_option("--size", o.size, "pixels each way (default: 256; with --exponents at most these, default: 4096)")
+      ->check(CLI::Range(std::size_t{2}, greatest_map));
+  command->add_option("--ulps", o.ulps, "ulps from pixel to pixel")
+      ->check(CLI::Range(std::int64_t{1}, greatest_ulps))
+      ->excludes(exponents)
+      ->capture_default_str();
+  command->add_option("--what", o.what, "verdict, an axis or a comparison, repeatable (default: all)")
+      ->allow_extra_args(false);
+  command->add_option("--name", o.name, "of the map: its pictures are OUT/maps/NAME-WHAT.png")->capture_default_str();
+  command->add_option("--target", o.target, "instruction set, or auto")->capture_default_str();
+  command->add_option("--precision", o.precision, "of a CSV file, which does not say")->capture_default_str();
+  add_address_files(*command, o.files);
+  add_plugin_seconds(*command);
+  add_format(*command, o.format, "json");
+  command->add_option("--out", o.out, "folder that gets maps/")->capture_default_str();
+  command->callback([&action, options] { action = [options] { return draw(*options); }; });
+}
+
+}  // namespace axiscert

@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/commands/commands.h"
+#include "cli/running/judged_run.h"
+#include "cli/running/planned_run.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MergeOptions {
+  std::vector<std::string> folders;
+  std::string out = "out", plan;
+};
+
+// Parts of a list of units that a message names.
+constexpr std::size_t most_parts = 20;
+
+std::string in(const std::string& folder, const char* file) { return (fs::path(folder) / file).string(); }
+
+// Every folder's own plan has to be this one.
+void require_same_plan(const PlanFile& file, const std::string& folder) {
+  const PlanFile other = read_plan_file(in(folder, plan_copy));
+  if (other.digest == file.digest) return;
+  std::string differs = difference(other.json["plan"], file.json["plan"]);
+  if (differs.empty()) differs = difference(other.json, file.json);
+  throw Error(fmt::format("{}: a part of another plan than {}: there {}", folder, file.path, differs));
+}
+
+int merge(const MergeOptions& options) {
+  const PlanFile file = read_plan_file(options.plan.empty() ? in(options.folders.front(), plan_copy) : options.plan);
+  for (const std::string& folder : options.folders) require_same_plan(file, folder);
+  Plan plan = plan_of(file);
+  plan.target = resolve_target("auto");
+  const Stretches stretches(plan, file.units_each);
+  const OutputFolder folder(options.out);
+  const auto started = std::chrono::system_clock::now();
+
+  Gathered gathered(plan, stretches);
+  std::vector<std::uint32_t> from(stretches.count());  // by stretch: the folder
+  std::uint64_t bytes = 0;
+  for (std::uint32_t i = 0; i < options.folders.size(); ++i) {
+    const std::string journal = in(options.folders[i], journal_file);
+    const JournalEnd end = read_journal(journal, file.digest, [&](std::string_view content) {
+      const auto entry = finished_in(content);
+      if (entry && entry->stretch < stretches.count() && gathered.has(entry->stretch)) {
+        throw Error(fmt::format("{}: {}: stands in {} already: give each part once", journal,
+                                stretches.text(entry->stretch),
+                                in(options.folders[from[entry->stretch]], journal_file)));
+      }
+      gathered.replay(content);
+      if (entry) from[entry->stretch] = i;
+    });
+    bytes += end.whole;
+    if (end.torn != 0) {
+      fmt::print(stderr, "axiscert: {}: its last entry was cut off when it was being written: {} bytes dropped\n",
+                 journal, end.torn);
+    }
+  }
+  if (const auto missing = gathered.missing(); !missing.empty()) {
+    throw Error(
+        fmt::format("{} of the plan's {} units are missing: {}; run their shards with --resume, or name their "
+                    "folders too",
+                    stretches.units() - gathered.units(), stretches.units(), stretches.text(missing, most_parts)));
+  }
+  OutputOptions output;
+  output.out = options.out;
+  output.require = file.options.require;
+  const Json scale = {{"plan_digest", file.digest},
+                      {"stretches", stretches.count()},
+                      {"units_per_stretch", stretches.units_each()},
+                      {"units_lost", gathered.lost_units()},
+                      {"journal_bytes", bytes},
+                      {"ranks", Json::array()}};
+  return put_result(folder, plan, std::move(gathered).take(), output, std::nullopt, "auto", started, scale);
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("merge", "Join the shards of a plan to the record of the whole");
+  auto options = std::make_shared<MergeOptions>();
+  command->add_option("FOLDER", options->folders, "folders that `run --plan --shard --out` wrote, in any order")
+      ->required();
+  command->add_option("--plan", options->plan, "where the plan is now (default: the first folder's copy of it)");
+  command->add_option("--out", options->out, "folder for record, reports and witnesses")->capture_default_str();
+  command->callback([&action, options] { action = [options] { return merge(*options); }; });
+}
+
+}  // namespace axiscert

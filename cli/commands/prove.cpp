@@ -1,0 +1,156 @@
+// axiscert prove: runs the checkers on the proofs, and says of every bound whether it was accepted.
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include "cli/commands/commands.h"
+#include "cli/options/instrument_options.h"
+#include "proofs/attained.h"
+#include "proofs/checkers.h"
+#include "proofs/emit/emit.h"
+#include "fuzz/queries/address.h"
+#include "kernel/base/error.h"
+#include "cli/running/run_output.h"
+
+namespace axiscert {
+namespace {
+
+using namespace proofs;
+
+struct ProveOptions {
+  std::string precision, format = "text", out, proofs = AXISCERT_PROOFS;
+  bool without_coq = false;
+};
+
+struct Entry {
+  Setting setting;
+  Comparison which;
+  std::string status;  // proved, open, refused, NOT CHECKED
+};
+
+std::string kernel_of(const Setting& setting) {
+  return std::string(name(setting.form)) + (setting.contraction == Contraction::fma ? "+fma" : "");
+}
+
+std::vector<Entry> entries_of(const ProveOptions& options) {
+  std::vector<Entry> entries;
+  for (const Form form : {Form::published, Form::reduced}) {
+    for (const Contraction contraction : {Contraction::plain, Contraction::fma}) {
+      for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+        if (!options.precision.empty() && precision != parse_precision(options.precision)) continue;
+        for (const Domain domain : {Domain::scaled, Domain::absolute}) {
+          for (std::size_t k = 0; k < comparison_count; ++k) {
+            entries.push_back({{form, contraction, precision, domain}, static_cast<Comparison>(k), "NOT CHECKED"});
+          }
+        }
+      }
+    }
+  }
+  return entries;
+}
+
+// What a search attained with the kernel, or with the one whose comparison is the same program.
+std::optional<double> attained_of(const Entry& entry) {
+  if (entry.setting.domain != Domain::scaled || entry.setting.precision != Precision::binary32) return std::nullopt;
+  Setting searched = entry.setting;
+  if (is_shared(entry.which)) searched.form = Form::published;
+  for (const Attained& attained : attained_errors) {
+    if (attained.kernel == kernel_of(searched) && attained.kind == kind_of(entry.which)) return attained.u;
+  }
+  return std::nullopt;
+}
+
+// A bound is proved where Gappa accepts its script and Coq accepts every range that it takes as a hypothesis. The
+// ranges of the absolute domain have no proof in Coq.
+void check(std::vector<Entry>& entries, const std::optional<bool>& ranges) {
+  const Files scripts = gappa_files();
+  std::vector<std::pair<std::string, bool>> accepted;  // each script once, whoever shares it
+  for (const Entry& entry : entries) accepted.emplace_back(script_path(entry.setting, entry.which), false);
+  std::sort(accepted.begin(), accepted.end());
+  accepted.erase(std::unique(accepted.begin(), accepted.end()), accepted.end());
+  tbb::parallel_for(std::size_t{0}, accepted.size(),
+                    [&](std::size_t i) { accepted[i].second = gappa_accepts(scripts.at(accepted[i].first)); });
+  for (Entry& entry : entries) {
+    const auto found =
+        std::lower_bound(accepted.begin(), accepted.end(), std::pair(script_path(entry.setting, entry.which), false));
+    if (!found->second || ranges == false) entry.status = "refused";
+    else if (entry.setting.domain == Domain::absolute) entry.status = "open";
+    else entry.status = ranges ? "proved" : "NOT CHECKED";
+  }
+}
+
+Json data_of(const std::vector<Entry>& entries, const std::optional<std::string>& gappa,
+             const std::optional<std::string>& coq) {
+  Json bounds = Json::array();
+  for (const Entry& entry : entries) {
+    const double u = bound(entry.setting, entry.which) / 16.0;
+    const auto attained = attained_of(entry);
+    bounds.push_back({{"comparison", info(entry.which).name},
+                      {"kernel", kernel_of(entry.setting)},
+                      {"precision", name(entry.setting.precision)},
+                      {"domain", name(entry.setting.domain)},
+                      {"bound_u", u},
+                      {"attained_u", attained ? Json(*attained) : Json(nullptr)},
+                      {"ratio", attained ? Json(u / *attained) : Json(nullptr)},
+                      {"status", entry.status},
+                      {"file", "proofs/" + script_path(entry.setting, entry.which)}});
+  }
+  return {{"schema", "axiscert-proofs/1"},
+          {"checkers",
+           {{"gappa", gappa ? Json(*gappa) : Json("NOT CHECKED")}, {"coq", coq ? Json(*coq) : Json("NOT CHECKED")}}},
+          {"bounds", bounds}};
+}
+
+void print_text(const Json& data) {
+  fmt::print("gappa: {}\ncoq: {}\n", data["checkers"]["gappa"].get<std::string>(),
+             data["checkers"]["coq"].get<std::string>());
+  for (const Json& b : data["bounds"]) {
+    const auto shown = [&](const char* key) {
+      return b[key].is_null() ? "-" : fmt::format("{:.4g}", b[key].get<double>());
+    };
+    fmt::print("{:14} {:8} {:8} {:16} bound {:9.2f} u  attained {:>6}  ratio {:>5}  {}\n",
+               b["kernel"].get<std::string>(), b["precision"].get<std::string>(), b["domain"].get<std::string>(),
+               b["comparison"].get<std::string>(), b["bound_u"].get<double>(), shown("attained_u"), shown("ratio"),
+               b["status"].get<std::string>());
+  }
+}
+
+int prove(const ProveOptions& options) {
+  std::optional<OutputFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out);  // found writable before anything runs
+  std::vector<Entry> entries = entries_of(options);
+  const auto gappa = gappa_version(), coq = options.without_coq ? std::nullopt : coq_version();
+  if (gappa) {
+    std::optional<bool> ranges;
+    if (coq) ranges = coq_accepts_ranges(options.proofs, range_files().begin()->second);
+    check(entries, ranges);
+  }
+  const Json data = data_of(entries, gappa, coq);
+  if (folder) folder->write_text("proofs.json", data.dump(2) + "\n");
+  if (options.format == "json") std::cout << data.dump(2) << "\n";
+  else print_text(data);
+  const bool refused =
+      std::any_of(entries.begin(), entries.end(), [](const Entry& e) { return e.status == "refused"; });
+  return refused ? exit_requirement_failed : exit_done;
+}
+
+}  // namespace
+
+void add_prove(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "prove", "Check the proofs of the rounding errors with Gappa and Coq, and say what they prove");
+  auto options = std::make_shared<ProveOptions>();
+  ProveOptions& o = *options;
+  command->add_option("--precision", o.precision, "binary32 or binary64 (default: both)");
+  command->add_option("--proofs", o.proofs, "folder with coq/Ranges.v")->capture_default_str();
+  command->add_flag("--without-coq", o.without_coq, "Gappa alone, which takes a minute less; nothing counts as proved");
+  add_format(*command, o.format, "json");
+  command->add_option("--out", o.out, "folder for proofs.json");
+  command->callback([&action, options] { action = [options] { return prove(*options); }; });
+}
+
+}  // namespace axiscert

@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+
+#include "cli/options/instrument_options.h"
+#include "cli/options/run_options.h"
+#include "cli/running/run_output.h"
+#include "fuzz/queries/address.h"
+#include "fuzz/files/file_bytes.h"
+#include "kernel/base/error.h"
+#include "kernel/self_check.h"
+#include "reports/wording/finding.h"
+#include "reports/instrument/search_report.h"
+
+namespace axiscert {
+namespace {
+
+struct SearchOptions {
+  std::string kernel = "published", precision = "binary32", target = "auto", format = "text", out;
+  std::vector<std::string> comparisons, families;
+  std::optional<std::uint64_t> evaluations;
+  std::optional<double> seconds;
+  std::uint64_t seed = 1;
+  int threads = 0;
+  bool resume = false;
+};
+
+// Where nothing is asked for: a few seconds.
+constexpr std::uint64_t default_evaluations = std::uint64_t{1} << 24;
+constexpr const char* state_file = "search.state";
+
+Comparison parse_comparison(const std::string& given) {
+  std::string known;
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    if (comparisons[k].name == given) return static_cast<Comparison>(k);
+    known += fmt::format("{}{}", k == 0 ? "" : ", ", comparisons[k].name);
+  }
+  throw Error(fmt::format("--comparison {}: unknown; comparisons: {}", given, known));
+}
+
+SearchPlan plan_of(const SearchOptions& options) {
+  SearchPlan plan;
+  plan.kernel = &find_kernel(options.kernel);
+  require_loaded(*plan.kernel);
+  plan.precision = parse_precision(options.precision);
+  if (!plan.kernel->has(plan.precision)) {
+    throw Error(fmt::format("--precision {}: kernel {} does not exist in it", options.precision, options.kernel));
+  }
+  for (const std::string& given : options.comparisons) {
+    const Comparison which = parse_comparison(given);
+    const auto& so_far = plan.comparisons;
+    if (std::find(so_far.begin(), so_far.end(), which) == so_far.end()) plan.comparisons.push_back(which);
+  }
+  if (!plan.comparisons.empty() && aims_of(*plan.kernel, plan.comparisons).empty()) {
+    throw Error(fmt::format("--comparison: kernel {} shows no computed sides of its own formulae", options.kernel));
+  }
+  std::sort(plan.comparisons.begin(), plan.comparisons.end());
+  InstrumentOptions families;
+  families.families = options.families;
+  plan.sources = instrument_sources(
+      families, {"general", "tangent", "seam", "sliver", "needle", "collinear", "repeated", "far", "ratio"});
+  plan.seed = options.seed;
+  plan.seconds = options.seconds;
+  plan.evaluations = options.evaluations;
+  if (!plan.seconds && !plan.evaluations) plan.evaluations = default_evaluations;
+  plan.target = resolve_target(options.target);
+  plan.threads = threads_of(options.threads);
+  return plan;
+}
+
+std::string command_of(const SearchOptions& options, const SearchResult& result) {
+  std::string command = fmt::format("axiscert search --kernel {} --precision {}", options.kernel, options.precision);
+  for (const std::string& which : options.comparisons) command += " --comparison " + which;
+  for (const std::string& family : options.families) command += " --family " + family;
+  return command + fmt::format(" --evaluations {} --seed {}", result.evaluations, options.seed);
+}
+
+int search(const SearchOptions& options) {
+  const SearchPlan plan = plan_of(options);
+  std::optional<std::string> state;
+  if (options.resume) {
+    if (options.out.empty()) throw Error("--resume: give the folder of the search to resume with --out");
+    state = read_bytes((std::filesystem::path(options.out) / state_file).string());
+  }
+  std::optional<OutputFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out);  // found writable before anything runs
+  require_uncontracted(plan.target);
+
+  const std::atomic<bool>& interrupted = watch_for_interrupts();
+  SearchResult result;
+  {
+    ProgressLine progress;
+    result = search(plan, state, interrupted, [&](const SearchProgress& p) {
+      progress.show({p.islands, 0, p.evaluations, p.seconds});
+    });
+  }
+  if (folder) {
+    folder->write_text(state_file, result.state);
+    folder->write_text("witnesses.jsonl", search_witnesses(result));
+  }
+  InstrumentOptions output;
+  output.format = options.format;
+  output.out = options.out;
+  const int done = put_instrument(search_report(plan, result, command_of(options, result)), output);
+  return result.complete ? done : exit_interrupted;
+}
+
+}  // namespace
+
+void add_search(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "search",
+      "Search for the worst of a kernel: errors of its comparisons, wrong verdicts, the scales where range fails");
+  auto options = std::make_shared<SearchOptions>();
+  SearchOptions& o = *options;
+  command->add_option("--kernel", o.kernel, "kernel id")->capture_default_str();
+  command->add_option("--precision", o.precision, "binary32 or binary64")->capture_default_str();
+  command->add_option("--comparison", o.comparisons, "comparison, repeatable (default: all, and the verdict)")
+      ->allow_extra_args(false);
+  command->add_option("--family", o.families, "family that queries are begun from, repeatable")
+      ->allow_extra_args(false);
+  auto* evaluations = command
+                          ->add_option("--evaluations", o.evaluations,
+                                       "queries to estimate, rounded up to whole islands (default: 2^24)")
+                          ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 48));
+  command->add_option("--time", o.seconds, "seconds to search instead")
+      ->check(CLI::PositiveNumber)
+      ->excludes(evaluations);
+  command->add_option("--seed", o.seed, "of all random choices")->capture_default_str();
+  command->add_flag("--resume", o.resume, "go on from the state in the folder of --out");
+  command->add_option("--target", o.target, "instruction set, or auto")->capture_default_str();
+  add_thread_option(*command, o.threads);
+  add_plugin_seconds(*command);
+  add_format(*command, o.format, "json");
+  command->add_option("--out", o.out, "folder for search.json, search.html, witnesses.jsonl and the state");
+  command->callback([&action, options] { action = [options] { return search(*options); }; });
+}
+
+}  // namespace axiscert

@@ -1,0 +1,78 @@
+#include "cli/options/address_query.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fuzz/files/corpus.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+// The source that an address names: a family, or the file that is given for it if it has the right SHA-256.
+SourcePtr source_of(const Address& address, const AddressFiles& files) {
+  const auto is_into = [&](const char* kind) { return address.name.starts_with(kind); };
+  const bool is_mesh = is_into("mesh-"), is_corpus = is_into("corpus-");
+  if (!is_mesh && !is_corpus && !is_into("queries-")) return family_source(find_family(address.name));
+  const std::string& path = is_mesh ? files.mesh : is_corpus ? files.corpus : files.queries;
+  const char* option = is_mesh ? "--mesh" : is_corpus ? "--corpus" : "--queries";
+  if (path.empty() && !is_corpus) {
+    throw Error(fmt::format("address '{}' is into a file: give it with {} FILE", text(address), option));
+  }
+  const std::string place = is_corpus && path.empty() ? default_corpus_folder() : path;
+  const SourcePtr source = is_mesh     ? mesh_source(place)
+                           : is_corpus ? corpus_source(place)
+                                       : query_file_source(place, address.precision);
+  if (source->address_name() != address.name) {
+    throw Error(fmt::format("{} {} is {}, the address wants {}", option, place, source->address_name(), address.name));
+  }
+  return source;
+}
+
+template <class Real>
+Query<Real> made(const Address& address, const Source& source) {
+  if (const auto size = source.fixed_size(address.precision); size && address.position() >= *size) {
+    throw Error(
+        fmt::format("address '{}': the file has {} queries in {}", text(address), *size, name(address.precision)));
+  }
+  Query<Real> q;
+  source.make(address.seed, address.position(), q);
+  return q;
+}
+
+}  // namespace
+
+void add_address_files(CLI::App& command, AddressFiles& files) {
+  command.add_option("--mesh", files.mesh, "the mesh that the address is into");
+  command.add_option("--queries", files.queries, "the query file that the address is into");
+  command.add_option("--corpus", files.corpus,
+                     "the corpus that the address is into (default: the one that comes along)");
+}
+
+std::vector<StoredQuery> queries_given(const std::vector<std::string>& given, const std::string& csv_precision,
+                                       const AddressFiles& files) {
+  std::vector<StoredQuery> all;
+  for (const std::string& each : given) {
+    if (std::count(each.begin(), each.end(), ':') == 5) {
+      all.push_back(query_at(parse_address(each), files));
+      continue;
+    }
+    for (StoredQuery& stored : read_query_file(each, parse_precision(csv_precision))) all.push_back(std::move(stored));
+  }
+  return all;
+}
+
+StoredQuery query_at(const Address& address, const AddressFiles& files) {
+  const SourcePtr source = source_of(address, files);
+  if (source->version() != address.version) {
+    throw Error(fmt::format("address '{}': {} is at generator version {} here, the address is from version {}",
+                            text(address), source->name(), source->version(), address.version));
+  }
+  StoredQuery stored{text(address), address.precision, {}, 0};
+  if (address.precision == Precision::binary32) stored.query = made<float>(address, *source);
+  else stored.query = made<double>(address, *source);
+  return stored;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,93 @@
+#include "cli/options/instrument_options.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "fuzz/queries/address.h"
+#include "fuzz/queries/family.h"
+#include "kernel/base/error.h"
+#include "reports/wording/finding.h"
+
+namespace axiscert {
+namespace {
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw Error(fmt::format("{}: cannot be written", path.string()));
+}
+
+}  // namespace
+
+void add_instrument_options(CLI::App& command, InstrumentOptions& o, std::uint64_t trials) {
+  o.trials = trials;
+  command.add_option("--kernel", o.kernels, "kernel id, repeatable")->allow_extra_args(false);
+  command.add_option("--family", o.families, "family, repeatable")->allow_extra_args(false);
+  command.add_option("--trials", o.trials, "queries per family")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 48))
+      ->capture_default_str();
+  command.add_option("--seed", o.seed, "seed of every family")->capture_default_str();
+  auto* precision = command.add_option("--precision", o.precision, "binary32 or binary64");
+  if (o.precision.empty()) precision->default_str("both");
+  else precision->capture_default_str();
+  add_plugin_seconds(command);
+  add_format(command, o.format, "json");
+  command.add_option("--out", o.out, "folder for the figures as JSON and as a page");
+}
+
+std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, std::vector<std::string> defaults,
+                                              Measures measures) {
+  const Precision precision = parse_precision(options.precision);
+  std::vector<const Kernel*> kernels;
+  for (const std::string& id : options.kernels.empty() ? defaults : options.kernels) {
+    const Kernel& kernel = find_kernel(id);
+    if (measures == Measures::formulae && !kernel.file.empty()) {
+      throw Error(
+          fmt::format("--kernel {}: this command measures built-in formulae; plug-ins are for run, check, "
+                      "critical-radius and league",
+                      id));
+    }
+    if (measures == Measures::formulae && kernel.call != Call{}) {
+      throw Error(
+          fmt::format("--kernel {}: this command measures formulae in an arithmetic, however they are called", id));
+    }
+    require_loaded(kernel);
+    if (!kernel.has(precision)) {
+      throw Error(fmt::format("--precision {}: kernel {} does not exist in it", options.precision, id));
+    }
+    kernels.push_back(&kernel);
+  }
+  return kernels;
+}
+
+std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std::vector<std::string> defaults) {
+  std::vector<SourcePtr> sources;
+  for (const std::string& name : options.families.empty() ? defaults : options.families) {
+    sources.push_back(family_source(find_family(name)));
+  }
+  return sources;
+}
+
+std::string instrument_command(const std::string& name, const InstrumentOptions& options) {
+  std::string command = "axiscert " + name;
+  for (const std::string& kernel : options.kernels) command += " --kernel " + kernel;
+  for (const std::string& family : options.families) command += " --family " + family;
+  command += fmt::format(" --trials {} --seed {}", options.trials, options.seed);
+  return options.precision.empty() ? command : command + " --precision " + options.precision;
+}
+
+int put_instrument(const InstrumentReport& report, const InstrumentOptions& options) {
+  fmt::print("{}", options.format == "json" ? report.data.dump(2) + "\n" : instrument_text(report));
+  if (options.out.empty()) return exit_done;
+  make_folder(options.out);
+  const std::filesystem::path folder = options.out;
+  write_file(folder / (report.name + ".json"), report.data.dump(2) + "\n");
+  write_file(folder / (report.name + ".html"), instrument_page(report));
+  if (options.format == "text") fmt::print("{}\n", (folder / (report.name + ".html")).string());
+  return exit_done;
+}
+
+}  // namespace axiscert

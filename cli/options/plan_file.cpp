@@ -1,0 +1,175 @@
+#include "cli/options/plan_file.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "fuzz/files/file_bytes.h"
+#include "fuzz/files/number_text.h"
+#include "fuzz/files/sha256.h"
+#include "fuzz/files/whole_number.h"
+#include "kernel/base/error.h"
+#include "kernel/base/utf8.h"
+#include "reports/run_folder/parsed_json.h"
+#include "fuzz/confirm/plan.h"
+
+namespace axiscert {
+namespace {
+
+constexpr const char* plan_schema = "axiscert-plan/1";
+
+// Calls visit(name, member) with each option that a record depends on.
+template <class Options, class Visit>
+void for_each_option(Options& o, Visit&& visit) {
+  visit("kernels", o.kernels);
+  visit("families", o.families);
+  visit("meshes", o.meshes);
+  visit("queries", o.queries);
+  visit("corpus", o.corpus);
+  visit("trials", o.trials);
+  visit("seed", o.seed);
+  visit("precision", o.precision);
+  visit("tolerances", o.tolerances);
+  visit("require", o.require);
+}
+
+template <class Value>
+void put(Json& json, const Value& value) {
+  json = value;
+}
+template <class Value>
+void put(Json& json, const std::optional<Value>& value) {
+  if (value) json = *value;
+}
+template <class Value>
+void get(const Json& json, Value& value) {
+  if constexpr (std::is_integral_v<Value>) value = whole_number<Value>(json);
+  else json.get_to(value);
+}
+template <class Value>
+void get(const Json& json, std::optional<Value>& value) {
+  if (!json.is_null()) get(json, value.emplace());
+}
+template <class Value>
+void get_member(const Json& object, const char* name, Value& value) {
+  try {
+    get(object.at(name), value);
+  } catch (const std::exception& wrong) {  // Json::exception, or whole_number's Error
+    throw Error(fmt::format("'{}': {}", name, wrong.what()));
+  }
+}
+
+std::string digest_of(Json json) {
+  json.erase("digest");
+  const std::string text = json.dump();
+  return sha256_hex(std::as_bytes(std::span(text)));
+}
+
+// What the options come to: the plan of the record that they lead to.
+Json plan_of_record(const Plan& plan, const std::string& require) { return plan_json(plan, planned(plan), require); }
+
+// Where files are not where they were: beside the plan, by their base name.
+void look_beside(const std::string& plan_path, std::vector<std::string>& files) {
+  for (std::string& file : files) {
+    const auto beside = std::filesystem::path(plan_path).parent_path() / base_name(file);
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored) && std::filesystem::exists(beside, ignored)) file = beside.string();
+  }
+}
+
+}  // namespace
+
+std::string PlanFile::text() const { return json.dump(1) + "\n"; }
+
+PlanFile plan_file_of(const RunOptions& options, std::optional<std::uint64_t> units_each) {
+  for (const std::string& path : options.queries) {
+    if (path == "-") throw Error("--queries -: what came from standard input cannot be read again; give a file");
+  }
+  const Plan plan = plan_of(options);
+  const Stretches stretches(plan, units_each ? *units_each : Stretches::default_units_each(plan));
+  PlanFile file{"the plan", {}, {}, options, stretches.units_each()};
+  for (const auto* files : {&options.meshes, &options.queries}) {
+    for (const std::string& path : *files) require_utf8(path, "file");
+  }
+  if (options.corpus) require_utf8(*options.corpus, "--corpus");
+  Json given = Json::object();
+  for_each_option(options, [&](const char* name, const auto& value) { put(given[name], value); });
+  file.json = {{"schema", plan_schema},
+               {"plan", plan_of_record(plan, options.require)},
+               {"options", given},
+               {"queries", stretches.queries()},
+               {"units", stretches.units()},
+               {"units_per_stretch", stretches.units_each()},
+               {"stretches", stretches.count()}};
+  file.digest = digest_of(file.json);
+  file.json["digest"] = file.digest;
+  return file;
+}
+
+PlanFile read_plan_file(const std::string& path) {
+  PlanFile file{path, {}, {}, {}, 1};
+  try {
+    file.json = parsed_json(read_bytes(path));
+  } catch (const Json::exception&) {
+    // null: none, as below
+  }
+  const Json& json = file.json;
+  if (!json.is_object() || !json.contains("schema")) {
+    throw Error(fmt::format("{}: is no plan, or cut off: `axiscert plan --out {}` writes one", path, path));
+  }
+  if (json["schema"] != plan_schema) {
+    throw Error(fmt::format("{}: its schema is {}, this axiscert reads \"{}\"", path, shown(json["schema"].dump()),
+                            plan_schema));
+  }
+  file.digest = digest_of(json);
+  if (const Json digest = json.value("digest", Json()); digest != file.digest) {
+    throw Error(
+        fmt::format("{}: was changed after it was written: its digest is {} and says {}; write a new plan with "
+                    "`axiscert plan`",
+                    path, file.digest, shown(digest.dump())));
+  }
+  try {
+    for_each_option(file.options, [&](const char* name, auto& value) { get_member(json.at("options"), name, value); });
+    get_member(json, "units_per_stretch", file.units_each);
+    std::uint64_t counted;  // again, where the plan is taken
+    for (const char* count : {"queries", "units", "stretches"}) get_member(json, count, counted);
+    if (!json.at("plan").is_object()) throw Error("'plan' is no object");
+  } catch (const std::exception& wrong) {
+    throw Error(fmt::format("{}: not as {} has it: {}", path, plan_schema, wrong.what()));
+  }
+  if (file.units_each == 0) throw Error(fmt::format("{}: a stretch has at least one unit, not 0", path));
+  return file;
+}
+
+Plan plan_of(const PlanFile& file) {
+  RunOptions options = file.options;
+  look_beside(file.path, options.meshes);
+  look_beside(file.path, options.queries);
+  Plan plan = plan_of(options);
+  const std::string differs = difference(plan_of_record(plan, options.require), file.json["plan"]);
+  if (!differs.empty()) {
+    throw Error(
+        fmt::format("{}: cannot be done as it was planned: here {}; write a new plan, or use the axiscert and the "
+                    "files that it was written with",
+                    file.path, differs));
+  }
+  return plan;
+}
+
+std::string difference(const Json& plan, const Json& expected) {
+  const Json here = plan.flatten(), there = expected.flatten();
+  const auto value = [](const Json& flat, const std::string& key) {
+    return flat.contains(key) ? flat[key].dump() : "missing";
+  };
+  for (const Json* flat : {&there, &here}) {
+    for (const auto& [key, ignored] : flat->items()) {
+      const std::string is = value(here, key), expected_to_be = value(there, key);
+      if (is != expected_to_be)
+        return fmt::format("{} is {}, and not {}", key.empty() ? "the plan" : key.substr(1), shown(is),
+                           shown(expected_to_be));
+    }
+  }
+  return here == there ? "" : "the order of its members is another";
+}
+
+}  // namespace axiscert

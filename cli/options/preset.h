@@ -1,0 +1,15 @@
+// Presets of `axiscert run`: plans that have a name. A new one is a line in preset.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/options/run_options.h"
+
+namespace axiscert {
+
+std::vector<std::string> preset_names();
+// What the preset says where the options say nothing. The name is one of preset_names().
+void apply_preset(const std::string& name, RunOptions& options);
+
+}  // namespace axiscert

@@ -1,0 +1,256 @@
+#include "cli/options/run_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "cli/commands/commands.h"
+#include "cli/options/preset.h"
+#include "fuzz/queries/address.h"
+#include "fuzz/files/corpus.h"
+#include "fuzz/files/file_bytes.h"
+#include "fuzz/files/sha256.h"
+#include "kernel/base/error.h"
+#include "reports/gates/requirement.h"
+
+namespace axiscert {
+namespace {
+
+// Queries per family: 2^18 in binary32, 2^16 in binary64, where exact arithmetic costs more; least where it spans the
+// whole exponent range.
+std::uint64_t default_trials(const Source& source, Precision precision) {
+  if (precision == Precision::binary32) return std::uint64_t{1} << 18;
+  return std::uint64_t{1} << (source.name() == "bits" ? 14 : 16);
+}
+
+// "T" for all comparisons or "COMPARISON=T" for one; a later one overrides.
+void add_tolerance(const std::string& given, Plan& plan) {
+  const std::size_t equals = given.find('=');
+  const std::string which = equals == given.npos ? "" : given.substr(0, equals);
+  const std::string number = equals == given.npos ? given : given.substr(equals + 1);
+  std::optional<Rational> value;
+  try {
+    value = parse_decimal(number);
+  } catch (const Error& wrong) {
+    throw Error(fmt::format("--tolerance {}: {}", given, wrong.what()));
+  }
+  if (sgn(*value) < 0) throw Error(fmt::format("--tolerance {}: a tolerance is not negative", given));
+  bool found = false;
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    if (!which.empty() && comparisons[i].name != which) continue;
+    plan.tolerances[i] = value;
+    plan.tolerance_texts[std::string(comparisons[i].name)] = number;
+    found = true;
+  }
+  if (found) return;
+  std::vector<std::string_view> names;
+  for (const ComparisonInfo& c : comparisons) names.push_back(c.name);
+  throw Error(
+      fmt::format("--tolerance {}: unknown comparison '{}'; comparisons: {}", given, which, fmt::join(names, ", ")));
+}
+
+// What the record says of a plug-in that was given by its path. One that cannot be read has no hash: that it could not
+// be loaded is a finding.
+void add_plugin(const Kernel& kernel, Plan& plan) {
+  if (!kernel.id.starts_with("plugin:") || kernel.file.empty()) return;
+  FileInfo& file = plan.plugins.emplace_back();
+  file.name = base_name(kernel.file);
+  file.kind = "plugin";
+  try {
+    const std::string bytes = read_bytes(kernel.file);
+    file.sha256 = sha256_hex(std::as_bytes(std::span(bytes)));
+  } catch (const Error&) {
+    if (kernel.findings.empty()) throw;
+  }
+}
+
+// Could not be loaded: in no precision, whatever is asked.
+bool is_unloadable(const Kernel* kernel) {
+  return !kernel->has(Precision::binary32) && !kernel->has(Precision::binary64);
+}
+
+// A precision in which no kernel exists is left out of the plan; one that was asked for by name is an error for each
+// kernel that lacks it. A plug-in that cannot be loaded exists in none, which its findings say.
+void drop_idle_precisions(Plan& plan, const std::string& asked) {
+  for (const Kernel* kernel : plan.kernels) {
+    if (asked.empty() || is_unloadable(kernel) || kernel->has(plan.precisions.front())) continue;
+    throw Error(fmt::format("--precision {}: kernel {} exists in {} only", asked, kernel->id,
+                            kernel->has(Precision::binary32) ? "binary32" : "binary64"));
+  }
+  std::erase_if(plan.precisions, [&](Precision precision) {
+    return std::none_of(plan.kernels.begin(), plan.kernels.end(),
+                        [&](const Kernel* kernel) { return kernel->has(precision); });
+  });
+}
+
+// Digits only: CLI11 would take "-1" for the greatest number there is.
+std::string whole_number(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+  return digits ? "" : fmt::format("'{}' is not a whole number from 0 on", text);
+}
+
+std::string above_zero(const std::string& text) {
+  double value = 0;
+  return CLI::detail::lexical_cast(text, value) && value > 0 ? "" : fmt::format("'{}' is not a number above 0", text);
+}
+
+}  // namespace
+
+CLI::Option* add_source_options(CLI::App& command, SourceOptions& o) {
+  command.add_option("--family", o.families, "family, repeatable, or all (default: all unless files are given)")
+      ->allow_extra_args(false);
+  command.add_option("--mesh", o.meshes, "mesh file of any format assimp reads, repeatable")->allow_extra_args(false);
+  command.add_option("--queries", o.queries, "query file, JSON Lines or CSV, - for standard input, repeatable")
+      ->allow_extra_args(false);
+  command.add_option("--seed", o.seed, "seed of every family")->check(whole_number)->capture_default_str();
+  return command
+      .add_option("--trials", o.trials,
+                  "queries per family and precision (default: 2^18 in binary32, "
+                  "2^16 in binary64 with 2^14 for bits)")
+      ->check(whole_number)
+      ->check(above_zero);
+}
+
+void add_thread_option(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "worker threads (default: all cores)")->check(CLI::Range(1, 4096));
+}
+
+void add_require_option(CLI::App& command, std::string& require) {
+  command.add_option("--require", require, "logic, range, exact or conservative[=D]: exit 1 where it is not met");
+}
+
+void add_output_options(CLI::App& command, OutputOptions& o) {
+  add_thread_option(command, o.threads);
+  add_require_option(command, o.require);
+  command.add_option("--ratchet", o.ratchet,
+                     "file of what is accepted, a line a cell: exit 1 where anything is worse or a waiver has expired");
+  command.add_option("--out", o.out, "folder for record, reports and witnesses")->capture_default_str();
+  command.add_flag("--quiet", o.quiet, "print nothing but errors and what fails");
+}
+
+CLI::Option* add_plan_options(CLI::App& command, RunOptions& o) {
+  command
+      .add_option(
+          "--kernel", o.kernels,
+          "kernel id, KERNEL@CALL for one called otherwise (see `axiscert kernels`), repeatable (default: published)")
+      ->allow_extra_args(false);
+  CLI::Option* trials = add_source_options(command, o);
+  command.add_option("--corpus", o.corpus, "the corpus too, that of this folder or the one that comes along")
+      ->expected(0, 1)
+      ->default_str(default_corpus_folder());
+  command.add_option("--precision", o.precision, "binary32 or binary64 (default: both); that of CSV files");
+  command.add_option("--tolerance", o.tolerances, "[COMPARISON=]T: count errors above T u, repeatable")
+      ->allow_extra_args(false);
+  return trials;
+}
+
+void add_run_options(CLI::App& command, RunOptions& o) {
+  CLI::Option* trials = add_plan_options(command, o);
+  command.add_option("--time", o.seconds, "seconds to run instead; units that were begun are finished")
+      ->check(above_zero)
+      ->excludes(trials);
+  command.add_option("--target", o.target, "instruction set, see `axiscert kernels`")->capture_default_str();
+  command.add_option("--shrink", o.shrink, "make the witnesses smaller too, by at most so many evaluations each")
+      ->expected(0, 1)
+      ->default_str("1000")
+      ->check(whole_number);
+  command.add_flag("--exact-only", o.exact_only,
+                   "judge every query by CGAL, arbitrary precision and MPFR, without filters: the record is the same");
+  command.add_option("--plant", o.planted, "break the filter on purpose, to see that it is caught: exit 3")
+      ->check(CLI::IsMember(std::vector<std::string>(filter_fault_names.begin(), filter_fault_names.end())))
+      ->excludes("--exact-only");
+  command
+      .add_option("--preset", o.preset,
+                  "ci: all families and the corpus with 2^14 queries each, unless options say otherwise")
+      ->check(CLI::IsMember(preset_names()));
+  add_plugin_seconds(command);
+  add_output_options(command, o);
+}
+
+std::vector<SourcePtr> sources_of(const SourceOptions& options, Precision csv_precision) {
+  std::vector<SourcePtr> sources;
+  const auto add = [&](SourcePtr source) {
+    for (const SourcePtr& other : sources) {
+      if (other->address_name() == source->address_name()) return;  // given twice
+      if (other->name() == source->name()) {
+        throw Error(fmt::format("two different files are both '{}' in the report: rename one", source->name()));
+      }
+    }
+    sources.push_back(std::move(source));
+  };
+  const bool nothing_given =
+      options.families.empty() && options.meshes.empty() && options.queries.empty() && !options.corpus;
+  const bool all =
+      nothing_given || std::find(options.families.begin(), options.families.end(), "all") != options.families.end();
+  if (all) {
+    for (const Family* family : families()) add(family_source(*family));
+  }
+  for (const std::string& name : options.families) {
+    if (name != "all") add(family_source(find_family(name)));
+  }
+  for (const std::string& path : options.meshes) add(mesh_source(path));
+  for (const std::string& path : options.queries) add(query_file_source(path, csv_precision));
+  if (options.corpus) add(corpus_source(*options.corpus));
+  return sources;
+}
+
+void say_what_is_left_out(const std::vector<SourcePtr>& sources, const std::vector<Precision>& precisions) {
+  for (const SourcePtr& source : sources) {
+    for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+      const bool runs = std::find(precisions.begin(), precisions.end(), precision) != precisions.end();
+      const std::uint64_t left_out = runs ? 0 : source->fixed_size(precision).value_or(0);
+      if (left_out == 0) continue;
+      fmt::print(stderr, "axiscert: {}: --precision leaves out {} queries in {}\n", source->name(), left_out,
+                 name(precision));
+    }
+  }
+}
+
+std::uint64_t trials_of(const SourceOptions& options, const Source& source, Precision precision) {
+  return options.trials ? *options.trials : default_trials(source, precision);
+}
+
+int threads_of(int given) {
+  return given != 0 ? given : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+Plan plan_of(const RunOptions& given) {
+  RunOptions options = given;
+  if (options.seconds) {
+    // What is bounded by time has other queries on every machine.
+    for (const auto& [name, value] : {std::pair("--preset", options.preset), {"--ratchet", options.ratchet}}) {
+      if (!value.empty())
+        throw Error(fmt::format("--time with {} {}: it holds a run to its plan, so bound it by --trials", name, value));
+    }
+  }
+  if (!options.preset.empty()) apply_preset(options.preset, options);
+  Plan plan;
+  plan.seed = options.seed;
+  plan.target = resolve_target(options.target);
+  if (!options.require.empty()) parse_requirement(options.require);
+  for (const std::string& id : options.kernels) {
+    const Kernel* kernel = &find_kernel(id);
+    if (std::find(plan.kernels.begin(), plan.kernels.end(), kernel) != plan.kernels.end()) continue;
+    plan.kernels.push_back(kernel);
+    add_plugin(*kernel, plan);
+  }
+  if (plan.kernels.empty()) plan.kernels.push_back(&find_kernel("published"));
+  if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
+  else plan.precisions = {parse_precision(options.precision)};
+  drop_idle_precisions(plan, options.precision);
+  for (const std::string& tolerance : options.tolerances) add_tolerance(tolerance, plan);
+  plan.seconds = options.seconds;
+  plan.exact_only = options.exact_only;
+  plan.planted = static_cast<FilterFault>(
+      std::find(filter_fault_names.begin(), filter_fault_names.end(), options.planted) - filter_fault_names.begin());
+  plan.trials = [options](const Source& source, Precision precision) { return trials_of(options, source, precision); };
+  plan.threads = threads_of(options.threads);
+  plan.sources =
+      sources_of(options, options.precision.empty() ? Precision::binary32 : parse_precision(options.precision));
+  say_what_is_left_out(plan.sources, plan.precisions);
+  return plan;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,60 @@
+// The options of `axiscert run`, those it shares with `generate` and `judge`, and the plan they make.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fuzz/campaign/campaign.h"
+
+namespace axiscert {
+
+// Which queries.
+struct SourceOptions {
+  std::vector<std::string> families, meshes, queries;
+  std::optional<std::string> corpus;  // its folder
+  std::optional<std::uint64_t> trials;
+  std::uint64_t seed = 1;
+};
+
+// What becomes of the judged answers.
+struct OutputOptions {
+  std::string require, out = "out", ratchet;
+  bool quiet = false;
+  std::uint64_t shrink = 0;  // evaluations to make each witness smaller; 0: they stay as they are
+  int threads = 0;           // 0: all cores
+};
+
+struct RunOptions : SourceOptions, OutputOptions {
+  std::vector<std::string> kernels, tolerances;
+  std::optional<double> seconds;
+  std::string precision;  // empty: both
+  std::string preset;     // empty: none
+  std::string target = "auto";
+  bool exact_only = false;
+  std::string planted = "none";
+};
+
+// The option --trials, which others may exclude.
+CLI::Option* add_source_options(CLI::App& command, SourceOptions& options);
+// What a plan file keeps: kernels, queries, precision, tolerances. Returns --trials too.
+CLI::Option* add_plan_options(CLI::App& command, RunOptions& options);
+void add_require_option(CLI::App& command, std::string& require);
+void add_thread_option(CLI::App& command, int& threads);
+void add_output_options(CLI::App& command, OutputOptions& options);
+void add_run_options(CLI::App& command, RunOptions& options);
+
+// The families by name, the files read; all families where nothing is named. Throws Error.
+std::vector<SourcePtr> sources_of(const SourceOptions& options, Precision csv_precision);
+// How many queries of a source: as asked, or the default; a query file's own number is not looked at.
+std::uint64_t trials_of(const SourceOptions& options, const Source& source, Precision precision);
+// Says on standard error which queries of query files are in none of these precisions.
+void say_what_is_left_out(const std::vector<SourcePtr>& sources, const std::vector<Precision>& precisions);
+int threads_of(int given);
+// Looks up every name and reads every file. Throws Error.
+Plan plan_of(const RunOptions& options);
+
+}  // namespace axiscert

@@ -1,0 +1,270 @@
+#include "cli/running/planned_run.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "cli/commands/commands.h"
+#include "cli/running/judged_run.h"
+#include "cli/running/recheck.h"
+#include "cli/running/run_output.h"
+#include "fuzz/files/file_bytes.h"
+#include "fuzz/campaign/parts/distribute.h"
+#include "kernel/base/error.h"
+#include "kernel/self_check.h"
+
+namespace axiscert {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Seconds between lines of progress in a batch job's log, and between two times that the journal is brought to the disk
+// itself: a kill loses nothing that was appended, a power cut at most that.
+constexpr double seconds_between_lines = 60, seconds_between_syncs = 10;
+
+// "I/N": every N-th stretch, from the I-th on.
+Selection shard_of(const std::string& given) {
+  std::uint64_t shard = 0, shards = 0;
+  char slash = 0;
+  std::istringstream text(given);
+  const bool is_pair = given.find_first_not_of("0123456789/") == given.npos && (text >> shard >> slash >> shards) &&
+                       slash == '/' && text.peek() == std::istringstream::traits_type::eof();
+  if (!is_pair || shard < 1 || shard > shards) {
+    throw Error(fmt::format("--shard {}: I/N is right, I from 1 to N: 3/8 is the third of eight", given));
+  }
+  return [=](std::uint64_t stretch) { return stretch % shards == shard - 1; };
+}
+
+Selection listed_in(const std::string& file, std::uint64_t count) {
+  std::istringstream text(read_bytes(file));
+  std::set<std::uint64_t> numbers;
+  for (std::uint64_t number = 0; text >> number;) numbers.insert(number);
+  if (!text.eof() || numbers.empty() || *numbers.rbegin() >= count) {
+    throw Error(fmt::format("--stretches {}: numbers of stretches, one a line, below {} are right", file, count));
+  }
+  return [=](std::uint64_t stretch) { return numbers.contains(stretch); };
+}
+
+// Rank 0's part.
+class Lead {
+ public:
+  Lead(const PlannedOptions& options, const OutputOptions& output, const PlanFile& file, const Plan& plan,
+       const Stretches& stretches, Crew& crew, Ranks* ranks)
+      : options_(options),
+        output_(output),
+        file_(file),
+        plan_(plan),
+        stretches_(stretches),
+        ratchet_(ratchet_of(output, plan)),
+        folder_(output.out),
+        gathered_(plan, stretches),
+        distributor_(crew, ranks),
+        is_whole_(options.shard.empty() && options.stretches.empty()),
+        is_selected_([](std::uint64_t) { return true; }) {
+    if (!options.shard.empty()) is_selected_ = shard_of(options.shard);
+    if (!options.stretches.empty()) is_selected_ = listed_in(options.stretches, stretches.count());
+  }
+
+  int run(const std::string& target_asked) {
+    open_journal();
+    const auto started = std::chrono::system_clock::now();
+    std::vector<RankUse> uses;
+    try {
+      do_what_is_missing();
+      if (options_.recheck > 0 && !interrupted_) {
+        recheck(options_, file_, {plan_, stretches_, path(journal_file), output_, plan_.threads}, distributor_);
+      }
+      uses = distributor_.finish();
+    } catch (const OracleDisagreement& disagreement) {
+      throw saved(folder_, disagreement);
+    }
+    journal_->sync();
+    say_what_ranks_did(uses);
+    if (!is_whole_) return say_what_a_part_did();
+    const Json scale = scale_json(uses);
+    return put_result(folder_, plan_, std::move(gathered_).take(), output_, ratchet_, target_asked, started, scale);
+  }
+
+ private:
+  std::string path(const char* file) const { return (fs::path(output_.out) / file).string(); }
+
+  void open_journal() {
+    const std::string journal = path(journal_file);
+    if (!options_.resume && fs::exists(journal)) {
+      throw Error(fmt::format("{}: is there already: --resume goes on with it, or give another folder", journal));
+    }
+    journal_.emplace(journal, file_.digest, [this](std::string_view content) { gathered_.replay(content); });
+    folder_.write_text(plan_copy, file_.text());
+    if (journal_->torn() != 0) {
+      fmt::print(stderr,
+                 "axiscert: {}: its last entry was cut off when it was being written: {} bytes dropped, and done "
+                 "again\n",
+                 journal, journal_->torn());
+    }
+    lost_ = gathered_.lost_units();
+    if (options_.resume) {
+      fmt::print(stderr, "axiscert: {}: {} of {} units are done; units lost on the way: {}\n", journal,
+                 gathered_.units(), stretches_.units(), lost_);
+    }
+    for (std::uint64_t stretch = 0; stretch < stretches_.count(); ++stretch) {
+      left_ += is_selected_(stretch) && !gathered_.has(stretch);
+    }
+  }
+
+  std::optional<Task> next() {
+    if (interrupted_) return std::nullopt;
+    for (; next_ < stretches_.count(); ++next_) {
+      if (!is_selected_(next_) || gathered_.has(next_)) continue;
+      journal_->append(begun_note(next_));
+      --left_;
+      return task_of(next_++, false);
+    }
+    return std::nullopt;
+  }
+
+  void do_what_is_missing() {
+    ProgressLine progress(output_.quiet, seconds_between_lines);
+    const std::uint64_t units_before = gathered_.units(), queries_before = gathered_.queries();
+    std::uint64_t units_to_do = 0;
+    for (const std::uint64_t stretch : gathered_.missing()) {
+      if (is_selected_(stretch)) units_to_do += stretches_.at(stretch).units();
+    }
+    const std::string lost = lost_ == 0 ? "" : fmt::format("; {} units lost before and done again", lost_);
+    const auto start = std::chrono::steady_clock::now();
+    double synced = 0;
+    distributor_.run({[this] { return next(); }, [this] { return left_; },
+                      [&](const TaskResult& result) {
+                        gathered_.add(decode_entry(result.bytes));
+                        journal_->append(result.bytes);
+                        const std::chrono::duration<double> now = std::chrono::steady_clock::now() - start;
+                        if (now.count() - synced > seconds_between_syncs) {
+                          journal_->sync();
+                          synced = now.count();
+                        }
+                        progress.show({gathered_.units() - units_before, units_to_do,
+                                       gathered_.queries() - queries_before, now.count()},
+                                      lost);
+                      }});
+  }
+
+  // What run.json has of it. Stretches of another process of the same plan are not counted: no rank of this run did
+  // them.
+  Json scale_json(const std::vector<RankUse>& uses) const {
+    Json ranks = Json::array();
+    for (const RankUse& use : uses) {
+      ranks.push_back({{"threads", use.threads}, {"stretches", use.tasks}, {"peak_memory_bytes", use.peak_memory}});
+    }
+    return {{"plan_digest", file_.digest},
+            {"stretches", stretches_.count()},
+            {"units_per_stretch", stretches_.units_each()},
+            {"units_lost", lost_},
+            {"journal_bytes", journal_->bytes()},
+            {"ranks", ranks}};
+  }
+
+  static void say_what_ranks_did(const std::vector<RankUse>& uses) {
+    if (uses.size() == 1) return;
+    for (std::size_t rank = 0; rank < uses.size(); ++rank) {
+      fmt::print(stderr, "axiscert: rank {}: {} stretches on {} thread{}, {:.1f} MiB at most\n", rank, uses[rank].tasks,
+                 uses[rank].threads, uses[rank].threads == 1 ? "" : "s",
+                 static_cast<double>(uses[rank].peak_memory) / 0x1p20);
+    }
+  }
+
+  int say_what_a_part_did() const {
+    fmt::print("{}: {} of the plan's {} units; `axiscert merge` joins the parts\n", path(journal_file),
+               gathered_.units(), stretches_.units());
+    return interrupted_ ? exit_interrupted : exit_done;
+  }
+
+  const PlannedOptions& options_;
+  const OutputOptions& output_;
+  const PlanFile& file_;
+  const Plan& plan_;
+  const Stretches& stretches_;
+  std::optional<Ratchet> ratchet_;
+  OutputFolder folder_;
+  Gathered gathered_;
+  Distributor distributor_;
+  bool is_whole_;
+  Selection is_selected_;
+  std::optional<Journal> journal_;
+  std::uint64_t next_ = 0, left_ = 0, lost_ = 0;
+  const std::atomic<bool>& interrupted_ = watch_for_interrupts();
+};
+
+// One rank, or the only process.
+int run_as(Ranks* ranks, const PlannedOptions& options, const RunOptions& run) {
+  const PlanFile file = read_plan_file(options.plan);
+  Plan plan = plan_of(file);
+  plan.target = resolve_target(run.target);
+  plan.exact_only = run.exact_only;
+  // A launcher starts a rank for each core, or says otherwise.
+  plan.threads = ranks && run.threads == 0 ? 1 : threads_of(run.threads);
+  Plan again = plan;
+  if (options.recheck > 0) again.target = recheck_target(options, plan.target);
+  std::set<std::string> targets = targets_of(plan);
+  targets.insert(again.target);
+  for (const std::string& target : targets) require_uncontracted(target);
+  const Stretches stretches(plan, file.units_each);
+  Crew crew(plan.threads,
+            [&](Task task) { return encode(run_stretch(is_again(task) ? again : plan, stretches, stretch_of(task))); });
+  if (ranks && ranks->rank() != 0) {
+    watch_for_interrupts();  // rank 0 decides when to stop
+    serve(crew, *ranks);
+    return exit_done;
+  }
+  OutputOptions output = run;
+  output.require = file.options.require;
+  return Lead(options, output, file, plan, stretches, crew, ranks).run(run.target);
+}
+
+}  // namespace
+
+void add_planned_options(CLI::App& command, PlannedOptions& o) {
+  auto* plan =
+      command.add_option("--plan", o.plan,
+                         "plan file of `axiscert plan` to do, by all ranks where mpirun starts several; what is "
+                         "finished stands in the folder's journal");
+  for (const char* settled : {"--kernel", "--family", "--mesh", "--queries", "--corpus", "--seed", "--trials", "--time",
+                              "--precision", "--tolerance", "--require", "--plant", "--preset"}) {
+    plan->excludes(command.get_option(settled));
+  }
+  command.add_flag("--resume", o.resume, "go on with the folder's journal, where there is one")->needs(plan);
+  auto* shard = command.add_option("--shard", o.shard, "I/N: the I-th of N parts of the plan, for `axiscert merge`");
+  auto* ratchet = command.get_option("--ratchet");  // which holds a whole run
+  shard->needs(plan)->excludes(ratchet);
+  command.add_option("--stretches", o.stretches, "file of numbers: do these stretches of the plan only")
+      ->needs(plan)
+      ->excludes(shard)
+      ->excludes(ratchet);
+  auto* recheck = command.add_option("--recheck", o.recheck,
+                                     "fraction of the finished stretches to do again in another way; a difference is "
+                                     "exit 3");
+  recheck->needs(plan)->check(CLI::Range(0.0, 1.0));
+  command.add_option("--recheck-seed", o.recheck_seed, "which of them (default: chosen anew, and said)")
+      ->needs(recheck);
+  auto* target = command.add_option("--recheck-target", o.recheck_target,
+                                    "instruction set of the second time (default: scalar, or the best where the first "
+                                    "was scalar)");
+  target->needs(recheck);
+  command.add_option("--recheck-with", o.recheck_with, "another build's axiscert, which does it the second time")
+      ->needs(recheck)
+      ->excludes(target);
+}
+
+int planned_run(const PlannedOptions& options, const RunOptions& run) {
+  const std::unique_ptr<Ranks> ranks = join_ranks();
+  if (!ranks || ranks->size() == 1) return run_as(nullptr, options, run);
+  try {
+    return run_as(ranks.get(), options, run);
+  } catch (...) {
+    const int code = tell(std::current_exception());
+    ranks->abort(code);  // the others would wait for this rank for ever
+    return code;
+  }
+}
+
+}  // namespace axiscert

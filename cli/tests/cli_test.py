@@ -1,0 +1,288 @@
+#!/usr/bin/env python3
+"""The command as a user meets it: output, exit codes, one clear line for every bad input."""
+import json
+import math
+import signal
+import subprocess
+import sys
+import time
+import unittest
+from fractions import Fraction
+
+from command import BUILD, DIVISOR, MODELS, QUERY, SCHEMAS, Case, axiscert, family
+
+
+class Check(Case):
+    def check(self, text, *args):
+        done = axiscert("check", "-", "--format", "jsonl", *args, stdin=text)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return [json.loads(line) for line in done.stdout.splitlines()]
+
+    def test_a_repeated_vertex_is_a_specification_fault(self):
+        (line,) = self.check(QUERY % 1)
+        self.assertEqual(line["kernel"], "published")
+        self.assertEqual(line["exact"]["verdict"], "separated")
+        self.assertFalse(line["exact"]["touching"])
+        self.assertEqual(Fraction(line["exact"]["squared_distance"]), 4)
+        self.assertEqual(line["computed"]["verdict"], "contact")
+        self.assertEqual(line["flips"], [{"level": "verdict", "name": "verdict", "kind": "false_contact",
+                                          "decisive": True, "links": ["specification"]}])
+        for key, length in (("comparisons", 16), ("axes", 7)):
+            self.assertEqual(len(line["exact"][key]), length)
+            self.assertEqual(line["exact"][key], line["computed"][key])
+        self.assertEqual(self.check(QUERY % 1, "--kernel", "nonstrict")[0]["flips"], [])
+
+    def test_touching_is_contact_and_a_tie(self):
+        (line,) = self.check(QUERY % 2)
+        self.assertEqual((line["exact"]["verdict"], line["exact"]["touching"]), ("contact", True))
+        self.assertEqual(line["exact"]["ties"][1], "1", "vertex_a.radius")
+
+    def test_invalid_is_an_answer(self):
+        for radius in ('"nan"', '"inf"', '-1', '"-0x1p-149"'):
+            (line,) = self.check(QUERY % radius)
+            self.assertEqual(line["exact"]["verdict"], "invalid", radius)
+            self.assertIsNone(line["exact"]["squared_distance"])
+            self.assertEqual(line["flips"], [])
+
+    def test_a_decimal_is_rounded_from_its_text(self):
+        # The double nearest to this decimal lies on a midpoint of two floats; only the text says which is nearer.
+        (line,) = self.check(QUERY.replace("[0,0,0]", "[1.00000005960464477540,0,0]") % 0)
+        self.assertEqual(Fraction(line["exact"]["squared_distance"]), (2 - Fraction(float.fromhex("0x1.000002p0"))) ** 2)
+
+    def test_text_is_one_line_a_query(self):
+        done = axiscert("check", "-", stdin=QUERY % 1 + QUERY % 2)
+        self.assertEqual(len(done.stdout.splitlines()), 2)
+        self.assertIn("specification", done.stdout)
+
+
+class BadInput(Case):
+    def test_queries(self):
+        good = QUERY % 1
+        for text, says in {
+            "{": ["stdin:1", "JSON"],
+            good + '{"id":"x"}\n': [":2", "precision"],
+            good.replace('"c":[3,0,0],', ""): [":1", "'c'"],
+            QUERY % '"0x1.0000001p0"': [":1", "'r'", "not exact"],
+            QUERY % "1e39": [":1", "'r'", "1e39"],
+            QUERY % "1e999": [":1", "'r'", "1e999"],
+            good.replace("binary32", "binary16"): [":1", "binary16", "binary64"],
+            good.replace("[3,0,0]", "[3,0]"): [":1", "'c'"],
+            good.replace("[3,0,0]", '"x"'): [":1", "'c'"],
+            "": ["no queries"],
+        }.items():
+            with self.subTest(text=text):
+                done = self.refused("check", "-", stdin=text, says=says)
+                self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+                self.assertEqual(done.stdout, "", "half-read")
+
+    def test_names(self):
+        self.refused("run", "--kernel", "nosuch", says=["unknown kernel 'nosuch'", "published"])
+        self.refused("run", "--family", "nosuch", says=["unknown family 'nosuch'", "tangent"])
+        self.refused("run", "--target", "nosuch", says=["target 'nosuch'", "scalar"])
+        self.refused("run", "--precision", "binary16", says=["binary16", "binary64"])
+        self.refused("run", "--require", "nosuch", says=["nosuch", "logic"])
+        self.refused("run", "--tolerance", "plane.radios=3", says=["plane.radios", "plane.radius"])
+        self.refused("run", "--tolerance", "plane.radius=three", says=["three", "decimal"])
+        for option, wrong in (("--trials", "0"), ("--trials", "-5"), ("--trials", "many"), ("--seed", "-1"),
+                              ("--time", "0"), ("--threads", "0")):
+            done = self.refused("run", option, wrong, says=[option, wrong])
+            self.assertLess(len(done.stderr), 200, done.stderr)
+        self.refused("run", "--trials", "5", "--time", "1", says=["--time"])
+        self.refused("check", self.folder / "none.jsonl", says=["none.jsonl"])
+        self.refused("frobnicate", says=[])
+
+    def test_addresses(self):
+        for address, says in {
+            "nonsense": ["SEED:NAME"],
+            "1:nosuch:2:binary32:0:0": ["unknown family 'nosuch'"],
+            "1:general:99:binary32:0:0": ["version 2", "99"],
+            "1:general:2:binary33:0:0": ["binary33"],
+            "1:general:2:binary32:0:65536": ["65536"],
+            "1:general:2:binary32:-1:0": ["unit '-1'"],
+            "1:mesh-00:1:binary32:0:0": ["--mesh FILE"],
+        }.items():
+            with self.subTest(address=address):
+                self.refused("query", address, says=says)
+        spider = MODELS / "OBJ/spider.obj"
+        self.refused("query", "1:mesh-00:1:binary32:0:0", "--mesh", spider, says=["mesh-00"])
+
+    def test_meshes(self):
+        for model in ("invalid/empty.obj", "invalid/malformed.obj", "invalid/OutOfMemory.off", "OBJ/point_cloud.obj",
+                      "nosuch.obj"):
+            with self.subTest(model=model):
+                out = self.folder / "out"
+                done = self.refused("run", "--mesh", MODELS / model, "--out", out, says=[model])
+                self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+                self.assertFalse(out.exists(), "output was begun")
+
+    def test_unwritable_output(self):
+        blocked = self.folder / "file"
+        blocked.write_text("not a folder")
+        self.refused("run", "--family", "general", "--trials", 10, "--out", blocked / "out", says=["--out", "cannot write"])
+
+
+class Run(Case):
+    def test_the_record_does_not_depend_on_threads_or_target(self):
+        plan = ["--trials", 3000 // DIVISOR**2, "--kernel", "published", "--kernel", "nonstrict", "--family", "all",
+                "--mesh", MODELS / "OBJ/spider.obj"]
+        self.run_ok(*plan, "--threads", 2)
+        reference = (self.folder / "out/record.json").read_bytes()
+        targets = json.loads(axiscert("kernels", "--format", "json").stdout)[0]["targets"]
+        self.assertIn("scalar", targets)
+        for target in targets:
+            self.run_ok(*plan, "--threads", 1, "--target", target, out=target)
+            self.assertEqual((self.folder / target / "record.json").read_bytes(), reference, target)
+
+    def test_the_record_does_not_depend_on_the_filters(self):
+        arguments = ["--family", "all", "--mesh", MODELS / "OBJ/spider.obj", "--trials", 4100 // DIVISOR**2, "--tolerance", "3",
+                     "--tolerance", "plane.radius=0.5"]
+        for kernel in ("published", "nonstrict", "reduced", "published+fma", "packed-nonstrict", "eigen", "closest-point"):
+            arguments += ["--kernel", kernel]
+        records = []
+        for name, options in (("filtered", []), ("exact", ["--exact-only"])):
+            done = axiscert("run", *arguments, *options, "--out", self.folder / name)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            records.append((self.folder / name / "record.json").read_bytes())
+        self.assertEqual(*records)
+        counts = [json.loads((self.folder / name / "run.json").read_text()) for name in ("filtered", "exact")]
+        self.assertLess(counts[0]["second_opinions"], counts[1]["second_opinions"])
+
+    def test_record_and_run_info_satisfy_their_schemas(self):
+        self.run_ok("--trials", 500 // DIVISOR, "--kernel", "published", "--kernel", "nonstrict", "--tolerance",
+                    "plane.radius=10")
+        for name in ("record", "run"):
+            done = subprocess.run([sys.executable, SCHEMAS / "validate.py", SCHEMAS / f"{name}.schema.json",
+                                   self.folder / f"out/{name}.json"], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        for name in ("report.html", "report.md", "junit.xml", "witnesses.jsonl"):
+            self.assertTrue((self.folder / "out" / name).stat().st_size > 0, name)
+
+    def test_truth_and_degenerate_families(self):
+        record = self.run_ok("--kernel", "published", "--kernel", "nonstrict", "--family", "lattice", "--family",
+                             "collinear", "--family", "repeated", "--trials", 20000 // DIVISOR)
+        for precision in ("binary32", "binary64"):
+            for name in ("lattice", "collinear", "repeated"):
+                strict = family(record, name, precision)["verdict"]
+                self.assertGreater(strict["links"]["specification"], 0, name)
+                mended = family(record, name, precision, "nonstrict")["verdict"]
+                self.assertEqual(mended["links"]["specification"], 0, name)
+            lattice = family(record, "lattice", precision)["verdict"]
+            self.assertEqual(lattice["false_separation"], 0)
+            self.assertEqual(lattice["links"]["specification"], lattice["false_contact"])
+            mended = family(record, "lattice", precision, "nonstrict")
+            self.assertEqual((mended["verdict"]["false_separation"], mended["verdict"]["false_contact"]), (0, 0))
+            for comparison in mended["comparisons"].values():
+                self.assertEqual(comparison["false_separation"] + comparison["missed_separation"], 0)
+
+    def test_rounding_and_range(self):
+        record = self.run_ok("--family", "tangent", "--family", "scale", "--family", "general", "--trials", 20000 // DIVISOR)
+        tangent = family(record, "tangent")["verdict"]
+        self.assertTrue(tangent["false_separation"] > 0 and tangent["false_contact"] > 0)
+        self.assertGreater(tangent["links"]["rounding"], 0)
+        self.assertGreater(family(record, "scale")["verdict"]["links"]["range"], 0)
+        general = family(record, "general")["verdict"]
+        self.assertEqual((general["false_separation"], general["false_contact"]), (0, 0))
+
+    def test_the_smallest_passing_tolerance_passes_and_one_step_below_fails(self):
+        plan = ["--family", "tangent", "--family", "seam", "--precision", "binary32", "--trials", 5000 // DIVISOR]
+        first = self.run_ok(*plan)
+        smallest = {}
+        for name in ("tangent", "seam"):
+            for comparison, found in family(first, name)["comparisons"].items():
+                self.assertIsNone(found["tolerance_failures"])
+                smallest[comparison] = max(smallest.get(comparison, 0), found["smallest_passing_tolerance"])
+
+        def failures(tolerances):
+            record = self.run_ok(*plan, *[f"--tolerance={c}={t}" for c, t in tolerances.items()])
+            return {c: sum(family(record, n)["comparisons"][c]["tolerance_failures"] for n in ("tangent", "seam"))
+                    for c in tolerances}
+
+        def step_below(t):
+            digits = 5 - math.floor(math.log10(t))
+            return f"{t - 10.0 ** -digits:.{max(digits, 0)}f}"
+
+        self.assertEqual(set(failures({c: repr(t) for c, t in smallest.items()}).values()), {0})
+        for comparison, count in failures({c: step_below(t) for c, t in smallest.items()}).items():
+            self.assertGreater(count, 0, comparison)
+
+    def test_requirements(self):
+        degenerate = ["--family", "repeated", "--precision", "binary32", "--trials", 2000]
+        self.run_ok(*degenerate, "--require", "logic", code=1)
+        self.run_ok(*degenerate, "--require", "logic", "--kernel", "nonstrict", code=0)
+        self.run_ok("--family", "scale", "--precision", "binary32", "--trials", 2000, "--require", "range", code=1)
+        self.run_ok("--family", "general", "--precision", "binary32", "--trials", 2000, "--require", "exact", code=0)
+
+    def test_a_witness_replays_from_its_address_to_the_same_flips(self):
+        record = self.run_ok("--family", "sliver", "--trials", 3000, "--mesh", MODELS / "OBJ/spider.obj")
+        self.assertTrue(record["witnesses"])
+        for witness in record["witnesses"][:40]:
+            query = axiscert("query", witness["address"], "--mesh", MODELS / "OBJ/spider.obj")
+            self.assertEqual(query.returncode, 0, query.stderr)
+            self.assertEqual({k: json.loads(query.stdout)[k] for k in "abcpr"}, {k: witness[k] for k in "abcpr"})
+            line = json.loads(axiscert("check", "-", "--format", "jsonl", stdin=query.stdout).stdout)
+            self.assertEqual(line["flips"], witness["flips"])
+
+    def test_query_files_and_standard_input(self):
+        stored = self.folder / "mine.jsonl"
+        stored.write_text(QUERY % 1 + QUERY % 2)
+        record = self.run_ok("--queries", stored)
+        self.assertEqual(family(record, "queries/mine.jsonl")["trials"], 2)
+        self.assertEqual(family(record, "queries/mine.jsonl")["truth"]["touching"], 1)
+
+    def test_a_time_limit_ends_the_run_and_lists_the_units(self):
+        record = self.run_ok("--family", "general", "--precision", "binary32", "--time", 1)
+        self.assertTrue(record["complete"])
+        self.assertGreaterEqual(record["plan"]["units_done"]["general"]["binary32"], 1)
+
+    def test_an_interrupt_keeps_what_there_is(self):
+        process = subprocess.Popen([BUILD / "axiscert", "run", "--family", "general", "--precision", "binary32",
+                                    "--trials", str(1 << 30), "--out", self.folder / "out"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(3)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 130)
+        record = json.loads((self.folder / "out/record.json").read_text())
+        self.assertFalse(record["complete"])
+
+    def test_report_renders_again_from_the_record(self):
+        self.run_ok("--family", "repeated", "--trials", 500)
+        before = (self.folder / "out/report.md").read_text()
+        (self.folder / "out/report.md").unlink()
+        done = axiscert("report", self.folder / "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual((self.folder / "out/report.md").read_text(), before)
+        self.refused("report", self.folder / "nowhere", says=["nowhere"])
+
+
+class Planted(Case):
+    """Faults put into the harness itself: it has to catch each and exit 3."""
+
+    def test_a_corrupted_oracle(self):
+        done = axiscert("run", "--family", "general", "--out", self.folder / "out", program="axiscert_planted_oracle")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("the oracles disagree", done.stderr)
+        saved = axiscert("check", self.folder / "out/disagreement.jsonl", "--format", "jsonl")
+        self.assertEqual(json.loads(saved.stdout)["exact"]["verdict"], "contact")
+
+    def test_a_filter_that_lies(self):
+        families = ["--family", "collinear", "--family", "sliver", "--family", "general", "--family", "scale"]
+        for fault, says in (("small-bound", "the oracles disagree"), ("no-underflow-guard", "the oracles disagree"),
+                            ("swapped-sign", "the oracles disagree"), ("rounding-mode", "rounding mode")):
+            done = axiscert("run", "--plant", fault, *families, "--trials", 30000, "--out", self.folder / fault)
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertIn(says, done.stderr)
+            self.assertFalse((self.folder / fault / "record.json").exists())
+
+    def test_a_contracted_build(self):
+        for target in json.loads(axiscert("kernels", "--format", "json").stdout)[0]["targets"]:
+            if not target.startswith("AVX"):
+                continue  # the others have no fused operation to contract to
+            done = axiscert("run", "--family", "general", "--trials", 10, "--target", target, "--out",
+                            self.folder / "out", program="axiscert_planted_contraction")
+            self.assertEqual(done.returncode, 3, target)
+            self.assertIn("self-check", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+"""The installed axiscert, moved elsewhere, as a user of find_package(axiscert) meets it: the examples build against it and
+are judged by it."""
+import ctypes
+import json
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from command import BUILD, DIVISOR, ROOT, family
+
+EXAMPLES = ROOT / "examples" / "plugin"
+EXAMPLE_KERNELS = {"c": [32], "cpp": [32, 64]}
+if DIVISOR == 1:  # a library with a sanitizer in it is nothing that a plain program can load
+    EXAMPLE_KERNELS["certified"] = [32, 64]
+
+
+def done(*command):
+    result = subprocess.run([*map(str, command)], capture_output=True, text=True, timeout=600)
+    assert result.returncode == 0, f"{command}: {result.stdout}{result.stderr}"
+    return result.stdout
+
+
+def exported(library):
+    """The names that a shared object exports."""
+    return {line.split()[-1] for line in done("nm", "--dynamic", "--defined-only", library).splitlines()}
+
+
+class Examples(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        done("cmake", "--install", BUILD, "--prefix", cls.folder / "first")
+        cls.prefix = cls.folder / "moved"
+        (cls.folder / "first").rename(cls.prefix)
+        cls.plugins = {name: cls.built(EXAMPLES / name) for name in EXAMPLE_KERNELS}
+
+    @classmethod
+    def built(cls, source):
+        """The plug-in of an example, built against what is installed."""
+        build = Path(tempfile.mkdtemp(dir=cls.folder))
+        done("cmake", "-S", source, "-B", build, f"-DCMAKE_PREFIX_PATH={cls.prefix}")
+        done("cmake", "--build", build)
+        (plugin,) = build.glob("*.so")
+        return plugin
+
+    def installed(self, *arguments):
+        return done(self.prefix / "bin" / "axiscert", *arguments)
+
+    def judged(self, *kernels, families=("general", "tangent", "lattice", "repeated"), options=()):
+        out = Path(tempfile.mkdtemp(dir=self.folder))
+        arguments = [part for kernel in kernels for part in ("--kernel", kernel)]
+        arguments += [part for name in families for part in ("--family", name)]
+        self.installed("run", *arguments, "--trials", 20000 // DIVISOR, *options, "--out", out)
+        return json.loads((out / "record.json").read_text())
+
+    def test_installed_is_what_a_user_needs(self):
+        for file in ("bin/axiscert", "libexec/axiscert/axiscert-plugin-host", "include/axiscert/plugin.h",
+                     "lib/cmake/axiscert/axiscertConfig.cmake", "lib/cmake/axiscert/axiscertConfigVersion.cmake",
+                     "lib/axiscert/faults/none.so", "share/doc/axiscert/README.md", "share/doc/axiscert/LICENSE",
+                     "share/doc/axiscert/NOTICE"):
+            self.assertTrue((self.prefix / file).is_file(), file)
+        self.assertEqual((self.prefix / "include/axiscert/plugin.h").read_text(), (ROOT / "kernel/include/axiscert/plugin.h").read_text())
+
+    def test_nothing_installed_names_the_build_or_the_first_place(self):
+        for file in (self.prefix / "lib/cmake/axiscert").iterdir():
+            for place in (BUILD, ROOT, self.folder / "first"):
+                self.assertNotIn(str(place), file.read_text(), file.name)
+
+    def test_plugins_that_come_along_are_installed(self):
+        names = {kind: {file.stem for file in (self.prefix / "lib/axiscert" / kind).glob("*.so")}
+                 for kind in ("peers", "faults")}
+        self.assertEqual(names["faults"], {file.stem for file in (ROOT / "kernel/sphere_triangle/faults").glob("*.c")})
+        self.assertEqual(names["peers"] != set(), any((BUILD / "peers").glob("*.so")))
+
+    def test_an_example_exports_its_kernels_and_nothing_else(self):
+        for name, precisions in EXAMPLE_KERNELS.items():
+            with self.subTest(name=name):
+                self.assertEqual(exported(self.plugins[name]), {"axiscert_plugin"})
+                kernel = ctypes.CDLL(str(self.plugins[name])).axiscert_plugin
+                kernel.argtypes, kernel.restype = [ctypes.c_uint32], ctypes.POINTER(ctypes.c_uint32)
+                told = [kernel(i) for i in range(len(precisions) + 1)]
+                self.assertEqual([(entry[0], entry[1]) for entry in told[:-1]], [(1, bits) for bits in precisions])
+                self.assertFalse(told[-1], "null after the last kernel")
+
+    def test_the_batch_example_counts_as_the_built_in_kernel_of_its_formulae(self):
+        own = f"plugin:{self.plugins['cpp']}"
+        record = self.judged(own, "published")
+        self.assertEqual(record["findings"], [])
+        for precision in ("binary32", "binary64"):
+            for name in ("general", "tangent", "lattice", "repeated"):
+                mine, published = (family(record, name, precision, kernel) for kernel in (own, "published"))
+                self.assertEqual(mine["truth"], published["truth"])
+                for kind in ("false_separation", "false_contact", "deepest"):
+                    self.assertEqual(mine["verdict"][kind], published["verdict"][kind], (precision, name, kind))
+                for comparison, counts in published["comparisons"].items():
+                    for kind in ("false_separation", "missed_separation", "ties"):
+                        self.assertEqual(mine["comparisons"][comparison][kind], counts[kind], (precision, name, comparison))
+        self.assertGreater(family(record, "tangent", "binary32", own)["verdict"]["false_contact"], 0, "it rounds")
+
+    def test_the_one_query_example_is_right_where_nothing_is_rounded(self):
+        own = f"plugin:{self.plugins['c']}"
+        record = self.judged(own, families=("general", "lattice", "repeated"), options=("--require", "logic"))
+        self.assertEqual(record["findings"], [])
+        self.assertEqual({kernel["precision"] for kernel in record["kernels"]}, {"binary32"})
+        self.assertIsNone(family(record, "lattice", kernel=own)["comparisons"], "it shows verdicts only")
+
+    @unittest.skipUnless("certified" in EXAMPLE_KERNELS, "the library is sanitized")
+    def test_the_library_is_exact_as_a_plugin_too(self):
+        own = f"plugin:{self.plugins['certified']}"
+        record = self.judged(own, families=("all",), options=("--require", "exact"))
+        self.assertEqual(record["findings"], [])
+        self.assertEqual({kernel["precision"] for kernel in record["kernels"]}, {"binary32", "binary64"})
+        self.assertEqual(family(record, "nonfinite", kernel=own)["verdict"]["unanswered"], 0)
+
+    def test_a_fault_in_the_one_query_example_is_found(self):
+        source = self.folder / "faulty"
+        shutil.copytree(EXAMPLES / "c", source)
+        text = (source / "my_kernel.c").read_text()
+        faulty = text.replace("ca = to_segment(C, A)", "ca = to_segment(B, A)")
+        self.assertNotEqual(text, faulty)
+        (source / "my_kernel.c").write_text(faulty)
+        own = f"plugin:{self.built(source)}"
+        verdict = family(self.judged(own, families=("lattice",)), "lattice", kernel=own)["verdict"]
+        self.assertGreater(verdict["false_separation"], 0)
+
+    def test_each_fault_that_comes_along_is_the_implementation_and_the_control_is_not(self):
+        faults = sorted(file.stem for file in (self.prefix / "lib/axiscert/faults").glob("*.so"))
+        record = self.judged(*(f"fault/{name}" for name in faults), families=("general", "lattice", "tie"))
+        self.assertEqual(record["findings"], [])
+        for kernel in record["kernels"]:
+            verdicts = [result["verdict"] for result in kernel["families"].values()]
+            broken = sum(verdict["links"]["implementation"] for verdict in verdicts)
+            self.assertEqual(broken == 0, kernel["id"] == "fault/none", (kernel["id"], kernel["precision"], broken))
+
+    def test_contraction_is_off_unless_asked_for(self):
+        """g++ fuses a * b + c by default where the target can."""
+        source = self.folder / "contracted"
+        shutil.copytree(EXAMPLES / "c", source)
+        lists = (source / "CMakeLists.txt").read_text()
+        fused = {}
+        for name, option in (("off", "-mfma"), ("fast", "-mfma -ffp-contract=fast")):
+            (source / "CMakeLists.txt").write_text(f"{lists}target_compile_options(my_kernel PRIVATE {option})\n")
+            fused[name] = "vfmadd" in done("objdump", "-d", self.built(source))
+        self.assertEqual(fused, {"off": False, "fast": True})
+
+    def test_the_readme_shows_the_one_query_example(self):
+        blocks = re.findall(r"```c\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+        self.assertIn((EXAMPLES / "c" / "my_kernel.c").read_text(), blocks)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,222 @@
+#!/usr/bin/env python3
+"""The measuring subcommands: figures for programs, text, pages, one clear line for every bad input."""
+import json
+import unittest
+
+import jsonschema
+
+from command import SCHEMAS, Case, axiscert
+
+
+class Ladder(Case):
+    AXES = ("plane", "vertex_a", "vertex_b", "vertex_c", "edge_ab", "edge_bc", "edge_ca")
+    PLAN = ("ladder", "--trials", 300, "--kernel", "ladder-8", "--kernel", "ladder-9", "--kernel", "reduced",
+            "--kernel", "ladder-9+in-double")
+
+    def test_figures_as_json(self):
+        done = axiscert(*self.PLAN, "--format", "json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        data = json.loads(done.stdout)
+        self.assertEqual([k["id"] for k in data["kernels"]], ["ladder-8", "ladder-9", "reduced", "ladder-9+in-double"])
+        for kernel in data["kernels"]:
+            self.assertEqual(tuple(kernel["axes"]), self.AXES)
+            for axis in kernel["axes"].values():
+                self.assertEqual("worst_u" in axis, kernel["shows_sides"])
+            self.assertEqual(sum(f["queries"] for f in kernel["families"].values()), kernel["queries"])
+        self.assertEqual([(s["from"], s["to"]) for s in data["steps"]],
+                         [("ladder-8", "ladder-9"), ("ladder-9", "reduced"), ("ladder-9", "ladder-9+in-double")])
+        self.assertIn("reduced", data["speed"]["kernels"])
+
+    def test_without_times_it_repeats_to_the_byte(self):
+        first, second = (axiscert(*self.PLAN, "--no-speed", "--format", "json").stdout for _ in range(2))
+        self.assertEqual(first, second)
+        self.assertNotIn("speed", json.loads(first))
+
+    def test_text_has_every_axis_and_out_gets_both_files(self):
+        done = axiscert(*self.PLAN, "--precision", "binary64", "--kernel", "segments", "--no-speed", "--out",
+                        self.folder / "out")
+        self.assertEqual(done.returncode, 2, "in-double is of binary32 alone")
+        self.assertIn("ladder-9+in-double", done.stderr)
+        done = axiscert(*self.PLAN, "--no-speed", "--out", self.folder / "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for axis in self.AXES:
+            self.assertIn(axis, done.stdout)
+        self.assertIn("no sides shown", done.stdout)
+        self.assertTrue(json.loads((self.folder / "out/ladder.json").read_text())["kernels"])
+        self.assertTrue((self.folder / "out/ladder.html").stat().st_size > 0)
+
+    def test_bad_input(self):
+        self.refused("ladder", "--kernel", "nosuch", says=["unknown kernel 'nosuch'", "ladder-9"])
+        self.refused("ladder", "--kernel", "minkowski", says=["minkowski", "only its verdict", "ladder-0"])
+        self.refused("ladder", "--kernel", "minkowski+fma", says=["minkowski"])
+        self.refused("ladder", "--family", "nosuch", says=["unknown family 'nosuch'"])
+        self.refused("ladder", "--precision", "binary16", says=["binary16"])
+        self.refused("ladder", "--trials", "0", says=["--trials"])
+
+
+class Precision(Case):
+    KERNELS = ["--kernel", "ladder-0", "--kernel", "published", "--kernel", "nonstrict"]
+
+    def test_figures_for_programs_and_a_page(self):
+        done = axiscert("precision", *self.KERNELS, "--family", "tangent", "--family", "lattice", "--trials", 90,
+                        "--bits", 12, "--bits", 256, "--bits", 24, "--format", "json", "--out", self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figures = json.loads(done.stdout)
+        self.assertEqual(figures["bits"], [12, 24, 256])
+        self.assertEqual(set(figures["families"]), {"tangent", "lattice"})
+        self.assertEqual(figures["all"]["queries"], 180)
+        twelve, single, most = figures["families"]["tangent"]["kernels"]["published"]["precisions"]
+        self.assertGreater(twelve["rounding"], single["rounding"])
+        self.assertEqual(most["unlimited"]["comparisons"]["plane.radius"], 0)
+        plane = figures["sufficient"]["published"]["comparisons"]["plane.radius"]
+        self.assertEqual((plane["degree_lhs"], plane["integer_bits"]), (6, {"per_bit": 6, "constant": 16}))
+        self.assertIsNone(figures["sufficient"]["ladder-0"]["comparisons"]["plane.radius"]["integer_bits"])
+        exact = {k: v["exact"] for k, v in figures["all"]["kernels"].items()}
+        self.assertEqual(exact["published"], exact["ladder-0"])
+        self.assertEqual(exact["nonstrict"], {"false_separation": 0, "false_contact": 0})
+        self.assertEqual(json.loads((self.folder / "precision.json").read_text()), figures)
+        self.assertTrue((self.folder / "precision.html").exists())
+        again = axiscert(*figures["command"].split()[1:], "--format", "json")
+        self.assertEqual(json.loads(again.stdout), figures)
+
+    def test_text(self):
+        done = axiscert("precision", "--family", "general", "--trials", 2, "--precision", "binary64", "--bits", 53)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for part in ("exponents of binary64", "reduced-nonstrict", "6 b + 16", "exact"):
+            self.assertIn(part, done.stdout)
+
+    def test_bad_input(self):
+        for bits in ("1", "300", "-24"):
+            self.refused("precision", "--bits", bits, says=[f"--bits {bits}", "2 to 256"])
+        self.refused("precision", "--bits", "many", says=["--bits", "many"])
+        self.refused("precision", "--kernel", "nosuch", says=["unknown kernel 'nosuch'", "published"])
+        self.refused("precision", "--family", "nosuch", says=["unknown family 'nosuch'"])
+        self.refused("precision", "--precision", "binary16", says=["binary16", "binary64"])
+        self.refused("precision", "--kernel", "published+fma", says=["published+fma", "plain arithmetic"])
+
+
+class Condition(Case):
+    def measure(self, *args):
+        done = axiscert("condition", "--format", "json", *args)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_every_flip_is_accounted_for_and_its_address_shows_it(self):
+        found = self.measure("--trials", 500, "--family", "tangent", "--family", "ratio", "--flips", 20)
+        self.assertEqual({row["kernel"] for row in found["rows"]}, {"published", "reduced", "ladder-0"})
+        for row in found["rows"]:
+            for name, counts in row["comparisons"].items():
+                self.assertEqual(counts["evaluated"], min(counts["flips"], 20))
+                self.assertEqual(counts["evaluated"], sum(counts[k] for k in ("ill_conditioned", "unstable", "undefined",
+                                                                              "not_decided")))
+                if counts["least_unstable"]:
+                    self.assertLess(counts["least_unstable"]["kappa_u"], 1.00001)
+                    query = axiscert("query", counts["least_unstable"]["address"]).stdout
+                    line = json.loads(axiscert("check", "-", "--format", "jsonl", "--kernel", row["kernel"],
+                                               stdin=query).stdout)
+                    self.assertIn(name, [flip["name"] for flip in line["flips"]])
+
+    def test_text_and_files(self):
+        plan = ["condition", "--trials", 200, "--family", "tangent", "--precision", "binary64"]
+        done = axiscert(*plan, "--out", self.folder / "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("ill-conditioned", done.stdout)
+        stored = json.loads((self.folder / "out/condition.json").read_text())
+        self.assertEqual(stored, self.measure(*plan[1:]))
+        self.assertTrue((self.folder / "out/condition.html").exists())
+
+    def test_bad_input(self):
+        self.refused("condition", "--kernel", "minkowski", says=["minkowski", "verdict alone"])
+        self.refused("condition", "--kernel", "nosuch", says=["nosuch", "published"])
+        self.refused("condition", "--family", "nosuch", says=["nosuch", "tangent"])
+        self.refused("condition", "--flips", "-1", says=["--flips", "-1"])
+        self.refused("condition", "--kernel", "published+in-double", "--precision", "binary64", says=["in-double"])
+
+
+class CriticalRadius(Case):
+    def measure(self, *args):
+        done = axiscert("critical-radius", "--format", "json", *args)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_every_triangle_is_accounted_for(self):
+        found = self.measure("--trials", 64)
+        self.assertEqual(len(found["rows"]), 64)
+        for row in found["rows"]:
+            self.assertEqual(row["measured"], row["right"] + row["early"] + row["late"] + row["unbounded"])
+            self.assertEqual(row["not_monotone"], 0, row["kernel"])
+
+    def test_a_witness_against_monotonicity_replays(self):
+        kernel = "ladder-0+prescaled"
+        (row,) = self.measure("--trials", 64, "--kernel", kernel, "--family", "scale")["rows"]
+        self.assertGreater(row["not_monotone"], 0)
+        pair = "".join(json.dumps(line) + "\n" for line in row["not_monotone_witness"])
+        done = axiscert("check", "-", "--format", "jsonl", "--kernel", kernel, stdin=pair)
+        verdicts = [json.loads(line)["computed"]["verdict"] for line in done.stdout.splitlines()]
+        self.assertEqual(verdicts, ["contact", "separated"])
+
+    def test_bad_input(self):
+        self.refused("critical-radius", "--kernel", "nosuch", says=["nosuch", "published"])
+        self.refused("critical-radius", "--trials", "0", says=["--trials", "0"])
+        self.refused("critical-radius", "--precision", "binary16", says=["binary16", "binary64"])
+
+
+class Search(Case):
+    PLAN = ("search", "--kernel", "published", "--comparison", "edge_ab.radius", "--comparison", "vertex_b.side_c")
+
+    def search(self, *args, out="out"):
+        done = axiscert(*args, "--format", "json", "--out", self.folder / out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout), json.loads((self.folder / out / "search.json").read_text()))
+        return json.loads(done.stdout)
+
+    def test_check_confirms_the_witnesses(self):
+        found = self.search(*self.PLAN, "--evaluations", 1000000)
+        self.assertEqual([c["name"] for c in found["comparisons"]], ["vertex_b.side_c", "edge_ab.radius"])
+        done = axiscert("check", self.folder / "out/witnesses.jsonl", "--format", "jsonl", "--errors")
+        errors = {line["id"]: line["errors"] for line in map(json.loads, done.stdout.splitlines())}
+        for comparison in found["comparisons"]:
+            name = comparison["name"]
+            self.assertGreaterEqual(comparison["proved_u"], comparison["attained_u"])
+            self.assertEqual(errors["error " + name][name]["absolute_u"], comparison["attained_u"])
+            self.assertEqual(errors["relative_error " + name][name]["relative_u"], comparison["relative_u"])
+        self.assertGreater(found["comparisons"][1]["attained_u"], 500)
+
+    def test_wrong_verdicts_are_confirmed_by_check_and_the_file_by_its_schema(self):
+        found = self.search("search", "--evaluations", 3000000, "--threads", 1)
+        self.assertEqual(len(found["comparisons"]), 16)
+        missed = found["verdict"]["missed_contact"]
+        done = axiscert("check", "-", "--format", "jsonl", stdin=json.dumps(missed["witness"]))
+        checked = json.loads(done.stdout)
+        self.assertEqual((checked["exact"]["verdict"], checked["computed"]["verdict"]), ("contact", "separated"))
+        self.assertEqual(checked["flips"][0]["links"], missed["links"])
+        schema = json.loads((SCHEMAS / "search.schema.json").read_text())
+        jsonschema.validators.validator_for(schema)(schema).validate(found)
+
+    def test_resuming_is_the_same_as_not_stopping(self):
+        whole = self.search(*self.PLAN, "--evaluations", 900000, out="whole")
+        self.search(*self.PLAN, "--evaluations", 200000, "--threads", 1, out="parts")
+        parts = self.search(*self.PLAN, "--evaluations", 900000, "--resume", out="parts")
+        self.assertEqual(whole, parts)
+        timed = self.search(*self.PLAN, "--time", 0.1, "--resume", out="parts")
+        self.assertGreater(timed["evaluations"], parts["evaluations"])
+
+    def test_bad_input(self):
+        self.refused("search", "--kernel", "nosuch", says=["nosuch", "published"])
+        self.refused("search", "--comparison", "plane", says=["plane", "plane.radius"])
+        self.refused("search", "--kernel", "minkowski", "--comparison", "plane.radius", says=["minkowski"])
+        self.refused("search", "--kernel", "published+in-double", "--precision", "binary64", says=["in-double"])
+        self.refused("search", "--family", "nosuch", says=["nosuch", "general"])
+        self.refused("search", "--evaluations", "0", says=["--evaluations"])
+        self.refused("search", "--time", "0", says=["--time"])
+        self.refused("search", "--time", "1", "--evaluations", "1", says=["--time", "excludes"])
+        self.refused("search", "--resume", says=["--out"])
+        self.refused("search", "--resume", "--out", self.folder / "none", says=["search.state"])
+        self.search(*self.PLAN, "--evaluations", 1)
+        self.refused("search", "--resume", "--out", self.folder / "out", says=["comparisons"])
+        (self.folder / "out/search.state").write_text("no state")
+        self.refused(*self.PLAN, "--resume", "--out", self.folder / "out", says=["no state"])
+
+
+if __name__ == "__main__":
+    unittest.main()

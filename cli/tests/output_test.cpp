@@ -1,0 +1,102 @@
+// What `check` and `run` say of somebody else's kernel.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <iterator>
+#include <sstream>
+
+#include "cli/running/check_output.h"
+#include "cli/running/run_output.h"
+#include "fuzz/campaign/supervised_testing.h"
+
+namespace axiscert {
+namespace {
+
+using testing::HasSubstr;
+
+const Query<float> apart{{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 0, 0}, 0.5},
+    touching{{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 0, 0}, 1};
+
+void no_fault(const Query<double>&, std::size_t, Verdict&, std::vector<Finding>&) {}
+void crash(const Query<double>&, std::size_t i, Verdict& verdict, std::vector<Finding>& findings) {
+  verdict = Verdict::unanswered;
+  findings.push_back({FindingKind::crash, i, "signal 11"});
+}
+
+std::string checked(const Kernel& kernel, const Query<float>& q) {
+  return check_text("q", kernel, Examiner(kernel, scalar_target).examine(q));
+}
+
+TEST(CheckOutput, NoAnswerIsSaidWithTheFinding) {
+  const Kernel kernel = supervised_kernel("mine", crash);
+  EXPECT_EQ(checked(kernel, apart), "q: exact separated, mine gave no answer; crash: signal 11");
+  const Json json = check_json("q", kernel, Examiner(kernel, scalar_target).examine(apart));
+  EXPECT_EQ(json["computed"]["verdict"], "unanswered");
+  EXPECT_TRUE(json["computed"]["comparisons"].is_null());
+  EXPECT_EQ(json["findings"][0]["kind"], "crash");
+  EXPECT_TRUE(json["flips"].empty());
+}
+
+// A kernel that left is begun again for the next query.
+TEST(CheckOutput, TheQueryAfterACrashIsAnswered) {
+  int begun = 0;
+  Kernel kernel = black_box("mine", [](const Query<double>& q, auto, Verdict& verdict, auto&) {
+    if (q.r == 1) verdict = Verdict::unanswered;
+  });
+  kernel.binary32 = [&begun, inner = kernel.binary32](std::string_view target) {
+    ++begun;
+    return inner(target);
+  };
+  Examiner examiner(kernel, scalar_target);
+  for (const Query<float>& q : {apart, apart, touching, apart, apart}) examiner.examine(q);
+  EXPECT_EQ(begun, 2);
+}
+
+TEST(CheckOutput, TouchingIsByTheKernelsConvention) {
+  Kernel kernel = black_box("mine", no_fault);
+  EXPECT_EQ(checked(kernel, touching), "q: exact contact (touching), mine contact");
+  kernel.touching = Touching::either;
+  EXPECT_EQ(checked(kernel, touching), "q: exact contact (touching, where mine may say either), mine contact");
+  kernel.touching = Touching::separated;
+  EXPECT_EQ(checked(kernel, touching),
+            "q: exact contact (touching, which mine calls separated), mine contact, wrong by 0 of the scene; verdict "
+            "false_contact [unattributed]");
+}
+
+TEST(CheckOutput, OutsideTheLimitsIsSaid) {
+  Kernel kernel = black_box("mine", no_fault);
+  kernel.limits.greatest_coordinate = 1;
+  EXPECT_EQ(checked(kernel, apart), "q: exact separated, mine separated (outside the limits that it declares)");
+}
+
+TEST(RunOutput, FindingsStandFirstThenWhatWasJudged) {
+  const Kernel bad = supervised_kernel("plugin:x.so", crash),
+               gone = unloadable_kernel("plugin:gone.so", "no such file");
+  Kernel limited = black_box("plugin:box.so", no_fault);
+  limited.limits.greatest_coordinate = 0.5;
+  Plan plan;
+  plan.kernels = {&bad, &gone, &limited};
+  plan.sources = {family_source(find_family("general"))};
+  plan.precisions = {Precision::binary32};
+  plan.trials = [](const Source&, Precision) { return std::uint64_t{3}; };
+  plan.target = std::string(scalar_target);
+  const std::atomic<bool> never = false;
+  const std::string text = summary_text(record_of(plan, run_campaign(plan, never, [](const Progress&) {}), ""), 1);
+  EXPECT_EQ(text.find("plugin:x.so binary32: crash on family general, 3 times, first at 1:general:2:binary32:0:0: "
+                      "signal 11\n  axiscert query '1:general:2:binary32:0:0' > witness.jsonl && axiscert check "
+                      "witness.jsonl --kernel plugin:x.so\nplugin:gone.so: load: no such file\nplugin:gone.so: NOT "
+                      "JUDGED: it could not be loaded\n  kernel         precision  queries  missed contacts"),
+            0u)
+      << text;
+  const auto row = [&](const std::string& kernel) {
+    std::istringstream words(text.substr(text.find("\n  " + kernel)));
+    return std::vector<std::string>(std::istream_iterator<std::string>(words), {});
+  };
+  // Without an answer, outside its limits, and wrong there.
+  EXPECT_EQ(row("plugin:x.so").at(7), "3");
+  EXPECT_EQ(row("plugin:box.so").at(8), "3");
+  EXPECT_EQ(row("plugin:box.so").at(9), "0");
+}
+
+}  // namespace
+}  // namespace axiscert

@@ -1,0 +1,189 @@
+#!/usr/bin/env python3
+"""Somebody's own kernel through the command: what it does wrong is told, what it does in its own way is no fault."""
+import json
+import shutil
+import subprocess
+import unittest
+
+from command import BUILD, DIVISOR, ROOT, Case, axiscert, family
+
+# A closest-point test in C over `real`; FORM picks how it is written, RELATION what touching is.
+OTHER_FORMS = r"""
+#include "kernel/include/axiscert/plugin.h"
+static real dot(const real *a, const real *b) { return a[2] * b[2] + (a[1] * b[1] + a[0] * b[0]); }
+static real min2(real a, real b) { return b < a ? b : a; }
+static real to_segment(const real *a, const real *b) {  /* squared, from the origin */
+  real ab[3], q[3], t;
+  int k;
+  for (k = 0; k < 3; ++k) ab[k] = b[k] - a[k];
+  t = dot(ab, ab);
+  t = t > 0 ? -dot(a, ab) / t : 0;
+  t = t < 0 ? 0 : t > 1 ? 1 : t;
+  for (k = 0; k < 3; ++k) q[k] = a[k] + t * ab[k];
+  return dot(q, q);
+}
+static void cross(const real *a, const real *b, real *n) {
+  n[0] = a[1] * b[2] - a[2] * b[1];
+  n[1] = a[2] * b[0] - a[0] * b[2];
+  n[2] = a[0] * b[1] - a[1] * b[0];
+}
+static int kernel(const real a[3], const real b[3], const real c[3], const real p[3], real r) {
+  real v[3][3], u[3], w[3], n[3], s[3], d, h;
+  int k;
+  for (k = 0; k < 3; ++k) {
+    v[0][k] = a[k] - p[k]; v[1][k] = b[k] - p[k]; v[2][k] = c[k] - p[k];
+    u[k] = b[k] - a[k]; w[k] = c[k] - a[k];
+  }
+  d = min2(to_segment(v[2], v[0]), min2(to_segment(v[0], v[1]), to_segment(v[1], v[2])));
+  cross(u, w, n);
+  h = dot(n, n);
+  for (k = 0; k < 3; ++k) {
+    real m[3];
+    cross(v[k], v[(k + 1) % 3], m);
+    s[k] = dot(m, n);
+  }
+  if (h > 0 && s[0] >= 0 && s[1] >= 0 && s[2] >= 0) d = min2(d, dot(v[0], n) * (dot(v[0], n) / h));
+  return d RELATION r * r ? AXISCERT_SEPARATED : AXISCERT_CONTACT;
+}
+AXISCERT_BATCH(run, real, kernel)
+const axiscert_kernel *axiscert_plugin(uint32_t index) {
+  static axiscert_kernel k;
+  if (index) return NULL;
+  k.abi = AXISCERT_PLUGIN_ABI;
+  k.precision = 8 * sizeof(real);
+  k.name = "other-form";
+  k.run = run;
+  MORE
+  return &k;
+}
+"""
+
+
+class Plugins(Case):
+    def compiled(self, name, *flags, real="float", relation=">", more="", fault=("", "")):
+        """`more`: statements that set members of the kernel; `fault`: a text and what takes its place."""
+        source, plugin = self.folder / f"{name}.c", self.folder / f"{name}.so"
+        source.write_text(OTHER_FORMS.replace(*fault))
+        subprocess.run(["cc", "-O2", "-shared", "-fPIC", f"-I{ROOT}", f"-Dreal={real}", f"-DRELATION={relation}",
+                        f"-DMORE={more}", *flags, source, "-o", plugin], check=True)
+        return f"plugin:{plugin}"
+
+    def test_six_plugins_that_misbehave_are_six_findings(self):
+        kinds = {"crash": "crash", "hang": "hang", "out_of_bounds": "out_of_bounds", "random": "nondeterministic",
+                 "last_lane": "batch_dependent", "flush_to_zero": "environment"}
+        ids = {name: f"plugin:{BUILD}/misbehaving/{name}.so" for name in kinds}
+        kernels = [part for id in ids.values() for part in ("--kernel", id)]
+        record = self.run_ok("--kernel", "published", *kernels, "--family", "scale", "--family", "general", "--trials",
+                             "3001", "--precision", "binary32")
+        self.assertTrue(record["complete"])
+        found = {(f["kernel"], f["kind"]) for f in record["findings"]}
+        self.assertEqual(found, {(ids[name], kind) for name, kind in kinds.items()})
+        for finding in record["findings"]:
+            self.assertEqual(len(finding["a"] + finding["b"] + finding["c"] + finding["p"]), 12)
+            again = axiscert("query", finding["address"])
+            self.assertIn(finding["r"], again.stdout)
+        for kernel in record["kernels"]:
+            for name, result in kernel["families"].items():
+                self.assertEqual(result["trials"], 3001, (kernel["id"], name))
+        text = axiscert("report", self.folder / "out").stdout + (self.folder / "out/report.md").read_text()
+        for id in ids.values():
+            self.assertIn(id.split("/")[-1], text)
+
+    def test_a_finding_fails_every_requirement(self):
+        for name in ("random", "wrong_abi"):
+            for level in ("logic", "range", "conservative=1"):
+                done = axiscert("run", "--kernel", f"plugin:{BUILD}/misbehaving/{name}.so", "--family", "general",
+                                "--trials", "2000", "--require", level, "--out", self.folder / "out")
+                self.assertEqual(done.returncode, 1, (name, level, done.stderr))
+                self.assertIn(name, done.stderr)
+
+    def test_a_plugin_for_another_version_leaves_the_run_whole(self):
+        record = self.run_ok("--kernel", f"plugin:{BUILD}/misbehaving/wrong_abi.so", "--kernel", "published", "--family",
+                             "general", "--trials", "2000")
+        (finding,) = record["findings"]
+        self.assertEqual((finding["kind"], finding["address"]), ("abi", None))
+        self.assertEqual(family(record, "general")["trials"], 2000)
+
+    def test_a_correct_kernel_written_differently_is_no_logic_fault(self):
+        for real, precision in (("float", "binary32"), ("double", "binary64")):
+            for flags in (["-ffp-contract=off"], ["-mfma", "-ffp-contract=fast"]):
+                with self.subTest(real=real, flags=flags):
+                    kernel = self.compiled("other", *flags, real=real)
+                    record = self.run_ok("--kernel", kernel, "--precision", precision, "--family", "all", "--trials",
+                                         str(3000 // DIVISOR), "--require", "logic")
+                    (entry,) = record["kernels"]
+                    wrong = sum(f["verdict"]["false_separation"] + f["verdict"]["false_contact"]
+                                for f in entry["families"].values())
+                    self.assertGreater(wrong, 0, "it rounds")
+                    self.assertEqual(record["findings"], [])
+
+    def test_a_wrong_vertex_is_a_logic_fault(self):
+        kernel = self.compiled("faulty", fault=("to_segment(v[2], v[0])", "to_segment(v[1], v[0])"))
+        done = axiscert("run", "--kernel", kernel, "--family", "lattice", "--trials", "5000", "--require", "logic",
+                        "--out", self.folder / "out")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("exact arithmetic", done.stderr)
+
+    def test_touching_is_judged_by_what_the_plugin_says(self):
+        touching = '{"id":"q","precision":"binary32","a":[2,0,0],"b":[3,0,0],"c":[2,1,0],"p":[0,0,0],"r":2}\n'
+        for relation, more, right in ((">", "", True), (">=", "", False),
+                                      (">=", "k.touching=AXISCERT_TOUCHING_IS_SEPARATED;", True),
+                                      (">", "k.touching=AXISCERT_TOUCHING_IS_SEPARATED;", False),
+                                      (">", "k.touching=AXISCERT_TOUCHING_IS_EITHER;", True),
+                                      (">=", "k.touching=AXISCERT_TOUCHING_IS_EITHER;", True)):
+            with self.subTest(relation=relation, more=more):
+                kernel = self.compiled(f"touching{len(more)}{len(relation)}", relation=relation, more=more)
+                done = axiscert("check", "-", "--kernel", kernel, "--format", "jsonl", stdin=touching)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(json.loads(done.stdout)["flips"] == [], right)
+
+    def test_wrong_answers_outside_its_limits_fail_nothing(self):
+        limits = "k.limits.greatest_coordinate=100;k.limits.least_radius=0x1p-20;"
+        for more, code in (("", 1), (limits, 0)):
+            kernel = self.compiled(f"limits{code}", more=more, real="float")
+            done = axiscert("run", "--kernel", kernel, "--family", "scale", "--trials", "3000", "--precision", "binary32",
+                            "--require", "conservative=0.01", "--out", self.folder / "out")
+            self.assertEqual(done.returncode, code, done.stderr)
+        (entry,) = json.loads((self.folder / "out/record.json").read_text())["kernels"]
+        outside = entry["families"]["scale"]["verdict"]["outside_limits"]
+        self.assertGreater(outside["trials"], 0)
+        self.assertGreater(outside["false_contact"], 0)
+
+    def test_the_record_does_not_depend_on_threads(self):
+        plan = ("--kernel", f"plugin:{BUILD}/misbehaving/random.so", "--kernel", self.compiled("other"), "--family",
+                "tangent", "--trials", "70000", "--precision", "binary32")
+        self.assertEqual(self.run_ok(*plan, "--threads", "1", out="one"), self.run_ok(*plan, "--threads", "2", out="two"))
+
+    def test_no_such_plugin(self):
+        self.refused("run", "--kernel", "plugin:/nosuch.so", says=["/nosuch.so", "no file"])
+        self.refused("run", "--kernel", "peer/nosuch", says=["peer/nosuch"])
+
+    def test_the_path_of_a_plugin_may_look_like_a_call(self):
+        """It is called as it is; what would set modes for it is refused."""
+        plain = self.compiled("other")
+        for name in ("a@b/c.so", "c.so", "c.so@upward"):
+            path = self.folder / name
+            path.parent.mkdir(exist_ok=True)
+            shutil.copy(plain.removeprefix("plugin:"), path)
+            record = self.run_ok("--kernel", f"plugin:{path}", "--family", "general", "--trials", "100", "--require", "logic")
+            self.assertEqual([k["id"] for k in record["kernels"]], [f"plugin:{path}"])
+        self.refused("run", "--kernel", f"plugin:{self.folder}/a@b/c.so@flushed", says=["c.so@flushed", "process of its own"])
+        self.refused("run", "--kernel", f"plugin:{self.folder}/a@b/nosuch.so", says=["a@b/nosuch.so", "no file"])
+
+    def test_the_league_takes_times_as_multiples_of_the_certified_kernel(self):
+        plan = ("--kernel", "published", "--family", "general", "--trials", "64", "--precision", "binary32")
+        self.assertNotIn("where certified takes 1", axiscert("league", *plan).stdout)
+        shown = axiscert("league", *plan, "--kernel", "certified").stdout
+        header, published, certified = shown.split("over all families\n")[1].splitlines()[:3]
+        self.assertTrue(header.endswith("where certified takes 1"), header)
+        self.assertEqual(certified.split()[-1], "1")
+        ns = [float(row.split()[-2]) for row in (published, certified)]
+        self.assertAlmostEqual(float(published.split()[-1]), ns[0] / ns[1], delta=0.02 * ns[0] / ns[1])
+
+    def test_what_measures_formulae_takes_no_plugin(self):
+        for command in ("ladder", "precision", "condition"):
+            self.refused(command, "--kernel", "fault/none", says=["fault/none", "critical-radius"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,105 @@
+// The judge: a kernel's answer to one query, held against the truth, and where each difference came from.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "exact/judge/truth.h"
+#include "exact/sphere_triangle/unbounded/unbounded.h"
+
+namespace axiscert {
+
+// The links of the chain G -> E -> R-infinity -> R -> K, and `unattributed` for a kernel without a reference.
+enum class Link : std::uint8_t { specification, rounding, range, implementation, unattributed };
+inline constexpr std::size_t link_count = 5;
+inline constexpr std::array<std::string_view, link_count> link_names = {"specification", "rounding", "range",
+                                                                        "implementation", "unattributed"};
+// Bit i is link i.
+using LinkBits = std::uint8_t;
+constexpr LinkBits link_bit(Link link) { return static_cast<LinkBits>(1u << static_cast<unsigned>(link)); }
+
+enum class Level : std::uint8_t { verdict, axis, comparison };
+inline constexpr std::array<std::string_view, 3> level_names = {"verdict", "axis", "comparison"};
+
+// `false_separation` at every level: the kernel says yes wrongly. Its opposite is `false_contact` for a verdict and
+// `missed_separation` for an axis or a comparison.
+enum class FlipKind : std::uint8_t { false_separation, false_contact, missed_separation };
+inline constexpr std::array<std::string_view, 3> flip_kind_names = {"false_separation", "false_contact",
+                                                                    "missed_separation"};
+
+struct Flip {
+  Level level;
+  std::uint8_t index;  // of the axis or comparison; 0 for the verdict
+  FlipKind kind;
+  bool decisive;
+  LinkBits links;
+};
+std::string_view name(const Flip& flip);  // "verdict", "edge_ab", "edge_ab.radius"
+
+// What a kernel answered: its verdict and, where it exposes them, its comparison bits.
+using Answer = Outcome;
+
+// What the formulae that a kernel claims decide, along the chain E -> R-infinity -> R. Verdicts alone for a method that
+// has no comparisons. Without `rounded` the kernel evaluates them in its own way, and what differs from E is
+// `unattributed`.
+struct Reference {
+  Outcome exact;
+  std::optional<Rounded> rounded;
+  ComparisonBits ties = 0;  // of the exact formulae: lhs == rhs
+};
+
+struct Judgement {
+  std::optional<FlipKind> verdict_flip;  // against right_verdict(); none where the truth is `invalid`
+  LinkBits verdict_links = 0;            // broken on the way, whether the verdict came out wrong or right
+  std::uint16_t comparison_flips = 0, comparison_decisive = 0;  // bit i is comparison i; decisive is a subset
+  std::uint8_t axis_flips = 0, axis_decisive = 0;
+  std::vector<Flip> flips() const;  // in the order verdict, axes, comparisons
+  // The same, one after the other.
+  template <class Visit>
+  void for_each_flip(Visit&& visit) const;
+
+  std::optional<ComparisonBits> exact;              // the kernel's own formulae in exact arithmetic
+  std::array<ComparisonBits, link_count> broken{};  // per link, the comparisons at which it is broken
+  std::array<AxisBits, link_count> broken_axes{};
+};
+
+// What a kernel with this convention is to say of a valid query; nothing where neither answer is wrong.
+std::optional<Verdict> right_verdict(const Truth& truth, Touching touching);
+
+// `reference` is empty for a kernel that claims no formulae: only its verdict is judged. Where the truth is `invalid`
+// or there is no answer, there is no flip.
+//
+// On a touching query a kernel is held to its convention, and so are the formulae that it evaluates in its own way. A
+// sphere touches where a radius comparison is a tie, and which relation that comparison uses, `>` or `>=`, is all that
+// a convention can mean: with `separated`, their radius ties hold there; with `either`, they are as the kernel has
+// them, and no link is broken. Otherwise each right answer would break links, and each rounding at a tie would be laid
+// on the specification. On any other query the formulae are taken as named: a `>=` that also separates a zero-area
+// triangle by 0 >= 0 is a fault. A reference bit for bit has the relation that it has, so there a convention other than
+// `contact` contradicts its own formulae: `specification`.
+Judgement judge(const Truth& truth, const std::optional<Reference>& reference, const Answer& answer,
+                Touching touching = Touching::contact);
+
+template <class Visit>
+void Judgement::for_each_flip(Visit&& visit) const {
+  if (verdict_flip) visit(Flip{Level::verdict, 0, *verdict_flip, true, verdict_links});
+  const auto links_at = [](const auto& of, unsigned i) {
+    LinkBits links = 0;
+    for (std::size_t k = 0; k < link_count; ++k) links |= static_cast<LinkBits>(((of[k] >> i) & 1u) << k);
+    return links;
+  };
+  const auto each = [&](Level level, unsigned flips, unsigned decisive, unsigned exact_bits, const auto& of) {
+    for (unsigned rest = flips; rest != 0; rest &= rest - 1) {
+      const auto i = static_cast<unsigned>(std::countr_zero(rest));
+      const FlipKind kind = ((exact_bits >> i) & 1u) != 0 ? FlipKind::missed_separation : FlipKind::false_separation;
+      visit(Flip{level, static_cast<std::uint8_t>(i), kind, ((decisive >> i) & 1u) != 0, links_at(of, i)});
+    }
+  };
+  const ComparisonBits exact_bits = exact.value_or(0);
+  each(Level::axis, axis_flips, axis_decisive, axes_of(exact_bits), broken_axes);
+  each(Level::comparison, comparison_flips, comparison_decisive, exact_bits, broken);
+}
+
+}  // namespace axiscert

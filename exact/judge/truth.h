@@ -1,0 +1,26 @@
+// What is true of one query, as far as the judge needs it, and the error that ends a run: two oracles that differ.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "kernel/base/error.h"
+#include "kernel/query.h"
+
+namespace axiscert {
+
+struct Truth {
+  Verdict verdict;  // separated, contact (touching included) or invalid
+  bool touching;    // distance exactly r
+};
+
+// Two oracles differ, or one contradicts the theorem. Carries the query for saving (a float widens exactly).
+struct OracleDisagreement : HarnessFault {
+  template <class Real>
+  OracleDisagreement(const std::string& what, const Query<Real>& q)
+      : HarnessFault("the oracles disagree: " + what), precision(precision_of<Real>), query(coordinates(widened(q))) {}
+  Precision precision;
+  std::array<double, coordinate_count> query;
+};
+
+}  // namespace axiscert

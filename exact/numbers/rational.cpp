@@ -1,0 +1,108 @@
+#include "exact/numbers/rational.h"
+
+#include <mpfr.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+// MPFR restricted to the exponent range of Real, so that its results can be made that format's exactly.
+template <class Real>
+class FormatRange {
+ public:
+  FormatRange() : emin_(mpfr_get_emin()), emax_(mpfr_get_emax()) {
+    // MPFR's significand is in [1/2, 1): its exponents are one above IEEE's; subnormals reach digits-1 below.
+    mpfr_set_emin(std::numeric_limits<Real>::min_exponent - std::numeric_limits<Real>::digits + 1);
+    mpfr_set_emax(std::numeric_limits<Real>::max_exponent);
+  }
+  ~FormatRange() {
+    mpfr_set_emin(emin_);
+    mpfr_set_emax(emax_);
+  }
+  FormatRange(const FormatRange&) = delete;
+  FormatRange& operator=(const FormatRange&) = delete;
+
+ private:
+  mpfr_exp_t emin_, emax_;
+};
+
+// Rounds whatever `set` stores (it returns MPFR's ternary value) to Real, in one rounding.
+template <class Real, class Set>
+Real round_once(Set&& set) {
+  const FormatRange<Real> range;
+  mpfr_t x;
+  mpfr_init2(x, std::numeric_limits<Real>::digits);
+  mpfr_subnormalize(x, set(x), MPFR_RNDN);
+  const Real result =
+      sizeof(Real) == 4 ? static_cast<Real>(mpfr_get_flt(x, MPFR_RNDN)) : static_cast<Real>(mpfr_get_d(x, MPFR_RNDN));
+  mpfr_clear(x);
+  return result;
+}
+
+}  // namespace
+
+Rational exact(double value) { return Rational(value); }
+
+Rational parse_decimal(std::string_view text) {
+  const auto fail = [&] { return Error("'" + std::string(text) + "' is not a decimal number such as 12.5 or 1e-3"); };
+  const std::size_t e = text.find_first_of("eE");
+  int exponent = 0;
+  if (e != text.npos) {
+    const char* end = text.data() + text.size();
+    const char* begin = text.data() + e + 1;
+    if (begin + 1 < end && begin[0] == '+' && begin[1] != '-') ++begin;
+    const auto [stop, problem] = std::from_chars(begin, end, exponent);
+    if (problem != std::errc() || stop != end || std::abs(exponent) > 10000) throw fail();
+  }
+  std::string_view rest = text.substr(0, e);
+  const bool negative = rest.starts_with('-');
+  if (negative) rest.remove_prefix(1);
+  std::string digits;
+  bool after_point = false;
+  for (const char c : rest) {
+    if (c == '.' && !after_point) after_point = true;
+    else if (c < '0' || c > '9') throw fail();
+    else {
+      digits += c;
+      exponent -= after_point;
+    }
+  }
+  if (digits.empty()) throw fail();
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent)));
+  const mpz_class integer((negative ? "-" : "") + digits, 10);
+  return exponent < 0 ? Rational(integer) / Rational(power) : Rational(integer * power);
+}
+
+template <class Real>
+Real nearest(const Rational& q) {
+  return round_once<Real>([&](mpfr_ptr x) { return mpfr_set_q(x, q.get_mpq_t(), MPFR_RNDN); });
+}
+template float nearest<float>(const Rational&);
+template double nearest<double>(const Rational&);
+
+template <class Real>
+Real nearest_sqrt(const mpz_class& numerator, const mpz_class& denominator) {
+  if (numerator == 0) return 0;
+  // s = floor(sqrt(numerator 4^k / denominator)) with at least 64 bits. Its last bit is set when anything was cut off
+  // (round to odd), so that the one rounding below, to at most 53 bits, is that of the exact root.
+  const long width = static_cast<long>(mpz_sizeinbase(numerator.get_mpz_t(), 2)) -
+                     static_cast<long>(mpz_sizeinbase(denominator.get_mpz_t(), 2));
+  const long k = width >= 130 ? 0 : (131 - width) / 2;
+  mpz_class scaled = numerator << (2 * k), quotient, remainder;
+  mpz_fdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), scaled.get_mpz_t(), denominator.get_mpz_t());
+  mpz_class root, rest;
+  mpz_sqrtrem(root.get_mpz_t(), rest.get_mpz_t(), quotient.get_mpz_t());
+  if (rest != 0 || remainder != 0) mpz_setbit(root.get_mpz_t(), 0);
+  return round_once<Real>([&](mpfr_ptr x) { return mpfr_set_z_2exp(x, root.get_mpz_t(), -k, MPFR_RNDN); });
+}
+template float nearest_sqrt<float>(const mpz_class&, const mpz_class&);
+template double nearest_sqrt<double>(const mpz_class&, const mpz_class&);
+
+}  // namespace axiscert

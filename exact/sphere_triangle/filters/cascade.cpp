@@ -1,0 +1,48 @@
+#include "exact/sphere_triangle/filters/cascade.h"
+
+#include "exact/sphere_triangle/filters/grid_signs.h"
+#include "kernel/base/stopwatch.h"
+#include "exact/sphere_triangle/filters/wide_margins.h"
+
+namespace axiscert {
+
+template <class Real>
+template <class SignsOf>
+void Cascade<Real>::try_left(const QueryBatch<Real>& batch, Step step, SignsOf&& signs_of) {
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (decided_[i].step != Step::exact || !filtered_[i].is_valid) continue;
+    if (const auto signs = signs_of(batch[i])) {
+      decided_[i].signs = *signs;
+      decided_[i].step = step;
+    }
+  }
+}
+
+template <class Real>
+const std::vector<DecidedSigns>& Cascade<Real>::decide(const QueryBatch<Real>& batch) {
+  Stopwatch watch;
+  filtered_.resize(batch.size());
+  decided_.resize(batch.size());
+  filter_.signs(batch.columns(), filtered_.data());
+  bool any_left = false;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const FilteredSigns& found = filtered_[i];
+    const bool is_decided = found.is_decided();
+    decided_[i] = {found.signs, is_decided ? Step::lanes : Step::exact, is_decided && found.is_close,
+                   found.is_valid ? found.certain : ComparisonBits{0}};
+    any_left |= !is_decided;
+  }
+  nanoseconds_[static_cast<std::size_t>(Step::lanes)] += watch.lap();
+  if (!any_left) return decided_;
+  try_left(batch, Step::grid, [](const Query<Real>& q) { return grid_signs(q); });
+  nanoseconds_[static_cast<std::size_t>(Step::grid)] += watch.lap();
+  try_left(batch, Step::wide, [](const Query<Real>& q) { return WideMargins(widened(q)).signs(); });
+  nanoseconds_[static_cast<std::size_t>(Step::wide)] += watch.lap();
+  try_left(batch, Step::integers, [](const Query<Real>& q) { return std::optional(integer_signs(q)); });
+  nanoseconds_[static_cast<std::size_t>(Step::integers)] += watch.lap();
+  return decided_;
+}
+template class Cascade<float>;
+template class Cascade<double>;
+
+}  // namespace axiscert

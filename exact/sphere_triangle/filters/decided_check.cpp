@@ -1,0 +1,25 @@
+#include "exact/sphere_triangle/filters/decided_check.h"
+
+#include <fmt/format.h>
+
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+
+namespace axiscert {
+
+template <class Real>
+void require_same(const DecidedSigns& decided, const ExactTruth& truth, const Query<Real>& q) {
+  const Signs exact{truth.formula->strict, truth.formula->ties};
+  if (decided.signs == exact && verdict_of(exact) == truth.verdict && is_touching(exact, q.r == 0) == truth.touching) {
+    return;
+  }
+  throw OracleDisagreement(
+      fmt::format("the step `{}` of the filter has the signs {:016b} ties {:016b} (bit 0 is the first comparison); "
+                  "exact arithmetic {:016b} ties {:016b}, {}{}",
+                  step_names[static_cast<std::size_t>(decided.step)], decided.signs.strict, decided.signs.ties,
+                  exact.strict, exact.ties, name(truth.verdict), truth.touching ? ", touching" : ""),
+      q);
+}
+template void require_same(const DecidedSigns&, const ExactTruth&, const Query<float>&);
+template void require_same(const DecidedSigns&, const ExactTruth&, const Query<double>&);
+
+}  // namespace axiscert

@@ -1,0 +1,48 @@
+// The exact sides of one comparison of a vertex axis, of degree 2, without the other fifteen.
+#pragma once
+
+#include "exact/sphere_triangle/oracles/formula_oracle.h"
+
+namespace axiscert {
+
+// The nine of the vertices, which the published formulae and all reduced forms have alike.
+constexpr bool is_of_vertex(std::size_t comparison) {
+  return comparison >= static_cast<std::size_t>(Comparison::vertex_a_radius) &&
+         comparison <= static_cast<std::size_t>(Comparison::vertex_c_side_b);
+}
+
+class VertexSides {
+ public:
+  // `comparison` is one of the nine.
+  template <class Real>
+  VertexSides(const Query<Real>& q, std::size_t comparison) {
+    // Of each vertex: its radius, and the sides of the two others in their order.
+    const std::size_t of = (comparison - static_cast<std::size_t>(Comparison::vertex_a_radius)) / 3;
+    const std::size_t place = (comparison - static_cast<std::size_t>(Comparison::vertex_a_radius)) % 3;
+    const std::array<const Vec3<Real>*, 3> vertices = {&q.a, &q.b, &q.c};
+    const auto ring = [](Real x) { return Ring(static_cast<double>(x)); };
+    const auto centred = [&](std::size_t i) {
+      const Vec3<Real>& v = *vertices[i];
+      return Vec3<Ring>{ring(v.x) - ring(q.p.x), ring(v.y) - ring(q.p.y), ring(v.z) - ring(q.p.z)};
+    };
+    const Vec3<Ring> vertex = centred(of);
+    const Ring square = dot(vertex, vertex);
+    if (place == 0) {
+      const Ring r = ring(q.r);
+      lhs_ = square;
+      rhs_ = r * r;
+    } else {
+      const std::size_t other = place == 1 ? (of == 0 ? 1 : 0) : (of == 2 ? 1 : 2);
+      lhs_ = dot(vertex, centred(other));
+      rhs_ = square;
+    }
+  }
+  VertexSides(const VertexSides&) = delete;
+
+  ExactComparison comparison() const { return {lhs_, rhs_, one_, false, false}; }
+
+ private:
+  Ring lhs_, rhs_, one_{1};
+};
+
+}  // namespace axiscert

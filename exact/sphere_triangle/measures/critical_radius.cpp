@@ -1,0 +1,194 @@
+#include "exact/sphere_triangle/measures/critical_radius.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/sphere_triangle/measures/grid_distance.h"
+#include "exact/sphere_triangle/measures/nearest_root.h"
+
+namespace axiscert {
+namespace {
+
+// Floats that are not negative are ordered as their bits, and follow each other as integers do.
+template <class Real>
+using BitsOf = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+
+template <class Real>
+constexpr Real greatest = std::numeric_limits<Real>::max();
+
+template <class Real>
+Real ulp_of(Real x) {
+  return x == greatest<Real> ? x - std::nextafter(x, Real(0)) : std::nextafter(x, greatest<Real>) - x;
+}
+
+template <class Real>
+std::vector<Verdict> verdicts_at(const Implementation<Real>& kernel, Query<Real> query,
+                                 const std::vector<BitsOf<Real>>& radii) {
+  QueryBatch<Real> batch(radii.size());
+  for (const auto radius : radii) {
+    query.r = std::bit_cast<Real>(radius);
+    batch.push_back(query);
+  }
+  std::vector<Verdict> verdicts(radii.size());
+  kernel.verdicts(batch.columns(), verdicts.data());
+  return verdicts;
+}
+
+constexpr int near = 32;  // floats to each side
+
+template <class Real>
+std::vector<BitsOf<Real>> probes(std::optional<Real> critical, std::optional<Real> exact_radius) {
+  using Bits = BitsOf<Real>;
+  using Limits = std::numeric_limits<Real>;
+  constexpr Bits last = std::bit_cast<Bits>(greatest<Real>);
+  std::vector<Bits> radii = {0, last};
+  constexpr int least_exponent = Limits::min_exponent - Limits::digits;
+  for (int e = least_exponent; e < Limits::max_exponent; ++e) {
+    radii.push_back(std::bit_cast<Bits>(std::ldexp(Real(1), e)));
+  }
+  for (const auto& centre : {critical, exact_radius}) {
+    if (!centre) continue;
+    const Bits at = std::bit_cast<Bits>(*centre);
+    const Bits end = at + std::min<Bits>(near, last - at);
+    for (Bits radius = at - std::min<Bits>(near, at); radius <= end; ++radius) radii.push_back(radius);
+  }
+  std::sort(radii.begin(), radii.end());
+  radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
+  return radii;
+}
+
+}  // namespace
+
+template <class Real>
+std::vector<CriticalRadius<Real>> critical_radii(const Implementation<Real>& kernel,
+                                                 const std::vector<Query<Real>>& queries,
+                                                 const RadiusRange<Real>& range) {
+  using Bits = BitsOf<Real>;
+  struct Search {
+    std::size_t query;
+    Bits low, high, asked;
+  };
+  std::vector<CriticalRadius<Real>> found(queries.size());
+  std::vector<Search> searches;
+  const Bits least = std::bit_cast<Bits>(range.least), greatest = std::bit_cast<Bits>(range.greatest);
+  for (std::size_t i = 0; i < queries.size(); ++i) searches.push_back({i, least, greatest, greatest});
+
+  QueryBatch<Real> batch(queries.size());
+  std::vector<Verdict> verdicts(queries.size());
+  for (bool is_first = true; !searches.empty(); is_first = false) {
+    batch.clear();
+    for (Search& search : searches) {
+      if (!is_first) search.asked = search.low + (search.high - search.low) / 2;
+      Query<Real> q = queries[search.query];
+      q.r = std::bit_cast<Real>(search.asked);
+      batch.push_back(q);
+    }
+    kernel.verdicts(batch.columns(), verdicts.data());
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < searches.size(); ++i) {
+      Search search = searches[i];
+      CriticalRadius<Real>& result = found[search.query];
+      result.answered = verdicts[i] != Verdict::unanswered;
+      if (!result.answered || (is_first && verdicts[i] != Verdict::contact)) continue;
+      if (verdicts[i] == Verdict::contact) search.high = search.asked;
+      else search.low = search.asked + 1;
+      if (search.low < search.high) searches[left++] = search;
+      else result.radius = std::bit_cast<Real>(search.low);
+    }
+    searches.resize(left);
+  }
+  return found;
+}
+
+template <class Real>
+CriticalRadius<Real> critical_radius(const Implementation<Real>& kernel, const Query<Real>& query,
+                                     const RadiusRange<Real>& range) {
+  return critical_radii(kernel, {query}, range).front();
+}
+
+template <class Real>
+std::optional<Real> exact_critical_radius(const Rational& squared_distance) {
+  const Real distance = nearest_sqrt<Real>(squared_distance);
+  if (!std::isfinite(distance)) return std::nullopt;
+  const Rational d = exact(distance);
+  if (d * d >= squared_distance) return distance;
+  if (distance == greatest<Real>) return std::nullopt;
+  return std::nextafter(distance, greatest<Real>);
+}
+
+template <class Real>
+Decimal6 radius_error_ulps(Real radius, Real from, const Rational& squared_distance) {
+  if (radius == from) return {};
+  return round_up(Rational(abs(exact(radius) - exact(from)) / exact(ulp_of(nearest_sqrt<Real>(squared_distance)))));
+}
+
+template <class Real>
+std::optional<Real> distance_within(const Rational& squared_distance, const RadiusRange<Real>& range) {
+  return rounded_distance_within(nearest_sqrt<Real>(squared_distance), range);
+}
+
+template <class Real>
+Real rounded_distance(const Query<Real>& query) {
+  if (const auto found = nearest_distance(query)) return *found;
+  const auto found = distance_on_grid(query);
+  return found ? *found : nearest_sqrt<Real>(squared_distance(query));
+}
+
+template <class Real>
+std::optional<Real> rounded_distance_within(Real distance, const RadiusRange<Real>& range) {
+  if (!std::isfinite(distance) || distance < range.least || distance > range.greatest) return std::nullopt;
+  return distance;
+}
+
+template <class Real>
+CriticalRadiusError critical_radius_error(const CriticalRadius<Real>& critical, Real distance) {
+  if (!critical.answered) return {std::nullopt, false};
+  if (!critical.radius) return {std::numeric_limits<double>::infinity()};
+  return {Rational(abs(exact(*critical.radius) - exact(distance)) / exact(ulp_of(distance))).get_d()};
+}
+
+template <class Real>
+CriticalRadiusError critical_radius_error(const Implementation<Real>& kernel, const Query<Real>& query,
+                                          const Rational& squared_distance, const RadiusRange<Real>& range) {
+  const auto distance = distance_within(squared_distance, range);
+  return distance ? critical_radius_error(critical_radius(kernel, query, range), *distance) : CriticalRadiusError{};
+}
+
+template <class Real>
+std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>& kernel, const Query<Real>& query,
+                                                    std::optional<Real> critical, std::optional<Real> exact_radius) {
+  const auto radii = probes(critical, exact_radius);
+  const auto verdicts = verdicts_at(kernel, query, radii);
+  std::optional<Real> contact;
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const Real radius = std::bit_cast<Real>(radii[i]);
+    if (verdicts[i] == Verdict::contact) contact = radius;
+    else if (contact && verdicts[i] == Verdict::separated) return RadiusReversal<Real>{*contact, radius};
+  }
+  return std::nullopt;
+}
+
+#define AXISCERT_INSTANTIATE(Real)                                                                                     \
+  template CriticalRadius<Real> critical_radius(const Implementation<Real>&, const Query<Real>&,                       \
+                                                const RadiusRange<Real>&);                                             \
+  template std::vector<CriticalRadius<Real>> critical_radii(                                                           \
+      const Implementation<Real>&, const std::vector<Query<Real>>&, const RadiusRange<Real>&);                         \
+  template std::optional<Real> distance_within(const Rational&, const RadiusRange<Real>&);                             \
+  template Real rounded_distance(const Query<Real>&);                                                                  \
+  template std::optional<Real> rounded_distance_within(Real, const RadiusRange<Real>&);                                \
+  template CriticalRadiusError critical_radius_error(const CriticalRadius<Real>&, Real);                               \
+  template std::optional<Real> exact_critical_radius<Real>(const Rational&);                                           \
+  template Decimal6 radius_error_ulps(Real, Real, const Rational&);                                                    \
+  template CriticalRadiusError critical_radius_error(const Implementation<Real>&, const Query<Real>&, const Rational&, \
+                                                     const RadiusRange<Real>&);                                        \
+  template std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>&, const Query<Real>&,        \
+                                                               std::optional<Real>, std::optional<Real>);
+AXISCERT_INSTANTIATE(float)
+AXISCERT_INSTANTIATE(double)
+#undef AXISCERT_INSTANTIATE
+
+}  // namespace axiscert

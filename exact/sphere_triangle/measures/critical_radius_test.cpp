@@ -1,0 +1,128 @@
+// Critical radii of kernels whose answers are known, monotone and not.
+#include "exact/sphere_triangle/measures/critical_radius.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+
+namespace axiscert {
+namespace {
+
+// A kernel that answers by the radius alone.
+template <class Contact>
+Implementation<float> by_radius(Contact contact) {
+  return {[contact](const QueryColumns<float>& batch, Verdict* out) {
+            for (std::size_t i = 0; i < batch.size; ++i) {
+              out[i] = contact(batch.column[12][i]) ? Verdict::contact : Verdict::separated;
+            }
+          },
+          nullptr};
+}
+
+const Query<float> at_distance_two{{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 0, 0}, 0};
+
+TEST(CriticalRadius, TheExactOneIsTheLeastFloatNotBelowTheDistance) {
+  EXPECT_EQ(exact_critical_radius<float>(4), 2.f);
+  const float root = std::sqrt(3.f);  // rounded down or up: the exact one is not below
+  const float exact_root = *exact_critical_radius<float>(3);
+  EXPECT_TRUE(exact_root == root || exact_root == std::nextafter(root, 2.f));
+  EXPECT_GE(exact(exact_root) * exact(exact_root), 3);
+  const float below = std::nextafter(exact_root, 0.f);
+  EXPECT_LT(exact(below) * exact(below), 3);
+  const Rational greatest = exact(std::numeric_limits<float>::max());
+  EXPECT_EQ(exact_critical_radius<float>(greatest * greatest), std::numeric_limits<float>::max());
+  EXPECT_FALSE(exact_critical_radius<float>(greatest * greatest + 1)) << "rounds to the greatest, lies beyond it";
+}
+
+TEST(CriticalRadius, ErrorsAreInUlpsOfTheDistance) {
+  EXPECT_EQ(radius_error_ulps(2.f, 2.f, Rational(4)), Decimal6());
+  EXPECT_EQ(radius_error_ulps(2.f + 0x1p-21f, 2.f, Rational(4)), round_up(Rational(2)));
+  EXPECT_EQ(radius_error_ulps(2.f - 0x1p-23f, 2.f, Rational(4)), round_up(Rational(1, 2))) << "below a power of two";
+}
+
+// Answers but at one radius.
+Implementation<float> silent_at(float radius) {
+  return {[radius](const QueryColumns<float>& batch, Verdict* out) {
+            for (std::size_t i = 0; i < batch.size; ++i) {
+              const float r = batch.column[12][i];
+              out[i] = r == radius ? Verdict::unanswered : r >= 2 ? Verdict::contact : Verdict::separated;
+            }
+          },
+          nullptr};
+}
+
+TEST(CriticalRadius, ARadiusWithoutAnAnswerIsToldFromNoRadius) {
+  const float max = std::numeric_limits<float>::max();
+  for (const float silent : {max, std::nextafter(2.f, 0.f), 2.f}) {
+    EXPECT_EQ(critical_radius(silent_at(silent), at_distance_two), (CriticalRadius<float>{std::nullopt, false}))
+        << silent;
+    const auto error = critical_radius_error<float>(silent_at(silent), at_distance_two, 4);
+    EXPECT_FALSE(error.answered) << silent;
+    EXPECT_FALSE(error.ulps) << silent;
+  }
+  EXPECT_EQ(critical_radius(by_radius([](float) { return false; }), at_distance_two),
+            (CriticalRadius<float>{std::nullopt, true}));
+  EXPECT_EQ(critical_radius(by_radius([](float r) { return r >= 2; }), at_distance_two),
+            (CriticalRadius<float>{2.f, true}));
+}
+
+// A kernel that promises nothing beyond 8 may answer anything there.
+TEST(CriticalRadius, IsSoughtWithinTheRangeAlone) {
+  const auto limited = by_radius([](float r) { return r >= 2 && r <= 8; });
+  EXPECT_FALSE(critical_radius(limited, at_distance_two).radius);
+  EXPECT_EQ(critical_radius(limited, at_distance_two, {1, 8}).radius, 2.f);
+  EXPECT_EQ(critical_radius_error<float>(limited, at_distance_two, 4, {1, 8}).ulps, 0);
+  EXPECT_FALSE(critical_radius_error<float>(limited, at_distance_two, 4, {3, 8}).ulps) << "the distance is 2";
+  EXPECT_FALSE(critical_radius_error<float>(limited, at_distance_two, 4, {0, 1}).ulps);
+  EXPECT_TRUE(critical_radius_error<float>(limited, at_distance_two, 4, {3, 8}).answered);
+}
+
+void expect_reversal(const Implementation<float>& kernel, const std::string& what) {
+  const auto found =
+      radius_reversal<float>(kernel, at_distance_two, critical_radius(kernel, at_distance_two).radius, 2.f);
+  ASSERT_TRUE(found) << what;
+  EXPECT_LT(found->contact, found->separated) << what;
+  QueryBatch<float> batch(2);
+  for (const float r : {found->contact, found->separated}) {
+    Query<float> q = at_distance_two;
+    q.r = r;
+    batch.push_back(q);
+  }
+  Verdict verdicts[2];
+  kernel.verdicts(batch.columns(), verdicts);
+  EXPECT_EQ(verdicts[0], Verdict::contact) << what;
+  EXPECT_EQ(verdicts[1], Verdict::separated) << what;
+}
+
+TEST(CriticalRadius, AKernelThatIsNotMonotoneIsFoundWithAValidPair) {
+  expect_reversal(by_radius([](float r) { return r >= 2 && r != 2 + 0x1p-20f; }), "a hole four floats above");
+  expect_reversal(by_radius([](float r) { return r >= 2 || (r > 0x1p-40f && r < 0x1p-38f); }), "an island far below");
+  expect_reversal(by_radius([](float r) { return r >= 2 && r < 0x1p100f; }), "separated beyond a power of two");
+  expect_reversal(by_radius([](float r) { return r == 0; }), "contact at zero only: unbounded, and reversed");
+}
+
+TEST(CriticalRadius, MonotoneKernelsAreNotAccused) {
+  for (const auto& kernel : {by_radius([](float r) { return r >= 2; }), by_radius([](float) { return true; }),
+                             by_radius([](float) { return false; })}) {
+    EXPECT_FALSE(radius_reversal<float>(kernel, at_distance_two, critical_radius(kernel, at_distance_two).radius, 2.f));
+  }
+  // Radius sides that grow with r, side comparisons that do not read it.
+  std::mt19937_64 random(31);
+  for (const char* id : {"published", "nonstrict", "reduced", "ladder-0", "minkowski", "closest-point", "segments"}) {
+    const auto kernel = find_kernel(id).on<float>(scalar_target);
+    for (int trial = 0; trial < 50; ++trial) {
+      std::array<float, coordinate_count> x;
+      for (float& v : x) v = std::ldexp(static_cast<float>(static_cast<std::int32_t>(random() >> 32)), -31);
+      const auto q = from_coordinates(x);
+      const auto exact_radius = exact_critical_radius<float>(squared_distance(q));
+      EXPECT_FALSE(radius_reversal<float>(kernel, q, critical_radius(kernel, q).radius, exact_radius))
+          << id << ", query " << trial << " of seed 31";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace axiscert

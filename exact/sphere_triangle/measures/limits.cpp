@@ -1,0 +1,51 @@
+#include "exact/sphere_triangle/measures/limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact/sphere_triangle/oracles/area.h"
+
+namespace axiscert {
+namespace {
+
+// |V|^2 / 4 >= area^2, V = (B - A) x (C - A).
+template <class Real>
+bool has_area(const Query<Real>& q, double area) {
+  const Vec3<Ring> normal = exact_normal(q);
+  const Ring twice = Ring(area) + Ring(area);
+  return portable::dot(normal, normal) >= twice * twice;
+}
+
+}  // namespace
+
+template <class Real>
+bool is_within(const Limits& limits, const Query<Real>& q) {
+  // A float widens exactly, so these comparisons are of the values themselves.
+  const double r = q.r;
+  if (r < limits.least_radius || (limits.greatest_radius > 0 && r > limits.greatest_radius)) return false;
+  const auto numbers = coordinates(q);
+  const bool in_range = std::all_of(numbers.begin(), numbers.end() - 1, [&](Real number) {
+    const double x = std::abs(double(number));
+    return (x == 0 || x >= limits.least_coordinate) &&
+           (limits.greatest_coordinate == 0 || x <= limits.greatest_coordinate);
+  });
+  return in_range && (limits.least_area == 0 || has_area(q, limits.least_area));
+}
+template bool is_within<float>(const Limits&, const Query<float>&);
+template bool is_within<double>(const Limits&, const Query<double>&);
+
+template <class Real>
+RadiusRange<Real> radii_within(const Limits& limits) {
+  constexpr Real max = std::numeric_limits<Real>::max(), infinity = std::numeric_limits<Real>::infinity();
+  RadiusRange<Real> range;
+  range.least = limits.least_radius > max ? infinity : static_cast<Real>(std::abs(limits.least_radius));
+  if (range.least < limits.least_radius) range.least = std::nextafter(range.least, infinity);
+  if (limits.greatest_radius == 0) return range;
+  range.greatest = static_cast<Real>(std::min(limits.greatest_radius, double(max)));
+  if (range.greatest > limits.greatest_radius) range.greatest = std::nextafter(range.greatest, Real(0));
+  return range;
+}
+template RadiusRange<float> radii_within<float>(const Limits&);
+template RadiusRange<double> radii_within<double>(const Limits&);
+
+}  // namespace axiscert

@@ -1,0 +1,19 @@
+// The area of a query's triangle, exactly.
+#pragma once
+
+#include "exact/numbers/surd.h"
+#include "kernel/query.h"
+
+namespace axiscert {
+
+// (B - A) x (C - A), twice the area long. Of finite coordinates.
+template <class Real>
+Vec3<Ring> exact_normal(const Query<Real>& q) {
+  const auto vec = [](const Vec3<Real>& v) {
+    return Vec3<Ring>{Ring(double(v.x)), Ring(double(v.y)), Ring(double(v.z))};
+  };
+  const Vec3<Ring> a = vec(q.a);
+  return portable::cross(vec(q.b) - a, vec(q.c) - a);
+}
+
+}  // namespace axiscert

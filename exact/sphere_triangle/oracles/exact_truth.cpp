@@ -1,0 +1,69 @@
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+
+#include <fmt/format.h>
+
+#include "exact/sphere_triangle/oracles/area.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/sphere_triangle/oracles/second_oracle.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+bool has_zero_area(const Query<Real>& q) {
+  const Vec3<Ring> normal = exact_normal(q);
+  return normal.x.is_zero() && normal.y.is_zero() && normal.z.is_zero();
+}
+
+Verdict separated_if(bool separated) { return separated ? Verdict::separated : Verdict::contact; }
+
+// What contradicts what, or nothing. `opinion` is MPFR's, when it was asked.
+template <class Real>
+std::optional<std::string> contradiction(const Query<Real>& q, int geometric_order, const FormulaTruth& formula,
+                                         const std::optional<SecondOpinion>& opinion) {
+  const Verdict geometric = separated_if(geometric_order > 0);
+  const Verdict nonstrict = verdict_of(axes_of(formula.bits(Strictness::nonstrict)));
+  const Verdict strict = verdict_of(axes_of(formula.strict));
+  if (nonstrict != geometric) {
+    return fmt::format("CGAL says {}, the exact formulae with non-strict sides say {}", name(geometric),
+                       name(nonstrict));
+  }
+  if (strict != geometric && (strict == Verdict::separated || !has_zero_area(q))) {
+    return fmt::format(
+        "CGAL says {}, the exact strict formulae say {} on a triangle where the theorem allows no such "
+        "difference",
+        name(geometric), name(strict));
+  }
+  if (opinion && opinion->distance_order != geometric_order) {
+    return fmt::format("distance against radius: CGAL orders them {}, MPFR {}", geometric_order,
+                       opinion->distance_order);
+  }
+  if (opinion && (opinion->strict != formula.strict || opinion->ties != formula.ties)) {
+    return fmt::format(
+        "the sixteen signs: ring {:016b} ties {:016b}, MPFR {:016b} ties {:016b} (bit 0 is the first "
+        "comparison)",
+        formula.strict, formula.ties, opinion->strict, opinion->ties);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+template <class Real>
+ExactTruth exact_truth(const Query<Real>& q, bool with_second_opinion) {
+  if (!is_valid(q)) return {{Verdict::invalid, false}, std::nullopt};
+  const int geometric_order = distance_order(q);
+  FormulaTruth formula = formula_truth(q);
+  std::optional<SecondOpinion> opinion;
+  if (with_second_opinion) opinion = second_opinion(q);
+  if (auto wrong = contradiction(q, geometric_order, formula, opinion)) {
+    const SecondOpinion mpfr = second_opinion(q);
+    throw OracleDisagreement(
+        fmt::format("{}; MPFR's own verdict is {}", *wrong, name(separated_if(mpfr.distance_order > 0))), q);
+  }
+  return {{separated_if(geometric_order > 0), geometric_order == 0}, std::move(formula)};
+}
+template ExactTruth exact_truth<float>(const Query<float>&, bool);
+template ExactTruth exact_truth<double>(const Query<double>&, bool);
+
+}  // namespace axiscert

@@ -1,0 +1,25 @@
+// R-infinity over a batch by SIMD: the bits of a set of formulae in plain arithmetic with an exponent that never ends.
+#pragma once
+
+#include <string_view>
+
+#include "kernel/kernel.h"
+
+namespace axiscert {
+
+// Writes the comparison bits of each query of the batch; of one that is not valid, any bits. The processor has to round
+// to nearest, and must not flush subnormals.
+template <class Real>
+using RangeFreeBits = void (*)(const QueryColumns<Real>& batch, ComparisonBits* out);
+
+// On one of simd_targets(), strict or nonstrict; null for formulae that have no SIMD form
+// (kernel/sphere_triangle/forms/simd.h). To the bit what unbounded() says of each query
+// (exact/sphere_triangle/unbounded/unbounded.h), on every instruction set.
+template <class Real>
+RangeFreeBits<Real> range_free_on(std::string_view target, Formulae formulae, Strictness strictness);
+template <>
+RangeFreeBits<float> range_free_on<float>(std::string_view target, Formulae formulae, Strictness strictness);
+template <>
+RangeFreeBits<double> range_free_on<double>(std::string_view target, Formulae formulae, Strictness strictness);
+
+}  // namespace axiscert

@@ -1,0 +1,98 @@
+#include "exact/sphere_triangle/unbounded/unbounded.h"
+
+#include <algorithm>
+#include <cfenv>
+
+#include "exact/sphere_triangle/unbounded/unbounded_table.h"
+#include "exact/sphere_triangle/unbounded/wide_range_float.h"
+
+namespace axiscert {
+
+#define AXISCERT_DECLARE(name, type, summary) const UnboundedTable& unbounded_table_##name();
+AXISCERT_ARITHMETICS(AXISCERT_DECLARE)
+#undef AXISCERT_DECLARE
+
+namespace {
+
+const UnboundedTable& table_of(Arithmetic arithmetic) {
+  static constexpr const UnboundedTable& (*tables[])() = {
+#define AXISCERT_TABLE(name, type, summary) unbounded_table_##name,
+      AXISCERT_ARITHMETICS(AXISCERT_TABLE)
+#undef AXISCERT_TABLE
+  };
+  return tables[static_cast<std::size_t>(arithmetic)]();
+}
+
+template <class F>
+Outcome wide_range_outcome(const Query<double>& q, Strictness strictness) {
+  return outcome_of<F>(problem_as<WideRangeFloat>(q, [](double x) { return WideRangeFloat(x); }), strictness);
+}
+
+template <Formulae formulae>
+constexpr UnboundedFunction wide_range_function() {
+  if constexpr (has_comparisons(formulae) && FormulaeType<formulae>::is_ring) {
+    return wide_range_outcome<FormulaeType<formulae>>;
+  }
+  return nullptr;
+}
+
+bool within_wide_range(Formulae formulae) {
+  const std::optional<ComparisonDegrees> degrees = degrees_of(formulae);
+  return degrees && std::all_of(degrees->begin(), degrees->end(), [](const ComparisonDegree& degree) {
+           return degree.bits && WideRangeFloat::covers(*degree.bits);
+         });
+}
+
+// By formulae, R-infinity of binary32 in plain arithmetic on the processor; null where that is not proved.
+UnboundedFunction on_processor(Formulae formulae) {
+  static const auto functions = [] {
+    std::array<UnboundedFunction, formulae_count> result = {
+#define AXISCERT_FUNCTION(name, type, kind) wide_range_function<Formulae::name>(),
+        AXISCERT_FORMULAE(AXISCERT_FUNCTION)
+#undef AXISCERT_FUNCTION
+    };
+    for (std::size_t i = 0; i < formulae_count; ++i) {
+      if (!within_wide_range(static_cast<Formulae>(i))) result[i] = nullptr;
+    }
+    return result;
+  }();
+  return functions[static_cast<std::size_t>(formulae)];
+}
+
+}  // namespace
+
+template <class Real>
+Outcome unbounded_by_mpfr(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q) {
+  const UnboundedTable& table = table_of(arithmetic);
+  const FloatingScope scope({table.digits[static_cast<std::size_t>(precision_of<Real>)], table.rounding, {}});
+  return table.functions[static_cast<std::size_t>(formulae)](widened(q), strictness);
+}
+template Outcome unbounded_by_mpfr<float>(Formulae, Arithmetic, Strictness, const Query<float>&);
+template Outcome unbounded_by_mpfr<double>(Formulae, Arithmetic, Strictness, const Query<double>&);
+
+template <class Real>
+Outcome unbounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q) {
+  const UnboundedTable& table = table_of(arithmetic);
+  const int digits = table.digits[static_cast<std::size_t>(precision_of<Real>)];
+  const UnboundedFunction function = table.functions[static_cast<std::size_t>(formulae)];
+  const bool plain = function == unbounded_table_plain().functions[static_cast<std::size_t>(formulae)];
+  if (plain && digits == 24 && table.rounding == Rounding::nearest) {
+    if (const UnboundedFunction fast = on_processor(formulae)) return fast(widened(q), strictness);
+  }
+  return unbounded_by_mpfr(formulae, arithmetic, strictness, q);
+}
+template Outcome unbounded<float>(Formulae, Arithmetic, Strictness, const Query<float>&);
+template Outcome unbounded<double>(Formulae, Arithmetic, Strictness, const Query<double>&);
+
+template <class Real>
+Rounded rounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q) {
+  std::feclearexcept(FE_OVERFLOW | FE_UNDERFLOW);
+  const Outcome found = reference(formulae, arithmetic, strictness, q);
+  const bool left_range = std::fetestexcept(FE_OVERFLOW | FE_UNDERFLOW) != 0;
+  if (!left_range && table_of(arithmetic).flags_tell_range) return {found, found};
+  return {unbounded(formulae, arithmetic, strictness, q), found};
+}
+template Rounded rounded<float>(Formulae, Arithmetic, Strictness, const Query<float>&);
+template Rounded rounded<double>(Formulae, Arithmetic, Strictness, const Query<double>&);
+
+}  // namespace axiscert

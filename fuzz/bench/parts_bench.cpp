@@ -1,0 +1,63 @@
+// What the journal adds to a unit: compare `unit` with `entry`.
+#include <benchmark/benchmark.h>
+
+#include <filesystem>
+
+#include "fuzz/campaign/parts/gathered.h"
+#include "fuzz/campaign/parts/journal.h"
+#include "fuzz/campaign/parts/stretch_testing.h"
+
+namespace axiscert {
+namespace {
+
+const Plan& plan() {
+  static const Plan made = [] {
+    Plan plan = small_plan({"published"}, {"general"}, unit_size);
+    plan.precisions = {Precision::binary32};
+    return plan;
+  }();
+  return made;
+}
+
+// 2^16 queries of the cheapest family and precision, begun without knowing of other units, as a stretch is.
+void unit(benchmark::State& state) {
+  for (auto _ : state)
+    benchmark::DoNotOptimize(run_unit(plan(), *plan().sources[0], Precision::binary32, 0, unit_size));
+}
+BENCHMARK(unit)->Unit(benchmark::kMicrosecond);
+
+// The same beside what another unit has found, as a run without a plan has it.
+void unit_with_standing(benchmark::State& state) {
+  const UnitResult other = run_unit(plan(), *plan().sources[0], Precision::binary32, 1, unit_size);
+  const std::vector<Standing> standing = {standing_of(other.tallies[0])};
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(run_unit(plan(), *plan().sources[0], Precision::binary32, 0, unit_size, standing));
+  }
+}
+BENCHMARK(unit_with_standing)->Unit(benchmark::kMicrosecond);
+
+// All that a finished stretch goes through: encoded, taken apart and merged at rank 0, appended with the note before
+// it.
+void entry(benchmark::State& state) {
+  const Stretches stretches(plan(), 1);
+  const Entry made = run_stretch(plan(), stretches, 0);
+  const Tally tally = decode_tally(made.tallies[0]);
+  const Costs costs = decode_costs(made.costs);
+  const std::string path = (std::filesystem::temp_directory_path() / "axiscert_scale_bench").string();
+  std::filesystem::remove(path);
+  Journal journal(path, std::string(64, 'a'), [](std::string_view) {});
+  const std::uint64_t start = journal.bytes();
+  for (auto _ : state) {
+    journal.append(begun_note(0));
+    const std::string bytes = encode(Entry{0, {encode(tally)}, encode(costs)});
+    Gathered gathered(plan(), stretches);
+    gathered.add(decode_entry(bytes));
+    journal.append(bytes);
+  }
+  state.counters["bytes"] = static_cast<double>(journal.bytes() - start) / static_cast<double>(state.iterations());
+  std::filesystem::remove(path);
+}
+BENCHMARK(entry)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace axiscert

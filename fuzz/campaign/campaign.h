@@ -1,0 +1,92 @@
+// The campaign: runs a plan's units on all cores and tallies them.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "exact/sphere_triangle/filters/cascade.h"
+#include "fuzz/pipe/replies.h"
+#include "fuzz/queries/source.h"
+#include "fuzz/campaign/tally.h"
+#include "kernel/kernel.h"
+
+namespace axiscert {
+
+struct Plan {
+  std::uint64_t seed = 1;
+  std::vector<const Kernel*> kernels;
+  std::vector<FileInfo> plugins;  // the files of kernels that were given by path, as they were loaded
+  std::vector<SourcePtr> sources;
+  std::vector<Precision> precisions;
+  // How many queries of a source in a precision; not read under a time limit.
+  std::function<std::uint64_t(const Source&, Precision)> trials;
+  std::optional<double> seconds;  // the time limit; units that were begun are finished
+  Tolerances tolerances;
+  std::map<std::string, std::string> tolerance_texts;  // by comparison, as given
+  std::string target;                                  // resolved
+  int threads = 1;
+  // The answers of the one kernel, in place of running it; its queries are those that have one.
+  std::shared_ptr<const StoredReplies> replies;
+  ReplyClaim claim;  // of the replies
+  // Everything by CGAL, arbitrary precision and MPFR: the record is the same.
+  bool exact_only = false;
+  FilterFault planted = FilterFault::none;  // for the tests of the cross-checks
+};
+
+// How the queries of a cell were decided; no record holds it.
+struct StepCounts {
+  std::array<std::uint64_t, step_count> queries{};
+  std::array<std::array<std::uint64_t, step_count>, comparison_count> signs{};  // by comparison
+  std::uint64_t checked = 0;  // decided by a filter, and by CGAL again
+  std::uint64_t by_cgal = 0;  // verdicts that CGAL decided
+  // Nanoseconds.
+  double generation = 0, kernels = 0, errors = 0, judging = 0;
+  std::array<double, step_count> steps{};  // of the filters; `exact` is part of judging
+
+  void merge(const StepCounts& other);
+};
+
+// One source in one precision.
+struct CellResult {
+  std::size_t source;
+  Precision precision;
+  std::uint64_t units_done = 0, queries = 0;
+  double core_seconds = 0;     // processor time of generating and judging
+  std::vector<Tally> tallies;  // by kernel, in the plan's order
+  StepCounts steps;
+};
+
+struct CampaignResult {
+  bool complete = true;  // false: interrupted
+  std::vector<CellResult> cells;
+  std::uint64_t second_opinions = 0;  // queries decided a second time by MPFR
+};
+
+struct Progress {
+  std::uint64_t units_done, units, queries;  // units is 0 under a time limit
+  double seconds;
+};
+
+// Every 4096th query of a source is decided again by the second oracle; for every 256th of its first 2^24 the critical
+// radius is found. Their errors are kept, for an exact median, and are all that a tally keeps of more than a few
+// queries: the limit bounds it at 2^16 numbers, however long a run lasts.
+inline constexpr std::uint64_t second_opinion_stride = 4096, critical_radius_stride = 256;
+inline constexpr std::uint64_t critical_radius_queries = std::uint64_t{1} << 24;
+constexpr bool has_critical_radius(std::uint64_t position) {
+  return position < critical_radius_queries && position % critical_radius_stride == 0;
+}
+
+// What has to pass the self-check: the scalar reference, the plan's target, and those on which a kernel is called.
+std::set<std::string> targets_of(const Plan& plan);
+
+// `interrupted` is polled between units; `report` is called from one thread at a time. The tallies depend on the plan
+// alone, not on threads, target or order. Throws OracleDisagreement.
+CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupted,
+                            const std::function<void(const Progress&)>& report);
+
+}  // namespace axiscert

@@ -1,0 +1,272 @@
+#include "fuzz/campaign/error_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cfenv>
+#include <cmath>
+#include <limits>
+
+#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/sphere_triangle/filters/vertex_sides.h"
+#include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/forms/simd.h"
+
+namespace axiscert {
+namespace {
+
+// A double that is certainly not above the number it was rounded from.
+constexpr double below_the_rounding = 1 - 0x1p-50;
+
+constexpr std::size_t most_suspects = 64;
+
+// Whatever is no greater comes to no greater a decimal. Decimals beyond binary64 are compared exactly, each of them.
+double passed_by(const Decimal6& decimal) {
+  return std::min(decimal.value(), std::numeric_limits<double>::max()) * below_the_rounding;
+}
+
+// Of what is below 2^exponent, the decimal is more than twice as much: then no rounding makes it the same. A decimal is
+// at least 2^n for n = floor(log2(mantissa)) + floor(3.3219 exponent), since 10 > 2^3.3219.
+int passed_exponent_by(const Decimal6& decimal) {
+  if (decimal.is_zero() || decimal.exponent < 0) return std::numeric_limits<int>::min();
+  return std::bit_width(decimal.mantissa) - 1 + static_cast<int>(std::int64_t{decimal.exponent} * 33219 / 10000) - 1;
+}
+
+}  // namespace
+
+template <class Real>
+ErrorWatch<Real>::ErrorWatch(Formulae formulae, const Tolerances& tolerances, const Filter<Real>& filter,
+                             const Standing& standing, std::uint64_t first_position, Tally& tally)
+    : formulae_(formulae), tolerances_(tolerances), filter_(filter), tally_(tally) {
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    tolerated_[k] = tolerances[k] ? tolerances[k]->get_d() * below_the_rounding : INFINITY;
+    const auto& known = standing.largest_error[k].candidates();
+    if (known.empty()) continue;
+    // The same error at an earlier position would take the place of a known one.
+    largest_[k].passed = passed_by(known[0].rank) * (known[0].position < first_position ? 1 : Decimal6::least_ratio);
+    largest_[k].passed_exponent = passed_exponent_by(known[0].rank);
+  }
+}
+
+template <class Real>
+void ErrorWatch<Real>::look(const QueryBatch<Real>& batch, std::uint64_t position,
+                            const std::vector<Attention>& attention, const std::vector<DecidedSigns>& decided,
+                            const Answers<Real>& computed) {
+  batch_ = &batch;
+  position_ = position;
+  attention_ = &attention;
+  decided_ = &decided;
+  computed_ = &computed;
+  checked_.clear();
+  failing_.assign(batch.size(), 0);
+  any_failing_ = false;
+  if (expects_exact_ && is_batch_exact()) return;
+  zero_.assign(batch.size(), std::nullopt);
+  for (auto& [query, sides] : exact_sides_) sides.reset();
+  for (auto& [query, margins] : wide_) margins.reset();
+  ErrorScreen screen{{}, this, [](void* watch, const SuspectError& suspect) {
+                       return static_cast<ErrorWatch*>(watch)->judge(suspect);
+                     }};
+  for (std::size_t k = 0; k < comparison_count; ++k) screen.thresholds[k] = threshold(k);
+  filter_.errors(batch.columns(), computed, formulae_ != Formulae::published, screen);
+  constexpr auto all = ComparisonBits{0xffff};
+  expects_exact_ =
+      std::count(zero_.begin(), zero_.end(), std::optional(all)) > static_cast<std::ptrdiff_t>(batch.size() / 2);
+  if (!any_failing_) return;
+  for (const ComparisonBits failing : failing_) {
+    for (std::size_t i = 0; i < axis_count; ++i)
+      tally_.axes[i].tolerance_failures += (failing & axis_comparisons[i]) != 0;
+  }
+}
+
+template <class Real>
+bool ErrorWatch<Real>::is_batch_exact() {
+  const SimdForms* forms = simd_forms(formulae_);
+  if (!forms) return false;
+  const auto columns = batch_->columns();
+  if (widened_.capacity() < columns.size) widened_ = QueryBatch<double>(columns.size);
+  widened_.resize(columns.size);
+  const auto wide = widened_.mutable_columns();
+  for (std::size_t k = 0; k < coordinate_count; ++k) {
+    std::copy_n(columns.column[k], columns.size, wide.column[k]);
+  }
+  in_binary64_.resize(columns.size);
+  constexpr int events = FE_INEXACT | FE_OVERFLOW | FE_UNDERFLOW;
+  std::feclearexcept(events);
+  forms->on<double>(simd_targets().front(), Strictness::strict).explain(widened_.columns(), in_binary64_);
+  if (std::fetestexcept(events) != 0) return false;
+  const auto is_same = [](const auto& ours, const auto& theirs) {
+    return std::equal(theirs.begin(), theirs.end(), ours.begin(), [](double x, Real y) { return x == y; });
+  };
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    if (!is_same(computed_->lhs[k], in_binary64_.lhs[k]) || !is_same(computed_->rhs[k], in_binary64_.rhs[k]))
+      return false;
+  }
+  return true;
+}
+
+template <class Real>
+double ErrorWatch<Real>::threshold(std::size_t comparison) const {
+  return std::min(largest_[comparison].passed, tolerated_[comparison]);
+}
+
+template <class Real>
+bool ErrorWatch<Real>::is_exactly_zero(std::size_t i, std::size_t comparison) {
+  if (!zero_[i]) {
+    constexpr int events = FE_INEXACT | FE_OVERFLOW | FE_UNDERFLOW;
+    Sides<double> sides;
+    std::feclearexcept(events);
+    reference(formulae_, Arithmetic::plain, Strictness::strict, widened((*batch_)[i]), &sides);
+    const bool is_exact = std::fetestexcept(events) == 0;
+    zero_[i] = 0;
+    for (std::size_t k = 0; k < comparison_count && is_exact; ++k) {
+      const bool is_same = computed_->lhs[k][i] == sides.lhs[k] && computed_->rhs[k][i] == sides.rhs[k];
+      *zero_[i] |= static_cast<ComparisonBits>(unsigned{is_same} << k);
+    }
+  }
+  return ((*zero_[i] >> comparison) & 1u) != 0;
+}
+
+template <class Real>
+const FormulaTruth& ErrorWatch<Real>::exact_sides(std::size_t i) {
+  auto& [query, sides] = exact_sides_[i % exact_sides_.size()];
+  if (!sides || query != i) {
+    query = i;
+    sides = formula_truth(formulae_, (*batch_)[i]);
+  }
+  return *sides;
+}
+
+template <class Real>
+WideMargins::ErrorRange ErrorWatch<Real>::wide_error(const SuspectError& suspect) {
+  const auto [i, k, lower, upper] = suspect;
+  auto& [query, margins] = wide_[i % wide_.size()];
+  if (!margins || query != i) {
+    query = i;
+    margins.emplace(widened((*batch_)[i]));
+  }
+  const EdgeSides sides = formulae_ == Formulae::published ? EdgeSides::published : EdgeSides::reduced;
+  auto range = margins->error(static_cast<Comparison>(k), sides, computed_->lhs[k][i], computed_->rhs[k][i],
+                              std::numeric_limits<Real>::digits);
+  range.lower = std::max(range.lower, lower);
+  range.upper = std::min(range.upper, upper);
+  return range;
+}
+
+template <class Real>
+void ErrorWatch<Real>::raise_passed(std::size_t k) {
+  const Decimal6 best = tally_.comparisons[k].largest_error.best();
+  largest_[k].passed = std::max(largest_[k].passed, passed_by(best));
+  largest_[k].passed_exponent = std::max(largest_[k].passed_exponent, passed_exponent_by(best));
+}
+
+template <class Real>
+double ErrorWatch<Real>::judge(const SuspectError& suspect) {
+  auto [i, k, lower, upper] = suspect;
+  if ((*attention_)[i] == Attention::none) return threshold(k);
+  const Real lhs = computed_->lhs[k][i], rhs = computed_->rhs[k][i];
+  if ((*attention_)[i] == Attention::checked) {
+    checked_.push_back(suspect);
+    if (std::isfinite(lhs) && std::isfinite(rhs) && upper > 2 * lower) {
+      const WideMargins::ErrorRange range = wide_error(suspect);
+      checked_.push_back({i, k, range.lower, range.upper});
+    }
+    return threshold(k);
+  }
+  ComparisonTally& comparison = tally_.comparisons[k];
+  if (!std::isfinite(lhs) || !std::isfinite(rhs)) {
+    ++comparison.range_events;
+    return threshold(k);
+  }
+  if (!std::isfinite(upper) && ((both_sides_zero((*decided_)[i].signs) >> k) & 1u)) {
+    comparison.error_without_scale += lhs != rhs;  // any difference is over |0| + |0|
+    return threshold(k);
+  }
+  if (lower == 0 && is_exactly_zero(i, k)) return threshold(k);
+  if (upper > 2 * lower) {
+    const WideMargins::ErrorRange range = wide_error(suspect);
+    lower = range.lower;
+    upper = range.upper;
+    if (upper <= threshold(k)) return threshold(k);
+    if (!tolerances_[k] && range.exponent_above <= largest_[k].passed_exponent) return threshold(k);
+  }
+  Largest& largest = largest_[k];
+  const auto exactly = [&] { return ComparisonError(lhs, rhs, exact_sides(i).comparison(k)); };
+  const auto fail = [&] {
+    ++comparison.tolerance_failures;
+    failing_[i] |= static_cast<ComparisonBits>(1u << k);
+    any_failing_ = true;
+  };
+  if (!std::isfinite(upper)) {
+    const ComparisonError error = exactly();
+    if (error.kind() == ComparisonError::Kind::without_scale) {
+      ++comparison.error_without_scale;
+      return threshold(k);
+    }
+    if (tolerances_[k] && error.exceeds(*tolerances_[k])) fail();
+    if (error.upper() > largest.passed) {
+      comparison.largest_error.offer({error.rounded_up(), position_ + i});
+      raise_passed(k);
+    }
+    return threshold(k);
+  }
+  if (tolerances_[k] && upper > tolerated_[k]) {
+    const bool is_certain = lower > tolerances_[k]->get_d() * (1 + 0x1p-50);
+    if (is_certain || exactly().exceeds(*tolerances_[k])) fail();
+  }
+  if (upper > largest.passed) {
+    largest.suspects.push_back({(*batch_)[i], position_ + i, lhs, rhs, upper});
+    largest.passed = std::max(largest.passed, lower * Decimal6::least_ratio);
+    if (largest.suspects.size() == most_suspects) settle(k);
+  }
+  return threshold(k);
+}
+
+template <class Real>
+void ErrorWatch<Real>::settle(std::size_t k) {
+  Largest& largest = largest_[k];
+  Leaders<Decimal6>& leaders = tally_.comparisons[k].largest_error;
+  for (const Suspect& suspect : largest.suspects) {
+    // What passed it may have a later position, so the same decimal is not enough.
+    if (suspect.upper <= largest.passed * Decimal6::least_ratio) continue;
+    // Where products underflow many errors are the same but for parts in 10^15: the first stands for the others.
+    const auto& known = leaders.candidates();
+    if (!known.empty() && known[0].position < suspect.position && suspect.upper <= passed_by(known[0].rank)) continue;
+    const auto offer = [&](const ExactComparison& exact) {
+      const ComparisonError error(suspect.lhs, suspect.rhs, exact);
+      if (error.upper() > 0) leaders.offer({error.rounded_up(), suspect.position});
+    };
+    if (is_of_vertex(k)) offer(VertexSides(suspect.query, k).comparison());
+    else offer(formula_truth(formulae_, suspect.query).comparison(k));
+  }
+  largest.suspects.clear();
+  // What comes now is later: it has to be greater.
+  raise_passed(k);
+}
+
+template <class Real>
+void ErrorWatch<Real>::settle() {
+  for (std::size_t k = 0; k < comparison_count; ++k) settle(k);
+}
+
+template <class Real>
+std::string ErrorWatch<Real>::contradiction(std::size_t query, std::size_t k, const ComparisonError& exact) const {
+  bool was_suspect = false;
+  for (const SuspectError& suspect : checked_) {
+    if (suspect.query != query || suspect.comparison != k) continue;
+    was_suspect = true;
+    if (exact.kind() != ComparisonError::Kind::finite) return {};
+    if (exact.upper() >= suspect.lower && exact.lower() <= suspect.upper) continue;
+    return fmt::format("the filter has the error of {} between {} u and {} u, it is {} u", comparisons[k].name,
+                       suspect.lower, suspect.upper, exact.rounded_up().text());
+  }
+  if (was_suspect) return {};
+  if (exact.kind() == ComparisonError::Kind::finite && exact.lower() <= threshold(k)) return {};
+  return fmt::format("the filter has the error of {} at most {} u, and it is not", comparisons[k].name, threshold(k));
+}
+
+template class ErrorWatch<float>;
+template class ErrorWatch<double>;
+
+}  // namespace axiscert

@@ -1,0 +1,100 @@
+// The errors of a kernel's computed sides, by the filter: exact arithmetic is asked about those only that may be the
+// largest, or whose side of a tolerance is not certain. What is counted and stored is exact.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "exact/sphere_triangle/filters/cascade.h"
+#include "exact/sphere_triangle/filters/wide_margins.h"
+#include "exact/sphere_triangle/measures/error_measure.h"
+#include "fuzz/campaign/tally.h"
+
+namespace axiscert {
+
+// Whether the filter knows the sides of these formulae.
+constexpr bool has_filtered_errors(Formulae formulae) {
+  return formulae == Formulae::published || formulae == Formulae::reduced || formulae == Formulae::reduced_along ||
+         formulae == Formulae::reduced_determinant || formulae == Formulae::reduced_shared;
+}
+
+enum class Attention : std::uint8_t {
+  none,     // not looked at: no truth, or counted elsewhere
+  counted,  // by the watch
+  checked,  // counted elsewhere, exactly; what the filter says of it is kept for the cross-check
+};
+
+// One kernel over one unit, its batches in the order of their positions. What it borrows has to outlive it.
+template <class Real>
+class ErrorWatch {
+ public:
+  ErrorWatch(Formulae formulae, const Tolerances& tolerances, const Filter<Real>& filter, const Standing& standing,
+             std::uint64_t first_position, Tally& tally);
+
+  // `attention` by query of the batch, whose first query is at `position`; the signs of the `counted` ones are
+  // `decided`.
+  void look(const QueryBatch<Real>& batch, std::uint64_t position, const std::vector<Attention>& attention,
+            const std::vector<DecidedSigns>& decided, const Answers<Real>& computed);
+  // Evaluates what is left. To be called once, after the last batch.
+  void settle();
+
+  // What the filter said of a checked query of the last batch against the exact error; what is wrong, or nothing.
+  std::string contradiction(std::size_t query, std::size_t comparison, const ComparisonError& exact) const;
+
+ private:
+  struct Suspect {
+    Query<Real> query;
+    std::uint64_t position;
+    Real lhs, rhs;
+    double upper;
+  };
+  // Errors up to `passed` can no longer be the largest; the one that is, is among `suspects` or in the tally.
+  struct Largest {
+    double passed = 0;
+    int passed_exponent = std::numeric_limits<int>::min();  // or below 2^passed_exponent: beyond binary64 too
+    std::vector<Suspect> suspects;
+  };
+
+  double judge(const SuspectError& suspect);
+  // Whether binary64 evaluates the whole batch without any rounding, and to the computed sides: no error but zero.
+  bool is_batch_exact();
+  double threshold(std::size_t comparison) const;
+  // Whether a query of the batch at hand is evaluated in binary64 without any rounding, and its computed sides are
+  // these.
+  bool is_exactly_zero(std::size_t query, std::size_t comparison);
+  // The same error, enclosed without a range: what the filter does not know of a query that leaves it.
+  WideMargins::ErrorRange wide_error(const SuspectError& suspect);
+  void raise_passed(std::size_t comparison);  // after what the tally has as the largest
+  // The exact sides of a query of the batch at hand.
+  const FormulaTruth& exact_sides(std::size_t query);
+  void settle(std::size_t comparison);
+
+  Formulae formulae_;
+  const Tolerances& tolerances_;
+  Filter<Real> filter_;
+  Tally& tally_;
+  std::array<Largest, comparison_count> largest_;
+  std::array<double, comparison_count> tolerated_;  // certainly below the tolerance; infinite without one
+
+  // Kept from batch to batch: whether the last one was nearly all exact, so that the next may be as a whole.
+  bool expects_exact_ = false;
+  QueryBatch<double> widened_{1};
+  Answers<double> in_binary64_;
+
+  // Of the batch at hand.
+  const QueryBatch<Real>* batch_ = nullptr;
+  const std::vector<Attention>* attention_ = nullptr;
+  const std::vector<DecidedSigns>* decided_ = nullptr;
+  const Answers<Real>* computed_ = nullptr;
+  std::uint64_t position_ = 0;
+  std::vector<ComparisonBits> failing_;  // by query, the comparisons above their tolerance
+  std::vector<std::optional<ComparisonBits>>
+      zero_;  // by query, the comparisons whose error is zero; none: not evaluated
+  // The last queries whose exact sides were asked for: the comparisons of a vector of queries come one after the other.
+  std::array<std::pair<std::size_t, std::optional<FormulaTruth>>, 16> exact_sides_;
+  std::array<std::pair<std::size_t, std::optional<WideMargins>>, 16> wide_;  // likewise
+  bool any_failing_ = false;
+  std::vector<SuspectError> checked_;
+};
+
+}  // namespace axiscert

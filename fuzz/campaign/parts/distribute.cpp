@@ -1,0 +1,140 @@
+#include "fuzz/campaign/parts/distribute.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "fuzz/campaign/parts/fault_message.h"
+
+namespace axiscert {
+namespace {
+
+// How long a process that has other ranks sleeps between looks for messages, and one that has none for an interrupt. A
+// unit takes 10 ms or more, and a rank has its next one at hand before it is through with the last; a look costs some
+// 20 microseconds.
+constexpr std::chrono::milliseconds between_looks{4}, between_interrupts{50};
+
+// A message is its kind and what belongs to it.
+enum class Kind : char { ready = 'r', task = 't', result = 'd', fault = 'f', stop = 's', gone = 'g' };
+
+template <class Content>
+std::string message(Kind kind, const Content& content) {
+  std::string bytes(1 + sizeof content, static_cast<char>(kind));
+  std::memcpy(bytes.data() + 1, &content, sizeof content);
+  return bytes;
+}
+template <class Content>
+Content content_of(const std::string& bytes) {
+  Content content;
+  std::memcpy(&content, bytes.data() + 1, sizeof content);
+  return content;
+}
+
+std::uint64_t peak_memory() {
+  rusage use{};
+  getrusage(RUSAGE_SELF, &use);
+  return static_cast<std::uint64_t>(use.ru_maxrss) * 1024;
+}
+
+}  // namespace
+
+Distributor::Distributor(Crew& crew, Ranks* ranks)
+    : crew_(crew), ranks_(ranks), workers_(static_cast<std::size_t>(ranks ? ranks->size() : 1)) {
+  workers_[0].use.threads = crew.threads();
+}
+
+// Two tasks a thread, so that none waits for the next; one in the end, so that none waits for another's second.
+void Distributor::hand_out(const Flow& flow) {
+  std::uint64_t threads = 0;
+  for (const Worker& worker : workers_) threads += static_cast<std::uint64_t>(worker.use.threads);
+  for (std::size_t rank = 0; rank < workers_.size(); ++rank) {
+    Worker& worker = workers_[rank];
+    while (worker.under_way < static_cast<std::uint64_t>(worker.use.threads) * (flow.left() > 4 * threads ? 2 : 1)) {
+      const std::optional<Task> task = flow.next();
+      if (!task) return;
+      if (rank == 0) crew_.give(*task);
+      else ranks_->send(static_cast<int>(rank), message(Kind::task, *task));
+      ++worker.under_way;
+      ++under_way_;
+    }
+  }
+}
+
+void Distributor::take(int rank, TaskResult result, const Flow& flow) {
+  Worker& worker = workers_[static_cast<std::size_t>(rank)];
+  --worker.under_way;
+  --under_way_;
+  ++worker.use.tasks;
+  flow.done(std::move(result));
+}
+
+void Distributor::receive(const Flow* flow) {
+  while (const auto received = ranks_->receive()) {
+    Worker& worker = workers_[static_cast<std::size_t>(received->from)];
+    const std::string& bytes = received->bytes;
+    switch (static_cast<Kind>(bytes[0])) {
+      case Kind::ready:
+        worker.use.threads = content_of<int>(bytes);
+        break;
+      case Kind::result:
+        if (flow) take(received->from, {content_of<Task>(bytes), bytes.substr(1 + sizeof(Task))}, *flow);
+        break;
+      case Kind::fault:
+        if (flow) rethrow_fault(std::string_view(bytes).substr(1), received->from);
+        break;
+      case Kind::gone:
+        worker.use.peak_memory = content_of<std::uint64_t>(bytes);
+        worker.has_left = true;
+        break;
+      case Kind::task:
+      case Kind::stop:
+        break;  // rank 0 sends these
+    }
+  }
+}
+
+void Distributor::run(const Flow& flow) {
+  while (true) {
+    hand_out(flow);
+    if (under_way_ == 0) return;
+    for (TaskResult& result : crew_.take(ranks_ ? between_looks : between_interrupts)) take(0, std::move(result), flow);
+    if (ranks_) receive(&flow);
+  }
+}
+
+std::vector<RankUse> Distributor::finish() {
+  for (std::size_t rank = 1; rank < workers_.size(); ++rank)
+    ranks_->send(static_cast<int>(rank), message(Kind::stop, 0));
+  const auto is_here = [](const Worker& worker) { return !worker.has_left; };
+  while (std::any_of(workers_.begin() + 1, workers_.end(), is_here)) {
+    receive(nullptr);
+    std::this_thread::sleep_for(between_looks);
+  }
+  workers_[0].use.peak_memory = peak_memory();
+  std::vector<RankUse> uses;
+  for (const Worker& worker : workers_) uses.push_back(worker.use);
+  return uses;
+}
+
+void serve(Crew& crew, Ranks& ranks) {
+  ranks.send(0, message(Kind::ready, crew.threads()));
+  while (true) {
+    try {
+      for (const TaskResult& result : crew.take(between_looks)) {
+        ranks.send(0, message(Kind::result, result.task) + result.bytes);
+      }
+    } catch (...) {
+      ranks.send(0, static_cast<char>(Kind::fault) + fault_message(std::current_exception()));
+    }
+    while (const auto received = ranks.receive()) {
+      if (static_cast<Kind>(received->bytes[0]) == Kind::task) crew.give(content_of<Task>(received->bytes));
+      else {
+        ranks.send(0, message(Kind::gone, peak_memory()));
+        return;
+      }
+    }
+  }
+}
+
+}  // namespace axiscert

@@ -1,0 +1,53 @@
+#include "fuzz/campaign/parts/fault_message.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "exact/judge/truth.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+using Json = nlohmann::json;
+
+Json json_of(const std::exception_ptr& fault) {
+  try {
+    std::rethrow_exception(fault);
+  } catch (const OracleDisagreement& d) {
+    return {"disagreement", d.what(), d.precision, d.query};
+  } catch (const HarnessFault& f) {
+    return {"harness", f.what()};
+  } catch (const Error& e) {
+    return {"input", e.what()};
+  } catch (const std::exception& e) {
+    return {"other", e.what()};
+  }
+}
+
+}  // namespace
+
+std::string fault_message(const std::exception_ptr& fault) {
+  std::string bytes;
+  Json::to_cbor(json_of(fault), bytes);
+  return bytes;
+}
+
+void rethrow_fault(std::string_view message, int rank) {
+  const Json json = Json::from_cbor(message);
+  const auto kind = json.at(0).get<std::string>(), what = json.at(1).get<std::string>();
+  if (kind == "disagreement") {
+    Query<float> none{};
+    OracleDisagreement disagreement("", none);
+    disagreement.precision = json.at(2).get<Precision>();
+    json.at(3).get_to(disagreement.query);
+    static_cast<HarnessFault&>(disagreement) = HarnessFault(what);
+    throw disagreement;
+  }
+  if (kind == "harness") throw HarnessFault(what);
+  if (kind == "input") throw Error(what);
+  throw std::runtime_error(fmt::format("rank {}: {}", rank, what));
+}
+
+}  // namespace axiscert

@@ -1,0 +1,80 @@
+#include "fuzz/campaign/parts/gathered.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "fuzz/files/whole_number.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+
+// In CBOR a number: what is finished is an array.
+std::string begun_note(std::uint64_t stretch) {
+  std::string bytes;
+  nlohmann::json::to_cbor(stretch, bytes);
+  return bytes;
+}
+
+std::optional<Entry> finished_in(std::string_view content) {
+  const nlohmann::json note = nlohmann::json::from_cbor(content, true, false);
+  return note.is_number_unsigned() ? std::nullopt : std::optional(decode_entry(content));
+}
+
+Gathered::Gathered(const Plan& plan, const Stretches& stretches) : stretches_(stretches), is_done_(stretches.count()) {
+  result_.cells = cells_of(plan);
+}
+
+void Gathered::replay(std::string_view content) {
+  if (const auto entry = finished_in(content)) {
+    add(*entry);
+    return;
+  }
+  begun_.push_back(whole_number<std::uint64_t>(nlohmann::json::from_cbor(content)));
+  if (begun_.back() >= stretches_.count()) throw Error(fmt::format("the plan has no stretch {}", begun_.back()));
+}
+
+void Gathered::add(const Entry& entry) {
+  if (entry.stretch >= stretches_.count()) throw Error(fmt::format("the plan has no stretch {}", entry.stretch));
+  if (is_done_[entry.stretch]) throw Error(fmt::format("{}: is there already", stretches_.text(entry.stretch)));
+  const Stretch stretch = stretches_.at(entry.stretch);
+  CellResult& cell = result_.cells[stretch.cell];
+  if (entry.tallies.size() != cell.tallies.size()) throw Error("a stretch with the tallies of other kernels");
+  for (std::size_t k = 0; k < cell.tallies.size(); ++k) cell.tallies[k].merge(decode_tally(entry.tallies[k]));
+  const Costs costs = decode_costs(entry.costs);
+  cell.steps.merge(costs.steps);
+  cell.core_seconds += costs.core_seconds;
+  cell.units_done += stretch.units();
+  cell.queries += stretch.queries;
+  result_.second_opinions += costs.second_opinions;
+  is_done_[entry.stretch] = true;
+  ++done_;
+  units_ += stretch.units();
+  queries_ += stretch.queries;
+}
+
+std::uint64_t Gathered::lost_units() const {
+  std::vector<std::uint64_t> times(stretches_.count());
+  for (const std::uint64_t stretch : begun_) ++times[stretch];
+  std::uint64_t lost = 0;
+  for (std::uint64_t stretch = 0; stretch < times.size(); ++stretch) {
+    if (times[stretch] > is_done_[stretch])
+      lost += (times[stretch] - is_done_[stretch]) * stretches_.at(stretch).units();
+  }
+  return lost;
+}
+
+std::vector<std::uint64_t> Gathered::missing() const {
+  std::vector<std::uint64_t> missing;
+  for (std::uint64_t stretch = 0; stretch < stretches_.count(); ++stretch) {
+    if (!is_done_[stretch]) missing.push_back(stretch);
+  }
+  return missing;
+}
+
+CampaignResult Gathered::take() && {
+  result_.complete = done_ == stretches_.count();
+  return std::move(result_);
+}
+
+}  // namespace axiscert

@@ -1,0 +1,33 @@
+// Finished stretches that are done a second time, in another way, and have to come to the same tallies.
+#pragma once
+
+#include <map>
+
+#include "fuzz/campaign/parts/stretch.h"
+
+namespace axiscert {
+
+// So many of the numbers, at random, in their order; at least one.
+std::vector<std::uint64_t> sample_of(const std::vector<std::uint64_t>& numbers, double fraction, std::uint64_t seed);
+
+class Recheck {
+ public:
+  Recheck(const Plan& plan, const Stretches& stretches, const std::vector<std::uint64_t>& sample);
+
+  bool is_in(std::uint64_t stretch) const { return digests_.contains(stretch); }
+  void first(const Entry& entry);
+  // After first() of the same stretch.
+  void again(const Entry& entry);
+  std::uint64_t compared() const { return compared_; }
+  // Each names units, kernel and digests.
+  const std::vector<std::string>& differences() const { return differences_; }
+
+ private:
+  const Plan& plan_;
+  const Stretches& stretches_;
+  std::map<std::uint64_t, std::vector<std::string>> digests_;  // by stretch, by kernel
+  std::uint64_t compared_ = 0;
+  std::vector<std::string> differences_;
+};
+
+}  // namespace axiscert

@@ -1,0 +1,156 @@
+// Stretches: every unit once, in turn; a result that the plan alone decides; done again, a fault of one target is seen.
+#include "fuzz/campaign/parts/stretch.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "fuzz/campaign/parts/gathered.h"
+#include "fuzz/campaign/parts/recheck.h"
+#include "fuzz/campaign/parts/stretch_testing.h"
+#include "kernel/sphere_triangle/reference/scalar_kernel.h"
+
+namespace axiscert {
+namespace {
+
+// Families of very different sizes, with short last units, empty ones among them.
+Plan uneven_plan() {
+  Plan plan = small_plan({"published"}, {"general", "tangent", "sliver", "tie", "bits"}, 0);
+  plan.trials = [](const Source& source, Precision precision) -> std::uint64_t {
+    const std::map<std::string, std::uint64_t> sizes = {{"general", 10 * unit_size},
+                                                        {"tangent", 3 * unit_size + 1},
+                                                        {"sliver", 5},
+                                                        {"tie", 0},
+                                                        {"bits", 7 * unit_size - 1}};
+    return sizes.at(source.name()) + (precision == Precision::binary64 ? 2 * unit_size : 0);
+  };
+  return plan;
+}
+
+TEST(Stretches, HoldEveryUnitOfThePlanOnce) {
+  const Plan plan = uneven_plan();
+  for (const std::uint64_t units_each : {1u, 2u, 3u, 4u, 100u}) {
+    const Stretches stretches(plan, units_each);
+    std::map<std::size_t, std::uint64_t> next_unit, queries;
+    for (std::uint64_t number = 0; number < stretches.count(); ++number) {
+      const Stretch s = stretches.at(number);
+      EXPECT_EQ(s.first_unit, next_unit[s.cell]) << units_each << ", " << number;
+      EXPECT_GT(s.queries, 0u);
+      EXPECT_LE(s.units(), units_each);
+      next_unit[s.cell] += s.units();
+      queries[s.cell] += s.queries;
+    }
+    const CampaignResult whole = planned(plan);
+    for (std::size_t cell = 0; cell < whole.cells.size(); ++cell) {
+      EXPECT_EQ(queries[cell], whole.cells[cell].queries) << units_each << ", " << cell;
+    }
+  }
+}
+
+TEST(Stretches, EachCellHasItsTurn) {
+  const Stretches stretches(uneven_plan(), 1);
+  std::map<std::size_t, int> first_numbers;
+  for (std::uint64_t number = 0; number < 9; ++number) ++first_numbers[stretches.at(number).cell];
+  EXPECT_EQ(first_numbers.size(), 9u) << "tie in binary32 is empty";
+}
+
+TEST(Stretches, AreFewInTheLargestPlan) {
+  Plan plan = uneven_plan();
+  for (const std::uint64_t trials : {std::uint64_t{1}, std::uint64_t{1'000'000'000'000}, std::uint64_t{1} << 59}) {
+    plan.trials = [=](const Source&, Precision) { return trials; };
+    const Stretches stretches(plan, Stretches::default_units_each(plan));
+    EXPECT_LE(stretches.count(), Stretches::most);
+    EXPECT_EQ(stretches.queries(), 10 * trials);
+    const Stretch last = stretches.at(stretches.count() - 1);
+    EXPECT_EQ(last.first_unit * unit_size + last.queries, trials);
+  }
+  EXPECT_THROW(Stretches(plan, 1), Error);
+}
+
+TEST(Stretches, AreNamedByTheirUnits) {
+  const Stretches stretches(uneven_plan(), 2);
+  EXPECT_EQ(stretches.text(0), "general binary64, units 0 to 1");
+  EXPECT_EQ(stretches.text({0, 1, 2, 9}, 20),
+            "general binary64: units 0 to 3; tangent binary64: units 0 to 1; sliver binary64: units 0 to 1");
+  EXPECT_EQ(stretches.text({0, 1, 2}, 1), "general binary64: units 0 to 1 and 2 more parts");
+}
+
+// What a unit is told of the units before it saves work and changes nothing.
+TEST(Stretch, IsItsUnitsMerged) {
+  Plan plan = small_plan({"published", "nonstrict"}, {"sliver"}, 2 * unit_size + 100);
+  plan.precisions = {Precision::binary32};
+  const Stretches stretches(plan, 3);
+  ASSERT_EQ(stretches.count(), 1u);
+  const Entry entry = run_stretch(plan, stretches, 0);
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    Tally merged;
+    for (std::uint64_t unit = 3; unit-- > 0;) {
+      merged.merge(run_unit(plan, *plan.sources[0], Precision::binary32, unit, unit == 2 ? 100 : unit_size).tallies[k]);
+    }
+    EXPECT_EQ(encode(merged), entry.tallies[k]) << plan.kernels[k]->id;
+  }
+  const Entry again = decode_entry(encode(entry));
+  EXPECT_EQ(again.tallies, entry.tallies);
+  EXPECT_EQ(again.costs, entry.costs);
+}
+
+// Planted: on the scalar target, and there alone, every 1000th answer is turned round.
+template <class Real>
+void wrong_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
+  scalar_implementation<Formulae::published, Strictness::strict, Real>().verdicts(batch, out);
+  for (std::size_t i = 0; i < batch.size; i += 1000) {
+    out[i] = out[i] == Verdict::contact ? Verdict::separated : Verdict::contact;
+  }
+}
+
+TEST(Recheck, AFaultOfOneTargetIsToldWithUnitAndKernel) {
+  const Kernel& right = find_kernel("closest-point");
+  Kernel kernel = right;
+  kernel.id = "planted";
+  kernel.formulae = Formulae::none;
+  kernel.exposes = Exposure::verdict;
+  kernel.is_reference = false;
+  kernel.binary32 = [](std::string_view target) {
+    if (target == scalar_target) return Implementation<float>{wrong_verdicts<float>};
+    return Implementation<float>{scalar_implementation<Formulae::published, Strictness::strict, float>().verdicts};
+  };
+  Plan plan = small_plan({"published"}, {"tangent"}, 3000 / TRIAL_DIVISOR);
+  plan.kernels.push_back(&kernel);
+  plan.precisions = {Precision::binary32};
+  ASSERT_NE(plan.target, scalar_target);
+  Plan other = plan;
+  other.target = scalar_target;
+  const Stretches stretches(plan, 1);
+  Recheck recheck(plan, stretches, {0});
+  recheck.first(run_stretch(plan, stretches, 0));
+  recheck.again(run_stretch(plan, stretches, 0));
+  EXPECT_TRUE(recheck.differences().empty());
+  recheck.again(run_stretch(other, stretches, 0));
+  ASSERT_EQ(recheck.differences().size(), 1u) << "and not of the kernel published";
+  EXPECT_EQ(recheck.differences()[0].find("kernel planted on tangent binary32, unit 0: "), 0u)
+      << recheck.differences()[0];
+}
+
+TEST(Recheck, ASampleIsPartOfTheWholeAndNeverEmpty) {
+  const std::vector<std::uint64_t> numbers = {2, 3, 5, 7, 11, 13, 17, 19};
+  EXPECT_EQ(sample_of(numbers, 1, 1), numbers);
+  EXPECT_EQ(sample_of(numbers, 1e-9, 1).size(), 1u);
+  EXPECT_EQ(sample_of(numbers, 0.5, 1).size(), 4u);
+  EXPECT_TRUE(sample_of({}, 0.5, 1).empty());
+}
+
+TEST(Gathered, KnowsWhatIsMissingAndWhatWasLost) {
+  const Plan plan = small_plan({"published"}, {"general"}, 100);
+  const Stretches stretches(plan, 1);
+  Gathered gathered(plan, stretches);
+  const std::string done = encode(run_stretch(plan, stretches, 1));
+  for (const std::string& content : {begun_note(0), begun_note(0), begun_note(1), done}) gathered.replay(content);
+  EXPECT_EQ(gathered.missing(), std::vector<std::uint64_t>{0});
+  EXPECT_EQ(gathered.lost_units(), 2u) << "begun twice, and never finished";
+  EXPECT_THROW(gathered.replay(done), Error) << "twice";
+  EXPECT_THROW(gathered.replay(begun_note(2)), Error) << "not of the plan";
+  EXPECT_FALSE(std::move(gathered).take().complete);
+}
+
+}  // namespace
+}  // namespace axiscert

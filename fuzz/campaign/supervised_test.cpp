@@ -1,0 +1,214 @@
+// Somebody else's kernel in a campaign: what it does wrong, what it does not answer, its convention and its limits.
+#include "fuzz/campaign/supervised_testing.h"
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "fuzz/campaign/campaign.h"
+
+namespace axiscert {
+namespace {
+
+const std::atomic<bool> uncancelled = false;
+
+Plan plan_of(std::vector<const Kernel*> kernels, const std::string& family, std::uint64_t trials) {
+  Plan plan;
+  plan.kernels = std::move(kernels);
+  plan.sources = {family_source(find_family(family))};
+  plan.precisions = {Precision::binary32};
+  plan.trials = [trials](const Source&, Precision) { return trials; };
+  plan.target = std::string(scalar_target);
+  return plan;
+}
+
+std::vector<Tally> tallies_of(const Plan& plan) {
+  return run_campaign(plan, uncancelled, [](const Progress&) {}).cells[0].tallies;
+}
+
+const FindingTally& of(const Tally& tally, FindingKind kind) { return tally.findings[static_cast<std::size_t>(kind)]; }
+
+void no_fault(const Query<double>&, std::size_t, Verdict&, std::vector<Finding>&) {}
+
+// Crashes on the sixth query of each batch of 1024.
+void crash_on_the_sixth(const Query<double>&, std::size_t i, Verdict& verdict, std::vector<Finding>& findings) {
+  if (i != 5) return;
+  verdict = Verdict::unanswered;
+  findings.push_back({FindingKind::crash, i, "signal 11"});
+}
+
+TEST(Supervised, FindingsHaveTheirPlaceInTheSource) {
+  const Kernel kernel = supervised_kernel("plugin:crashes.so", crash_on_the_sixth);
+  const Tally tally = tallies_of(plan_of({&kernel}, "general", 3000))[0];
+  EXPECT_EQ(of(tally, FindingKind::crash).count, 3u);
+  EXPECT_EQ(of(tally, FindingKind::crash).first, 5u);
+  EXPECT_EQ(of(tally, FindingKind::crash).detail, "signal 11");
+  EXPECT_EQ(of(tally, FindingKind::hang).count, 0u);
+  EXPECT_EQ(tally.verdict.unanswered, 3u);
+}
+
+TEST(Supervised, TheFirstFindingIsKeptInAnyOrderOfMerging) {
+  Tally early, late;
+  count_finding(early, FindingKind::hang, 7, "early");
+  count_finding(late, FindingKind::hang, 70000, "late");
+  count_finding(late, FindingKind::crash, 70001, "other");
+  Tally forward = early, backward = late;
+  forward.merge(late);
+  backward.merge(early);
+  for (const Tally* tally : {&forward, &backward}) {
+    EXPECT_EQ(of(*tally, FindingKind::hang).count, 2u);
+    EXPECT_EQ(of(*tally, FindingKind::hang).first, 7u);
+    EXPECT_EQ(of(*tally, FindingKind::hang).detail, "early");
+    EXPECT_EQ(of(*tally, FindingKind::crash).detail, "other");
+  }
+}
+
+// A query without an answer enters no flip, error or critical radius, whatever stands in the arrays.
+TEST(Supervised, NoAnswerIsNoFlipAndIsNotMeasured) {
+  const Kernel silent = supervised_kernel(
+      "silent", [](const auto&, auto, Verdict& verdict, auto&) { verdict = Verdict::unanswered; }, "first-publication");
+  const Kernel speaking = supervised_kernel("speaking", no_fault, "first-publication");
+  const auto tallies = tallies_of(plan_of({&silent, &speaking}, "tangent", 2000));
+  EXPECT_EQ(tallies[0].verdict.unanswered, 2000u);
+  EXPECT_EQ(tallies[0].verdict.false_separation + tallies[0].verdict.false_contact, 0u);
+  EXPECT_EQ(tallies[0].critical_radius.errors_ulps.size() + tallies[0].critical_radius.unanswered, 0u);
+  std::uint64_t flips = 0;
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    const ComparisonTally& comparison = tallies[0].comparisons[i];
+    EXPECT_EQ(comparison.false_separation + comparison.missed_separation, 0u);
+    EXPECT_EQ(comparison.largest_error.candidates().size(), 0u);
+    flips += tallies[1].comparisons[i].false_separation + tallies[1].comparisons[i].missed_separation;
+  }
+  EXPECT_GT(flips, 0u) << "the same kernel, answering";
+  EXPECT_GT(tallies[1].critical_radius.errors_ulps.size(), 0u);
+}
+
+TEST(Supervised, ASearchForACriticalRadiusThatGetsNoAnswerIsCounted) {
+  const Kernel kernel = black_box("huge", [](const Query<double>& q, auto, Verdict& verdict, auto&) {
+    if (q.r > 0x1p100) verdict = Verdict::unanswered;
+  });
+  const Tally tally = tallies_of(plan_of({&kernel}, "general", 1024))[0];
+  EXPECT_EQ(tally.verdict.unanswered, 0u);
+  EXPECT_EQ(tally.critical_radius.unanswered, 1024 / critical_radius_stride);
+  EXPECT_EQ(tally.critical_radius.unbounded, 0u) << "no answer is not `separated`";
+}
+
+// Its process lasts a unit: no query's answer depends on which units a thread did before.
+TEST(Supervised, AKernelIsBegunOnceAUnit) {
+  std::atomic<int> begun = 0;
+  Kernel kernel = black_box("counted", no_fault);
+  kernel.binary32 = [&begun, inner = kernel.binary32](std::string_view target) {
+    ++begun;
+    return inner(target);
+  };
+  tallies_of(plan_of({&kernel}, "nonfinite", 2 * unit_size + 10));
+  EXPECT_EQ(begun, 3);
+}
+
+std::string fingerprint(const Tally& t) {
+  std::string text = fmt::format("{} {} {} {}", t.trials, t.verdict.unanswered, t.verdict.outside_limits.trials,
+                                 t.verdict.outside_limits.deepest);
+  for (const FindingTally& f : t.findings) text += fmt::format(" {} {} {}", f.count, f.first, f.detail);
+  for (const auto& first : t.verdict.first_by_link) text += fmt::format(" {}", first ? std::int64_t(*first) : -1);
+  return text;
+}
+
+TEST(Supervised, ThreadsChangeNothing) {
+  Kernel kernel = supervised_kernel(
+      "many", [](const Query<double>& q, std::size_t i, Verdict& verdict, std::vector<Finding>& findings) {
+        if (q.r < 0.1) findings.push_back({FindingKind::environment, i, fmt::format("radius {}", q.r)});
+        if (q.r > 0.9) verdict = Verdict::unanswered;
+      });
+  kernel.limits.greatest_coordinate = 0.5;
+  Plan plan = plan_of({&kernel}, "nonfinite", 2 * unit_size);
+  const std::string one = fingerprint(tallies_of(plan)[0]);
+  plan.threads = 2;
+  EXPECT_EQ(fingerprint(tallies_of(plan)[0]), one);
+}
+
+// Over small integers `minkowski` is right, and says contact where the sphere touches.
+TEST(Supervised, TouchingIsHeldAgainstTheConvention) {
+  Kernel contact = black_box("contact", no_fault);
+  Kernel separated = black_box("separated", [](const Query<double>& q, auto, Verdict& verdict, auto&) {
+    if (is_valid(q) && distance_order(q) == 0) verdict = Verdict::separated;
+  });
+  const auto wrong = [&](Touching convention) {
+    contact.touching = separated.touching = convention;
+    const auto tallies = tallies_of(plan_of({&contact, &separated}, "lattice", 2000));
+    EXPECT_GT(tallies[0].touching, 0u);
+    std::vector<std::uint64_t> of_touching;
+    for (const Tally& t : tallies) {
+      EXPECT_EQ(t.verdict.false_separation + t.verdict.false_contact, t.verdict.touching_flips);
+      EXPECT_EQ(t.verdict.touching_links[static_cast<std::size_t>(Link::unattributed)], t.verdict.touching_flips);
+      EXPECT_FALSE(t.verdict.first_by_link[static_cast<std::size_t>(Link::unattributed)]) << "touching is apart";
+      of_touching.push_back(t.verdict.touching_flips == 0 ? 0 : t.verdict.touching_flips == t.touching ? 1 : 2);
+    }
+    return of_touching;
+  };
+  EXPECT_EQ(wrong(Touching::contact), (std::vector<std::uint64_t>{0, 1}));
+  EXPECT_EQ(wrong(Touching::separated), (std::vector<std::uint64_t>{1, 0}));
+  EXPECT_EQ(wrong(Touching::either), (std::vector<std::uint64_t>{0, 0}));
+}
+
+// `scale` takes the published test out of range; the same kernel that promises nothing there is right where it does.
+TEST(Supervised, OutsideItsLimitsNothingElseIsCounted) {
+  const Kernel unlimited = supervised_kernel("unlimited", no_fault);
+  Kernel limited = unlimited;
+  limited.limits = {.least_coordinate = 0x1p-15, .greatest_coordinate = 0x1p15};
+  const auto tallies = tallies_of(plan_of({&unlimited, &limited}, "scale", 4000));
+  const VerdictTally &all = tallies[0].verdict, &inside = tallies[1].verdict;
+  const OutsideTally& outside = inside.outside_limits;
+  EXPECT_EQ(all.outside_limits.trials, 0u);
+  EXPECT_GT(outside.trials, 0u);
+  EXPECT_LT(outside.trials, tallies[1].trials);
+  EXPECT_EQ(tallies[1].trials, tallies[0].trials);
+  EXPECT_EQ(tallies[1].separated, tallies[0].separated) << "the truth is counted of all";
+  EXPECT_GT(outside.false_contact, 0u);
+  EXPECT_EQ(inside.false_contact + outside.false_contact, all.false_contact);
+  EXPECT_EQ(inside.false_separation + outside.false_separation, all.false_separation);
+  EXPECT_EQ(std::max({outside.deepest, inside.deepest_false_contact.best(), inside.deepest_false_separation.best()}),
+            std::max(all.deepest_false_contact.best(), all.deepest_false_separation.best()));
+  std::uint64_t range_events = 0, flips = 0, all_flips = 0;
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    range_events += tallies[1].comparisons[i].range_events;
+    flips += tallies[1].comparisons[i].false_separation + tallies[1].comparisons[i].missed_separation;
+    all_flips += tallies[0].comparisons[i].false_separation + tallies[0].comparisons[i].missed_separation;
+  }
+  EXPECT_EQ(range_events, 0u);
+  EXPECT_LT(flips, all_flips);
+  EXPECT_LT(tallies[1].critical_radius.errors_ulps.size(), tallies[0].critical_radius.errors_ulps.size());
+}
+
+TEST(Supervised, InvalidQueriesAreNotOutside) {
+  Kernel kernel =
+      black_box("limited", [](const auto&, auto, Verdict& verdict, auto&) { verdict = Verdict::unanswered; });
+  kernel.limits.greatest_coordinate = 1;
+  const Tally tally = tallies_of(plan_of({&kernel}, "nonfinite", 500))[0];
+  EXPECT_EQ(tally.invalid + tally.verdict.outside_limits.trials + tally.verdict.unanswered, 500u);
+  EXPECT_EQ(tally.verdict.outside_limits.unanswered, tally.verdict.outside_limits.trials);
+  EXPECT_GT(tally.invalid, 0u);
+}
+
+// A slip is found by the first query that shows it.
+TEST(Supervised, TheFirstWrongVerdictOfALink) {
+  const Kernel kernel = supervised_kernel("slip", no_fault, "first-publication");
+  Plan plan = plan_of({&kernel}, "general", 5000);
+  const Tally all = tallies_of(plan)[0];
+  const auto first = all.verdict.first_by_link[static_cast<std::size_t>(Link::specification)];
+  ASSERT_TRUE(first);
+  plan.trials = [&](const Source&, Precision) { return *first; };
+  EXPECT_FALSE(tallies_of(plan)[0].verdict.first_by_link[static_cast<std::size_t>(Link::specification)]);
+  plan.trials = [&](const Source&, Precision) { return *first + 1; };
+  EXPECT_EQ(tallies_of(plan)[0].verdict.first_by_link[static_cast<std::size_t>(Link::specification)], first);
+}
+
+TEST(Supervised, AKernelThatCouldNotBeLoadedIsNotAsked) {
+  const Kernel broken = unloadable_kernel("plugin:broken.so", "no such symbol");
+  const auto tallies = tallies_of(plan_of({&broken, &find_kernel("published")}, "general", 100));
+  EXPECT_EQ(tallies[0].trials, 0u);
+  EXPECT_EQ(tallies[1].trials, 100u);
+}
+
+}  // namespace
+}  // namespace axiscert

@@ -1,0 +1,288 @@
+#include "fuzz/campaign/tally.h"
+
+#include <bit>
+
+#include "exact/sphere_triangle/measures/error_measure.h"
+#include "fuzz/campaign/repeated_judgements.h"
+
+namespace axiscert {
+namespace {
+
+void add(LinkCounts& into, const LinkCounts& from) {
+  for (std::size_t i = 0; i < link_count; ++i) into[i] += from[i];
+}
+
+void add(LinkCounts& into, LinkBits links, std::uint64_t times) {
+  for (std::size_t i = 0; i < link_count; ++i) into[i] += ((links >> i) & 1u) * times;
+}
+
+void merge_signs(SignTally& into, const SignTally& from) {
+  into.false_separation += from.false_separation;
+  into.missed_separation += from.missed_separation;
+  into.masked += from.masked;
+  into.decisive += from.decisive;
+  into.tolerance_failures += from.tolerance_failures;
+  add(into.links, from.links);
+}
+
+void count_flip(SignTally& tally, const Flip& flip, std::uint64_t times) {
+  (flip.kind == FlipKind::false_separation ? tally.false_separation : tally.missed_separation) += times;
+  (flip.decisive ? tally.decisive : tally.masked) += times;
+  add(tally.links, flip.links, times);
+}
+
+template <class Visit>
+void for_each_bit(unsigned bits, Visit&& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
+void keep_first(std::optional<std::uint64_t>& first, std::optional<std::uint64_t> position) {
+  if (position && (!first || *position < *first)) first = position;
+}
+
+void merge_finding(FindingTally& into, const FindingTally& from) {
+  if (from.count == 0) return;
+  if (into.count == 0 || from.first < into.first) {
+    into.first = from.first;
+    into.detail = from.detail;
+  }
+  into.count += from.count;
+}
+
+void merge_outside(OutsideTally& into, const OutsideTally& from) {
+  into.trials += from.trials;
+  into.false_separation += from.false_separation;
+  into.false_contact += from.false_contact;
+  into.unanswered += from.unanswered;
+  into.deepest = std::max(into.deepest, from.deepest);
+}
+
+void merge_verdict(VerdictTally& into, const VerdictTally& from) {
+  into.false_separation += from.false_separation;
+  into.false_contact += from.false_contact;
+  into.undecided += from.undecided;
+  into.invalid += from.invalid;
+  into.unanswered += from.unanswered;
+  into.touching_flips += from.touching_flips;
+  add(into.links, from.links);
+  add(into.masked_links, from.masked_links);
+  add(into.touching_links, from.touching_links);
+  into.deepest_false_separation.merge(from.deepest_false_separation);
+  into.deepest_false_contact.merge(from.deepest_false_contact);
+  for (std::size_t i = 0; i < link_count; ++i) {
+    into.deepest_by_link[i].merge(from.deepest_by_link[i]);
+    keep_first(into.first_by_link[i], from.first_by_link[i]);
+  }
+  merge_outside(into.outside_limits, from.outside_limits);
+}
+
+void count_truth(Tally& tally, const Truth& truth, std::uint64_t times = 1) {
+  tally.trials += times;
+  if (truth.verdict == Verdict::invalid) {
+    tally.invalid += times;
+    return;
+  }
+  (truth.verdict == Verdict::separated ? tally.separated : tally.contact) += times;
+  if (truth.touching) tally.touching += times;
+}
+
+// Calls visit(leaders) with each of a tally's in which a wrong verdict's depth has a place.
+template <class Tally, class Visit>
+void for_each_depth_leaders(Tally& tally, const Flip& flip, Visit&& visit) {
+  visit(flip.kind == FlipKind::false_separation ? tally.deepest_false_separation : tally.deepest_false_contact);
+  for (std::size_t i = 0; i < link_count; ++i) {
+    if ((flip.links >> i) & 1u) visit(tally.deepest_by_link[i]);
+  }
+}
+
+bool could_keep(const VerdictTally& tally, const Flip& flip, const Candidate<double>& at_most) {
+  bool could = false;
+  for_each_depth_leaders(tally, flip, [&](const Leaders<double>& leaders) { could |= leaders.could_keep(at_most); });
+  return could;
+}
+
+void count_verdict(VerdictTally& tally, bool touching, const Flip& flip, std::uint64_t times) {
+  (flip.kind == FlipKind::false_separation ? tally.false_separation : tally.false_contact) += times;
+  add(tally.links, flip.links, times);
+  if (!touching) return;
+  tally.touching_flips += times;
+  add(tally.touching_links, flip.links, times);
+}
+
+void keep_first_verdict(VerdictTally& tally, std::uint64_t position, bool touching, const Flip& flip) {
+  for (std::size_t i = 0; i < link_count; ++i) {
+    if (!((flip.links >> i) & 1u)) continue;
+    // No convention explains a difference from the reference.
+    const bool is_explained = touching && static_cast<Link>(i) != Link::implementation;
+    if (!is_explained) keep_first(tally.first_by_link[i], position);
+  }
+}
+
+}  // namespace
+
+void Tally::merge(const Tally& other) {
+  trials += other.trials;
+  separated += other.separated;
+  contact += other.contact;
+  touching += other.touching;
+  invalid += other.invalid;
+  merge_verdict(verdict, other.verdict);
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    merge_signs(axes[i], other.axes[i]);
+    axes[i].sole_separator += other.axes[i].sole_separator;
+  }
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    ComparisonTally& into = comparisons[i];
+    const ComparisonTally& from = other.comparisons[i];
+    merge_signs(into, from);
+    into.ties += from.ties;
+    into.range_events += from.range_events;
+    into.error_without_scale += from.error_without_scale;
+    into.largest_error.merge(from.largest_error);
+    into.false_witness.merge(from.false_witness);
+    into.missed_witness.merge(from.missed_witness);
+  }
+  critical_radius.errors_ulps.insert(critical_radius.errors_ulps.end(), other.critical_radius.errors_ulps.begin(),
+                                     other.critical_radius.errors_ulps.end());
+  critical_radius.unbounded += other.critical_radius.unbounded;
+  critical_radius.unanswered += other.critical_radius.unanswered;
+  for (std::size_t i = 0; i < finding_kind_count; ++i) merge_finding(findings[i], other.findings[i]);
+  margins.merge(other.margins);
+}
+
+void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth, const Standing& standing) {
+  const Candidate<double> at_most{depth.at_most(), position};
+  if (!could_keep(tally.verdict, flip, at_most) || !standing.could_keep_depth(flip, at_most)) return;
+  const Candidate<double> candidate{depth.exactly(), position};
+  for_each_depth_leaders(tally.verdict, flip, [&](Leaders<double>& leaders) { leaders.offer(candidate); });
+}
+
+void count_numbers(Tally& tally, const Truth& truth, ComparisonBits ties, const Answer& answer,
+                   const Judgement& judgement, std::uint64_t times) {
+  count_truth(tally, truth, times);
+  if (truth.verdict == Verdict::invalid) return;
+  if (answer.verdict == Verdict::undecided) tally.verdict.undecided += times;
+  if (answer.verdict == Verdict::invalid) tally.verdict.invalid += times;
+  if (answer.verdict == Verdict::unanswered) tally.verdict.unanswered += times;
+  if (!judgement.verdict_flip) add(tally.verdict.masked_links, judgement.verdict_links, times);
+
+  for_each_bit(ties, [&](std::size_t i) { tally.comparisons[i].ties += times; });
+  const AxisBits exact_axes = axes_of(judgement.exact.value_or(0));
+  if (std::has_single_bit(exact_axes))
+    tally.axes[static_cast<std::size_t>(std::countr_zero(exact_axes))].sole_separator += times;
+
+  judgement.for_each_flip([&](const Flip& flip) {
+    switch (flip.level) {
+      case Level::verdict:
+        count_verdict(tally.verdict, truth.touching, flip, times);
+        break;
+      case Level::axis:
+        count_flip(tally.axes[flip.index], flip, times);
+        break;
+      case Level::comparison:
+        count_flip(tally.comparisons[flip.index], flip, times);
+        break;
+    }
+  });
+}
+
+void count(Tally& tally, std::uint64_t position, const Truth& truth, ComparisonBits ties, const Answer& answer,
+           const Judgement& judgement, DepthOf& depth, const Standing& standing) {
+  count_numbers(tally, truth, ties, answer, judgement, 1);
+  if (truth.verdict == Verdict::invalid) return;
+  judgement.for_each_flip([&](const Flip& flip) {
+    switch (flip.level) {
+      case Level::verdict:
+        keep_first_verdict(tally.verdict, position, truth.touching, flip);
+        count_depth(tally, position, flip, depth, standing);
+        break;
+      case Level::axis:
+        break;
+      case Level::comparison: {
+        ComparisonTally& comparison = tally.comparisons[flip.index];
+        (flip.kind == FlipKind::false_separation ? comparison.false_witness : comparison.missed_witness)
+            .offer({flip.decisive, position});
+        break;
+      }
+    }
+  });
+}
+
+void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const Judgement& judgement, DepthOf& depth) {
+  count_truth(tally, truth);
+  OutsideTally& outside = tally.verdict.outside_limits;
+  ++outside.trials;
+  outside.unanswered += answer.verdict == Verdict::unanswered;
+  if (!judgement.verdict_flip) return;
+  ++(*judgement.verdict_flip == FlipKind::false_separation ? outside.false_separation : outside.false_contact);
+  if (depth.at_most() > outside.deepest) outside.deepest = std::max(outside.deepest, depth.exactly());
+}
+
+void CleanCount::add_ties(ComparisonBits ties) {
+  for_each_bit(ties, [&](std::size_t i) { ++ties_[i]; });
+}
+
+void CleanCount::add_to(Tally& tally) const {
+  for (std::size_t axes = 0; axes < by_axes_.size(); ++axes) {
+    tally.trials += by_axes_[axes];
+    (axes != 0 ? tally.separated : tally.contact) += by_axes_[axes];
+    if (std::has_single_bit(axes))
+      tally.axes[static_cast<std::size_t>(std::countr_zero(axes))].sole_separator += by_axes_[axes];
+  }
+  tally.trials += separated_ + contact_;
+  tally.separated += separated_;
+  tally.contact += contact_;
+  tally.touching += touching_;
+  for (std::size_t i = 0; i < comparison_count; ++i) tally.comparisons[i].ties += ties_[i];
+}
+
+bool Standing::could_keep_depth(const Flip& flip, const Candidate<double>& at_most) const {
+  return could_keep(verdict, flip, at_most);
+}
+
+Standing standing_of(const Tally& tally) {
+  Standing standing;
+  for (std::size_t i = 0; i < comparison_count; ++i) standing.largest_error[i] = tally.comparisons[i].largest_error;
+  standing.verdict.deepest_false_separation = tally.verdict.deepest_false_separation;
+  standing.verdict.deepest_false_contact = tally.verdict.deepest_false_contact;
+  standing.verdict.deepest_by_link = tally.verdict.deepest_by_link;
+  return standing;
+}
+
+void count_finding(Tally& tally, FindingKind kind, std::uint64_t position, const std::string& detail) {
+  merge_finding(tally.findings[static_cast<std::size_t>(kind)], {1, position, detail});
+}
+
+template <class Real>
+void count_errors(Tally& tally, std::uint64_t position, const FormulaTruth& exact, const Sides<Real>& computed,
+                  const Tolerances& tolerances) {
+  AxisBits failing_axes = 0;
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    ComparisonTally& comparison = tally.comparisons[i];
+    const ComparisonError error(computed.lhs[i], computed.rhs[i], exact.comparison(i));
+    switch (error.kind()) {
+      case ComparisonError::Kind::range_event:
+        ++comparison.range_events;
+        break;
+      case ComparisonError::Kind::without_scale:
+        ++comparison.error_without_scale;
+        break;
+      case ComparisonError::Kind::finite:
+        // The bound only selects; what is compared and stored is the exact error. A smaller one may round up to the
+        // same decimal, at an earlier position.
+        if (error.upper() > 0 && error.upper() >= comparison.largest_error.best().value() * Decimal6::least_ratio) {
+          comparison.largest_error.offer({error.rounded_up(), position});
+        }
+        if (tolerances[i] && error.exceeds(*tolerances[i])) {
+          ++comparison.tolerance_failures;
+          failing_axes |= static_cast<AxisBits>(1u << static_cast<unsigned>(comparisons[i].axis));
+        }
+        break;
+    }
+  }
+  for (std::size_t i = 0; i < axis_count; ++i) tally.axes[i].tolerance_failures += (failing_axes >> i) & 1u;
+}
+template void count_errors<float>(Tally&, std::uint64_t, const FormulaTruth&, const Sides<float>&, const Tolerances&);
+template void count_errors<double>(Tally&, std::uint64_t, const FormulaTruth&, const Sides<double>&, const Tolerances&);
+
+}  // namespace axiscert

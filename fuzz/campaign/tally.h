@@ -1,0 +1,178 @@
+// What a run counts, per kernel, precision and source. Tallies of units merge in any order to the same result.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact/numbers/decimal6.h"
+#include "exact/judge/judge.h"
+#include "fuzz/campaign/margins.h"
+#include "kernel/finding.h"
+
+namespace axiscert {
+
+struct FormulaTruth;
+
+using LinkCounts = std::array<std::uint64_t, link_count>;
+
+// A query worth keeping, by its position in the source: the record makes it again. The greater rank wins, then the
+// earlier position, so that no order of merging changes what is kept.
+template <class Rank>
+struct Candidate {
+  Rank rank;
+  std::uint64_t position;
+};
+
+// The best `capacity` candidates, best first.
+template <class Rank>
+class Leaders {
+ public:
+  explicit Leaders(std::size_t capacity = 1) : capacity_(capacity) {}
+  void offer(Candidate<Rank> candidate) {
+    if (kept_.size() == capacity_ && !before(candidate, kept_.back())) return;
+    kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, before), candidate);
+    if (kept_.size() > capacity_) kept_.pop_back();
+  }
+  void merge(const Leaders& other) {
+    for (const Candidate<Rank>& candidate : other.kept_) offer(candidate);
+  }
+  const std::vector<Candidate<Rank>>& candidates() const { return kept_; }
+  Rank best() const { return kept_.empty() ? Rank() : kept_.front().rank; }
+  // Whether a candidate of at most this rank could still be kept.
+  bool could_keep(const Candidate<Rank>& at_most) const {
+    return kept_.size() < capacity_ || before(at_most, kept_.back());
+  }
+
+ private:
+  static bool before(const Candidate<Rank>& a, const Candidate<Rank>& b) {
+    return a.rank != b.rank ? a.rank > b.rank : a.position < b.position;
+  }
+
+  std::size_t capacity_;
+  std::vector<Candidate<Rank>> kept_;
+};
+
+// Sign errors of one axis or one comparison against the kernel's own formulae in exact arithmetic.
+struct SignTally {
+  std::uint64_t false_separation = 0, missed_separation = 0, masked = 0, decisive = 0;
+  std::uint64_t tolerance_failures = 0;
+  LinkCounts links{};
+};
+
+struct AxisTally : SignTally {
+  std::uint64_t sole_separator = 0;  // in exact arithmetic
+};
+
+struct ComparisonTally : SignTally {
+  std::uint64_t ties = 0, range_events = 0, error_without_scale = 0;
+  Leaders<Decimal6> largest_error;              // in u, other than zero
+  Leaders<bool> false_witness, missed_witness;  // ranked by whether the flip is decisive
+};
+
+// What happens on valid queries outside the limits that a kernel declares; it enters no other count but the truth's.
+struct OutsideTally {
+  std::uint64_t trials = 0, false_separation = 0, false_contact = 0, unanswered = 0;
+  double deepest = 0;
+};
+
+struct VerdictTally {
+  std::uint64_t false_separation = 0, false_contact = 0, undecided = 0, invalid = 0, unanswered = 0;
+  std::uint64_t touching_flips = 0;
+  LinkCounts links{}, masked_links{}, touching_links{};                   // touching_links: those of touching_flips
+  Leaders<double> deepest_false_separation{3}, deepest_false_contact{3};  // ranked by depth
+  std::array<Leaders<double>, link_count> deepest_by_link;                // the deepest with that link broken
+  // The first wrong verdict with that link broken; but for `implementation`, on a query that does not touch.
+  std::array<std::optional<std::uint64_t>, link_count> first_by_link;
+  OutsideTally outside_limits;
+};
+
+struct CriticalRadiusTally {
+  std::vector<double> errors_ulps;  // unsorted; of a source at most 2^16 (has_critical_radius)
+  std::uint64_t unbounded = 0;      // contact for no radius, finite and within the limits
+  std::uint64_t unanswered = 0;     // not measured: a radius got no answer
+};
+
+// One kind of finding: how often, and the first of them.
+struct FindingTally {
+  std::uint64_t count = 0, first = 0;
+  std::string detail;  // of the first
+};
+
+struct Tally {
+  std::uint64_t trials = 0;
+  std::uint64_t separated = 0, contact = 0, touching = 0, invalid = 0;  // the truth; touching is part of contact
+  VerdictTally verdict;
+  std::array<AxisTally, axis_count> axes;
+  std::array<ComparisonTally, comparison_count> comparisons;
+  CriticalRadiusTally critical_radius;
+  std::array<FindingTally, finding_kind_count> findings;  // by FindingKind
+  MarginTally margins;                                    // of the source's first queries (has_margins)
+
+  void merge(const Tally& other);
+};
+
+// The depth of a wrong verdict: exact, and so only computed where it could be kept.
+class DepthOf {
+ public:
+  virtual double at_most() = 0;  // certainly
+  virtual double exactly() = 0;
+
+ protected:
+  ~DepthOf() = default;
+};
+
+// What other units of the same cell have found: what is certainly no greater need not be evaluated.
+struct Standing {
+  std::array<Leaders<Decimal6>, comparison_count> largest_error;
+  VerdictTally verdict;  // its leaders
+
+  bool could_keep_depth(const Flip& flip, const Candidate<double>& at_most) const;
+};
+Standing standing_of(const Tally& tally);
+
+// Tolerated error per comparison, in u; none: not checked.
+using Tolerances = std::array<std::optional<Rational>, comparison_count>;
+
+// Counts everything of a query within the kernel's limits but the errors of the sides. `ties` are those of the kernel's
+// own formulae in exact arithmetic, where they have comparisons; `depth` is asked where the verdict is wrong.
+void count(Tally& tally, std::uint64_t position, const Truth& truth, ComparisonBits ties, const Answer& answer,
+           const Judgement& judgement, DepthOf& depth, const Standing& standing);
+
+// Counts a valid query outside the kernel's limits.
+void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const Judgement& judgement, DepthOf& depth);
+
+// Queries on which a kernel's verdict, axes and comparisons are all as in exact arithmetic, and its verdict right.
+class CleanCount {
+ public:
+  // `axes` are the separating ones.
+  void add(AxisBits axes, ComparisonBits ties, bool touching) {
+    ++by_axes_[axes];
+    touching_ += touching;
+    if (ties != 0) add_ties(ties);
+  }
+  // Of a kernel that claims no formulae.
+  void add_verdict(Verdict verdict, bool touching) {
+    ++(verdict == Verdict::separated ? separated_ : contact_);
+    touching_ += touching;
+  }
+  void add_to(Tally& tally) const;
+
+ private:
+  void add_ties(ComparisonBits ties);
+  std::array<std::uint64_t, std::size_t{1} << axis_count> by_axes_{};
+  std::array<std::uint64_t, comparison_count> ties_{};
+  std::uint64_t separated_ = 0, contact_ = 0, touching_ = 0;
+};
+
+void count_finding(Tally& tally, FindingKind kind, std::uint64_t position, const std::string& detail);
+
+// Counts the errors of the computed sides of a query with a valid truth.
+template <class Real>
+void count_errors(Tally& tally, std::uint64_t position, const FormulaTruth& exact, const Sides<Real>& computed,
+                  const Tolerances& tolerances);
+
+}  // namespace axiscert

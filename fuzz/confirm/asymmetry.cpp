@@ -1,0 +1,102 @@
+#include "fuzz/confirm/asymmetry.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+#include "exact/sphere_triangle/measures/limits.h"
+#include "fuzz/queries/images.h"
+#include "kernel/ask.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::uint64_t batch_bases = 16;  // that are asked about at once
+
+template <class Real>
+class AsymmetryBlock {
+ public:
+  AsymmetryBlock(const Plan& plan, const Kernel& kernel, const Source& source, const ImageGroup& group)
+      : plan_(plan), kernel_(kernel), source_(source), group_(group), batch_(batch_bases * group.size) {
+    if (!plan.replies) implementation_ = kernel.on<Real>(plan.target);
+  }
+
+  Asymmetry count(std::uint64_t first_base, std::uint64_t last_base) {
+    for (std::uint64_t base = first_base; base < last_base; base += batch_bases) {
+      const std::uint64_t bases = std::min(batch_bases, last_base - base);
+      source_.fill(plan_.seed, base * group_.size, static_cast<std::size_t>(bases * group_.size), batch_);
+      if (!plan_.replies) ask(implementation_, batch_.columns(), reply_);
+      for (std::uint64_t i = 0; i < bases; ++i) count_group((base + i) * group_.size, i * group_.size);
+    }
+    return found_;
+  }
+
+ private:
+  std::optional<Outcome> answer(std::uint64_t position, std::size_t in_batch) const {
+    const Outcome said =
+        plan_.replies ? plan_.replies->at(source_, precision_of<Real>, position) : reply_.outcome(in_batch);
+    if (said.verdict == Verdict::unanswered) return std::nullopt;
+    if (kernel_.limits.any() && !is_within(kernel_.limits, batch_[in_batch])) return std::nullopt;
+    return said;
+  }
+
+  void count_group(std::uint64_t position, std::size_t in_batch) {
+    const auto base = answer(position, in_batch);
+    if (!base) return;
+    for (std::size_t i = 1; i < group_.size; ++i) {
+      const auto image = answer(position + i, in_batch + i);
+      if (!image) continue;
+      ++found_.images;
+      const AsymmetryWitness witness{position, position + i};
+      if (image->verdict != base->verdict) {
+        ++found_.verdicts;
+        if (!found_.first_verdict) found_.first_verdict = witness;
+      }
+      if (image->bits && base->bits && bits_of_base(*image->bits, group_.order(i)) != *base->bits) {
+        ++found_.comparisons;
+        if (!found_.first_comparison) found_.first_comparison = witness;
+      }
+    }
+  }
+
+  const Plan& plan_;
+  const Kernel& kernel_;
+  const Source& source_;
+  const ImageGroup& group_;
+  Implementation<Real> implementation_;
+  QueryBatch<Real> batch_;
+  Reply<Real> reply_;
+  Asymmetry found_;
+};
+
+}  // namespace
+
+std::optional<Asymmetry> asymmetry_of(const Plan& plan, const Kernel& kernel, const Source& source, Precision precision,
+                                      std::uint64_t queries) {
+  const ImageGroup* group = image_group(source.name());
+  if (!group || !kernel.has(precision)) return std::nullopt;
+  const std::uint64_t bases = std::min(queries, asymmetry_queries) / group->size;
+  // As a unit of a run: somebody else's code is begun anew with each, and may hang in each.
+  const std::uint64_t block_bases = unit_size / group->size;
+  std::vector<Asymmetry> blocks((bases + block_bases - 1) / block_bases);
+  const auto count = [&](std::size_t block) {
+    const std::uint64_t first = block * block_bases, last = std::min(bases, first + block_bases);
+    blocks[block] = precision == Precision::binary32
+                        ? AsymmetryBlock<float>(plan, kernel, source, *group).count(first, last)
+                        : AsymmetryBlock<double>(plan, kernel, source, *group).count(first, last);
+  };
+  tbb::task_arena arena(plan.threads);
+  arena.execute([&] { tbb::parallel_for(std::size_t{0}, blocks.size(), count); });
+  Asymmetry all;
+  for (const Asymmetry& block : blocks) {
+    all.images += block.images;
+    all.verdicts += block.verdicts;
+    all.comparisons += block.comparisons;
+    if (!all.first_verdict) all.first_verdict = block.first_verdict;
+    if (!all.first_comparison) all.first_comparison = block.first_comparison;
+  }
+  return all;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,230 @@
+#include "fuzz/confirm/record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fuzz/queries/address.h"
+#include "fuzz/confirm/asymmetry.h"
+#include "fuzz/campaign/tally.h"
+#include "reports/wording/finding.h"
+#include "fuzz/confirm/plan.h"
+#include "fuzz/confirm/witness.h"
+
+namespace axiscert {
+namespace {
+
+Json link_counts(const LinkCounts& counts, std::size_t first, std::size_t last) {
+  Json json = Json::object();
+  for (std::size_t i = first; i <= last; ++i) json[std::string(link_names[i])] = counts[i];
+  return json;
+}
+
+// A JSON number; text where binary64 cannot hold it.
+Json number(Decimal6 decimal) {
+  const double value = decimal.value();
+  return std::isfinite(value) ? Json(value) : Json(decimal.text());
+}
+
+// What axes and comparisons have in common. Nobody asked for a tolerance: `null`, not a count of zero failures.
+void put_signs(Json& json, const SignTally& tally, bool has_tolerance, Decimal6 max_error) {
+  json["false_separation"] = tally.false_separation;
+  json["missed_separation"] = tally.missed_separation;
+  json["masked"] = tally.masked;
+  json["decisive"] = tally.decisive;
+  json["tolerance_failures"] = has_tolerance ? Json(tally.tolerance_failures) : Json(nullptr);
+  json["max_error_u"] = json["smallest_passing_tolerance"] = number(max_error);
+  // Flips are held against the kernel's own exact formulae: a specification fault is none.
+  json["links"] = link_counts(tally.links, static_cast<std::size_t>(Link::rounding), link_count - 1);
+}
+
+Json margins_json(const MarginTally& tally, std::size_t comparison) {
+  Json json = {{"right", Json::object()}, {"wrong", Json::object()}};
+  for (const auto& [key, count] : tally.counts()) {
+    const auto [of, exponent] = key;
+    if (of != comparison) continue;
+    const std::string name = exponent == tied_margin ? "tie" : std::to_string(exponent);
+    if (count.right != 0) json["right"][name] = count.right;
+    if (count.wrong != 0) json["wrong"][name] = count.wrong;
+  }
+  return json;
+}
+
+Json comparison_json(const ComparisonTally& tally, bool has_tolerance, Json margins) {
+  Json json = {{"margins", std::move(margins)}};
+  put_signs(json, tally, has_tolerance, tally.largest_error.best());
+  json["ties"] = tally.ties;
+  json["range_events"] = tally.range_events;
+  json["error_without_scale"] = tally.error_without_scale;
+  return json;
+}
+
+Json critical_radius_json(CriticalRadiusTally tally) {
+  std::vector<double>& errors = tally.errors_ulps;
+  std::sort(errors.begin(), errors.end());
+  const auto at = [&](std::size_t i) { return errors.empty() ? Json(nullptr) : Json(errors[i]); };
+  return {{"sampled", errors.size() + tally.unbounded},
+          {"median_ulps", at((errors.size() - 1) / 2)},
+          {"largest_ulps", at(errors.size() - 1)},
+          {"unbounded", tally.unbounded},
+          {"unanswered", tally.unanswered}};
+}
+
+Json first_by_link_json(const VerdictTally& v) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < link_count; ++i) {
+    json[std::string(link_names[i])] = v.first_by_link[i] ? Json(*v.first_by_link[i] + 1) : Json(nullptr);
+  }
+  return json;
+}
+
+Json outside_json(const OutsideTally& outside) {
+  return {{"trials", outside.trials},
+          {"false_separation", outside.false_separation},
+          {"false_contact", outside.false_contact},
+          {"unanswered", outside.unanswered},
+          {"deepest", outside.deepest}};
+}
+
+Json verdict_json(const VerdictTally& v, const Limits& limits) {
+  const double separation = v.deepest_false_separation.best(), contact = v.deepest_false_contact.best();
+  constexpr std::size_t last = link_count - 1;
+  return {{"false_separation", v.false_separation},
+          {"false_contact", v.false_contact},
+          {"undecided", v.undecided},
+          {"invalid", v.invalid},
+          {"unanswered", v.unanswered},
+          {"deepest", std::max(separation, contact)},
+          {"deepest_false_separation", separation},
+          {"deepest_false_contact", contact},
+          {"links", link_counts(v.links, 0, last)},
+          {"masked_links", link_counts(v.masked_links, 0, last)},
+          {"first_by_link", first_by_link_json(v)},
+          {"touching_flips", v.touching_flips},
+          {"touching_links", link_counts(v.touching_links, 0, last)},
+          {"outside_limits", limits.any() ? outside_json(v.outside_limits) : Json(nullptr)}};
+}
+
+// `address` makes the text of a position's address.
+template <class AddressOf>
+Json asymmetry_json(const Asymmetry& asymmetry, const AddressOf& address) {
+  const auto witness = [&](const std::optional<AsymmetryWitness>& first) -> Json {
+    if (!first) return nullptr;
+    return {{"base", address(first->base)}, {"image", address(first->image)}};
+  };
+  return {{"images", asymmetry.images},
+          {"verdicts", asymmetry.verdicts},
+          {"comparisons", asymmetry.comparisons},
+          {"first_verdict", witness(asymmetry.first_verdict)},
+          {"first_comparison", witness(asymmetry.first_comparison)}};
+}
+
+Json family_json(const Plan& plan, const Source& source, Precision precision, const Kernel& kernel, const Tally& tally,
+                 const std::optional<Asymmetry>& asymmetry) {
+  const Tolerances& tolerances = plan.tolerances;
+  const auto address = [&](std::uint64_t position) { return text(address_of(source, plan.seed, precision, position)); };
+  Json json = {{"trials", tally.trials},
+               {"base_triangles", source.base_triangles(precision, tally.trials)},
+               {"exact_arithmetic", source.exact_arithmetic()},
+               {"truth",
+                {{"separated", tally.separated},
+                 {"contact", tally.contact},
+                 {"touching", tally.touching},
+                 {"invalid", tally.invalid}}},
+               {"verdict", verdict_json(tally.verdict, kernel.limits)},
+               {"axes", nullptr},
+               {"comparisons", nullptr},
+               {"critical_radius", critical_radius_json(tally.critical_radius)}};
+  if (asymmetry) json["asymmetry"] = asymmetry_json(*asymmetry, address);
+  Json &axes = json["axes"], &all = json["comparisons"];
+  if (kernel.exposes == Exposure::verdict) return json;
+  axes = all = Json::object();
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    bool has_tolerance = false;
+    Decimal6 max_error;
+    for (std::size_t i = 0; i < comparison_count; ++i) {
+      if (comparisons[i].axis != static_cast<Axis>(a)) continue;
+      has_tolerance |= tolerances[i].has_value();
+      max_error = std::max(max_error, tally.comparisons[i].largest_error.best());
+    }
+    Json& axis = axes[std::string(axis_names[a])];
+    put_signs(axis, tally.axes[a], has_tolerance, max_error);
+    axis["sole_separator"] = tally.axes[a].sole_separator;
+  }
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    all[std::string(comparisons[i].name)] =
+        comparison_json(tally.comparisons[i], tolerances[i].has_value(), margins_json(tally.margins, i));
+  }
+  return json;
+}
+
+}  // namespace
+
+Json exposures_json(const Kernel& kernel) {
+  Json names = Json::array();
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(kernel.exposes); ++i) names.push_back(exposure_names[i]);
+  return names;
+}
+
+Json limits_json(const Limits& limits) {
+  if (!limits.any()) return nullptr;
+  const auto bound = [](double value) { return value == 0 ? Json(nullptr) : Json(value); };
+  return {{"least_coordinate", bound(limits.least_coordinate)},
+          {"greatest_coordinate", bound(limits.greatest_coordinate)},
+          {"least_area", bound(limits.least_area)},
+          {"least_radius", bound(limits.least_radius)},
+          {"greatest_radius", bound(limits.greatest_radius)}};
+}
+
+Json record_of(const Plan& plan, const CampaignResult& result, const std::string& require) {
+  Json record = {{"schema", record_schema}, {"complete", result.complete}, {"plan", plan_json(plan, result, require)}};
+  Json& kernels = record["kernels"] = Json::array();
+  WitnessWriter witnesses(plan);
+  Json findings = Json::array();
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    const Kernel& kernel = *plan.kernels[k];
+    put_loading_findings(findings, kernel);
+    for (const Precision precision : plan.precisions) {
+      if (!kernel.has(precision)) continue;
+      const bool claimed = kernel.formulae != Formulae::none;
+      Json entry = {{"id", kernel.id},
+                    {"precision", name(precision)},
+                    {"summary", kernel.summary},
+                    {"formulae", claimed ? Json(name(kernel.formulae)) : Json(nullptr)},
+                    {"arithmetic", claimed ? Json(name(kernel.arithmetic)) : Json(nullptr)},
+                    {"strictness", has_comparisons(kernel.formulae) ? Json(name(kernel.strictness)) : Json(nullptr)},
+                    {"reference", claimed ? Json(kernel.is_reference) : Json(nullptr)},
+                    {"exposes", exposures_json(kernel)},
+                    {"touching", name(kernel.touching)},
+                    {"limits", limits_json(kernel.limits)},
+                    {"critical_radius", nullptr},
+                    {"families", Json::object()}};
+      CriticalRadiusTally radii;
+      for (std::size_t s = 0; s < plan.sources.size(); ++s) {
+        for (const CellResult& cell : result.cells) {
+          if (cell.source != s || cell.precision != precision || cell.tallies[k].trials == 0) continue;
+          const Tally& tally = cell.tallies[k];
+          // Of a run that was interrupted, it is not known which bases have all their images.
+          const auto asymmetry =
+              result.complete ? asymmetry_of(plan, kernel, *plan.sources[s], precision, cell.queries) : std::nullopt;
+          entry["families"][plan.sources[s]->name()] =
+              family_json(plan, *plan.sources[s], precision, kernel, tally, asymmetry);
+          radii.unbounded += tally.critical_radius.unbounded;
+          radii.unanswered += tally.critical_radius.unanswered;
+          radii.errors_ulps.insert(radii.errors_ulps.end(), tally.critical_radius.errors_ulps.begin(),
+                                   tally.critical_radius.errors_ulps.end());
+          put_findings(findings, kernel, plan.seed, *plan.sources[s], precision, tally);
+          witnesses.add(kernel, *plan.sources[s], precision, tally, asymmetry);
+        }
+      }
+      entry["critical_radius"] = critical_radius_json(std::move(radii));
+      kernels.push_back(std::move(entry));
+    }
+  }
+  record["findings"] = std::move(findings);
+  record["witnesses"] = std::move(witnesses).take();
+  return record;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,87 @@
+#include <CGAL/version.h>
+#include <assimp/version.h>
+#include <fmt/format.h>
+#include <gmp.h>
+#include <hwy/highway.h>
+#include <mpfr.h>
+
+#include "fuzz/campaign/build_info.h"
+#include "fuzz/confirm/record.h"
+
+namespace axiscert {
+namespace {
+
+// By which step the queries of a cell were decided, and what each took. The time of a step is shared by all queries,
+// those that it never saw or passed on included.
+Json steps_json(const Plan& plan, const CellResult& cell) {
+  const StepCounts& steps = cell.steps;
+  const auto by_step = [](const std::array<std::uint64_t, step_count>& counts) {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < step_count; ++i) json[std::string(step_names[i])] = counts[i];
+    return json;
+  };
+  Json signs = Json::object();
+  for (std::size_t k = 0; k < comparison_count && !plan.exact_only; ++k) {
+    signs[std::string(comparisons[k].name)] = by_step(steps.signs[k]);
+  }
+  const auto each = [&](double nanoseconds) { return nanoseconds / static_cast<double>(cell.queries); };
+  return {{"family", plan.sources[cell.source]->name()},
+          {"precision", name(cell.precision)},
+          {"queries", by_step(steps.queries)},
+          {"signs", signs},
+          {"checked", steps.checked},
+          {"decided_by_cgal", steps.by_cgal},
+          {"nanoseconds_per_query",
+           {{"generation", each(steps.generation)},
+            {"kernels", each(steps.kernels)},
+            {"lanes", each(steps.steps[static_cast<std::size_t>(Step::lanes)])},
+            {"grid", each(steps.steps[static_cast<std::size_t>(Step::grid)])},
+            {"wide", each(steps.steps[static_cast<std::size_t>(Step::wide)])},
+            {"integers", each(steps.steps[static_cast<std::size_t>(Step::integers)])},
+            {"sides", each(steps.errors)},
+            {"judging", each(steps.judging)}}}};
+}
+
+}  // namespace
+
+Json run_info(const Plan& plan, const CampaignResult& result, const std::string& target_asked,
+              const std::string& started, double seconds) {
+  Json json = {{"schema", "axiscert-run/1"},
+               {"started", started},
+               {"seconds", seconds},
+               {"threads", plan.threads},
+               {"machine", {{"cpu", processor_name()}}},
+               {"compiler", compiler_name()},
+               {"flags", compiler_flags()},
+               {"target", {{"asked", target_asked}, {"dispatched", plan.target}}},
+               {"versions",
+                {{"axiscert", AXISCERT_VERSION},
+                 {"cgal", CGAL_STR(CGAL_VERSION)},
+                 // Which triangles a mesh file holds is for assimp to say.
+                 {"assimp", fmt::format("{}.{}.{}", aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch())},
+                 {"gmp", gmp_version},
+                 {"mpfr", mpfr_get_version()},
+                 {"highway", fmt::format("{}.{}.{}", HWY_MAJOR, HWY_MINOR, HWY_PATCH)}}},
+               {"throughput", Json::array()},
+               {"second_opinions", result.second_opinions}};
+  for (const CellResult& cell : result.cells) {
+    const std::uint64_t queries = cell.queries;
+    if (queries == 0) continue;
+    json["throughput"].push_back({{"family", plan.sources[cell.source]->name()},
+                                  {"precision", name(cell.precision)},
+                                  {"queries", queries},
+                                  {"seconds_of_core", cell.core_seconds},
+                                  {"queries_per_second_and_core", static_cast<double>(queries) / cell.core_seconds}});
+  }
+  json["exact_only"] = plan.exact_only;
+  json["steps"] = Json::array();
+  std::uint64_t by_cgal = 0;
+  for (const CellResult& cell : result.cells) {
+    by_cgal += cell.steps.by_cgal;
+    if (cell.queries != 0) json["steps"].push_back(steps_json(plan, cell));
+  }
+  json["decided_by_cgal"] = by_cgal;
+  return json;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,112 @@
+#include "fuzz/confirm/witness.h"
+
+#include <fmt/format.h>
+
+#include "fuzz/queries/address.h"
+#include "fuzz/files/number_text.h"
+#include "fuzz/confirm/witness_sides.h"
+
+namespace axiscert {
+
+template <class Real>
+void put_query(Json& into, const Query<Real>& q) {
+  const auto vec = [](const Vec3<Real>& v) { return Json{format_number(v.x), format_number(v.y), format_number(v.z)}; };
+  into["a"] = vec(q.a);
+  into["b"] = vec(q.b);
+  into["c"] = vec(q.c);
+  into["p"] = vec(q.p);
+  into["r"] = format_number(q.r);
+}
+template void put_query<float>(Json&, const Query<float>&);
+template void put_query<double>(Json&, const Query<double>&);
+
+Json flips_json(const Judgement& judgement) {
+  Json flips = Json::array();
+  for (const Flip& flip : judgement.flips()) {
+    Json links = Json::array();
+    for (std::size_t i = 0; i < link_count; ++i) {
+      if ((flip.links >> i) & 1u) links.push_back(link_names[i]);
+    }
+    flips.push_back({{"level", level_names[static_cast<std::size_t>(flip.level)]},
+                     {"name", name(flip)},
+                     {"kind", flip_kind_names[static_cast<std::size_t>(flip.kind)]},
+                     {"decisive", flip.decisive},
+                     {"links", std::move(links)}});
+  }
+  return flips;
+}
+
+void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally,
+                        const std::optional<Asymmetry>& asymmetry) {
+  Shown shown;
+  const auto note = [&](const auto& leaders, auto&& what) {
+    for (const auto& candidate : leaders.candidates()) shown[candidate.position].texts.push_back(what(candidate));
+  };
+  note(tally.verdict.deepest_false_separation, [](const auto&) { return "deepest false_separation"; });
+  note(tally.verdict.deepest_false_contact, [](const auto&) { return "deepest false_contact"; });
+  for (std::size_t i = 0; i < link_count; ++i) {
+    note(tally.verdict.deepest_by_link[i],
+         [i](const auto&) { return fmt::format("deepest wrong verdict with a broken {} link", link_names[i]); });
+  }
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    const ComparisonTally& comparison = tally.comparisons[i];
+    const auto flip = [&](const char* kind) {
+      return [kind, i](const Candidate<bool>& c) {
+        return fmt::format("{} {} of {}", c.rank ? "decisive" : "masked", kind, comparisons[i].name);
+      };
+    };
+    note(comparison.false_witness, flip("false_separation"));
+    note(comparison.missed_witness, flip("missed_separation"));
+    note(comparison.largest_error, [i](const Candidate<Decimal6>& c) {
+      return fmt::format("largest error of {}: {} u", comparisons[i].name, c.rank.text());
+    });
+    for (const auto& candidate : comparison.largest_error.candidates()) {
+      shown[candidate.position].largest_errors |= static_cast<ComparisonBits>(1u << i);
+    }
+  }
+  const auto note_pair = [&](const std::optional<AsymmetryWitness>& first, const char* what) {
+    if (!first) return;
+    const auto address = [&](std::uint64_t at) { return text(address_of(source, plan_.seed, precision, at)); };
+    shown[first->base].texts.push_back(
+        fmt::format("asymmetry: another {} than of its image {}", what, address(first->image)));
+    shown[first->image].texts.push_back(
+        fmt::format("asymmetry: another {} than of its base {}", what, address(first->base)));
+  };
+  if (asymmetry) {
+    note_pair(asymmetry->first_verdict, "verdict");
+    note_pair(asymmetry->first_comparison, "comparison");
+  }
+  if (!examiner_ || &examiner_->kernel() != &kernel) examiner_.emplace(kernel, plan_.target);
+  if (precision == Precision::binary32) write<float>(kernel, source, shown);
+  else write<double>(kernel, source, shown);
+}
+
+template <class Real>
+void WitnessWriter::write(const Kernel& kernel, const Source& source, const Shown& shown) {
+  for (const auto& [position, what] : shown) {
+    Query<Real> q;
+    source.make(plan_.seed, position, q);
+    const Examination found = plan_.replies
+                                  ? examine(q, kernel, plan_.replies->at(source, precision_of<Real>, position))
+                                  : examiner_->examine(q);
+    Json witness = {{"id", fmt::format("w{}", witnesses_.size() + 1)}, {"precision", name(precision_of<Real>)}};
+    put_query(witness, q);
+    witness["kernel"] = kernel.id;
+    witness["family"] = source.name();
+    witness["address"] = text(address_of(source, plan_.seed, precision_of<Real>, position));
+    witness["truth"] = name(found.truth.verdict);
+    witness["computed"] = name(found.answer.verdict);
+    witness["touching"] = found.truth.touching;
+    witness["depth"] = found.depth ? Json(*found.depth) : Json(nullptr);
+    witness["exact_comparisons"] =
+        found.judgement.exact ? Json(bit_string(*found.judgement.exact, comparison_count)) : Json(nullptr);
+    witness["computed_comparisons"] =
+        found.answer.bits ? Json(bit_string(*found.answer.bits, comparison_count)) : Json(nullptr);
+    witness["shows"] = what.texts;
+    witness["flips"] = flips_json(found.judgement);
+    witness["sides"] = sides_json(q, kernel, found, what.largest_errors);
+    witnesses_.push_back(std::move(witness));
+  }
+}
+
+}  // namespace axiscert

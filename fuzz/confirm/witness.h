@@ -1,0 +1,40 @@
+// Witnesses: the queries that a run keeps, made again from their positions and examined by all oracles.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact/judge/examine.h"
+#include "fuzz/confirm/asymmetry.h"
+#include "fuzz/confirm/record.h"
+
+namespace axiscert {
+
+class WitnessWriter {
+ public:
+  explicit WitnessWriter(const Plan& plan) : plan_(plan) {}
+  // The deepest wrong verdicts of each kind and with each broken link; of each comparison a flip of each kind, a
+  // decisive one where there is one, and the largest error. A query that shows several things is stored once.
+  // Of an asymmetry the first image and its base.
+  void add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally,
+           const std::optional<Asymmetry>& asymmetry);
+  Json take() && { return std::move(witnesses_); }
+
+ private:
+  // What a query shows, in the order found; and the comparisons whose largest error it is.
+  struct Reasons {
+    std::vector<std::string> texts;
+    ComparisonBits largest_errors = 0;
+  };
+  using Shown = std::map<std::uint64_t, Reasons>;  // by position
+  template <class Real>
+  void write(const Kernel& kernel, const Source& source, const Shown& shown);
+
+  const Plan& plan_;
+  std::optional<Examiner> examiner_;  // of the kernel that was added last
+  Json witnesses_ = Json::array();
+};
+
+}  // namespace axiscert

@@ -1,0 +1,127 @@
+#include "fuzz/confirm/witness_sides.h"
+
+#include <mpfr.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "exact/sphere_triangle/measures/error_measure.h"
+#include "fuzz/files/number_text.h"
+
+namespace axiscert {
+namespace {
+
+long bit_length(const mpz_class& x) { return sgn(x) == 0 ? 0 : static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2)); }
+
+// The value lhs / denominator or sqrt(lhs) / denominator, less `rhs` / denominator, to 17 significant digits. A dyadic
+// value without a root is held exactly before it is printed, so it is rounded once. Elsewhere 64 bits are kept beyond
+// twice the operands' own: the difference of a root of b bits and a rational is zero or at least 2^-2b of them.
+std::string digits_of(const Rational& lhs, bool rooted, const Rational& rhs, const Rational& denominator) {
+  const Rational plain = lhs - rhs;
+  if (rooted && sgn(rhs) >= 0 && lhs == rhs * rhs) return "0";
+  const Rational& widest = rooted ? lhs : plain;
+  const long bits = bit_length(widest.get_num()) + bit_length(widest.get_den()) + bit_length(rhs.get_num()) +
+                    bit_length(rhs.get_den()) + bit_length(denominator.get_num()) + bit_length(denominator.get_den());
+  mpfr_t value;
+  mpfr_init2(value, 2 * bits + 64);
+  if (rooted) {
+    mpfr_set_q(value, lhs.get_mpq_t(), MPFR_RNDN);
+    mpfr_sqrt(value, value, MPFR_RNDN);
+    mpfr_sub_q(value, value, rhs.get_mpq_t(), MPFR_RNDN);
+    mpfr_div_q(value, value, denominator.get_mpq_t(), MPFR_RNDN);
+  } else {
+    mpfr_set_q(value, Rational(plain / denominator).get_mpq_t(), MPFR_RNDN);
+  }
+  char* text = nullptr;
+  mpfr_asprintf(&text, "%.17Rg", value);
+  const std::string digits = text;
+  mpfr_free_str(text);
+  mpfr_clear(value);
+  return digits;
+}
+
+// 2^(e - p + 1) for 2^e <= |x| < 2^(e + 1), and not below the least subnormal number.
+template <class Real>
+Rational unit_in_last_place(const Rational& x) {
+  using Limits = std::numeric_limits<Real>;
+  long exponent = Limits::min_exponent - 1;
+  if (sgn(x) != 0) {
+    // 2^(bits - 1) < |x| < 2^(bits + 1): one comparison tells which half.
+    const Rational magnitude = abs(x);
+    const long bits = bit_length(magnitude.get_num()) - bit_length(magnitude.get_den());
+    const Rational power =
+        bits < 0 ? Rational(1, mpz_class(1) << static_cast<unsigned long>(-bits)) : Rational(mpz_class(1) << bits);
+    exponent = std::max(exponent, magnitude < power ? bits - 1 : bits);
+  }
+  exponent -= Limits::digits - 1;
+  return exponent < 0 ? Rational(1, mpz_class(1) << static_cast<unsigned long>(-exponent))
+                      : Rational(mpz_class(1) << exponent);
+}
+
+// Where binary64 has not six digits left, as 1e-300: rounded up still, and nothing beside any ulp.
+constexpr double least_error = 1e-300;
+
+Json decimal(const Decimal6& d) {
+  const double value = d.value();
+  if (d.is_zero()) return 0.0;
+  return std::isfinite(value) ? Json(std::max(value, least_error)) : Json(d.text());
+}
+
+// Null where the computed side is not finite.
+template <class Real>
+Json error_ulps(double computed, const Rational& exact_side) {
+  if (!std::isfinite(computed)) return nullptr;
+  return decimal(
+      round_up(Rational(abs(Rational(exact(computed) - exact_side)) / unit_in_last_place<Real>(exact_side))));
+}
+
+template <class Real>
+Json side_json(const ExactComparison& truth, const std::optional<Sides<double>>& computed, std::size_t i) {
+  Json json = {
+      {"exact", nullptr}, {"computed", nullptr}, {"lhs_ulps", nullptr}, {"rhs_ulps", nullptr}, {"error_u", nullptr}};
+  const Rational lhs = rational(truth.lhs), rhs = rational(truth.rhs), denominator = rational(truth.denominator);
+  if (!truth.undefined) {
+    json["exact"] = {{"lhs", digits_of(lhs, truth.rooted, 0, denominator)},
+                     {"rhs", digits_of(rhs, false, 0, denominator)},
+                     {"margin", digits_of(lhs, truth.rooted, rhs, denominator)}};
+  }
+  if (!computed) return json;
+  const auto l = static_cast<Real>(computed->lhs[i]), r = static_cast<Real>(computed->rhs[i]);
+  json["computed"] = {{"lhs", format_number(l)}, {"rhs", format_number(r)}};
+  if (truth.undefined) return json;
+  if (!truth.rooted) json["lhs_ulps"] = error_ulps<Real>(computed->lhs[i], lhs / denominator);
+  json["rhs_ulps"] = error_ulps<Real>(computed->rhs[i], rhs / denominator);
+  const ComparisonError error(l, r, truth);
+  if (error.kind() == ComparisonError::Kind::finite) json["error_u"] = decimal(error.rounded_up());
+  return json;
+}
+
+ComparisonBits worth_showing(const Judgement& judgement, ComparisonBits largest_errors) {
+  ComparisonBits which = largest_errors;
+  for (const Flip& flip : judgement.flips()) {
+    if (flip.level == Level::axis) which |= comparisons_of(static_cast<Axis>(flip.index));
+    if (flip.level == Level::comparison) which |= comparisons_of(comparisons[flip.index].axis);
+  }
+  return which == 0 && judgement.verdict_flip ? static_cast<ComparisonBits>(0xFFFF) : which;
+}
+
+}  // namespace
+
+template <class Real>
+Json sides_json(const Query<Real>& q, const Kernel& kernel, const Examination& found, ComparisonBits largest_errors) {
+  if (found.truth.verdict == Verdict::invalid || !has_comparisons(kernel.formulae)) return nullptr;
+  const FormulaTruth truth = formula_truth(kernel.formulae, q);
+  Json json = Json::object();
+  const ComparisonBits which = worth_showing(found.judgement, largest_errors);
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    if ((which >> i) & 1u) {
+      json[std::string(comparisons[i].name)] = side_json<Real>(truth.comparison(i), found.sides, i);
+    }
+  }
+  return json;
+}
+template Json sides_json(const Query<float>&, const Kernel&, const Examination&, ComparisonBits);
+template Json sides_json(const Query<double>&, const Kernel&, const Examination&, ComparisonBits);
+
+}  // namespace axiscert

@@ -1,0 +1,69 @@
+// Clear queries at every power of two of the precision: what goes wrong is range, not rounding.
+#include "fuzz/queries/boundary.h"
+#include "fuzz/queries/lanes.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/scale.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#define AXISCERT_PER_TARGET
+#include "fuzz/families/sphere_triangle/lane_family-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace axiscert::HWY_NAMESPACE {
+namespace {
+
+struct Scale {
+  static constexpr bool solves = true;
+
+  // From the power that leaves one bit of a subnormal to the one whose products stay just finite.
+  template <class Real>
+  static Real size(std::uint64_t position) {
+    using Limits = std::numeric_limits<Real>;
+    constexpr int least = Limits::min_exponent - Limits::digits, greatest = Limits::max_exponent - 1;
+    return std::ldexp(Real(1), least + static_cast<int>(position % (greatest - least + 1)));
+  }
+
+  template <class Random, class T = typename Random::T>
+  AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t) {
+    LaneQuery<T> q;
+    q.v = vertices_in_cube(random);
+    q.p = in_cube(random);
+    q.r = Random::constant(0);
+    q.wishes[0] = random.unit() * Random::constant(0.5);
+    q.wishes[1] = random.sign();
+    return q;
+  }
+
+  // Wishes: a share of the distance, or what is added to twice the distance; whether the radius is to be below.
+  // Half the distance or less, or twice the distance or more, and below two. Then all times a power of two, a product
+  // that is rounded once, into the subnormals too.
+  template <class Real>
+  static void finish(std::uint64_t first, const MutableColumns<Real>& queries, const shapes::Wishes<Real>& wishes) {
+    for (std::size_t i = 0; i < queries.size; ++i) {
+      const Real share = wishes[0][i], distance = radius_at_distance(queries[i]), times = size<Real>(first + i);
+      const bool separated = wishes[1][i] > 0 || distance >= Real(0.5);
+      queries.column[12][i] = separated ? distance * share : distance * 2 + share;
+      for (Real* column : queries.column) column[i] *= times;
+    }
+  }
+};
+
+}  // namespace
+AXISCERT_FILL(scale, Scale)
+}  // namespace axiscert::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace axiscert {
+AXISCERT_DISPATCH_FILL(scale)
+extern const Family scale_family = {
+    "scale",
+    "clear queries (r at most half the distance, or at least twice) times every power of two in turn",
+    2,
+    false,
+    scale_queries<float>,
+    scale_queries<double>};
+}  // namespace axiscert
+#endif

@@ -1,0 +1,51 @@
+// Exact ties, with specks where a coordinate is zero: numbers from a rounding of the query's size down to the least
+// there is. What decides such a query, if anything does, lies hundreds of bits below all else, where products
+// underflow: arithmetic that is exact but for that answers as if the specks were not there.
+#include "fuzz/families/sphere_triangle/shapes.h"
+#include "fuzz/families/sphere_triangle/ties.h"
+#include "fuzz/queries/family.h"
+#include "fuzz/queries/random.h"
+
+namespace axiscert {
+namespace {
+
+// A tie is multiplied by up to this power of two, or by its inverse; neither rounds or overflows.
+template <class Real>
+constexpr int most_doublings = sizeof(Real) == 4 ? 80 : 120;
+
+// 1 or 3 times a power of two below `size`, of either sign.
+template <class Real>
+Real speck(Stream& random, int size) {
+  using Limits = std::numeric_limits<Real>;
+  constexpr int least = Limits::min_exponent - Limits::digits;
+  const auto exponent = static_cast<int>(random.integer(least, size - Limits::digits));
+  // A third of them are a few of the least number.
+  const Real unit = std::ldexp(Real(1), random.below(3) == 0 ? least : exponent);
+  const Real x = random.coin() ? unit : 3 * unit;
+  return random.coin() ? x : -x;
+}
+
+// The centre is in the origin, so that three coordinates are zero at least.
+template <class Real>
+Query<Real> specked_tie(Stream& random, std::uint64_t position) {
+  const Query<Real> tie = touching_integers<Real>(random, position);
+  auto v = coordinates(Query<Real>{tie.a - tie.p, tie.b - tie.p, tie.c - tie.p, {0, 0, 0}, tie.r});
+  const auto doublings = static_cast<int>(random.integer(-most_doublings<Real>, most_doublings<Real>));
+  for (Real& x : v) x = std::ldexp(x, doublings);
+  for (std::size_t k = 0; k < 12; ++k) {
+    if (v[k] == 0 && random.coin()) v[k] = speck<Real>(random, doublings);
+  }
+  return from_coordinates(v);
+}
+
+}  // namespace
+
+extern const Family speck_family = {
+    "speck",
+    "exact ties times powers of two, with specks for zeros: a rounding of them down to the least numbers there are",
+    1,
+    false,
+    specked_tie<float>,
+    specked_tie<double>};
+
+}  // namespace axiscert

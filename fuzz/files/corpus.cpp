@@ -1,0 +1,235 @@
+#include "fuzz/files/corpus.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "fuzz/files/file_bytes.h"
+#include "fuzz/files/number_text.h"
+#include "fuzz/files/query_line.h"
+#include "fuzz/shrink/symmetry.h"
+
+namespace axiscert {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 4> kinds = {"address", "search", "report", "made"};
+constexpr std::array<std::string_view, 3> subjects = {"static", "sweep", "other"};
+
+// What is wrong with a provenance, and with which member.
+struct Wrong {
+  std::string field, what;
+};
+std::optional<Wrong> fault(const Provenance& p) {
+  const auto is_one_of = [](const auto& known, const std::string& given) {
+    return std::find(known.begin(), known.end(), given) != known.end();
+  };
+  if (!is_one_of(kinds, p.kind)) {
+    return Wrong{"kind", fmt::format("unknown kind '{}'; kinds: {}", p.kind, fmt::join(kinds, ", "))};
+  }
+  if (p.where.empty()) return Wrong{"where", "empty; an address, a command, or the report's URL belongs here"};
+  if (p.kind == "report" && !is_one_of(subjects, p.about)) {
+    return Wrong{"about", fmt::format("'{}'; of a report, one of: {}", p.about, fmt::join(subjects, ", "))};
+  }
+  if (p.kind != "report" && !p.about.empty()) return Wrong{"about", "only a report has it"};
+  return std::nullopt;
+}
+
+// Reads the members that a line of the corpus has beside its query.
+class EntryReader {
+ public:
+  EntryReader(const json& line, const Place& place) : line_(line), place_(place) {}
+
+  Provenance provenance() const {
+    const json& given = object(line_, "provenance");
+    Provenance p{text(given, "kind"), text(given, "where"), given.contains("about") ? text(given, "about") : ""};
+    if (const auto wrong = fault(p)) place_.fail(wrong->field, wrong->what);
+    return p;
+  }
+
+  std::string note() const { return line_.contains("note") ? text(line_, "note") : ""; }
+
+  ExactAnswers expected() const {
+    const json& given = object(line_, "expected");
+    ExactAnswers out;
+    const std::string verdict = text(given, "verdict");
+    const auto known = std::find(verdict_names.begin(), verdict_names.end(), verdict);
+    out.verdict = static_cast<Verdict>(known - verdict_names.begin());
+    if (verdict != "contact" && verdict != "separated" && verdict != "invalid") {
+      place_.fail("verdict", fmt::format("'{}'; contact, separated or invalid belongs here", verdict));
+    }
+    const json& touching = member(given, "touching");
+    if (!touching.is_boolean()) place_.fail("touching", "true or false belongs here");
+    out.touching = touching.get<bool>();
+    if (out.verdict == Verdict::invalid) return out;
+    out.squared_distance = fraction(text(given, "squared_distance"));
+    out.comparisons = bits(given, "comparisons");
+    out.ties = bits(given, "ties");
+    return out;
+  }
+
+ private:
+  const json& member(const json& from, const char* name) const {
+    if (!from.contains(name)) place_.fail(name, "missing");
+    return from[name];
+  }
+  const json& object(const json& from, const char* name) const {
+    const json& value = member(from, name);
+    if (!value.is_object()) place_.fail(name, "an object belongs here");
+    return value;
+  }
+  std::string text(const json& from, const char* name) const {
+    const json& value = member(from, name);
+    if (!value.is_string()) place_.fail(name, "a string belongs here");
+    return value.get<std::string>();
+  }
+  Rational fraction(const std::string& given) const {
+    Rational value;
+    const std::size_t slash = given.find('/');
+    const bool digits = given.find_first_not_of("0123456789/") == given.npos && slash != given.npos;
+    if (!digits || value.set_str(given, 10) != 0 || value.get_den() == 0) {
+      place_.fail("squared_distance", "\"NUMERATOR/DENOMINATOR\" belongs here");
+    }
+    value.canonicalize();
+    return value;
+  }
+  ComparisonBits bits(const json& from, const char* name) const {
+    const std::string given = text(from, name);
+    if (given.size() != comparison_count || given.find_first_not_of("01") != given.npos) {
+      place_.fail(name, fmt::format("'{}'; {} of 0 and 1 belong here", given, comparison_count));
+    }
+    ComparisonBits out = 0;
+    for (std::size_t i = 0; i < comparison_count; ++i) {
+      if (given[i] == '1') out = static_cast<ComparisonBits>(out | 1u << i);
+    }
+    return out;
+  }
+
+  const json& line_;
+  const Place& place_;
+};
+
+std::vector<std::string> corpus_files(const std::string& folder) {
+  std::vector<std::string> paths;
+  std::error_code problem;
+  for (fs::directory_iterator it(folder, problem), end; !problem && it != end; it.increment(problem)) {
+    if (it->path().extension() == ".jsonl") paths.push_back(it->path().string());
+  }
+  if (problem) throw Error(fmt::format("{}: the corpus cannot be read: {}", folder, problem.message()));
+  if (paths.empty()) throw Error(fmt::format("{}: an empty corpus: it holds no *.jsonl", folder));
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+void read_file(const std::string& path, std::vector<CorpusEntry>& into) {
+  const std::string bytes = read_bytes(path);
+  std::vector<std::string_view> lines;
+  for (std::string_view rest = bytes; !rest.empty();) {
+    const std::size_t end = rest.find('\n');
+    lines.push_back(rest.substr(0, end));
+    rest.remove_prefix(end == rest.npos ? rest.size() : end + 1);
+  }
+  for (StoredQuery& stored : parse_queries(bytes, path, Precision::binary32)) {
+    const Place place{path, stored.line};
+    const json line = json::parse(lines[stored.line - 1], nullptr, false);
+    if (!line.is_object()) place.fail("", "a corpus is JSON Lines, each line one object");
+    if (!line.contains("id")) place.fail("id", "missing; an entry needs a name");
+    const EntryReader reader(line, place);
+    Provenance provenance = reader.provenance();
+    std::string note = reader.note();
+    ExactAnswers expected = reader.expected();
+    into.push_back({std::move(stored), std::move(provenance), std::move(note), std::move(expected), path});
+  }
+}
+
+// No two entries of one name, and none that is another's image.
+void require_distinct(const std::vector<CorpusEntry>& entries) {
+  std::map<std::string, const CorpusEntry*> names, forms;
+  for (const CorpusEntry& entry : entries) {
+    const auto place = [](const CorpusEntry& e) { return fmt::format("{}:{}", e.file, e.stored.line); };
+    const auto [named, is_new_name] = names.try_emplace(entry.stored.id, &entry);
+    if (!is_new_name) {
+      throw Error(
+          fmt::format("{}: field 'id': '{}' is the name of {}", place(entry), entry.stored.id, place(*named->second)));
+    }
+    const auto [formed, is_new_form] = forms.try_emplace(canonical_form(entry.stored), &entry);
+    if (!is_new_form) {
+      throw Error(fmt::format("{}: '{}' is '{}' of {} by a symmetry of the test", place(entry), entry.stored.id,
+                              formed->second->stored.id, place(*formed->second)));
+    }
+  }
+}
+
+}  // namespace
+
+ExactAnswers exact_answers(const StoredQuery& stored) {
+  return std::visit(
+      [](const auto& q) -> ExactAnswers {
+        const ExactTruth truth = exact_truth(q, true);
+        if (!truth.formula) return {truth.verdict, truth.touching};
+        return {truth.verdict, truth.touching, squared_distance(q), truth.formula->strict, truth.formula->ties};
+      },
+      stored.query);
+}
+
+std::vector<CorpusEntry> read_corpus(const std::string& folder) {
+  std::vector<CorpusEntry> entries;
+  for (const std::string& path : corpus_files(folder)) read_file(path, entries);
+  require_distinct(entries);
+  return entries;
+}
+
+std::string corpus_line(const CorpusEntry& entry) {
+  nlohmann::ordered_json provenance = {{"kind", entry.provenance.kind}, {"where", entry.provenance.where}};
+  if (!entry.provenance.about.empty()) provenance["about"] = entry.provenance.about;
+  nlohmann::ordered_json expected = {{"verdict", name(entry.expected.verdict)},
+                                     {"touching", entry.expected.touching},
+                                     {"squared_distance", nullptr},
+                                     {"comparisons", nullptr},
+                                     {"ties", nullptr}};
+  if (const auto& d = entry.expected.squared_distance) {
+    expected["squared_distance"] = d->get_num().get_str() + "/" + d->get_den().get_str();
+    expected["comparisons"] = bit_string(*entry.expected.comparisons, comparison_count);
+    expected["ties"] = bit_string(*entry.expected.ties, comparison_count);
+  }
+  std::string line = query_line(entry.stored);
+  line.pop_back();
+  line += ",\"provenance\":" + provenance.dump();
+  if (!entry.note.empty()) line += ",\"note\":" + json(entry.note).dump();
+  return line + ",\"expected\":" + expected.dump() + "}";
+}
+
+const CorpusEntry* find_image(const std::vector<CorpusEntry>& entries, const StoredQuery& stored) {
+  const std::string form = canonical_form(stored);
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const CorpusEntry& e) { return canonical_form(e.stored) == form; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+Provenance parse_provenance(const std::string& text, const std::string& about) {
+  const std::size_t colon = text.find(':');
+  const Provenance p{text.substr(0, colon), colon == text.npos ? "" : text.substr(colon + 1), about};
+  if (const auto wrong = fault(p)) {
+    throw Error(fmt::format("--{} {}: {}: {}; the form is KIND:WHERE, for instance address:1:tangent:1:binary32:0:1234",
+                            wrong->field == "about" ? "about" : "provenance", wrong->field == "about" ? about : text,
+                            wrong->field, wrong->what));
+  }
+  return p;
+}
+
+std::string default_corpus_folder() {
+  std::error_code problem;
+  const fs::path program = fs::read_symlink("/proc/self/exe", problem);
+  const fs::path installed = program.parent_path().parent_path() / "share/axiscert/corpus";
+  return !problem && fs::is_directory(installed, problem) ? installed.string() : AXISCERT_CORPUS;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,168 @@
+// Every entry of the corpus as a test of its own, and what a corpus that cannot be trusted says.
+#include "fuzz/files/corpus.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+#include "exact/sphere_triangle/oracles/feature_walk.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/sphere_triangle/oracles/second_oracle.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "fuzz/files/query_testing.h"
+#include "fuzz/shrink/symmetry.h"
+
+namespace axiscert {
+namespace {
+
+// Empty where the corpus cannot be read, which Corpus.CanBeRead then says.
+std::vector<CorpusEntry> entries_or_none() {
+  try {
+    return read_corpus(SOURCE_FOLDER "/fuzz/corpus");
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+TEST(Corpus, CanBeRead) {
+  std::vector<CorpusEntry> entries;
+  ASSERT_NO_THROW(entries = read_corpus(SOURCE_FOLDER "/fuzz/corpus"));
+  EXPECT_GE(entries.size(), 30u);
+  for (const char* kind : {"report", "made", "address", "search"}) {
+    EXPECT_TRUE(std::any_of(entries.begin(), entries.end(), [&](const CorpusEntry& e) {
+      return e.provenance.kind == kind;
+    })) << kind;
+  }
+}
+
+class CorpusEntryTest : public testing::TestWithParam<CorpusEntry> {};
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(CorpusEntryTest);
+INSTANTIATE_TEST_SUITE_P(Corpus, CorpusEntryTest, testing::ValuesIn(entries_or_none()), [](const auto& info) {
+  std::string name = info.param.stored.id;
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  return name;
+});
+
+// The squared distance by the walk over the features in rationals, which shares nothing with CGAL.
+template <class Real>
+Rational walked(const Query<Real>& q) {
+  const auto centred = centred_as<Rational>(q, [](Real x) { return exact(x); });
+  const auto found = walked_squared_distance(centred, Rational(0), Rational(1),
+                                             [](const Rational& x, const Rational& y) { return cmp(x, y); });
+  return found.numerator / found.denominator;
+}
+
+TEST_P(CorpusEntryTest, HasTheseExactAnswers) {
+  const CorpusEntry& entry = GetParam();
+  SCOPED_TRACE(entry.file + ":" + std::to_string(entry.stored.line));
+  const ExactAnswers& expected = entry.expected;
+  EXPECT_EQ(exact_answers(entry.stored), expected);
+  if (expected.verdict == Verdict::invalid) return;
+  std::visit(
+      [&](const auto& q) {
+        // Each oracle by itself.
+        const int order = expected.verdict == Verdict::separated ? 1 : expected.touching ? 0 : -1;
+        EXPECT_EQ(distance_order(q), order) << "CGAL";
+        const SecondOpinion mpfr = second_opinion(q);
+        EXPECT_EQ(mpfr.distance_order, order) << "MPFR";
+        EXPECT_EQ(mpfr.strict, *expected.comparisons) << "MPFR";
+        EXPECT_EQ(mpfr.ties, *expected.ties) << "MPFR";
+        EXPECT_EQ(walked(q), *expected.squared_distance) << "the walk over the features";
+      },
+      entry.stored.query);
+}
+
+TEST_P(CorpusEntryTest, IsWrittenAsItIsRead) {
+  const CorpusEntry& entry = GetParam();
+  std::ifstream file(entry.file);
+  std::string line;
+  for (std::size_t n = 0; n < entry.stored.line; ++n) std::getline(file, line);
+  EXPECT_EQ(corpus_line(entry), line);
+}
+
+// A folder with one file of these lines.
+class CorpusFolder {
+ public:
+  explicit CorpusFolder(const std::string& text) : path_(testing::TempDir() + "corpus-" + std::to_string(::getpid())) {
+    std::filesystem::create_directories(path_);
+    std::ofstream(path_ / "x.jsonl") << text;
+  }
+  ~CorpusFolder() { std::filesystem::remove_all(path_); }
+  std::string error() const {
+    try {
+      read_corpus(path_.string());
+    } catch (const Error& wrong) {
+      return wrong.what();
+    }
+    return "";
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+CorpusEntry touching_entry() {
+  const Query<float> q = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 0, 0}, 1};
+  StoredQuery stored{"touching", Precision::binary32, q, 1};
+  return {stored, {"made", "by hand", ""}, "", exact_answers(stored), "x.jsonl"};
+}
+
+TEST(CorpusFiles, AnEntryComesBack) {
+  const std::string line = corpus_line(touching_entry());
+  EXPECT_EQ(CorpusFolder(line + "\r\n\n").error(), "");
+}
+
+TEST(CorpusFiles, ABadOneIsNamedByFileLineAndField) {
+  const std::string good = corpus_line(touching_entry());
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    text.replace(text.find(from), from.size(), to);
+    return good + "\n" + text;
+  };
+  const auto expect = [](const std::string& text, std::initializer_list<const char*> says) {
+    const std::string error = CorpusFolder(text).error();
+    for (const char* part : says) EXPECT_NE(error.find(part), error.npos) << part << " in: " << error;
+  };
+  expect("", {"x.jsonl", "no queries"});
+  expect(with("\"id\":\"touching\"", "\"id\":\"other\""), {"x.jsonl:2:", "symmetry", "x.jsonl:1"});
+  expect(with("0x1p+0", "0x1p+1"), {"x.jsonl:2:", "'id'", "x.jsonl:1"});
+  expect(with("\"made\"", "\"nowhere\""), {"x.jsonl:2:", "'kind'", "nowhere", "report"});
+  expect(with("\"by hand\"", "\"\""), {"x.jsonl:2:", "'where'"});
+  expect(with("\"provenance\"", "\"provenence\""), {"x.jsonl:2:", "'provenance'", "missing"});
+  expect(with("\"made\"", "\"report\""), {"x.jsonl:2:", "'about'", "static"});
+  expect(with("\"verdict\":\"contact\"", "\"verdict\":\"yes\""), {"x.jsonl:2:", "'verdict'", "separated"});
+  expect(with("\"touching\":true", "\"touching\":1"), {"x.jsonl:2:", "'touching'"});
+  expect(with("\"1/1\"", "\"1/0\""), {"x.jsonl:2:", "'squared_distance'"});
+  expect(with("\"ties\":\"", "\"ties\":\"0"), {"x.jsonl:2:", "'ties'", "16"});
+  expect("{\"id\":", {"x.jsonl:1:"});
+  EXPECT_THROW(read_corpus("/nonexistent"), Error);
+}
+
+TEST(CorpusSource, HasEveryQueryInItsPrecision) {
+  const auto source = corpus_source(SOURCE_FOLDER "/fuzz/corpus");
+  EXPECT_EQ(source->name(), "corpus");
+  std::size_t n32 = 0, n64 = 0;
+  for (const CorpusEntry& entry : entries_or_none()) {
+    if (entry.stored.precision == Precision::binary32) {
+      Query<float> q;
+      source->make(1, n32++, q);
+      expect_same_bits(q, std::get<Query<float>>(entry.stored.query));
+    } else {
+      Query<double> q;
+      source->make(1, n64++, q);
+      expect_same_bits(q, std::get<Query<double>>(entry.stored.query));
+    }
+  }
+  EXPECT_EQ(source->fixed_size(Precision::binary32), n32);
+  EXPECT_EQ(source->fixed_size(Precision::binary64), n64);
+  EXPECT_EQ(source->address_name(), "corpus-" + source->file()->sha256);
+}
+
+}  // namespace
+}  // namespace axiscert

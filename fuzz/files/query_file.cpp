@@ -1,0 +1,95 @@
+#include "fuzz/files/query_file.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <sstream>
+
+#include "fuzz/files/file_bytes.h"
+#include "fuzz/files/number_text.h"
+#include "fuzz/files/query_line.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+Query<Real> query_of(const std::array<NumberText, coordinate_count>& numbers, const Place& place) {
+  std::array<Real, coordinate_count> values;
+  for (std::size_t k = 0; k < coordinate_count; ++k) {
+    try {
+      values[k] = parse_number<Real>(numbers[k].text);
+    } catch (const Error& wrong) {
+      place.fail(numbers[k].field, numbers[k].element + wrong.what());
+    }
+  }
+  return from_coordinates(values);
+}
+
+// The next line without its end, or none. A last line without an end is a line; nothing after the last end is not.
+std::optional<std::string_view> take_line(std::string_view& rest) {
+  if (rest.empty()) return std::nullopt;
+  const std::size_t end = rest.find('\n');
+  std::string_view line = rest.substr(0, end);
+  rest.remove_prefix(end == rest.npos ? rest.size() : end + 1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+}  // namespace
+
+std::string Place::default_id() const { return fmt::format("line-{}", line); }
+
+void Place::fail(std::string_view field, std::string_view what) const {
+  if (field.empty()) throw Error(fmt::format("{}:{}: {}", file, line, what));
+  throw Error(fmt::format("{}:{}: field '{}': {}", file, line, shown(field), what));
+}
+
+StoredQuery stored_query(std::string id, Precision precision, const std::array<NumberText, coordinate_count>& numbers,
+                         const Place& place) {
+  StoredQuery stored{std::move(id), precision, {}, place.line};
+  switch (precision) {
+    case Precision::binary32:
+      stored.query = query_of<float>(numbers, place);
+      break;
+    case Precision::binary64:
+      stored.query = query_of<double>(numbers, place);
+      break;
+  }
+  return stored;
+}
+
+std::vector<StoredQuery> parse_queries(std::string_view bytes, std::string_view name, Precision csv_precision) {
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  std::vector<StoredQuery> queries;
+  std::optional<CsvHeader> csv;
+  bool first = true;
+  Place place{name, 0};
+  while (const auto line = take_line(bytes)) {
+    ++place.line;
+    if (line->find_first_not_of(" \t") == line->npos) continue;
+    // The JSON parser takes a NUL for the end of its input.
+    if (line->find('\0') != line->npos) place.fail("", "a NUL byte; a query file is text (UTF-8)");
+    if (first) {
+      first = false;
+      csv = csv_header(*line, place);
+      if (csv) continue;
+    }
+    queries.push_back(csv ? query_of_csv(*line, *csv, csv_precision, place) : query_of_json(*line, place));
+  }
+  if (queries.empty()) {
+    throw Error(fmt::format("{}: no queries; write JSON Lines, or CSV under the header [id,]{}", name, csv_columns));
+  }
+  return queries;
+}
+
+std::vector<StoredQuery> read_queries(std::istream& in, std::string_view name, Precision csv_precision) {
+  return parse_queries(read_bytes(in, std::string(name)), name, csv_precision);
+}
+
+std::vector<StoredQuery> read_query_file(const std::string& path, Precision csv_precision) {
+  if (path == "-") return read_queries(std::cin, "stdin", csv_precision);
+  return parse_queries(read_bytes(path), path, csv_precision);
+}
+
+}  // namespace axiscert

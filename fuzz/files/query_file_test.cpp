@@ -1,0 +1,231 @@
+#include "fuzz/files/query_file.h"
+#include "fuzz/files/query_testing.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "fuzz/queries/random.h"
+#include "fuzz/queries/source.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+using namespace std::string_literals;
+
+const std::string header = "ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r";
+const std::string good =
+    R"({"id":"ok","precision":"binary32","a":[0,0,0],"b":[1,0,0],"c":[0,1,0],"p":[0,0,1],"r":0.5})";
+
+std::vector<StoredQuery> parse(const std::string& text) { return parse_queries(text, "f.jsonl", Precision::binary32); }
+
+std::string refusal(const std::string& text) {
+  try {
+    return fmt::format("accepted {} queries", parse(text).size());
+  } catch (const Error& wrong) {
+    return wrong.what();
+  }
+}
+
+// One line that begins with `start` and holds `part`.
+void expect_message(const std::string& message, const std::string& start, const std::string& part) {
+  EXPECT_EQ(message.substr(0, start.size()), start);
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, part, message);
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+std::string place(int line, const std::string& field) {
+  return fmt::format("f.jsonl:{}: ", line) + (field.empty() ? "" : "field '" + field + "': ");
+}
+
+// A line of JSON with one field's value replaced; an empty value leaves the field out.
+std::string with(const std::string& field, const std::string& value) {
+  std::string line = "{";
+  for (const auto& [name, usual] :
+       std::initializer_list<std::pair<std::string, std::string>>{{"id", "\"q\""},
+                                                                  {"precision", "\"binary32\""},
+                                                                  {"a", "[0,0,0]"},
+                                                                  {"b", "[1,0,0]"},
+                                                                  {"c", "[0,1,0]"},
+                                                                  {"p", "[0,0,1]"},
+                                                                  {"r", "1"}}) {
+    const std::string& given = name == field ? value : usual;
+    if (!given.empty()) line += fmt::format("{}\"{}\":{}", line.size() > 1 ? "," : "", name, given);
+  }
+  return line + "}";
+}
+
+TEST(QueryFile, ReadsALineAsTheDesignWritesIt) {
+  const auto queries =
+      parse(R"({"id":"parry-76","precision":"binary32","a":["0x1p+0",-0,"nan"],"b":[1e-45,"inf","-inf"],)"
+            R"("c":["0.2",0.2,16777217],"p":[123456789012345678901234567890,-1.5E+3,0],"r":"0x1.99999ap-3"})");
+  ASSERT_EQ(queries.size(), 1u);
+  EXPECT_EQ(queries[0].id, "parry-76");
+  EXPECT_EQ(queries[0].line, 1u);
+  const auto& q = std::get<Query<float>>(queries[0].query);
+  const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  const Vec3<float> p{123456789012345678901234567890.0f, -1500, 0};
+  expect_same_bits(q, {{1, -0.0f, nan}, {0x1p-149f, inf, -inf}, {0.2f, 0.2f, 16777216}, p, 0.2f});
+}
+
+TEST(QueryFile, AJsonNumberIsItsCharacters) {
+  // Through binary64 the first would round to 1, and -0 would lose its sign.
+  const auto queries = parse(with("p", "[ 1.00000005960464477540 ,-0, 18446744073709551617]"));
+  const auto& q = std::get<Query<float>>(queries[0].query);
+  EXPECT_EQ(q.p.x, 0x1.000002p+0f);
+  EXPECT_TRUE(std::signbit(q.p.y));
+  EXPECT_EQ(q.p.z, 0x1p+64f);
+}
+
+TEST(QueryFile, AcceptsWhatIsHarmless) {
+  EXPECT_EQ(parse("\xef\xbb\xbf" + good + "\r\n\r\n  \t\n" + good).size(), 2u);
+  EXPECT_EQ(parse("\n" + with("id", "") + "\n")[0].id, "line-2");
+  EXPECT_EQ(parse(good + "\n" + good + "\n")[1].line, 2u);
+  // A witness record's own fields, nested ones and repeated ones included.
+  std::string witness = good;
+  witness.insert(1, R"("flips":[{"r":"x","a":[1,[2]]},[]],"kernel":{"r":{}},"kernel":null,"x":true,"n":-1.5,)");
+  EXPECT_EQ(parse(witness).size(), 1u);
+  EXPECT_EQ(parse(R"({"\u0072":"-0x0p+0",)" + with("r", "").substr(1)).size(), 1u);
+}
+
+struct BadLine {
+  std::string line, field, reason;
+};
+
+TEST(QueryFile, AnErrorNamesFileLineAndField) {
+  const std::vector<BadLine> bad = {
+      {with("r", "\"0x1.9999999p-3\""), "r", "0x1.9999999p-3 is not exact in binary32; nearest is 0x1.99999ap-3"},
+      {with("a", "[0,\"0x1.9999999p-3\",0]"), "a", "element 2: 0x1.9999999p-3 is not exact"},
+      {with("r", "1e39"), "r", "1e39 overflows binary32"},
+      {with("r", "1e999"), "r", "1e999 overflows binary32"},
+      {with("r", "-1e999"), "r", "-1e999 overflows binary32"},
+      {with("p", "[0,0,1e999]"), "p", "1e999 overflows"},
+      {with("p", "[0,\"1e999\",0]"), "p", "element 2: 1e999 overflows"},
+      {with("r", "\"0x1p+128\""), "r", "overflows binary32"},
+      {with("r", "\"NaN\""), "r", "'NaN' is not a number"},
+      {with("r", "\"\""), "r", "'' is not a number"},
+      {with("r", "\" 1\""), "r", "' 1' is not a number"},
+      {with("r", "\"1\\n\""), "r", "'1?' is not a number"},
+      {with("r", "NaN"), "r", "malformed JSON"},
+      {with("r", "0x1p-3"), "r", "malformed JSON"},
+      {with("r", "01"), "r", "malformed JSON"},
+      {with("r", "+1"), "r", "malformed JSON"},
+      {with("r", "null"), "r", "null; a number belongs here"},
+      {with("r", "[1]"), "r", "an array; a number belongs here"},
+      {with("r", "{\"r\":1}"), "r", "an object; a number belongs here"},
+      {with("r", ""), "r", "missing"},
+      {with("a", ""), "a", "missing"},
+      {with("b", "3"), "b", "a number; an array of three numbers belongs here"},
+      {with("c", "[1,2]"), "c", "an array of 2"},
+      {with("c", "[1,2,3,4]"), "c", "an array of 4"},
+      {with("c", "[]"), "c", "an array of 0"},
+      {with("c", "[1,[2],3]"), "c", "element 2: an array; a number"},
+      {with("c", "[1,2,{}]"), "c", "element 3: an object; a number"},
+      {with("c", "[1,true,3]"), "c", "element 2: a boolean; a number"},
+      {with("c", "{}"), "c", "an object; an array of three"},
+      {with("precision", ""), "precision", "missing; \"binary32\" or \"binary64\" belongs here"},
+      {with("precision", "32"), "precision", "a number; \"binary32\" or"},
+      {with("precision", "\"float\""), "precision", "unknown precision 'float'; precisions: binary32, binary64"},
+      {with("id", "7"), "id", "a number; a string belongs here"},
+      {with("r", "1,\"r\":2"), "r", "given twice"},
+      {with("r", "1,\"\\u0061\":2"), "a", "given twice"},
+      {with("r", "1,\"x\":1e999"), "x", "1e999 overflows"},
+      {with("r", "1} x"), "r", "malformed JSON"},
+      {with("r", "1}{"), "r", "malformed JSON"},
+      {with("r", "1,"), "r", "malformed JSON"},
+      {with("r", "\"\xff\""), "r", "malformed JSON"},
+      {with("r", "\"1\t\""), "r", "malformed JSON"},
+      {"[1,2,3]", "", "an array; a line is one JSON object"},
+      {"3", "", "a number; a line is one JSON object"},
+      {"hello", "", "malformed JSON at column 1"},
+      {"{", "", "malformed JSON"},
+      {"{}", "precision", "missing"},
+      {std::string("{\"a\0\":1}", 9), "", "a NUL byte"},
+      {good + std::string(1, '\0'), "", "a NUL byte"},
+  };
+  for (const BadLine& b : bad) {
+    SCOPED_TRACE(b.line);
+    expect_message(refusal(good + "\n\n" + b.line + "\n" + good), place(3, b.field), b.reason);
+  }
+}
+
+TEST(QueryFile, EveryTruncationOfALineIsAnErrorThatNamesTheLine) {
+  for (std::size_t size = 1; size < good.size(); ++size) {
+    expect_message(refusal(good + "\n" + good.substr(0, size)), place(2, ""), "malformed JSON");
+  }
+  expect_message(refusal(good.substr(0, good.find("\"r\""))), place(1, "p"), "malformed JSON");
+}
+
+TEST(QueryFile, NothingToReadIsAnError) {
+  for (const std::string& text : {std::string(), "\n\n"s, " \t\r\n"s, "\xef\xbb\xbf"s, header + "\n"}) {
+    expect_message(refusal(text), "f.jsonl: no queries", header);
+  }
+}
+
+TEST(QueryFile, AbsurdInputIsRefusedInOneShortLine) {
+  const std::vector<std::string> absurd = {std::string(1 << 20, '['),
+                                           with("x", "") + std::string(1 << 20, 'x'),
+                                           with("r", std::string(1 << 20, '9')),
+                                           with("r", "\"" + std::string(1 << 20, '7') + "z\""),
+                                           with("id", std::string(1 << 20, '{')),
+                                           with("a", "[" + std::string(1 << 20, ',')),
+                                           header + "\n" + std::string(1 << 20, ','),
+                                           std::string(1 << 20, ','),
+                                           "{\"" + std::string(1 << 20, 'k') + "\":!}",
+                                           std::string(1000, '\x01'),
+                                           with("precision", "\"" + std::string(1 << 20, 'b') + "\"")};
+  for (const std::string& text : absurd) {
+    const std::string message = refusal(text);
+    expect_message(message, "f.jsonl:", "");
+    EXPECT_LT(message.size(), 700u) << text.substr(0, 100);
+  }
+}
+
+TEST(QueryFile, MessageAboutMalformedJsonHasNoControlCharacters) {
+  expect_message(refusal(with("r", "\"\x7f\xff\"")), place(1, "r"), "last read: '\"?");
+  EXPECT_EQ(refusal(with("r", "\"\x7f\xff\"")).find('\x7f'), std::string::npos);
+}
+
+TEST(QueryFile, CsvTakesItsPrecisionFromTheCaller) {
+  const std::string text = "\xef\xbb\xbf\n " + header + " \r\n0,0,0, 1 ,0,0,\t0,0x1p-1,0,nan,-0,inf,0.2\r\n\n";
+  const auto singles = parse_queries(text, "f.csv", Precision::binary32);
+  ASSERT_EQ(singles.size(), 1u);
+  EXPECT_EQ(singles[0].id, "line-3");
+  EXPECT_EQ(std::get<Query<float>>(singles[0].query).r, 0.2f);
+  const auto doubles = parse_queries(text, "f.csv", Precision::binary64);
+  EXPECT_EQ(doubles[0].precision, Precision::binary64);
+  EXPECT_EQ(std::get<Query<double>>(doubles[0].query).r, 0.2);
+  const auto named = parse("id," + header + "\nfirst one,0,0,0,1,0,0,0,1,0,0,0,1,1\n,0,0,0,1,0,0,0,1,0,0,0,1,1\n");
+  EXPECT_EQ(named[0].id, "first one");
+  EXPECT_EQ(named[1].id, "line-3");
+}
+
+TEST(QueryFile, CsvErrorsNameTheColumn) {
+  const std::string zeros = "0,0,0,1,0,0,0,1,0,0,0,1";
+  const std::vector<BadLine> bad = {
+      {header + "\n" + zeros, "r", "12 cells under a header of 13"},
+      {header + "\n" + zeros + ",1,2", "", "14 cells under a header of 13"},
+      {header + "\n" + zeros + ",", "r", "'' is not a number"},
+      {header + "\n" + zeros + ",0x1.9999999p-3", "r", "is not exact in binary32"},
+      {header + "\n0,1e39" + zeros.substr(3) + ",1", "ay", "1e39 overflows binary32"},
+      {"id," + header + "\n\"a\"," + zeros + ",1", "id", "is quoted"},
+      {"id," + header + "\n" + zeros + ",1", "r", "13 cells under a header of 14"},
+  };
+  for (const BadLine& b : bad) {
+    SCOPED_TRACE(b.line);
+    expect_message(refusal(b.line), place(2, b.field), b.reason);
+  }
+  expect_message(refusal("ay,ax,az,bx,by,bz,cx,cy,cz,px,py,pz,r\n"), place(1, "ax"), "column 1 of the header is 'ay'");
+  expect_message(refusal(header.substr(0, header.size() - 2) + "\n"), place(1, "r"), "column 13");
+  expect_message(refusal(header + ",id\n"), place(1, "id"), "column 14");
+  expect_message(refusal("x,y,z\n1,2,3\n"), place(1, ""), header);
+}
+
+}  // namespace
+}  // namespace axiscert

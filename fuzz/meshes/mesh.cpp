@@ -1,0 +1,115 @@
+#include "fuzz/meshes/mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "exact/sphere_triangle/oracles/formula_oracle.h"
+#include "fuzz/files/file_bytes.h"
+#include "fuzz/files/sha256.h"
+#include "fuzz/queries/source.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+bool has_zero_area(const MeshTriangle& t) {
+  const auto ring = [](const Vec3<float>& v) { return Vec3<Ring>{Ring(v.x), Ring(v.y), Ring(v.z)}; };
+  const Vec3<Ring> a = ring(t[0]);
+  const Vec3<Ring> normal = portable::cross(ring(t[1]) - a, ring(t[2]) - a);
+  return normal.x.is_zero() && normal.y.is_zero() && normal.z.is_zero();
+}
+
+double box_diagonal(const std::vector<MeshTriangle>& triangles) {
+  const Vec3<float> first = triangles[0][0];
+  std::array<float, 3> low = {first.x, first.y, first.z}, high = low;
+  for (const MeshTriangle& t : triangles) {
+    for (const Vec3<float>& v : t) {
+      const std::array<float, 3> at = {v.x, v.y, v.z};
+      for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], at[k]);
+        high[k] = std::max(high[k], at[k]);
+      }
+    }
+  }
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double side = static_cast<double>(high[k]) - static_cast<double>(low[k]);
+    sum = sum + side * side;
+  }
+  return std::sqrt(sum);
+}
+
+class MeshSource final : public Source {
+ public:
+  MeshSource(const std::string& path, const std::string& bytes) : mesh_(load_mesh(path, bytes.size())) {
+    file_.path = path;
+    file_.name = base_name(path);
+    file_.kind = "mesh";
+    file_.sha256 = sha256_hex(std::as_bytes(std::span(bytes)));
+    file_.triangles = mesh_.triangles.size();
+    file_.degenerate_triangles = mesh_.degenerate_triangles;
+    file_.skipped_primitives = mesh_.skipped_primitives;
+    generator_ = name_hash(address_name());
+  }
+
+  std::string name() const override { return "mesh/" + file_.name; }
+  std::string address_name() const override { return "mesh-" + file_.sha256; }
+  std::string purpose() const override {
+    return "a real mesh's triangles: spheres resting on them, sinking in, hovering, grazing edges and vertices, "
+           "centred on them, far";
+  }
+  int version() const override { return 2; }
+  std::uint64_t base_triangles(Precision, std::uint64_t trials) const override {
+    return std::min(trials, file_.triangles);
+  }
+  std::optional<FileInfo> file() const override { return file_; }
+
+  void make(std::uint64_t seed, std::uint64_t position, Query<float>& out) const override {
+    out = filled_query<float>([&](const auto& one) { at(seed, position, one); });
+  }
+  void make(std::uint64_t seed, std::uint64_t position, Query<double>& out) const override {
+    out = filled_query<double>([&](const auto& one) { at(seed, position, one); });
+  }
+  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<float>& out) const override {
+    out.resize(count);
+    at(seed, first, out.mutable_columns());
+  }
+  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<double>& out) const override {
+    out.resize(count);
+    at(seed, first, out.mutable_columns());
+  }
+
+ private:
+  template <class Real>
+  void at(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {
+    mesh_queries(mesh_, StreamName(seed, generator_, version(), precision_of<Real>), first, out);
+  }
+
+  Mesh mesh_;
+  FileInfo file_;
+  std::uint64_t generator_ = 0;
+};
+
+}  // namespace
+
+Mesh load_mesh(const std::string& path, std::uint64_t file_size) {
+  ImportedMesh imported = import_mesh(path, limits_for(file_size));
+  if (imported.triangles.empty()) {
+    throw Error(fmt::format("{}: no triangles in this mesh ({} faces are points, lines or not finite)", path,
+                            imported.skipped_primitives));
+  }
+  Mesh mesh;
+  mesh.triangles = std::move(imported.triangles);
+  mesh.skipped_primitives = imported.skipped_primitives;
+  mesh.degenerate_triangles =
+      static_cast<std::uint64_t>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(), has_zero_area));
+  mesh.diagonal = box_diagonal(mesh.triangles);
+  return mesh;
+}
+
+SourcePtr mesh_source(const std::string& path) { return std::make_shared<MeshSource>(path, read_bytes(path)); }
+
+}  // namespace axiscert

@@ -1,0 +1,176 @@
+#include "fuzz/mutation/mutation.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "exact/sphere_triangle/measures/depth.h"
+#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "fuzz/campaign/unit.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+// A batch of one family, and what is known of it. The truth is found when it is first asked for: few queries need it.
+template <class Real>
+struct Asked {
+  const Family* family;
+  QueryBatch<Real> batch{batch_size};
+  std::vector<ComparisonBits> base;
+  std::vector<Verdict> base_verdicts;
+  // By query: distance_order, or one of these. Threads that ask at once find the same.
+  static constexpr signed char unknown = 2, invalid = 3;
+  std::vector<std::atomic<signed char>> order = std::vector<std::atomic<signed char>>(batch_size);
+
+  signed char order_of(std::size_t i) {
+    signed char known = order[i].load(std::memory_order_relaxed);
+    if (known != unknown) return known;
+    const Query<Real> q = batch[i];
+    known = is_valid(q) ? static_cast<signed char>(distance_order(q)) : invalid;
+    order[i].store(known, std::memory_order_relaxed);
+    return known;
+  }
+};
+
+template <class Real>
+class MutationRun {
+ public:
+  MutationRun(const MutationPlan& plan, std::vector<MutantResult*> results)
+      : plan_(plan), results_(std::move(results)) {
+    base_.id = plan.base;
+    for (const Family* family : plan.families) {
+      asked_.emplace_back().family = family;
+      exact_families_ += family->exact_arithmetic;
+    }
+  }
+
+  // The queries of each family from `first` on, to every mutant that is not done.
+  std::uint64_t run_batch(std::uint64_t first) {
+    const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(batch_size, plan_.trials - first));
+    first_ = first;
+    tbb::parallel_for(std::size_t{0}, asked_.size(), [&](std::size_t f) { prepare(asked_[f], size); });
+    tbb::parallel_for(std::size_t{0}, results_.size(), [&](std::size_t m) { ask(*results_[m]); });
+    return size * asked_.size();
+  }
+
+ private:
+  void prepare(Asked<Real>& asked, std::size_t size) {
+    asked.batch.resize(size);
+    asked.family->fill(plan_.seed, first_, asked.batch.mutable_columns());
+    asked.base.resize(size);
+    mutants::mutant_bits(base_, asked.batch.columns(), asked.base.data());
+    asked.base_verdicts.resize(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      asked.base_verdicts[i] = verdict_of(axes_of(asked.base[i]));
+      asked.order[i].store(Asked<Real>::unknown, std::memory_order_relaxed);
+    }
+  }
+
+  void ask(MutantResult& result) {
+    std::array<ComparisonBits, batch_size> bits;
+    std::uint64_t before = first_ * asked_.size(), before_exact = first_ * exact_families_;
+    for (Asked<Real>& asked : asked_) {
+      const bool is_exact = asked.family->exact_arithmetic;
+      if (!result.by_bits || (is_exact && !result.by_formulae)) {
+        mutants::mutant_bits(*result.mutant, asked.batch.columns(), bits.data());
+        for (std::size_t i = 0; i < asked.batch.size(); ++i) {
+          if (bits[i] == asked.base[i]) continue;
+          result.same_bits = false;
+          look(result, asked, i, bits[i], before + i + 1, before_exact + i + 1);
+        }
+      }
+      before += asked.batch.size();
+      if (is_exact) before_exact += asked.batch.size();
+    }
+  }
+
+  void look(MutantResult& result, Asked<Real>& asked, std::size_t i, ComparisonBits bits, std::uint64_t queries,
+            std::uint64_t exact_queries) {
+    const Verdict verdict = verdict_of(axes_of(bits));
+    if (verdict == asked.base_verdicts[i]) return;
+    const signed char order = asked.order_of(i);
+    if (order == Asked<Real>::invalid || (order > 0) == (verdict == Verdict::separated)) return;
+    const bool in_exact_arithmetic = asked.family->exact_arithmetic && order != 0;
+    if (result.by_bits && (result.by_formulae || !in_exact_arithmetic)) return;
+    const Catch found = confirmed(*result.mutant, asked, i, {verdict, bits}, in_exact_arithmetic);
+    if (!result.by_bits) {
+      result.by_bits = found;
+      result.by_bits->queries = queries;
+    }
+    if (in_exact_arithmetic && !result.by_formulae) {
+      result.by_formulae = found;
+      result.by_formulae->queries = exact_queries;
+    }
+  }
+
+  Catch confirmed(const mutants::Mutant& mutant, const Asked<Real>& asked, std::size_t i, const Answer& answer,
+                  bool in_exact_arithmetic) const {
+    const Query<Real> q = asked.batch[i];
+    Kernel kernel = mutants::kernel_of(mutant);
+    const Examination found = examine(q, kernel, answer);
+    const auto require = [&](const Examination& examined, Link link) {
+      if (examined.judgement.verdict_flip && (examined.judgement.verdict_links & link_bit(link)) != 0) return;
+      throw HarnessFault(fmt::format("{} is wrong on {} at {}, and the judge does not lay it on {}", mutant.id,
+                                     asked.family->name, first_ + i, link_names[static_cast<std::size_t>(link)]));
+    };
+    require(found, Link::implementation);
+    if (in_exact_arithmetic) {
+      kernel.is_reference = false;
+      require(examine(q, kernel, answer), Link::unattributed);
+    }
+    return {asked.family, first_ + i, 0, *found.judgement.verdict_flip, *found.depth};
+  }
+
+  const MutationPlan& plan_;
+  std::vector<MutantResult*> results_;
+  mutants::Mutant base_;  // without a fault
+  std::deque<Asked<Real>> asked_;
+  std::uint64_t first_ = 0, exact_families_ = 0;
+};
+
+}  // namespace
+
+MutationResult run_mutation(const MutationPlan& plan, const std::atomic<bool>& interrupted,
+                            const std::function<void(const Progress&)>& report) {
+  MutationResult result;
+  for (const Precision precision : plan.precisions) {
+    for (const mutants::Mutant* mutant : plan.mutants) {
+      if (precision == Precision::binary64 || mutant->in_binary32)
+        result.mutants.push_back({mutant, precision, {}, {}});
+    }
+  }
+  const auto start = std::chrono::steady_clock::now();
+  std::uint64_t done = 0, queries = 0;
+  const std::uint64_t batches = (plan.trials + batch_size - 1) / batch_size;
+  const auto run = [&]<class Real>(Real) {
+    std::vector<MutantResult*> of_precision;
+    for (MutantResult& r : result.mutants) {
+      if (r.precision == precision_of<Real>) of_precision.push_back(&r);
+    }
+    MutationRun<Real> mutation(plan, std::move(of_precision));
+    for (std::uint64_t first = 0; first < plan.trials; first += batch_size) {
+      if (interrupted) {
+        result.complete = false;
+        return;
+      }
+      queries += mutation.run_batch(first);
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      report({++done, batches * plan.precisions.size(), queries, seconds});
+    }
+  };
+  tbb::task_arena arena(plan.threads);
+  arena.execute([&] {
+    for (const Precision precision : plan.precisions) {
+      if (precision == Precision::binary32) run(float{});
+      else run(double{});
+    }
+  });
+  return result;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,72 @@
+// Kernels that are right and written otherwise: what a harness that catches mutants must not catch.
+#include "fuzz/mutation/mutation.h"
+
+namespace axiscert {
+namespace {
+
+// Right over the reals for every triangle, in their own order of operations; each arithmetic under the base beside.
+const std::vector<std::string> other_forms = {"nonstrict", "reduced-nonstrict", "reduced-shared-nonstrict",
+                                              "packed-nonstrict", "minkowski"};
+
+std::vector<Kernel> kernels_of(const std::string& base) {
+  std::vector<Kernel> kernels;
+  for (const std::string& id : other_forms) kernels.push_back(find_kernel(id));
+  for (const ArithmeticInfo& arithmetic : arithmetics()) {
+    if (arithmetic.arithmetic != Arithmetic::plain) kernels.push_back(find_kernel(base + "+" + arithmetic.name));
+  }
+  return kernels;
+}
+
+// The same answers from somebody who claims the formulae, and neither their order nor their rounding.
+Kernel claiming_formulae_alone(Kernel kernel) {
+  kernel.is_reference = false;
+  kernel.arithmetic = Arithmetic::plain;
+  kernel.exposes = std::min(kernel.exposes, Exposure::comparisons);
+  return kernel;
+}
+
+std::uint64_t flagged(const VerdictTally& verdict, bool claims_bits, bool exact_arithmetic) {
+  const auto wrong = [&](Link link) { return verdict.links[static_cast<std::size_t>(link)]; };
+  if (claims_bits) return wrong(Link::specification) + wrong(Link::implementation);
+  if (!exact_arithmetic) return wrong(Link::specification);
+  return wrong(Link::specification) + wrong(Link::unattributed) -
+         verdict.touching_links[static_cast<std::size_t>(Link::unattributed)];
+}
+
+}  // namespace
+
+std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials,
+                                  const std::atomic<bool>& interrupted) {
+  std::vector<Kernel> kernels = kernels_of(plan.base);
+  const std::size_t by_bits = kernels.size();
+  for (std::size_t k = 0; k < by_bits; ++k) {
+    // A method has no comparisons to claim; on its own kernel the scalar form is what it is.
+    if (has_comparisons(kernels[k].formulae)) kernels.push_back(claiming_formulae_alone(kernels[k]));
+  }
+  Plan campaign;
+  campaign.seed = plan.seed;
+  for (const Kernel& kernel : kernels) campaign.kernels.push_back(&kernel);
+  for (const Family* family : plan.families) campaign.sources.push_back(family_source(*family));
+  campaign.precisions = plan.precisions;
+  campaign.trials = [trials](const Source&, Precision) { return trials; };
+  campaign.target = std::string(scalar_target);
+  campaign.threads = plan.threads;
+  const CampaignResult result = run_campaign(campaign, interrupted, [](const Progress&) {});
+  std::vector<Control> controls;
+  for (const Precision precision : plan.precisions) {
+    for (std::size_t k = 0; k < kernels.size(); ++k) {
+      if (!kernels[k].has(precision)) continue;
+      Control& control = controls.emplace_back(Control{kernels[k].id, k < by_bits, precision});
+      for (const CellResult& cell : result.cells) {
+        if (cell.precision != precision) continue;
+        const Tally& tally = cell.tallies[k];
+        control.queries += tally.trials;
+        control.flagged +=
+            flagged(tally.verdict, control.claims_bits, campaign.sources[cell.source]->exact_arithmetic());
+      }
+    }
+  }
+  return controls;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,235 @@
+// The mutants are what they say, and the harness catches them, but for those that are argued to be no fault.
+#include "fuzz/mutation/mutation.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "exact/numbers/surd.h"
+#include "fuzz/queries/random.h"
+#include "fuzz/campaign/tally.h"
+#include "kernel/base/error.h"
+#include "kernel/sphere_triangle/reference/scalar.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::uint64_t seed = 7;
+const std::atomic<bool> not_interrupted = false;
+
+MutationPlan plan_of(std::string_view base, std::vector<const mutants::Mutant*> mutants, std::uint64_t trials) {
+  MutationPlan plan{
+      std::move(mutants), std::string(base), {}, {Precision::binary32, Precision::binary64}, trials, seed, 2};
+  for (const Family* family : families()) plan.families.push_back(family);
+  return plan;
+}
+MutationResult run(const MutationPlan& plan) {
+  return run_mutation(plan, not_interrupted, [](const Progress&) {});
+}
+std::vector<const mutants::Mutant*> every(std::string_view base, std::size_t stride) {
+  std::vector<const mutants::Mutant*> sample;
+  const auto all = mutants::mutants_of(base);
+  for (std::size_t i = stride / 2; i < all.size(); i += stride) sample.push_back(&all[i]);
+  return sample;
+}
+
+template <class Real>
+void expect_base_bits(std::string_view base) {
+  mutants::Mutant none;
+  none.id = base;
+  for (const Family* family : families()) {
+    QueryBatch<Real> batch(100);  // no whole number of lanes
+    batch.resize(100);
+    family->fill(seed, 0, batch.mutable_columns());
+    std::array<ComparisonBits, 100> bits;
+    mutants::mutant_bits(none, batch.columns(), bits.data());
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const Outcome expected =
+          reference(mutants::formulae_of(base), Arithmetic::plain, Strictness::nonstrict, batch[i]);
+      ASSERT_EQ(bits[i], expected.bits) << base << ' ' << family->name << ' ' << i << " seed " << seed;
+    }
+  }
+}
+
+TEST(Mutants, WithoutAFaultTheyAreTheirBaseBitForBit) {
+  for (const std::string_view base : mutants::bases) {
+    expect_base_bits<float>(base);
+    expect_base_bits<double>(base);
+  }
+}
+
+TEST(Mutants, NamesAreStableAndEachIsFound) {
+  std::set<std::string> names;
+  for (const std::string_view base : mutants::bases) {
+    const auto all = mutants::mutants_of(base);
+    EXPECT_GE(all.size(), 100u);
+    for (const mutants::Mutant& m : all) {
+      EXPECT_TRUE(names.insert(m.id).second) << m.id;
+      EXPECT_EQ(&mutants::find_mutant(m.id), &m);
+      EXPECT_EQ(find_kernel(m.id).id, m.id);
+    }
+  }
+  // What a reader has seen in a report stays what it was.
+  EXPECT_EQ(mutants::find_mutant("nonstrict~swap:21").where, "21: #17 - #20");
+  EXPECT_EQ(mutants::find_mutant("nonstrict~sign:28").where, "28: #23 + #27");
+  EXPECT_EQ(mutants::find_mutant("reduced-nonstrict~drop:edge_ab").where, "edge_ab");
+  EXPECT_THROW(mutants::find_mutant("nonstrict~swap:1000"), Error);
+  EXPECT_THROW(mutants::find_mutant("published~swap:17"), Error);
+  EXPECT_THROW(find_kernel("nonstrict~nosuch:1"), Error);
+}
+
+// Every 29th of each base: all are caught, and those that round as the base does by its claim of formulae alone too.
+TEST(Mutation, ASampleIsCaughtByBitsAndFaultsOfLogicByFormulaeAlone) {
+  for (const std::string_view base : mutants::bases) {
+    const MutationResult result = run(plan_of(base, every(base, 29), 4000));
+    std::size_t soon = 0;
+    for (const MutantResult& r : result.mutants) {
+      if (equivalent_mutants().contains(r.mutant->id)) continue;
+      EXPECT_TRUE(r.by_bits) << r.mutant->id << ' ' << name(r.precision) << " seed " << seed;
+      EXPECT_FALSE(r.same_bits) << r.mutant->id;
+      soon += r.by_bits && r.by_bits->queries <= 10'000;
+      const auto& fault = r.mutant->fault;
+      const bool only_rounds = fault == "fma" || fault == "float" || fault == "flush" || fault == "ftz" ||
+                               fault == "epsilon" || fault == "slack" || fault == "small-area" || fault == "strictness";
+      const bool rounds_otherwise = fault == "fma" || fault == "float";
+      EXPECT_TRUE(only_rounds || r.by_formulae) << r.mutant->id << ' ' << name(r.precision) << " seed " << seed;
+      EXPECT_FALSE(rounds_otherwise && r.by_formulae) << r.mutant->id << ' ' << name(r.precision);
+    }
+    EXPECT_GT(2 * soon, result.mutants.size());
+  }
+}
+
+TEST(Mutation, DoesNotDependOnThreads) {
+  MutationPlan plan = plan_of("nonstrict", every("nonstrict", 97), 1000);
+  const MutationResult two = run(plan);
+  plan.threads = 1;
+  const MutationResult one = run(plan);
+  ASSERT_EQ(one.mutants.size(), two.mutants.size());
+  for (std::size_t i = 0; i < one.mutants.size(); ++i) {
+    const auto &a = one.mutants[i].by_bits, &b = two.mutants[i].by_bits;
+    ASSERT_EQ(a.has_value(), b.has_value());
+    if (!a) continue;
+    EXPECT_EQ(std::tuple(a->family, a->position, a->queries, a->depth),
+              std::tuple(b->family, b->position, b->queries, b->depth));
+  }
+}
+
+// A campaign over the same queries finds the fault at the same position: a catch is what `run --require logic` sees.
+TEST(Mutation, ACampaignCatchesItAtTheSameQuery) {
+  for (const char* id : {"nonstrict~swap:21", "nonstrict~fma:41", "nonstrict~lane:3", "nonstrict~tail:8",
+                         "reduced-nonstrict~strictness:plane.radius"}) {
+    const mutants::Mutant& mutant = mutants::find_mutant(id);
+    for (const char* family : {"tangent", "lattice"}) {
+      MutationPlan plan = plan_of(id, {&mutant}, 5000);
+      plan.base = std::string(id).substr(0, std::string(id).find('~'));
+      plan.families = {&find_family(family)};
+      plan.precisions = {Precision::binary32};
+      const std::optional<Catch> found = run(plan).mutants.front().by_bits;
+      Plan campaign;
+      campaign.seed = seed;
+      campaign.kernels = {&find_kernel(id)};
+      campaign.sources = {family_source(find_family(family))};
+      campaign.precisions = plan.precisions;
+      campaign.trials = [](const Source&, Precision) { return 5000; };
+      campaign.target = std::string(scalar_target);
+      const CampaignResult judged = run_campaign(campaign, not_interrupted, [](const Progress&) {});
+      const auto& first =
+          judged.cells[0].tallies[0].verdict.first_by_link[static_cast<std::size_t>(Link::implementation)];
+      ASSERT_EQ(found.has_value(), first.has_value()) << id << ' ' << family;
+      EXPECT_EQ(found ? found->position : 0, first.value_or(0)) << id << ' ' << family;
+    }
+  }
+}
+
+TEST(Mutation, KernelsThatAreRightAreNeverFlagged) {
+  const MutationPlan plan = plan_of("nonstrict", {}, 0);
+  const std::vector<Control> controls = run_controls(plan, 40, not_interrupted);
+  EXPECT_GE(controls.size(), 60u);
+  for (const Control& c : controls) EXPECT_EQ(c.flagged, 0u) << c.id << ' ' << name(c.precision) << " seed " << seed;
+}
+
+// A ring in which a contraction changes nothing.
+struct ExactNumber {
+  Ring value;
+  friend ExactNumber operator+(const ExactNumber& a, const ExactNumber& b) { return {a.value + b.value}; }
+  friend ExactNumber operator-(const ExactNumber& a, const ExactNumber& b) { return {a.value - b.value}; }
+  friend ExactNumber operator*(const ExactNumber& a, const ExactNumber& b) { return {a.value * b.value}; }
+  friend ExactNumber operator-(const ExactNumber& a) { return {-a.value}; }
+  friend ExactNumber fused(const ExactNumber& a, const ExactNumber& b, const ExactNumber& c) { return a * b + c; }
+  friend ExactNumber in_binary32(const ExactNumber& a) { return a; }
+};
+
+// The thirty-two sides, at a site.
+template <class F>
+std::vector<Ring> exact_sides(const Query<double>& q, const mutants::OperationSite& operation) {
+  using N = mutants::Mutated<ExactNumber>;
+  std::array<N, coordinate_count + 1> in;
+  const auto v = coordinates(q);
+  for (std::size_t k = 0; k < coordinate_count; ++k) in[k] = {{Ring(v[k])}, mutants::input_key(k)};
+  in[coordinate_count] = {{Ring(0)}, mutants::input_key(coordinate_count)};
+  const portable::Problem<N> problem{
+      {in[0], in[1], in[2]}, {in[3], in[4], in[5]}, {in[6], in[7], in[8]}, {in[9], in[10], in[11]}, in[12], in[13]};
+  static_cast<mutants::OperationSite&>(N::site()) = operation;
+  std::vector<Ring> sides;
+  F::comparisons(problem, [&](Comparison, const N& lhs, const N& rhs) {
+    sides.push_back(lhs.value.value);
+    sides.push_back(rhs.value.value);
+  });
+  return sides;
+}
+
+// Two different polynomials of degree 12 or less agree at a random point of integers below 2^40 in magnitude with a
+// probability of at most 12 / 2^40 (Schwartz and Zippel); so the sides of an equivalent mutant are those of its base.
+TEST(EquivalentMutants, HaveTheSidesOfTheirBaseInExactArithmetic) {
+  const auto sides = [](const mutants::Mutant& m, const Query<double>& q, const mutants::OperationSite& site) {
+    return m.id.starts_with("reduced") ? exact_sides<FormulaeType<Formulae::reduced>>(q, site)
+                                       : exact_sides<FormulaeType<Formulae::published>>(q, site);
+  };
+  const auto differs = [&](const mutants::Mutant& m) {
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      Stream random(StreamName(seed, name_hash("equivalent"), 1, Precision::binary64), i);
+      std::array<double, coordinate_count> v;
+      for (double& x : v)
+        x = static_cast<double>(static_cast<std::int64_t>(random.bits() >> 23) - (std::int64_t{1} << 40));
+      const Query<double> q = from_coordinates(v);
+      if (sides(m, q, m.operation) != sides(m, q, {})) return true;
+    }
+    return false;
+  };
+  for (const auto& [name, reason] : equivalent_mutants()) EXPECT_FALSE(differs(mutants::find_mutant(name))) << name;
+  // The check sees a fault that is one.
+  EXPECT_TRUE(differs(mutants::find_mutant("nonstrict~sign:27")));
+}
+
+TEST(EquivalentMutants, AreNeverCaughtAndAnswerTheSameBits) {
+  for (const std::string_view base : mutants::bases) {
+    std::vector<const mutants::Mutant*> listed;
+    for (const auto& [name, reason] : equivalent_mutants()) {
+      if (name.starts_with(std::string(base) + "~")) listed.push_back(&mutants::find_mutant(name));
+    }
+    EXPECT_FALSE(listed.empty()) << base;
+    for (const MutantResult& r : run(plan_of(base, listed, 3000)).mutants) {
+      EXPECT_FALSE(r.by_bits) << r.mutant->id << " seed " << seed;
+      EXPECT_TRUE(r.same_bits) << r.mutant->id << " seed " << seed;
+    }
+  }
+}
+
+TEST(EquivalentMutants, AFileThatIsWrongIsRefusedWithItsLine) {
+  const auto message = [](const std::string& text) -> std::string {
+    try {
+      parse_equivalent_mutants(text, "list.txt");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message("# a comment\n\nnonstrict~sign:28: squared\n"), "");
+  EXPECT_NE(message("nonstrict~sign:28\n").find("list.txt:1: no reason"), std::string::npos);
+  EXPECT_NE(message("#\nnonstrict~nosuch:28: why\n").find("list.txt:2: unknown mutant"), std::string::npos);
+  const std::string twice = "nonstrict~sign:28: why\n";
+  EXPECT_NE(message(twice + twice).find("a second time"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace axiscert

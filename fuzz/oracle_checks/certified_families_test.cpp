@@ -1,0 +1,118 @@
+// The certified predicate over every family and a mesh, judged as any kernel is: on each instruction set, and with each
+// floating-point mode that a caller can have set. The conservative one against its promise, and the filters that are
+// proved never to be wrong against theirs.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "fuzz/campaign/unit.h"
+#include "kernel/called.h"
+#include "kernel/include/axiscert/certified.h"
+
+namespace axiscert {
+namespace {
+
+std::vector<SourcePtr> all_sources() {
+  std::vector<SourcePtr> sources;
+  for (const Family* family : families()) sources.push_back(family_source(*family));
+  sources.push_back(mesh_source(TEST_MODELS "/OBJ/spider.obj"));
+  return sources;
+}
+
+// Runs visit(tally, where) for each kernel and `size` queries of every source in both precisions. All kernels are asked
+// the same, whose truth costs more than most.
+template <class Visit>
+void for_each_tally(const std::vector<std::string>& ids, std::uint64_t size, Visit&& visit) {
+  Plan plan;
+  for (const std::string& id : ids) plan.kernels.push_back(&find_kernel(id));
+  plan.sources = all_sources();
+  plan.target = available_targets().front();
+  for (const SourcePtr& source : plan.sources) {
+    for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+      std::vector<Tally> all(ids.size());
+      for (std::uint64_t unit = 0; unit * unit_size < size; ++unit) {
+        const std::uint64_t count = std::min(unit_size, size - unit * unit_size);
+        std::vector<Standing> standings;
+        for (const Tally& tally : all) standings.push_back(standing_of(tally));
+        const auto found = run_unit(plan, *source, precision, unit, count, standings).tallies;
+        for (std::size_t k = 0; k < all.size(); ++k) all[k].merge(found[k]);
+      }
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        ASSERT_EQ(all[k].trials, size);
+        visit(all[k], ids[k] + ", " + source->name() + ", " + std::string(name(precision)));
+      }
+    }
+  }
+}
+
+void expect_exact(const std::vector<std::string>& ids, std::uint64_t size) {
+  for_each_tally(ids, size, [](const Tally& tally, const std::string& where) {
+    EXPECT_EQ(tally.verdict.false_separation + tally.verdict.false_contact, 0u) << where;
+    EXPECT_EQ(tally.verdict.undecided + tally.verdict.invalid + tally.verdict.unanswered, 0u) << where;
+  });
+}
+
+void expect_conservative(const std::vector<std::string>& ids, std::uint64_t size) {
+  for_each_tally(ids, size, [](const Tally& tally, const std::string& where) {
+    const double promised = where.ends_with("binary32") ? AXISCERT_PHANTOM_DEPTH_F32 : AXISCERT_PHANTOM_DEPTH_F64;
+    EXPECT_EQ(tally.verdict.false_separation, 0u) << where;
+    EXPECT_EQ(tally.verdict.undecided + tally.verdict.invalid + tally.verdict.unanswered, 0u) << where;
+    EXPECT_LE(tally.verdict.deepest_false_contact.best(), promised) << where;
+  });
+}
+
+// They decline, and of ordinary queries few.
+void expect_never_wrong(const std::vector<std::string>& ids, std::uint64_t size) {
+  for_each_tally(ids, size, [&](const Tally& tally, const std::string& where) {
+    EXPECT_EQ(tally.verdict.false_separation + tally.verdict.false_contact, 0u) << where;
+    EXPECT_EQ(tally.verdict.invalid + tally.verdict.unanswered, 0u) << where;
+    if (!where.starts_with("certified-filter-published") && where.find(", general,") != where.npos) {
+      EXPECT_LT(tally.verdict.undecided, size / 100) << where;
+    }
+  });
+}
+
+std::vector<std::string> on_every_instruction_set(const std::vector<std::string>& kernels) {
+  std::vector<std::string> ids;
+  for (const std::string& kernel : kernels) {
+    for (const std::string& target : available_targets()) ids.push_back(kernel + "@" + target);
+  }
+  return ids;
+}
+
+// Each direction of rounding, flushed and not, but for the modes that are the default.
+std::vector<std::string> in_every_mode(const std::vector<std::string>& called) {
+  std::vector<std::string> ids;
+  for (const std::string& id : called) {
+    ids.push_back(id + ",flushed");
+    for (const CallMode& mode : call_modes()) {
+      if (mode.flush) continue;
+      ids.push_back(fmt::format("{},{}", id, mode.name));
+      ids.push_back(fmt::format("{},{},flushed", id, mode.name));
+    }
+  }
+  return ids;
+}
+
+const std::vector<std::string> certified = on_every_instruction_set({"certified"});
+const std::vector<std::string> certified_in_modes = in_every_mode(certified);
+const std::vector<std::string> conservative = on_every_instruction_set({"conservative"});
+const std::vector<std::string> filters = on_every_instruction_set({"certified-filter", "certified-filter-published"});
+
+constexpr std::uint64_t few = 2048 / TRIAL_DIVISOR, many = 8 * unit_size / TRIAL_DIVISOR;
+
+TEST(CertifiedFamilies, ExactOnEveryInstructionSet) { expect_exact(certified, few); }
+TEST(CertifiedFamilies, ExactInEveryFloatingPointMode) { expect_exact(certified_in_modes, few / 4); }
+TEST(CertifiedFamilies, ConservativeAsPromised) { expect_conservative(conservative, few); }
+TEST(CertifiedFamilies, FiltersAreNeverWrong) { expect_never_wrong(filters, 2 * few); }
+
+TEST(CertifiedFamiliesLong, ExactOnEveryInstructionSet) { expect_exact(certified, many); }
+TEST(CertifiedFamiliesLong, ExactInEveryFloatingPointMode) { expect_exact(certified_in_modes, many); }
+TEST(CertifiedFamiliesLong, ConservativeAsPromised) { expect_conservative(conservative, many); }
+// 10^8 queries in each precision.
+TEST(CertifiedFamiliesLong, FiltersAreNeverWrong) {
+  expect_never_wrong({"certified-filter", "certified-filter-published"},
+                     100'000'000 / all_sources().size() / TRIAL_DIVISOR + 1);
+}
+
+}  // namespace
+}  // namespace axiscert

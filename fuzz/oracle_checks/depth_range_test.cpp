@@ -1,0 +1,53 @@
+// Bounds of a depth hold what exact arithmetic finds, for queries of every family, and say something where they should.
+#include "exact/sphere_triangle/measures/depth.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "fuzz/queries/family_testing.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+class DepthRanges : public testing::Test {};
+TYPED_TEST_SUITE(DepthRanges, Reals);
+
+// Families with centres on the triangle, where d and r are both near zero, with triangles that hardly have an area, or
+// with numbers of every size: the enclosure may be wide there.
+bool may_be_wide(std::string_view family) {
+  // In the last five slivers are a quarter of the bases, each shared by up to 48 queries.
+  for (const std::string_view name :
+       {"sliver", "on", "grid", "bits", "nonfinite", "orders", "axes", "inverted", "scaled", "translated"}) {
+    if (family == name) return true;
+  }
+  return false;
+}
+
+// Every family in two precisions: 10^5 queries.
+TYPED_TEST(DepthRanges, HoldTheDepth) {
+  constexpr std::uint64_t count = 3000;
+  for (const Family* family : families()) {
+    std::size_t wide = 0;
+    for_each_query<TypeParam>(family->name, count, [&](const Query<TypeParam>& q, std::uint64_t) {
+      if (!is_valid(q)) return;
+      const double exact = depth(q, squared_distance(q));
+      const DepthRange range = depth_range(q);
+      EXPECT_LE(range.low, exact);
+      EXPECT_GE(range.high, exact);
+      EXPECT_GE(range.low, 0);
+      EXPECT_LE(range.high, 1);
+      wide += range.high - range.low > exact / 4 + std::numeric_limits<TypeParam>::epsilon();
+    });
+    EXPECT_LE(wide, may_be_wide(family->name) ? count : count / 100) << family->name;
+  }
+}
+
+TYPED_TEST(DepthRanges, OfOnePointAreCertain) {
+  const DepthRange nothing = depth_range(Query<TypeParam>{});
+  EXPECT_TRUE(nothing.low == 0 && nothing.high <= 1);
+  const TypeParam far = std::numeric_limits<TypeParam>::max();
+  Query<TypeParam> q{{far, 0, 0}, {far, 1, 0}, {far, 0, 1}, {-far, 0, 0}, 0};
+  EXPECT_GE(depth_range(q).high, depth(q, squared_distance(q)));
+  EXPECT_GT(depth_range(q).low, 0.99);
+}
+
+}  // namespace
+}  // namespace axiscert

@@ -1,0 +1,27 @@
+// Signs by integers on what the families make: those of CGAL::Mpzf.
+#include "exact/sphere_triangle/filters/grid_signs.h"
+
+#include "fuzz/queries/family_testing.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+void expect_exact() {
+  constexpr int queries = 4096;
+  for (const Family* family : families()) {
+    for_each_query<Real>(family->name, queries, [&](const Query<Real>& q, std::uint64_t) {
+      if (!is_valid(q)) return;
+      const Signs found = integer_signs(q);
+      const FormulaTruth truth = formula_truth(q);
+      EXPECT_EQ(found.strict, truth.strict);
+      EXPECT_EQ(found.ties, truth.ties);
+    });
+    if (testing::Test::HasFailure()) return;
+  }
+}
+TEST(GridSignsOfFamilies, AreExactInBinary32) { expect_exact<float>(); }
+TEST(GridSignsOfFamilies, AreExactInBinary64) { expect_exact<double>(); }
+
+}  // namespace
+}  // namespace axiscert

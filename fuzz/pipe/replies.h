@@ -1,0 +1,61 @@
+// Replies of somebody's program to queries that it was sent, in place of running a kernel.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "exact/judge/judge.h"
+#include "fuzz/pipe/pipe_header.h"
+
+namespace axiscert {
+
+// One reply stream, read and checked whole.
+struct ReplyStream {
+  std::string name;  // in messages
+  PipePlan plan;
+  bool has_bits = false;
+  std::vector<pipe::ReplyRecord> replies;
+};
+
+// Throws Error that begins with `name` and says which reply is wrong and at which byte: nothing is half-read.
+ReplyStream read_replies(std::istream& in, const std::string& name, const FilePlaces& places);
+
+// The replies of one program, in each precision at most one stream. Immutable: any thread may ask at any time.
+class StoredReplies {
+ public:
+  // Throws Error where the streams do not go together: two of one precision, another seed, comparison bits in some
+  // only, other files under one name.
+  explicit StoredReplies(std::vector<ReplyStream> streams);
+
+  std::uint64_t seed() const { return streams_.front().plan.seed; }
+  bool has_bits() const { return streams_.front().has_bits; }
+  std::vector<Precision> precisions() const;
+  const std::vector<SourcePtr>& sources() const { return sources_; }
+  // How many there are; 0 where the program was not asked.
+  std::uint64_t size(const Source& source, Precision precision) const;
+  // `source` is one of sources(), position < size.
+  Answer at(const Source& source, Precision precision, std::uint64_t position) const;
+
+ private:
+  // The replies to one source in one precision.
+  struct Part {
+    const Source* source;
+    Precision precision;
+    const pipe::ReplyRecord* first;
+    std::uint64_t size;
+  };
+  const Part* find(const Source& source, Precision precision) const;
+  SourcePtr shared(const SourcePtr& source, const ReplyStream& stream);
+
+  std::vector<ReplyStream> streams_;
+  std::vector<SourcePtr> sources_;
+  std::vector<Part> parts_;
+};
+
+// What the program is said to compute, as it was asked for; empty: nothing.
+struct ReplyClaim {
+  std::string conforms_to, formulae;
+};
+
+}  // namespace axiscert

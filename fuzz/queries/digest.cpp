@@ -1,0 +1,40 @@
+#include "fuzz/queries/digest.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <vector>
+
+#include "fuzz/files/sha256.h"
+
+namespace axiscert {
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+
+template <class Real>
+std::string digest(const Family& family) {
+  std::vector<std::array<Real, coordinate_count>> queries;
+  const auto add = [&](std::uint64_t position) { queries.push_back(coordinates(family.make<Real>(1, position))); };
+  for (std::uint64_t position = 0; position < 4096; ++position) add(position);
+  for (std::uint64_t unit = 1; unit <= 64; ++unit) add(unit << 16);
+  return sha256_hex(std::as_bytes(std::span(queries)));
+}
+
+}  // namespace
+
+std::string family_digest(const Family& family, Precision precision) {
+  switch (precision) {
+    case Precision::binary32:
+      return digest<float>(family);
+    case Precision::binary64:
+      return digest<double>(family);
+  }
+  return {};
+}
+
+std::string digest_line(const Family& family, Precision precision) {
+  return fmt::format("{} {} {} {}", family.name, family.version, name(precision), family_digest(family, precision));
+}
+
+}  // namespace axiscert

@@ -1,0 +1,61 @@
+// A family: a named generator of related queries. A new one is a file in fuzz/families/sphere_triangle and a line in
+// fuzz/queries/family.cpp.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "fuzz/queries/stream_name.h"
+#include "kernel/query.h"
+
+namespace axiscert {
+
+class Stream;
+
+// How a family makes its queries: one at a time from a stream, or a batch of them at once, in lanes.
+template <class Real>
+class Maker {
+ public:
+  // `position` counts the queries of the family: what is asked "in turn" goes by it; the rest comes from the stream.
+  using One = Query<Real> (*)(Stream& random, std::uint64_t position);
+  // The queries at `first` and after it, as many as the columns have. Which query is made at a position depends on
+  // nothing else: not on where the batch begins, on the instruction set or on the compiler.
+  using Batch = void (*)(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out);
+
+  constexpr Maker(One one) : one_(one) {}
+  constexpr Maker(Batch batch) : batch_(batch) {}
+  void fill(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) const;
+
+ private:
+  One one_ = nullptr;
+  Batch batch_ = nullptr;
+};
+
+struct Family {
+  std::string_view name;
+  std::string_view purpose;  // one line
+  // Raised whenever the same address would make another query; the committed digests fail until it is.
+  int version;
+  // The precision's arithmetic is exact on every query: no rounding to blame.
+  bool exact_arithmetic;
+  Maker<float> binary32;
+  Maker<double> binary64;
+
+  template <class Real>
+  void fill(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {
+    const StreamName stream(seed, name_hash(name), version, precision_of<Real>);
+    if constexpr (sizeof(Real) == 4) binary32.fill(stream, first, out);
+    else binary64.fill(stream, first, out);
+  }
+  template <class Real>
+  Query<Real> make(std::uint64_t seed, std::uint64_t position) const {
+    return filled_query<Real>([&](const MutableColumns<Real>& one) { fill(seed, position, one); });
+  }
+};
+
+std::span<const Family* const> families();
+// Throws Error naming the families that exist.
+const Family& find_family(std::string_view name);
+
+}  // namespace axiscert

@@ -1,0 +1,207 @@
+// The families that are about shapes and exactness make what they claim, by exact arithmetic.
+#include <cfenv>
+#include <cmath>
+#include <map>
+
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/sphere_triangle/measures/depth.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "fuzz/queries/boundary.h"
+#include "fuzz/queries/family_testing.h"
+#include "kernel/sphere_triangle/reference/scalar.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+class FamilyShapes : public testing::Test {};
+TYPED_TEST_SUITE(FamilyShapes, Reals);
+
+template <class Real>
+struct EdgeLengths {
+  double shortest, longest, height;  // the height over the longest edge
+};
+template <class Real>
+EdgeLengths<Real> edge_lengths(const Query<Real>& q) {
+  const auto ring = [](const Vec3<Real>& v) {
+    return Vec3<Ring>{Ring(double(v.x)), Ring(double(v.y)), Ring(double(v.z))};
+  };
+  const Vec3<Ring> a = ring(q.a), b = ring(q.b), c = ring(q.c), normal = cross(b - a, c - a);
+  const auto length = [](const Vec3<Ring>& v) { return std::sqrt(rational(dot(v, v)).get_d()); };
+  const auto [least, most] = std::minmax({length(b - a), length(c - b), length(a - c)});
+  return {least, most, length(normal) / most};
+}
+
+TYPED_TEST(FamilyShapes, SliverReachesEveryRatio) {
+  const int most_halvings = sizeof(TypeParam) == 4 ? 40 : 80;
+  std::map<int, int> reached;
+  for_each_query<TypeParam>("sliver", 80 * 20, [&](const Query<TypeParam>& q, std::uint64_t position) {
+    const int halvings = 1 + static_cast<int>(position % most_halvings);
+    const auto [shortest, longest, height] = edge_lengths(q);
+    const double ratio = std::ldexp(height / longest, halvings);
+    reached[halvings] += ratio > 0.7 && ratio < 1.3;
+  });
+  EXPECT_EQ(reached.size(), static_cast<std::size_t>(most_halvings));
+  for (const auto& [halvings, count] : reached) EXPECT_GE(count, 3) << "2^-" << halvings;
+}
+
+TYPED_TEST(FamilyShapes, NeedleReachesEveryRatio) {
+  const int most_halvings = sizeof(TypeParam) == 4 ? 30 : 60;
+  std::map<int, int> reached;
+  for_each_query<TypeParam>("needle", 60 * 20, [&](const Query<TypeParam>& q, std::uint64_t position) {
+    const int halvings = 1 + static_cast<int>(position % most_halvings);
+    const auto [shortest, longest, height] = edge_lengths(q);
+    const double ratio = std::ldexp(shortest / longest, halvings);
+    reached[halvings] += ratio > 0.1 && ratio < 8;
+  });
+  EXPECT_EQ(reached.size(), static_cast<std::size_t>(most_halvings));
+  for (const auto& [halvings, count] : reached) EXPECT_GE(count, 3) << "2^-" << halvings;
+}
+
+// Rounding makes published binary32 miss contacts by a third of the scene and more.
+TEST(Sliver, MissesContactsDeeply) {
+  double deepest = 0;
+  for_each_query<float>("sliver", 8000, [&](const Query<float>& q, std::uint64_t) {
+    if (judge_published(q).verdict_flip == FlipKind::false_separation) {
+      deepest = std::max(deepest, depth(q, squared_distance(q)));
+    }
+  });
+  EXPECT_GT(deepest, 0.3);
+}
+
+TYPED_TEST(FamilyShapes, CollinearHasNoAreaAndDistinctVerticesInAllOrders) {
+  std::array<std::size_t, 3> middle{};
+  for_each_query<TypeParam>("collinear", 3000, [&](const Query<TypeParam>& q, std::uint64_t position) {
+    const auto [shortest, longest, height] = edge_lengths(q);
+    EXPECT_EQ(height, 0);
+    EXPECT_GT(shortest, 0);
+    const std::array<Vec3<TypeParam>, 3> v = {q.a, q.b, q.c};
+    for (std::size_t i = 0; i < 3; ++i) middle[i] += dot(v[(i + 1) % 3] - v[i], v[(i + 2) % 3] - v[i]) < 0;
+    const int order = distance_order(q);
+    if (position % 3 == 0) {
+      EXPECT_GE(order, 0);
+    } else if (position % 3 == 2) {
+      EXPECT_LE(order, 0);
+    }
+  });
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_GE(middle[i], 800u) << "vertex " << i << " between the other two";
+}
+
+TYPED_TEST(FamilyShapes, RepeatedRepeatsEachPairInTurn) {
+  const auto same = [](const Vec3<TypeParam>& u, const Vec3<TypeParam>& v) {
+    return u.x == v.x && u.y == v.y && u.z == v.z;
+  };
+  for_each_query<TypeParam>("repeated", 1000, [&](const Query<TypeParam>& q, std::uint64_t position) {
+    const bool all = position % 4 == 3;
+    EXPECT_EQ(same(q.a, q.b), all || position % 4 == 0);
+    EXPECT_EQ(same(q.b, q.c), all || position % 4 == 1);
+    EXPECT_EQ(same(q.c, q.a), all || position % 4 == 2);
+  });
+}
+
+// A zero-area fault of the strict formulae is a phantom contact, always.
+TYPED_TEST(FamilyShapes, ZeroAreaShowsTheSpecificationFault) {
+  for (const char* family : {"collinear", "repeated"}) {
+    std::size_t faults = 0;
+    for_each_query<TypeParam>(family, 3000, [&](const Query<TypeParam>& q, std::uint64_t) {
+      const Judgement judgement = judge_published(q);
+      if (!judgement.verdict_flip || (judgement.verdict_links & link_bit(Link::specification)) == 0) return;
+      EXPECT_EQ(judgement.verdict_flip, FlipKind::false_contact);
+      ++faults;
+    });
+    EXPECT_GE(faults, 10u) << family;
+  }
+}
+
+// The distance is r exactly, on the axis' own radius boundary, and no other feature is nearer.
+TYPED_TEST(FamilyShapes, TieTouchesExactlyOnEachFeature) {
+  const auto bound = std::ldexp(TypeParam(1), std::numeric_limits<TypeParam>::digits);
+  for_each_query<TypeParam>("tie", 7 * 3 * 100, [&](const Query<TypeParam>& q, std::uint64_t position) {
+    const auto axis = static_cast<Axis>(position % axis_count);
+    const ExactTruth truth = exact_truth(q, false);
+    EXPECT_TRUE(truth.touching);
+    EXPECT_GT(q.r, 0);
+    EXPECT_TRUE(has(truth.formula->ties, radius_comparison(axis)));
+    const ComparisonBits sides = comparisons_of(axis) & side_comparisons;
+    EXPECT_EQ(truth.formula->strict & sides, sides) << "P lies inside the region of its feature";
+    EXPECT_TRUE(axis != Axis::plane || edge_lengths(q).height > 0);
+    for (const TypeParam x : coordinates(q)) EXPECT_TRUE(x == std::trunc(x) && std::abs(x) < bound);
+  });
+}
+
+TYPED_TEST(FamilyShapes, LatticeNeverRounds) {
+  std::size_t zero_area = 0, with_ties = 0, separated = 0;
+  for_each_query<TypeParam>("lattice", 6000, [&](const Query<TypeParam>& q, std::uint64_t) {
+    std::feclearexcept(FE_INEXACT);
+    const Sides<TypeParam> computed = reference_sides(q);
+    EXPECT_EQ(std::fetestexcept(FE_INEXACT), 0);
+    const FormulaTruth truth = formula_truth(q);
+    for (std::size_t i = 0; i < comparison_count; ++i) {
+      EXPECT_TRUE(truth.sides.lhs[i] == Ring(double(computed.lhs[i]))) << comparisons[i].name;
+      EXPECT_TRUE(truth.sides.rhs[i] == Ring(double(computed.rhs[i]))) << comparisons[i].name;
+    }
+    zero_area += !(edge_lengths(q).height > 0);
+    with_ties += truth.ties != 0;
+    separated += distance_order(q) > 0;
+  });
+  EXPECT_GE(zero_area, 50u);
+  EXPECT_GE(with_ties, 500u);
+  EXPECT_GE(separated, 1000u);
+}
+
+TYPED_TEST(FamilyShapes, OnIsAtDistanceZero) {
+  std::size_t minus_zero = 0, zero = 0, least = 0;
+  for_each_query<TypeParam>("on", 7 * 5 * 40, [&](const Query<TypeParam>& q, std::uint64_t position) {
+    EXPECT_EQ(squared_distance(q), 0);
+    const std::array<Vec3<TypeParam>, 3> vertices = {q.a, q.b, q.c};
+    if (const std::size_t axis = position % 7; axis >= 1 && axis < 4) {
+      const auto offset = vertices[axis - 1] - q.p;
+      EXPECT_EQ(dot(offset, offset), 0);
+    }
+    EXPECT_LT(q.r, 0.0625);
+    minus_zero += q.r == 0 && std::signbit(q.r);
+    zero += q.r == 0;
+    least += q.r == std::numeric_limits<TypeParam>::denorm_min();
+  });
+  EXPECT_GE(minus_zero, 280u);
+  EXPECT_GE(zero, 560u);
+  EXPECT_GE(least, 280u);
+}
+
+TYPED_TEST(FamilyShapes, GridPutsTheCentreOnTheTriangleInSmallIntegers) {
+  std::size_t zero = 0;
+  for_each_query<TypeParam>("grid", 7 * 3 * 40, [&](const Query<TypeParam>& q, std::uint64_t) {
+    EXPECT_EQ(squared_distance(q), 0);
+    for (const TypeParam x : coordinates(q)) {
+      EXPECT_EQ(x, std::trunc(x));
+      EXPECT_LE(std::abs(x), 256);
+    }
+    zero += q.r == 0;
+  });
+  EXPECT_GT(zero, 300u);
+}
+
+TYPED_TEST(FamilyShapes, SpeckIsATieButForWhatIsFarBelowIt) {
+  using Limits = std::numeric_limits<TypeParam>;
+  int ties = 0, nearer = 0, farther = 0, of_the_least = 0;
+  for_each_query<TypeParam>("speck", 3000, [&](const Query<TypeParam>& q, std::uint64_t) {
+    ASSERT_TRUE(is_valid(q));
+    const auto all = coordinates(q);
+    bool has_least = false;
+    for (const TypeParam x : all) has_least = has_least || std::abs(x) == Limits::denorm_min();
+    of_the_least += has_least;
+    const int order = distance_order(q);
+    ties += order == 0;
+    nearer += order < 0;
+    farther += order > 0;
+    const TypeParam d = nearest_sqrt<TypeParam>(squared_distance(q));
+    EXPECT_LE(std::abs(d - q.r), 8 * q.r * Limits::epsilon());
+  });
+  EXPECT_GT(ties, 200);
+  EXPECT_GT(nearer, 800);
+  EXPECT_GT(farther, 800);
+  EXPECT_GT(of_the_least, 500);
+}
+
+}  // namespace
+}  // namespace axiscert

@@ -1,0 +1,40 @@
+// What the tests of the families share: queries in order, the first one that fails named with its numbers.
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/judge/claim.h"
+#include "fuzz/queries/family.h"
+
+namespace axiscert {
+
+using Reals = testing::Types<float, double>;
+
+inline bool has(ComparisonBits bits, Comparison which) { return ((bits >> static_cast<unsigned>(which)) & 1u) != 0; }
+
+// The published kernel, as the scalar reference computes it.
+template <class Real>
+Judgement judge_published(const Query<Real>& q) {
+  const ExactTruth truth = exact_truth(q, false);
+  const Reference chain = *Claims(q, *truth.formula).chain(find_kernel("published"));
+  return judge(truth, chain, chain.rounded->reference);
+}
+
+// Calls check(query, position) for the first `count` positions at seed 1, and stops at the first that fails.
+template <class Real, class Check>
+void for_each_query(std::string_view family_name, std::uint64_t count, Check&& check) {
+  const Family& family = find_family(family_name);
+  for (std::uint64_t position = 0; position < count; ++position) {
+    const Query<Real> q = family.make<Real>(1, position);
+    check(q, position);
+    if (testing::Test::HasFailure()) {
+      std::string numbers;
+      for (const Real x : coordinates(q)) numbers += fmt::format(" {:a}", x);
+      FAIL() << fmt::format("{} {}, seed 1, position {}:{}", family_name, name(precision_of<Real>), position, numbers);
+    }
+  }
+}
+
+}  // namespace axiscert

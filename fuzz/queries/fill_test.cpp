@@ -1,0 +1,83 @@
+// A batch of queries is the queries of its positions: wherever it begins and however long it is, on every instruction
+// set.
+#include <cstring>
+
+#include "fuzz/queries/family_testing.h"
+#include "fuzz/queries/lane_testing.h"
+#include "fuzz/queries/source.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+class Fill : public testing::Test {};
+TYPED_TEST_SUITE(Fill, Reals);
+
+template <class Real>
+std::string bytes_of(const Query<Real>& q) {
+  const auto v = coordinates(q);
+  return {reinterpret_cast<const char*>(v.data()), sizeof v};
+}
+
+constexpr std::uint64_t seed = 20261121;
+
+TEST(Fill, MeetsEveryInstructionSetOfTheKernels) {
+  std::vector<std::string> met;
+  for_each_instruction_set([&](const std::string& target) { met.push_back(target); });
+  for (const std::string& target : simd_targets()) {
+    EXPECT_EQ(std::count(met.begin(), met.end(), target), 1) << target;
+  }
+}
+
+// 64 is the block of the families in lanes: its edges are crossed from both sides.
+TYPED_TEST(Fill, IsMakeAtEveryOffsetAndCountOnEveryInstructionSet) {
+  constexpr std::size_t most = 150;
+  for (const Family* family : families()) {
+    const SourcePtr source = family_source(*family);
+    std::vector<std::string> expected(2 * most);
+    const std::uint64_t start = (std::uint64_t{1} << 32) - 100;  // the position's low word carries over
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      Query<TypeParam> q;
+      source->make(seed, start + i, q);
+      expected[i] = bytes_of(q);
+    }
+    for_each_instruction_set([&](const std::string& target) {
+      QueryBatch<TypeParam> batch(most);
+      for (const std::size_t count : {0, 1, 2, 3, 5, 7, 8, 9, 15, 16, 17, 31, 33, 63, 64, 65, 127, 128, 150}) {
+        for (const std::size_t offset : {0, 1, 2, 3, 4, 7, 8, 13, 63, 64, 65, 149}) {
+          source->fill(seed, start + offset, count, batch);
+          ASSERT_EQ(batch.size(), count);
+          for (std::size_t i = 0; i < count; ++i) {
+            ASSERT_EQ(bytes_of(batch[i]), expected[offset + i])
+                << family->name << ", " << target << ", seed " << seed << ", first " << start + offset << ", count "
+                << count << ", query " << i;
+          }
+        }
+      }
+    });
+  }
+}
+
+TYPED_TEST(Fill, WritesNothingPastTheBatch) {
+  for (const Family* family : families()) {
+    for (const std::size_t count : {1, 9, 63, 65}) {
+      std::array<std::vector<TypeParam>, coordinate_count> storage;
+      MutableColumns<TypeParam> columns{{}, count};
+      for (std::size_t k = 0; k < coordinate_count; ++k) {
+        storage[k].assign(count + 80, TypeParam(12345));
+        columns.column[k] = storage[k].data() + 8;
+      }
+      family->fill(seed, 77, columns);
+      for (const auto& column : storage) {
+        for (std::size_t i = 0; i < column.size(); ++i) {
+          if (i < 8 || i >= count + 8) {
+            ASSERT_EQ(column[i], TypeParam(12345)) << family->name << " wrote at " << i << " of " << count;
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace axiscert

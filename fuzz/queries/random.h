@@ -1,0 +1,76 @@
+// Counter-based random numbers: Philox4x32-10, keyed by the seed. Any machine makes the same query from the same
+// address.
+#pragma once
+
+#include <Random123/philox.h>
+
+#include <cstdint>
+
+#include "fuzz/queries/stream_name.h"
+
+namespace axiscert {
+
+// The random numbers of one query. Every function advances the stream; integers and exact scalings only, so the values
+// are the same on every machine. Words are of 32 bits; after 2^22 of them the stream repeats.
+class Stream {
+ public:
+  // `position` is unit * 2^16 + index.
+  Stream(const StreamName& name, std::uint64_t position)
+      : counter_{{static_cast<std::uint32_t>(position), static_cast<std::uint32_t>(position >> 32), name.generator,
+                  name.kind}},
+        key_{{static_cast<std::uint32_t>(name.seed), static_cast<std::uint32_t>(name.seed >> 32)}} {}
+  Stream(std::uint64_t seed, std::uint64_t generator, int version, Precision precision, std::uint64_t position)
+      : Stream(StreamName(seed, generator, version, precision), position) {}
+
+  std::uint32_t word() {
+    if (used_ == 4) {
+      block_ = r123::Philox4x32()(counter_, key_);
+      counter_[3] = (counter_[3] & ~block_mask) | ((counter_[3] + 1) & block_mask);
+      used_ = 0;
+    }
+    return block_[used_++];
+  }
+  // Two words, the first the high one.
+  std::uint64_t bits() {
+    const std::uint64_t high = word();
+    return high << 32 | word();
+  }
+  // Uniform in [0, n), n > 0: the high part of a product with one word where n <= 2^32, else with two. No value's
+  // probability differs from 1 / n by more than 2^-32 (2^-64): part of the definition.
+  std::uint64_t below(std::uint64_t n) {
+    if (n <= std::uint64_t{1} << 32) return (word() * n) >> 32;
+    return static_cast<std::uint64_t>((static_cast<unsigned __int128>(bits()) * n) >> 64);
+  }
+  // Uniform integer in [low, high].
+  std::int64_t integer(std::int64_t low, std::int64_t high) {
+    return low + static_cast<std::int64_t>(below(static_cast<std::uint64_t>(high - low) + 1));
+  }
+  bool coin() { return (word() >> 31) != 0; }
+  // Uniform multiples of u in [0, 1) and, with a sign, in (-1, 1): full significands, from one word (binary64: two).
+  // The significand is the highest bits, the sign the lowest.
+  template <class Real>
+  Real unit() {
+    if constexpr (sizeof(Real) == 4) return static_cast<Real>(word() >> 8) * Real(0x1p-24);
+    else return static_cast<Real>(bits() >> 11) * Real(0x1p-53);
+  }
+  template <class Real>
+  Real symmetric() {
+    if constexpr (sizeof(Real) == 4) {
+      const std::uint32_t w = word();
+      const Real x = static_cast<Real>(w >> 8) * Real(0x1p-24);
+      return (w & 1u) != 0 ? -x : x;
+    } else {
+      const std::uint64_t w = bits();
+      const Real x = static_cast<Real>(w >> 11) * Real(0x1p-53);
+      return (w & 1u) != 0 ? -x : x;
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t block_mask = (1u << 20) - 1;
+  r123::Philox4x32::ctr_type counter_, block_{};
+  r123::Philox4x32::key_type key_;
+  unsigned used_ = 4;
+};
+
+}  // namespace axiscert

@@ -1,0 +1,141 @@
+// What is confirmed of a query, held against the formulae written out in GMP rationals.
+#include "fuzz/search/confirm.h"
+
+#include <gtest/gtest.h>
+
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "fuzz/queries/family.h"
+#include "fuzz/search/evaluator.h"
+#include "fuzz/search/moves.h"
+#include "fuzz/search/range.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::uint64_t seed = 21;
+using Vector = std::array<Rational, 3>;
+
+Vector minus(const Vector& u, const Vector& v) { return {u[0] - v[0], u[1] - v[1], u[2] - v[2]}; }
+Rational dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+Vector cross(const Vector& u, const Vector& v) {
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+Vector at(const Vector& u, const Rational& s, const Vector& v, const Rational& t) {
+  return {u[0] * s + v[0] * t, u[1] * s + v[1] * t, u[2] * s + v[2] * t};
+}
+
+// l - r of plane.radius, vertex_a.radius, vertex_a.side_b, edge_ab.radius and edge_ab.side_c, as the article has them.
+std::array<std::pair<Comparison, Rational>, 5> margins(const Query<float>& q) {
+  const auto vector = [](const Vec3<float>& v) { return Vector{exact(v.x), exact(v.y), exact(v.z)}; };
+  const Vector p = vector(q.p), a = minus(vector(q.a), p), b = minus(vector(q.b), p), c = minus(vector(q.c), p);
+  const Rational rr = exact(q.r) * exact(q.r);
+  const Vector ab = minus(b, a), v = cross(ab, minus(c, a));
+  const Rational d = dot(a, v), e = dot(v, v), e1 = dot(ab, ab), d1 = dot(a, b) - dot(a, a);
+  const Vector q1 = at(a, e1, ab, -d1), qc = at(c, e1, q1, -1);
+  using enum Comparison;
+  return {{{plane_radius, d * d - rr * e},
+           {vertex_a_radius, dot(a, a) - rr},
+           {vertex_a_side_b, dot(a, b) - dot(a, a)},
+           {edge_ab_radius, dot(q1, q1) - rr * e1 * e1},
+           {edge_ab_side_c, dot(q1, qc)}}};
+}
+
+Query<float> settled(const char* family, std::uint64_t position) {
+  Query<float> q = find_family(family).make<float>(seed, position);
+  settle(q);
+  return q;
+}
+
+TEST(Confirm, ErrorsAreThoseOfTheFormulaeInRationals) {
+  const Kernel& kernel = find_kernel("published");
+  Confirmer<float> confirmer(kernel, scalar_target);
+  for (const char* family : {"general", "sliver", "far", "collinear"}) {
+    for (std::uint64_t i = 0; i < 50; ++i) {
+      const Query<float> q = settled(family, i);
+      const Sides<float> computed = reference_sides(q);
+      const auto found = confirmer.errors(q);
+      ASSERT_TRUE(found);
+      for (const auto& [which, margin] : margins(q)) {
+        const auto k = static_cast<std::size_t>(which);
+        const Rational error = abs(exact(computed.lhs[k]) - exact(computed.rhs[k]) - margin) * (1 << 24);
+        EXPECT_EQ(found->absolute[k], round_up(error))
+            << family << " " << i << " " << info(which).name << ", seed " << seed;
+      }
+    }
+  }
+}
+
+TEST(Confirm, NothingBeyondTheBoxIsAnErrorOfIt) {
+  Confirmer<float> confirmer(find_kernel("published"), scalar_target);
+  Query<float> q{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, 1};
+  EXPECT_TRUE(confirmer.value({Goal::error}, q));
+  q.p.x = -0x1p-60f;  // 1 - p rounds to 1, and is more
+  EXPECT_FALSE(confirmer.value({Goal::error}, q));
+  q.p.x = 0;
+  q.r = 1 + 0x1p-23f;
+  EXPECT_FALSE(confirmer.value({Goal::error}, q));
+  EXPECT_TRUE(confirmer.value({Goal::relative_error}, q)) << "which has no box";
+}
+
+// The guide may be as wrong as it likes without harm to what is reported; but it would guide badly.
+TEST(Confirm, TheGuideIsNearTheTruth) {
+  const Kernel& kernel = find_kernel("published");
+  const auto near = [&]<class Real>(Real) {
+    Evaluator<Real> evaluator(kernel, scalar_target);
+    Confirmer<Real> confirmer(kernel, scalar_target);
+    QueryBatch<Real> batch(64);
+    for (const char* family : {"general", "sliver", "needle"}) {
+      for (std::uint64_t i = 0; i < 8; ++i) {
+        Query<Real> q = find_family(family).make<Real>(seed, i);
+        settle(q);
+        batch.push_back(q);
+      }
+    }
+    std::vector<double> scores;
+    for (const Aim& aim : aims_of(kernel, {})) {
+      if (aim.goal == Goal::critical_radius) continue;  // estimated to a fraction of an ulp
+      QueryBatch<Real> solved = batch;
+      evaluator.evaluate(aim, solved, scores);
+      for (std::size_t i = 0; i < batch.size(); ++i) {
+        if (scores[i] == 0) continue;
+        const auto found = confirmer.value(aim, solved[i]);
+        const bool tiny = !is_about_a_comparison(aim.goal) && scores[i] < 1e-6;  // within the estimate's own error
+        ASSERT_TRUE(found || tiny) << name(aim) << " " << i << ": " << scores[i];
+        if (tiny) continue;
+        EXPECT_NEAR(found->value(), scores[i], 1e-3 * scores[i]) << name(aim) << " " << i << ", seed " << seed;
+      }
+    }
+  };
+  near(0.0f);
+  near(0.0);
+}
+
+TEST(Confirm, RangeIsLeftAtTheExponentsOfTheFormulae) {
+  // |A|^2 = 3/4: 3/4 2^128 is finite in binary32, 3/4 2^130 is not. Downwards it is 0 in the end, as r^2 is before.
+  const Query<float> q{{0.5f, 0.5f, 0.5f}, {-0.5f, 0.5f, 0.25f}, {0.75f, -0.5f, 0.25f}, {0, 0, 0}, 0.5f};
+  ASSERT_TRUE(has_good_shape(q));
+  QueryBatch<float> one(1);
+  one.push_back(q);
+  const auto implementation = find_kernel("published").on<float>(scalar_target);
+  const Aim up{Goal::overflow, Comparison::vertex_a_radius}, down{Goal::underflow, Comparison::vertex_a_radius};
+  EXPECT_EQ(range_left(implementation, up, one).front(), 65);
+  ASSERT_TRUE(range_left(implementation, down, one).front());
+  const int least = *range_left(implementation, down, one).front();
+  const auto holds = [&](int m) {
+    return reference_sides(at_scale(q, m)).lhs[1] > reference_sides(at_scale(q, m)).rhs[1];
+  };
+  EXPECT_FALSE(holds(least));
+  EXPECT_TRUE(holds(least + 1));
+  EXPECT_LT(least, -70);
+  EXPECT_EQ(
+      range_exponent(Goal::underflow, Precision::binary32, range_score(Goal::underflow, Precision::binary32, least)),
+      least);
+}
+
+TEST(Confirm, AShortEdgeIsNoGoodShape) {
+  const Query<float> q{{0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.501f}, {0.75f, -0.5f, 0.25f}, {0, 0, 0}, 0.5f};
+  EXPECT_FALSE(has_good_shape(q));
+}
+
+}  // namespace
+}  // namespace axiscert

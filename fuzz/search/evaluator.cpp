@@ -1,0 +1,224 @@
+#include "fuzz/search/evaluator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "exact/sphere_triangle/measures/critical_radius.h"
+#include "exact/numbers/double_double.h"
+#include "exact/sphere_triangle/oracles/feature_walk.h"
+#include "exact/numbers/floating.h"
+#include "fuzz/search/range.h"
+#include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/forms/simd.h"
+
+namespace axiscert {
+namespace {
+
+using Twice = DoubleDouble<double>;
+
+// l - r as an unevaluated sum, and |l| + |r|.
+struct WideMargin {
+  double high, low, size;
+};
+
+WideMargin wide_margin(const Twice& l, const Twice& r) {
+  const Twice margin = l - r;
+  return {margin.high, margin.low, std::fabs(l.high) + std::fabs(r.high)};
+}
+WideMargin wide_margin(const Floating& l, const Floating& r) {
+  const Floating margin = l - r;
+  const double high = mpfr_get_d(margin.get(), MPFR_RNDN);
+  return {high, mpfr_get_d((margin - Floating(high)).get(), MPFR_RNDN),
+          std::fabs(mpfr_get_d(l.get(), MPFR_RNDN)) + std::fabs(mpfr_get_d(r.get(), MPFR_RNDN))};
+}
+
+template <class F, class T, class Convert>
+WideMargin margin_in(Comparison which, const Query<double>& q, Convert&& convert) {
+  const auto sides = sides_of<F>(problem_as<T>(q, convert));
+  const auto k = static_cast<std::size_t>(which);
+  return wide_margin(sides.lhs[k], sides.rhs[k]);
+}
+
+// Of a binary64 query: rings in twice binary64, forms with roots or divisions by MPFR.
+template <Formulae formulae>
+WideMargin twice_wide(Comparison which, const Query<double>& q) {
+  using F = FormulaeType<formulae>;
+  if constexpr (!has_comparisons(formulae)) {
+    return {0, 0, 0};
+  } else if constexpr (F::is_ring) {
+    return margin_in<F, Twice>(which, q, [](double x) { return Twice{x, 0}; });
+  } else {
+    const FloatingScope scope({128, Rounding::nearest, std::nullopt});
+    return margin_in<F, Floating>(which, q, [](double x) { return Floating(x); });
+  }
+}
+
+using WideFunction = WideMargin (*)(Comparison, const Query<double>&);
+constexpr std::array<WideFunction, formulae_count> twice_wide_of = {
+#define AXISCERT_WIDE(name, type, kind) twice_wide<Formulae::name>,
+    AXISCERT_FORMULAE(AXISCERT_WIDE)
+#undef AXISCERT_WIDE
+};
+
+// |(l^ - r^) - margin|.
+double difference(double l, double r, const WideMargin& margin) {
+  const auto computed = arithmetic::two_sum(l, -r);
+  return std::fabs((computed.value - margin.high) + (computed.error - margin.low));
+}
+
+// Estimates of relative errors are good up to here. With T the greatest of the numbers that cancelled, an error is
+// about u T, and the estimate of the sides errs by u^2 T or a little more: sides of 2^-40 u T are still known to many
+// digits.
+constexpr double greatest_ratio = 0x1p40;
+
+double score_of(const Aim& aim, double difference, double size, int digits) {
+  if (!std::isfinite(difference)) return 0;
+  const double in_u = std::ldexp(difference, digits);
+  if (aim.goal == Goal::error) return in_u;
+  return size > 0 && in_u < greatest_ratio * size ? in_u / size : 0;
+}
+
+template <class T>
+T number(double x) {
+  if constexpr (std::is_same_v<T, double>) return x;
+  else return T{x, 0};
+}
+double leading(double x) { return x; }
+double leading(const Twice& x) { return x.high; }
+
+// The distance from p to the triangle, and the greatest distance from p to a vertex.
+struct Distances {
+  double nearest, farthest;
+};
+template <class T, class Real>
+Distances distances(const Query<Real>& q) {
+  auto t = centred_as<T>(q, [](Real x) { return number<T>(static_cast<double>(x)); });
+  const auto order = [](const T& x, const T& y) {
+    const double d = leading(x - y);
+    return (d > 0) - (d < 0);
+  };
+  const auto squared = walked_squared_distance(t, number<T>(0), number<T>(1), order);
+  const auto length = [](const Vec3<T>& v) { return std::sqrt(leading(dot(v, v))); };
+  return {std::sqrt(std::max(leading(squared.numerator), 0.0) / leading(squared.denominator)),
+          std::max({length(t.a), length(t.b), length(t.c)})};
+}
+
+}  // namespace
+
+template <class Real>
+Evaluator<Real>::Evaluator(const Kernel& kernel, std::string_view target)
+    : kernel_(kernel), implementation_(kernel.on<Real>(target)) {
+  if constexpr (sizeof(Real) == 4) {
+    if (const SimdForms* forms = kernel.formulae == Formulae::none ? nullptr : simd_forms(kernel.formulae);
+        forms && !simd_targets().empty()) {
+      wide_ = forms->on<double>(simd_targets().front(), Strictness::strict);
+    }
+  }
+}
+
+template <class Real>
+void Evaluator<Real>::evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores) {
+  scores.assign(batch.size(), 0);
+  if (is_about_range(aim.goal)) evaluate_range(aim, batch, scores);
+  else if (is_about_a_comparison(aim.goal)) evaluate_error(aim, batch, scores);
+  else evaluate_radius(aim.goal, batch, scores);
+}
+
+template <class Real>
+void Evaluator<Real>::evaluate_error(const Aim& aim, const QueryBatch<Real>& batch, std::vector<double>& scores) {
+  const auto k = static_cast<std::size_t>(aim.which);
+  if (implementation_.explain) {
+    reply_.answers.resize(batch.size());
+    implementation_.explain(batch.columns(), reply_.answers);
+  } else {
+    ask(implementation_, batch.columns(), reply_);
+    if (!reply_.has_bits) return;
+  }
+  constexpr int digits = std::numeric_limits<Real>::digits;
+  if constexpr (sizeof(Real) == 4) {
+    if (wide_.explain) {
+      if (widened_.capacity() < batch.size()) widened_ = QueryBatch<double>(batch.capacity());
+      widened_.resize(batch.size());
+      const auto from = batch.columns();
+      const auto to = widened_.mutable_columns();
+      for (std::size_t c = 0; c < coordinate_count; ++c) {
+        std::copy_n(from.column[c], batch.size(), to.column[c]);
+      }
+      wide_answers_.resize(batch.size());
+      wide_.explain(widened_.columns(), wide_answers_);
+    }
+  }
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    WideMargin margin;
+    if (sizeof(Real) == 4) {
+      double l, r;
+      if (wide_.explain) {
+        l = wide_answers_.lhs[k][i];
+        r = wide_answers_.rhs[k][i];
+      } else {
+        Sides<double> sides;
+        reference(kernel_.formulae, Arithmetic::plain, Strictness::strict, widened(batch[i]), &sides);
+        l = sides.lhs[k];
+        r = sides.rhs[k];
+      }
+      margin = {l - r, 0, std::fabs(l) + std::fabs(r)};
+    } else {
+      margin = twice_wide_of[static_cast<std::size_t>(kernel_.formulae)](aim.which, widened(batch[i]));
+    }
+    const double error = difference(reply_.answers.lhs[k][i], reply_.answers.rhs[k][i], margin);
+    scores[i] = score_of(aim, error, margin.size, digits);
+  }
+}
+
+template <class Real>
+void Evaluator<Real>::evaluate_radius(Goal goal, QueryBatch<Real>& batch, std::vector<double>& scores) {
+  std::vector<Query<Real>> queries;
+  for (std::size_t i = 0; i < batch.size(); ++i) queries.push_back(batch[i]);
+  const RadiusRange<Real> range{0, 4};  // the scene is of size 1
+  const auto found = critical_radii(implementation_, queries, range);
+  const auto out = batch.mutable_columns();
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    if (!found[i].answered) continue;
+    const bool bounded = found[i].radius.has_value();
+    const Real contact = bounded ? *found[i].radius : range.greatest;
+    const auto [d, farthest] = goal == Goal::critical_radius || sizeof(Real) == 8 ? distances<Twice>(queries[i])
+                                                                                  : distances<double>(queries[i]);
+    const auto depth = [&](double r) { return std::fabs(d - r) / std::max(farthest, r); };
+    double score = 0;
+    Real r = contact;
+    if (goal == Goal::missed_contact) {
+      r = bounded ? std::nextafter(contact, Real(0)) : contact;
+      if (contact > 0 && r > d) score = depth(r);
+    } else if (goal == Goal::phantom_contact) {
+      if (bounded && contact < d) score = depth(contact);
+    } else {
+      const Real near = static_cast<Real>(d);
+      const double ulp = double(std::nextafter(near, Real(8))) - double(near);
+      score = std::fabs(contact - d) / ulp;
+    }
+    out.column[coordinate_count - 1][i] = r;
+    scores[i] = std::isfinite(score) ? score : 0;
+  }
+}
+
+template <class Real>
+void Evaluator<Real>::evaluate_range(const Aim& aim, const QueryBatch<Real>& batch, std::vector<double>& scores) {
+  const auto left = range_left(implementation_, aim, batch);
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (left[i]) scores[i] = range_score(aim.goal, precision_of<Real>, *left[i]);
+  }
+}
+
+template <class Real>
+double Evaluator<Real>::vanishing(Comparison which, const Query<Real>& q) const {
+  Sides<double> sides;
+  reference(kernel_.formulae, Arithmetic::plain, Strictness::strict, widened(q), &sides);
+  const auto k = static_cast<std::size_t>(which);
+  return info(which).is_radius ? sides.lhs[k] : sides.lhs[k] - sides.rhs[k];
+}
+
+template class Evaluator<float>;
+template class Evaluator<double>;
+
+}  // namespace axiscert

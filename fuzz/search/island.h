@@ -1,0 +1,24 @@
+// One island of a search: a few queries that climb side by side, blend with each other, and are polished in the end.
+#pragma once
+
+#include "fuzz/search/dice.h"
+#include "fuzz/search/evaluator.h"
+
+namespace axiscert {
+
+// A query and what it is estimated to show.
+template <class Real>
+struct ScoredQuery {
+  Query<Real> query;
+  double score = 0;
+};
+
+inline constexpr std::size_t walkers = 8, children = 8;  // that climb, and of each in a generation
+
+// Climbs from the best of `starts`, at most walkers * children of them, with `evaluations` of queries, and returns what
+// each walker found, best first. Depends on its arguments alone.
+template <class Real>
+std::vector<ScoredQuery<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim, Dice& random,
+                                     const std::vector<Query<Real>>& starts, std::uint64_t evaluations);
+
+}  // namespace axiscert

@@ -1,0 +1,235 @@
+#include "fuzz/search/moves.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "kernel/arithmetic/error_free.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+template <class Real>
+constexpr int digits = std::numeric_limits<Real>::digits;
+// Of a coordinate from the origin: beyond, no two numbers are as little as 1 apart.
+template <class Real>
+constexpr Real farthest = static_cast<Real>(std::uint64_t{1} << digits<Real>);
+constexpr std::size_t radius_place = coordinate_count - 1;
+
+// One of the vertices' coordinates that lie along the same axis, or the centre's: 3 v + axis, v = 3 for P.
+constexpr std::size_t place_of(std::size_t vertex, std::size_t axis) { return 3 * vertex + axis; }
+
+// In (-1, 1), down to 2^-n in size. The exponent is drawn first: of a call's arguments no order is promised, and what a
+// seed makes is the same from every compiler.
+template <class Real>
+Real fine_number(Dice& random, int n) {
+  const auto exponent = -static_cast<int>(random.below(static_cast<std::uint64_t>(n)));
+  return std::ldexp(random.symmetric<Real>(), exponent);
+}
+
+template <class Real>
+Real random_number(Dice& random) {
+  switch (random.below(4)) {
+    case 0:
+      return random.coin() ? Real(1) : Real(-1);
+    case 1:
+      return Real(0);
+    case 2:
+      return fine_number<Real>(random, digits<Real>);
+    default:
+      return random.symmetric<Real>();
+  }
+}
+
+// The lowest bits of x, as many as a random number says, made anew.
+template <class Real>
+Real with_random_tail(Dice& random, Real x) {
+  const auto mask = (Bits<Real>(1) << (1 + random.below(digits<Real> - 1))) - 1;
+  const auto noise = static_cast<Bits<Real>>(random.bits());
+  return std::bit_cast<Real>(static_cast<Bits<Real>>((std::bit_cast<Bits<Real>>(x) & ~mask) | (noise & mask)));
+}
+
+// A new coordinate of the centre along one axis, and the vertices with it: the translated coordinates stay about as
+// they are, their roundings do not.
+template <class Real>
+void move_centre(Dice& random, std::array<Real, coordinate_count>& v) {
+  const auto axis = static_cast<std::size_t>(random.below(3));
+  Real& p = v[place_of(3, axis)];
+  const Real before = p;
+  switch (random.below(4)) {
+    case 0:
+      p = 0;
+      break;
+    case 1:
+      p = with_random_tail(random, p);
+      break;
+    case 2:
+      p = random.symmetric<Real>();
+      break;
+    default:  // fine numbers, whose low bits are below those of the vertices
+      p = fine_number<Real>(random, digits<Real> + 2);
+  }
+  for (std::size_t vertex = 0; vertex < 3; ++vertex) {
+    Real& x = v[place_of(vertex, axis)];
+    x = (x - before) + p;
+  }
+}
+
+template <class Real>
+void swap_vertices(std::array<Real, coordinate_count>& v, std::size_t a, std::size_t b) {
+  for (std::size_t axis = 0; axis < 3; ++axis) std::swap(v[place_of(a, axis)], v[place_of(b, axis)]);
+}
+
+// One number by ulps, by its tail, its exponent or its sign; or another number in its place.
+template <class Real>
+void move_number(Dice& random, std::array<Real, coordinate_count>& v) {
+  const auto place = static_cast<std::size_t>(random.below(coordinate_count));
+  Real& x = v[place];
+  switch (random.below(8)) {
+    case 0:
+    case 1: {
+      const auto size = std::int64_t{1} << random.below(digits<Real>);
+      x = moved_by_ulps(x, random.integer(-size, size));
+      break;
+    }
+    case 2:
+      x = moved_by_ulps(x, random.integer(-4, 4));
+      break;
+    case 3:
+    case 4:
+      x = with_random_tail(random, x);
+      break;
+    case 5:
+      x = random.coin() ? -x : std::ldexp(x, static_cast<int>(random.integer(-3, 3)));
+      break;
+    case 6:
+      x = random_number<Real>(random);
+      break;
+    default: {
+      const Real number = v[random.below(coordinate_count)];
+      x = random.coin() ? number : -number;
+    }
+  }
+}
+
+}  // namespace
+
+template <class Real>
+bool is_within_one(Real a, Real p) {
+  const auto difference = arithmetic::two_sum(a, Real(-p));
+  const Real size = std::fabs(difference.value);
+  const Real beyond = difference.value > 0 ? difference.error : Real(-difference.error);
+  return size < 1 || (size == 1 && beyond <= 0);
+}
+
+template <class Real>
+bool is_in_box(const Query<Real>& q) {
+  if (q.r > 1) return false;
+  for (const Vec3<Real>& v : {q.a, q.b, q.c}) {
+    if (!is_within_one(v.x, q.p.x) || !is_within_one(v.y, q.p.y) || !is_within_one(v.z, q.p.z)) return false;
+  }
+  return true;
+}
+
+template <class Real>
+Real moved_by_ulps(Real x, std::int64_t ulps) {
+  // Floats in order as integers in order: a negative number's bits count downwards.
+  const auto bits = std::bit_cast<Bits<Real>>(x);
+  constexpr auto sign = Bits<Real>(1) << (sizeof(Real) * 8 - 1);
+  auto order = static_cast<std::int64_t>(bits & ~sign);
+  if ((bits & sign) != 0) order = -order;
+  order += ulps;
+  const auto size = static_cast<Bits<Real>>(order < 0 ? -order : order);
+  return std::bit_cast<Real>(static_cast<Bits<Real>>(order < 0 ? size | sign : size));
+}
+
+template <class Real>
+void settle(Query<Real>& q) {
+  auto v = coordinates(q);
+  for (Real& x : v) {
+    if (!(std::fabs(x) <= farthest<Real>)) x = std::isnan(x) ? Real(0) : std::copysign(farthest<Real>, x);
+  }
+  v[radius_place] = std::min(std::fabs(v[radius_place]), Real(1));
+  Real greatest = v[radius_place];
+  for (std::size_t vertex = 0; vertex < 3; ++vertex) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Real& x = v[place_of(vertex, axis)];
+      const Real p = v[place_of(3, axis)];
+      // Rounding is monotone: a difference that rounds to less than 1 is less than 1.
+      if (std::fabs(x - p) >= 1 && !is_within_one(x, p)) {
+        x = p + (x > p ? Real(1) : Real(-1));
+        while (!is_within_one(x, p)) x = std::nextafter(x, p);
+      }
+      greatest = std::max(greatest, std::fabs(x - p));
+    }
+  }
+  if (greatest > 0 && greatest < Real(0.5)) {
+    Real most = greatest;
+    for (const Real x : v) most = std::max(most, std::fabs(x));
+    const int up = std::min(-1 - std::ilogb(greatest), digits<Real> - 1 - std::ilogb(most));
+    for (Real& x : v) x = std::ldexp(x, std::max(up, 0));
+  }
+  q = from_coordinates(v);
+}
+
+template <class Real>
+void move(Dice& random, Query<Real>& q, const Query<Real>& other) {
+  auto v = coordinates(q);
+  const auto o = coordinates(other);
+  const auto index = [&](std::uint64_t n) { return static_cast<std::size_t>(random.below(n)); };
+  switch (random.below(16)) {
+    case 0:
+    case 1:
+      move_centre(random, v);
+      break;
+    case 2: {  // every tail
+      const auto count = 1 + random.below(4);
+      for (std::uint64_t i = 0; i < count; ++i) {
+        Real& x = v[index(coordinate_count)];
+        x = with_random_tail(random, x);
+      }
+      break;
+    }
+    case 3:  // a whole point of the other, or one axis of it
+      if (random.coin()) {
+        const std::size_t vertex = index(3);
+        for (std::size_t axis = 0; axis < 3; ++axis) v[place_of(vertex, axis)] = o[place_of(vertex, axis)];
+      } else {
+        const std::size_t axis = index(3);
+        for (std::size_t vertex = 0; vertex < 4; ++vertex) v[place_of(vertex, axis)] = o[place_of(vertex, axis)];
+      }
+      break;
+    case 4: {
+      const std::size_t place = index(coordinate_count);
+      v[place] = random.coin() ? o[place] : v[place] + (o[place] - v[place]) * Real(0.5);
+      break;
+    }
+    case 5:
+      if (random.coin()) {
+        const std::size_t vertex = index(3);
+        swap_vertices(v, vertex, (vertex + 1) % 3);
+      } else {
+        std::swap(v[index(coordinate_count)], v[index(coordinate_count)]);
+      }
+      break;
+    default: {
+      const auto count = 1 + (random.coin() ? 0 : random.below(3));
+      for (std::uint64_t i = 0; i < count; ++i) move_number(random, v);
+    }
+  }
+  q = from_coordinates(v);
+}
+
+#define AXISCERT_INSTANTIATE(Real)                 \
+  template bool is_within_one(Real, Real);         \
+  template bool is_in_box(const Query<Real>&);     \
+  template Real moved_by_ulps(Real, std::int64_t); \
+  template void settle(Query<Real>&);              \
+  template void move(Dice&, Query<Real>&, const Query<Real>&);
+AXISCERT_INSTANTIATE(float)
+AXISCERT_INSTANTIATE(double)
+
+}  // namespace axiscert

@@ -1,0 +1,50 @@
+// The best queries that are known for one aim.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <tuple>
+#include <vector>
+
+#include "exact/numbers/decimal6.h"
+#include "kernel/query.h"
+
+namespace axiscert {
+
+// The greatest few of distinct exact values, greatest first; of queries with the same value, mirror images mostly, one.
+// What it holds depends on what was put in, not on the order.
+template <class Real>
+class Pool {
+ public:
+  struct Entry {
+    Decimal6 value;
+    Query<Real> query;
+  };
+  static constexpr std::size_t capacity = 8;
+
+  void put(const Entry& entry) {
+    const auto at = std::lower_bound(entries_.begin(), entries_.end(), entry,
+                                     [](const Entry& x, const Entry& y) { return x.value > y.value; });
+    if (at != entries_.end() && at->value == entry.value) {
+      if (bits(entry.query) < bits(at->query)) at->query = entry.query;
+      return;
+    }
+    entries_.insert(at, entry);
+    if (entries_.size() > capacity) entries_.pop_back();
+  }
+  void put(const Pool& other) {
+    for (const Entry& entry : other.entries_) put(entry);
+  }
+  const std::vector<Entry>& entries() const { return entries_; }
+  bool empty() const { return entries_.empty(); }
+  const Entry& best() const { return entries_.front(); }
+
+ private:
+  static auto bits(const Query<Real>& q) {
+    using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+    return std::bit_cast<std::array<Bits, coordinate_count>>(coordinates(q));
+  }
+  std::vector<Entry> entries_;
+};
+
+}  // namespace axiscert

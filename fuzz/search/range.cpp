@@ -1,0 +1,99 @@
+#include "fuzz/search/range.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fuzz/instruments/exponent_window.h"
+#include "kernel/ask.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+double greatest(const Vec3<Real>& u, const Vec3<Real>& v) {
+  return std::max({std::fabs(double(u.x) - double(v.x)), std::fabs(double(u.y) - double(v.y)),
+                   std::fabs(double(u.z) - double(v.z))});
+}
+
+template <class Real>
+bool scales_exactly(const Query<Real>& q, int exponent) {
+  return coordinates(at_scale(at_scale(q, exponent), -exponent)) == coordinates(q);
+}
+
+}  // namespace
+
+template <class Real>
+bool has_good_shape(const Query<Real>& q) {
+  const double lengths[] = {greatest(q.a, q.p), greatest(q.b, q.p), greatest(q.c, q.p), greatest(q.a, q.b),
+                            greatest(q.b, q.c), greatest(q.c, q.a), double(q.r)};
+  const double size = std::max({lengths[0], lengths[1], lengths[2], lengths[6]});
+  return size > 0 && *std::min_element(std::begin(lengths), std::end(lengths)) >= size / 8 &&
+         is_far_from_every_change(q);
+}
+template bool has_good_shape(const Query<float>&);
+template bool has_good_shape(const Query<double>&);
+
+template <class Real>
+Query<Real> at_scale(const Query<Real>& q, int exponent) {
+  auto v = coordinates(q);
+  for (Real& x : v) x = std::ldexp(x, exponent);
+  return from_coordinates(v);
+}
+template Query<float> at_scale(const Query<float>&, int);
+template Query<double> at_scale(const Query<double>&, int);
+
+template <class Real>
+std::vector<std::optional<int>> range_left(const Implementation<Real>& kernel, const Aim& aim,
+                                           const QueryBatch<Real>& batch) {
+  const auto k = static_cast<std::size_t>(aim.which);
+  const ComparisonBits bit = static_cast<ComparisonBits>(1u << k);
+  struct Scan {
+    std::size_t query;
+    bool holds;  // at m = 0
+  };
+  std::vector<std::optional<int>> left(batch.size());
+  std::vector<Scan> scans;
+  QueryBatch<Real> scaled(batch.size());
+  Reply<Real> reply;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (has_good_shape(batch[i])) scans.push_back({i, false});
+  }
+  const int step = aim.goal == Goal::overflow ? 1 : -1;
+  const ExponentWindow scanned = scanned_exponents(precision_of<Real>);
+  for (int m = 0; m >= scanned.low && m <= scanned.high && !scans.empty(); m += step) {
+    scaled.clear();
+    std::erase_if(scans, [&](const Scan& scan) { return !scales_exactly(batch[scan.query], m); });
+    for (const Scan& scan : scans) scaled.push_back(at_scale(batch[scan.query], m));
+    ask(kernel, scaled.columns(), reply);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+      Scan scan = scans[i];
+      if (reply.verdicts[i] == Verdict::unanswered) continue;
+      const bool holds = (reply.answers.bits[i] & bit) != 0;
+      const bool finite = std::isfinite(reply.answers.lhs[k][i]) && std::isfinite(reply.answers.rhs[k][i]);
+      if (m == 0) scan.holds = holds;
+      if (!finite || holds != scan.holds) {
+        if (m != 0) left[scan.query] = m;
+      } else {
+        scans[kept++] = scan;
+      }
+    }
+    scans.resize(kept);
+  }
+  return left;
+}
+template std::vector<std::optional<int>> range_left(const Implementation<float>&, const Aim&, const QueryBatch<float>&);
+template std::vector<std::optional<int>> range_left(const Implementation<double>&, const Aim&,
+                                                    const QueryBatch<double>&);
+
+double range_score(Goal goal, Precision precision, int exponent) {
+  const ExponentWindow scanned = scanned_exponents(precision);
+  return goal == Goal::overflow ? scanned.high + 1 - exponent : exponent - scanned.low + 1;
+}
+int range_exponent(Goal goal, Precision precision, double score) {
+  const ExponentWindow scanned = scanned_exponents(precision);
+  return goal == Goal::overflow ? scanned.high + 1 - static_cast<int>(score)
+                                : scanned.low - 1 + static_cast<int>(score);
+}
+
+}  // namespace axiscert

@@ -1,0 +1,294 @@
+#include "fuzz/search/search.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <chrono>
+#include <mutex>
+
+#include "fuzz/search/confirm.h"
+#include "fuzz/search/island.h"
+#include "fuzz/search/pool.h"
+#include "fuzz/search/range.h"
+#include "fuzz/search/state.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+// The islands of an aim in every epoch, and the evaluations of each. Errors of vertex comparisons are soon as great as
+// they get; those of edges profit from each other; the plane's stands alone. An estimate for a verdict takes thirty
+// questions to the kernel, one for range a hundred and exact signs; range is also soon exhausted.
+struct Share {
+  std::size_t islands;
+  std::uint64_t evaluations;
+};
+constexpr std::size_t most_islands = 12;
+constexpr Share share_of(const Aim& aim) {
+  const Axis axis = info(aim.which).axis;
+  if (aim.goal == Goal::error && axis == Axis::plane) return {most_islands, 1 << 16};
+  if (aim.goal == Goal::error && axis >= Axis::edge_ab) return {6, 1 << 16};
+  if (aim.goal == Goal::error) return {1, 1 << 16};
+  if (aim.goal == Goal::relative_error) return {1, 1 << 13};
+  if (is_about_range(aim.goal)) return {1, 1 << 9};
+  return {1, 1 << 14};
+}
+
+// One island: which aim it serves, and how long it climbs.
+struct Slot {
+  std::size_t aim;
+  std::uint64_t evaluations;
+};
+// The islands of an epoch, the aims in turn.
+std::vector<Slot> slots_of(const std::vector<Aim>& aims) {
+  std::vector<Slot> slots;
+  for (std::size_t round = 0; round < most_islands; ++round) {
+    for (std::size_t i = 0; i < aims.size(); ++i) {
+      const Share share = share_of(aims[i]);
+      if (round < share.islands) slots.push_back({i, share.evaluations});
+    }
+  }
+  return slots;
+}
+
+// Epochs without a gain of a thousandth after which a lineage is given up; and of how many new ones one begins with the
+// best of all so far, which blends them, the others with nothing.
+constexpr std::uint64_t patience = 4, blending = 3;
+constexpr double least_gain = 1.001;
+
+// Queries of families of which an island that starts with them takes the best.
+constexpr std::size_t drawn = walkers * children;
+
+// What is known for one aim.
+template <class Real>
+struct Known {
+  Pool<Real> lineage;  // what islands start from; does not change during an epoch
+  Pool<Real> fresh;    // what the islands of the epoch under way have found
+  Pool<Real> best;     // of all lineages
+  std::uint64_t stalled = 0, restarts = 0;
+
+  void end_epoch() {
+    const double before = lineage.empty() ? 0 : lineage.best().value.value();
+    lineage.put(fresh);
+    fresh = {};
+    if (lineage.empty()) return;
+    best.put(lineage);
+    stalled = lineage.best().value.value() > before * least_gain ? 0 : stalled + 1;
+    if (stalled < patience) return;
+    stalled = 0;
+    lineage = ++restarts % blending == 0 ? best : Pool<Real>();
+  }
+};
+
+template <class Real>
+class Search {
+ public:
+  using Entry = typename Pool<Real>::Entry;
+
+  explicit Search(const SearchPlan& plan)
+      : plan_(plan), aims_(aims_of(*plan.kernel, plan.comparisons)), slots_(slots_of(aims_)) {
+    if (aims_.empty()) throw Error(fmt::format("kernel {} shows nothing of these comparisons", plan.kernel->id));
+    known_.resize(aims_.size());
+  }
+
+  void resume(const std::string& text) {
+    const SearchState state = parse_state(text, plan_, aims_);
+    islands_ = state.islands;
+    evaluations_ = state.evaluations;
+    Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
+    for (std::size_t i = 0; i < aims_.size(); ++i) {
+      const StoredPools& stored = state.pools[i];
+      known_[i] = {read(aims_[i], stored.lineage, confirmer), read(aims_[i], stored.fresh, confirmer),
+                   read(aims_[i], stored.best, confirmer), stored.stalled, stored.restarts};
+    }
+  }
+
+  SearchResult run(const std::atomic<bool>& interrupted, const std::function<void(const SearchProgress&)>& report) {
+    start_ = std::chrono::steady_clock::now();
+    SearchResult result;
+    tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(plan_.threads));
+    tbb::task_arena arena(plan_.threads);
+    while (!is_over(interrupted)) arena.execute([&] { run_epoch(interrupted, report); });
+    result.complete = !interrupted;
+    result.evaluations = evaluations_;
+    result.aims = aims_;
+    result.state = state();
+    finish(result);
+    return result;
+  }
+
+ private:
+  static Pool<Real> read(const Aim& aim, const std::vector<StoredQuery>& queries, Confirmer<Real>& confirmer) {
+    Pool<Real> pool;
+    for (const StoredQuery& stored : queries) {
+      const auto q = std::get<Query<Real>>(stored.query);
+      const auto value = confirmer.value(aim, q);
+      if (!value) throw Error(fmt::format("the state to resume from: '{}' does not show that", stored.id));
+      pool.put({*value, q});
+    }
+    return pool;
+  }
+
+  double elapsed() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  bool is_over(const std::atomic<bool>& interrupted) const {
+    return interrupted || (plan_.seconds && elapsed() >= *plan_.seconds) ||
+           (plan_.evaluations && evaluations_ >= *plan_.evaluations);
+  }
+
+  // What is left of the epoch under way. Islands are handed out in order, and each that was begun is finished: those
+  // that are done are always the first.
+  void run_epoch(const std::atomic<bool>& interrupted, const std::function<void(const SearchProgress&)>& report) {
+    std::mutex mutex;
+    bool failed = false;
+    const auto claim = [&]() -> std::optional<std::uint64_t> {
+      const std::lock_guard lock(mutex);
+      const bool ended = islands_ % slots_.size() == 0 && islands_ != epoch_begin_;
+      if (failed || ended || is_over(interrupted)) return std::nullopt;
+      evaluations_ += slots_[islands_ % slots_.size()].evaluations;
+      return islands_++;
+    };
+    const auto work = [&](int) {
+      while (const auto island = claim()) {
+        std::vector<Entry> found;
+        try {
+          found = run_island(*island);
+        } catch (...) {
+          const std::lock_guard lock(mutex);
+          failed = true;
+          throw;
+        }
+        const std::lock_guard lock(mutex);
+        for (const Entry& entry : found) known_[slots_[*island % slots_.size()].aim].fresh.put(entry);
+        report({islands_, evaluations_, elapsed()});
+      }
+    };
+    epoch_begin_ = islands_;
+    tbb::parallel_for(0, plan_.threads, work, tbb::simple_partitioner());
+    if (islands_ == epoch_begin_ || islands_ % slots_.size() != 0) return;
+    for (Known<Real>& known : known_) known.end_epoch();
+    share(known_);
+  }
+
+  // Reads the lineages alone.
+  std::vector<Entry> run_island(std::uint64_t island) const {
+    const Slot& slot = slots_[island % slots_.size()];
+    const Aim& aim = aims_[slot.aim];
+    Stream stream(plan_.seed, name_hash("search"), 1, plan_.precision, island);
+    Dice random(stream);
+    Evaluator<Real> evaluator(*plan_.kernel, plan_.target);
+    Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
+    const auto candidates = climb(evaluator, aim, random, starts(slot.aim, random), slot.evaluations);
+    std::vector<Entry> found;
+    for (const ScoredQuery<Real>& candidate : candidates) {
+      if (candidate.score == 0 || found.size() == 2) break;
+      if (const auto value = confirmer.value(aim, candidate.query)) found.push_back({*value, candidate.query});
+    }
+    return found;
+  }
+
+  // Of every four islands, one starts from families, the others from the lineage.
+  std::vector<Query<Real>> starts(std::size_t aim, Dice& random) const {
+    const auto& lineage = known_[aim].lineage.entries();
+    const bool anew = lineage.empty() || random.below(4) == 0;
+    std::vector<Query<Real>> all(anew ? drawn : walkers);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (anew) {
+        const auto& source = plan_.sources[random.below(plan_.sources.size())];
+        source->make(plan_.seed, random.below(1u << 31), all[i]);
+      } else {
+        const auto among = i == 0 || random.coin() ? lineage.size() : std::min<std::size_t>(lineage.size(), 3);
+        all[i] = lineage[random.below(among)].query;
+      }
+    }
+    return all;
+  }
+
+  // The best of every comparison is tried on each other one, in all six orders of the vertices.
+  void share(std::vector<Known<Real>>& known) const {
+    Evaluator<Real> evaluator(*plan_.kernel, plan_.target);
+    Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
+    for (const Goal goal : {Goal::error, Goal::relative_error, Goal::overflow, Goal::underflow}) {
+      QueryBatch<Real> images(6 * comparison_count);
+      for (std::size_t i = 0; i < aims_.size(); ++i) {
+        if (aims_[i].goal != goal || known[i].best.empty()) continue;
+        const Query<Real>& q = known[i].best.best().query;
+        for (const auto& [a, b, c] :
+             {std::tuple(q.a, q.b, q.c), std::tuple(q.a, q.c, q.b), std::tuple(q.b, q.a, q.c),
+              std::tuple(q.b, q.c, q.a), std::tuple(q.c, q.a, q.b), std::tuple(q.c, q.b, q.a)}) {
+          images.push_back({a, b, c, q.p, q.r});
+        }
+      }
+      if (images.size() == 0) continue;
+      std::vector<double> scores;
+      for (std::size_t i = 0; i < aims_.size(); ++i) {
+        if (aims_[i].goal != goal) continue;
+        evaluator.evaluate(aims_[i], images, scores);
+        const auto best = std::max_element(scores.begin(), scores.end());
+        if (*best <= (known[i].best.empty() ? 0 : known[i].best.best().value.value())) continue;
+        const Query<Real> q = images[static_cast<std::size_t>(best - scores.begin())];
+        if (const auto value = confirmer.value(aims_[i], q)) known[i].best.put({*value, q});
+      }
+    }
+  }
+
+  std::string state() const {
+    SearchState state{islands_, evaluations_, std::vector<StoredPools>(aims_.size())};
+    const auto stored = [&](const Pool<Real>& pool) {
+      std::vector<StoredQuery> queries;
+      for (const Entry& entry : pool.entries()) queries.push_back({"", plan_.precision, entry.query});
+      return queries;
+    };
+    for (std::size_t i = 0; i < aims_.size(); ++i) {
+      const auto& [lineage, fresh, best, stalled, restarts] = known_[i];
+      state.pools[i] = {stored(lineage), stored(fresh), stored(best), stalled, restarts};
+    }
+    return state_text(plan_, aims_, state);
+  }
+
+  void finish(SearchResult& result) const {
+    std::vector<Known<Real>> known = known_;
+    for (Known<Real>& of_aim : known) of_aim.best.put(of_aim.fresh);
+    share(known);
+    Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
+    for (std::size_t i = 0; i < aims_.size(); ++i) {
+      if (known[i].best.empty()) continue;
+      const Aim& aim = aims_[i];
+      const auto& [value, query] = known[i].best.best();
+      Find find{aim, value, {name(aim), plan_.precision, query}};
+      if (is_about_range(aim.goal)) {
+        find.range_exponent = range_exponent(aim.goal, plan_.precision, value.value());
+        find.witness.query = at_scale(query, find.range_exponent);
+      } else if (!is_about_a_comparison(aim.goal)) {
+        find.links = confirmer.examine(query).judgement.verdict_links;
+      }
+      result.finds.push_back(find);
+    }
+  }
+
+  const SearchPlan& plan_;
+  std::vector<Aim> aims_;
+  std::vector<Slot> slots_;
+  std::uint64_t islands_ = 0, epoch_begin_ = 0, evaluations_ = 0;
+  std::vector<Known<Real>> known_;  // by aim
+  std::chrono::steady_clock::time_point start_;
+};
+
+template <class Real>
+SearchResult search_in(const SearchPlan& plan, const std::optional<std::string>& state,
+                       const std::atomic<bool>& interrupted, const std::function<void(const SearchProgress&)>& report) {
+  Search<Real> search(plan);
+  if (state) search.resume(*state);
+  return search.run(interrupted, report);
+}
+
+}  // namespace
+
+SearchResult search(const SearchPlan& plan, const std::optional<std::string>& state,
+                    const std::atomic<bool>& interrupted, const std::function<void(const SearchProgress&)>& report) {
+  return plan.precision == Precision::binary32 ? search_in<float>(plan, state, interrupted, report)
+                                               : search_in<double>(plan, state, interrupted, report);
+}
+
+}  // namespace axiscert

@@ -1,0 +1,64 @@
+// The search: islands that climb toward the worst of a kernel, on all cores, and what they found, confirmed exactly.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact/numbers/decimal6.h"
+#include "exact/judge/judge.h"
+#include "fuzz/search/goal.h"
+#include "fuzz/files/query_file.h"
+#include "fuzz/queries/source.h"
+
+namespace axiscert {
+
+struct SearchPlan {
+  const Kernel* kernel;
+  Precision precision = Precision::binary32;
+  std::vector<Comparison> comparisons;  // none: all, and the verdict
+  std::vector<SourcePtr> sources;       // families that islands start from
+  std::uint64_t seed = 1;
+  // Stops at the first island with which there are so many, earlier runs included, or after a time, this run's alone.
+  std::optional<std::uint64_t> evaluations;
+  std::optional<double> seconds;
+  std::string target;  // resolved
+  int threads = 1;
+};
+
+// What was found for one aim. Its query shows it when asked again: the scene where range fails is scaled already.
+struct Find {
+  Aim aim;
+  Decimal6 value;  // of range: not read
+  StoredQuery witness;
+  LinkBits links = 0;      // of a wrong verdict
+  int range_exponent = 0;  // of range: m
+  bool operator==(const Find& other) const {
+    return aim == other.aim && value == other.value && query_line(witness) == query_line(other.witness) &&
+           links == other.links && range_exponent == other.range_exponent;
+  }
+};
+
+struct SearchResult {
+  bool complete = true;  // false: interrupted
+  std::uint64_t evaluations = 0;
+  std::vector<Aim> aims;
+  std::vector<Find> finds;  // in the order of the aims; none for an aim of which nothing was found
+  std::string state;        // from which a later run goes on
+};
+
+struct SearchProgress {
+  std::uint64_t islands, evaluations;
+  double seconds;
+};
+
+// Goes on from `state`, of the same plan but for its length, or begins. The result depends on the plan, and on the
+// number of evaluations reached: not on threads, target, nor on where a run was stopped and resumed. `interrupted` is
+// polled between islands; `report` is called from one thread at a time. Throws Error where the state is of another
+// plan, and OracleDisagreement.
+SearchResult search(const SearchPlan& plan, const std::optional<std::string>& state,
+                    const std::atomic<bool>& interrupted, const std::function<void(const SearchProgress&)>& report);
+
+}  // namespace axiscert

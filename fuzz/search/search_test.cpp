@@ -1,0 +1,173 @@
+// The search as a whole: the same on any number of threads and however often it is resumed, and as good as it has to
+// be.
+#include "fuzz/search/search.h"
+
+#include <gtest/gtest.h>
+
+#include "exact/judge/examine.h"
+#include "fuzz/queries/family.h"
+#include "fuzz/search/confirm.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+SearchPlan plan_of(const char* kernel, std::vector<Comparison> comparisons, std::uint64_t evaluations) {
+  SearchPlan plan;
+  plan.kernel = &find_kernel(kernel);
+  plan.comparisons = std::move(comparisons);
+  for (const char* name : {"general", "sliver", "repeated"}) plan.sources.push_back(family_source(find_family(name)));
+  plan.evaluations = evaluations;
+  plan.target = resolve_target("auto");
+  return plan;
+}
+
+SearchResult found_by(const SearchPlan& plan, const std::optional<std::string>& state = {}) {
+  const std::atomic<bool> never = false;
+  return search(plan, state, never, [](const SearchProgress&) {});
+}
+
+const Find* find(const SearchResult& result, const Aim& aim) {
+  for (const Find& find : result.finds) {
+    if (find.aim == aim) return &find;
+  }
+  return nullptr;
+}
+
+const std::vector<Comparison> two = {Comparison::vertex_a_radius, Comparison::edge_bc_side_a};
+constexpr std::uint64_t epochs = 1'200'000;  // of `two`: a little more than two epochs
+
+TEST(Search, DoesNotDependOnThreadsOrTarget) {
+  SearchPlan plan = plan_of("published", two, epochs);
+  const SearchResult alone = found_by(plan);
+  plan.threads = 2;
+  plan.target = scalar_target;
+  const SearchResult together = found_by(plan);
+  EXPECT_EQ(alone.evaluations, together.evaluations);
+  EXPECT_EQ(alone.finds, together.finds);
+  EXPECT_EQ(alone.state, together.state);
+}
+
+// Stopped at the first island, amid an epoch, where nothing is left to do, at the end of an epoch, and after one; of
+// the vertex alone there are ten epochs, in which lineages are given up.
+TEST(Search, GoesOnWhereItWasStopped) {
+  for (const auto& comparisons : {two, std::vector<Comparison>{Comparison::vertex_a_radius}}) {
+    const std::uint64_t last = comparisons.size() == 2 ? epochs : 750'000;
+    const SearchResult whole = found_by(plan_of("published", comparisons, last));
+    std::optional<std::string> state;
+    SearchResult parts;
+    for (const std::uint64_t upto : {std::uint64_t{1}, last / 4, last / 4, last / 2, last}) {
+      parts = found_by(plan_of("published", comparisons, upto), state);
+      EXPECT_GE(parts.evaluations, upto);
+      state = parts.state;
+    }
+    EXPECT_EQ(parts.evaluations, whole.evaluations);
+    EXPECT_EQ(parts.finds, whole.finds);
+    EXPECT_EQ(parts.state, whole.state);
+    if (comparisons.size() == 2) continue;
+    EXPECT_EQ(whole.state.find("\"restarts\":[0"), std::string::npos) << "none was given up";
+  }
+}
+
+TEST(Search, AnotherSeedFindsSomethingElse) {
+  SearchPlan plan = plan_of("published", {Comparison::plane_radius}, 100'000);
+  const SearchResult one = found_by(plan);
+  plan.seed = 2;
+  EXPECT_FALSE(found_by(plan).finds == one.finds);
+}
+
+TEST(Search, FindsWhatSmallBudgetsFind) {
+  const SearchResult result = found_by(plan_of("published", {}, 6'000'000));
+  for (const auto& [which, least] :
+       {std::pair(Comparison::vertex_b_radius, 7.5), std::pair(Comparison::vertex_c_side_a, 11.0),
+        std::pair(Comparison::plane_radius, 200.0), std::pair(Comparison::edge_ab_radius, 600.0),
+        std::pair(Comparison::edge_ca_side_b, 1000.0)}) {
+    const Find* found = find(result, {Goal::error, which});
+    ASSERT_TRUE(found);
+    EXPECT_GT(found->value.value(), least) << info(which).name;
+  }
+  ASSERT_TRUE(find(result, {Goal::missed_contact}));
+  EXPECT_GT(find(result, {Goal::missed_contact})->value.value(), 0.5);
+  ASSERT_TRUE(find(result, {Goal::phantom_contact}));
+  EXPECT_GT(find(result, {Goal::critical_radius})->value.value(), 1e6);
+  EXPECT_LE(find(result, {Goal::overflow, Comparison::edge_ab_radius})->range_exponent, 22);
+  EXPECT_GE(find(result, {Goal::underflow, Comparison::edge_ab_radius})->range_exponent, -30);
+}
+
+TEST(Search, EveryWitnessShowsWhatIsSaidOfIt) {
+  const Kernel& kernel = find_kernel("published");
+  const SearchResult result = found_by(plan_of("published", {}, 3'000'000));
+  Confirmer<float> confirmer(kernel, scalar_target);
+  EXPECT_GT(result.finds.size(), 50u);
+  for (const Find& find : result.finds) {
+    const auto q = std::get<Query<float>>(find.witness.query);
+    if (is_about_range(find.aim.goal)) {
+      // Of the query as it is stored, scaled already.
+      const Examination found = confirmer.examine(q);
+      const auto k = static_cast<std::size_t>(find.aim.which);
+      const Sides<float> sides = reference_sides(q);
+      EXPECT_TRUE((found.judgement.broken[static_cast<std::size_t>(Link::range)] >> k & 1u) != 0 ||
+                  !std::isfinite(sides.lhs[k]) || !std::isfinite(sides.rhs[k]))
+          << name(find.aim);
+    } else {
+      EXPECT_EQ(confirmer.value(find.aim, q), find.value) << name(find.aim);
+    }
+  }
+}
+
+TEST(Search, KernelsThatShowOnlyVerdictsHaveVerdictsToHunt) {
+  const SearchResult result = found_by(plan_of("minkowski", {}, 60'000));
+  EXPECT_EQ(result.aims.size(), 3u);
+  EXPECT_TRUE(find(result, {Goal::critical_radius}));
+}
+
+TEST(Search, TheOtherPrecisionAndFormsWithRootsAreHuntedToo) {
+  SearchPlan plan = plan_of("reduced", {Comparison::plane_radius}, 1);
+  plan.precision = Precision::binary64;
+  EXPECT_TRUE(find(found_by(plan), {Goal::error, Comparison::plane_radius}));
+  const SearchResult rooted = found_by(plan_of("ladder-0", {Comparison::vertex_a_radius}, 200'000));
+  ASSERT_TRUE(find(rooted, {Goal::error, Comparison::vertex_a_radius}));
+  EXPECT_GT(find(rooted, {Goal::error, Comparison::vertex_a_radius})->value.value(), 1);
+}
+
+TEST(Search, AStateOfAnotherPlanIsRefused) {
+  const SearchPlan plan = plan_of("published", two, 1);
+  const std::string state = found_by(plan).state;
+  const auto refused = [&](const SearchPlan& other, const std::string& text, const std::string& says) {
+    try {
+      found_by(other, text);
+      ADD_FAILURE() << "accepted, where it should say " << says;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
+    }
+  };
+  refused(plan_of("nonstrict", two, 1), state, "kernel \"published\", this search \"nonstrict\"");
+  refused(plan_of("published", {}, 1), state, "comparisons");
+  SearchPlan seeded = plan;
+  seeded.seed = 7;
+  refused(seeded, state, "seed 1, this search 7");
+  refused(plan, "", "no state");
+  refused(plan, "{}\n", "no state");
+  refused(plan, "no json\n" + state, "no state");
+  refused(plan, state.substr(0, state.size() - 20), "resume");
+  std::string wrong = state;
+  wrong.replace(wrong.find("\"fresh error"), 12, "\"fresh horror");
+  refused(plan, wrong, "none of this search");
+}
+
+// The figures that a minute on two cores has to reach, for a fixed number of evaluations.
+TEST(SearchLong, ReachesTheFiguresThatAMinuteHasToReach) {
+  SearchPlan plan = plan_of("published", {}, 150'000'000);
+  plan.threads = 2;
+  const SearchResult result = found_by(plan);
+  for (const auto& [which, least] :
+       {std::pair(Comparison::vertex_a_radius, 7.9), std::pair(Comparison::vertex_a_side_b, 14.0),
+        std::pair(Comparison::plane_radius, 330.0), std::pair(Comparison::edge_ab_radius, 960.0),
+        std::pair(Comparison::edge_ab_side_c, 1770.0)}) {
+    EXPECT_GE(find(result, {Goal::error, which})->value.value(), least) << info(which).name;
+  }
+  EXPECT_GT(find(result, {Goal::missed_contact})->value.value(), 0.5);
+}
+
+}  // namespace
+}  // namespace axiscert

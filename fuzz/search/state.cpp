@@ -1,0 +1,103 @@
+#include "fuzz/search/state.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Raised whenever the same plan would find something else.
+constexpr int search_version = 1;
+
+// What has to be the same for a search to go on.
+Json plan_json(const SearchPlan& plan) {
+  Json sources = Json::array(), comparison_names = Json::array();
+  for (const SourcePtr& source : plan.sources)
+    sources.push_back(fmt::format("{}:{}", source->name(), source->version()));
+  for (const Comparison which : plan.comparisons) comparison_names.push_back(info(which).name);
+  return {{"schema", "axiscert-search-state/1"},
+          {"search_version", search_version},
+          {"kernel", plan.kernel->id},
+          {"precision", name(plan.precision)},
+          {"seed", plan.seed},
+          {"comparisons", comparison_names},
+          {"families", sources}};
+}
+
+// The pools of an aim, as ids begin.
+struct Kind {
+  std::string_view prefix;
+  std::vector<StoredQuery> StoredPools::*queries;
+};
+constexpr Kind kinds[] = {
+    {"lineage ", &StoredPools::lineage}, {"fresh ", &StoredPools::fresh}, {"best ", &StoredPools::best}};
+
+}  // namespace
+
+std::string state_text(const SearchPlan& plan, const std::vector<Aim>& aims, const SearchState& state) {
+  Json header = plan_json(plan);
+  header["islands"] = state.islands;
+  header["evaluations"] = state.evaluations;
+  for (const StoredPools& pools : state.pools) {
+    header["stalled"].push_back(pools.stalled);
+    header["restarts"].push_back(pools.restarts);
+  }
+  std::string text = header.dump() + "\n";
+  for (std::size_t i = 0; i < aims.size(); ++i) {
+    for (const Kind& kind : kinds) {
+      for (StoredQuery stored : state.pools[i].*kind.queries) {
+        stored.id = std::string(kind.prefix) + name(aims[i]);
+        text += query_line(stored) + "\n";
+      }
+    }
+  }
+  return text;
+}
+
+SearchState parse_state(std::string_view text, const SearchPlan& plan, const std::vector<Aim>& aims) {
+  const std::size_t end = text.find('\n');
+  const Json header = Json::parse(text.substr(0, end), nullptr, false);
+  if (end == text.npos || !header.is_object() || !header.contains("schema")) {
+    throw Error("the state to resume from is no state of a search");
+  }
+  const Json expected = plan_json(plan);
+  for (const auto& [key, value] : expected.items()) {
+    if (header.contains(key) && header[key] == value) continue;
+    throw Error(fmt::format("the state to resume from has {} {}, this search {}", key,
+                            header.contains(key) ? header[key].dump() : "missing", value.dump()));
+  }
+  const auto number = [&](const Json& value, const char* key) {
+    if (!value.is_number_unsigned()) throw Error(fmt::format("the state to resume from has no number of {}", key));
+    return value.get<std::uint64_t>();
+  };
+  const auto count = [&](const char* key) { return number(header.value(key, Json()), key); };
+  const auto count_of = [&](const char* key, std::size_t i) {
+    const Json all = header.value(key, Json::array());
+    return number(all.is_array() && all.size() == aims.size() ? all[i] : Json(), key);
+  };
+  SearchState state{count("islands"), count("evaluations"), std::vector<StoredPools>(aims.size())};
+  for (std::size_t i = 0; i < aims.size(); ++i) {
+    state.pools[i].stalled = count_of("stalled", i);
+    state.pools[i].restarts = count_of("restarts", i);
+  }
+  for (StoredQuery& stored : parse_queries(text.substr(end + 1), "the state to resume from", plan.precision)) {
+    bool found = false;
+    for (std::size_t i = 0; i < aims.size(); ++i) {
+      for (const Kind& kind : kinds) {
+        if (found || stored.precision != plan.precision || stored.id != std::string(kind.prefix) + name(aims[i]))
+          continue;
+        (state.pools[i].*kind.queries).push_back(stored);
+        found = true;
+      }
+    }
+    if (!found) throw Error(fmt::format("the state to resume from: '{}' is none of this search", stored.id));
+  }
+  return state;
+}
+
+}  // namespace axiscert

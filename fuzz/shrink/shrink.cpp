@@ -1,0 +1,95 @@
+#include "fuzz/shrink/shrink.h"
+
+#include <fmt/format.h>
+
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "fuzz/queries/random.h"
+#include "fuzz/shrink/shrink_moves.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+
+namespace {
+
+// Where no single move is left, so many made of several and of small changes that may mend them are tried before
+// the end: what they are follows from this seed
+// and the number of the attempt alone.
+constexpr std::uint64_t seed = 1, attempts = 400000, most_moves = 6, most_nudges = 6;
+
+template <class Real>
+class Walk {
+ public:
+  Walk(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target, std::uint64_t limit)
+      : symptom_(symptom), diagnosis_(kernel, target), limit_(limit) {
+    const auto given = diagnosis_.severity(q, symptom);
+    if (!given) throw Error(fmt::format("the query does not show {} of {}", text(symptom), kernel.id));
+    out_ = {q, *given, *given, {size_of(q)}, 0, true};
+  }
+
+  Shrunk<Real> run() && {
+    do singly();
+    while (out_.complete && several());
+    exact_truth(out_.query, true);  // MPFR has its say on what is handed out
+    return std::move(out_);
+  }
+
+ private:
+  // Until a round of all moves in which none is taken.
+  void singly() {
+    for (std::size_t k = 0, in_vain = 0; in_vain < moves_.size() && out_.complete; k = (k + 1) % moves_.size()) {
+      in_vain = taken(moved(out_.query, moves_[k])) ? 0 : in_vain + 1;
+    }
+  }
+
+  // Whether one was taken.
+  bool several() {
+    for (std::uint64_t n = 0; n < attempts && out_.complete; ++n) {
+      Stream random(seed, name_hash("shrink"), 1, precision_of<Real>, n);
+      std::optional<Query<Real>> q = out_.query;
+      const auto change = [&](const std::vector<Move>& moves, std::uint64_t times) {
+        for (; times > 0 && q; --times) q = moved(*q, moves[random.below(moves.size())]);
+      };
+      change(moves_, 1 + random.below(most_moves));
+      change(nudges_, random.below(most_nudges + 1));
+      if (taken(q)) return true;
+    }
+    return false;
+  }
+
+  bool taken(const std::optional<Query<Real>>& q) {
+    if (!q) return false;
+    const QuerySize size = size_of(*q);
+    if (!(size < out_.sizes.back())) return false;
+    if (out_.evaluations == limit_) {
+      out_.complete = false;
+      return false;
+    }
+    ++out_.evaluations;
+    auto severity = diagnosis_.severity(*q, symptom_);
+    if (!severity || !is_no_less(*severity, out_.before)) return false;
+    out_.query = *q;
+    out_.after = std::move(*severity);
+    out_.sizes.push_back(size);
+    return true;
+  }
+
+  const Symptom& symptom_;
+  Diagnosis<Real> diagnosis_;
+  std::uint64_t limit_;
+  const std::vector<Move> moves_ = moves<Real>(), nudges_ = nudges();
+  Shrunk<Real> out_;
+};
+
+}  // namespace
+
+template <class Real>
+Shrunk<Real> shrink(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
+                    std::uint64_t limit) {
+  return Walk<Real>(q, symptom, kernel, target, limit).run();
+}
+template Shrunk<float> shrink<float>(const Query<float>&, const Symptom&, const Kernel&, std::string_view,
+                                     std::uint64_t);
+template Shrunk<double> shrink<double>(const Query<double>&, const Symptom&, const Kernel&, std::string_view,
+                                       std::uint64_t);
+
+}  // namespace axiscert

@@ -1,0 +1,172 @@
+// Shrinking: each step is smaller, it ends, and what comes out is wrong in the same way and no less.
+#include "fuzz/shrink/shrink.h"
+
+#include <gtest/gtest.h>
+#include <mpfr.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "fuzz/queries/family.h"
+#include "fuzz/shrink/shrink_moves.h"
+#include "fuzz/queries/source.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::uint64_t seed = 5;
+
+// |d - r| / s at 4000 bits, from the rationals: none of depth.cpp's decisions.
+class WideDepth {
+ public:
+  explicit WideDepth(const ExactDepth& x) {
+    mpfr_t s;
+    mpfr_inits2(4000, value_, s, nullptr);
+    mpfr_set_q(value_, x.dd.get_mpq_t(), MPFR_RNDN);
+    mpfr_sqrt(value_, value_, MPFR_RNDN);
+    mpfr_sub_q(value_, value_, x.r.get_mpq_t(), MPFR_RNDN);
+    mpfr_abs(value_, value_, MPFR_RNDN);
+    mpfr_set_q(s, x.ss.get_mpq_t(), MPFR_RNDN);
+    mpfr_sqrt(s, s, MPFR_RNDN);
+    mpfr_div(value_, value_, s, MPFR_RNDN);
+    mpfr_clear(s);
+  }
+  ~WideDepth() { mpfr_clear(value_); }
+  WideDepth(const WideDepth&) = delete;
+  WideDepth& operator=(const WideDepth&) = delete;
+  // 0 where they agree to 3900 bits.
+  int order(const WideDepth& other) const {
+    return mpfr_eq(value_, other.value_, 3900) != 0 ? 0 : mpfr_cmp(value_, other.value_);
+  }
+
+ private:
+  mpfr_t value_;
+};
+
+template <class Real>
+ExactDepth depth_of(const Query<Real>& q) {
+  return exact_depth(q, squared_distance(q));
+}
+
+TEST(DepthOrder, AgreesWithMpfr) {
+  const Family& family = find_family("tangent");
+  std::vector<ExactDepth> depths;
+  for (std::uint64_t n = 0; n < 60; ++n) {
+    const auto q = family.make<float>(seed, n);
+    depths.push_back(depth_of(q));
+    auto v = coordinates(q);  // eight times as large: just as deep
+    for (float& x : v) x *= 8;
+    depths.push_back(depth_of(from_coordinates(v)));
+  }
+  int equal = 0;
+  std::deque<WideDepth> wides;
+  for (const ExactDepth& x : depths) wides.emplace_back(x);
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    for (std::size_t k = 0; k < depths.size(); ++k) {
+      const int order = compare(depths[i], depths[k]), wide = wides[i].order(wides[k]);
+      ASSERT_EQ((order > 0) - (order < 0), (wide > 0) - (wide < 0));
+      equal += order == 0;
+    }
+  }
+  EXPECT_GE(equal, 240);
+}
+
+TEST(QuerySize, CountsWhatAReaderSees) {
+  const Query<float> q = {{3, 0, -0.0f}, {-3, 0.5f, 0}, {0, 0, 0}, {0, 0, 0x1p-149f}, 1.25f};
+  EXPECT_EQ(size_of(q), (QuerySize{5, 2 + 2 + 1 + 1 + 3, 1 + 1 + 1 + 149 + 0, 4, 2, 0 + 3 + 4 + 11 + 12}));
+  EXPECT_LT(size_of(Query<float>{}), size_of(q));
+}
+
+// Whether the query shows it, by everything that `check` asks, without the code under test.
+template <class Real>
+bool shows(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel) {
+  Examiner examiner(kernel, scalar_target);
+  const auto flips = examiner.examine(q).judgement.flips();
+  return std::any_of(flips.begin(), flips.end(), [&](const Flip& flip) {
+    return flip.level == symptom.level && flip.index == symptom.index && flip.kind == symptom.kind &&
+           flip.links == symptom.links && flip.decisive >= symptom.decisive;
+  });
+}
+
+template <class Real>
+void expect_smaller_and_as_bad(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel) {
+  SCOPED_TRACE(text(symptom) + " of " + kernel.id);
+  const auto found = shrink(q, symptom, kernel, scalar_target, 20000);
+  ASSERT_EQ(found.sizes.front(), size_of(q));
+  ASSERT_EQ(found.sizes.back(), size_of(found.query));
+  for (std::size_t i = 1; i < found.sizes.size(); ++i) ASSERT_LT(found.sizes[i], found.sizes[i - 1]);
+  EXPECT_GT(found.sizes.size(), 1u);
+  EXPECT_TRUE(is_no_less(found.after, found.before));
+  if (symptom.kind) {
+    EXPECT_TRUE(shows(found.query, symptom, kernel));
+  }
+  if (symptom.level == Level::verdict) {
+    EXPECT_GE(WideDepth(depth_of(found.query)).order(WideDepth(depth_of(q))), 0);
+  }
+}
+
+// The first queries of a family on which a kernel is wrong, each with one symptom of each level.
+template <class Real>
+void shrink_the_first(const char* kernel_id, const char* family, int wanted, const std::uint64_t trials) {
+  const Kernel& kernel = find_kernel(kernel_id);
+  Diagnosis<Real> diagnosis(kernel, scalar_target);
+  for (std::uint64_t n = 0; n < trials && wanted > 0; ++n) {
+    const auto q = find_family(family).make<Real>(seed, n);
+    if (!is_valid(q)) continue;
+    const auto flips = diagnosis.flips(q);
+    if (flips.empty()) continue;
+    SCOPED_TRACE(testing::Message() << family << ", seed " << seed << ", position " << n);
+    std::optional<Level> last;
+    for (const Symptom& symptom : flips) {
+      if (last != symptom.level) expect_smaller_and_as_bad(q, symptom, kernel);
+      last = symptom.level;
+    }
+    --wanted;
+  }
+  EXPECT_EQ(wanted, 0) << kernel_id << " on " << family << ", seed " << seed;
+}
+
+TEST(Shrink, KeepsWhatIsWrongAndHowBadly) {
+  shrink_the_first<float>("published", "tangent", 1, 2000);
+  shrink_the_first<float>("published", "scale", 1, 2000);
+}
+TEST(ShrinkLong, EveryKindOfKernelAndBothPrecisions) {
+  for (const char* family : {"tangent", "sliver", "scale", "repeated", "subnormal", "bits"}) {
+    shrink_the_first<float>("published", family, 6, 20000);
+    shrink_the_first<double>("published", family, 2, 20000);
+  }
+  shrink_the_first<float>("nonstrict", "tangent", 4, 20000);
+  shrink_the_first<float>("ladder-0", "tangent", 4, 20000);
+  shrink_the_first<float>("closest-point", "tangent", 4, 20000);
+  shrink_the_first<float>("eigen", "tangent", 4, 20000);
+}
+
+TEST(Shrink, KeepsTheErrorOfAComparison) {
+  const auto q = find_family("sliver").make<float>(seed, 1);
+  for (const char* id : {"published", "ladder-0"}) {
+    const Symptom error{.level = Level::comparison, .index = static_cast<std::uint8_t>(Comparison::edge_bc_radius)};
+    expect_smaller_and_as_bad(q, error, find_kernel(id));
+  }
+}
+
+TEST(Shrink, TheLimitEndsItAndSaysSo) {
+  const Kernel& kernel = find_kernel("published");
+  Diagnosis<float> diagnosis(kernel, scalar_target);
+  std::uint64_t n = 0;
+  const auto at = [&] { return find_family("tangent").make<float>(seed, n); };
+  while (diagnosis.flips(at()).empty()) ++n;
+  const auto found = shrink(at(), diagnosis.flips(at()).front(), kernel, scalar_target, 3);
+  EXPECT_EQ(found.evaluations, 3u);
+  EXPECT_FALSE(found.complete);
+}
+
+TEST(Shrink, AQueryWithoutTheSymptomIsAnError) {
+  const Query<float> q = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, 2};
+  const Symptom symptom{.kind = FlipKind::false_separation, .decisive = true, .links = link_bit(Link::rounding)};
+  EXPECT_THROW(shrink(q, symptom, find_kernel("published"), scalar_target, 10), Error);
+}
+
+}  // namespace
+}  // namespace axiscert

@@ -1,0 +1,43 @@
+// The symmetries of the test: what leaves every exact answer as it is, but for the names of vertices.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "fuzz/files/query_file.h"
+
+namespace axiscert {
+
+// Image's vertex i is vertices[i] of the original, its coordinate i is axes[i] of it, negated where bit i of `signs` is
+// set.
+struct Symmetry {
+  std::array<std::uint8_t, 3> vertices, axes;
+  std::uint8_t signs;
+};
+// Six vertex orders times 48 permutations and reflections of the axes; the first is the identity.
+std::span<const Symmetry> symmetries();
+inline constexpr std::size_t symmetry_count = 288;
+
+// Of a query over any numbers that have a minus.
+template <class T>
+Query<T> image(const Query<T>& q, const Symmetry& symmetry) {
+  const auto mapped = [&](const Vec3<T>& v) {
+    const std::array<const T*, 3> from = {&v.x, &v.y, &v.z};
+    std::array<T, 3> to;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const T& x = *from[symmetry.axes[i]];
+      to[i] = ((symmetry.signs >> i) & 1u) != 0 ? T(-x) : x;
+    }
+    return Vec3<T>{to[0], to[1], to[2]};
+  };
+  const std::array<const Vec3<T>*, 3> vertex = {&q.a, &q.b, &q.c};
+  const auto at = [&](std::size_t i) { return mapped(*vertex[symmetry.vertices[i]]); };
+  return {at(0), at(1), at(2), mapped(q.p), q.r};
+}
+
+// Text that two queries share iff they are of one precision and one is the other's image by a symmetry, an exact
+// translation and a power of two: the least of the 288 images of A-P, B-P, C-P and r, as integers of which one is odd.
+// Zeros have no sign. Where a number is not finite, only the 288 images are one.
+std::string canonical_form(const StoredQuery& stored);
+
+}  // namespace axiscert

@@ -1,0 +1,164 @@
+#include "fuzz/shrink/symptom.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/sphere_triangle/measures/limits.h"
+
+namespace axiscert {
+namespace {
+
+// (lhs - rhs) / (|lhs| + |rhs|), or of the squares with their signs; 0/0 and what is undefined is 0.
+Rational relative_margin(const ExactComparison& sides) {
+  if (sides.undefined) return 0;
+  Rational lhs = rational(sides.lhs), rhs = rational(sides.rhs);
+  if (sides.rooted) rhs = rhs * abs(rhs);
+  const Rational scale = abs(lhs) + abs(rhs);
+  return sgn(scale) == 0 ? Rational(0) : Rational((lhs - rhs) / scale);
+}
+
+// An axis separates by all of its comparisons: the least margin decides.
+Rational axis_margin(const FormulaTruth& own, Axis axis) {
+  Rational least = 1;
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    if (comparisons[k].axis == axis) least = std::min(least, relative_margin(own.comparison(k)));
+  }
+  return least;
+}
+
+Severity of_margin(const Rational& margin) {
+  return {Rational(abs(margin)), fmt::format("relative margin {:.6g}", std::abs(margin.get_d()))};
+}
+
+// What the kernel has to answer for the symptom to be there: cheap to see, before anything exact is asked.
+bool can_show(const Symptom& symptom, const Answer& answer) {
+  if (answer.verdict == Verdict::unanswered) return false;
+  if (symptom.level == Level::verdict) {
+    return answer.verdict == (symptom.kind == FlipKind::false_separation ? Verdict::separated : Verdict::contact);
+  }
+  if (!answer.bits) return false;
+  const unsigned bits = symptom.level == Level::axis ? axes_of(*answer.bits) : *answer.bits;
+  return !symptom.kind || ((bits >> symptom.index) & 1u) == (symptom.kind == FlipKind::false_separation);
+}
+
+std::string links_text(LinkBits links) {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < link_count; ++i) {
+    if ((links >> i) & 1u) names.push_back(link_names[i]);
+  }
+  return fmt::format("{}", fmt::join(names, " "));
+}
+
+ComparisonBits causes_of(const Judgement& judgement, const Flip& flip) {
+  switch (flip.level) {
+    case Level::verdict:
+      return judgement.comparison_decisive;
+    case Level::axis:
+      return judgement.comparison_flips & comparisons_of(static_cast<Axis>(flip.index));
+    case Level::comparison:
+      return static_cast<ComparisonBits>(1u << flip.index);
+  }
+  return 0;
+}
+
+Symptom symptom_of(const Judgement& judgement, const Flip& flip) {
+  return {flip.level, flip.index, flip.kind, flip.decisive, flip.links, causes_of(judgement, flip)};
+}
+
+bool shows(const Judgement& judgement, const Symptom& symptom) {
+  bool found = false;
+  judgement.for_each_flip([&](const Flip& flip) {
+    const Symptom s = symptom_of(judgement, flip);
+    const bool same_causes = (s.causes & ~symptom.causes) == 0 && (s.causes != 0) == (symptom.causes != 0);
+    found = found || (s.level == symptom.level && s.index == symptom.index && s.kind == symptom.kind &&
+                      s.links == symptom.links && s.decisive >= symptom.decisive && same_causes);
+  });
+  return found;
+}
+
+}  // namespace
+
+std::string_view name(const Symptom& s) { return name(Flip{s.level, s.index, FlipKind{}, false, 0}); }
+
+std::string text(const Symptom& s) {
+  if (!s.kind) return fmt::format("{} error", name(s));
+  std::vector<std::string_view> causes;
+  for (std::size_t i = 0; i < comparison_count && s.level != Level::comparison; ++i) {
+    if ((s.causes >> i) & 1u) causes.push_back(comparisons[i].name);
+  }
+  return fmt::format("{} {}{} [{}]{}{}", name(s), flip_kind_names[static_cast<std::size_t>(*s.kind)],
+                     s.level == Level::verdict ? ""
+                     : s.decisive              ? " decisive"
+                                               : " masked",
+                     links_text(s.links), causes.empty() ? "" : " by ", fmt::join(causes, ", "));
+}
+
+bool is_no_less(const Severity& now, const Severity& then) {
+  if (const auto* depth = std::get_if<ExactDepth>(&now.exact))
+    return compare(*depth, std::get<ExactDepth>(then.exact)) >= 0;
+  if (const auto* margin = std::get_if<Rational>(&now.exact)) return *margin >= std::get<Rational>(then.exact);
+  // Rounding up is monotone: of two numbers, the one that comes to more is more.
+  return std::get<Decimal6>(now.exact) > std::get<Decimal6>(then.exact);
+}
+
+template <class Real>
+Reply<Real> Diagnosis<Real>::asked(const Query<Real>& q) {
+  if (!implementation_) implementation_ = kernel_.on<Real>(target_);
+  Reply<Real> reply = ask(*implementation_, q);
+  if (reply.verdicts[0] == Verdict::unanswered) implementation_.reset();
+  return reply;
+}
+
+template <class Real>
+std::vector<Symptom> Diagnosis<Real>::flips(const Query<Real>& q) {
+  std::vector<Symptom> all;
+  const Judgement judgement = examine(q, kernel_, asked(q).outcome(0)).judgement;
+  judgement.for_each_flip([&](const Flip& flip) { all.push_back(symptom_of(judgement, flip)); });
+  return all;
+}
+
+template <class Real>
+std::optional<Severity> Diagnosis<Real>::severity(const Query<Real>& q, const Symptom& symptom) {
+  if (!is_valid(q) || !is_within(kernel_.limits, q)) return std::nullopt;
+  const Reply<Real> reply = asked(q);
+  const Answer answer = reply.outcome(0);
+  if (!can_show(symptom, answer)) return std::nullopt;
+  const ExactTruth truth = exact_truth(q, false);
+  Claims<Real> claims(q, *truth.formula);
+  if (!symptom.kind) {
+    const FormulaTruth* own = claims.sides(kernel_.formulae);
+    if (own == nullptr || kernel_.exposes != Exposure::sides) return std::nullopt;
+    const Sides<Real> sides = reply.sides(0);
+    const auto exact = own->comparison(symptom.index);
+    const ComparisonError error(sides.lhs[symptom.index], sides.rhs[symptom.index], exact);
+    if (error.kind() != ComparisonError::Kind::finite) return std::nullopt;
+    const Decimal6 digits = error.rounded_up();
+    const std::string shown = digits.text() + " u";
+    if (exact.rooted) return Severity{digits, shown};
+    const Fraction fraction = error.exact();
+    return Severity{Rational(fraction.numerator) / Rational(fraction.denominator), shown};
+  }
+  const Judgement judgement = judge(truth, claims.chain(kernel_), answer, kernel_.touching);
+  if (!shows(judgement, symptom)) return std::nullopt;
+  switch (symptom.level) {
+    case Level::verdict: {
+      const Rational distance = squared_distance(q);
+      return Severity{exact_depth(q, distance), fmt::format("{:.6g} of the scene", depth(q, distance))};
+    }
+    case Level::axis:
+      return of_margin(axis_margin(*claims.sides(kernel_.formulae), static_cast<Axis>(symptom.index)));
+    case Level::comparison:
+      return of_margin(relative_margin(claims.sides(kernel_.formulae)->comparison(symptom.index)));
+  }
+  return std::nullopt;
+}
+
+template class Diagnosis<float>;
+template class Diagnosis<double>;
+
+}  // namespace axiscert

@@ -1,4 +1,0 @@
-/* Vertex B separates as soon as A lies beyond its plane, wherever C does. Missed contacts only. */
-#define VERTEX_B_SIDE_C 1
-
-#include "kernel/faults/published.h"

@@ -1,5 +1,0 @@
-/* Returns "separated" for "they intersect". Every answer is wrong. */
-#define EXPOSES AXISCERT_VERDICT_ONLY
-#define VERDICT (separated ? AXISCERT_CONTACT : AXISCERT_SEPARATED)
-
-#include "kernel/faults/published.h"

@@ -1,2 +1,0 @@
-/* No fault: the control. It equals the built-in `published` bit for bit. */
-#include "kernel/faults/published.h"

@@ -1,4 +1,0 @@
-/* Touching vertex A from outside counts as separated; nothing else changes. Missed contacts at depth 0 only. */
-#define VERTEX_A_RADIUS (aa >= rr)
-
-#include "kernel/faults/published.h"

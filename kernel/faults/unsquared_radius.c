@@ -1,4 +1,0 @@
-/* The radius for its square: the sphere has radius sqrt(r). Missed contacts where r > 1, phantom ones where r < 1. */
-#define RADIUS_SQUARED r
-
-#include "kernel/faults/published.h"

@@ -1,5 +1,0 @@
-/* C -= P is forgotten: the triangle has its third vertex elsewhere, unless the centre is the origin. Missed and phantom
- * contacts. */
-#define C_TRANSLATED c[k]
-
-#include "kernel/faults/published.h"

@@ -1,4 +1,0 @@
-/* The foot on BC goes along AB: a point of no edge. Missed and phantom contacts. */
-#define FOOT_ON_BC (B[k] * e2 - AB[k] * d2)
-
-#include "kernel/faults/published.h"

@@ -1,0 +1,213 @@
+// Every registered kernel on hand-worked queries, in every vertex order, in both precisions and on every target.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "kernel/testing/queries.h"
+#include "kernel/testing/table.h"
+
+namespace axiscert {
+namespace {
+
+using testing_support::answer, testing_support::behaviours, testing_support::Behaviour,
+    testing_support::for_each_vertex_order, testing_support::Says, testing_support::says_names;
+
+template <class Real>
+using Queries = std::vector<Query<Real>>;
+
+// A right triangle in z = 0; every distance below is an integer or, in the comments, a root, and every operation of
+// every kernel on these numbers is exact but for the roots.
+template <class Real>
+Query<Real> sphere_at(Vec3<Real> p, Real r) {
+  return {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, p, r};
+}
+
+template <class Real>
+Queries<Real> clear_separations() {
+  return {sphere_at<Real>({1, 1, 3}, 1),    // the face, at distance 3
+          sphere_at<Real>({1, -3, 0}, 1),   // AB, 3
+          sphere_at<Real>({4, 4, 1}, 1),    // BC, 3
+          sphere_at<Real>({-3, 1, 0}, 1),   // CA, 3
+          sphere_at<Real>({-3, -3, 1}, 1),  // A, sqrt(19)
+          sphere_at<Real>({9, -1, 0}, 1),   // B, sqrt(26)
+          sphere_at<Real>({-1, 9, 0}, 1)};  // C, sqrt(26)
+}
+template <class Real>
+Queries<Real> overlaps() {
+  constexpr auto half = Real(0.5);
+  return {sphere_at<Real>({1, 1, half}, 1), sphere_at<Real>({2, -half, 0}, 1), sphere_at<Real>({-half, -half, 0}, 1)};
+}
+template <class Real>
+Queries<Real> contacts() {
+  Queries<Real> all = overlaps<Real>();
+  all.push_back(sphere_at<Real>({1, 1, 0}, 100));  // the triangle wholly inside
+  all.push_back(sphere_at<Real>({1, 1, 0}, 0));    // a point on the face
+  all.push_back(sphere_at<Real>({1, 1, 2}, 2));    // touching the face
+  all.push_back(sphere_at<Real>({1, -2, 0}, 2));   // touching an edge
+  all.push_back(sphere_at<Real>({-3, -4, 0}, 5));  // touching a vertex with a right angle
+  all.push_back(sphere_at<Real>({7, -4, 0}, 5));   // and one without
+  return all;
+}
+
+template <class Real>
+Query<Real> sphere_at_origin(Vec3<Real> a, Vec3<Real> b, Vec3<Real> c, Real r) {
+  return {a, b, c, {0, 0, 0}, r};
+}
+template <class Real>
+Queries<Real> repeated(Real r) {
+  return {sphere_at_origin<Real>({2, 0, 0}, {2, 0, 0}, {3, 0, 0}, r),     // nearest at the pair, at distance 2
+          sphere_at_origin<Real>({-2, 3, 0}, {-2, 3, 0}, {2, 3, 0}, r)};  // nearest within, at 3
+}
+template <class Real>
+Queries<Real> collinear(Real r) {
+  return {sphere_at_origin<Real>({-2, 3, 0}, {1, 3, 0}, {2, 3, 0}, r),
+          sphere_at_origin<Real>({-1, 3, 0}, {1, 3, 0}, {3, 3, 0}, r)};
+}
+template <class Real>
+Queries<Real> point(Real r) {
+  return {sphere_at_origin<Real>({3, 0, 0}, {3, 0, 0}, {3, 0, 0}, r)};
+}
+
+// The clear separations, with one coordinate in turn, from the `first` to before the `last`, replaced.
+template <class Real>
+Queries<Real> with(std::initializer_list<Real> values, std::size_t first, std::size_t last) {
+  Queries<Real> all;
+  for (const Query<Real>& q : clear_separations<Real>()) {
+    for (std::size_t k = first; k < last; ++k) {
+      for (const Real value : values) {
+        auto v = coordinates(q);
+        v[k] = value;
+        all.push_back(from_coordinates(v));
+      }
+    }
+  }
+  return all;
+}
+
+// What the kernel says to all of them in all vertex orders on all of its targets.
+struct Heard {
+  int contacts = 0, separations = 0, invalid = 0, undecided = 0;
+  bool all(Verdict v) const { return never_other(v) && (v == Verdict::undecided || undecided == 0); }
+  // That, or undecided.
+  bool never_other(Verdict v) const {
+    return (v == Verdict::contact || contacts == 0) && (v == Verdict::separated || separations == 0) &&
+           (v == Verdict::invalid || invalid == 0);
+  }
+};
+template <class Real>
+Heard ask(const Kernel& kernel, const Queries<Real>& queries) {
+  Heard heard;
+  for (const Query<Real>& original : queries) {
+    for_each_vertex_order(original, [&](const Query<Real>& q, std::string_view) {
+      for (const std::string& target :
+           kernel.has_simd ? available_targets() : std::vector{std::string(scalar_target)}) {
+        const Verdict verdict = answer(kernel, q, target).verdict;
+        heard.contacts += verdict == Verdict::contact;
+        heard.separations += verdict == Verdict::separated;
+        heard.invalid += verdict == Verdict::invalid;
+        heard.undecided += verdict == Verdict::undecided;
+      }
+    });
+  }
+  return heard;
+}
+
+std::string_view summary(const Heard& heard, Says if_separated) {
+  const Says says = heard.all(Verdict::separated)                                          ? if_separated
+                    : heard.all(Verdict::contact)                                          ? Says::contact
+                    : heard.all(Verdict::invalid)                                          ? Says::invalid
+                    : heard.all(Verdict::undecided)                                        ? Says::undecided
+                    : if_separated == Says::right && heard.never_other(Verdict::separated) ? Says::declines
+                                                                                           : Says::varies;
+  return says_names[static_cast<std::size_t>(says)];
+}
+std::string_view name(Says says) { return says_names[static_cast<std::size_t>(says)]; }
+
+template <class Real>
+class BehaviourTest : public testing::Test {};
+using Reals = testing::Types<float, double>;
+TYPED_TEST_SUITE(BehaviourTest, Reals);
+
+TYPED_TEST(BehaviourTest, EveryKernelHasOneRowInTheRegistrysOrder) {
+  ASSERT_EQ(kernels().size(), behaviours.size());
+  for (std::size_t i = 0; i < behaviours.size(); ++i) EXPECT_EQ(kernels()[i].id, behaviours[i].kernel);
+}
+
+TYPED_TEST(BehaviourTest, TrianglesWithArea) {
+  for (const Behaviour& expected : behaviours) {
+    const Kernel& kernel = find_kernel(expected.kernel);
+    const Heard apart = ask(kernel, clear_separations<TypeParam>()), together = ask(kernel, contacts<TypeParam>());
+    const Says says = apart.all(Verdict::separated) && together.all(Verdict::contact)                   ? Says::right
+                      : apart.never_other(Verdict::separated) && together.never_other(Verdict::contact) ? Says::declines
+                                                                                                        : Says::wrong;
+    EXPECT_EQ(name(says), name(expected.area)) << kernel.id;
+    if (says != Says::declines) continue;
+    // What is far from the boundary is decided.
+    EXPECT_TRUE(apart.all(Verdict::separated)) << kernel.id;
+    EXPECT_TRUE(ask(kernel, overlaps<TypeParam>()).all(Verdict::contact)) << kernel.id;
+  }
+}
+
+TYPED_TEST(BehaviourTest, DegenerateTriangles) {
+  for (const Behaviour& expected : behaviours) {
+    const Kernel& kernel = find_kernel(expected.kernel);
+    EXPECT_EQ(summary(ask(kernel, repeated<TypeParam>(1)), Says::right), name(expected.repeated)) << kernel.id;
+    EXPECT_EQ(summary(ask(kernel, collinear<TypeParam>(1)), Says::right), name(expected.collinear)) << kernel.id;
+    EXPECT_EQ(summary(ask(kernel, point<TypeParam>(1)), Says::right), name(expected.point)) << kernel.id;
+    for (const auto& touching : {collinear<TypeParam>(3), point<TypeParam>(3), repeated<TypeParam>(3)}) {
+      const Heard heard = ask(kernel, touching);
+      EXPECT_TRUE(expected.area == Says::wrong || heard.all(Verdict::contact) ||
+                  (expected.area == Says::declines && heard.never_other(Verdict::contact)))
+          << kernel.id;
+    }
+  }
+}
+
+TYPED_TEST(BehaviourTest, CoordinatesThatAreNoNumbers) {
+  constexpr TypeParam inf = std::numeric_limits<TypeParam>::infinity(),
+                      nan = std::numeric_limits<TypeParam>::quiet_NaN();
+  for (const Behaviour& expected : behaviours) {
+    const Kernel& kernel = find_kernel(expected.kernel);
+    EXPECT_EQ(summary(ask(kernel, with({nan}, 0, 9)), Says::separated), name(expected.nan)) << kernel.id;
+    EXPECT_EQ(summary(ask(kernel, with({inf, -inf}, 0, 9)), Says::separated), name(expected.infinite)) << kernel.id;
+    EXPECT_EQ(summary(ask(kernel, with({inf, -inf}, 9, 12)), Says::separated), name(expected.infinite_centre))
+        << kernel.id;
+    const Verdict blind = expected.nan == Says::invalid     ? Verdict::invalid
+                          : expected.nan == Says::undecided ? Verdict::undecided
+                                                            : Verdict::contact;
+    EXPECT_TRUE(ask(kernel, with({nan}, 9, 13)).all(blind)) << kernel.id << ": centre or radius is NaN";
+    EXPECT_TRUE(ask(kernel, with({inf}, 12, 13)).all(blind)) << kernel.id << ": infinite radius";
+  }
+}
+
+// Squaring forgets the sign of r.
+TYPED_TEST(BehaviourTest, NegativeRadii) {
+  Queries<TypeParam> queries = {overlaps<TypeParam>()[0], overlaps<TypeParam>()[1]};
+  for (Query<TypeParam>& q : queries) q.r = -q.r;
+  for (const Behaviour& expected : behaviours) {
+    if (expected.area == Says::wrong) continue;
+    const Kernel& kernel = find_kernel(expected.kernel);
+    EXPECT_EQ(summary(ask(kernel, queries), Says::separated), name(expected.negative_radius)) << kernel.id;
+  }
+}
+
+TEST(BehaviourTable, StandsInTheDocumentation) {
+  std::ifstream file(SOURCE_FOLDER "/docs/kernels.md");
+  ASSERT_TRUE(file) << "docs/kernels.md";
+  std::stringstream text;
+  text << file.rdbuf();
+  for (const Behaviour& b : behaviours) {
+    std::string row = "| `" + std::string(b.kernel) + "` |";
+    for (const Says cell :
+         {b.area, b.repeated, b.collinear, b.point, b.nan, b.infinite, b.infinite_centre, b.negative_radius}) {
+      row += " " + std::string(name(cell)) + " |";
+    }
+    EXPECT_NE(text.str().find(row), std::string::npos) << "docs/kernels.md lacks the row\n" << row;
+  }
+}
+
+}  // namespace
+}  // namespace axiscert

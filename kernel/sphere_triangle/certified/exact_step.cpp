@@ -1,0 +1,238 @@
+#include "kernel/sphere_triangle/certified/exact_step.h"
+
+#include <algorithm>
+#include <bit>
+#include <iterator>
+
+#include "kernel/sphere_triangle/certified/numbers/ball.h"
+#include "kernel/sphere_triangle/certified/numbers/balanced_digits.h"
+#include "kernel/sphere_triangle/certified/numbers/dyadic.h"
+#include "kernel/sphere_triangle/certified/exact_margins.h"
+#include "kernel/sphere_triangle/certified/numbers/integer.h"
+
+namespace axiscert::certified {
+namespace {
+
+// Integers of as many words as the values of each degree take, of a query whose thirteen numbers are below 2^(n - 1) in
+// magnitude: the six differences of points stay below 2^n, A.A below 2^(2n + 2), a component of N and V below
+// 2^(2n + 1), d below 2^(3n + 3), N.N, N.V and V.V below 2^(4n + 4), degree 6 below 2^(6n + 6); margins below twice
+// that; and a sign.
+template <int n>
+struct Integers {
+  static constexpr int bits(int degree) { return degree * n + (degree == 1 ? 1 : degree + 2); }
+  template <int degree>
+  using Value = Integer<static_cast<std::size_t>((bits(degree) + 63) / 64)>;
+};
+// For numbers so far apart that few of their digits are not zero.
+struct Digits {
+  template <int degree>
+  using Value = BalancedDigits<degree>;
+};
+struct Balls {
+  template <int>
+  using Value = Ball;
+};
+template <class Numbers>
+using Query13 = typename Numbers::template Value<1>[13];
+
+// The plane's axis and those of edges whose sides are open need V.
+bool needs_normal(Known known) noexcept {
+  constexpr std::uint64_t plane_and_edges = 0b1111 << Known::plane_axis, edges = 0b111 << Known::edge_axis;
+  const std::uint64_t fails = known.bits >> Known::fails, sides = known.bits >> Known::sides;
+  return (~fails & (plane_and_edges ^ (sides & edges))) & plane_and_edges;
+}
+
+// The reduced test (kernel/sphere_triangle/rungs/reduced.h) with non-strict sides, which decides every triangle; for
+// the open sphere with non-strict radii too, of axes that have a normal: the distance is at least r > 0 iff some such
+// axis has all of the triangle at distance r or farther (exact/sphere_triangle/filters/signs.h, is_touching).
+template <class Numbers>
+class Test {
+ public:
+  Test(const Query13<Numbers>& q, bool open, Known known) noexcept : m_(q), open_(open), known_(known) {}
+
+  bool separates() const noexcept {
+    for (int i = 0; i < 3; ++i) {
+      if (vertex_separates(i)) return true;
+    }
+    const Normal V = needs_normal(known_) ? m_.plane_normal() : Normal{};
+    if (plane_separates(V)) return true;
+    for (int i = 0; i < 3; ++i) {
+      if (edge_separates(i, V)) return true;
+    }
+    return false;
+  }
+
+ private:
+  using Margins = ExactMargins<Numbers>;
+  using Point = typename Margins::Point;
+  using Normal = typename Margins::Normal;
+
+  template <class Number>
+  bool beyond(const Number& margin) const noexcept {
+    return open_ ? !margin.is_negative() : margin.is_positive();
+  }
+  bool vertex_separates(int i) const noexcept {
+    const int axis = Known::vertex_axis + i;
+    const auto leads_away = [&](int to) { return !m_.vertex_side(i, to).is_negative(); };
+    return !known_.has(Known::fails, axis) && (known_.has(Known::radius, axis) || beyond(m_.vertex_radius(i))) &&
+           (known_.has(Known::sides, axis) || (leads_away(m_.next(i)) && leads_away(m_.last(i))));
+  }
+  bool plane_separates(const Normal& V) const noexcept {
+    return !known_.has(Known::fails, Known::plane_axis) && !V.is_zero() && beyond(m_.plane_radius(V));
+  }
+  bool edge_separates(int i, const Normal& V) const noexcept {
+    const int axis = Known::edge_axis + i;
+    if (known_.has(Known::fails, axis)) return false;
+    const Point along = m_.along(i);
+    if (along.is_zero()) return false;
+    const Normal N = m_.edge_normal(i, along);
+    return (known_.has(Known::sides, axis) || !m_.edge_side(N, V).is_positive()) &&
+           (known_.has(Known::radius, axis) || beyond(m_.edge_radius(N, along)));
+  }
+
+  Margins m_;
+  bool open_;
+  Known known_;
+};
+
+template <class Numbers>
+[[gnu::noinline]] bool separated_in(const Query13<Numbers>& q, bool open, Known known) noexcept {
+  return Test<Numbers>(q, open, known).separates();
+}
+
+// The numbers in units of 2^unit.
+template <int bits>
+[[gnu::noinline]] bool separated_in_units(const double (&q)[13], int unit, bool open, Known known) noexcept {
+  using Numbers = Integers<bits>;
+  Query13<Numbers> numbers;
+  for (int i = 0; i < 13; ++i) {
+    const Dyadic x(q[i]);
+    numbers[i] = shifted<typename Numbers::template Value<1>>(
+        x.significand >> x.zeros, static_cast<unsigned>(x.exponent + x.zeros - unit), x.negative);
+  }
+  return separated_in<Numbers>(numbers, open, known);
+}
+
+bool is_open(std::uint32_t axes, int axis) noexcept { return ((axes >> axis) & 1u) != 0; }
+
+// What balls are certain of besides, for either sphere.
+Known with_balls(const double (&q)[13], Known known) noexcept {
+  Ball numbers[13];
+  for (int i = 0; i < 13; ++i) numbers[i] = Ball(Dyadic(q[i]));
+  const ExactMargins<Balls> m(numbers);
+  const auto note = [&](int group, int axis, bool holds, bool fails) {
+    known.bits |= std::uint64_t{holds} << (group + axis) | std::uint64_t{fails} << (Known::fails + axis);
+  };
+  const auto note_radius = [&](int axis, const Ball& margin) {
+    note(Known::radius, axis, margin.is_positive(), margin.is_negative());
+  };
+  note(Known::sides, Known::plane_axis, true, false);  // it has none
+  const Vector<Ball> V = needs_normal(known) ? m.plane_normal() : Vector<Ball>{};
+  for (int i = 0; i < 3; ++i) {
+    const int vertex = Known::vertex_axis + i, edge = Known::edge_axis + i;
+    if (is_open(known.open_radii(), vertex)) note_radius(vertex, m.vertex_radius(i));
+    if (is_open(known.open_sides(), vertex)) {
+      const Ball away = m.vertex_side(i, m.next(i)), towards = m.vertex_side(i, m.last(i));
+      note(Known::sides, vertex, away.is_at_least_zero() && towards.is_at_least_zero(),
+           away.is_negative() || towards.is_negative());
+    }
+    if (!is_open(known.open_radii() | known.open_sides(), edge)) continue;
+    const Vector<Ball> along = m.along(i), N = m.edge_normal(i, along);
+    if (is_open(known.open_sides(), edge)) {
+      const Ball side = m.edge_side(N, V);
+      note(Known::sides, edge, side.is_at_most_zero(), side.is_positive());
+    }
+    if (is_open(known.open_radii(), edge)) note_radius(edge, m.edge_radius(N, along));
+  }
+  if (is_open(known.open_radii(), Known::plane_axis)) note_radius(Known::plane_axis, m.plane_radius(V));
+  return known;
+}
+
+// Numbers so far apart that few of their digits are not zero.
+bool separated_by_digits(const double (&q)[13], bool open, Known known) noexcept {
+  known = with_balls(q, known);
+  if (known.is_separated()) return true;
+  if (known.is_contact()) return false;
+  Query13<Digits> numbers;
+  for (int i = 0; i < 13; ++i) numbers[i] = digits_of(Dyadic(q[i]));
+  return separated_in<Digits>(numbers, open, known);
+}
+
+// A radius of at most this power of two, where the other twelve numbers are integers below 2^(n - 1): rr times 1,
+// |AB|^2 < 2^(2n + 2) or |V|^2 < 2^(4n + 4) is below 1, and the other side of a radius comparison is an integer. Of an
+// axis that has a normal: beyond iff that is not zero, closed or open, as the closed sphere of radius 0 is. Meshes are
+// asked with the least radius that there is.
+constexpr int negligible_radius(int n) { return -2 * n - 2; }
+
+// The numbers as integers below 2^(bits - 1), if they are that in units of 2^(top - bits + 1), where 2^top is the least
+// power of two above all of them; but for a radius that is negligible in these. The processor's own conversions: one
+// that is inexact does not give the number back, but of a radius that underflows, negligible however that rounds.
+template <int bits>
+bool fit(const double (&q)[13], int top, Query13<Integers<bits>>& numbers, bool& open) noexcept {
+  static_assert(bits <= 62);
+  const int shift = bits - 1 - top;
+  if (shift < -1000 || shift > 1000) return false;
+  const auto power = [](int exponent) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
+  };
+  const double scale = power(shift), back = power(-shift);
+  for (int i = 0; i < 13; ++i) {
+    const double scaled = q[i] * scale;
+    const auto x = static_cast<std::int64_t>(scaled);
+    numbers[i].word[0] = static_cast<std::uint64_t>(x);
+    if (static_cast<double>(x) * back == q[i]) continue;
+    if (i != 12 || scaled > power(negligible_radius(bits))) return false;
+    open = false;
+  }
+  return true;
+}
+int top_of(const double (&q)[13]) noexcept {
+  std::uint64_t greatest = 0;
+  for (const double x : q) greatest = std::max(greatest, std::bit_cast<std::uint64_t>(x) << 1);
+  return static_cast<int>(greatest >> 53) - 1022;
+}
+
+// The numbers are multiples of 2^unit, below 2^top in magnitude; zero tells nothing.
+struct Span {
+  int unit = 1024, top = -1075;
+  void include(const Dyadic& x) noexcept {
+    if (x.significand == 0) return;
+    if (x.exponent + x.zeros < unit) unit = x.exponent + x.zeros;
+    if (x.top() > top) top = x.top();
+  }
+  bool is_empty() const noexcept { return top < unit; }
+  int bits() const noexcept { return is_empty() ? 1 : top - unit + 1; }  // n above
+};
+
+}  // namespace
+
+bool exactly_separated(const double (&query)[13], Question question, Known known) noexcept {
+  bool open = question == Question::open_sphere;
+  if (open && query[12] == 0) return true;  // an open sphere of radius 0 is empty
+  const int top = top_of(query);
+  if (Query13<Integers<30>> numbers; fit<30>(query, top, numbers, open)) {
+    return separated_in<Integers<30>>(numbers, open, known);
+  }
+  if (Query13<Integers<62>> numbers; fit<62>(query, top, numbers, open)) {
+    return separated_in<Integers<62>>(numbers, open, known);
+  }
+
+  double q[13];
+  std::copy(std::begin(query), std::end(query), q);
+  Span span;
+  for (int i = 0; i < 12; ++i) span.include(Dyadic(q[i]));
+  const Dyadic r(q[12]);
+  if (r.significand != 0 && !span.is_empty() && r.top() <= span.unit + negligible_radius(span.bits())) {
+    q[12] = 0;
+    open = false;
+  } else {
+    span.include(r);
+  }
+  const int unit = span.unit, bits = span.bits();
+  if (bits <= 62) return separated_in_units<62>(q, unit, open, known);  // 1, 2, 3, 4 and 6 words
+  if (bits <= 94) return separated_in_units<94>(q, unit, open, known);  // 2, 3, 5, 6 and 9
+  if (bits <= 126) return separated_in_units<126>(q, unit, open, known);
+  return separated_by_digits(q, open, known);
+}
+
+}  // namespace axiscert::certified

@@ -1,0 +1,109 @@
+// What the steps of the certified predicate share: the question, a block of queries and the answers to it, and the
+// forms of the steps for each instruction set.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace axiscert::certified {
+
+// Is the distance at most r, or less than r; or has it been shown to be greater than r (kernel `conservative`).
+enum class Question : std::uint8_t { closed_sphere, open_sphere, conservative };
+
+inline constexpr std::size_t block_size = 256;
+
+// Up to block_size queries by columns, ax ay az bx by bz cx cy cz px py pz r. Where all ask of one sphere, the last
+// four columns have one entry.
+template <class Real>
+struct Block {
+  const Real* column[13];
+  std::size_t size;
+  bool one_sphere;
+};
+
+// Bit i of word i / 64 is query i. None is in both; bits from the size on are zero.
+template <std::size_t most>
+struct Answer {
+  std::uint64_t contact[most / 64];
+  std::uint64_t invalid[most / 64];
+};
+using BlockAnswer = Answer<block_size>;
+
+// Up to mesh_chunk_size triangles of an indexed mesh (kernel/include/axiscert/certified.h), asked of one sphere, px py
+// pz r: those that a list names, or where it is null, those whose indices these are.
+inline constexpr std::size_t mesh_chunk_size = 1024;
+template <class Real>
+struct MeshChunk {
+  const Real* sphere;
+  const Real* vertices;
+  std::size_t stride;
+  const std::uint32_t* indices;
+  const std::uint32_t* list;
+  std::size_t size;
+};
+using MeshAnswer = Answer<mesh_chunk_size>;
+
+// What is kept from chunk to chunk: of the vertices first to end - 1 which faces of the sphere's box they are beyond,
+// and whether that told most triangles of the last chunk.
+struct Outcodes {
+  std::uint32_t first = 0, end = 0;
+  bool are_useful = false;
+  std::uint8_t code[8192];
+};
+
+// Where the set bits of a byte are, the lowest first; 0 in the other places.
+struct SetBits {
+  std::uint8_t place[8];
+};
+inline constexpr auto set_bits_first = [] {
+  std::array<SetBits, 256> all{};
+  for (unsigned bits = 0; bits < 256; ++bits) {
+    unsigned next = 0;
+    for (std::uint8_t i = 0; i < 8; ++i) {
+      if ((bits >> i) & 1u) all[bits].place[next++] = i;
+    }
+  }
+  return all;
+}();
+
+// The steps on one instruction set. The modes of kernel/sphere_triangle/certified/default_modes.h have to be set.
+struct Forms {
+  void (*block32)(const Block<float>&, Question, BlockAnswer&) noexcept;
+  void (*block64)(const Block<double>&, Question, BlockAnswer&) noexcept;
+  // One query at a time, in the same steps.
+  void (*one32)(const Block<float>&, Question, BlockAnswer&) noexcept;
+  void (*one64)(const Block<double>&, Question, BlockAnswer&) noexcept;
+  void (*mesh32)(const MeshChunk<float>&, Question, Outcodes&, MeshAnswer&) noexcept;
+  void (*mesh64)(const MeshChunk<double>&, Question, Outcodes&, MeshAnswer&) noexcept;
+  // ax ay az bx by bz cx cy cz and px py pz r; the first word of the answer alone is written.
+  void (*pair32)(const float* triangle, const float* sphere, Question, BlockAnswer&) noexcept;
+  void (*pair64)(const double* triangle, const double* sphere, Question, BlockAnswer&) noexcept;
+
+  template <class Real>
+  auto block() const noexcept {
+    if constexpr (sizeof(Real) == 4) return block32;
+    else return block64;
+  }
+  template <class Real>
+  auto one() const noexcept {
+    if constexpr (sizeof(Real) == 4) return one32;
+    else return one64;
+  }
+  template <class Real>
+  auto mesh() const noexcept {
+    if constexpr (sizeof(Real) == 4) return mesh32;
+    else return mesh64;
+  }
+  template <class Real>
+  auto pair() const noexcept {
+    if constexpr (sizeof(Real) == 4) return pair32;
+    else return pair64;
+  }
+};
+
+// Of the instruction set that Highway has chosen: the best there is, unless somebody told it another.
+Forms chosen_forms();
+
+}  // namespace axiscert::certified

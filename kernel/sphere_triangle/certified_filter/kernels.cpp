@@ -1,0 +1,143 @@
+// The filters on every instruction set, one query a lane, and one at a time.
+#include "kernel/sphere_triangle/certified_filter/kernels.h"
+
+#include <cstring>
+
+#include "kernel/sphere_triangle/reference/evaluate.h"
+#include "kernel/sphere_triangle/certified_filter/scalar.h"
+#include "kernel/sphere_triangle/forms/simd.h"
+
+#ifndef AXISCERT_KERNEL_FILTER_FORMS
+#define AXISCERT_KERNEL_FILTER_FORMS
+namespace axiscert {
+template <class Real>
+using Verdicts = void (*)(const QueryColumns<Real>& batch, Verdict* out);
+
+// On one instruction set, by FilterForm.
+struct FilterForms {
+  std::array<Verdicts<float>, 2> binary32;
+  std::array<Verdicts<double>, 2> binary64;
+  template <class Real>
+  const std::array<Verdicts<Real>, 2>& of() const {
+    if constexpr (sizeof(Real) == 4) return binary32;
+    else return binary64;
+  }
+};
+}  // namespace axiscert
+#endif
+
+#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: `--target` must reach each
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernel/sphere_triangle/certified_filter/kernels.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#define AXISCERT_PER_TARGET
+#include "kernel/sphere_triangle/certified_filter/filter.h"
+#include "kernel/sphere_triangle/forms/simd-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace axiscert::HWY_NAMESPACE {
+
+// What kernel/sphere_triangle/certified_filter/filter.h asks of a number type.
+template <class V>
+AXISCERT_INLINE Lanes<V> magnitude(const Lanes<V>& x) {
+  return {hn::Abs(x.v)};
+}
+template <class V>
+AXISCERT_INLINE Lanes<V> negated(const Lanes<V>& x) {
+  return {hn::Neg(x.v)};
+}
+template <class V>
+AXISCERT_INLINE Lanes<V> greater_of(const Lanes<V>& x, const Lanes<V>& y) {
+  return {hn::IfThenElse(hn::Lt(x.v, y.v), y.v, x.v)};
+}
+template <class V>
+AXISCERT_INLINE Lanes<V> constant_as(const Lanes<V>&, hn::TFromV<V> c) {
+  return {hn::Set(hn::DFromV<V>(), c)};
+}
+// A relation by lane; of this namespace, where a template finds its operations.
+template <class M>
+struct LaneMask {
+  M m;
+};
+template <class V>
+AXISCERT_INLINE auto less(const Lanes<V>& x, const Lanes<V>& y) {
+  return LaneMask<decltype(hn::Lt(x.v, y.v))>{hn::Lt(x.v, y.v)};
+}
+template <class V>
+AXISCERT_INLINE auto at_most(const Lanes<V>& x, const Lanes<V>& y) {
+  return LaneMask<decltype(hn::Le(x.v, y.v))>{hn::Le(x.v, y.v)};
+}
+template <class M>
+AXISCERT_INLINE LaneMask<M> both(const LaneMask<M>& p, const LaneMask<M>& q) {
+  return {hn::And(p.m, q.m)};
+}
+template <class M>
+AXISCERT_INLINE LaneMask<M> either(const LaneMask<M>& p, const LaneMask<M>& q) {
+  return {hn::Or(p.m, q.m)};
+}
+
+// The vector that begins at `at` of `from`, into the first `count` entries of `out`.
+template <class Filter, class Real>
+AXISCERT_INLINE void filter_vector(const QueryColumns<Real>& from, std::size_t at, std::size_t count, Verdict* out) {
+  using D = hn::ScalableTag<Real>;
+  using Words = hn::RebindToUnsigned<D>;
+  const auto certain = filter_answer<Filter, Real>(load(D(), from, at));
+  const auto word = [](Verdict v) HWY_ATTR { return hn::Set(Words(), static_cast<hn::TFromD<Words>>(v)); };
+  const auto separated = hn::RebindMask(Words(), certain.separated.m),
+             contact = hn::RebindMask(Words(), certain.contact.m);
+  const auto verdicts = hn::IfThenElse(separated, word(Verdict::separated),
+                                       hn::IfThenElse(contact, word(Verdict::contact), word(Verdict::undecided)));
+  hn::TFromD<Words> each[hn::MaxLanes(D())];
+  hn::StoreU(verdicts, Words(), each);
+  for (std::size_t j = 0; j < count; ++j) out[j] = static_cast<Verdict>(each[j]);
+}
+
+template <class Filter, class Real>
+void filter_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
+  constexpr std::size_t lanes = hn::MaxLanes(hn::ScalableTag<Real>());
+  std::size_t i = 0;
+  for (; i + lanes <= batch.size; i += lanes) filter_vector<Filter, Real>(batch, i, lanes, out + i);
+  if (i == batch.size) return;
+  with_padded_tail<Real, lanes>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
+    filter_vector<Filter, Real>(tail, 0, tail.size, out + i);
+  });
+}
+
+FilterForms filter_forms() {
+  return {{filter_verdicts<PublishedFilter, float>, filter_verdicts<ReducedFilter, float>},
+          {filter_verdicts<PublishedFilter, double>, filter_verdicts<ReducedFilter, double>}};
+}
+
+}  // namespace axiscert::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace axiscert {
+namespace {
+HWY_EXPORT(filter_forms);
+
+template <class Real>
+Verdicts<Real> on_scalar(FilterForm form) {
+  switch (form) {
+    case FilterForm::published:
+      return scalar_filter_verdicts<portable::PublishedFilter, Real>;
+    case FilterForm::reduced:
+      return scalar_filter_verdicts<portable::ReducedFilter, Real>;
+  }
+  return nullptr;
+}
+}  // namespace
+
+template <class Real>
+Implementation<Real> filter_implementation(FilterForm form, std::string_view target) {
+  static const SimdTable<FilterForms> table([] { return HWY_DYNAMIC_DISPATCH(filter_forms)(); });
+  if (target == scalar_target) return {.verdicts = on_scalar<Real>(form)};
+  return {.verdicts = table.on(target).of<Real>()[static_cast<std::size_t>(form)]};
+}
+template Implementation<float> filter_implementation<float>(FilterForm, std::string_view);
+template Implementation<double> filter_implementation<double>(FilterForm, std::string_view);
+
+}  // namespace axiscert
+#endif

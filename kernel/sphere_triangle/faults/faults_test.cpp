@@ -1,0 +1,185 @@
+// The plug-ins with a fault of logic: the one without any is the built-in kernel bit for bit, and each of the others is
+// wrong on small integers, where nothing is rounded, in the comparisons and in the direction that its file says.
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "kernel/kernel.h"
+#include "kernel/include/axiscert/plugin.h"
+#include "kernel/testing/random.h"
+
+namespace axiscert {
+namespace {
+
+using testing_support::random_query;
+
+// What a fault does to queries of small integers whose triangle has area.
+struct Fault {
+  std::string_view name;
+  bool misses_contacts, invents_contacts;
+  std::set<std::string_view> comparisons;  // that differ somewhere; empty for a plug-in that shows only verdicts
+};
+
+const Fault faults[] = {
+    {"copy_paste", false, true, {"vertex_c.side_a"}},
+    {"dropped_axis", false, true, {"edge_ca.radius"}},
+    {"dropped_side", true, false, {"vertex_b.side_c"}},
+    {"early_return", false, true, {}},
+    {"in_place",
+     true,
+     true,
+     {"vertex_a.side_b", "vertex_b.radius", "vertex_b.side_a", "vertex_b.side_c", "vertex_c.side_b", "edge_ab.radius",
+      "edge_ab.side_c", "edge_bc.radius", "edge_bc.side_a", "edge_ca.side_b"}},
+    {"inverted", true, true, {}},
+    {"missing_square", true, false, {"edge_ab.radius"}},
+    {"none", false, false, {}},
+    {"one_sided_plane", false, true, {"plane.radius"}},
+    {"radius_not_strict", true, false, {"vertex_a.radius"}},
+    {"reversed_edge", true, true, {"edge_ca.radius", "edge_ca.side_b"}},
+    {"swapped_comparison", true, true, {"edge_ca.side_b"}},
+    {"unsquared_radius",
+     true,
+     false,
+     {"plane.radius", "vertex_a.radius", "vertex_b.radius", "vertex_c.radius", "edge_ab.radius", "edge_bc.radius",
+      "edge_ca.radius"}},
+    {"untranslated",
+     true,
+     true,
+     {"plane.radius", "vertex_a.side_c", "vertex_b.side_c", "vertex_c.radius", "vertex_c.side_a", "vertex_c.side_b",
+      "edge_ab.side_c", "edge_bc.radius", "edge_bc.side_a", "edge_ca.radius", "edge_ca.side_b"}},
+    {"wrong_index", true, true, {"plane.radius"}},
+    {"wrong_operand", true, true, {"edge_bc.radius", "edge_bc.side_a"}},
+    {"wrong_sign", true, true, {"edge_ab.radius", "edge_ab.side_c"}},
+    {"wrong_vertex", false, true, {"edge_bc.side_a"}},
+};
+
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+
+template <class Real>
+const axiscert_kernel& plugin(std::string_view name) {
+  const std::string path = std::string(BUILD_FOLDER "/faults/") + std::string(name) + ".so";
+  void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) throw std::runtime_error(dlerror());
+  const auto entry = reinterpret_cast<decltype(&axiscert_plugin)>(dlsym(library, "axiscert_plugin"));
+  if (entry == nullptr) throw std::runtime_error(dlerror());
+  return *entry(sizeof(Real) == 4 ? 0 : 1);
+}
+
+struct Told {
+  std::vector<Verdict> verdicts;
+  std::vector<ComparisonBits> bits;
+};
+
+template <class Real>
+Told ask(const axiscert_kernel& kernel, const QueryColumns<Real>& queries) {
+  Told told{std::vector<Verdict>(queries.size), std::vector<ComparisonBits>(queries.size)};
+  axiscert_batch batch{queries.size, {}};
+  for (std::size_t k = 0; k < coordinate_count; ++k) batch.coordinate[k] = queries.column[k];
+  axiscert_answers answers{};
+  answers.verdict = reinterpret_cast<std::uint8_t*>(told.verdicts.data());
+  if (kernel.exposes >= AXISCERT_COMPARISONS) answers.comparisons = told.bits.data();
+  kernel.run(&batch, &answers);
+  return told;
+}
+
+template <class Real>
+std::vector<Verdict> verdicts_of(std::string_view built_in, const QueryColumns<Real>& queries) {
+  std::vector<Verdict> verdicts(queries.size);
+  find_kernel(built_in).on<Real>(scalar_target).verdicts(queries, verdicts.data());
+  return verdicts;
+}
+
+template <class Real>
+Told ask_published(const QueryColumns<Real>& queries) {
+  Answers<Real> answers;
+  answers.resize(queries.size);
+  find_kernel("published").on<Real>(scalar_target).explain(queries, answers);
+  return {verdicts_of("published", queries), answers.bits};
+}
+
+template <class Real>
+void expect_that_the_control_is_published() {
+  constexpr std::size_t count = 200'000;
+  std::mt19937_64 random(1);
+  QueryBatch<Real> queries(count);
+  for (std::size_t i = 0; i < count; ++i) queries.push_back(random_query<Real>(random, i % 2 == 1));
+  const Told control = ask(plugin<Real>("none"), queries.columns()), published = ask_published(queries.columns());
+  for (std::size_t i = 0; i < count; ++i) {
+    ASSERT_EQ(control.bits[i], published.bits[i]) << "random query " << i;
+    ASSERT_EQ(control.verdicts[i], published.verdicts[i]) << "random query " << i;
+  }
+}
+
+TEST(Faults, TheControlIsThePublishedTestBitForBit) {
+  expect_that_the_control_is_published<float>();
+  expect_that_the_control_is_published<double>();
+}
+
+TEST(Faults, EachSourceHasARow) {
+  std::set<std::string> sources, rows;
+  for (const auto& entry : std::filesystem::directory_iterator(SOURCE_FOLDER "/kernel/sphere_triangle/faults")) {
+    if (entry.path().extension() == ".c") sources.insert(entry.path().stem());
+  }
+  for (const Fault& fault : faults) rows.emplace(fault.name);
+  EXPECT_EQ(sources, rows);
+}
+
+// Coordinates in [-2, 2], radius in [0, 4], area not zero: every intermediate result of the test is an integer below
+// 2^24, so exact in either precision, and the exact test is right for every triangle with area.
+template <class Real>
+QueryBatch<Real> lattice() {
+  constexpr std::size_t count = 50'000;
+  std::mt19937_64 random(2);
+  QueryBatch<Real> queries(count);
+  while (queries.size() < count) {
+    std::array<Real, coordinate_count> v;
+    for (Real& x : v) x = static_cast<Real>(static_cast<int>(random() % 5) - 2);
+    v.back() += 2;
+    const Query<Real> q = from_coordinates(v);
+    const Vec3<Real> normal = cross(q.b - q.a, q.c - q.a);
+    if (dot(normal, normal) > 0) queries.push_back(q);
+  }
+  return queries;
+}
+
+class FaultsOf : public testing::TestWithParam<Fault> {};
+
+template <class Real>
+void expect_wrong_where_its_file_says(const Fault& fault) {
+  const QueryBatch<Real> queries = lattice<Real>();
+  const axiscert_kernel& kernel = plugin<Real>(fault.name);
+  EXPECT_EQ(kernel.abi, AXISCERT_PLUGIN_ABI);
+  EXPECT_EQ(kernel.precision, 8 * sizeof(Real));
+  EXPECT_STREQ(kernel.conforms_to, "published");
+  const Told right = ask_published(queries.columns()), told = ask(kernel, queries.columns());
+  // The published test is right here: an unrelated method says the same.
+  ASSERT_EQ(right.verdicts, verdicts_of("minkowski", queries.columns()));
+
+  std::size_t missed = 0, invented = 0;
+  ComparisonBits differing = 0;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    if (told.verdicts[i] != right.verdicts[i]) ++(told.verdicts[i] == Verdict::separated ? missed : invented);
+    if (kernel.exposes == AXISCERT_VERDICT_ONLY) continue;
+    differing |= static_cast<ComparisonBits>(told.bits[i] ^ right.bits[i]);
+    ASSERT_EQ(told.verdicts[i], verdict_of(axes_of(told.bits[i]))) << "lattice query " << i;
+  }
+  EXPECT_EQ(missed > 0, fault.misses_contacts) << missed << " contacts missed";
+  EXPECT_EQ(invented > 0, fault.invents_contacts) << invented << " contacts invented";
+  std::set<std::string_view> names;
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    if (differing >> k & 1) names.insert(comparisons[k].name);
+  }
+  EXPECT_EQ(names, fault.comparisons);
+}
+
+TEST_P(FaultsOf, AreWrongWithoutRoundingWhereTheirFileSays) {
+  expect_wrong_where_its_file_says<float>(GetParam());
+  expect_wrong_where_its_file_says<double>(GetParam());
+}
+INSTANTIATE_TEST_SUITE_P(Logic, FaultsOf, testing::ValuesIn(faults),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+}  // namespace
+}  // namespace axiscert

@@ -1,0 +1,5 @@
+/* Returns "separated" for "they intersect". Every answer is wrong. */
+#define EXPOSES AXISCERT_VERDICT_ONLY
+#define VERDICT (separated ? AXISCERT_CONTACT : AXISCERT_SEPARATED)
+
+#include "kernel/sphere_triangle/faults/published.h"

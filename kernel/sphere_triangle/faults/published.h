@@ -1,0 +1,39 @@
+/* The published test as a plug-in, in both precisions; see published_test.h for what a fault may change. A fault that
+ * makes the comparisons meaningless, or a verdict that they do not make, also defines EXPOSES as AXISCERT_VERDICT_ONLY.
+ */
+#include "kernel/include/axiscert/plugin.h"
+
+#ifndef EXPOSES
+#define EXPOSES AXISCERT_COMPARISONS
+#endif
+
+#define real float
+#define OF_REAL(name) name##_binary32
+#include "kernel/sphere_triangle/faults/published_test.h"
+#undef real
+#undef OF_REAL
+
+#define real double
+#define OF_REAL(name) name##_binary64
+#include "kernel/sphere_triangle/faults/published_test.h"
+#undef real
+#undef OF_REAL
+
+AXISCERT_BATCH_WITH_COMPARISONS(run_binary32, float, published_binary32)
+AXISCERT_BATCH_WITH_COMPARISONS(run_binary64, double, published_binary64)
+
+const axiscert_kernel* axiscert_plugin(uint32_t index) {
+  static const axiscert_kernel kernels[2] = {{.abi = AXISCERT_PLUGIN_ABI,
+                                              .precision = 32,
+                                              .name = "published",
+                                              .run = run_binary32,
+                                              .exposes = EXPOSES,
+                                              .conforms_to = "published"},
+                                             {.abi = AXISCERT_PLUGIN_ABI,
+                                              .precision = 64,
+                                              .name = "published",
+                                              .run = run_binary64,
+                                              .exposes = EXPOSES,
+                                              .conforms_to = "published"}};
+  return index < 2 ? &kernels[index] : NULL;
+}

@@ -1,0 +1,55 @@
+#include "kernel/sphere_triangle/forms/simd.h"
+
+#include <mutex>
+
+#define HWY_COMPILE_ALL_ATTAINABLE
+#include "hwy/highway.h"
+
+namespace axiscert {
+void for_each_simd_target(const std::function<void(const std::string&)>& visit) {
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  // HWY_SCALAR is no instruction set: the scalar reference stands for it.
+  const std::int64_t supported = hwy::SupportedTargets() & HWY_TARGETS & ~std::int64_t{HWY_SCALAR};
+  for (std::int64_t rest = supported; rest != 0; rest &= rest - 1) {
+    const std::int64_t target = rest & -rest;  // a lower bit is a better instruction set
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    visit(std::string(hwy::TargetName(target)));
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+const std::vector<std::string>& simd_targets() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for_each_simd_target([&](const std::string& name) { all.push_back(name); });
+    return all;
+  }();
+  return names;
+}
+
+const SimdForms* simd_forms(Formulae formulae) {
+  if (simd_targets().empty()) return nullptr;
+  switch (formulae) {
+    case Formulae::published:
+      return &simd_published();
+    case Formulae::reduced:
+      return &simd_reduced();
+    default:
+      return nullptr;
+  }
+}
+
+SimdForms::SimdForms(Implementation<float> (*binary32)(Strictness), Implementation<double> (*binary64)(Strictness))
+    : table_([&] {
+        Forms forms;
+        for (const Strictness s : {Strictness::strict, Strictness::nonstrict}) {
+          forms.binary32[static_cast<std::size_t>(s)] = binary32(s);
+          forms.binary64[static_cast<std::size_t>(s)] = binary64(s);
+        }
+        return forms;
+      }) {}
+
+}  // namespace axiscert

@@ -1,0 +1,153 @@
+// What a mutant computes: the formulae over numbers of which one is made wrongly, the comparisons, and what is wrong
+// with whole batches.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include "kernel/base/environment.h"
+#include "kernel/sphere_triangle/reference/evaluate.h"
+#include "kernel/sphere_triangle/mutants/mutant.h"
+
+namespace axiscert::mutants {
+namespace {
+
+constexpr double epsilon = 1e-6, small_area = 1e-10;  // as found in kernels that are in use
+constexpr std::size_t vector_width = 8;               // of the lane faults
+
+template <class Real>
+using Number = Mutated<Lanes<Real>>;
+
+template <class Real>
+struct Evaluation {
+  std::array<ComparisonBits, Lanes<Real>::width> bits{};
+  Lanes<Real> kept{};
+};
+
+template <class Real>
+bool holds_wrongly(ComparisonFault fault, bool is_radius, Real lhs, Real rhs) {
+  switch (fault) {
+    case ComparisonFault::strictness:
+      return is_radius ? lhs >= rhs : lhs > rhs;
+    case ComparisonFault::reverse:
+      std::swap(lhs, rhs);
+      break;
+    case ComparisonFault::always:
+      return true;
+    case ComparisonFault::epsilon:
+      rhs += static_cast<Real>(epsilon);
+      break;
+    case ComparisonFault::slack:
+      lhs += static_cast<Real>(epsilon);
+      break;
+    case ComparisonFault::flush:
+      if (std::fabs(lhs) < std::numeric_limits<Real>::min()) lhs = 0;
+      if (std::fabs(rhs) < std::numeric_limits<Real>::min()) rhs = 0;
+      break;
+    case ComparisonFault::none:
+      break;
+  }
+  return is_radius ? lhs > rhs : lhs >= rhs;
+}
+
+// Lanes::width queries from `first` on; where there are not so many, the last one again.
+template <class F, class Real>
+[[gnu::noinline]] Evaluation<Real> evaluate(const Mutant& mutant, const QueryColumns<Real>& batch, std::size_t first) {
+  using N = Number<Real>;
+  std::array<N, coordinate_count + 1> in;
+  for (std::size_t k = 0; k < coordinate_count; ++k) {
+    in[k] = {Lanes<Real>::of([&](std::size_t i) { return batch.column[k][std::min(first + i, batch.size - 1)]; }),
+             input_key(k)};
+  }
+  in[coordinate_count] = {Lanes<Real>{}, input_key(coordinate_count)};
+  const portable::Problem<N> problem{
+      {in[0], in[1], in[2]}, {in[3], in[4], in[5]}, {in[6], in[7], in[8]}, {in[9], in[10], in[11]}, in[12], in[13]};
+  auto& site = N::site();
+  static_cast<OperationSite&>(site) = mutant.operation;
+  Evaluation<Real> result;
+  F::comparisons(problem, [&](Comparison which, const N& lhs, const N& rhs) {
+    const bool is_radius = info(which).is_radius;
+    const auto place = static_cast<std::size_t>(which);
+    const ComparisonFault fault = place == mutant.place ? mutant.comparison : ComparisonFault::none;
+    for (std::size_t i = 0; i < Lanes<Real>::width; ++i) {
+      const Real l = lhs.value.at[i], r = rhs.value.at[i];
+      bool holds = is_radius ? l > r : l >= r;
+      if (fault != ComparisonFault::none) [[unlikely]]
+        holds = holds_wrongly(fault, is_radius, l, r);
+      result.bits[i] |= static_cast<ComparisonBits>(static_cast<unsigned>(holds) << place);
+    }
+  });
+  result.kept = site.kept_value;
+  return result;
+}
+
+template <class Real>
+void answer_early(const Mutant& mutant, Evaluation<Real>& found) {
+  const auto all = static_cast<Verdict>(mutant.place) == Verdict::separated ? comparisons_of(Axis::plane) : 0u;
+  for (std::size_t i = 0; i < found.bits.size(); ++i) {
+    if (found.kept.at[i] < static_cast<Real>(small_area)) found.bits[i] = static_cast<ComparisonBits>(all);
+  }
+}
+
+void mix_up_lanes(const Mutant& mutant, std::size_t size, ComparisonBits* out) {
+  if (mutant.kernel == KernelFault::lane) {
+    for (std::size_t first = 0; first + vector_width <= size; first += vector_width) {
+      out[first + mutant.place] = out[first + (mutant.place + vector_width - 1) % vector_width];
+    }
+  } else {
+    const std::size_t width = mutant.place, whole = size - size % width;
+    for (std::size_t i = whole; i < size; ++i) out[i] = whole == 0 ? ComparisonBits{0} : out[i - width];
+  }
+}
+
+template <class F, class Real>
+void bits(const Mutant& mutant, const QueryColumns<Real>& batch, ComparisonBits* out) {
+  for (std::size_t first = 0; first < batch.size; first += Lanes<Real>::width) {
+    std::optional<FloatingEnvironment> environment;
+    if (mutant.kernel == KernelFault::ftz) environment.emplace(Rounding::nearest, true);
+    Evaluation<Real> found = evaluate<F>(mutant, batch, first);
+    if (mutant.kernel == KernelFault::small_area) answer_early(mutant, found);
+    for (std::size_t i = 0; i < Lanes<Real>::width && first + i < batch.size; ++i) {
+      ComparisonBits here = found.bits[i];
+      if (mutant.kernel == KernelFault::drop) {
+        here &= static_cast<ComparisonBits>(~comparisons_of(static_cast<Axis>(mutant.place)));
+      }
+      out[first + i] = here;
+    }
+  }
+  if (mutant.kernel == KernelFault::lane || mutant.kernel == KernelFault::tail) mix_up_lanes(mutant, batch.size, out);
+}
+
+template <class Real>
+Implementation<Real> implementation_of(const Mutant& mutant) {
+  return {
+      [&mutant](const QueryColumns<Real>& batch, Verdict* out) {
+        std::vector<ComparisonBits> bits(batch.size);
+        mutant_bits(mutant, batch, bits.data());
+        for (std::size_t i = 0; i < batch.size; ++i) out[i] = verdict_of(axes_of(bits[i]));
+      },
+      [&mutant](const QueryColumns<Real>& batch, Answers<Real>& out) { mutant_bits(mutant, batch, out.bits.data()); }};
+}
+
+}  // namespace
+
+template <class Real>
+void mutant_bits(const Mutant& mutant, const QueryColumns<Real>& batch, ComparisonBits* out) {
+  if (mutant.id.starts_with("reduced")) bits<FormulaeType<Formulae::reduced>>(mutant, batch, out);
+  else bits<FormulaeType<Formulae::published>>(mutant, batch, out);
+}
+template void mutant_bits<float>(const Mutant&, const QueryColumns<float>&, ComparisonBits*);
+template void mutant_bits<double>(const Mutant&, const QueryColumns<double>&, ComparisonBits*);
+
+Kernel kernel_of(const Mutant& mutant) {
+  Kernel kernel;
+  kernel.id = mutant.id;
+  kernel.summary = fmt::format("one fault: {}, at {}", mutant.what, mutant.where);
+  kernel.formulae = formulae_of(mutant.id.substr(0, mutant.id.find('~')));
+  kernel.strictness = Strictness::nonstrict;
+  kernel.exposes = Exposure::comparisons;
+  if (mutant.in_binary32) kernel.binary32 = [&mutant](std::string_view) { return implementation_of<float>(mutant); };
+  kernel.binary64 = [&mutant](std::string_view) { return implementation_of<double>(mutant); };
+  return kernel;
+}
+
+}  // namespace axiscert::mutants

@@ -1,0 +1,168 @@
+// Every mutant of a base, enumerated from its operations, comparisons and axes.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+#include "kernel/base/error.h"
+#include "kernel/sphere_triangle/mutants/mutant.h"
+
+namespace axiscert::mutants {
+namespace {
+
+std::string dashed(std::string name) {
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+struct Described {
+  std::string name, what;
+};
+template <class Fault>
+Described described(Fault fault) {
+#define AXISCERT_DESCRIBED(name, what) {#name, what},
+  static const std::vector<Described> operations = {AXISCERT_OPERATION_FAULTS(AXISCERT_DESCRIBED)};
+  static const std::vector<Described> comparisons = {AXISCERT_COMPARISON_FAULTS(AXISCERT_DESCRIBED)};
+  static const std::vector<Described> kernels = {AXISCERT_KERNEL_FAULTS(AXISCERT_DESCRIBED)};
+#undef AXISCERT_DESCRIBED
+  const auto i = static_cast<std::size_t>(fault);
+  if constexpr (std::is_same_v<Fault, OperationFault>) return operations[i];
+  else if constexpr (std::is_same_v<Fault, ComparisonFault>) return comparisons[i];
+  else return kernels[i];
+}
+
+class List {
+ public:
+  List(std::string_view base, const Operations& operations) : base_(base), operations_(operations) {
+    for (std::size_t i = 0; i < operations.all.size(); ++i) add_operation(i);
+    for (std::size_t i = 0; i < comparison_count; ++i) {
+      for (const ComparisonFault fault :
+           {ComparisonFault::strictness, ComparisonFault::reverse, ComparisonFault::always, ComparisonFault::epsilon,
+            ComparisonFault::slack, ComparisonFault::flush}) {
+        Mutant& m = add(fault, std::string(comparisons[i].name), "");
+        m.comparison = fault;
+        m.place = i;
+      }
+    }
+    for (std::size_t i = 0; i < axis_count; ++i) add_kernel(KernelFault::drop, std::string(axis_names[i]), i);
+    for (const Verdict verdict : {Verdict::contact, Verdict::separated}) {
+      Mutant& m = add_kernel(KernelFault::small_area, std::string(name(verdict)), static_cast<std::size_t>(verdict));
+      m.operation.kept = operations.squared_normal;
+    }
+    for (std::size_t lane = 0; lane < 8; ++lane) add_kernel(KernelFault::lane, std::to_string(lane), lane);
+    for (const std::size_t width : {2, 4, 8, 16}) add_kernel(KernelFault::tail, std::to_string(width), width);
+    add_kernel(KernelFault::ftz, "all", 0);
+  }
+  std::vector<Mutant> take() { return std::move(all_); }
+
+ private:
+  template <class Fault>
+  Mutant& add(Fault fault, const std::string& place, const std::string& text) {
+    Mutant m;
+    const auto [fault_name, what] = described(fault);
+    m.fault = dashed(fault_name);
+    m.what = what;
+    m.id = fmt::format("{}~{}:{}", base_, m.fault, place);
+    m.where = text.empty() ? place : place + ": " + text;
+    return all_.emplace_back(std::move(m));
+  }
+  Mutant& add_kernel(KernelFault fault, const std::string& place, std::size_t value) {
+    Mutant& m = add(fault, place, "");
+    m.kernel = fault;
+    m.place = value;
+    return m;
+  }
+
+  void add_operation(std::size_t number) {
+    using enum OperationFault;
+    const Operation& operation = operations_.all[number];
+    const auto plant = [&](OperationFault fault) -> Mutant& {
+      Mutant& m = add(fault, std::to_string(number), operation.text);
+      m.operation.fault = fault;
+      m.operation.at = operation.key;
+      return m;
+    };
+    const bool is_product = operation.op == Operator::times, is_square = operation.left == operation.right;
+    plant(operator_);
+    plant(operation.op == Operator::minus ? swap_ : sign_);
+    plant(left_);
+    if (!is_square) plant(right_);
+    if (is_product) {
+      replace(plant, operation.left, index_left_, vertex_left_);
+      if (!is_square) replace(plant, operation.right, index_right_, vertex_right_);
+    } else {
+      plant_fma(plant, operation);
+    }
+    plant(float_).in_binary32 = false;
+  }
+
+  // A sum or difference has one product to be contracted with; of two, compilers take either: here the right one, as
+  // g++ does in x y - z w.
+  template <class Plant>
+  void plant_fma(const Plant& plant, const Operation& operation) {
+    const auto is_product = [&](Key key) {
+      const Operation* found = operations_.find(key);
+      return found && found->op == Operator::times;
+    };
+    const bool right = is_product(operation.right);
+    if (!right && !is_product(operation.left)) return;
+    Mutant& m = plant(OperationFault::fma_);
+    m.operation.kept = right ? operation.right : operation.left;
+    m.operation.product_is_left = !right;
+  }
+
+  // Another number for an operand that is a coordinate of a vector.
+  template <class Plant>
+  void replace(const Plant& plant, Key operand, OperationFault index, OperationFault vertex) {
+    const auto& vectors = operations_.vectors;
+    for (std::size_t v = 0; v < vectors.size(); ++v) {
+      const auto place = std::find(vectors[v].begin(), vectors[v].end(), operand);
+      if (place == vectors[v].end()) continue;
+      const std::size_t coordinate = static_cast<std::size_t>(place - vectors[v].begin());
+      plant(index).operation.kept = vectors[v][(coordinate + 1) % 3];
+      if (v < 3) plant(vertex).operation.kept = vectors[(v + 1) % 3][coordinate];
+      return;
+    }
+  }
+
+  std::string base_;
+  const Operations& operations_;
+  std::vector<Mutant> all_;
+};
+
+const std::vector<Mutant>& list_of(std::size_t base) {
+  static const std::array<std::vector<Mutant>, bases.size()> lists = {List(bases[0], published_operations()).take(),
+                                                                      List(bases[1], reduced_operations()).take()};
+  return lists[base];
+}
+
+std::size_t base_index(std::string_view base) {
+  const auto found = std::find(bases.begin(), bases.end(), base);
+  if (found == bases.end()) {
+    throw Error(fmt::format("'{}' is no kernel that mutants are made of; those: {}", base, fmt::join(bases, ", ")));
+  }
+  return static_cast<std::size_t>(found - bases.begin());
+}
+
+}  // namespace
+
+std::span<const Mutant> mutants_of(std::string_view base) { return list_of(base_index(base)); }
+
+Formulae formulae_of(std::string_view base) { return base_index(base) == 0 ? Formulae::published : Formulae::reduced; }
+
+const Mutant& find_mutant(std::string_view id) {
+  const std::span<const Mutant> all = mutants_of(id.substr(0, id.find('~')));
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Mutant& m) { return m.id == id; });
+  if (found != all.end()) return *found;
+  std::vector<std::string> faults;
+  for (const Mutant& m : all) {
+    if (std::find(faults.begin(), faults.end(), m.fault) == faults.end()) faults.push_back(m.fault);
+  }
+  throw Error(
+      fmt::format("unknown mutant '{}'; it is BASE~FAULT:PLACE, as in {}; faults: {}; `axiscert mutate --list` has "
+                  "all",
+                  id, all.front().id, fmt::join(faults, ", ")));
+}
+
+}  // namespace axiscert::mutants

@@ -1,0 +1,151 @@
+// A number type that does one operation of a set of formulae wrong, and the others right.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "kernel/arithmetic/number.h"
+#include "kernel/sphere_triangle/mutants/operations.h"
+
+namespace axiscert::mutants {
+
+// What is wrong with one operation. X(name, what a reader is told)
+#define AXISCERT_OPERATION_FAULTS(X)                                      \
+  X(operator, "- for +, + for - and for *")                               \
+  X(sign, "the result negated")                                           \
+  X(swap, "the operands of a difference exchanged")                       \
+  X(left, "the left operand alone: a term or a factor dropped")           \
+  X(right, "the right operand alone")                                     \
+  X(index_left, "the next coordinate for the left operand")               \
+  X(index_right, "the next coordinate for the right operand")             \
+  X(vertex_left, "the same coordinate of the next vertex on the left")    \
+  X(vertex_right, "the same coordinate of the next vertex on the right")  \
+  X(fma, "a sum contracted with the product in it: one rounding for two") \
+  X(float, "the result rounded to binary32")
+
+enum class OperationFault : std::uint8_t {
+#define AXISCERT_NAME(name, what) name##_,
+  AXISCERT_OPERATION_FAULTS(AXISCERT_NAME)
+#undef AXISCERT_NAME
+      none
+};
+
+// Several queries at once: the cost of looking for the operation that is wrong is shared by them. Called and not
+// inlined: inlined, the formulae take minutes to compile.
+template <class Real>
+struct Lanes {
+  static constexpr std::size_t width = 64 / sizeof(Real);
+  std::array<Real, width> at;
+
+  template <class Each>
+  AXISCERT_INLINE static Lanes of(Each&& each) {
+    Lanes result;
+    for (std::size_t i = 0; i < width; ++i) result.at[i] = each(i);
+    return result;
+  }
+  [[gnu::noinline]] friend Lanes operator+(const Lanes& a, const Lanes& b) {
+    return of([&](std::size_t i) { return a.at[i] + b.at[i]; });
+  }
+  [[gnu::noinline]] friend Lanes operator-(const Lanes& a, const Lanes& b) {
+    return of([&](std::size_t i) { return a.at[i] - b.at[i]; });
+  }
+  [[gnu::noinline]] friend Lanes operator*(const Lanes& a, const Lanes& b) {
+    return of([&](std::size_t i) { return a.at[i] * b.at[i]; });
+  }
+  friend Lanes operator-(const Lanes& a) {
+    return of([&](std::size_t i) { return -a.at[i]; });
+  }
+  friend Lanes fused(const Lanes& a, const Lanes& b, const Lanes& c) {
+    return of([&](std::size_t i) { return std::fma(a.at[i], b.at[i], c.at[i]); });
+  }
+  friend Lanes in_binary32(const Lanes& a) {
+    return of([&](std::size_t i) { return static_cast<Real>(static_cast<float>(a.at[i])); });
+  }
+};
+
+// The operation that is wrong, and the one whose operands and result the fault needs, computed before it.
+struct OperationSite {
+  OperationFault fault = OperationFault::none;
+  Key at = 0, kept = 0;
+  bool product_is_left = true;  // fma: which operand is the product
+};
+
+// `Base` does the arithmetic: Lanes, or an exact ring. The site is that of the thread.
+template <class Base>
+class Mutated {
+ public:
+  Base value;
+  Key key;
+
+  struct Site : OperationSite {
+    Base kept_value{}, kept_left{}, kept_right{};
+  };
+  static Site& site() {
+    static thread_local Site here;
+    return here;
+  }
+
+  AXISCERT_INLINE friend Mutated operator+(const Mutated& a, const Mutated& b) {
+    return checked<Operator::plus>(a, b, a.value + b.value);
+  }
+  AXISCERT_INLINE friend Mutated operator-(const Mutated& a, const Mutated& b) {
+    return checked<Operator::minus>(a, b, a.value - b.value);
+  }
+  AXISCERT_INLINE friend Mutated operator*(const Mutated& a, const Mutated& b) {
+    return checked<Operator::times>(a, b, a.value * b.value);
+  }
+
+ private:
+  template <Operator op>
+  AXISCERT_INLINE static Mutated checked(const Mutated& a, const Mutated& b, const Base& right) {
+    Mutated result{right, key_of(op, a.key, b.key)};
+    Site& here = site();
+    if (result.key == here.kept) [[unlikely]]
+      keep(here, a.value, b.value, right);
+    if (result.key == here.at) [[unlikely]]
+      result.value = wrong(here, op, a.value, b.value, right);
+    return result;
+  }
+  [[gnu::noinline]] static void keep(Site& here, const Base& a, const Base& b, const Base& result) {
+    here.kept_value = result;
+    here.kept_left = a;
+    here.kept_right = b;
+  }
+  static Base done(Operator op, const Base& a, const Base& b) {
+    return op == Operator::plus ? a + b : op == Operator::minus ? a - b : a * b;
+  }
+  [[gnu::noinline]] static Base wrong(const Site& here, Operator op, const Base& a, const Base& b, const Base& right) {
+    using enum OperationFault;
+    switch (here.fault) {
+      case operator_:
+        return op == Operator::plus ? a - b : a + b;
+      case sign_:
+        return -right;
+      case swap_:
+        return b - a;
+      case left_:
+        return a;
+      case right_:
+        return b;
+      case index_left_:
+      case vertex_left_:
+        return done(op, here.kept_value, b);
+      case index_right_:
+      case vertex_right_:
+        return done(op, a, here.kept_value);
+      case fma_:
+        if (!here.product_is_left) {
+          const Base& factor = here.kept_left;
+          return fused(op == Operator::minus ? Base(-factor) : factor, here.kept_right, a);
+        }
+        return fused(here.kept_left, here.kept_right, op == Operator::minus ? Base(-b) : b);
+      case float_:
+        return in_binary32(right);
+      case none:
+        break;
+    }
+    return right;
+  }
+};
+
+}  // namespace axiscert::mutants

@@ -1,0 +1,51 @@
+// A number type in which x y + z is fused wherever a compiler that contracts could fuse it: what -ffp-contract=off is
+// there to prevent. For planting that fault in tests.
+#pragma once
+
+#include <cmath>
+
+#include "kernel/sphere_triangle/reference/evaluate.h"
+#include "kernel/kernel.h"
+
+namespace axiscert {
+
+// A value, or a product still waiting to be rounded: an addition that meets it fuses the two.
+template <class Real>
+struct Contracted {
+  Real value = 0, factor = 1;
+
+  Real rounded() const { return value * factor; }
+  friend Contracted operator*(Contracted a, Contracted b) { return {a.rounded(), b.rounded()}; }
+  friend Contracted operator+(Contracted a, Contracted b) { return {std::fma(b.value, b.factor, a.rounded())}; }
+  friend Contracted operator-(Contracted a, Contracted b) { return {std::fma(-b.value, b.factor, a.rounded())}; }
+};
+
+// The published sides of a query as a contracted build computes them.
+template <class Real>
+Sides<Real> contracted_sides(const Query<Real>& q) {
+  const auto fused =
+      sides_of<portable::Published>(problem_as<Contracted<Real>>(q, [](Real x) { return Contracted<Real>{x}; }));
+  Sides<Real> sides;
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    sides.lhs[k] = fused.lhs[k].rounded();
+    sides.rhs[k] = fused.rhs[k].rounded();
+  }
+  return sides;
+}
+
+// The same as a kernel's `explain`, with strict sides.
+template <class Real>
+void contracted_explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
+  for (std::size_t i = 0; i < batch.size; ++i) {
+    std::array<Real, coordinate_count> v;
+    for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = batch.column[k][i];
+    const Sides<Real> sides = contracted_sides(from_coordinates(v));
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      out.lhs[k][i] = sides.lhs[k];
+      out.rhs[k][i] = sides.rhs[k];
+    }
+    out.bits[i] = bits_of(sides, Strictness::strict);
+  }
+}
+
+}  // namespace axiscert

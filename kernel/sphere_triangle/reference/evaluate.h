@@ -1,0 +1,82 @@
+// One query through a set of formulae over any number type: the sides, the bits they decide, the verdict.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "kernel/sphere_triangle/formulae.h"
+#include "kernel/query.h"
+
+namespace axiscert {
+
+template <class T>
+struct Sides {
+  std::array<T, comparison_count> lhs, rhs;
+};
+
+// A query in another number type. `convert` is exact in every use.
+template <class T, class Real, class Convert>
+portable::Problem<T> problem_as(const Query<Real>& q, Convert&& convert) {
+  const auto vec = [&](const Vec3<Real>& v) { return Vec3<T>{convert(v.x), convert(v.y), convert(v.z)}; };
+  return {vec(q.a), vec(q.b), vec(q.c), vec(q.p), T(convert(q.r)), T(convert(Real(0)))};
+}
+
+// The same, its centre moved to the origin there.
+template <class T, class Real, class Convert>
+portable::Centred<T> centred_as(const Query<Real>& q, Convert&& convert) {
+  return portable::centred(problem_as<T>(q, convert));
+}
+
+template <class F, class T>
+Sides<T> sides_of(const portable::Problem<T>& problem) {
+  Sides<T> sides;
+  F::comparisons(problem, [&](Comparison which, const T& lhs, const T& rhs) {
+    sides.lhs[static_cast<std::size_t>(which)] = lhs;
+    sides.rhs[static_cast<std::size_t>(which)] = rhs;
+  });
+  return sides;
+}
+
+// The published sides of a problem already centred. `zero` is the number type's zero.
+template <class T>
+Sides<T> published_sides(const portable::Centred<T>& centred, const T& zero) {
+  Sides<T> sides;
+  portable::published_comparisons(centred, zero, [&](Comparison which, const T& lhs, const T& rhs) {
+    sides.lhs[static_cast<std::size_t>(which)] = lhs;
+    sides.rhs[static_cast<std::size_t>(which)] = rhs;
+  });
+  return sides;
+}
+
+// The bits of evaluated sides. A NaN side makes its comparison false, but for the sides of `not_less`.
+template <class T>
+ComparisonBits bits_of(const Sides<T>& sides, Strictness strictness) {
+  ComparisonBits bits = 0;
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    if (holds(strictness, static_cast<Comparison>(i), sides.lhs[i], sides.rhs[i]))
+      bits |= static_cast<ComparisonBits>(1u << i);
+  }
+  return bits;
+}
+
+// What a set of formulae decides on one query; no bits from a method that has only a verdict.
+struct Outcome {
+  Verdict verdict;
+  std::optional<ComparisonBits> bits;
+  bool operator==(const Outcome&) const = default;
+};
+inline Outcome outcome_of(ComparisonBits bits) { return {verdict_of(axes_of(bits)), bits}; }
+
+// Writes the sides to `sides` where asked for and where there are any.
+template <class F, class T>
+Outcome outcome_of(const portable::Problem<T>& problem, Strictness strictness, Sides<T>* sides = nullptr) {
+  if constexpr (requires { F::separated(problem); }) {
+    return {F::separated(problem) ? Verdict::separated : Verdict::contact, std::nullopt};
+  } else {
+    const Sides<T> found = sides_of<F>(problem);
+    if (sides) *sides = found;
+    return outcome_of(bits_of(found, strictness));
+  }
+}
+
+}  // namespace axiscert

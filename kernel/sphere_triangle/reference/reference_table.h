@@ -1,0 +1,84 @@
+// The scalar reference of every set of formulae in one arithmetic.
+#pragma once
+
+#include <algorithm>
+
+#include "kernel/sphere_triangle/reference/scalar.h"
+
+namespace axiscert {
+
+template <class Real>
+using ReferenceFunction = Outcome (*)(const Query<Real>&, Strictness, Sides<Real>*);
+
+// By Formulae; null where the arithmetic does not exist.
+struct ReferenceTable {
+  std::array<ReferenceFunction<float>, formulae_count> binary32{};
+  std::array<ReferenceFunction<double>, formulae_count> binary64{};
+};
+
+// Translated to the sphere's centre, and scaled by the power of two that brings the greatest number to [1, 2). Exact,
+// but for the translation and for numbers 2^126 times less than the greatest.
+template <class Real>
+Query<Real> prescaled(const Query<Real>& q) {
+  const Query<Real> moved{q.a - q.p, q.b - q.p, q.c - q.p, {0, 0, 0}, q.r};
+  Real greatest = 0;
+  for (const Real x : coordinates(moved)) greatest = std::max(greatest, std::fabs(x));
+  if (!(greatest > 0) || !std::isfinite(greatest)) return moved;
+  const int down = -std::ilogb(greatest);
+  auto scaled = coordinates(moved);
+  for (Real& x : scaled) x = std::ldexp(x, down);
+  return from_coordinates(scaled);
+}
+
+// Out of line, operands from memory and results to memory: nothing moves out of the floating-point environment that its
+// caller has set.
+template <class F, class A, class Real>
+[[gnu::noinline]] Outcome reference_outcome(const Query<Real>& q, Strictness strictness, Sides<Real>* sides) {
+  using Base = typename A::template BaseOf<Real>;
+  using T = typename A::template Number<Base>;
+  const auto problem = problem_as<T>(q, [](Real x) { return T(static_cast<Base>(x)); });
+  if constexpr (requires { F::separated(problem); }) {
+    return outcome_of<F>(problem, strictness);
+  } else {
+    Sides<T> found;
+    const Outcome outcome = outcome_of<F>(problem, strictness, &found);
+    if (sides) {
+      const auto rounded = [](const T& x) { return static_cast<Real>(static_cast<Base>(x)); };
+      std::transform(found.lhs.begin(), found.lhs.end(), sides->lhs.begin(), rounded);
+      std::transform(found.rhs.begin(), found.rhs.end(), sides->rhs.begin(), rounded);
+    }
+    return outcome;
+  }
+}
+
+template <class F, class A, class Real>
+Outcome reference_in_environment(const Query<Real>& q, Strictness strictness, Sides<Real>* sides) {
+  if constexpr (A::prescaled) {
+    return reference_outcome<F, A>(prescaled(q), strictness, sides);
+  } else if constexpr (A::rounding != Rounding::nearest || A::flush) {
+    const FloatingEnvironment environment(A::rounding, A::flush);
+    return reference_outcome<F, A>(q, strictness, sides);
+  } else {
+    return reference_outcome<F, A>(q, strictness, sides);
+  }
+}
+
+template <Arithmetic arithmetic>
+constexpr ReferenceTable reference_table() {
+  using A = ArithmeticType<arithmetic>;
+  ReferenceTable table;
+  const auto fill = [&]<std::size_t i>() {
+    constexpr auto formulae = static_cast<Formulae>(i);
+    using F = FormulaeType<formulae>;
+    if constexpr (arithmetic == Arithmetic::plain || kind_of(formulae) == FormulaeKind::rung) {
+      if constexpr (A::in_binary32) table.binary32[i] = reference_in_environment<F, A, float>;
+      if constexpr (A::in_binary64) table.binary64[i] = reference_in_environment<F, A, double>;
+    }
+  };
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    (fill.template operator()<i>(), ...);
+  }(std::make_index_sequence<formulae_count>());
+  return table;
+}
+
+}  // namespace axiscert

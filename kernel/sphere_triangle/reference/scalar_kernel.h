@@ -1,0 +1,76 @@
+// The scalar form of a kernel over batches, for the registry's lines.
+#pragma once
+
+#include "kernel/sphere_triangle/reference/scalar.h"
+
+namespace axiscert {
+
+template <class Real>
+AXISCERT_INLINE Query<Real> query_at(const QueryColumns<Real>& batch, std::size_t i) {
+  const auto& k = batch.column;
+  return {{k[0][i], k[1][i], k[2][i]},
+          {k[3][i], k[4][i], k[5][i]},
+          {k[6][i], k[7][i], k[8][i]},
+          {k[9][i], k[10][i], k[11][i]},
+          k[12][i]};
+}
+
+// Verdicts by the plain formulae, in a loop that the compiler sees whole: what is timed.
+template <Formulae formulae, Strictness strictness, class Real>
+void scalar_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
+  using F = FormulaeType<formulae>;
+  for (std::size_t i = 0; i < batch.size; ++i) {
+    const Query<Real> q = query_at(batch, i);
+    const portable::Problem<Real> problem{q.a, q.b, q.c, q.p, q.r, Real(0)};
+    if constexpr (!has_comparisons(formulae)) {
+      out[i] = F::separated(problem) ? Verdict::separated : Verdict::contact;
+    } else {
+      // Bitwise, as the article has it: a branch per comparison would cost more than it saves.
+      std::array<bool, axis_count> separates;
+      separates.fill(true);
+      F::comparisons(problem, [&](Comparison which, Real lhs, Real rhs) {
+        separates[static_cast<std::size_t>(info(which).axis)] &= holds<strictness>(which, lhs, rhs);
+      });
+      bool any = false;
+      for (const bool axis : separates) any |= axis;
+      out[i] = static_cast<Verdict>(any);
+    }
+  }
+}
+
+// Bits and sides by the reference, query by query.
+template <class Real>
+auto explain_by_reference(Formulae formulae, Arithmetic arithmetic, Strictness strictness) {
+  return [=](const QueryColumns<Real>& batch, Answers<Real>& out) {
+    for (std::size_t i = 0; i < batch.size; ++i) {
+      Sides<Real> sides;
+      out.bits[i] = *reference(formulae, arithmetic, strictness, query_at(batch, i), &sides).bits;
+      for (std::size_t k = 0; k < comparison_count; ++k) {
+        out.lhs[k][i] = sides.lhs[k];
+        out.rhs[k][i] = sides.rhs[k];
+      }
+    }
+  };
+}
+
+template <Formulae formulae, Strictness strictness, class Real>
+Implementation<Real> scalar_implementation() {
+  Implementation<Real> implementation{scalar_verdicts<formulae, strictness, Real>, nullptr};
+  if constexpr (has_comparisons(formulae)) {
+    implementation.explain = explain_by_reference<Real>(formulae, Arithmetic::plain, strictness);
+  }
+  return implementation;
+}
+
+// Any arithmetic that the formulae take.
+template <class Real>
+Implementation<Real> reference_implementation(Formulae formulae, Arithmetic arithmetic, Strictness strictness) {
+  return {[=](const QueryColumns<Real>& batch, Verdict* out) {
+            for (std::size_t i = 0; i < batch.size; ++i) {
+              out[i] = reference(formulae, arithmetic, strictness, query_at(batch, i)).verdict;
+            }
+          },
+          explain_by_reference<Real>(formulae, arithmetic, strictness)};
+}
+
+}  // namespace axiscert

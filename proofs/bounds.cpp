@@ -1,0 +1,79 @@
+#include "proofs/bounds.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+
+namespace axiscert::proofs {
+namespace {
+
+// By domain and contraction. In u the bounds of binary64 are less than those of binary32 by terms of second order only,
+// so one table serves both.
+struct Row {
+  std::string_view what;
+  std::array<std::array<int, 2>, 2> sixteenths;  // [domain][contraction]
+};
+constexpr auto table = std::to_array<Row>({
+    {"plane.radius", {{{21761, 18689}, {179841, 164225}}}},
+    {"vertex.radius", {{{128, 112}, {488, 424}}}},
+    {"vertex.side", {{{240, 208}, {960, 832}}}},
+    {"published edge.radius", {{{74837, 67705}, {559007, 517353}}}},
+    {"published edge.side", {{{132161, 119260}, {1157095, 1073347}}}},
+    {"reduced edge.radius", {{{1761, 1569}, {9217, 7873}}}},
+    {"reduced edge.side", {{{3073, 2593}, {12545, 11265}}}},
+    {"V", {{{352, 320}, {640, 608}}}},
+    {"N", {{{64, 56}, {256, 224}}}},
+    {"Q", {{{1633, 1505}, {6017, 5633}}}},
+    {"QC", {{{2849, 2657}, {9089, 8577}}}},
+});
+
+int cell(const Setting& setting, std::string_view what) {
+  for (const Row& row : table) {
+    if (row.what == what) {
+      return row.sixteenths[static_cast<std::size_t>(setting.domain)][static_cast<std::size_t>(setting.contraction)];
+    }
+  }
+  throw std::logic_error("no bound of " + std::string(what));
+}
+
+}  // namespace
+
+Kind kind_of(Comparison which) {
+  const ComparisonInfo& about = info(which);
+  if (about.axis == Axis::plane) return Kind::plane_radius;
+  if (about.axis <= Axis::vertex_c) return about.is_radius ? Kind::vertex_radius : Kind::vertex_side;
+  return about.is_radius ? Kind::edge_radius : Kind::edge_side;
+}
+
+int bound(const Setting& setting, Comparison which) {
+  const std::string form(name(setting.form));
+  switch (kind_of(which)) {
+    case Kind::plane_radius:
+      return cell(setting, "plane.radius");
+    case Kind::vertex_radius:
+      return cell(setting, "vertex.radius");
+    case Kind::vertex_side:
+      return cell(setting, "vertex.side");
+    case Kind::edge_radius:
+      return cell(setting, form + " edge.radius");
+    case Kind::edge_side:
+      return cell(setting, form + " edge.side");
+  }
+  return 0;
+}
+
+int vector_bound(const Setting& setting, std::string_view vector) {
+  const bool is_foot = vector == "Q1" || vector == "Q2" || vector == "Q3";
+  return cell(setting, vector == "V" ? "V" : vector[0] == 'N' ? "N" : is_foot ? "Q" : "QC");
+}
+
+bool is_shared(Comparison which) { return info(which).axis < Axis::edge_ab; }
+
+std::string script_path(const Setting& setting, Comparison which) {
+  const Form form = is_shared(which) ? Form::published : setting.form;
+  return fmt::format("gappa/{}/{}/{}_{}_{}.g", name(setting.precision), name(setting.domain), name(form),
+                     name(setting.contraction), identifier(which));
+}
+
+}  // namespace axiscert::proofs

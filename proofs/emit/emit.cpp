@@ -1,0 +1,16 @@
+#include "proofs/emit/emit.h"
+
+namespace axiscert::proofs {
+
+Files proof_files() {
+  Files all;
+  all.merge(coq_files());
+  all.merge(gappa_files());
+  all.merge(range_files());
+  all.merge(header_files());
+  all.merge(fpcore_files());
+  all.merge(latex_files());
+  return all;
+}
+
+}  // namespace axiscert::proofs

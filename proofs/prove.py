@@ -1,0 +1,207 @@
+#!/usr/bin/env python3
+"""Checks the Coq theory in proofs/coq: builds it, compares what each main theorem assumes with Assumptions.expected and
+what it says with Statements.expected, and refuses admitted steps. coqc writes beside its sources, so a copy is built, in
+build/proofs; what has not changed since the last time is not built again.
+
+  prove.py [--build DIR] [--jobs N]            the whole theory
+  prove.py --planted [--build DIR]             each planted fault has to be refused, at the file named (after the above)
+
+Exit status: 0 everything holds, 1 something does not, 2 coqc or Flocq is missing."""
+import argparse
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+SOURCES = pathlib.Path(__file__).resolve().parent / "coq"
+# Whatever would let a theorem rest on something unproved. Print Assumptions has the last word; this names the line.
+FORBIDDEN = re.compile(r"\b(Admitted|admit|give_up|Axioms?|Parameters?|Conjecture|bypass_check|Unset\s+\w+\s+Checking)\b")
+
+# A fault: what is replaced in which file, and the file at which coqc has to stop.
+FAULTS = {
+    "a wrong coefficient in a recorded formula, exact": (
+        "Recorded.v", "let Q1_x := a_x * e1 - AB_x * d1 in", "let Q1_x := a_x * e1 + AB_x * d1 in", "RecordedIsSat7.v"),
+    "a recorded float program in another order": (
+        "Recorded.v", "let rr := rnd (r * r) in", "let rr := rnd (r * rnd (r * 1)) in", "RecordedIsProgram.v"),
+    "a swapped comparison": (
+        "Recorded.v", "Definition published_exact_vertex_a_radius_lhs (Ax Ay Az Bx By Bz Cx Cy Cz Px Py Pz r : R) : R :=",
+        "Definition published_exact_vertex_a_radius_lhs (Bx By Bz Ax Ay Az Cx Cy Cz Px Py Pz r : R) : R :=",
+        "RecordedIsSat7.v"),
+    "a threshold halved": ("Thresholds.v", "=> 13240", "=> 6620", "Thresholds.v"),
+    "a range too narrow": ("Programs.v", "capped 8", "capped 7", "Caps.v"),
+    "a side turned round": (
+        "Sat7.v", "Definition vertex_side_sides (A B : vec) := (dot A B, dot A A).",
+        "Definition vertex_side_sides (A B : vec) := (dot A A, dot A B).", "Sound.v"),
+    "an exported threshold that is not the proved one": ("Exported.v", "(13240, 6%nat)", "(13241, 6%nat)", "Exported.v"),
+    "a filter's window too wide": ("Filters.v", "8388608 (-4) eq_refl", "8388608 (-3) eq_refl", "Filters.v"),
+    "a comparison's window too wide": (
+        "Windows.v", "edge_ab_side_c | edge_bc_side_a | edge_ca_side_b => 20", "edge_ab_side_c | edge_bc_side_a | edge_ca_side_b => 21",
+        "Windows.v"),
+    "a bound beside a margin too small": (
+        "Margins.v", "Definition edge_side_units : R := 3.", "Definition edge_side_units : R := 2.", "Margins.v"),
+    "a coarse threshold too small": (
+        "Certified.v", "Definition coarse_degree_4 : R := 11.15625.", "Definition coarse_degree_4 : R := 10.", "Certified.v"),
+    "a coarse range that overflows": ("CoarseFloat.v", "24 128 (-21) 19 eq_refl", "24 128 (-21) 20 eq_refl", "CoarseFloat.v"),
+    "a fused product of the wrong sign": (
+        "Sizes.v", "if fused then Bfma mode_NE (Bopp y) z x", "if fused then Bfma mode_NE y z x", "Sizes.v"),
+    "an error of the conservative test too small": (
+        "Conservative.v", "Definition conservative_error : R := 10.", "Definition conservative_error : R := 7.", "Conservative.v"),
+    "a range of the conservative test too wide": (
+        "ConservativeStep.v", "conservative_never_misses 24 (-149) (-42)", "conservative_never_misses 24 (-149) (-43)", "ConservativeStep.v"),
+    "a margin of the conservative test with the error added": (
+        "ConservativeStep.v", "(mix s xz yz) - error)", "(mix s xz yz) + error)", "ConservativeStep.v"),
+    "phantoms too shallow": ("PhantomStep.v", "Definition phantom_depth : R := 20.", "Definition phantom_depth : R := 19.", "PhantomStep.v"),
+}
+
+# A theorem made weaker, so that it still has its proof: what is replaced in which file, and what says less then.
+WEAKENED = {
+    "a filter that may lie of an infinite radius": (
+        "Filters.v", "-> Prop) : Prop := forall q,", "-> Prop) : Prop := forall q, is_finite (fr prec emax q) = true ->",
+        "never_lies"),
+    "a program recorded for one comparison only": (
+        "RecordedIsProgram.v", "Theorem published_float_program rnd q m K :",
+        "Theorem published_float_program rnd q m K : K = plane_radius ->", "published_float_program"),
+    "a coarse step that may lie of an infinite radius": (
+        "CoarseFloat.v", "(r : binary_float prec emax),\n", "(r : binary_float prec emax), is_finite r = true ->\n",
+        "float_coarse_never_lies"),
+    "a conservative test that may miss a point's contact": (
+        "ConservativeStep.v", "in_format prec emin p -> 0 <= r ->\n  let rnd", "in_format prec emin p -> 0 < r ->\n  let rnd",
+        "conservative_never_misses"),
+    "phantoms that may be deeper": (
+        "PhantomStep.v", "Definition phantom_depth : R := 20.", "Definition phantom_depth : R := 21.", "phantom_depth"),
+}
+
+
+def fail(message):
+    print(f"prove: {message}", file=sys.stderr)
+    sys.exit(1)
+
+
+def copy_changed(sources, build):
+    """The sources in `build`, keeping the times of those that are the same, for make."""
+    build.mkdir(parents=True, exist_ok=True)
+    for stale in build.glob("*.v"):
+        if not (sources / stale.name).exists():
+            stale.unlink()
+    for source in [*sources.glob("*.v"), sources / "_CoqProject"]:
+        target = build / source.name
+        if not target.exists() or target.read_bytes() != source.read_bytes():
+            target.write_bytes(source.read_bytes())
+
+
+def without_comments(text):
+    depth, kept = 0, []
+    for token in re.split(r"(\(\*|\*\)|\n)", text):
+        if token == "(*":
+            depth += 1
+        elif token == "*)":
+            depth -= 1
+        elif depth == 0 or token == "\n":
+            kept.append(token)
+    return "".join(kept)
+
+
+def refuse_unproved(sources):
+    for source in sorted(sources.glob("*.v")):
+        for number, line in enumerate(without_comments(source.read_text()).splitlines(), 1):
+            if found := FORBIDDEN.search(line):
+                fail(f"{source.name}:{number}: '{found.group()}': every step has to be proved")
+
+
+def coqc(build, file, **options):
+    return subprocess.run(["coqc", "-q", "-Q", ".", "Axiscert", file], cwd=build, text=True, capture_output=True, **options)
+
+
+def make(build, jobs):
+    subprocess.run(["coq_makefile", "-f", "_CoqProject", "-o", "Makefile"], cwd=build, check=True)
+    result = subprocess.run(["make", "--no-print-directory", f"-j{jobs}"], cwd=build, text=True, capture_output=True)
+    if result.returncode:
+        fail(f"the theory does not check:\n{result.stdout}{result.stderr}")
+
+
+def by_theorem(printed):
+    """What Assumptions.v prints, by theorem."""
+    pieces = re.split(r'^== "?(\w+)"?\n', printed, flags=re.M)
+    return dict(zip(pieces[1::2], (" ".join(piece.split()) for piece in pieces[2::2])))
+
+
+def printed_by(build, name):
+    """What NAME.v prints and what NAME.expected has, by theorem or definition; they name the same."""
+    result = coqc(build, f"{name}.v")
+    if result.returncode:
+        fail(f"{name}.v does not check:\n{result.stdout}{result.stderr}")
+    printed, expected = by_theorem(result.stdout), by_theorem((SOURCES / f"{name}.expected").read_text())
+    if set(printed) != set(expected):
+        fail(f"{name}.v and {name}.expected name other theorems: {sorted(set(printed) ^ set(expected))}")
+    return printed, expected
+
+
+def changed_statements(build):
+    """The theorems and definitions that say something else than Statements.expected."""
+    printed, expected = printed_by(build, "Statements")
+    return {name: (text, expected[name]) for name, text in printed.items() if text != expected[name]}
+
+
+def compare(build):
+    assumed, expected = printed_by(build, "Assumptions")
+    for theorem, assumptions in assumed.items():
+        if assumptions != expected[theorem]:
+            fail(f"{theorem} rests on\n  {assumptions}\nand should on\n  {expected[theorem]}")
+        axioms = re.findall(r"[\w.]+\.(\w+) :", assumptions)
+        print(f"proved  {theorem:36} {', '.join(axioms) or 'no axioms'}")
+    if unread := set(assumed) - set(by_theorem((SOURCES / "Statements.expected").read_text())):
+        fail(f"Statements.v does not print {sorted(unread)}")
+    for name, (says, should) in changed_statements(build).items():
+        fail(f"{name} says\n  {says}\nand should, by Statements.expected,\n  {should}")
+
+
+def planted_copy(build, name, file, old, new):
+    """What was built, with times, and one file changed, so that only what depends on it is built again."""
+    planted = build.parent / "planted"
+    shutil.rmtree(planted, ignore_errors=True)
+    shutil.copytree(build, planted)
+    text = (planted / file).read_text()
+    if old not in text:
+        fail(f"the fault '{name}' finds no '{old}' in {file}")
+    (planted / file).write_text(text.replace(old, new))
+    return planted
+
+
+def plant(build):
+    for name, (file, old, new, refused_at) in FAULTS.items():
+        planted = planted_copy(build, name, file, old, new)
+        result = subprocess.run(["make", "--no-print-directory", refused_at + "o"], cwd=planted, text=True,
+                                capture_output=True)
+        where = re.search(r'File "\./(\w+\.v)", line (\d+)', result.stderr)
+        if result.returncode == 0 or not where or where.group(1) != refused_at:
+            fail(f"{name}: should be refused at {refused_at}\n{result.stdout}{result.stderr}")
+        print(f"refused {name:50} {where.group(1)}:{where.group(2)}")
+    for name, (file, old, new, weaker) in WEAKENED.items():
+        planted = planted_copy(build, name, file, old, new)
+        make(planted, 1)
+        if set(changed_statements(planted)) != {weaker}:
+            fail(f"{name}: {weaker} alone should be seen to say less, and {sorted(changed_statements(planted))} is")
+        print(f"seen    {name:50} Statements.expected, {weaker}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=SOURCES.parents[1] / "build" / "proofs" / "coq")
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--planted", action="store_true")
+    options = parser.parse_args()
+    if not shutil.which("coqc"):
+        print("prove: NOT CHECKED: coqc is missing; install the Debian packages coq and libcoq-flocq", file=sys.stderr)
+        sys.exit(2)
+    refuse_unproved(SOURCES)
+    copy_changed(SOURCES, options.build)
+    make(options.build, options.jobs)
+    if options.planted:
+        plant(options.build)
+    else:
+        compare(options.build)
+
+
+if __name__ == "__main__":
+    main()

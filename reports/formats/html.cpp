@@ -1,0 +1,223 @@
+// report.html: one file that needs nothing else. The page's own text is under page/; this fills in the data.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "fuzz/files/number_text.h"
+#include "kernel/names.h"
+#include "reports/run_folder/attachments.h"
+#include "reports/page/embedded.h"
+#include "reports/wording/finding.h"
+#include "reports/formats/format.h"
+#include "reports/page/packed.h"
+#include "reports/page/page_template.h"
+#include "reports/wording/reproduce.h"
+#include "reports/gates/requirement.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+// The file's size, which has to open from disk at once and go by mail: below it the page stays, by showing fewer
+// witnesses and linking the images of maps that find no room.
+constexpr std::size_t page_bytes = 2'900'000;
+constexpr std::size_t image_bytes = 1'000'000;
+constexpr std::size_t page_witnesses = 2000;
+
+// What the schema says of each counter: the page's column notes.
+Json notes() {
+  const Json schema = Json::parse(embedded::record_schema_json);
+  Json notes;
+  for (const char* part : {"family", "truth", "verdict", "links", "axis", "comparison", "critical_radius", "axes",
+                           "comparisons", "outside_limits", "finding", "asymmetry"}) {
+    for (const auto& [member, rule] : schema["$defs"][part]["properties"].items()) {
+      notes[part][member] = rule.value("description", "");
+    }
+  }
+  return notes;
+}
+
+std::string decimal(const Json& number, const Json& precision) {
+  const std::string text = number;
+  return precision == name(Precision::binary32) ? fmt::format("{}", parse_number<float>(text))
+                                                : fmt::format("{}", parse_number<double>(text));
+}
+
+Json witness_card(const Json& witness, const Json& plan) {
+  Json card = witness;
+  Json& decimals = card["decimal"] = Json::object();
+  for (const char* point : {"a", "b", "c", "p"}) {
+    for (const Json& number : witness[point]) decimals[point].push_back(decimal(number, witness["precision"]));
+  }
+  decimals["r"] = decimal(witness["r"], witness["precision"]);
+  card["command"] = replay_command(witness, plan);
+  return card;
+}
+
+// The members that the page shows, and no other.
+Json throughput(const Json& info) {
+  Json rows = Json::array();
+  if (!info.contains("throughput")) return rows;
+  for (const Json& given : info["throughput"]) {
+    Json& row = rows.emplace_back();
+    for (const char* member : {"family", "precision", "queries", "seconds_of_core", "queries_per_second_and_core"}) {
+      row[member] = given[member];
+    }
+  }
+  return rows;
+}
+
+Json kernel_data(const Json& kernel) {
+  Json data = kernel;
+  const auto limit = [](const Json& family) {
+    const double per_million = zero_limit_per_million(family);
+    return per_million < 0 ? Json(nullptr) : Json(per_million);
+  };
+  for (Json& family : data["families"]) family["zero_limit_per_million"] = limit(family);
+  data["touching_text"] = touching_text(kernel);
+  data["limits_text"] = limits_text(kernel);
+  data["all"] = all_families(kernel);
+  if (data["all"].empty()) data["all"] = nullptr;
+  else data["all"]["zero_limit_per_million"] = limit(data["all"]);
+  return data;
+}
+
+Json findings_data(const Json& record) {
+  Json data = Json::array();
+  for (const FindingGroup& group : finding_groups(record)) {
+    const Json& finding = *group.first;
+    Json& shown = data.emplace_back();
+    for (const char* member : {"kernel", "precision", "family", "kind", "count", "detail", "address"}) {
+      shown[member] = finding[member];
+    }
+    shown["others"] = group.others_text();
+    shown["command"] = finding["address"].is_null() ? "" : replay_command(finding, record["plan"]);
+  }
+  return data;
+}
+
+Json requirement_data(const Json& record) {
+  const Json& require = record["plan"]["require"];
+  if (require.is_null()) return nullptr;
+  Json data = {{"level", require}, {"sentence", parse_requirement(require).sentence()}, {"failures", Json::array()}};
+  for (const Failure& f : unmet(record, require)) {
+    data["failures"].push_back({{"kernel", f.kernel},
+                                {"precision", f.precision},
+                                {"family", f.family},
+                                {"count", f.count},
+                                {"what", f.what},
+                                {"witness", f.witness}});
+  }
+  return data;
+}
+
+// The deepest, and of each kernel, precision, family and place of a flip one that shows it, as far as `limit` goes.
+std::vector<const Json*> shown_witnesses(const Json& record, std::size_t limit) {
+  std::vector<const Json*> chosen = worst_witnesses(record, limit / 2);
+  std::set<const Json*> taken(chosen.begin(), chosen.end());
+  std::set<std::string> places;
+  const auto opens_a_place = [&](const Json& witness) {
+    bool opens = false;
+    for (const Json& flip : witness["flips"]) {
+      opens |= places
+                   .insert(Json{witness["kernel"], witness["precision"], witness["family"], flip["name"], flip["kind"],
+                                flip["decisive"]}
+                               .dump())
+                   .second;
+    }
+    return opens;
+  };
+  for (const Json* witness : chosen) opens_a_place(*witness);
+  for (const Json& witness : record["witnesses"]) {
+    if (chosen.size() >= limit) break;
+    if (!taken.contains(&witness) && opens_a_place(witness)) {
+      chosen.push_back(&witness);
+      taken.insert(&witness);
+    }
+  }
+  for (const Json* witness : worst_witnesses(record, limit)) {
+    if (chosen.size() >= limit) break;
+    if (taken.insert(witness).second) chosen.push_back(witness);
+  }
+  const auto depth = [](const Json* witness) {
+    const Json& given = (*witness)["depth"];
+    return given.is_null() ? -1.0 : given.get<double>();
+  };
+  std::stable_sort(chosen.begin(), chosen.end(), [&](const Json* x, const Json* y) { return depth(x) > depth(y); });
+  return chosen;
+}
+
+Json cards(const Json& record, std::size_t limit) {
+  Json data = {{"total", record["witnesses"].size()}, {"cards", Json::array()}};
+  for (const Json* witness : shown_witnesses(record, limit)) {
+    data["cards"].push_back(witness_card(*witness, record["plan"]));
+  }
+  return data;
+}
+
+// The steps that decided the queries, as run.json has them, without what the page does not show.
+Json steps(const Json& info) {
+  Json rows = Json::array();
+  for (const Json& given : info.is_null() ? Json::array() : info.value("steps", Json::array())) {
+    rows.push_back({{"family", given["family"]},
+                    {"precision", given["precision"]},
+                    {"queries", given["queries"]},
+                    {"checked", given["checked"]},
+                    {"decided_by_cgal", given["decided_by_cgal"]},
+                    {"nanoseconds_per_query", given["nanoseconds_per_query"]}});
+  }
+  return rows;
+}
+
+Json page_data(const Run& run) {
+  const Json& record = run.record;
+  Json data = {{"complete", record["complete"]}, {"plan", record["plan"]}, {"requirement", requirement_data(record)},
+               {"links", Json::object()},        {"notes", notes()},       {"kernels", Json::array()}};
+  data["plan"].erase("seed");  // 64 bits: a number in a page holds 53; the facts have it as text
+  for (std::size_t i = 0; i < link_count; ++i) data["links"][std::string(link_names[i])] = link_meanings[i];
+  for (const Json& kernel : record["kernels"]) data["kernels"].push_back(kernel_data(kernel));
+  data["findings"] = findings_data(record);
+  data["not_judged"] = not_judged(record);
+  data["command"] = run_command(record["plan"]);
+  data["facts"] = plan_facts(run);
+  data["throughput"] = throughput(run.info);
+  data["not_checked"] = not_checked(record);
+  data["steps"] = steps(run.info);
+  data["target"] = run.info.is_null() || !run.info.contains("target") ? Json(nullptr) : run.info["target"];
+  data["attached"] = attachments(run.folder, image_bytes);
+  data["files"] = raw_files(run.folder);
+  return data;
+}
+
+// Each may use those before it.
+std::string scripts() {
+  using namespace embedded;
+  const std::string_view all[] = {chart_min_js, chart_js,     table_js,   answer_js,   heat_js,
+                                  bounds_js,    origins_js,   maps_js,    margins_js,  scene_js,
+                                  snippets_js,  witnesses_js, results_js, appendix_js, report_js};
+  return fmt::format("{}", fmt::join(all, "\n"));
+}
+
+std::string render_html(const Run& run) {
+  const auto with = [css = std::string(embedded::report_css), data = packed(page_data(run).dump()),
+                     js = scripts()](std::string witnesses) {
+    const std::pair<std::string_view, std::string> places[] = {
+        {"/*CSS*/", css}, {"/*DATA*/", data}, {"/*WITNESSES*/", std::move(witnesses)}, {"/*JS*/", js}};
+    return filled(embedded::report_html, places);
+  };
+  const std::size_t taken = with("").size(), room = page_bytes - std::min(page_bytes, taken);
+  for (std::size_t limit = page_witnesses;;) {
+    std::string witnesses = packed(cards(run.record, limit).dump());
+    if (witnesses.size() <= room || limit == 0) return with(std::move(witnesses));
+    // As many as would fit if all were as large, and at least one fewer.
+    limit = std::min(limit - 1, limit * room / witnesses.size());
+  }
+}
+
+}  // namespace
+
+extern const Format html_format = {"report.html", render_html};
+
+}  // namespace axiscert

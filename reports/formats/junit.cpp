@@ -1,0 +1,227 @@
+// junit.xml, as the schema of Ant's JUnit task has it: one suite a kernel and precision, for CI systems. A case a
+// family for the verdict, failed where the run's requirement is not met there; a case a finding, always failed; a case
+// a family and comparison, failed where an error exceeds its tolerance. A case fails, too, where it is worse than the
+// ratchet accepts, and is skipped, which says NOT CHECKED, where nothing was asked of it. What the ratchet says of
+// other than these cases stands in a suite of its own.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kernel/names.h"
+#include "reports/wording/finding.h"
+#include "reports/formats/format.h"
+#include "reports/wording/reproduce.h"
+#include "reports/gates/requirement.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+// For text and attributes. XML 1.0 has no way to write most control characters, U+FFFE or U+FFFF.
+std::string xml(const std::string& text) {
+  std::string escaped;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const unsigned char c = static_cast<unsigned char>(text[i]);
+    const bool is_noncharacter = text.compare(i, 3, "\xEF\xBF\xBE") == 0 || text.compare(i, 3, "\xEF\xBF\xBF") == 0;
+    if (c == '&') escaped += "&amp;";
+    else if (c == '<') escaped += "&lt;";
+    else if (c == '>') escaped += "&gt;";
+    else if (c == '"') escaped += "&quot;";
+    else if (c == '\t' || c == '\n' || c == '\r') escaped += fmt::format("&#{};", c);
+    else if (c < 0x20 || is_noncharacter) escaped += "\xEF\xBF\xBD";
+    else escaped += static_cast<char>(c);
+    if (is_noncharacter) i += 2;
+  }
+  return escaped;
+}
+
+struct Suite {
+  std::string name, cases = {}, figures = {};
+  int tests = 0, failures = 0, skipped = 0;
+
+  // `outcome`: a failure or skipped element, or empty. The counts go to the suite's output, a line a case: the schema
+  // of Ant knows none of a case.
+  void add(const std::string& test, const std::string& outcome, const Json& counts) {
+    ++tests;
+    failures += outcome.starts_with("<failure");
+    skipped += outcome.starts_with("<skipped");
+    const std::string head = fmt::format("classname=\"{}\" name=\"{}\" time=\"0\"", xml(name), xml(test));
+    cases += outcome.empty() ? fmt::format("    <testcase {}/>\n", head)
+                             : fmt::format("    <testcase {}>\n      {}\n    </testcase>\n", head, outcome);
+    figures += fmt::format("{}: {}\n", test, counts.dump());
+  }
+};
+
+std::string failure(const std::string& type, const std::string& message, const std::string& detail) {
+  return fmt::format("<failure type=\"{}\" message=\"{}\">{}</failure>", xml(type), xml(message), xml(detail));
+}
+std::string skipped(const std::string& why) {
+  return fmt::format("<skipped message=\"{}\"/>", xml("NOT CHECKED: " + why));
+}
+
+// Whether a failure of ratchet.json is about a case: a family's verdict or comparison.
+bool is_about_case(const Json& failure, const Json& kernel, const std::string& family, const std::string& place) {
+  return failure["kernel"] == kernel["id"] && failure["precision"] == kernel["precision"] &&
+         failure["family"] == family && failure["cell"].get<std::string>().starts_with(place + ".");
+}
+
+// Of a run that was held to a ratchet: the case's failures, empty where there is none.
+std::string ratchet_outcome(const Json& held, const Json& kernel, const std::string& family, const std::string& place) {
+  std::string detail;
+  for (const Json& failure : held["failures"]) {
+    if (is_about_case(failure, kernel, family, place)) detail += failure["text"].get<std::string>() + "\n";
+  }
+  return detail.empty() ? "" : failure("ratchet", "worse than accepted, or expired", detail);
+}
+
+std::string verdict_outcome(const Json& require, const std::vector<Failure>& failures, const Json& kernel,
+                            const std::string& family) {
+  if (require.is_null()) return skipped("no requirement was asked (--require)");
+  std::string detail;
+  for (const Failure& f : failures) {
+    if (f.family == family && f.is_of(kernel)) detail += f.text() + "\n";
+  }
+  if (detail.empty()) return "";
+  const std::string level = require;
+  return failure("requirement",
+                 fmt::format("requirement {} is not met: {}", level, parse_requirement(level).sentence()), detail);
+}
+
+std::string tolerance_outcome(const Json& tally, const Json& tolerance) {
+  if (tally.is_null()) return skipped("the kernel does not show its comparisons");
+  if (tolerance.is_null()) return skipped("no tolerance was asked for it (--tolerance)");
+  if (tally["tolerance_failures"].is_null()) return skipped("the kernel does not show its sides");
+  if (tally["tolerance_failures"] == 0) return "";
+  const std::string message =
+      fmt::format("{} errors above {} u; the smallest tolerance that passes is {} u",
+                  thousands(tally["tolerance_failures"].get<std::uint64_t>()), tolerance.get<std::string>(),
+                  error_amount(tally["smallest_passing_tolerance"]));
+  return failure("tolerance", message, message);
+}
+
+// A case's outcome with what the ratchet says of it: Ant's schema has room for one failure a case. What was asked in no
+// other way was asked by the ratchet.
+std::string with_ratchet(const Json& held, const Json& kernel, const std::string& family, const std::string& place,
+                         const std::string& outcome) {
+  if (held.is_null()) return outcome;
+  const std::string worse = ratchet_outcome(held, kernel, family, place);
+  if (worse.empty()) return outcome.starts_with("<skipped") ? "" : outcome;
+  if (!outcome.starts_with("<failure")) return worse;
+  const std::string_view end = "</failure>";
+  const std::size_t text = worse.find('>') + 1;
+  return outcome.substr(0, outcome.size() - end.size()) + worse.substr(text);
+}
+
+void add_finding(Suite& suite, const Json& finding, const Json& plan) {
+  const std::string family = finding["family"].is_null() ? "loading" : finding["family"].get<std::string>();
+  const std::string replay = finding["address"].is_null() ? "" : "\n" + replay_command(finding, plan);
+  const std::string text = finding_text(finding);
+  suite.add(family + " " + finding["kind"].get<std::string>(), failure("finding", text, text + replay), finding);
+}
+
+// A kernel that could not be loaded.
+Suite suite_of_findings(const Run& run, const std::string& kernel) {
+  Suite suite{kernel};
+  for (const Json& finding : run.record["findings"]) {
+    if (finding["kernel"] == kernel) add_finding(suite, finding, run.record["plan"]);
+  }
+  return suite;
+}
+
+Suite suite_of(const Run& run, const Json& kernel, const std::vector<Failure>& failures) {
+  const Json& plan = run.record["plan"];
+  Suite suite{fmt::format("{} {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>())};
+  for (const Json& finding : run.record["findings"]) {
+    if (is_about(finding, kernel)) add_finding(suite, finding, run.record["plan"]);
+  }
+  for (const Json& name : plan["families"]) {
+    const std::string family = name;
+    if (!kernel["families"].contains(family)) {
+      suite.add(family + " verdict", skipped("no query of this family was asked"), Json::object());
+      continue;
+    }
+    const Json& result = kernel["families"][family];
+    Json counts = {{"trials", result["trials"]}, {"truth", result["truth"]}};
+    counts.update(result["verdict"]);
+    const auto held = [&](const std::string& place, const std::string& outcome) {
+      return with_ratchet(run.ratchet, kernel, family, place, outcome);
+    };
+    suite.add(family + " verdict", held("verdict", verdict_outcome(plan["require"], failures, kernel, family)), counts);
+    for (const ComparisonInfo& info : comparisons) {
+      const std::string comparison(info.name);
+      const Json tally = result["comparisons"].is_null() ? Json(nullptr) : result["comparisons"][comparison];
+      const Json tolerance = plan["tolerance"].value(comparison, Json(nullptr));
+      const std::string outcome = tolerance_outcome(tally, tolerance);
+      suite.add(family + " " + comparison, tally.is_null() ? outcome : held(comparison, outcome), tally);
+    }
+  }
+  if (!run.record["complete"].get<bool>()) {
+    const std::string message = "the run was interrupted: what is here is about the queries that were asked";
+    suite.add("complete", failure("interrupted", message, message), Json::object());
+  }
+  return suite;
+}
+
+// What the ratchet says of cells that have no case: findings, and kernels that were not judged.
+Suite suite_of_ratchet(const Run& run) {
+  Suite suite{"ratchet"};
+  const auto has_case = [&](const Json& failure) {
+    const std::string place = failure["cell"];
+    if (place.starts_with("finding.")) return false;
+    for (const Json& kernel : run.record["kernels"]) {
+      const Json& families = kernel["families"];
+      if (kernel["id"] != failure["kernel"] || kernel["precision"] != failure["precision"]) continue;
+      const auto family = families.find(failure["family"].get<std::string>());
+      if (family == families.end()) continue;
+      return place.starts_with("verdict.") || !(*family)["comparisons"].is_null();
+    }
+    return false;
+  };
+  for (const Json& failed : run.ratchet["failures"]) {
+    if (has_case(failed)) continue;
+    const std::string text = failed["text"];
+    suite.add(fmt::format("{} {} {} {}", failed["kernel"].get<std::string>(), failed["precision"].get<std::string>(),
+                          failed["family"].get<std::string>(), failed["cell"].get<std::string>()),
+              failure("ratchet", text, text), failed["fingerprint"]);
+  }
+  return suite;
+}
+
+// When the run began, in UTC, as the schema has it: without a zone. A record alone does not know.
+std::string started(const Json& info) {
+  return info.is_null() ? "1970-01-01T00:00:00" : info["started"].get<std::string>().substr(0, 19);
+}
+// Kernels share their run: the first suite has its seconds.
+std::string seconds(const Json& info) {
+  return info.is_null() ? "0" : fmt::format("{:.3f}", info["seconds"].get<double>());
+}
+
+std::string render_junit(const Run& run) {
+  const Json& require = run.record["plan"]["require"];
+  const std::vector<Failure> failures = require.is_null() ? std::vector<Failure>() : unmet(run.record, require);
+  std::string suites;
+  std::size_t id = 0;
+  std::vector<Suite> listed;
+  for (const std::string& kernel : not_judged(run.record)) listed.push_back(suite_of_findings(run, kernel));
+  for (const Json& kernel : run.record["kernels"]) listed.push_back(suite_of(run, kernel, failures));
+  if (!run.ratchet.is_null()) {
+    if (Suite rest = suite_of_ratchet(run); rest.tests != 0) listed.push_back(std::move(rest));
+  }
+  for (const Suite& suite : listed) {
+    suites += fmt::format(
+        "  <testsuite name=\"{0}\" tests=\"{3}\" failures=\"{4}\" errors=\"0\" skipped=\"{5}\" package=\"axiscert\" "
+        "id=\"{1}\" hostname=\"localhost\" timestamp=\"{2}\" time=\"{6}\">\n    <properties/>\n{7}"
+        "    <system-out>{8}</system-out>\n    <system-err/>\n  </testsuite>\n",
+        xml(suite.name), id, xml(started(run.info)), suite.tests, suite.failures, suite.skipped,
+        id == 0 ? seconds(run.info) : "0", suite.cases, xml(suite.figures));
+    ++id;
+  }
+  // Ant's schema has no totals: each suite has its own.
+  return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n{}</testsuites>\n", suites);
+}
+
+}  // namespace
+
+extern const Format junit_format = {"junit.xml", render_junit};
+
+}  // namespace axiscert

@@ -1,0 +1,329 @@
+// report.md: the short report, for a pull request or a terminal. Stays under 1 MiB and says what it left out.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "reports/wording/finding.h"
+#include "reports/formats/format.h"
+#include "reports/formats/markdown_text.h"
+#include "reports/wording/reproduce.h"
+#include "reports/gates/requirement.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::size_t table_witnesses = 10;
+
+std::string count(const Json& value) { return value.is_null() ? "not checked" : thousands(value.get<std::uint64_t>()); }
+std::string depth(const Json& value) { return amount(value.get<double>(), 4); }
+std::string optional_amount(const Json& value) { return value.is_null() ? "none" : amount(value.get<double>(), 4); }
+std::uint64_t number(const Json& value) { return value.get<std::uint64_t>(); }
+
+// "rounding 12, range 3", or "none".
+std::string links(const Json& counts) {
+  std::vector<std::string> broken;
+  for (const auto& [link, n] : counts.items()) {
+    if (n != 0) broken.push_back(fmt::format("{} {}", link, count(n)));
+  }
+  return broken.empty() ? "none" : fmt::format("{}", fmt::join(broken, ", "));
+}
+
+class MarkdownReport {
+ public:
+  explicit MarkdownReport(const Run& run) : run_(run), record_(run.record), plan_(run.record["plan"]) {
+    if (!plan_["require"].is_null()) failures_ = unmet(record_, plan_["require"]);
+    for (const Json& kernel : record_["kernels"]) totals_.push_back(all_families(kernel));
+  }
+
+  std::string text() const {
+    std::string text = "# axiscert report\n";
+    if (!record_["complete"].get<bool>()) {
+      text += "\n> **INCOMPLETE**: the run was interrupted. What follows is about the queries that were asked.\n";
+    }
+    return text + ratchet() + findings() + summary() + families() + outside() + asymmetries() + signs("axes", "axis") +
+           signs("comparisons", "comparison") + broken_links() + witnesses() + critical_radius() + reproduce();
+  }
+
+ private:
+  std::string requirement_of(const Json& kernel) const {
+    if (plan_["require"].is_null()) return "none asked";
+    const bool is_met =
+        std::none_of(failures_.begin(), failures_.end(), [&](const Failure& failure) { return failure.is_of(kernel); });
+    if (is_met && kernel["families"].empty()) return "not checked";
+    return is_met ? "met" : "**not met**";
+  }
+
+  std::string ratchet() const {
+    if (run_.ratchet.is_null()) return "";
+    Section section("Ratchet");
+    const Json& failures = run_.ratchet["failures"];
+    section.line(fmt::format("Held to {}: {}", plain(run_.ratchet["file"]),
+                             failures.empty() ? "nothing is worse than accepted." : "**it does not hold**."));
+    section.line("");
+    for (const Json& failure : failures) section.line("- " + plain(failure["text"], 2000));
+    for (const Json& better : run_.ratchet["better"]) section.line("- better: " + plain(better, 2000));
+    return section.text();
+  }
+
+  std::string findings() const {
+    if (record_["findings"].empty()) return "";
+    Section section("Findings");
+    section.line("What plug-ins did wrong beside their answers. No requirement is met by a kernel with a finding.");
+    for (const std::string& kernel : not_judged(record_)) {
+      section.line(fmt::format("\n**{} was not judged**: it could not be loaded.", plain(kernel)));
+    }
+    for (const FindingGroup& group : finding_groups(record_)) {
+      const Json& first = *group.first;
+      const std::string others = group.others.empty() ? "" : "; " + plain(group.others_text(), 2000);
+      const std::string replay = first["address"].is_null() ? "" : "\n" + code_block(replay_command(first, plan_));
+      section.add(fmt::format("\n- {}{}\n{}", plain(finding_text(first), 2000), others, replay));
+    }
+    return section.text();
+  }
+
+  std::string summary() const {
+    Section section("Summary");
+    section.head(
+        {"kernel", "precision", "requirement", "broken links", "trials", "false_separation (missed contacts)",
+         "deepest", "false_contact (phantom contacts)", "deepest", "undecided", "invalid answers", "no answer"},
+        4);
+    for (const std::string& kernel : not_judged(record_)) {
+      section.row(
+          {plain(kernel), "", "**not judged**", "could not be loaded, see Findings", "0", "", "", "", "", "", "", ""});
+    }
+    for (std::size_t k = 0; k < totals_.size(); ++k) {
+      const Json &kernel = record_["kernels"][k], &total = totals_[k];
+      std::vector<std::string> cells = {plain(kernel["id"]), kernel["precision"], requirement_of(kernel)};
+      if (total.empty()) {
+        cells.insert(cells.end(), {"not checked: no family ran", "0", "", "", "", "", "", "", ""});
+      } else {
+        const Json& verdict = total["verdict"];
+        cells.insert(cells.end(),
+                     {links(verdict["links"]), count(total["trials"]),
+                      with_rate(number(verdict["false_separation"]), total), depth(verdict["deepest_false_separation"]),
+                      with_rate(number(verdict["false_contact"]), total), depth(verdict["deepest_false_contact"]),
+                      count(verdict["undecided"]), count(verdict["invalid"]), count(verdict["unanswered"])});
+      }
+      section.row(cells);
+    }
+    for (const Json& kernel : record_["kernels"]) {
+      if (kernel["touching"] == name(Touching::contact) && kernel["limits"].is_null()) continue;
+      section.line(fmt::format("\n{} {} says of itself: {}; limits: {}.", plain(kernel["id"]),
+                               kernel["precision"].get<std::string>(), touching_text(kernel), limits_text(kernel)));
+    }
+    section.line(
+        "\nDepth is a share of the scene: |d - r| / max(|A-P|, |B-P|, |C-P|, r). A limit for zero failures holds for "
+        "this generator only. What a broken link of a wrong verdict means:\n");
+    for (std::size_t i = 0; i < link_count; ++i) section.line(fmt::format("- {}: {}", link_names[i], link_meanings[i]));
+    if (!plan_["require"].is_null()) {
+      section.line(fmt::format("\nRequirement `{}`: {}. {}\n", plan_["require"].get<std::string>(),
+                               parse_requirement(plan_["require"]).sentence(),
+                               failures_.empty() ? "Nothing above falls short of it." : "Not met:"));
+      for (const Failure& failure : failures_) section.line("- " + plain_failure(failure));
+    }
+    return section.text();
+  }
+
+  static std::string plain_failure(const Failure& f) {
+    if (f.family.empty()) return fmt::format("{}: {}", plain(f.kernel), plain(f.what, 2000));
+    return fmt::format("{} {} on {}: {}: {}{}", plain(f.kernel), f.precision, plain(f.family), plain(f.what, 2000),
+                       thousands(f.count), f.witness.empty() ? "" : ", witness " + plain(f.witness));
+  }
+
+  template <class Visit>
+  void for_each_family(const Visit& visit) const {
+    for (const Json& kernel : record_["kernels"]) {
+      for (const auto& [family, result] : kernel["families"].items()) {
+        visit(std::vector<std::string>{plain(kernel["id"]), kernel["precision"], plain(family)}, result);
+      }
+    }
+  }
+
+  std::string families() const {
+    Section section("Kernels and families");
+    section.head(
+        {"kernel", "precision", "family", "broken links", "trials", "separated", "contact", "touching", "invalid",
+         "false_separation", "deepest", "false_contact", "deepest", "touching flips", "undecided", "no answer"},
+        4);
+    for_each_family([&](std::vector<std::string> cells, const Json& result) {
+      const Json &truth = result["truth"], &verdict = result["verdict"];
+      if (result["exact_arithmetic"].get<bool>()) cells.back() += " (exact arithmetic)";
+      cells.insert(cells.end(),
+                   {links(verdict["links"]), count(result["trials"]), count(truth["separated"]),
+                    count(truth["contact"]), count(truth["touching"]), count(truth["invalid"]),
+                    with_rate(number(verdict["false_separation"]), result), depth(verdict["deepest_false_separation"]),
+                    with_rate(number(verdict["false_contact"]), result), depth(verdict["deepest_false_contact"]),
+                    count(verdict["touching_flips"]), count(verdict["undecided"]), count(verdict["unanswered"])});
+      section.row(cells);
+    });
+    return section.text();
+  }
+
+  std::string outside() const {
+    Section section("Outside the limits");
+    section.line(
+        "Valid queries outside what a kernel promises: counted here and nowhere else, and no requirement reads "
+        "them.\n");
+    bool any = false;
+    section.head(
+        {"kernel", "precision", "family", "queries", "false_separation", "false_contact", "deepest", "no answer"}, 3);
+    for_each_family([&](std::vector<std::string> cells, const Json& result) {
+      const Json& apart = result["verdict"]["outside_limits"];
+      if (apart.is_null()) return;
+      any = true;
+      cells.insert(cells.end(), {count(apart["trials"]), count(apart["false_separation"]),
+                                 count(apart["false_contact"]), depth(apart["deepest"]), count(apart["unanswered"])});
+      section.row(cells);
+    });
+    return any ? section.text() : "";
+  }
+
+  std::string asymmetries() const {
+    Section section("Asymmetry");
+    section.line("Of an exact image of a query, another answer than of the query: no exact answer differs.\n");
+    bool any = false;
+    section.head({"kernel", "precision", "family", "first image with another verdict", "images", "other verdicts",
+                  "other comparisons"},
+                 4);
+    for_each_family([&](std::vector<std::string> cells, const Json& result) {
+      if (!result.contains("asymmetry")) return;
+      any = true;
+      const Json &found = result["asymmetry"], &first = found["first_verdict"];
+      cells.insert(cells.end(), {first.is_null() ? "none" : plain(first["image"]), count(found["images"]),
+                                 count(found["verdicts"]), count(found["comparisons"])});
+      section.row(cells);
+    });
+    return any ? section.text() : "";
+  }
+
+  // The axes or the comparisons over all families, those with a flip first.
+  std::string signs(const std::string& level, const std::string& one) const {
+    Section section(level == "axes" ? "Axes, over all families" : "Comparisons, over all families");
+    std::vector<std::string> columns = {"kernel",           "precision",          one,
+                                        "false_separation", "missed_separation",  "decisive",
+                                        "masked",           "tolerance failures", "max_error_u"};
+    if (level == "axes") columns.push_back("sole_separator");
+    else columns.insert(columns.end(), {"ties", "range_events", "error_without_scale"});
+    section.head(columns, 3);
+    std::vector<std::vector<std::string>> with_flips, without;
+    for (std::size_t k = 0; k < totals_.size(); ++k) {
+      const Json& kernel = record_["kernels"][k];
+      if (totals_[k].empty()) continue;
+      if (totals_[k][level].is_null()) {
+        std::vector<std::string> cells = {plain(kernel["id"]), kernel["precision"], "not exposed"};
+        cells.resize(columns.size());
+        without.push_back(cells);
+        continue;
+      }
+      for (const auto& [name, tally] : totals_[k][level].items()) {
+        std::vector<std::string> cells = {plain(kernel["id"]), kernel["precision"], name};
+        for (const char* member :
+             {"false_separation", "missed_separation", "decisive", "masked", "tolerance_failures"}) {
+          cells.push_back(count(tally[member]));
+        }
+        cells.push_back(error_amount(tally["max_error_u"]));
+        for (std::size_t i = cells.size(); i < columns.size(); ++i) cells.push_back(count(tally[columns[i]]));
+        const bool has_flips = tally["false_separation"] != 0 || tally["missed_separation"] != 0;
+        (has_flips ? with_flips : without).push_back(cells);
+      }
+    }
+    for (const auto* rows : {&with_flips, &without}) {
+      for (const auto& cells : *rows) section.row(cells);
+    }
+    section.line("\nmax_error_u is also the smallest tolerance that passes.");
+    return section.text();
+  }
+
+  // Links without a first query left out.
+  static Json first_of(const Json& first_by_link) {
+    Json found = Json::object();
+    for (const auto& [link, position] : first_by_link.items()) {
+      if (!position.is_null()) found[link] = position;
+    }
+    return found;
+  }
+
+  std::string broken_links() const {
+    Section section("Broken links by family");
+    bool any = false;
+    for_each_family([&](std::vector<std::string> cells, const Json& result) {
+      const std::string wrong = links(result["verdict"]["links"]), masked = links(result["verdict"]["masked_links"]);
+      if (wrong == "none" && masked == "none") return;
+      if (!any)
+        section.head(
+            {"kernel", "precision", "family", "of wrong verdicts", "first query with it", "cancelled, verdict right"},
+            6);
+      any = true;
+      cells.insert(cells.end(), {wrong, links(first_of(result["verdict"]["first_by_link"])), masked});
+      section.row(cells);
+    });
+    if (!any) section.line("None.");
+    return section.text();
+  }
+
+  std::string witnesses() const {
+    Section section("Worst witnesses");
+    const auto worst = worst_witnesses(record_, table_witnesses);
+    section.line(fmt::format("{} of {}, the deepest of each kernel, family and kind; witnesses.jsonl has all.",
+                             worst.size(), record_["witnesses"].size()));
+    for (std::size_t i = 0; i < worst.size(); ++i) {
+      const Json& w = *worst[i];
+      const std::string depth_text =
+          w["depth"].is_null() ? "" : fmt::format(", depth {}", amount(w["depth"].get<double>(), 4));
+      section.add(fmt::format("\n{}. {}: {} {} on {}: {} computed, {}{} exact{}\n\n{}", i + 1, plain(w["id"]),
+                              plain(w["kernel"]), w["precision"].get<std::string>(), plain(w["family"]),
+                              w["computed"].get<std::string>(), w["truth"].get<std::string>(),
+                              w["touching"].get<bool>() ? " (touching)" : "", depth_text,
+                              code_block(replay_command(w, plan_))));
+    }
+    return section.text();
+  }
+
+  std::string critical_radius() const {
+    Section section("Critical radius error");
+    section.line(
+        "Of the smallest radius for which the kernel says contact, in ulps of the exact distance; unbounded: contact "
+        "for no finite radius.\n");
+    section.head({"kernel", "precision", "family", "sampled", "median", "largest", "unbounded", "no answer"}, 3);
+    const auto row = [&](std::vector<std::string> cells, const Json& radius) {
+      cells.insert(cells.end(),
+                   {count(radius["sampled"]), optional_amount(radius["median_ulps"]),
+                    optional_amount(radius["largest_ulps"]), count(radius["unbounded"]), count(radius["unanswered"])});
+      section.row(cells);
+    };
+    for (const Json& kernel : record_["kernels"]) {
+      row({plain(kernel["id"]), kernel["precision"], "all"}, kernel["critical_radius"]);
+    }
+    for_each_family(
+        [&](const std::vector<std::string>& cells, const Json& result) { row(cells, result["critical_radius"]); });
+    return section.text();
+  }
+
+  std::string reproduce() const {
+    Section section("How to reproduce");
+    const std::string command = run_command(plan_);
+    section.add(command.empty() ? "The trials depended on the time the run had; record.json lists the units done.\n"
+                                : code_block(command));
+    section.line("");
+    for (const auto& [label, value] : plan_facts(run_))
+      section.line(fmt::format("- {}: {}", plain(label), plain(value, 2000)));
+    section.line("\nNOT CHECKED:\n");
+    for (const std::string& sentence : not_checked(record_)) section.line("- " + plain(sentence, 2000));
+    return section.text();
+  }
+
+  const Run& run_;
+  const Json &record_, &plan_;
+  std::vector<Json> totals_;
+  std::vector<Failure> failures_;
+};
+
+std::string render_markdown(const Run& run) { return MarkdownReport(run).text(); }
+
+}  // namespace
+
+extern const Format markdown_format = {"report.md", render_markdown};
+
+}  // namespace axiscert

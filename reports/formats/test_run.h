@@ -1,0 +1,102 @@
+// For tests: the stored record, and run folders that vanish.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <openssl/evp.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "kernel/base/error.h"
+#include "fuzz/files/json.h"
+#include "reports/formats/render.h"
+
+namespace axiscert {
+
+inline std::string text_of(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  EXPECT_TRUE(in) << path;
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+// testdata/record.json: `published` with flips on `tangent`, none on `lattice` and `mesh/a|b.obj`; `<script>`, which
+// shows only verdicts, with flips on both of its families. Tolerance for plane.radius, requirement `logic`.
+inline Json stored_record() { return Json::parse(text_of(SOURCE_FOLDER "/reports/testdata/record.json")); }
+inline Json stored_run_info() { return Json::parse(text_of(SOURCE_FOLDER "/reports/testdata/run.json")); }
+// What it says of `published` on `tangent`.
+inline Json& tangent_counts(Json& record) { return record["kernels"][0]["families"]["tangent"]; }
+
+class TestFolder {
+ public:
+  TestFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "axiscert-XXXXXX").string();
+    EXPECT_NE(mkdtemp(name.data()), nullptr);
+    path_ = name;
+  }
+  explicit TestFolder(const Json& record) : TestFolder() { write("record.json", record.dump()); }
+  TestFolder(const TestFolder&) = delete;
+  ~TestFolder() { std::filesystem::remove_all(path_); }
+
+  const std::filesystem::path& path() const { return path_; }
+  void write(const std::string& file, const std::string& text) const {
+    std::ofstream(path_ / file, std::ios::binary) << text;
+  }
+  std::string read(const std::string& file) const { return text_of(path_ / file); }
+
+  // The message of the Error that rendering ends in; empty where it succeeds.
+  std::string rendering_error() const {
+    try {
+      render_reports(path_);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+// One part of a page's data, read back as a browser does.
+inline Json page_part(const std::string& html, const std::string& id) {
+  const std::string open = "<script type=\"text/plain\" id=\"" + id + "\">";
+  const std::size_t begin = html.find(open) + open.size();
+  const std::string text = html.substr(begin, html.find("</script>", begin) - begin);
+  std::string deflated(text.size(), '\0');
+  const int size = EVP_DecodeBlock(reinterpret_cast<unsigned char*>(deflated.data()),
+                                   reinterpret_cast<const unsigned char*>(text.data()), static_cast<int>(text.size()));
+  EXPECT_GT(size, 0);
+  std::string json(1 << 20, '\0');
+  for (;; json.resize(2 * json.size())) {
+    uLongf length = json.size();
+    // The bytes of base64's padding lie behind the end that zlib finds for itself.
+    const int outcome = uncompress(reinterpret_cast<Bytef*>(json.data()), &length,
+                                   reinterpret_cast<const Bytef*>(deflated.data()), static_cast<uLong>(size));
+    if (outcome == Z_BUF_ERROR && json.size() < std::size_t{1} << 30) continue;
+    EXPECT_EQ(outcome, Z_OK);
+    json.resize(length);
+    return Json::parse(json);
+  }
+}
+
+// All of it, as the page's scripts have it.
+inline Json page_data(const std::string& html) {
+  Json data = page_part(html, "data");
+  data["witnesses"] = page_part(html, "witness-data");
+  return data;
+}
+
+inline std::size_t occurrences(const std::string& text, const std::string& piece) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(piece); at != text.npos; at = text.find(piece, at + piece.size())) ++n;
+  return n;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,104 @@
+// What each level of --require lets pass.
+#include "reports/gates/requirement.h"
+#include "reports/formats/test_run.h"
+
+namespace axiscert {
+namespace {
+
+using testing::HasSubstr;
+
+std::vector<std::string> texts(const Json& record, const std::string& level) {
+  std::vector<std::string> lines;
+  for (const Failure& failure : unmet(record, level)) lines.push_back(failure.text());
+  return lines;
+}
+
+Json with_links(const std::string& link, std::uint64_t count) {
+  Json record = stored_record();
+  record["kernels"].erase(1);
+  Json& links = tangent_counts(record)["verdict"]["links"];
+  for (Json& n : links) n = 0;
+  links[link] = count;
+  return record;
+}
+
+TEST(Requirement, LogicAsksForNoSpecificationOrImplementationLink) {
+  EXPECT_EQ(unmet(with_links("specification", 5), "logic").size(), 1u);
+  EXPECT_EQ(unmet(with_links("implementation", 5), "logic").size(), 1u);
+  EXPECT_TRUE(unmet(with_links("rounding", 5), "logic").empty());
+  EXPECT_TRUE(unmet(with_links("range", 5), "logic").empty());
+}
+
+TEST(Requirement, RangeAsksForNoRangeLinkEither) {
+  EXPECT_EQ(unmet(with_links("specification", 5), "range").size(), 1u);
+  EXPECT_EQ(unmet(with_links("range", 5), "range").size(), 1u);
+  EXPECT_TRUE(unmet(with_links("rounding", 5), "range").empty());
+}
+
+TEST(Requirement, LogicJudgesAKernelOfVerdictsByExactArithmeticTouchingApart) {
+  Json record = stored_record();
+  record["kernels"].erase(0);
+  // 4 + 1 wrong verdicts on `lattice`, 3 of them touching; `tangent` rounds and does not count. The deeper of its
+  // witnesses that do not touch.
+  EXPECT_EQ(texts(record, "logic"), (std::vector<std::string>{"<script> binary32 on lattice: wrong verdicts in exact "
+                                                              "arithmetic, touching apart: 2 (witness w5)"}));
+  record["kernels"][0]["families"]["lattice"]["verdict"]["touching_flips"] = 5;
+  EXPECT_TRUE(unmet(record, "logic").empty());
+}
+
+TEST(Requirement, FailureSaysWhoWhereHowOftenAndShowsOne) {
+  EXPECT_EQ(texts(stored_record(), "logic").front(),
+            "published binary32 on tangent: wrong verdicts with a broken implementation link: 2 (witness w2)");
+}
+
+TEST(Requirement, ExactAsksForNoWrongVerdict) {
+  EXPECT_EQ(texts(stored_record(), "exact"),
+            (std::vector<std::string>{"published binary32 on tangent: missed contacts: 40 (witness w2)",
+                                      "published binary32 on tangent: phantom contacts: 20 (witness w1)",
+                                      "<script> binary32 on tangent: missed contacts: 7",
+                                      "<script> binary32 on lattice: missed contacts: 4 (witness w4)",
+                                      "<script> binary32 on lattice: phantom contacts: 1 (witness w5)",
+                                      "<script> binary32 on lattice: answers `invalid` to valid queries: 1"}));
+}
+
+TEST(Requirement, ConservativeAllowsPhantomContactsUpToItsDepth) {
+  Json record = stored_record();
+  record["kernels"].erase(1);
+  tangent_counts(record)["verdict"]["false_separation"] = 0;
+  EXPECT_TRUE(unmet(record, "conservative").empty());
+  EXPECT_TRUE(unmet(record, "conservative=0.125").empty());
+  const auto failures = unmet(record, "conservative=0.1");
+  ASSERT_EQ(failures.size(), 1u);
+  EXPECT_EQ(failures[0].count, 20u);
+  EXPECT_EQ(failures[0].witness, "w1");
+  EXPECT_THAT(failures[0].what, HasSubstr("0.125"));
+}
+
+TEST(Requirement, ConservativeAllowsNoMissedContact) {
+  const auto failures = unmet(stored_record(), "conservative");
+  ASSERT_EQ(failures.size(), 4u);  // and the kernel that answers `invalid` to a valid query
+  EXPECT_EQ(failures[0].count, 40u);
+}
+
+TEST(Requirement, UnknownLevelIsAnErrorThatListsTheLevels) {
+  for (const char* text : {"", "exakt", "logic ", "conservative0.1"}) {
+    try {
+      parse_requirement(text);
+      ADD_FAILURE() << "accepted '" << text << "'";
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("logic, range, exact, conservative"));
+    }
+  }
+}
+
+TEST(Requirement, DepthHasToBeANumberFromZeroOn) {
+  for (const char* text :
+       {"conservative=", "conservative=-1", "conservative=nan", "conservative=0.1x", "conservative= 1"}) {
+    EXPECT_THROW(parse_requirement(text), Error) << text;
+  }
+  EXPECT_EQ(parse_requirement("conservative=1e-3").deepest, 0.001);
+  EXPECT_EQ(parse_requirement("conservative=0").deepest, 0);
+}
+
+}  // namespace
+}  // namespace axiscert

@@ -1,0 +1,240 @@
+// `axiscert condition`: whose fault the flips are, by kernel, family and comparison.
+#include "reports/instrument/condition_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "reports/instrument/figures.h"
+
+namespace axiscert {
+namespace {
+
+class ConditionReport {
+ public:
+  ConditionReport(const ConditionPlan& plan, const ConditionResult& result)
+      : plan_(plan), result_(result), origin_{plan.seed, plan.precision} {}
+
+  InstrumentReport report(const std::string& command) const {
+    return {"condition",
+            fmt::format("Whose fault a flip is, {}, {} queries of each family", name(plan_.precision),
+                        thousands(plan_.trials)),
+            command,
+            notes(),
+            {by_family(), by_comparison(), wrong_verdicts()},
+            {distribution()},
+            data()};
+  }
+
+ private:
+  using Cell = ConditionCell;
+
+  int digits() const {
+    return plan_.precision == Precision::binary32 ? std::numeric_limits<float>::digits
+                                                  : std::numeric_limits<double>::digits;
+  }
+  double in_u(double depth) const { return std::ldexp(depth, digits()); }
+  const Source& source(std::size_t s) const { return *plan_.sources[s]; }
+
+  std::vector<std::string> notes() const {
+    return {
+        fmt::format(
+            "A flip: the kernel's answer to one of its sixteen comparisons differs from that of its own formulae in "
+            "exact "
+            "arithmetic. kappa = sum |x_i dm/dx_i| / |m| over the query's thirteen numbers, m = lhs - rhs; u = 2^-{}. "
+            "Ill-conditioned: kappa u >= 1, the rounding of the query alone may turn the sign (to first order), and a "
+            "tie, m = 0, always. Unstable: kappa u < 1, the formula's own fault; range: of those, right if the "
+            "exponent "
+            "were unbounded. Undefined: 0/0 in exact arithmetic, there is no m. Not decided: m has no derivative.",
+            digits()),
+        fmt::format("Which side of 1 kappa u lies on is decided exactly; its figures have six digits. Evaluated are "
+                    "the first {} "
+                    "flips by position of each kernel, family and comparison, and up to {} queries a family, evenly "
+                    "spaced, for "
+                    "the comparisons that did not flip. The least kappa u of an unstable flip leaves range faults out.",
+                    thousands(plan_.flip_limit), thousands(plan_.sample)),
+        "Of wrong verdicts, held against the geometry, the depth in u: how far the centre has to move for the answer "
+        "to "
+        "be right, relative to the greatest of |A-P|, |B-P|, |C-P| and r. The median is the lower one.",
+        "Ill-conditioned excuses a formula; it does not say that no formula does better. kappa is relative to the "
+        "numbers as given: a scene far from the origin "
+        "is "
+        "ill-conditioned because its coordinates are, whatever the formula."};
+  }
+
+  static std::vector<std::string> count_cells(const ConditionCounts& c) {
+    std::vector<std::string> cells;
+    for (const auto n :
+         {c.flips, c.evaluated, c.ill_conditioned, c.ties, c.unstable, c.range, c.undefined, c.not_decided}) {
+      cells.push_back(thousands(n));
+    }
+    return cells;
+  }
+
+  InstrumentTable by_family() const {
+    InstrumentTable table{
+        "Flips by kernel and family",
+        {"kernel", "family", "flips", "evaluated", "ill-conditioned", "ties", "unstable", "range", "undefined",
+         "not decided", "greatest kappa u of a right one", "least of an unstable flip", "address"},
+        {}};
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      for (std::size_t s = 0; s < plan_.sources.size(); ++s) {
+        const ConditionCounts counts = result_.cells[k][s].total();
+        std::vector<std::string> row = {plan_.kernels[k]->id, source(s).name()};
+        for (std::string& cell : count_cells(counts)) row.push_back(std::move(cell));
+        row.push_back(counts.greatest_right ? shown(counts.greatest_right->value) : "none");
+        row.push_back(counts.least_unstable ? shown(counts.least_unstable->value) : "none");
+        row.push_back(counts.least_unstable ? origin_.address(source(s), counts.least_unstable->position) : "");
+        table.rows.push_back(row);
+      }
+    }
+    return table;
+  }
+
+  // One comparison of a kernel over the families, and the family that its least unstable flip is in.
+  std::pair<ConditionCounts, std::size_t> over_families(std::size_t k, std::size_t comparison) const {
+    ConditionCounts sum;
+    std::optional<Measured> least;
+    std::size_t family = 0;
+    for (std::size_t s = 0; s < plan_.sources.size(); ++s) {
+      const ConditionCounts& counts = result_.cells[k][s].comparisons[comparison];
+      sum.add(counts);
+      if (counts.least_unstable && (!least || counts.least_unstable->value < least->value)) {
+        least = counts.least_unstable;
+        family = s;
+      }
+    }
+    sum.least_unstable = least;
+    return {sum, family};
+  }
+
+  InstrumentTable by_comparison() const {
+    InstrumentTable table{"Flips by kernel and comparison, over these families (comparisons without a flip left out)",
+                          {"kernel", "comparison", "flips", "evaluated", "ill-conditioned", "ties", "unstable", "range",
+                           "undefined", "not decided", "least kappa u of an unstable flip", "address"},
+                          {}};
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      for (std::size_t i = 0; i < comparison_count; ++i) {
+        const auto [counts, s] = over_families(k, i);
+        if (counts.flips == 0) continue;
+        std::vector<std::string> row = {plan_.kernels[k]->id, std::string(comparisons[i].name)};
+        for (std::string& cell : count_cells(counts)) row.push_back(std::move(cell));
+        row.push_back(counts.least_unstable ? shown(counts.least_unstable->value) : "none");
+        row.push_back(counts.least_unstable ? origin_.address(source(s), counts.least_unstable->position) : "");
+        table.rows.push_back(row);
+      }
+    }
+    return table;
+  }
+
+  InstrumentTable wrong_verdicts() const {
+    InstrumentTable table{
+        "Wrong verdicts, and the backward error in P",
+        {"kernel", "family", "missed contacts", "phantom contacts", "median depth, u", "worst depth, u", "address"},
+        {}};
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      for (std::size_t s = 0; s < plan_.sources.size(); ++s) {
+        const Cell& cell = result_.cells[k][s];
+        std::vector<std::string> row = {plan_.kernels[k]->id, source(s).name(), thousands(cell.false_separation),
+                                        thousands(cell.false_contact)};
+        if (cell.deepest) {
+          row.insert(row.end(), {amount(in_u(median(cell)), 4), amount(in_u(cell.deepest->depth), 4),
+                                 origin_.address(source(s), cell.deepest->position)});
+        } else {
+          row.insert(row.end(), {"none", "none", ""});
+        }
+        table.rows.push_back(row);
+      }
+    }
+    return table;
+  }
+
+  static double median(const Cell& cell) { return cell.depths[(cell.depths.size() - 1) / 2]; }
+
+  // At powers of two, between 2^-40 and 2^40.
+  InstrumentPlot distribution() const {
+    InstrumentPlot plot{"Condition of the evaluated flips: unstable below 1, ill-conditioned from 1",
+                        "kappa u",
+                        "flips with at most this kappa u, %",
+                        InstrumentPlot::Kind::line,
+                        true,
+                        false,
+                        {}};
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      const auto& values = result_.flip_kappa_u[k];
+      if (values.empty()) continue;
+      InstrumentSeries series{plan_.kernels[k]->id, {}, {}};
+      std::size_t below = 0;
+      for (int e = -40; e <= 40 && below < values.size(); ++e) {
+        const double x = std::ldexp(1.0, e);
+        while (below < values.size() && values[below].value() <= x) ++below;
+        if (below > 0)
+          series.points.emplace_back(x, 100 * static_cast<double>(below) / static_cast<double>(values.size()));
+      }
+      plot.series.push_back(series);
+    }
+    return plot;
+  }
+
+  Json counts_json(const ConditionCounts& c, const Source& source) const {
+    return {{"flips", c.flips},
+            {"evaluated", c.evaluated},
+            {"ill_conditioned", c.ill_conditioned},
+            {"ties", c.ties},
+            {"unstable", c.unstable},
+            {"range", c.range},
+            {"undefined", c.undefined},
+            {"not_decided", c.not_decided},
+            {"least_unstable", origin_.measured_json(c.least_unstable, "kappa_u", source)},
+            {"sampled", c.sampled},
+            {"greatest_right", origin_.measured_json(c.greatest_right, "kappa_u", source)}};
+  }
+
+  Json data() const {
+    Json rows = Json::array();
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      for (std::size_t s = 0; s < plan_.sources.size(); ++s) {
+        const Cell& cell = result_.cells[k][s];
+        Json row = {{"kernel", plan_.kernels[k]->id},
+                    {"family", source(s).name()},
+                    {"invalid", result_.invalid[s]},
+                    {"total", counts_json(cell.total(), source(s))}};
+        for (std::size_t i = 0; i < comparison_count; ++i) {
+          row["comparisons"][std::string(comparisons[i].name)] = counts_json(cell.comparisons[i], source(s));
+        }
+        row["wrong_verdicts"] = {{"false_separation", cell.false_separation},
+                                 {"false_contact", cell.false_contact},
+                                 {"median_depth_u", nullptr},
+                                 {"worst_depth_u", nullptr},
+                                 {"worst_address", nullptr}};
+        if (cell.deepest) {
+          row["wrong_verdicts"]["median_depth_u"] = in_u(median(cell));
+          row["wrong_verdicts"]["worst_depth_u"] = in_u(cell.deepest->depth);
+          row["wrong_verdicts"]["worst_address"] = origin_.address(source(s), cell.deepest->position);
+        }
+        rows.push_back(row);
+      }
+    }
+    return {{"instrument", "condition"},
+            {"precision", name(plan_.precision)},
+            {"trials", plan_.trials},
+            {"seed", plan_.seed},
+            {"flip_limit", plan_.flip_limit},
+            {"sample", plan_.sample},
+            {"rows", rows}};
+  }
+
+  const ConditionPlan& plan_;
+  const ConditionResult& result_;
+  QueryOrigin origin_;
+};
+
+}  // namespace
+
+InstrumentReport condition_report(const ConditionPlan& plan, const ConditionResult& result,
+                                  const std::string& command) {
+  return ConditionReport(plan, result).report(command);
+}
+
+}  // namespace axiscert

@@ -1,0 +1,226 @@
+// `axiscert critical-radius`: how far from the distance each kernel's answer changes.
+#include "reports/instrument/critical_radius_report.h"
+
+#include <fmt/format.h>
+
+#include "reports/instrument/figures.h"
+
+namespace axiscert {
+namespace {
+
+const Decimal6 one_ulp = round_up(Rational(1));
+
+class CriticalRadiusReport {
+ public:
+  CriticalRadiusReport(const CriticalRadiusPlan& plan, const CriticalRadiusResult& result)
+      : plan_(plan), result_(result), origin_{plan.seed, plan.precision} {}
+
+  InstrumentReport report(const std::string& command) const {
+    InstrumentReport report{
+        "critical-radius",
+        fmt::format("Critical radii, {}, {} triangles of each family", name(plan_.precision), thousands(plan_.trials)),
+        command,
+        notes(),
+        {over_families(), by_family()},
+        {distribution()},
+        data()};
+    if (const InstrumentTable found = reversals(); !found.rows.empty()) report.tables.push_back(found);
+    return report;
+  }
+
+ private:
+  const Source& source(std::size_t s) const { return *plan_.sources[s]; }
+
+  std::vector<std::string> notes() const {
+    std::vector<std::string> all = {
+        "The critical radius: for fixed A, B, C, P the smallest radius for which a kernel says contact, by bisection "
+        "over "
+        "the floats. Exactly right: the least float that is not below the exact distance. The error is the distance "
+        "from "
+        "that one, in ulps of the exact distance, which is correctly rounded for that. Too early: contact for a radius "
+        "below the distance, a phantom; too late: separated for one that is not below it, a missed contact. Unbounded: "
+        "separated at the greatest finite radius; the median and the 99 % quantile count it as infinite.",
+        "An error can be many ulps long: those of a distance near 0 are short, the least subnormal for 0 itself.",
+        "Not monotone: contact at a radius and separated at a greater one, among 0, the greatest finite radius, every "
+        "power "
+        "of two and every float within 32 of the kernel's and of the exact critical radius. None found proves nothing.",
+        "Where the answers are not monotone, the critical radius is one of the radii at which they change. Queries "
+        "that are "
+        "not valid, and those farther away than the greatest radius, are left out. `axiscert run` measures from the "
+        "distance "
+        "rounded to nearest instead: its errors differ by up to one ulp."};
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      const CriticalRadii sum = this->all(k);
+      if (sum.unanswered == 0) continue;
+      all.push_back(fmt::format("{} gave no answer at a radius of {} queries: these are not measured.",
+                                plan_.kernels[k]->id, thousands(sum.unanswered)));
+    }
+    return all;
+  }
+
+  static std::string share(std::uint64_t count, std::uint64_t of) {
+    if (of == 0) return "none";
+    return fmt::format("{:.2f}", 100 * static_cast<double>(count) / static_cast<double>(of));
+  }
+  static std::string quantile(const CriticalRadii& cell, double at) {
+    if (cell.measured == 0) return "none";
+    const auto error = cell.quantile(at);
+    return error ? shown(*error) : "unbounded";
+  }
+  static std::vector<std::string> columns(std::initializer_list<const char*> first) {
+    std::vector<std::string> all(first.begin(), first.end());
+    for (const char* column : {"measured", "exactly right, %", "within 1 ulp, %", "median, ulps", "99 %, ulps",
+                               "too early", "worst", "too late", "worst", "unbounded", "not monotone"}) {
+      all.emplace_back(column);
+    }
+    return all;
+  }
+  static std::string worst(const std::optional<Measured>& measured) {
+    return measured ? shown(measured->value) : "none";
+  }
+  static void add_cells(std::vector<std::string>& row, const CriticalRadii& cell) {
+    row.insert(row.end(),
+               {thousands(cell.measured), share(cell.right, cell.measured), share(cell.within(one_ulp), cell.measured),
+                quantile(cell, 0.5), quantile(cell, 0.99), thousands(cell.early), worst(cell.worst_early),
+                thousands(cell.late), worst(cell.worst_late), thousands(cell.unbounded), thousands(cell.reversals)});
+  }
+  CriticalRadii all(std::size_t k) const {
+    CriticalRadii sum;
+    for (const CriticalRadii& cell : result_.cells[k]) sum.merge(cell);
+    return sum;
+  }
+  // The greater of the two worst errors.
+  static std::optional<Measured> worst_of(const CriticalRadii& cell) {
+    std::optional<Measured> found = cell.worst_early;
+    if (cell.worst_late) keep_greatest(found, *cell.worst_late);
+    return found;
+  }
+
+  InstrumentTable over_families() const {
+    InstrumentTable table{"Over these families", columns({"kernel"}), {}};
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      std::vector<std::string> row = {plan_.kernels[k]->id};
+      add_cells(row, all(k));
+      table.rows.push_back(row);
+    }
+    return table;
+  }
+
+  InstrumentTable by_family() const {
+    InstrumentTable table{"By family", columns({"kernel", "family"}), {}};
+    table.columns.emplace_back("address of the worst");
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      for (std::size_t s = 0; s < plan_.sources.size(); ++s) {
+        const CriticalRadii& cell = result_.cells[k][s];
+        std::vector<std::string> row = {plan_.kernels[k]->id, source(s).name()};
+        add_cells(row, cell);
+        const auto found = worst_of(cell);
+        row.push_back(found ? origin_.address(source(s), found->position) : "");
+        table.rows.push_back(row);
+      }
+    }
+    return table;
+  }
+
+  InstrumentTable reversals() const {
+    InstrumentTable table{"Not monotone: the first of each kernel and family, as two lines of a query file",
+                          {"kernel", "family", "query"},
+                          {}};
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      for (std::size_t s = 0; s < plan_.sources.size(); ++s) {
+        const auto& witness = result_.cells[k][s].first_reversal;
+        if (!witness) continue;
+        for (const std::string& line : {witness->contact, witness->separated}) {
+          table.rows.push_back({plan_.kernels[k]->id, source(s).name(), line});
+        }
+      }
+    }
+    return table;
+  }
+
+  // At powers of two up to the greatest error, 2^64 at most.
+  InstrumentPlot distribution() const {
+    InstrumentPlot plot{"Error of the critical radius, over these families",
+                        "error in ulps of the exact distance",
+                        "triangles with at most this error, %",
+                        InstrumentPlot::Kind::line,
+                        true,
+                        false,
+                        {}};
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      const CriticalRadii sum = all(k);
+      if (sum.errors.empty()) continue;
+      InstrumentSeries series{plan_.kernels[k]->id, {}, {}};
+      for (int e = -2; e <= 64; ++e) {
+        const double x = std::ldexp(1.0, e);
+        std::uint64_t count = 0;
+        for (const auto& [error, n] : sum.errors) {
+          if (error.value() <= x) count += n;
+        }
+        series.points.emplace_back(x, 100 * static_cast<double>(count) / static_cast<double>(sum.measured));
+        if (sum.errors.rbegin()->first.value() <= x) break;
+      }
+      plot.series.push_back(series);
+    }
+    return plot;
+  }
+
+  Json cell_json(const CriticalRadii& cell) const {
+    const auto at = [&](double q) {
+      const auto error = cell.quantile(q);
+      return error ? number_json(*error) : Json(nullptr);
+    };
+    return {{"measured", cell.measured},
+            {"right", cell.right},
+            {"within_1_ulp", cell.within(one_ulp)},
+            {"median_ulps", at(0.5)},
+            {"p99_ulps", at(0.99)},
+            {"early", cell.early},
+            {"late", cell.late},
+            {"unbounded", cell.unbounded},
+            {"not_monotone", cell.reversals},
+            {"unanswered", cell.unanswered}};
+  }
+
+  Json data() const {
+    Json rows = Json::array(), totals = Json::array();
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      Json total = {{"kernel", plan_.kernels[k]->id}};
+      total.update(cell_json(all(k)));
+      totals.push_back(total);
+      for (std::size_t s = 0; s < plan_.sources.size(); ++s) {
+        const CriticalRadii& cell = result_.cells[k][s];
+        Json row = {{"kernel", plan_.kernels[k]->id}, {"family", source(s).name()}};
+        row.update(cell_json(cell));
+        row["left_out"] = result_.left_out[s];
+        row["worst_early"] = origin_.measured_json(cell.worst_early, "ulps", source(s));
+        row["worst_late"] = origin_.measured_json(cell.worst_late, "ulps", source(s));
+        row["not_monotone_witness"] = nullptr;
+        if (cell.first_reversal) {
+          row["not_monotone_witness"] = {Json::parse(cell.first_reversal->contact),
+                                         Json::parse(cell.first_reversal->separated)};
+        }
+        rows.push_back(row);
+      }
+    }
+    return {{"instrument", "critical-radius"},
+            {"precision", name(plan_.precision)},
+            {"trials", plan_.trials},
+            {"seed", plan_.seed},
+            {"totals", totals},
+            {"rows", rows}};
+  }
+
+  const CriticalRadiusPlan& plan_;
+  const CriticalRadiusResult& result_;
+  QueryOrigin origin_;
+};
+
+}  // namespace
+
+InstrumentReport critical_radius_report(const CriticalRadiusPlan& plan, const CriticalRadiusResult& result,
+                                        const std::string& command) {
+  return CriticalRadiusReport(plan, result).report(command);
+}
+
+}  // namespace axiscert

@@ -1,0 +1,288 @@
+#include "reports/instrument/ladder_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fuzz/campaign/campaign.h"
+#include "fuzz/instruments/ladder_steps.h"
+
+namespace axiscert {
+namespace {
+
+using Entries = std::vector<LadderEntry>;
+
+constexpr AxisKind all_kinds[] = {AxisKind::plane, AxisKind::vertex, AxisKind::edge};
+std::string name(AxisKind kind) { return std::string(axis_kind_names[static_cast<std::size_t>(kind)]); }
+
+bool has_sides(const LadderEntry& entry) { return entry.kernel->exposes == Exposure::sides; }
+
+std::string quantile(const ComparisonAccuracy& accuracy, unsigned percent) {
+  const auto value = accuracy.errors.quantile(percent);
+  return value ? fmt::format("{:.4g}", *value) : "";
+}
+std::string worst(const ComparisonAccuracy& accuracy) {
+  if (accuracy.errors.count() == 0) return "";
+  const Decimal6 error = accuracy.errors.worst();
+  return std::isfinite(error.value()) ? fmt::format("{:.6g}", error.value()) : error.text();  // six digits: all it has
+}
+std::string text(const std::optional<ExponentWindow>& window) {
+  return window ? fmt::format("{}..{}", window->low, window->high) : "none";
+}
+std::string window_of(const LadderEntry& entry, AxisKind kind) {
+  return text(common_window(entry.windows, axes_of_kind(kind)));
+}
+std::string ulps(double value) { return fmt::format("{:.4g}", value); }
+std::string ns(double value) { return fmt::format("{:.1f}", value); }
+
+InstrumentTable kernels_table(const LadderPlan& plan, const Entries& entries) {
+  InstrumentTable table{"Kernels, over all families",
+                        {"kernel", "false_separation", "false_contact", "touching_flips", "flips per million",
+                         "critical radius: median ulps", "worst ulps", "unbounded"},
+                        {}};
+  if (plan.speed) table.columns.insert(table.columns.end(), {"ns scalar", "ns best target"});
+  for (const LadderEntry& entry : entries) {
+    const KernelAccuracy& all = entry.all;
+    const auto& radii = all.radius_errors_ulps;
+    auto& row = table.rows.emplace_back(std::vector<std::string>{
+        entry.kernel->id, fmt::format("{}", all.false_separation), fmt::format("{}", all.false_contact),
+        fmt::format("{}", all.touching_flips), fmt::format("{:.1f}", all.flips_per_million()),
+        radii.empty() ? "" : ulps(radii[(radii.size() - 1) / 2]), radii.empty() ? "" : ulps(radii.back()),
+        fmt::format("{}", all.radius_unbounded)});
+    if (!plan.speed) continue;
+    const auto& best = entry.speed->best_target;
+    row.push_back(ns(entry.speed->scalar_ns));
+    row.push_back(best ? fmt::format("{} {}", ns(best->second), best->first) : "");
+  }
+  return table;
+}
+
+InstrumentTable axes_table(const Entries& entries) {
+  InstrumentTable table{"Axes, over all families: sign errors of their comparisons, errors in u, exponent window",
+                        {"kernel", "axis", "false_separation", "missed_separation", "by range", "median", "99 %",
+                         "worst", "worst of radius", "range events", "window"},
+                        {}};
+  for (const LadderEntry& entry : entries) {
+    for (std::size_t i = 0; i < axis_count; ++i) {
+      const ComparisonAccuracy axis = entry.all.of(axis_comparisons[i]);
+      const ComparisonAccuracy radius =
+          entry.all.of(axis_comparisons[i] & static_cast<ComparisonBits>(~side_comparisons));
+      table.rows.push_back({entry.kernel->id, std::string(axis_names[i]), fmt::format("{}", axis.false_separation),
+                            fmt::format("{}", axis.missed_separation), fmt::format("{}", axis.by_range),
+                            has_sides(entry) ? quantile(axis, 50) : "no sides shown", quantile(axis, 99), worst(axis),
+                            worst(radius), has_sides(entry) ? fmt::format("{}", axis.range_events) : "",
+                            text(entry.windows[i])});
+    }
+  }
+  return table;
+}
+
+InstrumentTable families_table(const LadderPlan& plan, const Entries& entries) {
+  InstrumentTable table{"By family: wrong verdicts, then by kind of axis sign errors and worst error in u",
+                        {"family", "kernel", "verdict flips"},
+                        {}};
+  for (const AxisKind kind : all_kinds) {
+    for (const char* what : {"signs", "by range", "median", "99 %", "worst"})
+      table.columns.push_back(name(kind) + " " + what);
+  }
+  for (std::size_t s = 0; s < plan.sources.size(); ++s) {
+    for (const LadderEntry& entry : entries) {
+      const KernelAccuracy& here = entry.by_source[s];
+      auto& row = table.rows.emplace_back(
+          std::vector<std::string>{plan.sources[s]->name(), entry.kernel->id, fmt::format("{}", here.verdict_flips())});
+      for (const AxisKind kind : all_kinds) {
+        const ComparisonAccuracy accuracy = here.of(comparisons_of_kind(kind));
+        row.insert(row.end(), {fmt::format("{}", accuracy.sign_errors()), fmt::format("{}", accuracy.by_range),
+                               quantile(accuracy, 50), quantile(accuracy, 99), worst(accuracy)});
+      }
+    }
+  }
+  return table;
+}
+
+// One row a step and kind of axis whose figures it changes: a step rewrites one kind, and leaves the others alone.
+InstrumentTable steps_table(const LadderPlan& plan, const Entries& entries, const std::vector<LadderStep>& steps) {
+  InstrumentTable table{
+      "Steps: from one form to the next, over all families; the kinds of axes whose figures change",
+      {"from", "to", "axes", "sign errors", "change", "by rounding", "change", "median", "", "worst", "", "window", ""},
+      {}};
+  if (plan.speed) table.columns.push_back("ns of the whole test");
+  for (const LadderStep& step : steps) {
+    const LadderEntry &from = entries[step.from], &to = entries[step.to];
+    for (const AxisKind kind : all_kinds) {
+      const ComparisonAccuracy before = from.all.of(comparisons_of_kind(kind)),
+                               after = to.all.of(comparisons_of_kind(kind));
+      if (before == after && window_of(from, kind) == window_of(to, kind)) continue;
+      const auto change = [](std::uint64_t a, std::uint64_t b) {
+        return fmt::format("{:+}", static_cast<std::int64_t>(b - a));
+      };
+      auto& row = table.rows.emplace_back(std::vector<std::string>{
+          from.kernel->id, to.kernel->id, name(kind), fmt::format("{}", after.sign_errors()),
+          change(before.sign_errors(), after.sign_errors()), fmt::format("{}", after.rounding_sign_errors()),
+          change(before.rounding_sign_errors(), after.rounding_sign_errors()), quantile(before, 50),
+          "to " + quantile(after, 50), worst(before), "to " + worst(after), window_of(from, kind),
+          "to " + window_of(to, kind)});
+      if (plan.speed) row.push_back(fmt::format("{:+.1f}", to.speed->scalar_ns - from.speed->scalar_ns));
+    }
+  }
+  return table;
+}
+
+InstrumentTable costliest_table(const Entries& entries, const std::vector<LadderStep>& steps) {
+  InstrumentTable table{"The step that costs most, by kind of axis", {"axes", "in", "step", "from", "to"}, {}};
+  for (const AxisKind kind : all_kinds) {
+    const CostliestSteps costliest = costliest_steps(entries, steps, kind);
+    const auto add = [&](const char* what, std::optional<std::size_t> i, auto&& figure) {
+      if (!i) {
+        table.rows.push_back({name(kind), what, "no step worsens it", "", ""});
+        return;
+      }
+      const LadderEntry &from = entries[steps[*i].from], &to = entries[steps[*i].to];
+      table.rows.push_back(
+          {name(kind), what, fmt::format("{} to {}", from.kernel->id, to.kernel->id), figure(from), figure(to)});
+    };
+    const auto of = [&](const LadderEntry& entry) { return entry.all.of(comparisons_of_kind(kind)); };
+    add("sign errors", costliest.sign_errors,
+        [&](const LadderEntry& e) { return fmt::format("{}", of(e).sign_errors()); });
+    add("sign errors by rounding", costliest.rounding_sign_errors,
+        [&](const LadderEntry& e) { return fmt::format("{}", of(e).rounding_sign_errors()); });
+    add("worst error, u", costliest.worst_error, [&](const LadderEntry& e) { return worst(of(e)); });
+    add("range", costliest.range, [&](const LadderEntry& e) { return window_of(e, kind); });
+  }
+  return table;
+}
+
+InstrumentTable front_table(const Entries& entries) {
+  InstrumentTable table{"The front: no kernel is both faster and wrong less often than one of these",
+                        {"kernel", "ns scalar", "verdict flips per million"},
+                        {}};
+  for (const std::size_t i : accuracy_speed_front(entries)) {
+    table.rows.push_back({entries[i].kernel->id, ns(entries[i].speed->scalar_ns),
+                          fmt::format("{:.1f}", entries[i].all.flips_per_million())});
+  }
+  return table;
+}
+
+// By position in the list of kernels: the defaults put rung k at k.
+template <class Figure>
+InstrumentSeries by_kernel(std::string series_name, const Entries& entries, Figure&& figure) {
+  InstrumentSeries series{std::move(series_name), {}, {}};
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::optional<double> y = figure(entries[i]);
+    if (!y || !std::isfinite(*y) || !(*y > 0)) continue;
+    series.points.emplace_back(static_cast<double>(i), *y);
+    series.labels.push_back(entries[i].kernel->id);
+  }
+  return series;
+}
+
+std::vector<std::string> ids(const Entries& entries) {
+  std::vector<std::string> all;
+  for (const LadderEntry& entry : entries) all.push_back(entry.kernel->id);
+  return all;
+}
+
+template <class Figure>
+InstrumentPlot by_kind(std::string caption, std::string y_label, const Entries& entries, Figure&& figure) {
+  InstrumentPlot plot{std::move(caption), "kernel", std::move(y_label), InstrumentPlot::Kind::line, false, true, {}};
+  for (const AxisKind kind : all_kinds) {
+    plot.series.push_back(by_kernel(name(kind), entries, [&](const LadderEntry& entry) -> std::optional<double> {
+      return figure(entry.all.of(comparisons_of_kind(kind)));
+    }));
+  }
+  plot.x_names = ids(entries);
+  return plot;
+}
+
+void add_plots(InstrumentReport& report, const LadderPlan& plan, const Entries& entries) {
+  report.plots.push_back(by_kind("Median error by rung", "error, u", entries,
+                                 [](const ComparisonAccuracy& a) { return a.errors.quantile(50); }));
+  report.plots.push_back(by_kind("Worst error by rung", "error, u", entries,
+                                 [](const ComparisonAccuracy& a) { return a.errors.worst().value(); }));
+  report.plots.push_back(by_kind("Sign errors by rung", "comparison flips", entries,
+                                 [](const ComparisonAccuracy& a) { return static_cast<double>(a.sign_errors()); }));
+  if (!plan.speed) return;
+  const auto scalar_ns = [](const LadderEntry& entry) { return std::optional(entry.speed->scalar_ns); };
+  report.plots.push_back({"Time by rung",
+                          "kernel",
+                          "ns a query, scalar",
+                          InstrumentPlot::Kind::line,
+                          false,
+                          false,
+                          {by_kernel("scalar", entries, scalar_ns)},
+                          ids(entries)});
+  InstrumentSeries front{"front", {}, {}}, others{"beaten", {}, {}};
+  const auto best = accuracy_speed_front(entries);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    InstrumentSeries& series = std::find(best.begin(), best.end(), i) != best.end() ? front : others;
+    series.points.emplace_back(entries[i].speed->scalar_ns, entries[i].all.flips_per_million());
+    series.labels.push_back(entries[i].kernel->id);
+  }
+  report.plots.push_back({"Accuracy and speed",
+                          "ns a query, scalar",
+                          "verdict flips per million",
+                          InstrumentPlot::Kind::scatter,
+                          false,
+                          false,
+                          {std::move(front), std::move(others)}});
+}
+
+std::vector<std::string> notes(const LadderPlan& plan, const Entries& entries) {
+  std::vector<std::string> names;
+  for (const SourcePtr& source : plan.sources) names.push_back(source->name());
+  const ExponentWindow scanned = scanned_exponents(plan.precision);
+  std::vector<std::string> all = {
+      fmt::format("{}, {} queries of each family ({}), seed {}.", axiscert::name(plan.precision), plan.trials,
+                  fmt::join(names, ", "), plan.seed),
+      "Sign errors are flips of comparisons against the kernel's own formulae in exact arithmetic; verdict flips are "
+      "against the geometric truth, in which touching is contact. By range are those that the same operations with an "
+      "unbounded exponent get right; the others are by rounding.",
+      "An error is |(l^ - r^) - (l - r)| / (u (|l| + |r|)). A side that is not finite is a range event and has none. "
+      "The worst is exact, rounded up; the median and 99 % are lower order statistics, within one part in 2000.",
+      "An error is relative to the sides of its own form, so two forms compare fully only where their sides do: "
+      "squaring a radius comparison doubles the error of the same mistake, and a side comparison against zero, whose "
+      "scale vanishes where it changes sign, has no bound where A.B > A.A has one. Sign errors, windows and the "
+      "critical radius are free of that.",
+      fmt::format("A window is the greatest interval of m around 0 in which multiplying 256 general queries, all far "
+                  "from a change of sign, by 2^m changes no bit of the axis from what an unbounded exponent gives, and "
+                  "no side is infinite or NaN. Scanned: {}..{}, beyond which a query cannot be scaled exactly.",
+                  scanned.low, scanned.high),
+      fmt::format("The critical radius is found for every {}th of a source's first {} queries.", critical_radius_stride,
+                  critical_radius_queries),
+      "The figures are of these queries and bound nothing."};
+  if (plan.speed) {
+    all.push_back(fmt::format(
+        "ns: verdicts of {} distinct general queries, one thread, median of {} repetitions. Every kernel is timed in "
+        "its scalar form; another arithmetic is called through a table query by query and not inlined. The least time "
+        "is in the figures as well: a median far above it was disturbed.",
+        speed_queries, speed_repetitions));
+  }
+  for (const LadderEntry& entry : entries) {
+    if (!has_sides(entry)) all.push_back(entry.kernel->id + " does not show its sides: it has no errors here.");
+  }
+  return all;
+}
+
+}  // namespace
+
+InstrumentReport ladder_report(const LadderPlan& plan, const Entries& entries, const std::string& command) {
+  InstrumentReport report;
+  report.name = "ladder";
+  report.title = fmt::format("What each step of the derivation costs, {}", axiscert::name(plan.precision));
+  report.command = command;
+  report.notes = notes(plan, entries);
+  const std::vector<LadderStep> steps = ladder_steps(entries);
+  report.tables = {kernels_table(plan, entries), axes_table(entries), families_table(plan, entries)};
+  if (!steps.empty()) {
+    report.tables.push_back(steps_table(plan, entries, steps));
+    report.tables.push_back(costliest_table(entries, steps));
+  }
+  if (plan.speed) report.tables.push_back(front_table(entries));
+  add_plots(report, plan, entries);
+  report.data = ladder_json(plan, entries);
+  return report;
+}
+
+}  // namespace axiscert

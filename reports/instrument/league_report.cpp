@@ -1,0 +1,277 @@
+#include "reports/instrument/league_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/instrument/figures.h"
+
+namespace axiscert {
+namespace {
+
+std::uint64_t count_of(const Tally& tally, FindingKind kind) {
+  return tally.findings[static_cast<std::size_t>(kind)].count;
+}
+std::uint64_t other_findings(const Tally& tally) {
+  std::uint64_t all = 0;
+  for (const FindingTally& finding : tally.findings) all += finding.count;
+  return all - count_of(tally, FindingKind::crash) - count_of(tally, FindingKind::hang);
+}
+// Queries with a truth, to which the kernel gave an answer.
+std::uint64_t answered(const Tally& tally) {
+  return tally.trials - tally.invalid - tally.verdict.unanswered - tally.verdict.outside_limits.trials;
+}
+
+// Three digits: 57, 1.31k, 999k.
+std::string per_million(std::uint64_t count, std::uint64_t of) {
+  const double rate = 1e6 * static_cast<double>(count) / static_cast<double>(of);
+  return rate < 999.5 ? fmt::format("{:.3g}", rate) : fmt::format("{:.3g}k", rate / 1000);
+}
+
+// "missed/phantom", and what else came instead of a verdict: n for `invalid`, u for no answer, of which there are
+// counts.
+std::string family_cell(const Tally& tally) {
+  const std::uint64_t of = answered(tally);
+  std::string cell = "none";
+  if (of != 0) {
+    cell = per_million(tally.verdict.false_separation, of) + "/" + per_million(tally.verdict.false_contact, of);
+    if (tally.verdict.invalid != 0) cell += " n" + per_million(tally.verdict.invalid, of);
+  }
+  if (tally.verdict.unanswered != 0) cell += fmt::format(" u{}", tally.verdict.unanswered);
+  return cell;
+}
+
+std::string depth(double value) { return value == 0 ? "0" : fmt::format("{:.3g}", value); }
+
+struct Radii {
+  std::string median = "none", largest = "none";
+};
+Radii radii(std::vector<double> errors, std::uint64_t unbounded) {
+  if (errors.empty() && unbounded == 0) return {};
+  std::sort(errors.begin(), errors.end());
+  const std::size_t all = errors.size() + unbounded, middle = (all - 1) / 2;
+  return {middle < errors.size() ? fmt::format("{:.3g}", errors[middle]) : "unbounded",
+          unbounded == 0 ? fmt::format("{:.3g}", errors.back()) : "unbounded"};
+}
+
+class LeagueReport {
+ public:
+  LeagueReport(const League& league, const CampaignResult& result)
+      : league_(league), plan_(league.plan), result_(result) {}
+
+  InstrumentReport report(const std::string& command) const {
+    InstrumentReport report{"league", "Kernels and libraries on the same queries", command, notes(), {}, {}, data()};
+    for (const Precision precision : plan_.precisions) {
+      report.tables.push_back(by_family(precision));
+      report.tables.push_back(overall(precision));
+    }
+    for (const Precision precision : plan_.precisions) {
+      if (league_.contenders < plan_.kernels.size()) report.tables.push_back(faults(precision));
+    }
+    if (InstrumentTable found = findings(); !found.rows.empty()) report.tables.push_back(std::move(found));
+    return report;
+  }
+
+ private:
+  std::vector<std::string> notes() const {
+    std::vector<std::string> all = {
+        "By family: missed/phantom, the contacts that are missed and those that are invented, for a million queries "
+        "that were answered. n: answers `invalid`, for a million. u: queries without an answer, since the library "
+        "crashed or hung at them or did so too often in their unit to be asked again.",
+        "Touching is judged by what each says that it means; where it makes no promise, neither answer is wrong.",
+        "Deepest: of a wrong verdict, |d - r| / max(|A-P|, |B-P|, |C-P|, r). Critical radius: of every 256th of a "
+        "source's first 2^24 queries the smallest radius that is called a contact, its error in ulps of the exact "
+        "distance. Time: verdicts alone on one core, median over repetitions of 2^17 distinct queries of family "
+        "`general`, in the library's own process and without what asking it there takes.",
+        "Zero wrong verdicts hold for these queries only: at most 3 in as many as were asked, at 95 %."};
+    all.insert(all.end(), league_.not_checked.begin(), league_.not_checked.end());
+    return all;
+  }
+
+  template <class Visit>
+  void for_each_cell(std::size_t k, Precision precision, const Visit& visit) const {
+    for (const CellResult& cell : result_.cells) {
+      if (cell.precision == precision) visit(*plan_.sources[cell.source], cell.tallies[k]);
+    }
+  }
+
+  template <class Row>
+  void for_each_contender(Precision precision, const Row& row) const {
+    for (std::size_t k = 0; k < league_.contenders; ++k) {
+      if (plan_.kernels[k]->has(precision)) row(k);
+    }
+  }
+
+  std::vector<std::string> families(std::vector<std::string> first) const {
+    for (const SourcePtr& source : plan_.sources) first.push_back(source->name());
+    return first;
+  }
+
+  InstrumentTable by_family(Precision precision) const {
+    InstrumentTable table{
+        fmt::format("{}: missed/phantom contacts per million, by family", name(precision)), families({"kernel"}), {}};
+    for_each_contender(precision, [&](std::size_t k) {
+      auto& row = table.rows.emplace_back(std::vector<std::string>{plan_.kernels[k]->id});
+      for_each_cell(k, precision, [&](const Source&, const Tally& tally) { row.push_back(family_cell(tally)); });
+    });
+    return table;
+  }
+
+  InstrumentTable overall(Precision precision) const {
+    InstrumentTable table{
+        fmt::format("{}: over all families", name(precision)),
+        {"kernel", "answered", "missed", "deepest", "phantom", "deepest", "critical radius: median, ulps", "largest",
+         "hangs", "crashes", "other findings", "unanswered"},
+        {}};
+    if (!league_.nanoseconds.empty()) table.columns.emplace_back("ns a query");
+    const std::optional<double> certified = time_of_certified(precision);
+    if (certified) table.columns.emplace_back("where certified takes 1");
+    for_each_contender(precision, [&](std::size_t k) {
+      const Tally all = sum(k, precision);
+      const auto radius = radii(all.critical_radius.errors_ulps, all.critical_radius.unbounded);
+      auto& row = table.rows.emplace_back(std::vector<std::string>{
+          plan_.kernels[k]->id, thousands(answered(all)), thousands(all.verdict.false_separation),
+          depth(all.verdict.deepest_false_separation.best()), thousands(all.verdict.false_contact),
+          depth(all.verdict.deepest_false_contact.best()), radius.median, radius.largest,
+          thousands(count_of(all, FindingKind::hang)), thousands(count_of(all, FindingKind::crash)),
+          thousands(other_findings(all)), thousands(all.verdict.unanswered)});
+      const std::optional<double> ns = time(k, precision);
+      if (ns) row.push_back(fmt::format("{:.3g}", *ns));
+      if (ns && certified) row.push_back(fmt::format("{:.3g}", *ns / *certified));
+    });
+    return table;
+  }
+
+  std::optional<double> time(std::size_t k, Precision precision) const {
+    const auto found = league_.nanoseconds.find({precision, k});
+    return found == league_.nanoseconds.end() ? std::nullopt : std::optional(found->second);
+  }
+  // Nothing where it does not compete.
+  std::optional<double> time_of_certified(Precision precision) const {
+    for (std::size_t k = 0; k < league_.contenders; ++k) {
+      if (plan_.kernels[k]->id == "certified") return time(k, precision);
+    }
+    return std::nullopt;
+  }
+
+  // Each claims the bits of the published test, so that its own fault is told from rounding and range.
+  static std::optional<std::uint64_t> caught(const Tally& tally) {
+    return tally.verdict.first_by_link[static_cast<std::size_t>(Link::implementation)];
+  }
+
+  InstrumentTable faults(Precision precision) const {
+    InstrumentTable table{
+        fmt::format(
+            "{}: kernels with a planted fault: after how many queries of each family the first verdict is wrong "
+            "by it; - where none was",
+            name(precision)),
+        families({"kernel", "first caught by"}),
+        {}};
+    for (std::size_t k = league_.contenders; k < plan_.kernels.size(); ++k) {
+      if (!plan_.kernels[k]->has(precision)) continue;
+      std::vector<std::string> cells;
+      std::pair<std::uint64_t, std::string> first{UINT64_MAX, "never"};
+      for_each_cell(k, precision, [&](const Source& source, const Tally& tally) {
+        const auto position = caught(tally);
+        cells.push_back(position ? thousands(*position + 1) : "-");
+        if (position) first = std::min(first, {*position, source.name()});
+      });
+      auto& row = table.rows.emplace_back(std::vector<std::string>{plan_.kernels[k]->id, first.second});
+      row.insert(row.end(), cells.begin(), cells.end());
+    }
+    return table;
+  }
+
+  InstrumentTable findings() const {
+    InstrumentTable table{"Findings", {"kernel", "precision", "family", "what", "times", "first at", "detail"}, {}};
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      for (const Finding& finding : plan_.kernels[k]->findings) {
+        table.rows.push_back({plan_.kernels[k]->id, "", "", std::string(name(finding.kind)), "1", "", finding.detail});
+      }
+      for (const Precision precision : plan_.precisions) {
+        for_each_cell(k, precision, [&](const Source& source, const Tally& tally) {
+          for (std::size_t i = 0; i < finding_kind_count; ++i) {
+            const FindingTally& finding = tally.findings[i];
+            if (finding.count == 0) continue;
+            table.rows.push_back({plan_.kernels[k]->id, std::string(name(precision)), source.name(),
+                                  std::string(finding_kind_names[i]), thousands(finding.count),
+                                  text(address_of(source, plan_.seed, precision, finding.first)), finding.detail});
+          }
+        });
+      }
+    }
+    return table;
+  }
+
+  Tally sum(std::size_t k, Precision precision) const {
+    Tally all;
+    for_each_cell(k, precision, [&](const Source&, const Tally& tally) { all.merge(tally); });
+    return all;
+  }
+
+  Json data() const {
+    Json kernels = Json::array();
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      const Kernel& kernel = *plan_.kernels[k];
+      for (const Precision precision : plan_.precisions) {
+        if (!kernel.has(precision)) continue;
+        const std::optional<double> ns = time(k, precision);
+        Json entry = {{"id", kernel.id},
+                      {"precision", name(precision)},
+                      {"summary", kernel.summary},
+                      {"touching", name(kernel.touching)},
+                      {"has_planted_fault", k >= league_.contenders},
+                      {"ns", ns ? Json(*ns) : Json(nullptr)},
+                      {"families", Json::object()}};
+        for_each_cell(k, precision, [&](const Source& source, const Tally& tally) {
+          entry["families"][source.name()] = family_json(tally);
+        });
+        kernels.push_back(std::move(entry));
+      }
+    }
+    return {{"seed", plan_.seed}, {"kernels", std::move(kernels)}, {"not_checked", league_.not_checked}};
+  }
+
+  static Json family_json(const Tally& tally) {
+    const VerdictTally& verdict = tally.verdict;
+    std::vector<double> errors = tally.critical_radius.errors_ulps;
+    std::sort(errors.begin(), errors.end());
+    const auto error = [&](std::size_t i) { return errors.empty() ? Json(nullptr) : Json(errors[i]); };
+    const auto position = caught(tally);
+    Json json = {{"trials", tally.trials},
+                 {"answered", answered(tally)},
+                 {"false_separation", verdict.false_separation},
+                 {"false_contact", verdict.false_contact},
+                 {"touching_flips", verdict.touching_flips},
+                 {"deepest_false_separation", verdict.deepest_false_separation.best()},
+                 {"deepest_false_contact", verdict.deepest_false_contact.best()},
+                 {"undecided", verdict.undecided},
+                 {"invalid", verdict.invalid},
+                 {"unanswered", verdict.unanswered},
+                 {"caught_after", position ? Json(*position + 1) : Json(nullptr)},
+                 {"critical_radius",
+                  {{"sampled", errors.size() + tally.critical_radius.unbounded},
+                   {"median_ulps", error((errors.size() - 1) / 2)},
+                   {"largest_ulps", error(errors.size() - 1)},
+                   {"unbounded", tally.critical_radius.unbounded}}},
+                 {"findings", Json::object()}};
+    for (std::size_t i = 0; i < finding_kind_count; ++i) {
+      if (tally.findings[i].count != 0) json["findings"][std::string(finding_kind_names[i])] = tally.findings[i].count;
+    }
+    return json;
+  }
+
+  const League& league_;
+  const Plan& plan_;
+  const CampaignResult& result_;
+};
+
+}  // namespace
+
+InstrumentReport league_report(const League& league, const CampaignResult& result, const std::string& command) {
+  return LeagueReport(league, result).report(command);
+}
+
+}  // namespace axiscert

@@ -1,0 +1,21 @@
+// The report of `axiscert league`: kernels and libraries side by side on the same queries, and kernels with a fault.
+#pragma once
+
+#include <map>
+
+#include "fuzz/campaign/campaign.h"
+#include "reports/instrument/instrument.h"
+
+namespace axiscert {
+
+struct League {
+  Plan plan;
+  std::size_t contenders = 0;  // so many of the plan's kernels compete; the others have a fault planted in them
+  // Nanoseconds a query, by precision and place in the plan; none where none was taken.
+  std::map<std::pair<Precision, std::size_t>, double> nanoseconds;
+  std::vector<std::string> not_checked;  // a sentence each
+};
+
+InstrumentReport league_report(const League& league, const CampaignResult& result, const std::string& command);
+
+}  // namespace axiscert

@@ -1,0 +1,144 @@
+#include "reports/instrument/map.h"
+
+#include <fmt/format.h>
+
+#include "kernel/base/error.h"
+#include "reports/page/embedded.h"
+#include "reports/instrument/instrument.h"
+#include "reports/run_folder/parsed_json.h"
+#include "reports/run_folder/schema.h"
+
+namespace axiscert {
+namespace {
+
+constexpr const char* index_schema = "axiscert-maps/1";
+
+std::string text_of(const Colour& c) { return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue); }
+
+Json legend_json() {
+  Json legend = Json::array();
+  for (const LegendEntry& entry : map_legend()) {
+    legend.push_back({{"class", pixel_class_names[static_cast<std::size_t>(entry.pixel)]},
+                      {"colour", text_of(entry.colour)},
+                      {"meaning", entry.meaning}});
+  }
+  return legend;
+}
+
+Json side_json(const PlaneSide& side) {
+  return {{"numbers", side.numbers.name}, {"pixels", side.pixels}, {"origin", side.origin()}, {"step", side.step}};
+}
+
+// Only what one map may be called: it begins the names of files.
+constexpr std::string_view name_letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+
+std::string picture_file(const std::string& map, const MapSubject& subject) {
+  return fmt::format("{}-{}.png", map, name(subject));
+}
+
+}  // namespace
+
+// Wrong signs in the two colours of Okabe and Ito's palette that are told apart best with any colour vision, and in
+// greyscale; yes light, no darker; the band in yellow of the same two lightnesses.
+const std::array<LegendEntry, pixel_class_count>& map_legend() {
+  using enum PixelClass;
+  static constexpr std::array<LegendEntry, pixel_class_count> legend = {{
+      {no_query, {0x6e, 0x6e, 0x6e}, "no query: a number is not finite, or the radius is below zero"},
+      {false_separation, {0xd5, 0x5e, 0x00}, "the kernel says yes wrongly; of a verdict: a missed contact"},
+      {missed_separation, {0x00, 0x72, 0xb2}, "the kernel says no wrongly; of a verdict: a phantom contact"},
+      {declined, {0xcc, 0x79, 0xa7}, "the kernel says neither yes nor no"},
+      {not_finite, {0x00, 0x9e, 0x73}, "right, though a computed side is not finite"},
+      {tie, {0x00, 0x00, 0x00}, "exactly on the boundary; of a verdict: the sphere touches"},
+      {boundary, {0x40, 0x40, 0x40}, "no, beside a pixel that is yes: the exact boundary runs between them"},
+      {yes_uncertain, {0xfd, 0xf0, 0xa8}, "yes (holds, separates), where the bound does not tell"},
+      {no_uncertain, {0xd8, 0xc0, 0x60}, "no, where the bound does not tell"},
+      {yes, {0xff, 0xff, 0xff}, "yes: the comparison holds, the axis separates, the sphere and the triangle are apart"},
+      {no, {0xc8, 0xc8, 0xc8}, "no"},
+  }};
+  return legend;
+}
+
+Json map_json(const std::string& map_name, const MapPlan& plan, const std::vector<MapPicture>& pictures,
+              const std::string& command) {
+  if (map_name.empty() || map_name.find_first_not_of(name_letters) != map_name.npos) {
+    throw Error(fmt::format("--name {}: a name of letters, digits, _ and - belongs here", map_name));
+  }
+  Json map = {{"name", map_name},
+              {"command", command},
+              {"kernel", plan.kernel->id},
+              {"precision", name(plan.witness.precision)},
+              {"kind", plane_kind_names[static_cast<std::size_t>(plan.plane.kind)]},
+              {"along", side_json(plan.plane.along)},
+              {"across", side_json(plan.plane.across)},
+              {"witness", Json::parse(query_line(plan.witness))},
+              {"pictures", Json::array()}};
+  for (const MapPicture& picture : pictures) {
+    Json counts = Json::object();
+    for (std::size_t c = 0; c < pixel_class_count; ++c) counts[std::string(pixel_class_names[c])] = picture.counts[c];
+    map["pictures"].push_back({{"level", level_names[static_cast<std::size_t>(picture.subject.level)]},
+                               {"name", name(picture.subject)},
+                               {"file", picture_file(map_name, picture.subject)},
+                               {"counts", counts}});
+  }
+  return map;
+}
+
+std::map<std::string, std::string> map_files(const Json& map, const MapPlan& plan,
+                                             const std::vector<MapPicture>& pictures, const std::string& index) {
+  std::map<std::string, std::string> files;
+  std::vector<Colour> palette;
+  for (const LegendEntry& entry : map_legend()) palette.push_back(entry.colour);
+  for (const MapPicture& picture : pictures) {
+    static_assert(sizeof(PixelClass) == 1);
+    const std::span pixels(reinterpret_cast<const std::uint8_t*>(picture.pixels.data()), picture.pixels.size());
+    files[picture_file(map["name"], picture.subject)] = indexed_png(plan.plane.columns(), pixels, palette);
+  }
+  Json maps = Json::array();
+  if (!index.empty()) {
+    Json given = Json::value_t::discarded;  // what is no JSON, for the schema to refuse
+    try {
+      given = parsed_json(index);
+    } catch (const Json::exception&) {
+    }
+    check_schema(Json::parse(embedded::maps_schema_json), given, fmt::format("maps/{}", map_index_file),
+                 "remove it, or give another --out");
+    for (const Json& other : given["maps"]) {
+      if (other["name"] != map["name"]) maps.push_back(other);
+    }
+  }
+  maps.push_back(map);
+  files[std::string(map_index_file)] =
+      Json{{"schema", index_schema}, {"axiscert", AXISCERT_VERSION}, {"legend", legend_json()}, {"maps", maps}}.dump(
+          1) +
+      "\n";
+  return files;
+}
+
+std::string map_text(const Json& map) {
+  const auto side = [&](const char* which) {
+    const Json& s = map[which];
+    return fmt::format("{} {}, {} pixels of {}", which, s["numbers"].get<std::string>(), s["pixels"].get<std::size_t>(),
+                       map["kind"] == "ulps" ? fmt::format("{} ulp", s["step"].get<std::int64_t>())
+                                             : fmt::format("2^{}", s["step"].get<std::int64_t>()));
+  };
+  InstrumentReport report;
+  report.title =
+      fmt::format("{} in {} around {}: {}, {}", map["kernel"].get<std::string>(), map["precision"].get<std::string>(),
+                  map["witness"]["id"].get<std::string>(), side("along"), side("across"));
+  report.command = map["command"];
+  InstrumentTable table{"Pixels", {"picture"}, {}};
+  for (const std::string_view c : pixel_class_names) table.columns.emplace_back(c);
+  for (const Json& picture : map["pictures"]) {
+    std::vector<std::string> row = {picture["name"]};
+    for (const std::string_view c : pixel_class_names) row.push_back(picture["counts"][std::string(c)].dump());
+    table.rows.push_back(row);
+  }
+  report.tables.push_back(table);
+  for (const LegendEntry& entry : map_legend()) {
+    report.notes.push_back(fmt::format("{} {}: {}", pixel_class_names[static_cast<std::size_t>(entry.pixel)],
+                                       text_of(entry.colour), entry.meaning));
+  }
+  return instrument_text(report);
+}
+
+}  // namespace axiscert

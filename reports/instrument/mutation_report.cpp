@@ -1,0 +1,308 @@
+// `axiscert mutate`: what of the faults planted in a kernel the harness catches, and how soon.
+#include "reports/instrument/mutation_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fuzz/queries/address.h"
+#include "reports/formats/markdown_text.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::uint64_t soon = 10'000;  // queries
+
+// Why nothing tells it from its base; null where something should.
+const std::string* equivalence_of(const MutantResult& r) {
+  const auto found = equivalent_mutants().find(r.mutant->id);
+  return found == equivalent_mutants().end() ? nullptr : &found->second;
+}
+
+// Of the mutants that something tells from their base.
+struct Score {
+  std::uint64_t mutants = 0, equivalent = 0, caught = 0, soon = 0, by_formulae = 0;
+  std::vector<std::uint64_t> queries;
+
+  void add(const MutantResult& r) {
+    ++mutants;
+    if (equivalence_of(r)) {
+      ++equivalent;
+      return;
+    }
+    by_formulae += r.by_formulae.has_value();
+    if (!r.by_bits) return;
+    ++caught;
+    soon += r.by_bits->queries <= axiscert::soon;
+    queries.push_back(r.by_bits->queries);
+  }
+  // At least half of the mutants that are not equivalent are caught by then.
+  std::optional<std::uint64_t> median() const {
+    const std::uint64_t all = mutants - equivalent;
+    if (all == 0 || caught * 2 < all) return std::nullopt;
+    std::vector<std::uint64_t> sorted = queries;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[(all - 1) / 2];
+  }
+  std::vector<std::string> cells() const {
+    const auto middle = median();
+    const auto last = std::max_element(queries.begin(), queries.end());
+    return {thousands(mutants),
+            thousands(equivalent),
+            thousands(caught),
+            thousands(mutants - equivalent - caught),
+            thousands(soon),
+            middle ? thousands(*middle) : "-",
+            last == queries.end() ? "-" : thousands(*last),
+            thousands(by_formulae)};
+  }
+  Json json() const {
+    const auto middle = median();
+    return {{"mutants", mutants},
+            {"equivalent", equivalent},
+            {"caught", caught},
+            {"survived", mutants - equivalent - caught},
+            {"caught_within_10000", soon},
+            {"median_queries", middle ? Json(*middle) : Json(nullptr)},
+            {"caught_by_formulae_alone", by_formulae}};
+  }
+};
+
+class MutationReport {
+ public:
+  MutationReport(const MutationPlan& plan, const MutationResult& result, const std::vector<Control>& controls)
+      : plan_(plan), result_(result), controls_(controls) {}
+
+  InstrumentReport report(const std::string& command, bool whole) const {
+    InstrumentReport report{
+        "mutation",
+        fmt::format("{} mutants of {}: what `--require logic` catches{}", plan_.mutants.size(), plan_.base,
+                    result_.complete ? "" : " (interrupted)"),
+        command,
+        {"A mutant is the kernel with one fault. It is caught by the first wrong verdict with a broken "
+         "implementation link; `queries` counts all that were asked until then, of all families in "
+         "turn, 251 of each. Every catch is confirmed by all oracles.",
+         "Formulae alone: the same mutant where it claims the formulae and not their bits, as a kernel "
+         "of one's own may: caught by a wrong verdict where arithmetic is exact, touching apart. A fault "
+         "that only rounds otherwise is none there.",
+         "Equivalent: argued in fuzz/mutation/equivalent.txt that no query tells it from the kernel; "
+         "looked at over as many queries as the others."},
+        {scores(), by_fault(), by_family(), not_caught(), controls()},
+        {},
+        data(command)};
+    if (whole) report.tables.push_back(all());
+    std::erase_if(report.tables, [](const InstrumentTable& table) { return table.rows.empty(); });
+    return report;
+  }
+
+ private:
+  static std::vector<std::string> score_columns(std::vector<std::string> first) {
+    for (const char* column : {"mutants", "equivalent", "caught", "survived", "within 10^4", "median queries",
+                               "most queries", "caught, formulae alone"}) {
+      first.emplace_back(column);
+    }
+    return first;
+  }
+  static void add_row(InstrumentTable& table, std::vector<std::string> first, const std::vector<std::string>& cells) {
+    first.insert(first.end(), cells.begin(), cells.end());
+    table.rows.push_back(std::move(first));
+  }
+  Score score(Precision precision, const std::string& fault = "") const {
+    Score score;
+    for (const MutantResult& r : result_.mutants) {
+      if (r.precision == precision && (fault.empty() || r.mutant->fault == fault)) score.add(r);
+    }
+    return score;
+  }
+
+  InstrumentTable scores() const {
+    InstrumentTable table{"Score", score_columns({"precision"}), {}};
+    for (const Precision precision : plan_.precisions) {
+      add_row(table, {std::string(name(precision))}, score(precision).cells());
+    }
+    return table;
+  }
+
+  InstrumentTable by_fault() const {
+    InstrumentTable table{"By fault", score_columns({"fault", "what", "precision"}), {}};
+    std::vector<std::string> faults;
+    for (const mutants::Mutant* m : plan_.mutants) {
+      if (std::find(faults.begin(), faults.end(), m->fault) != faults.end()) continue;
+      faults.push_back(m->fault);
+      for (const Precision precision : plan_.precisions) {
+        const Score of_fault = score(precision, m->fault);
+        if (of_fault.mutants > 0) add_row(table, {m->fault, m->what, std::string(name(precision))}, of_fault.cells());
+      }
+    }
+    return table;
+  }
+
+  InstrumentTable by_family() const {
+    InstrumentTable table{"First caught by", {"family"}, {}};
+    for (const Precision precision : plan_.precisions) table.columns.emplace_back(name(precision));
+    for (const Family* family : plan_.families) {
+      std::vector<std::string> row = {std::string(family->name)};
+      for (const Precision precision : plan_.precisions) {
+        row.push_back(thousands(static_cast<std::uint64_t>(
+            std::count_if(result_.mutants.begin(), result_.mutants.end(), [&](const MutantResult& r) {
+              return r.precision == precision && r.by_bits && r.by_bits->family == family;
+            }))));
+      }
+      table.rows.push_back(std::move(row));
+    }
+    return table;
+  }
+
+  InstrumentTable not_caught() const {
+    InstrumentTable table{"Not caught", {"mutant", "precision", "where", "what", "argued equivalent"}, {}};
+    for (const MutantResult& r : result_.mutants) {
+      if (r.by_bits) continue;
+      const std::string* equivalent = equivalence_of(r);
+      table.rows.push_back({r.mutant->id, std::string(name(r.precision)), r.mutant->where, r.mutant->what,
+                            equivalent ? *equivalent : "no: it survived"});
+    }
+    return table;
+  }
+
+  InstrumentTable controls() const {
+    InstrumentTable table{"Kernels that are right and written otherwise",
+                          {"kernel", "precision", "claims", "queries", "wrong verdicts against `logic`"},
+                          {}};
+    for (const Control& c : controls_) {
+      table.rows.push_back({c.id, std::string(name(c.precision)), c.claims_bits ? "its bits" : "formulae alone",
+                            thousands(c.queries), thousands(c.flagged)});
+    }
+    return table;
+  }
+
+  const MutantResult* find(const mutants::Mutant* mutant, Precision precision) const {
+    for (const MutantResult& r : result_.mutants) {
+      if (r.mutant == mutant && r.precision == precision) return &r;
+    }
+    return nullptr;
+  }
+
+  InstrumentTable all() const {
+    InstrumentTable table{"Every mutant", {"mutant", "where", "what"}, {}};
+    for (const Precision precision : plan_.precisions) {
+      table.columns.push_back(fmt::format("{}: family", name(precision)));
+      table.columns.emplace_back("queries");
+      table.columns.emplace_back("formulae alone");
+    }
+    const auto queries = [](const std::optional<Catch>& found) { return found ? thousands(found->queries) : "-"; };
+    for (const mutants::Mutant* mutant : plan_.mutants) {
+      std::vector<std::string> row = {mutant->id, mutant->where, mutant->what};
+      for (const Precision precision : plan_.precisions) {
+        const MutantResult* r = find(mutant, precision);
+        if (!r) row.insert(row.end(), {"", "", ""});
+        else if (r->by_bits)
+          row.insert(row.end(), {std::string(r->by_bits->family->name), queries(r->by_bits), queries(r->by_formulae)});
+        else row.insert(row.end(), {equivalence_of(*r) ? "equivalent" : "survived", "-", "-"});
+      }
+      table.rows.push_back(std::move(row));
+    }
+    return table;
+  }
+
+  Json catch_json(const MutantResult& r, const std::optional<Catch>& found) const {
+    if (!found) return nullptr;
+    const SourcePtr source = family_source(*found->family);
+    return {{"family", found->family->name},
+            {"queries", found->queries},
+            {"address", text(address_of(*source, plan_.seed, r.precision, found->position))},
+            {"kind", flip_kind_names[static_cast<std::size_t>(found->kind)]},
+            {"depth", found->depth}};
+  }
+
+  Json data(const std::string& command) const {
+    Json all = Json::array(), families = Json::array(), scores = Json::object(), control = Json::array();
+    for (const MutantResult& r : result_.mutants) {
+      const std::string* equivalent = equivalence_of(r);
+      Json entry = {{"id", r.mutant->id},
+                    {"precision", name(r.precision)},
+                    {"fault", r.mutant->fault},
+                    {"where", r.mutant->where},
+                    {"what", r.mutant->what},
+                    {"caught", catch_json(r, r.by_bits)},
+                    {"caught_by_formulae_alone", catch_json(r, r.by_formulae)},
+                    {"equivalent", equivalent ? Json(*equivalent) : Json(nullptr)}};
+      all.push_back(std::move(entry));
+    }
+    for (const Family* family : plan_.families) families.push_back(family->name);
+    for (const Precision precision : plan_.precisions) scores[std::string(name(precision))] = score(precision).json();
+    for (const Control& c : controls_) {
+      control.push_back({{"kernel", c.id},
+                         {"precision", name(c.precision)},
+                         {"claims", c.claims_bits ? "bits" : "formulae"},
+                         {"queries", c.queries},
+                         {"flagged", c.flagged}});
+    }
+    return {{"schema", mutation_schema},
+            {"axiscert", AXISCERT_VERSION},
+            {"command", command},
+            {"complete", result_.complete},
+            {"kernel", plan_.base},
+            {"require", "logic"},
+            {"seed", plan_.seed},
+            {"trials", plan_.trials},
+            {"families", families},
+            {"score", scores},
+            {"mutants", all},
+            {"controls", control}};
+  }
+
+  const MutationPlan& plan_;
+  const MutationResult& result_;
+  const std::vector<Control>& controls_;
+};
+
+}  // namespace
+
+std::vector<std::string> mutation_faults(const MutationResult& result, const std::vector<Control>& controls) {
+  std::vector<std::string> faults;
+  for (const MutantResult& r : result.mutants) {
+    const std::string* equivalent = equivalence_of(r);
+    if (!equivalent) continue;
+    const auto add = [&](const char* what) {
+      faults.push_back(
+          fmt::format("{} {}: fuzz/mutation/equivalent.txt argues that nothing tells it from its base, and {}",
+                      r.mutant->id, name(r.precision), what));
+    };
+    if (r.by_bits) add("a query does");
+    else if (!r.same_bits) add("its comparisons differ");
+  }
+  for (const Control& c : controls) {
+    if (c.flagged == 0) continue;
+    faults.push_back(fmt::format("{} {} is right, and {} of its verdicts count against `logic`", c.id,
+                                 name(c.precision), c.flagged));
+  }
+  return faults;
+}
+
+InstrumentReport mutation_report(const MutationPlan& plan, const MutationResult& result,
+                                 const std::vector<Control>& controls, const std::string& command, bool whole) {
+  return MutationReport(plan, result, controls).report(command, whole);
+}
+
+std::string instrument_markdown(const InstrumentReport& report) {
+  std::string text = fmt::format("# {}\n\n{}", report.title, code_block(report.command));
+  for (const InstrumentTable& table : report.tables) {
+    text += fmt::format("\n## {}\n\n| {} |\n|", table.caption, fmt::join(table.columns, " | "));
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      const bool numbers = std::all_of(table.rows.begin(), table.rows.end(), [i](const std::vector<std::string>& row) {
+        return row[i].size() <= 1 || is_number(row[i]);
+      });
+      text += numbers ? " ---: |" : " --- |";
+    }
+    text += "\n";
+    for (const auto& row : table.rows) {
+      text += "|";
+      for (const std::string& cell : row) text += " " + plain(cell, 400) + " |";
+      text += "\n";
+    }
+  }
+  for (const std::string& note : report.notes) text += "\n" + note + "\n";
+  return text;
+}
+
+}  // namespace axiscert

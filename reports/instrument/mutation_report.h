@@ -1,0 +1,19 @@
+// The report of `axiscert mutate`.
+#pragma once
+
+#include "fuzz/mutation/mutation.h"
+#include "reports/instrument/instrument.h"
+
+namespace axiscert {
+
+inline constexpr const char* mutation_schema = "axiscert-mutation/1";
+
+// What is wrong with the harness or with an argument; empty if nothing is.
+std::vector<std::string> mutation_faults(const MutationResult& result, const std::vector<Control>& controls);
+
+// `whole`: with a row for each mutant.
+InstrumentReport mutation_report(const MutationPlan& plan, const MutationResult& result,
+                                 const std::vector<Control>& controls, const std::string& command, bool whole);
+std::string instrument_markdown(const InstrumentReport& report);
+
+}  // namespace axiscert

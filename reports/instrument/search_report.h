@@ -1,0 +1,15 @@
+// The report of `axiscert search`.
+#pragma once
+
+#include "fuzz/search/search.h"
+#include "reports/instrument/instrument.h"
+
+namespace axiscert {
+
+inline constexpr const char* search_schema = "axiscert-search/1";
+
+InstrumentReport search_report(const SearchPlan& plan, const SearchResult& result, const std::string& command);
+// The witnesses as a query file, one a find.
+std::string search_witnesses(const SearchResult& result);
+
+}  // namespace axiscert

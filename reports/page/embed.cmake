@@ -1,0 +1,15 @@
+# cmake -DOUTPUT=FILE.cpp -DFILES=a;b -P embed.cmake: each file's text as axiscert::embedded::NAME, where NAME is the file
+# name with an underscore for each dot.
+set(code "#include \"reports/page/embedded.h\"\n\nnamespace axiscert::embedded {\n\n")
+foreach(file ${FILES})
+  get_filename_component(name ${file} NAME)
+  string(MAKE_C_IDENTIFIER ${name} symbol)
+  file(READ ${file} text)
+  string(FIND "${text}" ")embedded\"" end)
+  if(NOT end EQUAL -1)
+    message(FATAL_ERROR "${file} holds )embedded\" which ends the literal that it is embedded as")
+  endif()
+  string(APPEND code "const std::string_view ${symbol} = R\"embedded(${text})embedded\";\n\n")
+endforeach()
+string(APPEND code "}  // namespace axiscert::embedded\n")
+file(WRITE ${OUTPUT} "${code}")

@@ -1,0 +1,246 @@
+#include "reports/run_folder/attachments.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "kernel/base/error.h"
+#include "reports/page/packed.h"
+#include "reports/run_folder/run_folder.h"
+
+namespace axiscert {
+namespace {
+
+using Path = std::filesystem::path;
+
+Error bad_form(const Path& file, const std::string& what) {
+  return Error(fmt::format("{}: {}; write it again with the command that made it, or remove it", file.string(), what));
+}
+
+// The first of these members that is there, or null.
+Json first_of(const Json& from, std::initializer_list<const char*> members) {
+  for (const char* member : members) {
+    if (from.contains(member)) return from[member];
+  }
+  return nullptr;
+}
+
+// The array of objects that a file is, or holds under one of these names.
+const Json& rows_of(const Path& file, const Json& whole, std::initializer_list<const char*> members) {
+  const Json* rows = whole.is_array() ? &whole : nullptr;
+  for (const char* member : members) {
+    if (!rows && whole.is_object() && whole.contains(member)) rows = &whole[member];
+  }
+  if (!rows || !rows->is_array()) throw bad_form(file, fmt::format("has no array \"{}\"", *members.begin()));
+  for (const Json& row : *rows) {
+    if (!row.is_object()) throw bad_form(file, fmt::format("\"{}\" holds what is no object", *members.begin()));
+  }
+  return *rows;
+}
+
+Json picked(const Json& from, std::initializer_list<const char*> members) {
+  Json some = Json::object();
+  for (const char* member : members) some[member] = first_of(from, {member});
+  return some;
+}
+
+std::string bytes_of(const Path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  if (!in) throw Error(fmt::format("{}: cannot be read", file.string()));
+  return bytes.str();
+}
+
+// A picture's name as that of a file in maps/, and of nothing elsewhere.
+std::string picture_file(const Path& index, const Json& picture) {
+  const std::string name = picture.value("file", "");
+  if (name.empty() || name.find_first_of("/\\") != name.npos || name.starts_with('.'))
+    throw bad_form(index, fmt::format("\"{}\" is no name of a file in maps/", name));
+  return "maps/" + name;
+}
+
+Json maps(const Path& index, std::size_t room) {
+  const Json whole = read_json(index);
+  Json data = {{"legend", rows_of(index, whole, {"legend"})}, {"maps", Json::array()}};
+  for (const Json& map : rows_of(index, whole, {"maps"})) {
+    Json& shown = data["maps"].emplace_back(
+        picked(map, {"name", "kernel", "precision", "kind", "along", "across", "command", "witness"}));
+    shown["pictures"] = Json::array();
+    for (const Json& picture : rows_of(index, map, {"pictures"})) {
+      Json& drawn = shown["pictures"].emplace_back(picked(picture, {"level", "name", "counts"}));
+      drawn["file"] = picture_file(index, picture);
+      drawn["image"] = nullptr;
+    }
+  }
+  for (const bool comparisons : {false, true}) {
+    for (Json& map : data["maps"]) {
+      for (Json& picture : map["pictures"]) {
+        if ((picture["level"] == "comparison") != comparisons) continue;
+        const std::string image = bytes_of(index.parent_path().parent_path() / picture["file"].get<std::string>());
+        picture["bytes"] = image.size();
+        if (image.size() > room) continue;
+        room -= image.size();
+        picture["image"] = "data:image/png;base64," + base64(image);
+      }
+    }
+  }
+  return data;
+}
+
+Json proofs(const Path& file) {
+  const Json whole = read_json(file);
+  Json data = {{"comparisons", Json::array()},
+               {"checkers", whole.is_object() ? first_of(whole, {"checkers", "versions"}) : Json()}};
+  for (const Json& row : rows_of(file, whole, {"comparisons", "bounds", "proofs"})) {
+    // The bars are of the scaled domain, that of `axiscert search`.
+    if (const Json domain = first_of(row, {"domain"}); !domain.is_null() && domain != "scaled") continue;
+    data["comparisons"].push_back({{"name", first_of(row, {"name", "comparison"})},
+                                   {"formulae", first_of(row, {"formulae", "kernel"})},
+                                   {"precision", first_of(row, {"precision"})},
+                                   {"arithmetic", first_of(row, {"arithmetic"})},
+                                   {"status", first_of(row, {"status"})},
+                                   {"proved_u", first_of(row, {"proved_u", "bound_u", "bound"})},
+                                   {"attained_u", first_of(row, {"attained_u", "attained"})},
+                                   {"file", first_of(row, {"file"})}});
+  }
+  return data;
+}
+
+Json mutation(const Path& file) {
+  const Json whole = read_json(file);
+  Json data = whole.is_object() ? picked(whole, {"command", "kernel", "complete"}) : Json::object();
+  data["mutants"] = data["controls"] = Json::array();
+  for (const Json& row : rows_of(file, whole, {"mutants"})) {
+    // Where and when it was caught, or null; or whether it was, with the rest beside.
+    const Json caught = first_of(row, {"caught"});
+    const Json& catch_of = caught.is_object() ? caught : row;
+    data["mutants"].push_back({{"name", first_of(row, {"id", "name"})},
+                               {"precision", first_of(row, {"precision"})},
+                               {"caught", caught.is_object() || caught == true},
+                               {"family", first_of(catch_of, {"family"})},
+                               {"queries", first_of(catch_of, {"queries"})},
+                               {"equivalent", first_of(row, {"equivalent"})}});
+  }
+  if (whole.is_object() && whole.contains("controls")) {
+    for (const Json& row : rows_of(file, whole, {"controls"}))
+      data["controls"].push_back(picked(row, {"kernel", "precision", "claims", "queries", "flagged"}));
+  }
+  return data;
+}
+
+Json search(const Path& file) {
+  const Json whole = read_json(file);
+  Json data = picked(whole, {"kernel", "precision", "evaluations", "seed"});
+  data["comparisons"] = Json::array();
+  for (const Json& row : rows_of(file, whole, {"comparisons"})) {
+    data["comparisons"].push_back(picked(row, {"name", "attained_u", "proved_u", "relative_u", "witness"}));
+  }
+  return data;
+}
+
+Json ladder(const Path& file) {
+  const Json whole = read_json(file);
+  Json data = picked(whole, {"precision", "seed", "trials", "speed"});
+  data["kernels"] = Json::array();
+  for (const Json& row : rows_of(file, whole, {"kernels"})) {
+    Json& kernel = data["kernels"].emplace_back(picked(row, {"id", "summary", "queries", "verdict"}));
+    const Json axes = row.value("axes", Json::object());
+    for (const auto& [axis, figures] : axes.items()) {
+      kernel["axes"][axis] = picked(figures, {"false_separation", "missed_separation", "p99_u", "worst_u", "window"});
+    }
+  }
+  return data;
+}
+
+Json precision(const Path& file) {
+  const Json whole = read_json(file);
+  Json data = picked(whole, {"precision", "command"});
+  data["kernels"] = Json::object();
+  if (!whole.contains("all") || !whole["all"].contains("kernels"))
+    throw bad_form(file, "has no \"all\" with \"kernels\"");
+  data["queries"] = first_of(whole["all"], {"queries"});
+  for (const auto& [id, kernel] : whole["all"]["kernels"].items()) {
+    for (const Json& at : rows_of(file, kernel, {"precisions"})) {
+      const auto wrong = [&](const char* range) {
+        const Json& verdict = at.at(range).at("verdict");
+        return verdict.at("false_separation").get<std::uint64_t>() + verdict.at("false_contact").get<std::uint64_t>();
+      };
+      data["kernels"][id].push_back({at.at("bits"), wrong("unlimited"), wrong("limited")});
+    }
+  }
+  return data;
+}
+
+Json league(const Path& file) {
+  const Json whole = read_json(file);
+  Json data = {{"kernels", Json::array()}, {"not_checked", first_of(whole, {"not_checked"})}};
+  for (const Json& row : rows_of(file, whole, {"kernels"})) {
+    Json total = picked(row, {"id", "precision", "summary", "touching", "has_planted_fault", "ns"});
+    for (const char* count : {"trials", "answered", "false_separation", "false_contact", "unanswered"}) {
+      std::uint64_t sum = 0;
+      for (const Json& family : row.at("families")) sum += family.at(count).get<std::uint64_t>();
+      total[count] = sum;
+    }
+    for (const char* depth : {"deepest_false_separation", "deepest_false_contact"}) {
+      double deepest = 0;
+      for (const Json& family : row.at("families")) deepest = std::max(deepest, family.at(depth).get<double>());
+      total[depth] = deepest;
+    }
+    std::uint64_t first = 0;
+    for (const auto& [name, family] : row.at("families").items()) {
+      const Json& after = family.at("caught_after");
+      if (after.is_null() || (first != 0 && after >= first)) continue;
+      first = after;
+      total["caught_by"] = name;
+    }
+    total["caught_after"] = first == 0 ? Json(nullptr) : Json(first);
+    data["kernels"].push_back(std::move(total));
+  }
+  return data;
+}
+
+}  // namespace
+
+Json attachments(const std::filesystem::path& folder, std::size_t image_bytes) {
+  Json data = Json::object();
+  const auto attach = [&](const char* kind, const char* name, auto&& read) {
+    const Path file = folder / name;
+    std::error_code ignored;
+    data[kind] = nullptr;
+    if (folder.empty() || !std::filesystem::exists(file, ignored)) return;
+    try {
+      data[kind] = read(file);
+    } catch (const Json::exception& problem) {
+      throw bad_form(file, problem.what());
+    }
+  };
+  attach("maps", "maps/index.json", [&](const Path& index) { return maps(index, image_bytes); });
+  attach("proofs", "proofs.json", proofs);
+  attach("mutation", "mutation.json", mutation);
+  attach("search", "search.json", search);
+  attach("ladder", "ladder.json", ladder);
+  attach("precision", "precision.json", precision);
+  attach("league", "league.json", league);
+  return data;
+}
+
+Json raw_files(const std::filesystem::path& folder) {
+  Json files = Json::array();
+  std::error_code ignored;
+  const auto add = [&](std::initializer_list<const char*> names, bool is_written) {
+    for (const char* name : names) {
+      if (is_written || std::filesystem::exists(folder / name, ignored)) files.push_back(name);
+    }
+  };
+  add({"record.json", "run.json"}, false);
+  // Together with the page that points to them.
+  add({"witnesses.jsonl", "report.md", "junit.xml", "report.sarif", "ratchet.txt"}, true);
+  add({"witnesses-shrunk.jsonl", "ratchet.json", "proofs.json", "search.json", "ladder.json", "precision.json",
+       "league.json", "mutation.json", "maps/index.json"},
+      false);
+  return files;
+}
+
+}  // namespace axiscert

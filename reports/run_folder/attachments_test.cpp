@@ -1,0 +1,79 @@
+// What lies beside a record: shown where it has the form that is read, one clear error where it has not.
+#include "reports/run_folder/attachments.h"
+
+#include "reports/formats/test_run.h"
+
+namespace axiscert {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+TEST(Attachments, AreNullWhereTheFolderHasNone) {
+  const TestFolder folder(stored_record());
+  for (const Json& kind : attachments(folder.path(), 0)) EXPECT_TRUE(kind.is_null());
+  render_reports(folder.path());
+  EXPECT_EQ(page_data(folder.read("report.html"))["files"],
+            Json::array({"record.json", "witnesses.jsonl", "report.md", "junit.xml", "report.sarif", "ratchet.txt"}));
+}
+
+TEST(Attachments, ProofsAreReadByTheNamesOfTheirMembers) {
+  const TestFolder folder(stored_record());
+  folder.write("proofs.json", R"({"checkers": {"gappa": "1.4"}, "bounds":
+    [{"comparison": "plane.radius", "kernel": "published", "bound_u": 640, "status": "proved", "more": 1}]})");
+  const Json proofs = attachments(folder.path(), 0)["proofs"];
+  EXPECT_EQ(proofs["comparisons"][0]["name"], "plane.radius");
+  EXPECT_EQ(proofs["comparisons"][0]["formulae"], "published");
+  EXPECT_EQ(proofs["comparisons"][0]["proved_u"], 640);
+  EXPECT_TRUE(proofs["comparisons"][0]["attained_u"].is_null());
+}
+
+// An index of one map with these pictures, and no legend.
+Json map_index(const std::vector<std::pair<std::string, std::string>>& pictures) {
+  Json map = {{"name", "m"}, {"pictures", Json::array()}};
+  for (const auto& [level, file] : pictures)
+    map["pictures"].push_back({{"level", level}, {"name", level}, {"file", file}});
+  return {{"legend", Json::array()}, {"maps", {map}}};
+}
+
+TEST(Attachments, PicturesGoInWhileThereIsRoomVerdictsBeforeComparisons) {
+  const TestFolder folder(stored_record());
+  std::filesystem::create_directory(folder.path() / "maps");
+  folder.write("maps/index.json", map_index({{"comparison", "one.png"}, {"verdict", "two.png"}}).dump());
+  folder.write("maps/one.png", "12345");
+  folder.write("maps/two.png", "12345");
+  const Json pictures = attachments(folder.path(), 9)["maps"]["maps"][0]["pictures"];
+  EXPECT_TRUE(pictures[0]["image"].is_null());
+  EXPECT_EQ(pictures[0]["file"], "maps/one.png");
+  EXPECT_EQ(pictures[1]["image"], "data:image/png;base64,MTIzNDU=");
+}
+
+TEST(Attachments, APictureOutsideItsFolderIsRefused) {
+  const TestFolder folder(stored_record());
+  std::filesystem::create_directory(folder.path() / "maps");
+  for (const char* file : {"../record.json", "/etc/hostname", "a\\b", ".hidden", ""}) {
+    folder.write("maps/index.json", map_index({{"verdict", file}}).dump());
+    EXPECT_THAT(folder.rendering_error(), AllOf(HasSubstr("index.json"), HasSubstr("no name of a file in maps/")))
+        << file;
+  }
+  folder.write("maps/index.json", map_index({{"verdict", "missing.png"}}).dump());
+  EXPECT_THAT(folder.rendering_error(), HasSubstr("missing.png: cannot be read"));
+}
+
+TEST(Attachments, AFileOfAnotherFormIsOneErrorAndNothingIsWritten) {
+  for (const char* file :
+       {"proofs.json", "search.json", "mutation.json", "ladder.json", "precision.json", "league.json"}) {
+    for (
+        const char* text :
+        {"{", "7", "{}", R"({"comparisons": 1, "mutants": {}, "kernels": "x", "all": []})",
+         R"({"comparisons": [1], "mutants": [2], "kernels": [{}, 3], "all": {"kernels": {"x": {"precisions": [{}]}}}})"}) {
+      const TestFolder folder(stored_record());
+      folder.write(file, text);
+      EXPECT_THAT(folder.rendering_error(), HasSubstr(file)) << text;
+      EXPECT_FALSE(std::filesystem::exists(folder.path() / "report.html")) << file << " " << text;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace axiscert

@@ -1,0 +1,33 @@
+// Records: record.json and run.json as a report reads them. Refused by Error; or accepted, and then every format
+// renders it or says by Error why not.
+#include <fmt/format.h>
+
+#include "fuzz/targets/json_mutator.h"
+#include "fuzz/targets/target.h"
+#include "reports/formats/format.h"
+
+namespace axiscert {
+extern const Format html_format, junit_format, markdown_format, ratchet_format, sarif_format, witnesses_format;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace axiscert;
+  using namespace axiscert::fuzzing;
+  const MemoryFile file(text_of(data, size));
+  Run run;
+  if (!accepts([&] { run.record = read_json(file.path()); })) return 0;
+  accepts([&] { check_run_info(run.record, "run.json"); });
+  if (!accepts([&] { check_record(run.record, "record.json"); })) return 0;
+  run.folder = "/nonexistent";  // and so without attachments
+  for (const Format* format :
+       {&html_format, &junit_format, &markdown_format, &ratchet_format, &sarif_format, &witnesses_format}) {
+    accepts([&] {
+      if (format->render(run).empty()) fault(fmt::format("an empty {}", format->file));
+    });
+  }
+  return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t room, unsigned seed) {
+  return axiscert::fuzzing::mutate_json(data, size, room, seed);
+}

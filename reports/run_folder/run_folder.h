@@ -1,0 +1,31 @@
+// A run's folder, read and checked: all that a report knows.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "fuzz/files/json.h"
+
+namespace axiscert {
+
+struct Run {
+  Json record;                   // conforms to record.schema.json
+  Json info;                     // conforms to run.schema.json; null where the folder has no run.json
+  Json ratchet;                  // conforms to ratchet.schema.json; null where the run was held to none
+  std::filesystem::path folder;  // which may hold what other commands wrote beside them
+};
+
+// A JSON file. Throws Error where it cannot be read or is none.
+Json read_json(const std::filesystem::path& path);
+// Throws Error naming the file and what would be right: no record, not JSON, another schema, a member that the schema
+// does not allow, counts that contradict each other.
+Run read_run(const std::filesystem::path& folder);
+// The same of values already in memory; the names are those that an Error shows.
+void check_record(const Json& record, const std::string& name);
+void check_run_info(const Json& info, const std::string& name);
+
+// Replaces the named files of the folder: every text is on disk before the first file changes. Throws Error.
+void write_files(const std::filesystem::path& folder, const std::map<std::string, std::string>& texts);
+
+}  // namespace axiscert

@@ -1,0 +1,133 @@
+// What is read: a run's own files, and no others.
+#include <functional>
+
+#include "reports/run_folder/run_folder.h"
+#include "reports/formats/test_run.h"
+
+namespace axiscert {
+namespace {
+
+using testing::HasSubstr;
+
+// Renders good reports, spoils record.json, renders again: one clear line, and every report as it was.
+std::string error_after(const std::string& spoiled) {
+  const TestFolder folder(stored_record());
+  render_reports(folder.path());
+  const char* const files[] = {"report.html", "report.md", "junit.xml", "witnesses.jsonl"};
+  for (const char* file : files) folder.write(file, "before");
+  folder.write("record.json", spoiled);
+  const std::string error = folder.rendering_error();
+  for (const char* file : files) EXPECT_EQ(folder.read(file), "before") << file;
+  EXPECT_THAT(error, HasSubstr((folder.path() / "record.json").string()));
+  EXPECT_EQ(error.find('\n'), error.npos) << error;
+  return error;
+}
+
+std::string error_after_edit(const std::function<void(Json&)>& edit) {
+  Json record = stored_record();
+  edit(record);
+  return error_after(record.dump());
+}
+
+TEST(RunFolder, StoredRunIsAccepted) {
+  const TestFolder folder(stored_record());
+  folder.write("run.json", stored_run_info().dump());
+  const axiscert::Run run = read_run(folder.path());
+  EXPECT_EQ(run.record, stored_record());
+  EXPECT_EQ(run.info, stored_run_info());
+}
+
+TEST(RunFolder, RunInfoIsOptional) {
+  const TestFolder folder(stored_record());
+  EXPECT_TRUE(read_run(folder.path()).info.is_null());
+}
+
+TEST(RunFolder, MissingRecordNamesItAndSaysWhatToGive) {
+  const TestFolder folder;
+  EXPECT_THAT(folder.rendering_error(), HasSubstr((folder.path() / "record.json").string()));
+  EXPECT_THAT(folder.rendering_error(), HasSubstr("run --out"));
+}
+
+TEST(RunFolder, RecordThatIsAFolderIsAnError) {
+  const TestFolder folder;
+  std::filesystem::create_directory(folder.path() / "record.json");
+  EXPECT_THAT(folder.rendering_error(), HasSubstr("record.json"));
+}
+
+TEST(RunFolder, CutOffRecordIsRefusedWithItsLine) {
+  const std::string text = stored_record().dump(1);
+  EXPECT_THAT(error_after(text.substr(0, text.size() / 2)), HasSubstr("line "));
+  EXPECT_THAT(error_after(""), HasSubstr("not JSON"));
+  EXPECT_THAT(error_after(text + "}"), HasSubstr("line "));
+}
+
+// Which every function on such a value calls itself for.
+TEST(RunFolder, RecordOfBracketsIsRefused) {
+  constexpr std::size_t levels = 300000;
+  const std::string brackets = std::string(levels, '[') + std::string(levels, ']');
+  EXPECT_THAT(error_after(brackets), HasSubstr("deeper than 100 levels"));
+  EXPECT_THAT(error_after("{\"schema\":" + brackets + "}"), HasSubstr("deeper than 100 levels"));
+  EXPECT_THAT(error_after(std::string(90, '[') + std::string(90, ']')), HasSubstr("has no \"schema\""));
+}
+
+TEST(RunFolder, ErrorHasNoControlCharacters) {
+  EXPECT_THAT(error_after("{\"a\": \x7f}"), HasSubstr("last read: '\"a\": ?'"));
+}
+
+TEST(RunFolder, NewerSchemaIsRefusedByName) {
+  const std::string error = error_after_edit([](Json& record) { record["schema"] = "axiscert-record/2"; });
+  EXPECT_THAT(error, HasSubstr("\"axiscert-record/2\""));
+  EXPECT_THAT(error, HasSubstr("\"axiscert-record/1\""));
+  EXPECT_THAT(error_after("[1]"), HasSubstr("has no \"schema\""));
+}
+
+TEST(RunFolder, EditedRecordIsRefusedWithThePlace) {
+  EXPECT_THAT(error_after_edit([](Json& r) { tangent_counts(r).erase("truth"); }),
+              HasSubstr("/kernels/0/families/tangent: an object without \"truth\""));
+  EXPECT_THAT(error_after_edit([](Json& r) { tangent_counts(r)["trials"] = "many"; }),
+              HasSubstr("/kernels/0/families/tangent/trials"));
+  EXPECT_THAT(error_after_edit([](Json& r) { tangent_counts(r)["trials"] = -1; }),
+              HasSubstr("/kernels/0/families/tangent/trials"));
+  EXPECT_THAT(error_after_edit([](Json& r) { r["note"] = 1; }), HasSubstr("/note"));
+  EXPECT_THAT(error_after_edit([](Json& r) { r["witnesses"][0]["a"][1] = "0.1"; }), HasSubstr("/witnesses/0/a/1"));
+  EXPECT_THAT(error_after_edit([](Json& r) { r["kernels"][0]["precision"] = "binary16"; }),
+              HasSubstr("/kernels/0/precision"));
+}
+
+TEST(RunFolder, CountsThatContradictEachOtherAreRefused) {
+  EXPECT_THAT(error_after_edit([](Json& r) { tangent_counts(r)["trials"] = 1001; }), HasSubstr("do not add up"));
+  EXPECT_THAT(error_after_edit([](Json& r) { tangent_counts(r)["verdict"]["false_separation"] = 596; }),
+              HasSubstr("false_separation"));
+  EXPECT_THAT(error_after_edit([](Json& r) { tangent_counts(r)["verdict"]["touching_flips"] = 61; }),
+              HasSubstr("touching_flips"));
+  EXPECT_THAT(error_after_edit([](Json& r) { tangent_counts(r)["comparisons"]["plane.radius"]["masked"] = 6; }),
+              HasSubstr("plane.radius"));
+  EXPECT_THAT(error_after_edit([](Json& r) { r["kernels"].push_back(r["kernels"][0]); }), HasSubstr("twice"));
+  EXPECT_THAT(error_after_edit([](Json& r) { r["witnesses"][1]["id"] = "w1"; }), HasSubstr("twice"));
+}
+
+TEST(RunFolder, WitnessBeyondItsPrecisionIsRefused) {
+  EXPECT_THAT(error_after_edit([](Json& r) { r["witnesses"][0]["r"] = "0x1.000000001p+0"; }), HasSubstr("\"w1\", r"));
+}
+
+TEST(RunFolder, BadRunInfoIsRefusedByName) {
+  const TestFolder folder(stored_record());
+  folder.write("run.json", "{");
+  EXPECT_THAT(folder.rendering_error(), HasSubstr("run.json"));
+  folder.write("run.json", R"({"schema": "axiscert-run/2"})");
+  EXPECT_THAT(folder.rendering_error(), HasSubstr("axiscert-run/2"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "report.html"));
+}
+
+TEST(RunFolder, UnwritableReportIsAnErrorThatNamesIt) {
+  const TestFolder folder(stored_record());
+  std::filesystem::create_directory(folder.path() / "witnesses.jsonl");
+  folder.write("witnesses.jsonl/x", "");
+  EXPECT_THAT(folder.rendering_error(), HasSubstr("witnesses.jsonl"));
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+  }
+}
+
+}  // namespace
+}  // namespace axiscert
