@@ -159,7 +159,7 @@ class Drawing {
   Pixel pixel(const DecidedSigns& decided, const Reply<Real>& reply, std::size_t i, const Query<Real>& q) const {
     const Signs& signs = decided.signs;
     const Kernel& kernel = *plan_.kernel;
-    Pixel p{{verdict_of(signs), is_touching(signs, q.r == 0), std::nullopt},
+    Pixel p{{verdict_of(signs), is_touching(signs, q.r == 0)},
             0,
             0,
             decided.certain_in_lanes,
