@@ -8,6 +8,29 @@ target_compile_options(kernel_fp INTERFACE -ffp-contract=off)
 add_library(axiscert_warnings INTERFACE)
 target_compile_options(axiscert_warnings INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion)
 
+# Code whose own speed nobody waits for: command lines, reports, tests. -O1 takes two thirds of the compile time of -O2.
+add_library(axiscert_light INTERFACE)
+target_compile_options(axiscert_light INTERFACE $<$<CONFIG:Release>:-O1>)
+
+# ccache and lld where they are installed: neither changes a byte of what is computed.
+find_program(AXISCERT_CCACHE ccache)
+if(AXISCERT_CCACHE)
+  # Precompiled headers take these allowances; no source here uses __TIME__.
+  set(CMAKE_C_COMPILER_LAUNCHER ${AXISCERT_CCACHE} sloppiness=pch_defines,time_macros)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${AXISCERT_CCACHE} sloppiness=pch_defines,time_macros)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)
+  endif()
+endif()
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=lld AXISCERT_HAS_LLD)
+if(AXISCERT_HAS_LLD)
+  add_link_options(-fuse-ld=lld)
+endif()
+
+# What `./dev test` builds and runs: the tests with the label `quick`. The others have the label `long`; ./dev test --long runs both.
+add_custom_target(axiscert_quick)
+
 # axiscert_sources(result ROOMS folders... [EXCEPT names...]): what the rooms are compiled from, so that a new file is no line here. Tests,
 # benchmarks, fuzz targets and programs (`_test`, `_bench`, `_target`, `write_`, `print_`) are named by whoever makes them.
 function(axiscert_sources result)
@@ -36,18 +59,20 @@ function(axiscert_test_header layer)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/${layer}_test_header.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT "" @ONLY)
   add_library(${layer}_test_header OBJECT EXCLUDE_FROM_ALL ${source})
-  target_link_libraries(${layer}_test_header PRIVATE ${arg_LIBRARIES} axiscert_test_settings axiscert_warnings GTest::gtest GTest::gmock)
+  target_link_libraries(${layer}_test_header PRIVATE ${arg_LIBRARIES} axiscert_test_settings axiscert_light axiscert_warnings
+                                                       GTest::gtest GTest::gmock)
   target_precompile_headers(${layer}_test_header PRIVATE <gtest/gtest.h> <gmock/gmock.h> ${arg_HEADERS})
 endfunction()
 
-# axiscert_test(NAME SOURCES... [ROOMS folders...] LIBRARIES libraries... [HEADER layer] [LONG]): a GoogleTest program, one CTest test
-# a case, of its sources and the `_test.cpp` of its rooms. Suites whose names end in "Long", typed ones (SuiteLong/0) too, get the label
-# `long`; with LONG all do. HEADER: the layer whose precompiled header it takes.
+# axiscert_test(NAME SOURCES... [ROOMS folders...] LIBRARIES libraries... [HEADER layer] [NEEDS targets...] [LONG]): a GoogleTest
+# program, one CTest test a case, of its sources and the `_test.cpp` of its rooms. Suites whose names end in "Long", typed ones
+# (SuiteLong/0) too, get the label `long`, the others `quick`; with LONG all get `long`. HEADER: the layer whose precompiled header it
+# takes. NEEDS: what has to be built for it to run.
 function(axiscert_test name)
   if(NOT AXISCERT_TESTS)
     return()
   endif()
-  cmake_parse_arguments(arg "LONG" "HEADER" "LIBRARIES;ROOMS" ${ARGN})
+  cmake_parse_arguments(arg "LONG" "HEADER" "LIBRARIES;ROOMS;NEEDS" ${ARGN})
   set(sources ${arg_UNPARSED_ARGUMENTS})
   if(arg_ROOMS)
     list(TRANSFORM arg_ROOMS APPEND /*_test.cpp)
@@ -55,19 +80,42 @@ function(axiscert_test name)
     list(APPEND sources ${found})
   endif()
   add_executable(${name} ${sources})
-  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_test_settings axiscert_warnings GTest::gtest GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_test_settings axiscert_light axiscert_warnings GTest::gtest GTest::gmock
+                                        GTest::gtest_main)
   if(arg_HEADER)
     target_precompile_headers(${name} REUSE_FROM ${arg_HEADER}_test_header)
   endif()
-  include(GoogleTest)
-  set(long_label "")
+  set(label quick)
   if(arg_LONG)
-    set(long_label LABELS long)
+    set(label long)
+  else()
+    add_dependencies(axiscert_quick ${name})
   endif()
+  if(arg_NEEDS)
+    add_dependencies(${name} ${arg_NEEDS})
+  endif()
+  include(GoogleTest)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER -*Long.*:*Long/* TEST_LIST ${name}_fast
-                       PROPERTIES ${long_label} TIMEOUT 900)
+                       PROPERTIES LABELS ${label} TIMEOUT 900)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER *Long.*:*Long/* TEST_LIST ${name}_long
                        PROPERTIES LABELS long TIMEOUT 7200)
+endfunction()
+
+# axiscert_script_test(NAME COMMAND command... [NEEDS targets...] [TIMEOUT seconds] [LONG]): a test that is a script or a program's exit
+# code, with the label `quick`, or `long`.
+function(axiscert_script_test name)
+  cmake_parse_arguments(arg "LONG" "TIMEOUT" "COMMAND;NEEDS" ${ARGN})
+  add_test(NAME ${name} COMMAND ${arg_COMMAND})
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 1200)
+  endif()
+  set(label quick)
+  if(arg_LONG)
+    set(label long)
+  elseif(arg_NEEDS)
+    add_dependencies(axiscert_quick ${arg_NEEDS})
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT ${arg_TIMEOUT})
 endfunction()
 
 # axiscert_bench(NAME SOURCES... LIBRARIES libraries...): a Google Benchmark program; `./dev bench` runs it.
