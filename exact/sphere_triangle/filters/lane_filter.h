@@ -29,13 +29,8 @@ struct SuspectError {
   double lower, upper;
 };
 
-// Which errors are certainly no greater than a threshold. `judge_suspect` is called for every other one and returns the
-// threshold of that comparison from there on.
-struct ErrorScreen {
-  std::array<double, comparison_count> thresholds;  // in u
-  void* context;
-  double (*judge_suspect)(void* context, const SuspectError& suspect);
-};
+// By comparison, in u.
+using ErrorThresholds = std::array<double, comparison_count>;
 
 // Faults to plant in it, which the cross-checks have to catch.
 enum class FilterFault : std::uint8_t {
@@ -54,8 +49,10 @@ template <class Real>
 struct Filter {
   // `out` holds batch.size entries.
   void (*signs_with_fault)(const QueryColumns<Real>& batch, FilterFault fault, FilteredSigns* out);
-  // The errors of the computed sides of published formulae or of a reduced form.
-  void (*errors)(const QueryColumns<Real>& batch, const Answers<Real>& computed, bool reduced, ErrorScreen& screen);
+  // Appends every error of the computed sides, of the published formulae or of a reduced form, that is not certainly
+  // within its threshold.
+  void (*errors)(const QueryColumns<Real>& batch, const Answers<Real>& computed, bool reduced,
+                 const ErrorThresholds& thresholds, std::vector<SuspectError>& suspects);
   FilterFault planted = FilterFault::none;
 
   void signs(const QueryColumns<Real>& batch, FilteredSigns* out) const { signs_with_fault(batch, planted, out); }

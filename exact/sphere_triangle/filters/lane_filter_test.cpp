@@ -100,12 +100,10 @@ TYPED_TEST(FilterTest, ErrorsArePassedOverRightly) {
     kernel.on<TypeParam>(simd_targets().front()).explain(batch.columns(), computed);
     for (const std::string& target : simd_targets()) {
       std::vector<SuspectError> suspects;
-      ErrorScreen screen{{}, &suspects, [](void* context, const SuspectError& suspect) {
-                           static_cast<std::vector<SuspectError>*>(context)->push_back(suspect);
-                           return 4.0;
-                         }};
-      screen.thresholds.fill(4);
-      filter_on<TypeParam>(target).errors(batch.columns(), computed, id == std::string_view("reduced"), screen);
+      ErrorThresholds thresholds;
+      thresholds.fill(4);
+      filter_on<TypeParam>(target).errors(batch.columns(), computed, id == std::string_view("reduced"), thresholds,
+                                          suspects);
       std::vector<std::array<const SuspectError*, comparison_count>> by_query(batch.size());
       for (const SuspectError& suspect : suspects) by_query[suspect.query][suspect.comparison] = &suspect;
       std::size_t passed = 0;

@@ -151,7 +151,8 @@ struct ErrorSink {
   static constexpr double u = std::numeric_limits<Real>::epsilon() / 2;
   const Answers<Real>& computed;
   std::size_t at, first, count;  // in `computed`; the first lane's number in the batch; lanes that are queries
-  ErrorScreen& screen;
+  const ErrorThresholds& thresholds;
+  std::vector<SuspectError>& suspects;
   M in_range;
 
   AXISCERT_INLINE void operator()(Comparison which, const Margin<T>& margin) {
@@ -163,7 +164,7 @@ struct ErrorSink {
     const V bound =
         plus(margin.bound, plus(times(units<T>(1), hn::Abs(difference.leading())), times(constant(0x1p-52), distance)));
     const V least_scale = hn::Sub(margin.scale, margin.scale_bound);
-    const V allowed = times(constant(screen.thresholds[k] * u), least_scale);
+    const V allowed = times(constant(thresholds[k] * u), least_scale);
     // What is allowed may overflow, and an infinite side must not pass for it.
     const M finite = hn::Lt(distance, constant(std::numeric_limits<double>::infinity()));
     const M fine = hn::And(hn::And(hn::Le(plus(distance, bound), allowed), finite), in_range);
@@ -194,7 +195,7 @@ struct ErrorSink {
         suspect.lower = low > 0 ? low : 0;
       }
       if (!(suspect.upper <= infinity)) suspect.upper = infinity;
-      screen.thresholds[k] = screen.judge_suspect(screen.context, suspect);
+      suspects.push_back(suspect);
     }
   }
 };
@@ -225,11 +226,11 @@ struct WithinSink {
 
 // The multiples of the scale that WithinSink compares with.
 template <class Real, class T>
-std::array<double, comparison_count> allowed_by(const ErrorScreen& screen) {
+std::array<double, comparison_count> allowed_by(const ErrorThresholds& thresholds) {
   constexpr double u = std::numeric_limits<Real>::epsilon() / 2;
   std::array<double, comparison_count> allowed;
   for (std::size_t k = 0; k < comparison_count; ++k) {
-    allowed[k] = std::min(screen.thresholds[k] * u, 1.0) * (1 - 0x1p-40) - 0x1p6 * T::unit;
+    allowed[k] = std::min(thresholds[k] * u, 1.0) * (1 - 0x1p-40) - 0x1p6 * T::unit;
   }
   return allowed;
 }
@@ -247,23 +248,24 @@ AXISCERT_INLINE bool are_errors_within(const QueryColumns<Real>& batch, std::siz
 
 template <EdgeForm form, class Real>
 HWY_NOINLINE void errors_of_vector(const QueryColumns<Real>& batch, std::size_t at, const Answers<Real>& computed,
-                                   std::size_t computed_at, std::size_t first, std::size_t count, ErrorScreen& screen) {
+                                   std::size_t computed_at, std::size_t first, std::size_t count,
+                                   const ErrorThresholds& thresholds, std::vector<SuspectError>& suspects) {
   using T = FilterNumber<Real>;
   const Margins<form, T> margins(load_query(batch, at));
   M in_range = hn::Eq(hn::Zero(D()), hn::Zero(D()));
   if constexpr (sizeof(Real) == 8) in_range = margins.in_range();
-  ErrorSink<Real, T> sink{computed, computed_at, first, count, screen, in_range};
+  ErrorSink<Real, T> sink{computed, computed_at, first, count, thresholds, suspects, in_range};
   margins.emit_all(sink);
 }
 
 template <EdgeForm form, class Real>
-void filter_errors(const QueryColumns<Real>& batch, const Answers<Real>& computed, ErrorScreen& screen) {
-  auto allowed = allowed_by<Real, FilterNumber<Real>>(screen);
+void filter_errors(const QueryColumns<Real>& batch, const Answers<Real>& computed, const ErrorThresholds& thresholds,
+                   std::vector<SuspectError>& suspects) {
+  const auto allowed = allowed_by<Real, FilterNumber<Real>>(thresholds);
   std::size_t i = 0;
   for (; i + lane_count <= batch.size; i += lane_count) {
     if (are_errors_within<form>(batch, i, computed, allowed)) continue;
-    errors_of_vector<form>(batch, i, computed, i, i, lane_count, screen);
-    allowed = allowed_by<Real, FilterNumber<Real>>(screen);
+    errors_of_vector<form>(batch, i, computed, i, i, lane_count, thresholds, suspects);
   }
   if (i == batch.size) return;
   with_padded_tail<Real, lane_count>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
@@ -273,16 +275,16 @@ void filter_errors(const QueryColumns<Real>& batch, const Answers<Real>& compute
       std::copy_n(computed.lhs[k].begin() + static_cast<std::ptrdiff_t>(i), tail.size, padded.lhs[k].begin());
       std::copy_n(computed.rhs[k].begin() + static_cast<std::ptrdiff_t>(i), tail.size, padded.rhs[k].begin());
     }
-    errors_of_vector<form>(tail, 0, padded, 0, i, tail.size, screen);
+    errors_of_vector<form>(tail, 0, padded, 0, i, tail.size, thresholds, suspects);
   });
 }
 
 template <class Real>
 Filter<Real> filter_of() {
   const auto errors = [](const QueryColumns<Real>& batch, const Answers<Real>& computed, bool reduced,
-                         ErrorScreen& screen) {
-    if (reduced) filter_errors<EdgeForm::reduced>(batch, computed, screen);
-    else filter_errors<EdgeForm::published>(batch, computed, screen);
+                         const ErrorThresholds& thresholds, std::vector<SuspectError>& suspects) {
+    if (reduced) filter_errors<EdgeForm::reduced>(batch, computed, thresholds, suspects);
+    else filter_errors<EdgeForm::published>(batch, computed, thresholds, suspects);
   };
   return {filter_signs<Real>, errors};
 }

@@ -1,4 +1,4 @@
-#include "fuzz/campaign/runner.h"
+#include "fuzz/campaign/kernel_run.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,6 @@
 #include <cmath>
 
 #include "exact/sphere_triangle/measures/error_measure.h"
-#include "exact/sphere_triangle/measures/depth.h"
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "exact/sphere_triangle/measures/grid_distance.h"
 
 namespace axiscert {
 
@@ -24,38 +21,11 @@ const std::array<AxisBits, 0x10000> axes_table = [] {
 }  // namespace
 
 template <class Real>
-const Rational& LazyDistance<Real>::squared() {
-  if (!squared_) squared_ = squared_distance(query_);
-  return *squared_;
-}
-template <class Real>
-std::optional<Real> LazyDistance<Real>::within(const RadiusRange<Real>& range) {
-  if (exact_only_) return distance_within(squared(), range);
-  if (!rounded_) rounded_ = rounded_distance(query_);
-  return rounded_distance_within(*rounded_, range);
-}
-template <class Real>
-double LazyDistance<Real>::at_most() {
-  if (!at_most_) at_most_ = exact_only_ ? exactly() : depth_range(query_).high;
-  return *at_most_;
-}
-template <class Real>
-double LazyDistance<Real>::exactly() {
-  if (!depth_ && !exact_only_) depth_ = depth_on_grid(query_);
-  if (!depth_) depth_ = depth(query_, squared());
-  return *depth_;
-}
-template <class Real>
-void LazyDistance<Real>::is_zero() {
-  if (!exact_only_) at_most_ = depth_ = 0;
-}
-template class LazyDistance<float>;
-template class LazyDistance<double>;
-
-template <class Real>
-Runner<Real>::Runner(const Kernel& kernel, const Plan& plan, const Filter<Real>& filter, const Standing& known,
-                     std::uint64_t first_position, Tally& tally)
+KernelRun<Real>::KernelRun(const Kernel& kernel, const Plan& plan, const Source& source, const Filter<Real>& filter,
+                           const Standing& known, std::uint64_t first_position, Tally& tally)
     : kernel_(kernel),
+      source_(source),
+      replies_(plan.replies.get()),
       tolerances_(plan.tolerances),
       standing_(known),
       tally_(tally),
@@ -67,42 +37,50 @@ Runner<Real>::Runner(const Kernel& kernel, const Plan& plan, const Filter<Real>&
       errors_(kernel.formulae, plan.tolerances, filter, known, first_position, tally) {}
 
 template <class Real>
-void Runner<Real>::ask_about(const QueryBatch<Real>& batch) {
-  ask(implementation_, batch.columns(), reply_);
+void KernelRun<Real>::ask_about(const MadeBatch<Real>& batch) {
+  position_ = batch.position;
+  if (replies_) return;
+  ask(implementation_, batch.queries.columns(), reply_);
   for (const Finding& finding : reply_.findings) {
     count_finding(tally_, finding.kind, position_ + finding.index, finding.detail);
   }
 }
 
 template <class Real>
-void Runner<Real>::look_at_sides(const QueryBatch<Real>& batch, const std::vector<Attention>& attention,
-                                 const std::vector<DecidedSigns>& decided) {
-  if (kernel_.is_reference) reference_.evaluate(batch.columns());
+Answer KernelRun<Real>::answer(std::size_t i) const {
+  return replies_ ? replies_->at(source_, precision_of<Real>, position_ + i) : reply_.outcome(i);
+}
+
+template <class Real>
+void KernelRun<Real>::look_at_errors(const DecidedBatch<Real>& batch) {
+  if (!by_signs_) return;
+  if (kernel_.is_reference) reference_.evaluate(batch.queries.columns());
   if (!exposes_sides()) return;
   if (std::find(reply_.verdicts.begin(), reply_.verdicts.end(), Verdict::unanswered) == reply_.verdicts.end()) {
-    errors_.look(batch, position_, attention, decided, reply_.answers);
+    errors_.look(batch.queries, position_, batch.attention, batch.signs, reply_.answers);
     return;
   }
-  std::vector<Attention> answered = attention;
+  std::vector<Attention> answered = batch.attention;
   for (std::size_t i = 0; i < answered.size(); ++i) {
     if (!is_answered(i)) answered[i] = Attention::none;
   }
-  errors_.look(batch, position_, answered, decided, reply_.answers);
+  errors_.look(batch.queries, position_, answered, batch.signs, reply_.answers);
 }
 
 // Without ties strict and non-strict signs are the same, no query touches, and each test is one comparison of flat
 // arrays.
 template <class Real>
-void Runner<Real>::count_plain(const QueryColumns<Real>& batch, const std::vector<DecidedSigns>& decided,
-                               const std::vector<char>& exactly) {
-  counted_.assign(batch.size, false);
+void KernelRun<Real>::count_plain(const DecidedBatch<Real>& batch) {
+  counted_.clear();
+  if (!by_signs_ || replies_) return;
   if (kernel_.formulae == Formulae::none || (kernel_.is_reference && !reference_.has_form())) return;
-  const Real* radii = batch.column[coordinate_count - 1];
+  counted_.assign(batch.size(), false);
+  const Real* radii = batch.queries.columns().column[coordinate_count - 1];
   const ComparisonBits* bits = reply_.has_bits ? reply_.answers.bits.data() : nullptr;
-  for (std::size_t i = 0; i < batch.size; ++i) {
-    const Signs signs = decided[i].signs;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const Signs signs = batch.signs[i].signs;
     const AxisBits axes = axes_table[signs.strict];
-    const bool is_plain = !exactly[i] && signs.ties == 0 && radii[i] != 0;
+    const bool is_plain = !batch.exactly[i] && signs.ties == 0 && radii[i] != 0;
     const bool is_right = reply_.verdicts[i] == verdict_of(axes) && (!bits || bits[i] == signs.strict) &&
                           (!kernel_.is_reference || reference_.are_both(i, signs.strict));
     if (!(is_plain && is_right)) continue;
@@ -112,7 +90,18 @@ void Runner<Real>::count_plain(const QueryColumns<Real>& batch, const std::vecto
 }
 
 template <class Real>
-bool Runner<Real>::count_if_clean(std::size_t i, const Signs& signs, bool radius_is_zero, const Answer& answer) {
+void KernelRun<Real>::judge(const DecidedBatch<Real>& batch, std::size_t i, bool radius_is_zero,
+                            CloseLooks<Real>& looks) {
+  const Answer said = answer(i);
+  if (batch.exactly[i] || !by_signs_) {
+    judge_exactly(said, batch.is_filtered(i) && batch.exactly[i], looks.at(i));
+  } else if (!count_if_clean(i, batch.signs[i].signs, radius_is_zero, said)) {
+    judge_by_signs(batch.signs[i].signs, said, looks.at(i));
+  }
+}
+
+template <class Real>
+bool KernelRun<Real>::count_if_clean(std::size_t i, const Signs& signs, bool radius_is_zero, const Answer& answer) {
   const Verdict right = verdict_of(axes_table[signs.bits(Strictness::nonstrict)]);
   if (answer.verdict != right) return false;
   const bool touching = (signs.ties != 0 || radius_is_zero) && is_touching(signs, radius_is_zero);
@@ -130,8 +119,10 @@ bool Runner<Real>::count_if_clean(std::size_t i, const Signs& signs, bool radius
 }
 
 template <class Real>
-void Runner<Real>::judge_by_signs(std::size_t i, const Query<Real>& q, const Signs& signs, const Answer& answer,
-                                  LazyDistance<Real>& depth) {
+void KernelRun<Real>::judge_by_signs(const Signs& signs, const Answer& answer, CloseLook<Real>& look) {
+  const std::size_t i = look.index();
+  const Query<Real>& q = look.query();
+  LazyDistance<Real>& depth = look.distance();
   std::optional<RoundedBits> batched;
   if (kernel_.formulae != Formulae::none && kernel_.is_reference) batched = reference_.rounded(i);
   // A kernel that differs from the SIMD form is told so by the scalar reference itself.
@@ -157,30 +148,38 @@ void Runner<Real>::judge_by_signs(std::size_t i, const Query<Real>& q, const Sig
     else if (kernel_.is_reference)
       chain->rounded = rounded(kernel_.formulae, kernel_.arithmetic, kernel_.strictness, q);
   }
-  const Judgement judgement = judge(truth, chain, answer, kernel_.touching);
+  const Judgement judgement = axiscert::judge(truth, chain, answer, kernel_.touching);
   if (truth.touching) depth.is_zero();
   count(tally_, position_ + i, truth, chain ? signs.ties : ComparisonBits{0}, answer, judgement, depth, standing_);
   if (repeated) *repeated = {repeated->pattern, truth.verdict, truth.touching, answer, judgement, true, 0};
 }
 
 template <class Real>
-void Runner<Real>::judge_exactly(std::size_t i, const Query<Real>& q, const Truth& truth, Claims<Real>* claims,
-                                 const Answer& answer, bool is_filtered, LazyDistance<Real>& depth) {
+void KernelRun<Real>::judge_exactly(const Answer& answer, bool is_filtered, CloseLook<Real>& look) {
+  const Truth& truth = look.truth();
+  LazyDistance<Real>& depth = look.distance();
   std::optional<Reference> chain;
   const FormulaTruth* sides = nullptr;
-  if (claims) {
+  if (Claims<Real>* claims = look.claims()) {
     chain = claims->chain(kernel_);
     sides = claims->sides(kernel_.formulae);
   }
-  const Judgement judgement = judge(truth, chain, answer, kernel_.touching);
+  const bool is_valid = truth.verdict != Verdict::invalid;
+  const Judgement judgement = axiscert::judge(truth, chain, answer, kernel_.touching);
   if (truth.touching) depth.is_zero();
-  if (claims && kernel_.limits.any() && !is_within(kernel_.limits, q)) {
+  if (is_valid && kernel_.limits.any() && !is_within(kernel_.limits, look.query())) {
     count_outside(tally_, truth, answer, judgement, depth);
     return;
   }
-  count(tally_, position_ + i, truth, sides ? sides->ties : ComparisonBits{0}, answer, judgement, depth, standing_);
-  if (!claims || answer.verdict == Verdict::unanswered || !sides) return;
-  const bool is_checked = is_filtered && by_signs_;
+  count(tally_, position_ + look.index(), truth, sides ? sides->ties : ComparisonBits{0}, answer, judgement, depth,
+        standing_);
+  if (answer.verdict != Verdict::unanswered && sides) check_sides(*sides, chain, is_filtered && by_signs_, look);
+}
+
+template <class Real>
+void KernelRun<Real>::check_sides(const FormulaTruth& exact, const std::optional<Reference>& chain, bool is_checked,
+                                  const CloseLook<Real>& look) {
+  const std::size_t i = look.index();
   if (is_checked && kernel_.is_reference) {
     const auto batched = reference_.rounded(i);
     const Rounded& scalar = *chain->rounded;
@@ -190,31 +189,32 @@ void Runner<Real>::judge_exactly(std::size_t i, const Query<Real>& q, const Trut
                       "scalar one {:016b} and {:016b} (bit 0 is the first comparison)",
                       kernel_.id, batched->reference, batched->range_free, *scalar.reference.bits,
                       *scalar.range_free.bits),
-          q);
+          look.query());
     }
   }
   if (!exposes_sides()) return;
   const Sides<Real> computed = reply_.sides(i);
-  count_errors(tally_, position_ + i, *sides, computed, tolerances_);
+  count_errors(tally_, position_ + i, exact, computed, tolerances_);
   if (!is_checked) return;
   for (std::size_t k = 0; k < comparison_count; ++k) {
-    const ComparisonError error(computed.lhs[k], computed.rhs[k], sides->comparison(k));
+    const ComparisonError error(computed.lhs[k], computed.rhs[k], exact.comparison(k));
     if (const std::string wrong = errors_.contradiction(i, k, error); !wrong.empty()) {
-      throw OracleDisagreement(kernel_.id + ": " + wrong, q);
+      throw OracleDisagreement(kernel_.id + ": " + wrong, look.query());
     }
   }
 }
 
 template <class Real>
-void Runner<Real>::measure_margins(const Query<Real>& q, Claims<Real>& claims, const Answer& answer) {
-  if (!answer.bits || (kernel_.limits.any() && !is_within(kernel_.limits, q))) return;
+void KernelRun<Real>::measure_margins(const Query<Real>& q, std::size_t i, Claims<Real>& claims) {
+  const Answer said = answer(i);
+  if (!said.bits || (kernel_.limits.any() && !is_within(kernel_.limits, q))) return;
   const FormulaTruth* sides = claims.sides(kernel_.formulae);
   if (sides == nullptr) return;
-  count_margins<Real>(tally_.margins, *sides, sides->bits(kernel_.strictness), *answer.bits);
+  count_margins<Real>(tally_.margins, *sides, sides->bits(kernel_.strictness), *said.bits);
 }
 
 template <class Real>
-void Runner<Real>::sample(const Query<Real>& q, std::size_t i, LazyDistance<Real>& distance) {
+void KernelRun<Real>::sample(const Query<Real>& q, std::size_t i, LazyDistance<Real>& distance) {
   if (!is_answered(i) || (kernel_.limits.any() && !is_within(kernel_.limits, q))) return;
   if (const auto within = distance.within(radii_)) {
     sampled_.push_back(q);
@@ -224,7 +224,7 @@ void Runner<Real>::sample(const Query<Real>& q, std::size_t i, LazyDistance<Real
 
 // The critical radii of the unit's sample at once: a kernel in another process takes longer to ask than to answer.
 template <class Real>
-void Runner<Real>::finish() {
+void KernelRun<Real>::finish() {
   errors_.settle();
   clean_.add_to(tally_);
   repeated_.add_to(tally_);
@@ -238,7 +238,7 @@ void Runner<Real>::finish() {
   }
 }
 
-template class Runner<float>;
-template class Runner<double>;
+template class KernelRun<float>;
+template class KernelRun<double>;
 
 }  // namespace axiscert
