@@ -158,8 +158,8 @@ TEST(BadReplies, APlanThatCannotBeMadeHere) {
   expect_plan("{\"axis", "[\"axis", "none that this axiscert writes");
   expect_plan("\"seed\":7", "\"seed\":x", "none that this axiscert writes");
   expect_plan("\"seed\":7", "\"seed\":1e30",
-              "in its plan 'seed': 1e+30 is no whole number from 0 to 18446744073709551615");
-  expect_plan("\"seed\":7", "\"seed\":-7", "in its plan 'seed': -7 is no whole number");
+              "in its plan 'seed': 1e+30 is not a whole number from 0 to 18446744073709551615");
+  expect_plan("\"seed\":7", "\"seed\":-7", "in its plan 'seed': -7 is not a whole number");
   expect_plan("\"seed\":7", "\"see\x7f\xff\":7", "last read: '\"see?");  // no terminal is sent what it obeys
   expect_plan("\"seed\":7", "\"sees\":7", "none that this axiscert writes");
   expect_plan("\"axiscert\":\"" AXISCERT_VERSION, "\"axiscert\":\"0.0.9", "made by axiscert 0.0.9");
