@@ -57,7 +57,7 @@ TEST(SurdTest, RefusesWhatItIsNotClosedUnder) {
   EXPECT_NO_THROW(EXPECT_GT(root3, root2)) << "different roots have an order";
 }
 
-// A Surd beside the same value at 400 bits.
+// A Surd and the same value at 400 bits.
 struct Both {
   Surd exact;
   Mpfr<400> near;

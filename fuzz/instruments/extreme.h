@@ -14,7 +14,7 @@ struct Measured {
   bool operator==(const Measured&) const = default;
 };
 
-// Of equal values the one at the earlier position is kept.
+// Among equal values the one at the earlier position is kept.
 inline void keep_greatest(std::optional<Measured>& kept, const Measured& other) {
   if (!kept || other.value > kept->value || (other.value == kept->value && other.position < kept->position)) {
     kept = other;
