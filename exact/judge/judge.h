@@ -33,7 +33,7 @@ inline constexpr std::array<std::string_view, 3> flip_kind_names = {"false_separ
 
 struct Flip {
   Level level;
-  std::uint8_t index;  // of the axis or comparison; 0 for the verdict
+  std::uint8_t index;  // index of the axis or comparison; 0 for the verdict
   FlipKind kind;
   bool decisive;
   LinkBits links;

@@ -66,7 +66,7 @@ void expect_normalized(const T& x) {
   }
 }
 
-// `parts` of a bound may come from another error than rounding.
+// Expects a normalized number and |computed - exactly| <= bound more.
 template <class T>
 void expect_within(const T& computed, const Rational& exactly, double bound, std::string_view what, int trial) {
   expect_normalized(computed);

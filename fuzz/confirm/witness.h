@@ -33,7 +33,7 @@ class WitnessWriter {
   void write(const Kernel& kernel, const Source& source, const Shown& shown);
 
   const Plan& plan_;
-  std::optional<Examiner> examiner_;  // of the kernel that was added last
+  std::optional<Examiner> examiner_;  // for the kernel that was added last
   Json witnesses_ = Json::array();
 };
 

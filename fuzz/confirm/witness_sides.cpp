@@ -14,7 +14,7 @@ namespace {
 
 long bit_length(const mpz_class& x) { return sgn(x) == 0 ? 0 : static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2)); }
 
-// The value lhs / denominator or sqrt(lhs) / denominator, less `rhs` / denominator, to 17 significant digits. A dyadic
+// The value lhs / denominator or sqrt(lhs) / denominator, minus `rhs` / denominator, to 17 significant digits. A dyadic
 // value without a root is held exactly before it is printed, so it is rounded once. Elsewhere 64 bits are kept beyond
 // twice the operands' own: the difference of a root of b bits and a rational is zero or at least 2^-2b of them.
 std::string digits_of(const Rational& lhs, bool rooted, const Rational& rhs, const Rational& denominator) {

@@ -25,7 +25,7 @@ struct ExactAnswers {
   Verdict verdict = Verdict::invalid;
   bool touching = false;
   std::optional<Rational> squared_distance = {};
-  std::optional<ComparisonBits> comparisons = {}, ties = {};  // of the published formulae, strict
+  std::optional<ComparisonBits> comparisons = {}, ties = {};  // those of the published formulae, strict
   bool operator==(const ExactAnswers&) const = default;
 };
 // Computed by CGAL, the exact formulae and MPFR. Throws OracleDisagreement.

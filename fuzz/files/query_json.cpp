@@ -53,7 +53,7 @@ struct Value {
 struct Field {
   std::string_view name;
   Value value;
-  std::vector<Value> elements;  // of an array
+  std::vector<Value> elements;  // elements of an array
 };
 
 class LineHandler : public nlohmann::json_sax<nlohmann::json> {

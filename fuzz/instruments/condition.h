@@ -25,9 +25,9 @@ struct ConditionPlan {
 struct ConditionCounts {
   std::uint64_t flips = 0, evaluated = 0;
   std::uint64_t ill_conditioned = 0;       // kappa u >= 1, ties included
-  std::uint64_t ties = 0;                  // of the ill-conditioned ones, those with an exact margin of 0
+  std::uint64_t ties = 0;                  // ill-conditioned with an exact margin of 0
   std::uint64_t unstable = 0;              // kappa u < 1: the formula is to blame
-  std::uint64_t range = 0;                 // of the unstable ones, those right with an unbounded exponent
+  std::uint64_t range = 0;                 // unstable, but right with an unbounded exponent
   std::uint64_t undefined = 0;             // 0/0 in exact arithmetic
   std::uint64_t not_decided = 0;           // no derivative
   std::optional<Measured> least_unstable;  // kappa u, except for range: the clearest evidence against the formula
@@ -51,7 +51,7 @@ struct ConditionCell {
   std::array<ConditionCounts, comparison_count> comparisons;
   // Wrong verdicts relative to the geometry.
   std::uint64_t false_separation = 0, false_contact = 0;
-  std::vector<double> depths;           // of the wrong verdicts; sorted
+  std::vector<double> depths;           // depths of the wrong verdicts; sorted
   std::optional<WrongVerdict> deepest;  // the first of the deepest
 
   ConditionCounts total() const;

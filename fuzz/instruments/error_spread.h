@@ -51,7 +51,7 @@ class ErrorSpread {
   bool operator==(const ErrorSpread&) const = default;
 
  private:
-  static constexpr unsigned dropped_bits = 52 - 10;  // of a non-negative binary64 number
+  static constexpr unsigned dropped_bits = 52 - 10;  // dropped from a non-negative binary64 number
   static double middle(std::uint64_t bucket) {
     const double least = std::bit_cast<double>(bucket << dropped_bits);
     if (least == 0 || !std::isfinite(least)) return least;

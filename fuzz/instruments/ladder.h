@@ -39,7 +39,7 @@ struct KernelAccuracy {
   // Wrong verdicts relative to the geometric truth; a touching query is a contact, and its flips are included in both.
   std::uint64_t false_separation = 0, false_contact = 0, touching_flips = 0;
   std::array<ComparisonAccuracy, comparison_count> comparisons;
-  std::vector<double> radius_errors_ulps;  // of critical radii (has_critical_radius); ascending in a result
+  std::vector<double> radius_errors_ulps;  // errors of critical radii (has_critical_radius); ascending in a result
   std::uint64_t radius_unbounded = 0;      // contact for no finite radius
 
   std::uint64_t verdict_flips() const { return false_separation + false_contact; }

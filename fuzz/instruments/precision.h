@@ -21,7 +21,7 @@ struct PrecisionPlan {
   std::uint64_t trials = 0;  // queries per source
   std::vector<const Kernel*> kernels;
   std::vector<SourcePtr> sources;
-  Precision precision = Precision::binary32;  // of the queries, and of the limited exponents
+  Precision precision = Precision::binary32;  // precision of the queries, and of the limited exponents
   std::vector<int> bits;                      // ascending, each in [least_bits, greatest_bits]
 };
 
@@ -51,7 +51,7 @@ struct PrecisionStep {
 };
 
 struct KernelPrecision {
-  VerdictFlips exact;                // of the formulae in exact arithmetic: no number of bits removes these
+  VerdictFlips exact;                // flips of the formulae in exact arithmetic: no number of bits removes these
   std::vector<PrecisionStep> steps;  // one per entry of the plan's bits
   void merge(const KernelPrecision& other);
   bool operator==(const KernelPrecision&) const = default;

@@ -21,10 +21,10 @@ constexpr std::size_t block_pixels = std::size_t{1} << 14, batch_pixels = 256, s
 
 // The truth about one pixel's query, and the kernel's answer to it.
 struct Pixel {
-  Truth truth;  // of a valid query; without formulae
+  Truth truth;  // truth of a valid query; without formulae
   ComparisonBits exact, ties;
   ComparisonBits certain;     // comparisons for which the sign of the published one is certain
-  ComparisonBits all_exact;   // of the published comparisons with non-strict sides: equal to the truth's
+  ComparisonBits all_exact;   // the published comparisons with non-strict sides: equal to the truth's
   ComparisonBits not_finite;  // comparisons with a computed side that is not finite
   Outcome said;
   std::optional<Verdict> right;

@@ -9,7 +9,7 @@ namespace axiscert {
 // Immutable once loaded.
 struct Mesh {
   std::vector<MeshTriangle> triangles;     // at least one; degenerate ones are kept
-  std::uint64_t degenerate_triangles = 0;  // of zero area, exactly, with the file's binary32 coordinates
+  std::uint64_t degenerate_triangles = 0;  // zero area, exactly, with the file's binary32 coordinates
   std::uint64_t skipped_primitives = 0;    // points, lines, and triangles with a vertex that is not finite
   double diagonal = 0;                     // diagonal of the bounding box
 };

@@ -21,8 +21,8 @@ struct ImportedMesh {
 // The resources that assimp may use for one file, beyond those the caller uses already: far more than any mesh of that
 // size needs.
 struct ImportLimits {
-  std::uint64_t bytes;    // of address space
-  std::uint64_t seconds;  // of processor time
+  std::uint64_t bytes;    // address space
+  std::uint64_t seconds;  // processor time
 };
 constexpr ImportLimits limits_for(std::uint64_t file_size) {
   return {(std::uint64_t{4} << 30) + 256 * file_size, 10 + (file_size >> 20)};

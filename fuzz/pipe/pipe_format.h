@@ -26,7 +26,7 @@ struct Head {
   std::uint64_t count;                    // number of queries
   std::uint32_t header_size;              // size of head and plan, in bytes: a multiple of 64
   std::uint32_t record_size;              // size of a query record, in bytes: 52 or 104
-  std::array<std::byte, 32> plan_sha256;  // of the plan including its spaces
+  std::array<std::byte, 32> plan_sha256;  // hash of the plan including its spaces
 };
 static_assert(sizeof(Head) == 64 && offsetof(Head, count) == 16 && offsetof(Head, plan_sha256) == 32);
 

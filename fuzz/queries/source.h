@@ -17,7 +17,7 @@ struct FileInfo {
   std::string path = {};                                                          // as given; not in the record
   std::string name = {};                                                          // the base name
   std::string kind = {};                                                          // "mesh", "queries", "plugin"
-  std::string sha256 = {};                                                        // of the file's bytes, 64 hex digits
+  std::string sha256 = {};                                                        // hash of the bytes, 64 hex digits
   std::uint64_t queries = 0;                                                      // for kind "queries"
   std::uint64_t triangles = 0, degenerate_triangles = 0, skipped_primitives = 0;  // for kind "mesh"
 };

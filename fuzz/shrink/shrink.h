@@ -1,4 +1,4 @@
-// A smaller query on which a kernel is wrong in the same way and no less badly.
+// A smaller query on which a kernel is wrong in the same way and no less severely.
 #pragma once
 
 #include "fuzz/shrink/query_size.h"
@@ -10,7 +10,7 @@ template <class Real>
 struct Shrunk {
   Query<Real> query;
   Severity before, after;
-  std::vector<QuerySize> sizes;   // of the given query, then after each accepted step: strictly decreasing
+  std::vector<QuerySize> sizes;   // size of the given query, then after each accepted step: strictly decreasing
   std::uint64_t evaluations = 0;  // smaller queries that the kernel was asked about
   bool complete = true;           // no step makes it smaller; otherwise the limit was reached
 };

@@ -12,7 +12,7 @@ namespace axiscert {
 // A flip; or, if `kind` is empty, the error of a comparison, whatever its sign.
 struct Symptom {
   Level level = Level::verdict;
-  std::uint8_t index = 0;  // of the axis or comparison
+  std::uint8_t index = 0;  // index of the axis or comparison
   std::optional<FlipKind> kind = {};
   bool decisive = false;
   LinkBits links = 0;

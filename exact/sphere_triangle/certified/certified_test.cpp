@@ -198,7 +198,7 @@ TYPED_TEST(CertifiedTest, OneSphereAndTrianglesBeyondItsBox) {
   std::array<std::vector<Real>, 9> storage;
   for (std::size_t t = 0; t < triangles; ++t) {
     const auto v = coordinates(random_query<Real>(random, false));
-    const std::size_t face = t / chunk % 8;  // the last two: across
+    const std::size_t face = t / chunk % 8;  // 6 and 7: no face, the triangles reach across the box
     for (std::size_t k = 0; k < 9; ++k) {
       const Real side = face % 2 ? Real(-1) : Real(1), beyond = t < triangles / 2 ? Real(4) : Real(0.25);
       const bool is_axis = k % 3 == face / 2, is_touching = k < 3 && t % 4 == 0;

@@ -13,9 +13,9 @@ namespace axiscert {
 inline constexpr std::size_t unclear_feature = axis_count;
 
 // The nearest feature is vertex i if v.e_i >= 0 and v.e_i-1 <= 0; edge i if the foot on its line lies within and the
-// plane's foot is not inside, m_i <= 0 with m_i = (v_i x e_i).V; the face if m_i >= 0 for all i. Each sign is certain if
-// the double is farther from zero than its error, with u = 2^-53 and |.| a vector's sum of magnitudes. A double here is
-// within u of the number that it leads.
+// plane's foot is not inside, m_i <= 0 with m_i = (v_i x e_i).V; the face if m_i >= 0 for all i. Each sign is certain
+// if the double is farther from zero than its error, with u = 2^-53 and |.| a vector's sum of magnitudes. A double here
+// is within u of the number that it leads.
 // clang-format off
 //   v.e   2u from its numbers, 3u from three products and two sums: 5.01 u |v| |e|; 6u including the bound's own rounding.
 //   V, M  V = a x b, M_i = v_i x e_i: 2u from the numbers, u from the products and u from the difference, so components

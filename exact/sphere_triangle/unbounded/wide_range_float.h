@@ -21,7 +21,7 @@ namespace axiscert {
 class WideRangeFloat {
  public:
   WideRangeFloat() = default;
-  explicit WideRangeFloat(double x) : value_(x) {}  // of at most 24 bits
+  explicit WideRangeFloat(double x) : value_(x) {}  // x has at most 24 bits
 
   // Whether all intermediate results of a side with this bound are 0 or normal binary64 numbers if coordinates and
   // radius are finite binary32 numbers. These are multiples of 2^-149 below 2^128 in magnitude.

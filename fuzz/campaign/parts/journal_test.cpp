@@ -42,7 +42,7 @@ class JournalTest : public testing::Test {
   }
 
   std::string path_, bytes_;
-  std::vector<std::uint64_t> starts_;  // of the entries, and the end of the last one
+  std::vector<std::uint64_t> starts_;  // starts of the entries, and the end of the last one
 };
 
 TEST_F(JournalTest, GivesBackWhatWasAppended) { EXPECT_EQ(read(), contents); }

@@ -46,7 +46,7 @@ Query<Real> base_query(Stream& random, std::uint64_t base) {
   shapes::Vertices<Real> v;
   for (Vec3<Real>& vertex : v) vertex = on_grid<Real>(random, greatest, exponent);
   if (kind == 1) {
-    // C beside the line AB, and between them: A and B are multiples of eight units, so an eighth of AB is on the grid.
+    // C close to the line AB, between A and B: A and B are multiples of eight units, so an eighth of AB is on the grid.
     for (std::size_t i = 0; i < 2; ++i) v[i] = on_grid<Real>(random, one / 8, 3 - bits);
     const Real share = static_cast<Real>(random.integer(1, 7)) / 8;
     v[2] = v[0] + (v[1] - v[0]) * share + on_grid<Real>(random, 2, -bits);
