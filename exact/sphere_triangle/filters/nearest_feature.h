@@ -17,7 +17,7 @@ inline constexpr std::size_t unclear_feature = axis_count;
 // if the double is farther from zero than its error, with u = 2^-53 and |.| a vector's sum of magnitudes. A double here
 // is within u of the number that it leads.
 // clang-format off
-//   v.e   2u from its numbers, 3u from three products and two sums: 5.01 u |v| |e|; 6u including the bound's own rounding.
+//   v.e   2u from its numbers, 3u from three products and two sums: 5.01 u |v| |e|; 6u with the bound's own rounding.
 //   V, M  V = a x b, M_i = v_i x e_i: 2u from the numbers, u from the products and u from the difference, so components
 //         that are off by 4.01 u |a| |b| in sum.
 //   m     3.01 u from products and sums, 4.01 u from each of V and M: 11.1 u |v| |e| |a| |b|; 12u.

@@ -1,5 +1,5 @@
-// The filter's number types over Highway vectors, one query per lane: a double, and a pair of doubles. No guard: included
-// once for each of Highway's instruction sets.
+// The filter's number types over Highway vectors, one query per lane: a double, and a pair of doubles. No guard:
+// included once for each of Highway's instruction sets.
 //
 // Each operation returns the exact result times 1 + delta, |delta| <= unit, while nothing under- or overflows:
 //   double  2^-53, one rounding;
