@@ -188,7 +188,7 @@ class Search {
     return found;
   }
 
-  // One of every four islands starts from families, the others from the lineage.
+  // On average one island in four starts from families, the others from the lineage.
   std::vector<Query<Real>> starts(std::size_t aim, Dice& random) const {
     const auto& lineage = known_[aim].lineage.entries();
     const bool anew = lineage.empty() || random.below(4) == 0;

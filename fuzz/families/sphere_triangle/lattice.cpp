@@ -54,7 +54,7 @@ struct Lattice {
     LaneQuery<T> q;
     for (Vec3<T>& v : q.v) v = point();
     q.p = point();
-    random.word();  // an unused thirteenth coordinate, which was drawn once
+    random.word();  // unused; formerly a thirteenth coordinate
     q.r = Random::number(random.below(radii)) * Random::constant(0.5);
     return q;
   }
