@@ -215,7 +215,7 @@ class Search(Case):
         self.search(*self.PLAN, "--evaluations", 1)
         self.refused("search", "--resume", "--out", self.folder / "out", says=["comparisons"])
         (self.folder / "out/search.state").write_text("no state")
-        self.refused(*self.PLAN, "--resume", "--out", self.folder / "out", says=["no state"])
+        self.refused(*self.PLAN, "--resume", "--out", self.folder / "out", says=["not the state of a search"])
 
 
 if __name__ == "__main__":

@@ -80,12 +80,12 @@ class Plan(PlanCase):
                             (text.replace('"seed": 1', '"seed": 2'), ["changed after it was written", "digest"])):
             broken.write_text(wrong)
             self.refused(*run, broken, says=["broken.json", *says])
-        for where, name, value, says in (("options", "trials", 1.8e19, "1.8e+19 is no whole number"),
-                                         ("options", "seed", -1, "-1 is no whole number"),
+        for where, name, value, says in (("options", "trials", 1.8e19, "1.8e+19 is not a whole number"),
+                                         ("options", "seed", -1, "-1 is not a whole number"),
                                          ("options", "families", 7, "must be array"),
-                                         (None, "units_per_stretch", 0.5, "0.5 is no whole number"),
-                                         (None, "queries", -7, "-7 is no whole number"),
-                                         (None, "stretches", "many", "is no whole number"),
+                                         (None, "units_per_stretch", 0.5, "0.5 is not a whole number"),
+                                         (None, "queries", -7, "-7 is not a whole number"),
+                                         (None, "stretches", "many", "is not a whole number"),
                                          (None, "plan", "\x1b[31m", "is no object")):
             self.refused(*run, self.resigned(text, where, name, value),
                          says=["broken.json: not as axiscert-plan/1 has it", f"'{name}'", says])
@@ -96,7 +96,7 @@ class Plan(PlanCase):
         for shard in ("0/3", "4/3", "1", "a/b", "1/2/3", "-1/2"):
             self.refused(*run, self.plan, "--shard", shard, says=["--shard", "I/N"])
         self.refused("plan", "--queries", "-", says=["standard input"])
-        self.refused("plan", "--trials", 2**50, "--units-per-stretch", 1, says=["at least", "units a stretch"])
+        self.refused("plan", "--trials", 2**50, "--units-per-stretch", 1, says=["at least", "units per stretch"])
 
     def test_a_mesh_that_has_changed_is_told_and_one_that_has_moved_is_found(self):
         mesh = self.folder / "mesh.obj"
@@ -214,7 +214,7 @@ class Shards(PlanCase):
         # Its plan exchanged, too: the journal itself knows.
         (self.folder / "seed-2/plan.json").write_bytes(self.plan.read_bytes())
         said = self.merge(folders[0], self.folder / "seed-2", folders[2], code=2).stderr
-        self.assertIn("no journal of this plan", said)
+        self.assertIn("is not a journal of this plan", said)
 
         journal = folders[1] / "journal"
         whole = journal.read_bytes()

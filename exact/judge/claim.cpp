@@ -5,7 +5,7 @@
 namespace axiscert {
 namespace {
 
-// Where a rung defines both sides of a comparison, its sign is the published one.
+// Wherever a rung defines both sides of a comparison, the sign has to be the published one.
 std::optional<std::string> contradiction(const FormulaTruth& rung, const FormulaTruth& published) {
   const auto defined = static_cast<ComparisonBits>(~rung.undefined);
   const bool same_ties = (rung.ties & defined) == (published.ties & defined);

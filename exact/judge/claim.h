@@ -1,4 +1,4 @@
-// What the kernels claim to compute, on one query, level by level of the chain.
+// The values that kernels claim to compute on one query, level by level of the chain.
 #pragma once
 
 #include <deque>
@@ -9,18 +9,20 @@
 
 namespace axiscert {
 
-// The claims of several kernels on one valid query; what kernels share is evaluated once. Borrows its arguments.
+// The claims of several kernels on one valid query. Results that kernels share are evaluated once. Keeps references to
+// its arguments.
 template <class Real>
 class Claims {
  public:
-  // `by_mpfr`: R-infinity by MPFR on every query.
+  // `by_mpfr`: R-infinity is computed by MPFR on every query.
   Claims(const Query<Real>& q, const FormulaTruth& published, bool by_mpfr = false)
       : query_(q), published_(published), by_mpfr_(by_mpfr) {}
 
-  // The exact sides of a set of formulae; null for `none` and for a method, which has none. A rung whose signs differ
-  // from the published ones, where it defines them, throws OracleDisagreement: over the reals there is no such query.
+  // The exact sides of a set of formulae; null for `none` and for a method, which has no sides. Throws
+  // OracleDisagreement if a rung defines a sign that differs from the published one: over the reals no query can cause
+  // that.
   const FormulaTruth* sides(Formulae formulae);
-  // The chain of a kernel's claim; nothing where it claims no formulae.
+  // The chain for a kernel's claim; empty if the kernel claims no formulae.
   std::optional<Reference> chain(const Kernel& kernel);
 
  private:

@@ -1,4 +1,4 @@
-// What the kernels claim, in exact arithmetic, over small integer triangles.
+// The claims of the kernels, checked in exact arithmetic over small integer triangles.
 #include "exact/judge/claim.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ bool has_area(const Query<double>& q) {
 }
 bool same_point(const Vec3<double>& u, const Vec3<double>& v) { return u.x == v.x && u.y == v.y && u.z == v.z; }
 
-// On which triangles a kernel's formulae must give the geometric verdict in exact arithmetic; empty: they do not.
+// The triangles on which a kernel's formulae must give the geometric verdict in exact arithmetic; null: none.
 using Domain = bool (*)(const Query<double>&);
 Domain domain_of(const Kernel& kernel) {
   switch (kernel.formulae) {
@@ -34,15 +34,15 @@ Domain domain_of(const Kernel& kernel) {
   }
 }
 
-// What the lattice found for one kernel.
+// Wrong verdicts of one kernel on the lattice.
 struct Found {
-  std::uint64_t wrong_inside = 0, wrong_outside = 0;  // of its domain
+  std::uint64_t wrong_inside = 0, wrong_outside = 0;  // inside and outside its domain
 };
 
 using FoundByKernel = std::vector<Found>;
 
-// One triangle, the centre at the origin. Radii: the binary64 numbers next to the exact distance on both sides, and the
-// distance where it is one.
+// Judges one triangle with the centre at the origin, at these radii: the binary64 numbers next to the exact distance on
+// both sides, and the distance itself where it is a binary64 number.
 void judge_triangle(Query<double> q, FoundByKernel& found) {
   found.resize(kernels().size());
   const Rational distance2 = squared_distance(q);
@@ -50,7 +50,7 @@ void judge_triangle(Query<double> q, FoundByKernel& found) {
   const auto order_at = [&](double r) { return cmp(distance2, Rational(exact(r) * exact(r))); };
   for (const double r : {std::nextafter(near, 0), near, std::nextafter(near, INFINITY)}) {
     const int order = order_at(r);
-    if (r != near && order == order_at(near)) continue;  // one on each side is enough
+    if (r != near && order == order_at(near)) continue;  // one radius on each side is enough
     q.r = r;
     const Verdict truth = order > 0 ? Verdict::separated : Verdict::contact;
     const FormulaTruth published = formula_truth(q);
@@ -58,7 +58,7 @@ void judge_triangle(Query<double> q, FoundByKernel& found) {
     for (std::size_t which = 0; which < kernels().size(); ++which) {
       const Kernel& kernel = kernels()[which];
       if (kernel.formulae == Formulae::none) continue;
-      const FormulaTruth* sides = claims.sides(kernel.formulae);  // throws where a rung's signs are not published
+      const FormulaTruth* sides = claims.sides(kernel.formulae);  // throws if a rung's signs are not the published ones
       const Verdict verdict =
           sides ? outcome_of(sides->bits(kernel.strictness)).verdict : exact_verdict(kernel.formulae, q);
       if (verdict == truth) continue;
@@ -68,7 +68,7 @@ void judge_triangle(Query<double> q, FoundByKernel& found) {
   }
 }
 
-// All triangles with vertices in {-1, 0, 1}^3; `first` chooses among the first vertices. Returns how many.
+// Judges all triangles with vertices in {-1, 0, 1}^3 whose first vertex satisfies `first`. Returns their number.
 template <class First>
 int judge_lattice(First&& first, FoundByKernel& found) {
   int triangles = 0;
@@ -95,7 +95,7 @@ void expect_claims_hold(const FoundByKernel& found) {
   }
 }
 
-// Each triangle of the lattice is one of these, turned or mirrored by a symmetry of the cube.
+// A symmetry of the cube maps each triangle of the lattice to one of these.
 TEST(Claims, HoldOnTheLatticeUpToItsSymmetries) {
   FoundByKernel found;
   EXPECT_EQ(judge_lattice([](const Vec3<double>& v) { return 0 <= v.x && v.x <= v.y && v.y <= v.z; }, found),

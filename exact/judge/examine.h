@@ -1,4 +1,4 @@
-// Everything about one query and one kernel: what `check` prints and what a witness is made of.
+// The full examination of one query with one kernel: the output of `check` and the content of a witness.
 #pragma once
 
 #include <tuple>
@@ -12,24 +12,24 @@ namespace axiscert {
 
 struct Examination {
   ExactTruth truth;
-  std::optional<Rational> squared_distance;  // exact; none where the truth is `invalid`
+  std::optional<Rational> squared_distance;  // exact; empty if the truth is `invalid`
   Answer answer;
-  std::optional<Sides<double>> sides;  // those computed, where the kernel shows them: a binary64 holds either precision
+  std::optional<Sides<double>> sides;  // as computed, if the kernel exposes them; a binary64 holds either precision
   Judgement judgement;
-  std::optional<double> depth;    // of a wrong verdict
-  bool within_limits = true;      // those that the kernel declares; also where the truth is `invalid`
-  std::vector<Finding> findings;  // what the kernel did wrong beside
+  std::optional<double> depth;    // depth of the query, if the verdict is wrong
+  bool within_limits = true;      // within the limits that the kernel declares; also true if the truth is `invalid`
+  std::vector<Finding> findings;  // faults of the kernel other than a wrong answer
 };
 
-// Examines queries by all oracles. In each precision the kernel is begun once, since somebody else's code is a process;
+// Examines queries by all oracles. The kernel is begun once in each precision, since a plug-in is a process of its own,
 // and again after a query that it did not answer.
 class Examiner {
  public:
-  // Both have to outlive it.
+  // The kernel and the string must outlive the examiner.
   Examiner(const Kernel& kernel, std::string_view target) : kernel_(kernel), target_(target) {}
   const Kernel& kernel() const { return kernel_; }
 
-  // The kernel exists in this precision. Throws OracleDisagreement.
+  // Precondition: the kernel exists in this precision. Throws OracleDisagreement.
   template <class Real>
   Examination examine(const Query<Real>& q);
 
@@ -39,7 +39,7 @@ class Examiner {
   std::tuple<std::optional<Implementation<float>>, std::optional<Implementation<double>>> begun_;
 };
 
-// With the answer that a kernel gave earlier.
+// Examines an answer that a kernel gave earlier.
 template <class Real>
 Examination examine(const Query<Real>& q, const Kernel& kernel, const Answer& answer);
 

@@ -1,4 +1,4 @@
-// The judge on queries worked out by hand: links, masked and decisive, depth.
+// The judge on queries worked out by hand: links, masked and decisive flips, depth.
 #include "exact/judge/judge.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ Examination judged(const Query<float>& q, const char* kernel = "published") {
   return Examiner(find_kernel(kernel), scalar_target).examine(q);
 }
 
-// Every flip as "name kind decisive|masked link...", in order.
+// Describes every flip as "name kind decisive|masked link...", in order.
 std::vector<std::string> told(const Judgement& judgement) {
   std::vector<std::string> lines;
   for (const Flip& flip : judgement.flips()) {
@@ -32,7 +32,7 @@ std::vector<std::string> told(const Judgement& judgement) {
 }
 using Lines = std::vector<std::string>;
 
-// 1: a segment from (2,0,0) to (3,0,0) given as A = B, and a unit sphere: separated by 1, and no strict axis says so.
+// 1: a segment from (2,0,0) to (3,0,0) given as A = B, and a unit sphere: separated by 1, but no strict axis separates.
 TEST(HandWorked, RepeatedVertexIsASpecificationFault) {
   const auto found = judged({{2, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 0, 0}, 1});
   EXPECT_EQ(told(found.judgement), Lines{"verdict false_contact decisive specification"});
@@ -52,8 +52,8 @@ TEST(HandWorked, NonstrictSidesMendBoth) {
   EXPECT_TRUE(judged({{2, -1, 0}, {2, 1, 0}, {2, 2, 0}, {0, 0, 0}, 1}, "nonstrict").judgement.flips().empty());
 }
 
-// 4: only the edge AB separates, and at scale 2^30 both of its radius sides overflow to infinity; so do
-// those of the other edges, whose sides say no anyway.
+// 4: only the edge AB separates, and at scale 2^30 both of its radius sides overflow to infinity; so do the radius
+// sides of the other edges, whose side comparisons fail anyway.
 TEST(HandWorked, OverflowIsARangeFault) {
   const float s = 0x1p30f;
   const auto found = judged({{-s, 2 * s, 0}, {s, 2 * s, 0}, {0, 3 * s, 0}, {0, 0, 0}, s});
@@ -83,13 +83,13 @@ TEST(HandWorked, TheNextRadiusIsAContactAndNothingFlips) {
   EXPECT_TRUE(found.judgement.flips().empty());
 }
 
-// 7: the same flip at A where B is inside the sphere: the axis fails anyway, and nothing comes of it.
+// 7: the same flip at A with B inside the sphere: the axis fails anyway, and the flip has no effect.
 TEST(HandWorked, AFlipThatChangesNothingIsMasked) {
   const auto found = judged({{1, 1, 1}, {0, 0, 1}, {1, 2, 1}, {0, 0, 0}, below_root3});
   EXPECT_EQ(told(found.judgement), Lines{"vertex_a.radius missed_separation masked rounding"});
 }
 
-// 8: touching at a vertex, in numbers that round nowhere: a tie, a contact, no flip.
+// 8: touching at a vertex, in numbers that need no rounding: a tie, a contact, no flip.
 TEST(HandWorked, TouchingIsContact) {
   const auto found = judged({{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 1});
   EXPECT_TRUE(found.truth.touching);
@@ -110,7 +110,7 @@ TEST(HandWorked, BitsThatAreNotTheReferencesAreAnImplementationFault) {
                    "plane.radius false_separation decisive implementation"}));
 }
 
-// 10: two links broken that cancel: the verdict is right, the links are kept apart.
+// 10: two broken links that cancel: the verdict is right, and both links are recorded.
 TEST(HandWorked, LinksThatCancelLeaveTheVerdictRight) {
   const Query<float> q{{2, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 0, 0}, 1};
   const ExactTruth truth = exact_truth(q, true);
@@ -120,12 +120,12 @@ TEST(HandWorked, LinksThatCancelLeaveTheVerdictRight) {
             outcome_of(separated));
   EXPECT_FALSE(judgement.verdict_flip);
   EXPECT_EQ(judgement.verdict_links, link_bit(Link::specification) | link_bit(Link::rounding));
-  // Against its own exact formulae the kernel's verdict did flip, and the axis that flipped it is decisive.
+  // Relative to its own exact formulae the kernel's verdict did flip, and the axis that flipped it is decisive.
   EXPECT_EQ(told(judgement), (Lines{"vertex_a false_separation decisive rounding",
                                     "vertex_a.side_b false_separation decisive rounding"}));
 }
 
-// Where the kernel wrongly says contact, an axis that flipped the other way has nothing to do with it.
+// If the kernel wrongly says contact, an axis that flipped in the other direction cannot be the cause.
 TEST(HandWorked, AFlipTheOtherWayIsMasked) {
   const Query<float> q{{-1, 2, 0}, {1, 2, 0}, {0, 3, 0}, {0, 0, 0}, 1};
   const ExactTruth truth = exact_truth(q, true);

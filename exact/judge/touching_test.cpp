@@ -1,4 +1,4 @@
-// A kernel's touching convention: what is right of a query that touches, and where a wrong answer comes from.
+// A kernel's touching convention: the right answer to a query that touches, and the cause of a wrong one.
 #include <gtest/gtest.h>
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
@@ -10,10 +10,10 @@ namespace {
 // Touches at A: vertex_a.radius is a tie.
 const Query<float> touching{{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 0, 0}, 1};
 const Query<float> apart{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 0.5};
-// A repeated vertex, 1 away from a sphere that holds it: the plane's sides are 0 and 0.
+// A triangle with a repeated vertex, inside the sphere at distance 1 from its centre: the plane's sides are 0 and 0.
 const Query<float> zero_area{{1, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 0}, 2};
 
-// `published` in its own order of operations, or bit for bit.
+// Judges `published` evaluated in its own order of operations, or bit for bit.
 Judgement judged(const Query<float>& q, Touching touching, const Answer& answer, bool is_reference = false) {
   Kernel kernel = find_kernel("published");
   kernel.is_reference = is_reference;
@@ -54,7 +54,7 @@ TEST(Touching, SeparatedMakesTheTieHold) {
   const Judgement right = judged(touching, Touching::separated, outcome_of(holds));
   EXPECT_TRUE(right.flips().empty());
   EXPECT_EQ(right.verdict_links, 0);
-  // One that rounds there is wrong, and not by its specification.
+  // A kernel that rounds at the tie is wrong, and its specification is not the cause.
   const Judgement rounded = judged(touching, Touching::separated, outcome_of(exact_bits(touching)));
   EXPECT_EQ(rounded.verdict_flip, FlipKind::false_contact);
   EXPECT_EQ(rounded.verdict_links, link_bit(Link::unattributed));
@@ -74,7 +74,8 @@ TEST(Touching, EitherLeavesTheTieOpenAndNothingElse) {
             exact_bits(touching) ^ wrong_side);
 }
 
-// 0 >= 0 in the plane separates every triangle without area: wrong, and the formulae as named do not excuse it.
+// 0 >= 0 in the plane axis separates every triangle without area: that is wrong, and the formulae as named do not
+// excuse it.
 TEST(Touching, AZeroAreaPlaneIsNotExcused) {
   const auto plane = static_cast<ComparisonBits>(exact_bits(zero_area) | comparisons_of(Axis::plane));
   for (const Touching touching : {Touching::separated, Touching::either}) {
@@ -94,7 +95,7 @@ TEST(Touching, AReferenceKeepsItsRelation) {
   EXPECT_TRUE(judged(touching, Touching::contact, outcome_of(exact_bits(touching)), true).flips().empty());
 }
 
-// Formulae that have no comparisons: only their verdict follows the convention.
+// Formulae without comparisons: only their verdict follows the convention.
 TEST(Touching, AMethodFollowsTheConventionToo) {
   Kernel kernel = find_kernel("minkowski");
   kernel.is_reference = false;

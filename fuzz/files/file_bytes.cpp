@@ -37,7 +37,7 @@ std::string read_bytes(std::istream& in, const std::string& name) {
 }
 
 std::ifstream open_file(const std::string& path) {
-  // A directory opens like a file.
+  // A directory can be opened like a file.
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) throw Error(fmt::format("{}: is a directory, not a file", path));
   errno = 0;

@@ -1,4 +1,4 @@
-// JSON as the reports read and write it: members keep their order.
+// JSON in the form in which reports read and write it: members keep their order.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -27,10 +27,10 @@ struct Scanned {
   std::int64_t exponent = 0;
 };
 
-// Far beyond any exponent that matters, far below where 64 bits would overflow.
+// Far beyond any exponent that matters, and far below the overflow of 64 bits.
 constexpr std::int64_t exponent_limit = std::int64_t{1} << 40;
 
-// False where the text is not DIGITS[.DIGITS][EXPONENT] with at least one digit.
+// False if the text is not DIGITS[.DIGITS][EXPONENT] with at least one digit.
 bool scan(std::string_view text, int base, Scanned& out) {
   std::size_t i = 0;
   bool any = false, point = false;
@@ -60,7 +60,8 @@ bool scan(std::string_view text, int base, Scanned& out) {
   return true;
 }
 
-// Digits past `kept` matter only by not being zero: one digit more says so. Returns how many digits went.
+// Digits beyond `kept` matter only if one of them is not zero: one additional digit records that. Returns the number of
+// digits removed.
 std::int64_t shorten(std::string& digits, std::size_t kept) {
   const std::size_t size = digits.size();
   while (digits.size() > 1 && digits.back() == '0') digits.pop_back();
@@ -90,7 +91,7 @@ template <class Real>
 
 template <class Real>
 Real hex_value(std::string_view text, bool negative, Scanned& scanned) {
-  // Both formats lie within 2^-1075 and 2^1024; 20 hex digits are more than either holds.
+  // Both formats lie within 2^-1075 and 2^1024; 20 hex digits are more than either can represent.
   const std::int64_t cut = shorten(scanned.digits, 20);
   const std::int64_t exponent = scanned.exponent - 4 * (scanned.fraction - cut);
   const std::int64_t top = 4 * static_cast<std::int64_t>(scanned.digits.size()) + exponent;
@@ -101,7 +102,7 @@ Real hex_value(std::string_view text, bool negative, Scanned& scanned) {
     const Rational q = scaled(scanned.digits, 16, 2, exponent);
     nearest_value = nearest<Real>(q);
     if (std::isinf(nearest_value)) overflow<Real>(text);
-    // q is not in lowest terms, which mpq's == would want.
+    // q is not in lowest terms, which mpq's == would require.
     is_exact = exact(nearest_value) * Rational(q.get_den()) == Rational(q.get_num());
   }
   const Real value = negative ? -nearest_value : nearest_value;
@@ -177,7 +178,7 @@ std::string shown(std::string_view text) {
   constexpr std::size_t limit = 60;
   std::string line(text.substr(0, limit));
   if (text.size() > limit) {
-    // Back to the start of a UTF-8 character.
+    // Moves back to the start of a UTF-8 character.
     while (!line.empty() && (static_cast<unsigned char>(text[line.size()]) & 0xc0) == 0x80) line.pop_back();
   }
   line = plain_line(line);

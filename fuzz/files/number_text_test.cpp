@@ -64,7 +64,7 @@ void round_trip() {
 TEST(NumberText, EveryBinary32BitPatternReadsBackTheSame) { round_trip<float>(); }
 TEST(NumberText, EveryBinary64BitPatternReadsBackTheSame) { round_trip<double>(); }
 
-// from_chars is unrelated code; a result that is out of range it does not give, so those are listed further down.
+// from_chars is independent code; it gives no result for numbers out of range, so those are tested separately below.
 template <class Real>
 void decimals_like_from_chars() {
   Stream random(1, name_hash("number_text_test"), 1, precision_of<Real>, 1);
@@ -95,7 +95,8 @@ TEST(NumberText, DecimalsRoundAsALiteralDoes) {
 }
 
 TEST(NumberText, ABinary32DecimalIsNotRoundedThroughBinary64) {
-  // Just above the midpoint between 1 and its successor; binary64 would round it down to that midpoint, then to even.
+  // Just above the midpoint between 1 and its successor; conversion through binary64 would round it to that midpoint,
+  // then to even.
   EXPECT_EQ(parse_number<float>("1.00000005960464477540"), 0x1.000002p+0f);
   EXPECT_EQ(static_cast<float>(parse_number<double>("1.00000005960464477540")), 1.0f);
 }
@@ -109,10 +110,11 @@ TEST(NumberText, DecimalsReachSubnormalsAndZeroCorrectly) {
   EXPECT_EQ(parse_number<double>("2.4e-324"), 0.0);
   EXPECT_EQ(bits(parse_number<double>("-1e-999999999999999999999")), bits(-0.0));
   EXPECT_EQ(parse_number<float>("0." + std::string(100000, '0') + "1e100001"), 1.0f);
-  // 2^-1075, the midpoint between zero and the least binary64, cut short and rounded up.
+  // 2^-1075, the midpoint between zero and the least binary64 number, truncated and rounded up.
   EXPECT_EQ(parse_number<double>("2.4703282292062327208e-324"), 0.0);
   EXPECT_EQ(parse_number<double>("2.4703282292062327209e-324"), 0x1p-1074);
-  // A midpoint of binary32 goes to even, one digit more in the five-thousandth place up.
+  // A midpoint of binary32 is rounded to even; with one more nonzero digit in the five-thousandth place it is rounded
+  // up.
   const std::string midpoint = "1.00000005960464477539062500" + std::string(5000, '0');
   EXPECT_EQ(parse_number<float>(midpoint), 1.0f);
   EXPECT_EQ(parse_number<float>(midpoint + "1"), 0x1.000002p+0f);

@@ -1,4 +1,4 @@
-// A whole number out of JSON or CBOR that somebody else may have written.
+// A whole number from JSON or CBOR that another program may have written.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,8 +12,8 @@
 
 namespace axiscert {
 
-// The number, which a Whole holds; throws Error for anything else. The library's own get() cuts fractions off, wraps,
-// and converts a float that no Whole holds, which C++ leaves undefined.
+// The number, which has to fit Whole; throws Error for anything else. The library's own get() truncates fractions,
+// wraps, and converts a float that does not fit Whole, which is undefined in C++.
 template <class Whole>
 Whole whole_number(const nlohmann::json& json) {
   using Limits = std::numeric_limits<Whole>;
@@ -22,7 +22,7 @@ Whole whole_number(const nlohmann::json& json) {
   } else if (json.is_number_integer()) {
     if (const auto number = json.get<std::int64_t>(); std::in_range<Whole>(number)) return static_cast<Whole>(number);
   }
-  throw Error(fmt::format("{} is no whole number from {} to {}",
+  throw Error(fmt::format("{} is not a whole number from {} to {}",
                           json.is_number() ? json.dump() : std::string("a ") + json.type_name(), Limits::min(),
                           Limits::max()));
 }

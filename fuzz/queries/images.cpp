@@ -5,7 +5,8 @@
 namespace axiscert {
 namespace {
 
-// A comparison by what it compares: the vertices of its feature, bit i vertex i, and that of its side, 3 for a radius.
+// A comparison by its meaning: the vertices of its feature, bit i for vertex i, and the vertex of its side, 3 for a
+// radius.
 struct Meaning {
   unsigned feature, side;
   bool operator==(const Meaning&) const = default;

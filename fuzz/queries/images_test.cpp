@@ -1,5 +1,5 @@
-// Families of images: every image is exact, so that exact arithmetic says of it what it says of the base; and what a
-// kernel says otherwise is counted.
+// Families of images: every image is exact, so that exact arithmetic gives the same answers as for the base; and
+// differing answers of a kernel are counted.
 #include "fuzz/queries/images.h"
 
 #include <cmath>
@@ -18,7 +18,7 @@ template <class Real>
 class Images : public testing::Test {};
 TYPED_TEST_SUITE(Images, Reals);
 
-// The squared distances between the four points, and r, in rationals: what fixes a query up to a symmetry.
+// The squared distances between the four points, and r, in rationals: these determine a query up to a symmetry.
 template <class Real>
 std::array<Rational, 7> shape(const Query<Real>& q, const std::array<std::uint8_t, 3>& order) {
   std::array<Vec3<Real>, 4> points;
@@ -43,7 +43,7 @@ std::array<Rational, 7> shape(const Query<Real>& q, const std::array<std::uint8_
   return out;
 }
 
-// All seven times one power of two: as many as there are.
+// All seven are multiplied by the same power of two.
 TYPED_TEST(Images, AreExactly) {
   for (const ImageGroup& group : image_groups()) {
     std::array<Rational, 7> base;
@@ -61,7 +61,7 @@ TYPED_TEST(Images, AreExactly) {
   }
 }
 
-// MPFR says the same of every image, by the base's names of the comparisons.
+// MPFR gives the same answers for every image, by the base's names of the comparisons.
 TYPED_TEST(Images, HaveTheExactAnswersOfTheBase) {
   for (const ImageGroup& group : image_groups()) {
     SecondOpinion base;
@@ -90,7 +90,7 @@ TEST(ImageGroups, HaveTheSizesTheyClaimAndAreAllDifferent) {
   EXPECT_EQ(image_group("tangent"), nullptr);
 }
 
-// `published`, but wrong of a query for which `is_wrong` holds.
+// `published`, but wrong on queries for which `is_wrong` holds.
 template <class IsWrong>
 Kernel published_but(const IsWrong& is_wrong) {
   Kernel kernel = find_kernel("published");
@@ -117,7 +117,7 @@ Asymmetry counted(const Kernel& kernel, const char* family, std::uint64_t querie
 TEST(Asymmetries, OfThePublishedTestAreThoseOfItsRoundings) {
   const Kernel& published = find_kernel("published");
   const std::uint64_t queries = 9600;
-  // Sums of products in another order round in another way; a sign, a power of two within the range and an exact
+  // Sums of products in another order round differently; a sign, a power of two within the range and an exact
   // translation change no rounding.
   EXPECT_GT(counted(published, "orders", queries).verdicts, 0u);
   EXPECT_GT(counted(published, "axes", queries).verdicts, 0u);

@@ -1,8 +1,8 @@
-// What a file that makes queries in lanes includes first: the portable headers, before any instruction set is chosen.
+// The first include of a file that makes queries in lanes: the portable headers, before any instruction set is chosen.
 #pragma once
 
 #ifndef HWY_COMPILE_ALL_ATTAINABLE
-#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: that all make the same bytes is tested on every machine
+#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: every machine tests that all make the same bytes
 #endif
 
 #include <algorithm>

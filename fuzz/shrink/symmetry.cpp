@@ -25,14 +25,16 @@ std::array<Symmetry, symmetry_count> all_symmetries() {
   return all;
 }
 
-// P at the origin, everything times the power of two by which all are integers and one is odd, unless all are zero.
+// P at the origin, and everything multiplied by the power of two that makes all numbers integers and at least one odd,
+// unless all are zero.
 Query<mpz_class> integers(const Query<double>& q) {
   auto v = coordinates(q);
   std::array<Rational, coordinate_count> centred;
   mpz_class denominator = 1;
   for (std::size_t k = 0; k < coordinate_count; ++k) {
     centred[k] = k < 9 ? Rational(exact(v[k]) - exact(v[9 + k % 3])) : k < 12 ? Rational(0) : exact(v[k]);
-    denominator = std::max(denominator, mpz_class(centred[k].get_den()));  // powers of two: the greatest is divisible
+    // powers of two: the greatest is a multiple of all
+    denominator = std::max(denominator, mpz_class(centred[k].get_den()));
   }
   std::array<mpz_class, coordinate_count> whole;
   mp_bitcnt_t zeros = ~mp_bitcnt_t{0};
@@ -54,8 +56,8 @@ std::array<T, coordinate_count> least_image(const Query<T>& q) {
   return least;
 }
 
-// The same, found over the numbers' places among their magnitudes, with their signs: these are ordered as the numbers
-// are, and no integer of thousands of bits is copied 288 times.
+// The same result, found over the numbers' ranks by magnitude, with their signs: these are ordered as the numbers are,
+// and no integer of thousands of bits is copied 288 times.
 std::array<mpz_class, coordinate_count> least_image(const Query<mpz_class>& q) {
   const auto v = coordinates(q);
   std::vector<mpz_class> magnitudes;

@@ -1,4 +1,5 @@
-// The symmetries of the test: what leaves every exact answer as it is, but for the names of vertices.
+// The symmetries of the test: transformations that leave every exact answer unchanged, except for the names of
+// vertices.
 #pragma once
 
 #include <span>
@@ -8,8 +9,8 @@
 
 namespace axiscert {
 
-// Image's vertex i is vertices[i] of the original, its coordinate i is axes[i] of it, negated where bit i of `signs` is
-// set.
+// Vertex i of the image is vertex vertices[i] of the original, and its coordinate i is the original's coordinate
+// axes[i], negated if bit i of `signs` is set.
 struct Symmetry {
   std::array<std::uint8_t, 3> vertices, axes;
   std::uint8_t signs;
@@ -18,7 +19,7 @@ struct Symmetry {
 std::span<const Symmetry> symmetries();
 inline constexpr std::size_t symmetry_count = 288;
 
-// Of a query over any numbers that have a minus.
+// The image of a query over any numbers that have a minus.
 template <class T>
 Query<T> image(const Query<T>& q, const Symmetry& symmetry) {
   const auto mapped = [&](const Vec3<T>& v) {
@@ -35,9 +36,9 @@ Query<T> image(const Query<T>& q, const Symmetry& symmetry) {
   return {at(0), at(1), at(2), mapped(q.p), q.r};
 }
 
-// Text that two queries share iff they are of one precision and one is the other's image by a symmetry, an exact
-// translation and a power of two: the least of the 288 images of A-P, B-P, C-P and r, as integers of which one is odd.
-// Zeros have no sign. Where a number is not finite, only the 288 images are one.
+// Text that two queries share if and only if they have the same precision and one is the image of the other by a
+// symmetry, an exact translation and a power of two: the least of the 288 images of A-P, B-P, C-P and r, as integers of
+// which at least one is odd. Zeros have no sign. If a number is not finite, only the 288 images share a text.
 std::string canonical_form(const StoredQuery& stored);
 
 }  // namespace axiscert

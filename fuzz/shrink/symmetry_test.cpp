@@ -1,4 +1,4 @@
-// The canonical form: one for all images of a query, another one for what is no image.
+// The canonical form: the same for all images of a query, and different for other queries.
 #include "fuzz/shrink/symmetry.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ StoredQuery stored(const Query<Real>& q) {
   return {"q", precision_of<Real>, q, 0};
 }
 
-// Small integers, at times equal or zero: translations by integers and powers of two are exact.
+// Small integers, sometimes equal or zero: translations by integers and powers of two are exact.
 template <class Real>
 Query<Real> small_query(Stream& random) {
   std::array<Real, coordinate_count> v;
@@ -51,11 +51,12 @@ void expect_one_form() {
     for (const Symmetry& symmetry : symmetries()) {
       const Query<Real> other = translated_and_scaled(image(q, symmetry), random);
       ASSERT_EQ(canonical_form(stored(other)), form);
-      if ((&symmetry - symmetries().data()) % 19 == 0) {  // what MPFR says of a few, of each vertex order
+      // compares MPFR's answers for a few images, of each vertex order
+      if ((&symmetry - symmetries().data()) % 19 == 0) {
         ASSERT_EQ(second_opinion(other).distance_order, truth.distance_order);
       }
     }
-    // What is no image: another radius, another coordinate.
+    // Queries that are not images: another radius, another coordinate.
     for (std::size_t k = 0; k < coordinate_count; ++k) {
       auto v = coordinates(q);
       v[k] += Real(128);

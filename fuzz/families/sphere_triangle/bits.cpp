@@ -1,4 +1,4 @@
-// Uniform finite bit patterns: every exponent as likely as another, thirteen sizes in one query.
+// Uniform finite bit patterns: all exponents are equally likely, so a query has thirteen different magnitudes.
 #include "fuzz/queries/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -28,7 +28,7 @@ struct Bits {
       const auto low = random.word();
       pattern = hn::Or(hn::ShiftLeft<32>(pattern), low);
     }
-    // Infinities and NaNs come down to [1, 2).
+    // Infinities and NaNs are mapped to [1, 2).
     const auto every_bit = hn::Set(d, exponent);
     const auto not_finite = hn::Eq(hn::And(pattern, every_bit), every_bit);
     const auto lowered = hn::Xor(pattern, hn::Set(d, top_of_exponent));

@@ -1,4 +1,4 @@
-// Queries far from the origin, where the grid of the floats is coarse against the triangle.
+// Queries far from the origin, where the grid of the floats is coarse compared with the triangle.
 #include "fuzz/queries/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -24,7 +24,7 @@ struct Far : AimedRadii {
     const Vec3<T> offset = at_unit_length(in_cube(random)) * decade;
     for (Vec3<T>& v : q.v) v = v + offset;
     q.p = q.p + offset;
-    aim(random, q);  // of the rounded query
+    aim(random, q);  // relative to the rounded query
     return q;
   }
 };

@@ -1,4 +1,4 @@
-// Triangles and centres anywhere in a cube, any radius up to the cube's size: what a uniform fuzzer asks.
+// Triangles and centres anywhere in a cube, any radius up to the cube's size: the queries of a uniform fuzzer.
 #include "fuzz/queries/lanes.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,4 +1,4 @@
-// The groups of fuzz/queries/images.h, where the families that make them are.
+// The groups of fuzz/queries/images.h, defined beside the families that make them.
 #pragma once
 
 #include <span>

@@ -1,12 +1,12 @@
-// A family in lanes: F::make(random, first) makes the queries of one vector, F::finish solves, one at a time, what is
-// solved with exact arithmetic.
+// A family in lanes: F::make(random, first) makes the queries of one vector, and F::finish solves, one query at a time,
+// whatever needs exact arithmetic.
 #include "fuzz/families/sphere_triangle/lane_shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert {
 namespace HWY_NAMESPACE {
 
-// Lanes to entries `i` on of the columns and the wishes. Past the columns' size nothing is written.
+// Stores lanes to the entries from `i` on of the columns and the wishes. Nothing is written beyond the columns' size.
 template <class Real, class T>
 AXISCERT_INLINE void store(const LaneQuery<T>& q, const MutableColumns<Real>& out, std::size_t i) {
   const hn::ScalableTag<Real> d;
@@ -46,7 +46,7 @@ void fill_lanes(const StreamName& name, std::uint64_t first, const MutableColumn
 }  // namespace axiscert
 HWY_AFTER_NAMESPACE();
 
-// In HWY_NAMESPACE and, under HWY_ONCE, in axiscert: NAME_queries<Real>, which Family takes.
+// Defines NAME_queries<Real>, which Family takes, in HWY_NAMESPACE and, under HWY_ONCE, in axiscert.
 #undef AXISCERT_FILL
 #define AXISCERT_FILL(NAME, F)                                                                    \
   void NAME##32(const StreamName& name, std::uint64_t first, const MutableColumns<float>& out) {  \

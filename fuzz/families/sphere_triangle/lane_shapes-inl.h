@@ -1,4 +1,4 @@
-// The shapes of shapes.h in lanes: one query a lane, selects instead of branches. What is drawn is drawn in every lane,
+// The shapes of shapes.h in lanes: one query per lane, selects instead of branches. Every draw is made in every lane,
 // whether its query needs it or not.
 #include "fuzz/queries/lane_stream-inl.h"
 
@@ -34,14 +34,14 @@ AXISCERT_INLINE T length(const Vec3<T>& v) {
   return square_root(dot(v, v));
 }
 
-// What the queries' places decide: number(position) in each lane, from the position of lane 0.
+// A value that a query's position determines: number(position) in each lane, from the position of lane 0.
 template <class Random, class Number, class Real = hn::TFromD<typename Random::D>>
 AXISCERT_INLINE typename Random::T by_position(std::uint64_t first, Number number) {
   HWY_ALIGN Real each[Random::lanes];
   for (std::size_t i = 0; i < Random::lanes; ++i) each[i] = static_cast<Real>(number(first + i));
   return {hn::Load(typename Random::D(), each)};
 }
-// number(position) where that repeats with a period: from a table.
+// number(position), where it is periodic: from a table.
 template <class Number, class Element, std::uint64_t period, std::size_t lanes>
 std::array<Element, period + lanes> periodic_table(Number number) {
   std::array<Element, period + lanes> table;
@@ -59,7 +59,7 @@ AXISCERT_INLINE typename Random::W in_turn_words(std::uint64_t first, Number num
   return hn::LoadU(typename Random::DW(), table.data() + first % period);
 }
 
-// 2^-times, `times` at most 126: exact.
+// 2^-times, with `times` at most 126: exact.
 template <class Random>
 AXISCERT_INLINE typename Random::T halved_one(typename Random::W times) {
   using Real = hn::TFromD<typename Random::D>;
@@ -79,7 +79,7 @@ AXISCERT_INLINE LaneVertices<T> vertices_in_cube(Random& random) {
   return {a, b, c};
 }
 
-// Integers in [-bound, bound]; never all zero.
+// Integers in [-bound, bound], never all zero.
 template <class Random, class T = typename Random::T>
 AXISCERT_INLINE Vec3<T> integers(Random& random, std::int32_t bound) {
   const T x = random.integer(-bound, bound), y = random.integer(-bound, bound), z = random.integer(-bound, bound);
@@ -88,14 +88,15 @@ AXISCERT_INLINE Vec3<T> integers(Random& random, std::int32_t bound) {
   return {select(all_zero, Random::constant(1), x), y, z};
 }
 
-// v at length one, to rounding; a zero vector stays.
+// v scaled to length one, up to rounding; a zero vector stays zero.
 template <class T>
 AXISCERT_INLINE Vec3<T> at_unit_length(const Vec3<T>& v) {
   const T size = length(v);
   return select(hn::Gt(size.v, hn::Xor(size.v, size.v)), v / size, v);
 }
 
-// The local vertices in another order: A is local[a], B is local[b], C the third. The numbers are lane by lane.
+// The local vertices in another order: A is local[a], B is local[b], C the third. The indices may differ from lane to
+// lane.
 template <class T>
 AXISCERT_INLINE LaneVertices<T> arranged(const LaneVertices<T>& local, const T& a, const T& b) {
   const auto one = hn::Set(hn::DFromV<decltype(a.v)>(), 1);
@@ -106,7 +107,7 @@ AXISCERT_INLINE LaneVertices<T> arranged(const LaneVertices<T>& local, const T& 
   return {at(a), at(b), at(three - a - b)};
 }
 
-// One of the six orders, each as likely.
+// One of the six orders, all equally likely.
 template <class Random, class T = typename Random::T>
 AXISCERT_INLINE LaneVertices<T> shuffled(Random& random, const LaneVertices<T>& vertices) {
   const T first = random.integer(0, 2);
@@ -117,7 +118,8 @@ AXISCERT_INLINE LaneVertices<T> shuffled(Random& random, const LaneVertices<T>& 
   return arranged(vertices, first, wrapped(select(swapped, before, after)));
 }
 
-// Unit directions at a triangle with area: its normal, and in its plane across the edge from vertex 0 to vertex 1.
+// Unit directions at a triangle with area: its normal, and the direction in its plane across the edge from vertex 0 to
+// vertex 1.
 template <class T>
 AXISCERT_INLINE Vec3<T> unit_normal(const LaneVertices<T>& v) {
   return at_unit_length(cross(v[1] - v[0], v[2] - v[0]));
@@ -127,7 +129,7 @@ AXISCERT_INLINE Vec3<T> outward(const Vec3<T>& from, const Vec3<T>& to, const Ve
   return at_unit_length(cross(to - from, normal));
 }
 
-// A point inside the triangle, away from its edges by a few per cent.
+// A point inside the triangle, a few per cent away from its edges.
 template <class Random, class T = typename Random::T>
 AXISCERT_INLINE Vec3<T> inside(Random& random, const LaneVertices<T>& v) {
   T weight[3];
@@ -136,13 +138,13 @@ AXISCERT_INLINE Vec3<T> inside(Random& random, const LaneVertices<T>& v) {
   return (v[0] * (weight[0] / sum) + v[1] * (weight[1] / sum)) + v[2] * (weight[2] / sum);
 }
 
-// How far along an edge, from a few per cent to as many less than all.
+// A fraction of an edge, from a few per cent to all but a few per cent.
 template <class Random, class T = typename Random::T>
 AXISCERT_INLINE T share_of_edge(Random& random) {
   return Random::constant(0x1p-5) + random.unit() * Random::constant(0.9375);
 }
 
-// A length in [2^-7, 2), its logarithm spread evenly over the octaves.
+// A length in [2^-7, 2), with its logarithm spread evenly over the octaves.
 template <class Random, class T = typename Random::T>
 AXISCERT_INLINE T height(Random& random) {
   const T significand = Random::constant(1) + random.unit();
@@ -154,11 +156,11 @@ struct LaneQuery {
   LaneVertices<T> v;
   Vec3<T> p;
   T r;
-  T wishes[2];  // for whoever finishes the query; see the family
+  T wishes[2];  // for the code that finishes the query; see the family
 };
 
-// A triangle built around the origin, where floats are dense, with a centre in the cube or, one in four, up to
-// `halvings` octaves nearer to the origin. Half of the queries are then moved away, where rounding limits how fine a
+// A triangle built around the origin, where floats are dense, with a centre in the cube or, for one query in four, up
+// to `halvings` octaves nearer to the origin. Half of the queries are then moved away, where rounding limits how fine a
 // shape can be.
 template <class Random, class T = typename Random::T>
 AXISCERT_INLINE void place(Random& random, typename Random::W halvings, LaneQuery<T>& q) {
@@ -173,9 +175,10 @@ AXISCERT_INLINE void place(Random& random, typename Random::W halvings, LaneQuer
   q.p = select(moved, q.p + offset, q.p);
 }
 
-// A quarter of the radii within 4 ulp of the exact distance, a quarter off it by a factor 1 +- 2^-1 .. 2^-20, and half
-// uniform up to the farthest vertex. The first two are solved when the query stands: wishes are the ulps to step from
-// the distance and the factor to multiply by then, which is 0 where the radius is there already.
+// A quarter of the radii within 4 ulp of the exact distance, a quarter different from it by a factor 1 +- 2^-1 ..
+// 2^-20, and half uniform up to the farthest vertex. The first two are solved when the rest of the query is known: the
+// wishes are the number of ulps to step from the distance and the factor to multiply by afterwards, which is 0 if the
+// radius is already set.
 template <class Random, class T = typename Random::T>
 AXISCERT_INLINE void aim(Random& random, LaneQuery<T>& q) {
   const T how = random.integer(0, 3), ulps = random.integer(-4, 4), sign = random.sign();

@@ -1,4 +1,4 @@
-// Triangles with two vertices very near each other.
+// Triangles with two vertices very close to each other.
 #include "fuzz/queries/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
 namespace {
 
-// The two vertices lie about the origin; where the triangle is then moved away, rounding can make them one.
+// The two vertices lie near the origin; if the triangle is then moved away, rounding can make them equal.
 struct Needle : AimedRadii {
   template <class Random, class T = typename Random::T>
   AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {

@@ -1,5 +1,5 @@
-// What several families are made of: vertices, integers, feet on features, radii. Plain arithmetic in Real in a
-// written order, so that the values are the same everywhere; for the same reason no expression reads the stream twice.
+// Building blocks shared by several families: vertices, integers, feet on features, radii. Plain arithmetic in Real in
+// a fixed order, so that the values are the same everywhere; for the same reason no expression reads the stream twice.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ Vertices<Real> vertices_in_cube(Stream& random) {
   return {a, b, c};
 }
 
-// Integers in [-bound, bound]; never all zero.
+// Integers in [-bound, bound], never all zero.
 template <class Integer = std::int64_t>
 Vec3<Integer> integers(Stream& random, std::int64_t bound) {
   const auto x = static_cast<Integer>(random.integer(-bound, bound));
@@ -40,11 +40,11 @@ Vec3<Integer> integers(Stream& random, std::int64_t bound) {
   return {x, y, z};
 }
 
-// Weights of the three vertices, `parts` together, that put a point on the axis's feature: the face, the vertex, the
+// Weights of the three vertices, with sum `parts`, that put a point on the axis's feature: the face, the vertex, the
 // edge.
 std::array<std::int64_t, 3> weights(Stream& random, Axis axis, std::int64_t parts);
 
-// One of the six orders, each as likely.
+// One of the six orders, all equally likely.
 template <class Real>
 Vertices<Real> shuffled(Stream& random, Vertices<Real> vertices) {
   const auto first = static_cast<std::size_t>(random.below(3));
@@ -58,22 +58,22 @@ Query<Real> query(const Vertices<Real>& vertices, const Vec3<Real>& p, Real r = 
   return {vertices[0], vertices[1], vertices[2], p, r};
 }
 
-// Every coordinate times 2^exponent, which is a number of the precision: each product is rounded once.
+// Every coordinate times 2^exponent, which has to be a number of the precision: each product is rounded once.
 template <class Real>
 Vec3<Real> scaled(const Vec3<Real>& v, int exponent);
 
-// At the exact distance rounded to nearest, and up to `ulps` floats from it.
+// A radius at the exact distance rounded to nearest, or up to `ulps` floats from it.
 template <class Real>
 Real radius_near_distance(Stream& random, const Query<Real>& q, int ulps);
 
-// Families in lanes make their queries in blocks of at most this many: first the vertices and centres, in lanes, then
-// what is solved with exact arithmetic, one by one, from two numbers that the lanes leave for each query.
+// Families in lanes make their queries in blocks of at most this many: first the vertices and centres, in lanes, then,
+// one by one, whatever is solved with exact arithmetic, from two numbers that the lanes leave for each query.
 inline constexpr std::size_t block_size = 64;
 template <class Real>
 using Wishes = std::array<std::array<Real, block_size>, 2>;
 
-// Radii at the exact distance, stepped by the first wish in ulps and multiplied by the second. Where that is 0 the
-// radius stays as it is.
+// Sets radii to the exact distance, stepped by the first wish in ulps and multiplied by the second. If the second is 0
+// the radius remains as it is.
 template <class Real>
 void solve_aimed_radii(const MutableColumns<Real>& queries, const Wishes<Real>& wishes);
 

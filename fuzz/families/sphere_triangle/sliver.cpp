@@ -14,9 +14,9 @@ HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
 namespace {
 
-// The segment runs through the origin exactly, from -m D to n D in few-bit integers, so that the third vertex, near the
-// origin where floats are dense, can be as near to it as it likes. Half of the triangles are then moved away, where
-// rounding the coordinates limits the ratio.
+// The segment runs through the origin exactly, from -m D to n D in integers of few bits, so that the third vertex, near
+// the origin where floats are dense, can be arbitrarily near to it. Half of the triangles are then moved away, where
+// rounding of the coordinates limits the ratio.
 struct Sliver : AimedRadii {
   template <class Random, class T = typename Random::T>
   AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {

@@ -9,7 +9,7 @@
 namespace axiscert {
 namespace {
 
-// In turn all subnormal, and of sizes within 2^-12 to 2^12 of the least normal number.
+// In turn: all subnormal, and of sizes within 2^-12 to 2^12 of the least normal number.
 template <class Real>
 Query<Real> subnormal(Stream& random, std::uint64_t position) {
   constexpr int least_normal = std::numeric_limits<Real>::min_exponent - 1;

@@ -1,4 +1,4 @@
-// The queries of family `tie`, for families that are made of them.
+// The queries of family `tie`, for families that are built from them.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace axiscert {
 
-// Integers that touch exactly, on the feature of the axis that is the position modulo axis_count; below 2^24 (2^53).
+// Integers that touch exactly, on the feature of axis `position` modulo axis_count; below 2^24 (2^53).
 template <class Real>
 Query<Real> touching_integers(Stream& random, std::uint64_t position);
 
