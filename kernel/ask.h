@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/kernel.h"
+#include "kernel/outcome.h"
 
 namespace axiscert {
 

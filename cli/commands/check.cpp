@@ -2,10 +2,10 @@
 
 #include "cli/running/check_output.h"
 #include "cli/commands/commands.h"
-#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/claims/examine.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/query_file.h"
-#include "reports/wording/finding.h"
+#include "fuzz/confirm/finding_record.h"
 
 namespace axiscert {
 namespace {

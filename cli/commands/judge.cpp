@@ -6,7 +6,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/running/judged_run.h"
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
 #include "reports/gates/requirement.h"

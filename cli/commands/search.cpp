@@ -8,10 +8,10 @@
 #include "cli/options/run_options.h"
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/self_check.h"
-#include "reports/wording/finding.h"
+#include "fuzz/confirm/finding_record.h"
 #include "reports/instrument/search_report.h"
 
 namespace axiscert {

@@ -7,9 +7,9 @@
 #include "cli/options/address_query.h"
 #include "cli/commands/commands.h"
 #include "cli/running/shrunk.h"
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
-#include "reports/wording/finding.h"
+#include "fuzz/confirm/finding_record.h"
 
 namespace axiscert {
 namespace {

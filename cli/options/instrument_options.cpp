@@ -8,7 +8,7 @@
 #include "fuzz/queries/address.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
-#include "reports/wording/finding.h"
+#include "fuzz/confirm/finding_record.h"
 
 namespace axiscert {
 namespace {

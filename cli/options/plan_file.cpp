@@ -4,10 +4,10 @@
 
 #include <filesystem>
 
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/number_text.h"
-#include "fuzz/files/sha256.h"
-#include "fuzz/files/whole_number.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/number_text.h"
+#include "fuzz/text/sha256.h"
+#include "fuzz/text/whole_number.h"
 #include "kernel/base/error.h"
 #include "kernel/base/utf8.h"
 #include "reports/run_folder/parsed_json.h"

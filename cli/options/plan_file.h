@@ -3,7 +3,7 @@
 
 #include "cli/options/run_options.h"
 #include "fuzz/campaign/parts/stretch.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 

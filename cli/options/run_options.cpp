@@ -10,8 +10,8 @@
 #include "cli/options/preset.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/corpus.h"
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/sha256.h"
 #include "kernel/base/error.h"
 #include "reports/gates/requirement.h"
 

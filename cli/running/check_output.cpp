@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 #include "reports/instrument/figures.h"
 
 namespace axiscert {

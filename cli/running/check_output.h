@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/claims/examine.h"
 #include "fuzz/search/confirm.h"
 #include "fuzz/confirm/record.h"
 

@@ -10,7 +10,7 @@
 #include "cli/running/judged_run.h"
 #include "cli/running/recheck.h"
 #include "cli/running/run_output.h"
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "fuzz/campaign/parts/distribute.h"
 #include "kernel/base/error.h"
 #include "kernel/self_check.h"

@@ -5,7 +5,7 @@
 
 #include "fuzz/files/query_file.h"
 #include "fuzz/shrink/shrink.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "exact/judge/truth.h"
-#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "kernel/outcome.h"
 
 namespace axiscert {
 
@@ -42,6 +42,12 @@ std::string_view name(const Flip& flip);  // "verdict", "edge_ab", "edge_ab.radi
 
 // A kernel's answer: its verdict and, if it exposes them, its comparison bits.
 using Answer = Outcome;
+
+// The decisions of formulae as rounded: with an exponent without limits (R-infinity), and as the scalar reference
+// computes them (R).
+struct Rounded {
+  Outcome range_free, reference;
+};
 
 // The decisions of the formulae that a kernel claims, along the chain E -> R-infinity -> R; verdicts alone for a
 // method, which has no comparisons. Without `rounded` the kernel evaluates the formulae in its own way, and differences

@@ -12,11 +12,11 @@
 #include "examples/character/comparison.h"
 #include "examples/character/picture.h"
 #include "examples/character/table.h"
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/self_check.h"
-#include "reports/wording/finding.h"
+#include "fuzz/confirm/finding_record.h"
 
 namespace axiscert::character {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "fuzz/campaign/decider.h"
 #include "fuzz/campaign/tally.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 

@@ -8,7 +8,7 @@
 #include "fuzz/queries/address.h"
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/campaign/tally.h"
-#include "reports/wording/finding.h"
+#include "fuzz/confirm/finding_record.h"
 #include "fuzz/confirm/plan.h"
 #include "fuzz/confirm/witness.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 

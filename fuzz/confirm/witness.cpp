@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "fuzz/queries/address.h"
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 #include "fuzz/confirm/witness_sides.h"
 
 namespace axiscert {
@@ -68,9 +68,9 @@ void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision pr
     if (!first) return;
     const auto address = [&](std::uint64_t at) { return text(address_of(source, plan_.seed, precision, at)); };
     shown[first->base].texts.push_back(
-        fmt::format("asymmetry: the {} differs from that of its image {}", what, address(first->image)));
+        fmt::format("asymmetry: another {} than of its image {}", what, address(first->image)));
     shown[first->image].texts.push_back(
-        fmt::format("asymmetry: the {} differs from that of its base {}", what, address(first->base)));
+        fmt::format("asymmetry: another {} than of its base {}", what, address(first->base)));
   };
   if (asymmetry) {
     note_pair(asymmetry->first_verdict, "verdict");

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/claims/examine.h"
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/confirm/record.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "exact/sphere_triangle/measures/error_measure.h"
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 
 namespace axiscert {
 namespace {

@@ -1,8 +1,8 @@
 // The two sides of a witness's comparisons: exact, computed, and their difference.
 #pragma once
 
-#include "exact/judge/examine.h"
-#include "fuzz/files/json.h"
+#include "exact/sphere_triangle/claims/examine.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 

@@ -10,10 +10,10 @@
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/number_text.h"
 #include "fuzz/files/query_line.h"
-#include "fuzz/shrink/symmetry.h"
+#include "fuzz/files/symmetry.h"
 
 namespace axiscert {
 namespace {

@@ -14,7 +14,7 @@
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/files/query_testing.h"
-#include "fuzz/shrink/symmetry.h"
+#include "fuzz/files/symmetry.h"
 
 namespace axiscert {
 namespace {

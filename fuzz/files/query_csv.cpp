@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 #include "fuzz/files/query_line.h"
 
 namespace axiscert {

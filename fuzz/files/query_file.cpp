@@ -5,8 +5,8 @@
 #include <iostream>
 #include <sstream>
 
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/number_text.h"
 #include "fuzz/files/query_line.h"
 #include "kernel/base/error.h"
 

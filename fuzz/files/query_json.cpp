@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fuzz/queries/address.h"
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 #include "fuzz/files/query_line.h"
 #include "kernel/base/error.h"
 

@@ -6,8 +6,8 @@
 #include <iostream>
 
 #include "fuzz/files/corpus.h"
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/sha256.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/measures/condition_number.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"

@@ -10,7 +10,7 @@
 
 #include "exact/sphere_triangle/measures/error_measure.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/campaign.h"

@@ -8,7 +8,7 @@
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/unbounded/at_precision.h"
-#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/claims/claim.h"
 #include "fuzz/campaign/campaign.h"
 
 namespace axiscert {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/claims/examine.h"
 #include "exact/numbers/rational.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/instruments/instruments_testing.h"

@@ -14,7 +14,7 @@
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/queries/boundary.h"
 #include "fuzz/queries/lane_testing.h"
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/sha256.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
 

@@ -8,7 +8,7 @@
 #include <chrono>
 
 #include "exact/sphere_triangle/measures/depth.h"
-#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/claims/examine.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/unit.h"
 #include "kernel/base/error.h"

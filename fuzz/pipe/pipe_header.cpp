@@ -7,10 +7,10 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/number_text.h"
-#include "fuzz/files/sha256.h"
-#include "fuzz/files/whole_number.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/number_text.h"
+#include "fuzz/text/sha256.h"
+#include "fuzz/text/whole_number.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

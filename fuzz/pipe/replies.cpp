@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "fuzz/pipe/query_stream.h"
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/sha256.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "fuzz/queries/lanes.h"
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #include "hwy/targets.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "exact/sphere_triangle/measures/error_measure.h"
-#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/claims/examine.h"
 #include "fuzz/search/goal.h"
 
 namespace axiscert {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/claims/examine.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/search/confirm.h"
 #include "kernel/base/error.h"

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "exact/sphere_triangle/measures/depth.h"
-#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/claims/examine.h"
 #include "kernel/ask.h"
 
 namespace axiscert {

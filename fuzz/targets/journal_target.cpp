@@ -8,7 +8,7 @@
 #include <fstream>
 #include <vector>
 
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "fuzz/campaign/parts/gathered.h"
 #include "fuzz/campaign/parts/journal.h"
 #include "fuzz/targets/target.h"

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/filters/decided_check.h"

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "fuzz/pipe/replies.h"
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/sha256.h"
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
 

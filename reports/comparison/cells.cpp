@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/sha256.h"
 
 namespace axiscert {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reports/comparison/two_proportions.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 

@@ -7,10 +7,10 @@
 #include <map>
 #include <memory>
 
-#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/claims/examine.h"
 #include "fuzz/files/query_line.h"
 #include "kernel/base/error.h"
-#include "reports/wording/finding.h"
+#include "fuzz/confirm/finding_record.h"
 #include "fuzz/confirm/record.h"
 #include "reports/wording/reproduce.h"
 

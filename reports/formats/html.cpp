@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 #include "kernel/names.h"
 #include "reports/run_folder/attachments.h"
 #include "reports/page/embedded.h"

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "kernel/base/error.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 #include "reports/formats/render.h"
 
 namespace axiscert {

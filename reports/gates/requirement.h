@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 

@@ -7,7 +7,7 @@
 
 #include "fuzz/queries/address.h"
 #include "fuzz/instruments/extreme.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

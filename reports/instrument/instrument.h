@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reports/wording/aligned_table.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 

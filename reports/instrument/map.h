@@ -5,7 +5,7 @@
 #include <string>
 
 #include "fuzz/map/map.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 #include "reports/page/png.h"
 
 namespace axiscert {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 

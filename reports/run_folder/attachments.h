@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/names.h"
 #include "reports/comparison/cells.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 

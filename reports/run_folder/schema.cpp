@@ -7,7 +7,7 @@
 #include <regex>
 #include <stdexcept>
 
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

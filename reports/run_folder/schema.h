@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 

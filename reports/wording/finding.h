@@ -1,21 +1,12 @@
-// Findings: what somebody else's kernel did wrong beside its answers, as the record has it and as people read it.
+// Findings of a record, faults of a kernel other than wrong answers, as people read them.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "fuzz/confirm/record.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
-
-// Throws Error with what was found in loading it, where a kernel exists in no precision.
-void require_loaded(const Kernel& kernel);
-
-// Appends what was found when the kernel was loaded: of no precision, family or query.
-void put_loading_findings(Json& findings, const Kernel& kernel);
-// Appends what was found on one source, one entry a kind, with the first query that showed it.
-void put_findings(Json& findings, const Kernel& kernel, std::uint64_t seed, const Source& source, Precision precision,
-                  const Tally& tally);
 
 // "plugin:x.so binary32: out_of_bounds on family general, 3 times, first at ADDRESS: DETAIL"; of loading,
 // "plugin:x.so: load: DETAIL".

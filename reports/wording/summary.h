@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "exact/judge/judge.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 

@@ -2,6 +2,7 @@
 // and the kernel's reference is due to range.
 #pragma once
 
+#include "exact/judge/judge.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 
 namespace axiscert {
@@ -10,9 +11,6 @@ namespace axiscert {
 // for a valid query. The latter is unbounded() if the reference raised the overflow or underflow flag; if it raised
 // neither, every result was in the normal range or exact, so that the two evaluations are the same. In an arithmetic in
 // which the flags are not reliable it is always unbounded().
-struct Rounded {
-  Outcome range_free, reference;
-};
 template <class Real>
 Rounded rounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q);
 

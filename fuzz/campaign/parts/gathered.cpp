@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "fuzz/files/whole_number.h"
+#include "fuzz/text/whole_number.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

@@ -12,8 +12,8 @@
 #include <cstring>
 #include <optional>
 
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/sha256.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

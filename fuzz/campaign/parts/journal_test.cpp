@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

@@ -6,7 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "fuzz/files/whole_number.h"
+#include "fuzz/text/whole_number.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "fuzz/files/whole_number.h"
+#include "fuzz/text/whole_number.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

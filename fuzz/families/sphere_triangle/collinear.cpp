@@ -3,7 +3,7 @@
 // The published formulae with strict sides answer most of these wrongly at some radius even in exact arithmetic, always
 // with a phantom contact; random floats are never collinear.
 #include "fuzz/queries/boundary.h"
-#include "fuzz/families/sphere_triangle/shapes.h"
+#include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 

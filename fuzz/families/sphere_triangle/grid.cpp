@@ -1,7 +1,7 @@
 // Centres exactly on the triangle in coordinates of few bits, as in a level made on a grid: plane offsets and
 // determinants that `on` leaves to rounding are exactly zero here. Iterations that wait for a sign can then run for
 // ever.
-#include "fuzz/families/sphere_triangle/shapes.h"
+#include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 

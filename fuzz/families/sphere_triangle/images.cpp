@@ -1,15 +1,15 @@
 // A query near tangency, and its images: in six vertex orders, in 48 permutations and reflections of the axes, with all
 // signs changed, times powers of two, and translated. Every image is exact, so that no exact answer differs.
-#include "fuzz/families/sphere_triangle/images.h"
+#include "fuzz/families/sphere_triangle/parts/images.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "fuzz/families/sphere_triangle/shapes.h"
+#include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
-#include "fuzz/shrink/symmetry.h"
+#include "fuzz/files/symmetry.h"
 
 namespace axiscert {
 namespace {

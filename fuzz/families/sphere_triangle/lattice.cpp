@@ -1,6 +1,6 @@
 // Small integers on which the published formulae never round, so that any wrong answer is due to the formulae
 // themselves.
-#include "fuzz/queries/lanes.h"
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/lattice.cpp"
@@ -8,7 +8,7 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "fuzz/families/sphere_triangle/lane_family-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_family-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fuzz/families/sphere_triangle/shapes.h"
+#include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 

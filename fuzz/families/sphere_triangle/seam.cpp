@@ -4,7 +4,7 @@
 // feature's radius comparison, unless the radius is within rounding of the distance, where both can be wrong at once.
 // Hence half of the radii are chosen there.
 #include "fuzz/queries/boundary.h"
-#include "fuzz/queries/lanes.h"
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/seam.cpp"
@@ -12,7 +12,7 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "fuzz/families/sphere_triangle/lane_family-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_family-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {

@@ -1,6 +1,6 @@
 // Triangles with one vertex almost on the segment of the other two, down to heights far below the rounding of their
 // coordinates.
-#include "fuzz/queries/lanes.h"
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/sliver.cpp"
@@ -8,7 +8,7 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "fuzz/families/sphere_triangle/lane_family-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_family-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {

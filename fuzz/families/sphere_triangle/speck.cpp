@@ -1,8 +1,8 @@
 // Exact ties, with specks in place of zero coordinates: numbers from a rounding error of the query's size down to the
 // least number there is. The part that decides such a query, if any part does, lies hundreds of bits below all others,
 // where products underflow: arithmetic that is exact except for underflow answers as if the specks were absent.
-#include "fuzz/families/sphere_triangle/shapes.h"
-#include "fuzz/families/sphere_triangle/ties.h"
+#include "fuzz/families/sphere_triangle/parts/shapes.h"
+#include "fuzz/families/sphere_triangle/parts/ties.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 

@@ -1,6 +1,6 @@
 // Integers that touch exactly: the distance equals r, on each of the seven features in turn.
-#include "fuzz/families/sphere_triangle/shapes.h"
-#include "fuzz/families/sphere_triangle/ties.h"
+#include "fuzz/families/sphere_triangle/parts/shapes.h"
+#include "fuzz/families/sphere_triangle/parts/ties.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 

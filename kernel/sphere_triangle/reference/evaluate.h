@@ -1,18 +1,11 @@
 // One query through a set of formulae over any number type: the sides, the bits they decide, the verdict.
 #pragma once
 
-#include <array>
-#include <optional>
-
-#include "kernel/sphere_triangle/formulae.h"
+#include "kernel/outcome.h"
 #include "kernel/query.h"
+#include "kernel/sphere_triangle/formulae.h"
 
 namespace axiscert {
-
-template <class T>
-struct Sides {
-  std::array<T, comparison_count> lhs, rhs;
-};
 
 // A query in another number type. `convert` is exact in every use.
 template <class T, class Real, class Convert>
@@ -58,14 +51,6 @@ ComparisonBits bits_of(const Sides<T>& sides, Strictness strictness) {
   }
   return bits;
 }
-
-// What a set of formulae decides on one query; no bits from a method that has only a verdict.
-struct Outcome {
-  Verdict verdict;
-  std::optional<ComparisonBits> bits;
-  bool operator==(const Outcome&) const = default;
-};
-inline Outcome outcome_of(ComparisonBits bits) { return {verdict_of(axes_of(bits)), bits}; }
 
 // Writes the sides to `sides` where asked for and where there are any.
 template <class F, class T>

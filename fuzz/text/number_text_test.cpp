@@ -1,4 +1,4 @@
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 
 #include <gtest/gtest.h>
 

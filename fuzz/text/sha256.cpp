@@ -1,4 +1,4 @@
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/sha256.h"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/claims/claim.h"
 
 namespace axiscert {
 namespace {

@@ -1,6 +1,6 @@
-#include "fuzz/queries/images.h"
+#include "fuzz/families/sphere_triangle/parts/image_groups.h"
 
-#include "fuzz/families/sphere_triangle/images.h"
+#include "fuzz/families/sphere_triangle/parts/images.h"
 
 namespace axiscert {
 namespace {

@@ -1,6 +1,6 @@
 // A family in lanes: F::make(random, first) makes the queries of one vector, and F::finish solves, one query at a time,
 // whatever needs exact arithmetic.
-#include "fuzz/families/sphere_triangle/lane_shapes-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert {

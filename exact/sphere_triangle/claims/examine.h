@@ -3,7 +3,7 @@
 
 #include <tuple>
 
-#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/measures/error_measure.h"
 #include "kernel/kernel.h"

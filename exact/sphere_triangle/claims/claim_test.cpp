@@ -1,5 +1,5 @@
 // The claims of the kernels, checked in exact arithmetic over small integer triangles.
-#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/claims/claim.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fuzz/families/sphere_triangle/shapes.h"
+#include "fuzz/families/sphere_triangle/parts/shapes.h"
 
 #include <cmath>
 

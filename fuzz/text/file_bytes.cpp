@@ -1,4 +1,4 @@
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 
 #include <fmt/format.h>
 

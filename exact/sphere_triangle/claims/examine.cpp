@@ -1,4 +1,4 @@
-#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/claims/examine.h"
 
 #include <algorithm>
 

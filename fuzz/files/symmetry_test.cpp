@@ -1,5 +1,5 @@
 // The canonical form: the same for all images of a query, and different for other queries.
-#include "fuzz/shrink/symmetry.h"
+#include "fuzz/files/symmetry.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fuzz/shrink/symmetry.h"
+#include "fuzz/files/symmetry.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "exact/numbers/rational.h"
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 
 namespace axiscert {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/judge/examine.h"
-#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/claims/examine.h"
+#include "exact/sphere_triangle/claims/claim.h"
 
 namespace axiscert {
 namespace {

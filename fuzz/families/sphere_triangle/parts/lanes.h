@@ -14,7 +14,7 @@
 #include <cstring>
 #include <limits>
 
-#include "fuzz/families/sphere_triangle/shapes.h"
+#include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/queries/family.h"
 #include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/sphere_triangle/forms/simd.h"

@@ -1,4 +1,4 @@
-#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/claims/claim.h"
 
 #include <fmt/format.h>
 
