@@ -1,7 +1,7 @@
 // axiscert: certifies floating-point sphere-triangle kernels against exact arithmetic.
 #include <sys/resource.h>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 
 int main(int argc, char** argv) {
   using namespace axiscert;

@@ -10,7 +10,7 @@
 
 #include "kernel/arithmetic/arithmetic_list.h"
 #include "kernel/finding.h"
-#include "kernel/sphere_triangle/formulae_list.h"
+#include "kernel/formulae_list.h"
 #include "kernel/query.h"
 
 namespace axiscert {
@@ -65,7 +65,7 @@ inline constexpr std::string_view scalar_target = "scalar";
 std::string resolve_target(std::string_view name);
 bool same_letters(std::string_view a, std::string_view b);  // in any case
 
-// How a kernel is called where that is not as a plan says (kernel/called.h).
+// How a kernel is called where that is not as a plan says (kernel/registry/called.h).
 struct Call {
   std::string target = {};                // on this instruction set and no other; empty: the one that is asked for
   Rounding rounding = Rounding::nearest;  // the caller's modes
@@ -124,7 +124,7 @@ const std::vector<ArithmeticInfo>& arithmetics();
 // The kernels that stand in the registry.
 std::span<const Kernel> kernels();
 // One of those; RUNG+ARITHMETIC, for the scalar form of a rung in one of arithmetics(); either with @CALL
-// (kernel/called.h); plugin:PATH for a plug-in (kernel/include/axiscert/plugin.h), peer/NAME or fault/NAME for one that
+// (kernel/registry/called.h); plugin:PATH for a plug-in (kernel/include/axiscert/plugin.h), peer/NAME or fault/NAME for one that
 // comes with axiscert. Throws Error naming what exists. The reference is good for the life of the program.
 const Kernel& find_kernel(std::string_view id);
 

@@ -10,7 +10,7 @@
 #include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 
 namespace axiscert {
 namespace {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/running/check_output.h"
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "exact/sphere_triangle/claims/examine.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/query_file.h"

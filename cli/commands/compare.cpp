@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/terminal.h"
 #include "kernel/base/error.h"
 #include "kernel/kernel.h"

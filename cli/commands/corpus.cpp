@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
 

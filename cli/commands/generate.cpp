@@ -6,7 +6,7 @@
 #include <csignal>
 #include <cstring>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/options/run_options.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/pipe/query_stream.h"

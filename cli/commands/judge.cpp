@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/judged_run.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/commands/commands.h"
-#include "kernel/called.h"
+#include "cli/commands.h"
+#include "kernel/registry/called.h"
 #include "kernel/plugin/load.h"
 #include "fuzz/confirm/record.h"
 

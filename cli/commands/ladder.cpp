@@ -4,7 +4,7 @@
 #include "cli/options/instrument_options.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 #include "reports/instrument/ladder_report.h"
 
 namespace axiscert {

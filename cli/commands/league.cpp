@@ -10,7 +10,7 @@
 #include "fuzz/instruments/kernel_speed.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 #include "reports/instrument/league_report.h"
 
 namespace axiscert {

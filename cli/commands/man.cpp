@@ -1,7 +1,7 @@
 // `axiscert man`: the manual page, made from the same definitions that parse the command line.
 #include <fmt/format.h>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 
 namespace axiscert {
 namespace {

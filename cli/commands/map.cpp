@@ -5,11 +5,11 @@
 #include <filesystem>
 
 #include "cli/options/address_query.h"
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/run_output.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 #include "fuzz/confirm/finding_record.h"
 #include "reports/instrument/map.h"
 #include "reports/wording/reproduce.h"

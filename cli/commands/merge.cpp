@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/judged_run.h"
 #include "cli/running/planned_run.h"
 #include "kernel/base/error.h"

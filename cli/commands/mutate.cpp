@@ -10,7 +10,7 @@
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 #include "reports/instrument/mutation_report.h"
 
 namespace axiscert {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/options/plan_file.h"
 #include "reports/run_folder/run_folder.h"
 

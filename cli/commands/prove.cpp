@@ -7,7 +7,7 @@
 #include <iostream>
 #include <optional>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/options/instrument_options.h"
 #include "proofs/attained.h"
 #include "proofs/checkers.h"

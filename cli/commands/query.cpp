@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/options/address_query.h"
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 
 namespace axiscert {
 

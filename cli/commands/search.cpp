@@ -10,7 +10,7 @@
 #include "fuzz/queries/address.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 #include "fuzz/confirm/finding_record.h"
 #include "reports/instrument/search_report.h"
 

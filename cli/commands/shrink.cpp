@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "cli/options/address_query.h"
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/shrunk.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"

@@ -1,7 +1,7 @@
 // What the measuring subcommands share: which kernels on which queries, and where their report goes.
 #pragma once
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 #include "reports/instrument/instrument.h"

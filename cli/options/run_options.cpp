@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/options/preset.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/corpus.h"

@@ -7,14 +7,14 @@
 #include <filesystem>
 #include <optional>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/run_output.h"
 #include "cli/running/shrunk.h"
 #include "cli/running/terminal.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/campaign/parts/stretch.h"
 #include "kernel/base/error.h"
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 #include "reports/gates/ratchet.h"
 #include "fuzz/confirm/plan.h"
 #include "reports/formats/render.h"

@@ -6,14 +6,14 @@
 #include <set>
 #include <sstream>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/judged_run.h"
 #include "cli/running/recheck.h"
 #include "cli/running/run_output.h"
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/campaign/parts/distribute.h"
 #include "kernel/base/error.h"
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 
 namespace axiscert {
 namespace {

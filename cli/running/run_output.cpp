@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/terminal.h"
 #include "fuzz/files/query_file.h"
 #include "kernel/base/error.h"

@@ -15,7 +15,7 @@
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 #include "fuzz/confirm/finding_record.h"
 
 namespace axiscert::character {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "exact/sphere_triangle/measures/limits.h"
-#include "fuzz/families/sphere_triangle/parts/image_groups.h"
+#include "fuzz/queries/image_groups.h"
 #include "kernel/ask.h"
 
 namespace axiscert {

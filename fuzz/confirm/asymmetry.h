@@ -1,4 +1,4 @@
-// Asymmetries: answers of a kernel to images of a query (fuzz/families/sphere_triangle/parts/image_groups.h) that differ from its answer to the
+// Asymmetries: answers of a kernel to images of a query (fuzz/queries/image_groups.h) that differ from its answer to the
 // query.
 #pragma once
 

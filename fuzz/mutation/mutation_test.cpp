@@ -10,6 +10,7 @@
 #include "fuzz/campaign/tally.h"
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "fuzz/campaign/unit.h"
-#include "kernel/called.h"
+#include "kernel/registry/called.h"
 #include "kernel/include/axiscert/certified.h"
 
 namespace axiscert {

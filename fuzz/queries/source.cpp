@@ -1,6 +1,6 @@
 #include "fuzz/queries/source.h"
 
-#include "fuzz/families/sphere_triangle/parts/image_groups.h"
+#include "fuzz/queries/image_groups.h"
 
 namespace axiscert {
 namespace {

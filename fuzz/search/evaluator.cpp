@@ -11,6 +11,7 @@
 #include "fuzz/search/range.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/forms/simd.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert {
 namespace {

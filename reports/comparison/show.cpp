@@ -8,7 +8,7 @@
 #include <map>
 
 #include "kernel/base/utf8.h"
-#include "reports/formats/markdown_text.h"
+#include "reports/wording/markdown_text.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"
 

@@ -6,7 +6,7 @@
 
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
-#include "reports/formats/markdown_text.h"
+#include "reports/wording/markdown_text.h"
 #include "reports/wording/reproduce.h"
 #include "reports/gates/requirement.h"
 #include "reports/wording/summary.h"

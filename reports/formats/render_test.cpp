@@ -8,7 +8,7 @@
 #include <random>
 
 #include "reports/page/embedded.h"
-#include "reports/formats/markdown_text.h"
+#include "reports/wording/markdown_text.h"
 #include "reports/gates/requirement.h"
 
 namespace axiscert {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "fuzz/queries/address.h"
-#include "reports/formats/markdown_text.h"
+#include "reports/wording/markdown_text.h"
 
 namespace axiscert {
 namespace {

@@ -12,6 +12,7 @@
 #include "exact/numbers/floating.h"
 #include "exact/numbers/mpfr_number.h"
 #include "kernel/kernel.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert {
 namespace {

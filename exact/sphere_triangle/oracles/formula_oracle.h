@@ -6,7 +6,7 @@
 #include "exact/numbers/rational.h"
 #include "exact/numbers/surd.h"
 #include "kernel/sphere_triangle/reference/evaluate.h"
-#include "kernel/sphere_triangle/formulae_list.h"
+#include "kernel/formulae_list.h"
 
 namespace axiscert {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "kernel/sphere_triangle/formulae_list.h"
+#include "kernel/formulae_list.h"
 
 namespace axiscert {
 

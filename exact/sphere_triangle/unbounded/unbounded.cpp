@@ -5,6 +5,7 @@
 
 #include "exact/sphere_triangle/unbounded/unbounded_table.h"
 #include "exact/sphere_triangle/unbounded/wide_range_float.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert {
 

@@ -7,7 +7,7 @@
 #include "kernel/sphere_triangle/certified/numbers/ball.h"
 #include "kernel/sphere_triangle/certified/numbers/balanced_digits.h"
 #include "kernel/sphere_triangle/certified/numbers/dyadic.h"
-#include "kernel/sphere_triangle/certified/exact_margins.h"
+#include "kernel/sphere_triangle/certified/numbers/exact_margins.h"
 #include "kernel/sphere_triangle/certified/numbers/integer.h"
 
 namespace axiscert::certified {

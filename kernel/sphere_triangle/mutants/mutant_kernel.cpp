@@ -7,6 +7,7 @@
 #include "kernel/base/environment.h"
 #include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/sphere_triangle/mutants/mutant.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert::mutants {
 namespace {

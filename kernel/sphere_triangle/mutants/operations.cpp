@@ -4,7 +4,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "kernel/sphere_triangle/formulae_list.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 #include "kernel/query.h"
 
 namespace axiscert::mutants {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert {
 

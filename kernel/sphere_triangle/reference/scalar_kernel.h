@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "kernel/sphere_triangle/certified/numbers/dyadic.h"
-#include "kernel/sphere_triangle/certified/exact_margins.h"
+#include "kernel/sphere_triangle/certified/numbers/exact_margins.h"
 #include "kernel/sphere_triangle/certified/numbers/integer.h"
 
 namespace axiscert::certified {

@@ -1,4 +1,4 @@
-#include "kernel/called.h"
+#include "kernel/registry/called.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

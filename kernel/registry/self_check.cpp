@@ -1,4 +1,4 @@
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 
 #include <fmt/format.h>
 

@@ -5,14 +5,6 @@
 #include <array>
 #include <cstdint>
 
-#include "kernel/sphere_triangle/formulae.h"
-#include "kernel/sphere_triangle/methods/closest_point.h"
-#include "kernel/sphere_triangle/methods/minkowski.h"
-#include "kernel/sphere_triangle/methods/segments.h"
-#include "kernel/sphere_triangle/rungs/ladder.h"
-#include "kernel/sphere_triangle/rungs/reduced.h"
-#include "kernel/sphere_triangle/rungs/slips.h"
-
 // X(name, type, kind)
 //   rung     sixteen comparisons whose signs are those of the published ones on every query, where they are defined
 //   variant  sixteen comparisons of its own
@@ -58,17 +50,5 @@ inline constexpr std::array<FormulaeKind, formulae_count> formulae_kinds = {
 };
 constexpr FormulaeKind kind_of(Formulae f) { return formulae_kinds[static_cast<std::size_t>(f)]; }
 constexpr bool has_comparisons(Formulae f) { return f != Formulae::none && kind_of(f) != FormulaeKind::method; }
-
-template <Formulae f>
-struct FormulaeTypeOf;
-#define AXISCERT_TYPE(name, type_, kind)  \
-  template <>                             \
-  struct FormulaeTypeOf<Formulae::name> { \
-    using type = type_;                   \
-  };
-AXISCERT_FORMULAE(AXISCERT_TYPE)
-#undef AXISCERT_TYPE
-template <Formulae f>
-using FormulaeType = typename FormulaeTypeOf<f>::type;
 
 }  // namespace axiscert

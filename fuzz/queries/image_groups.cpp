@@ -1,6 +1,6 @@
-#include "fuzz/families/sphere_triangle/parts/image_groups.h"
+#include "fuzz/queries/image_groups.h"
 
-#include "fuzz/families/sphere_triangle/parts/images.h"
+#include "fuzz/queries/images.h"
 
 namespace axiscert {
 namespace {

@@ -1,6 +1,6 @@
 // Families of images: every image is exact, so that exact arithmetic gives the same answers as for the base; and
 // differing answers of a kernel are counted.
-#include "fuzz/families/sphere_triangle/parts/image_groups.h"
+#include "fuzz/queries/image_groups.h"
 
 #include <cmath>
 #include <set>
@@ -8,7 +8,7 @@
 #include "exact/numbers/rational.h"
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "fuzz/confirm/asymmetry.h"
-#include "fuzz/families/sphere_triangle/parts/images.h"
+#include "fuzz/queries/images.h"
 #include "fuzz/queries/family_testing.h"
 
 namespace axiscert {

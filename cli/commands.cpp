@@ -1,5 +1,5 @@
 // What the subcommands share.
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Kernels called otherwise: what their ids say is how they are called, and what they then still claim.
-#include "kernel/called.h"
+#include "kernel/registry/called.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <deque>
 #include <mutex>
 
-#include "kernel/called.h"
+#include "kernel/registry/called.h"
 #include "kernel/sphere_triangle/certified/kernels.h"
 #include "kernel/sphere_triangle/forms/eigen.h"
 #include "kernel/base/error.h"
