@@ -1,4 +1,4 @@
-// The bounds as a header of kernel/, for what relies on them.
+// The bounds as a header in kernel/, for code that relies on them.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
