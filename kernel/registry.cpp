@@ -182,8 +182,8 @@ Kernel composed(std::string_view id, const Kernel& rung, const ArithmeticInfo& a
 const Kernel& found_as_called(std::string_view id, std::string_view call) {
   if (plugin::plugin_path(id)) {
     throw Error(
-        fmt::format("kernel '{}@{}': {} runs in its own process, which modes set here do not reach; "
-                    "only axiscert's own kernels can be called with '@'",
+        fmt::format("kernel '{}@{}': {} runs in a process of its own, which settings made here do not reach; "
+                    "only built-in kernels can be called with '@'",
                     id, call, id));
   }
   Kernel kernel = called(find_kernel(id), call);
