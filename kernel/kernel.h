@@ -78,14 +78,14 @@ struct Call {
   bool has_modes() const { return rounding != Rounding::nearest || flush; }
 };
 
-// What a kernel shows besides its verdict. Each value includes the one before.
+// The parts of an answer that a kernel shows besides its verdict. Each value includes the one before.
 enum class Exposure : std::uint8_t { verdict, comparisons, sides };
 inline constexpr std::array<std::string_view, 3> exposure_names = {"verdict", "comparisons", "sides"};
 
 struct Kernel {
   std::string id;
   std::string summary;  // one line
-  // What the kernel claims to compute: these formulae, with these side comparisons, in this arithmetic.
+  // The kernel claims to compute these formulae, with these side comparisons, in this arithmetic.
   Formulae formulae = Formulae::published;
   Strictness strictness = Strictness::strict;
   Arithmetic arithmetic = Arithmetic::plain;

@@ -139,7 +139,7 @@ int main(int argc, char** argv) {
   using namespace axiscert;
   character::Options o;
   CLI::App app{
-      "A sphere walks and slides over a mesh by the certified predicate, and other kernels are asked of each of its "
+      "A sphere walks and slides over a mesh by the certified predicate, and other kernels are asked about each of its "
       "spheres."};
   app.add_option("MESH", o.mesh, "file of any format that assimp reads")->required();
   app.add_option("--steps", o.steps, "number of steps, each of half a radius")

@@ -54,9 +54,9 @@ typedef struct axiscert_counts {
   size_t contacts, invalid;
 } axiscert_counts;
 
-/* An indexed mesh: vertex v begins at vertices[v * stride], stride >= 3; triangle t is indices[3 t], [3 t + 1], [3 t
- * + 2]. The indices are not checked: the vertices that they name must exist. Other vertices between the least and
- * the greatest vertex of the triangles asked may be read too, whatever they contain. */
+/* An indexed mesh: vertex v begins at vertices[v * stride], stride >= 3; the vertices of triangle t are indices[3 t] to
+ * indices[3 t + 2]. The indices are not checked: the vertices that they name must exist. Other vertices between the
+ * least and the greatest vertex of the triangles asked may be read too, whatever they contain. */
 typedef struct axiscert_mesh_f32 {
   const float* vertices;
   size_t stride;
