@@ -1,7 +1,7 @@
 (* The thresholds of the certified predicate's coarse step (kernel/sphere_triangle/certified): the difference of each
    margin, as computed, and the exact margin is within the computed threshold of its degree. This holds for any rounding
    with |rnd x - x| <= u |x| + eta, with fused multiply-add or without.
-   
+
    S = |A|^2 + |B|^2 + |C|^2 + r^2 and E = |AB|^2 + |BC|^2 + |CA|^2. *)
 From Coq Require Import Reals Lra Psatz.
 From Flocq Require Import Core.

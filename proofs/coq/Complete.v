@@ -210,7 +210,7 @@ Proof.
   intros flat (ab & ba & e) far. split; [apply (edge_complete A B C); assumption |].
   unfold edge_side_sides; cbn [fst]. rewrite side_lam.
   enough (lam A B C = 0) as -> by lra. rewrite lam_normal.
-  unfold has_area in flat. pose proof (dot_self_nonneg (normal A B C)). 
+  unfold has_area in flat. pose proof (dot_self_nonneg (normal A B C)).
   pose proof (cauchy_schwarz (cross A B) (normal A B C)) as bound.
   replace (dot (normal A B C) (normal A B C)) with 0 in bound by lra. rewrite Rmult_0_r in bound. nra.
 Qed.

@@ -1,7 +1,7 @@
 (* The conservative test of the certified predicate (kernel/sphere_triangle/certified/conservative_step-inl.h) never
    misses a contact: where one of its four axes passes, the triangle is separated. This holds for any rounding with |rnd
    x - x| <= u |x| + eta.
-   
+
    A, B, C are the translated vertices as computed, a, b, c the exact ones; W is the greatest of A.A, B.B, C.C, r r, as
    computed. *)
 From Coq Require Import Reals Lra Psatz.
@@ -281,7 +281,7 @@ Section Conservative.
   Qed.
 
   (* The plane's axis, for any stored vector that is not too short. *)
-  Lemma plane_axis n at_a at_b at_c square m mm rs : 
+  Lemma plane_axis n at_a at_b at_c square m mm rs :
     computed_dot A n at_a -> computed_dot B n at_b -> computed_dot C n at_c -> computed_dot n n square ->
     (m <= at_a /\ m <= at_b /\ m <= at_c \/ m <= - at_a /\ m <= - at_b /\ m <= - at_c) ->
     eta <= / 1000000 * (u * dot n n) -> eta <= / 1000000 * (u * W * dot n n) ->

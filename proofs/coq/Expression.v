@@ -1,7 +1,7 @@
 (* A language of straight-line programs over + - * and fused multiply-add, and a bound of the rounding error of each of
    them, computed by integers and proved once, by induction, for every precision and every arithmetic that rounds with
    |rnd x - x| <= u |x| + eta.
-   
+
    A value of degree k is compared with m^k, where m bounds the translated coordinates and the radius, so the bound does
    not depend on scale. Errors are counted in units of u / 1024, u = 2^-p, and rounded up to whole units. Underflow
    costs one unit per operation, inside a window of m in which eta <= unit m^k for each degree that occurs. *)

@@ -1,6 +1,6 @@
 (* The bounds beside the margins of exact/sphere_triangle/filters/margins-inl.h: each is proved to exceed its margin's
    error by a thirty-second part, which is left for the rounding of the bound itself.
-   
+
    u is the relative error of an operation: 2^-53 for doubles, 2^-103 for their pairs. Nothing underflows: a rounding
    has no other error here. Lower case is exact, upper case computed; A, B, ... are leaves, N and V cross products of
    leaves. *)

@@ -1,7 +1,7 @@
 (* A bound of the depth of phantom contacts of the conservative test
    (kernel/sphere_triangle/certified/conservative_step-inl.h): where every point of the triangle is farther from the
    centre than r by 19.9 sqrt u L, some axis passes. This holds for any rounding with |rnd x - x| <= u |x| + eta.
-   
+
    A, B, C are the translated vertices as computed; t^2 = u W. *)
 From Coq Require Import Reals Lra Psatz.
 From Flocq Require Import Core.

@@ -3,7 +3,7 @@ Open Scope R_scope.
 
 (* The ranges that the Gappa scripts take as hypotheses: exact quantities of a triangle in a cube, and how much they
    change where every coordinate moves by at most h within it.
-   
+
    A, B, C are (x1, y1, z1), (x2, y2, z2), (x3, y3, z3). The theorems are about first components and the edge AB; the
    others follow by renaming, and RangesClaimed.v, which write_proofs makes, states which theorem applies to each
    quantity of the program. *)

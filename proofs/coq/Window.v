@@ -1,5 +1,5 @@
 (* The window of exponents in which nothing over- or underflows, by comparison.
-   
+
    A query lies on the grid g where every translated coordinate and the radius is a whole multiple of 2^g. Then a value
    of degree k is a multiple of 2^(k g), rounded or not, and where k g is no less than the least exponent emin of the
    format, no operation underflows: each gives the same number as with an unbounded exponent. Where all numbers are at
