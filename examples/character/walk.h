@@ -2,7 +2,7 @@
 //
 // A step goes half a radius ahead; pushes the sphere out of what it penetrates, away from the nearest point; and lets
 // it fall to a float at which it touches the ground and above which it does not. Where the ground is too steep, or the
-// way leads over an edge, the character turns. Contact is always decided by the certified predicate; directions are
+// way leads over a drop, the character turns. Contact is always decided by the certified predicate; directions are
 // rounded.
 #pragma once
 
