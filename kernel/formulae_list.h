@@ -1,5 +1,5 @@
-// Every set of formulae that a kernel can claim, one line each: the name, the type, and what is known of it over the
-// reals. All number types (exact, unbounded, the computed ones) are instantiated from this list.
+// Every set of formulae that a kernel can claim, one line each: the name, the type, and its kind, a statement about it
+// over the reals. All number types (exact, unbounded, floating-point) are instantiated from this list.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 // X(name, type, kind)
 //   rung     sixteen comparisons whose signs are those of the published ones on every query, where they are defined
-//   variant  sixteen comparisons of its own
-//   method   a verdict, with no comparison to name
+//   variant  sixteen comparisons whose signs may differ from the published ones
+//   method   only a verdict, without comparisons
 #define AXISCERT_FORMULAE(X)                                 \
   X(published, portable::Published, rung)                    \
   X(ladder_0, rungs::Ladder0, rung)                          \

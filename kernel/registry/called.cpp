@@ -28,7 +28,7 @@ std::string known_words() {
                      fmt::join(modes, ", "));
 }
 
-// What each word of "WORD,WORD" says. Throws Error that begins with `id`.
+// The call that "WORD,WORD" describes. Throws Error with a message that begins with `id`.
 Call parsed(std::string_view words, const std::string& id) {
   const auto refuse = [&](const std::string& why) { throw Error(fmt::format("kernel '{}': {}", id, why)); };
   const std::vector<std::string> targets = available_targets();
@@ -38,14 +38,14 @@ Call parsed(std::string_view words, const std::string& id) {
     const auto target = std::ranges::find_if(targets, is_word);
     const auto mode = std::ranges::find_if(call_modes(), is_word, &CallMode::name);
     const auto set = [&](auto& value, const auto& unset, const auto& asked, const char* what) {
-      if (value == asked) refuse(fmt::format("'{}' stands there twice", word));
+      if (value == asked) refuse(fmt::format("'{}' appears twice", word));
       if (value != unset) refuse(fmt::format("two {}; a kernel is called with one", what));
       value = asked;
     };
     if (target != targets.end()) set(call.target, "", *target, "instruction sets");
     else if (word.empty()) refuse(fmt::format("a word is missing after '@' or ','; {}", known_words()));
     else if (mode == call_modes().end())
-      refuse(fmt::format("after '@', '{}' says no way to call a kernel; {}", word, known_words()));
+      refuse(fmt::format("after '@', '{}' is not a way to call a kernel; {}", word, known_words()));
     else if (mode->flush) set(call.flush, false, true, "");
     else set(call.rounding, Rounding::nearest, mode->rounding, "directions of rounding");
   }
@@ -61,7 +61,7 @@ std::vector<std::string_view> words_of(const Call& call) {
   return words;
 }
 
-// What is called is behind a pointer, so that no operation of it can leave the scope.
+// The function is called through a pointer, so that the compiler cannot move any of its operations out of the scope.
 template <class... Arguments>
 std::function<void(Arguments...)> in_modes(const std::function<void(Arguments...)>& function, const Call& call) {
   if (!function) return {};
@@ -74,7 +74,7 @@ std::function<void(Arguments...)> in_modes(const std::function<void(Arguments...
 template <class Real>
 using On = std::function<Implementation<Real>(std::string_view target)>;
 
-// An empty one stays empty.
+// An empty function stays empty.
 template <class Real>
 On<Real> on_call(const On<Real>& on, const Call& call) {
   if (!on) return {};

@@ -1,4 +1,5 @@
-// A kernel as somebody calls it: on one instruction set whatever a plan says, or with floating-point modes set.
+// A kernel called in a way that the plan does not decide: always on one instruction set, or with floating-point modes
+// set.
 #pragma once
 
 #include <optional>
@@ -18,12 +19,12 @@ struct CallMode {
 };
 const std::vector<CallMode>& call_modes();
 
-// The kernel of the id KERNEL@WORD[,WORD...], each word one of available_targets() or call_modes(), in any case. Its id
-// has the instruction set first, then the direction of rounding. In a mode it does not claim the reference's bits.
-// Throws Error with what is wrong.
+// The kernel of the id KERNEL@WORD[,WORD...], where each word is one of available_targets() or call_modes(), in any
+// case. The id of the result has the instruction set first, then the direction of rounding. In a mode the kernel does
+// not claim the reference's bits. Throws Error with what is wrong.
 Kernel called(const Kernel& kernel, std::string_view words);
 
-// Of the id of a called kernel, where its '@' is; nothing for any other. The path of a plug-in may have one in it.
+// Position of the '@' in the id of a called kernel; empty for any other id. The path of a plug-in may contain an '@'.
 std::optional<std::size_t> call_in(std::string_view id);
 
 }  // namespace axiscert

@@ -1,5 +1,5 @@
-// Kernels called otherwise: what their ids say is how they are called, and what they then still claim.
-#include "kernel/registry/called.h"
+// Called kernels: they are called as their ids say, and claim only what still holds then.
+#include "kernel/called.h"
 
 #include <gtest/gtest.h>
 
@@ -29,10 +29,10 @@ TEST(Called, WhatCannotBeIsRefusedWithWhatCan) {
   const std::string best = available_targets().front();
   const std::pair<std::string, std::string> refusals[] = {
       {"certified@", "a word is missing after '@' or ','; instruction sets here: " + best},
-      {"certified@MMX", "'MMX' says no way to call a kernel"},
+      {"certified@MMX", "'MMX' is not a way to call a kernel"},
       {"certified@upward@flushed", "; modes: upward, downward, toward-zero, flushed"},
       {"certified@upward,", "a word is missing"},
-      {"certified@flushed,Flushed", "'Flushed' stands there twice"},
+      {"certified@flushed,Flushed", "'Flushed' appears twice"},
       {"certified@" + best + ",scalar," + best, "two instruction sets"},
       {"certified@upward,toward-zero", "two directions of rounding"},
       {"ladder-3@" + best, "ladder-3 has the same instructions on every target"},
@@ -50,7 +50,7 @@ TEST(Called, WhatCannotBeIsRefusedWithWhatCan) {
   }
 }
 
-// How each function of a kernel was called.
+// The target and the modes with which each function of a kernel was called.
 struct Seen {
   std::string target;
   std::vector<std::pair<int, bool>> modes;  // direction of rounding, whether subnormal numbers are zero
@@ -111,7 +111,8 @@ TEST(Called, InAModeItClaimsNoBitsOfTheReference) {
   EXPECT_FALSE(plain.takes_arithmetic);
 }
 
-// The modes reach what computes: on each instruction set the sides are those of the arithmetic that sets them itself.
+// The modes reach the computation: on each instruction set the sides are those of the arithmetic that sets the modes
+// itself.
 template <class Real>
 void expect_sides_of_the_arithmetic(const std::string& mode, const std::string& arithmetic) {
   constexpr int seed = 61;
@@ -126,7 +127,7 @@ void expect_sides_of_the_arithmetic(const std::string& mode, const std::string& 
         ASSERT_TRUE(same(own.lhs[k], theirs.lhs[k]) && same(own.rhs[k], theirs.rhs[k]))
             << kernel.id << ", query " << i << " of seed " << seed << " " << comparisons[k].name;
       }
-      answer(kernel, q);  // whose bits have to make its verdict
+      answer(kernel, q);  // also checks that the bits make the verdict
     }
   }
 }

@@ -1,4 +1,4 @@
-// The kernels that exist: one line each.
+// The registry: the kernels that exist, one line each.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -23,7 +23,7 @@ namespace {
 
 constexpr auto strict = Strictness::strict, nonstrict = Strictness::nonstrict, not_less = Strictness::not_less;
 
-// The scalar form alone.
+// A kernel with the scalar form only.
 template <Formulae formulae, Strictness strictness = strict>
 Kernel scalar(std::string id, std::string summary) {
   return {.id = std::move(id),
@@ -36,7 +36,7 @@ Kernel scalar(std::string id, std::string summary) {
           .takes_arithmetic = kind_of(formulae) == FormulaeKind::rung};
 }
 
-// The scalar form, and one query a lane on every other target.
+// A kernel with the scalar form, and with one query in each lane on every other target.
 template <Formulae formulae, Strictness strictness, const SimdForms& (*simd)()>
 Kernel vectorised(std::string id, std::string summary) {
   Kernel kernel = scalar<formulae, strictness>(std::move(id), std::move(summary));
@@ -70,7 +70,7 @@ Kernel eigen(std::string id, std::string summary) {
   return kernel;
 }
 
-// Certified: whatever it computes on the way, it shows a verdict.
+// The certified kernels show only a verdict, whatever they compute on the way.
 template <certified::Question question>
 Kernel certified_kernel(std::string id, std::string summary) {
   return {.id = std::move(id),
@@ -83,7 +83,8 @@ Kernel certified_kernel(std::string id, std::string summary) {
           .is_reference = false};
 }
 
-// The filter of formulae whose non-strict form is right for every triangle: whatever it computes, it shows a verdict.
+// The filter of formulae whose non-strict form is right for every triangle. It shows only a verdict, whatever it
+// computes.
 template <FilterForm form>
 Kernel filter(std::string id, std::string summary) {
   return {.id = std::move(id),
@@ -142,7 +143,7 @@ const Kernel* registered(std::string_view id) {
   return nullptr;
 }
 
-// A kernel that is no line of the registry: made when it is first asked for, and kept.
+// A kernel that is not in the registry: made when it is first asked for, and kept.
 template <class Make>
 const Kernel& kept(std::string_view id, const Make& make) {
   static std::mutex mutex;
@@ -153,12 +154,12 @@ const Kernel& kept(std::string_view id, const Make& make) {
       if (kernel.id == id) return kernel;
     }
   }
-  Kernel kernel = make();  // a plug-in's claim is looked up here
+  Kernel kernel = make();  // a plug-in's claim is looked up here, so the lock must not be held
   const std::lock_guard lock(mutex);
   return made.emplace_back(std::move(kernel));
 }
 
-// "RUNG+ARITHMETIC".
+// The kernel "RUNG+ARITHMETIC".
 Kernel composed(std::string_view id, const Kernel& rung, const ArithmeticInfo& arithmetic) {
   Kernel kernel;
   kernel.id = id;
@@ -177,12 +178,12 @@ Kernel composed(std::string_view id, const Kernel& rung, const ArithmeticInfo& a
   return kernel;
 }
 
-// "KERNEL@CALL".
+// The kernel "KERNEL@CALL".
 const Kernel& found_as_called(std::string_view id, std::string_view call) {
   if (plugin::plugin_path(id)) {
     throw Error(
-        fmt::format("kernel '{}@{}': {} runs in a process of its own, which what is set here does not reach; "
-                    "only kernels of axiscert's own can be called otherwise",
+        fmt::format("kernel '{}@{}': {} runs in a process of its own, which settings made here do not reach; "
+                    "only built-in kernels can be called with '@'",
                     id, call, id));
   }
   Kernel kernel = called(find_kernel(id), call);
@@ -251,8 +252,8 @@ const Kernel& find_kernel(std::string_view id) {
     if (kernel.takes_arithmetic) known.push_back(kernel.id);
   }
   if (!rung || !rung->takes_arithmetic) {
-    throw Error(fmt::format("kernel '{}': '{}' is no rung that takes another arithmetic; those: {}", id, rung_id,
-                            fmt::join(known, ", ")));
+    throw Error(fmt::format("kernel '{}': '{}' is not a rung that takes another arithmetic; rungs that do: {}", id,
+                            rung_id, fmt::join(known, ", ")));
   }
   known.clear();
   for (const ArithmeticInfo& arithmetic : arithmetics()) {

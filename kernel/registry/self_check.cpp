@@ -14,7 +14,7 @@
 namespace axiscert {
 namespace {
 
-// A number whose every result passes through memory: one rounding an operation whatever the compiler was told.
+// A number type that stores every result to memory, so that each operation rounds once whatever the compiler was told.
 template <class Real>
 struct Stored {
   Real value;
@@ -33,15 +33,15 @@ struct Stored {
   }
 };
 
-// Same bits, or both NaN (whose payload no operation order fixes).
+// Whether a and b have the same bits or are both NaN (no order of operations determines the payload).
 template <class Real>
 bool same(Real a, Real b) {
   using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
   return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b) || (a != a && b != b);
 }
 
-// Fixed operands that show each mode apart: with u = 2^-p, (1+2u)(1-2u) rounds to 1 and keeps -4u^2 only when fused;
-// 1 + u is a tie that goes to even; half the least normal number is subnormal and not zero.
+// Checks the modes of the processor on fixed operands. With u = 2^-p: 1 + u is a tie, which rounds to even; 1 + 3u is
+// the other tie; half the least normal number is subnormal and not zero.
 template <class Real>
 std::optional<std::string> check_environment() {
   volatile Real u = std::numeric_limits<Real>::epsilon() / 2, one = 1, least = std::numeric_limits<Real>::min();
@@ -55,10 +55,11 @@ std::optional<std::string> check_environment() {
 }
 
 // Queries on which contraction shows: repeated vertices (cross(u, u) turns into noise) and full-width significands, at
-// an ordinary and at a nearly subnormal scale. A fixed linear congruence; the numbers only have to be wide.
+// an ordinary and at a nearly subnormal scale. The numbers come from a fixed linear congruence; they only have to use
+// all bits.
 template <class Real>
 QueryBatch<Real> check_queries() {
-  QueryBatch<Real> batch(67);  // no multiple of a vector: the ragged tail is checked too
+  QueryBatch<Real> batch(67);  // not a multiple of a vector's length, so that the remainder loop is checked too
   std::uint64_t state = 1;
   const auto next = [&] {
     state = state * 6364136223846793005u + 1442695040888963407u;
@@ -90,7 +91,7 @@ constexpr StoredSides<Real> stored_function() {
   else return sides_through_memory<F, Real>;
 }
 
-// The sides of any set of formulae that has comparisons.
+// The sides of any set of formulae that has comparisons, with every result stored.
 template <class Real>
 Sides<Stored<Real>> stored_sides(Formulae formulae, const Query<Real>& q) {
   static constexpr StoredSides<Real> functions[] = {

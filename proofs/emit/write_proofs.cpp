@@ -1,5 +1,5 @@
-// write_proofs FOLDER: writes every generated file under it, proofs of the source tree.
-// write_proofs --check FOLDER: says which of them are not current, and exits 1 where there are any.
+// write_proofs FOLDER: writes every generated file under FOLDER, which is proofs/ of the source tree.
+// write_proofs --check FOLDER: names those that are not current, and exits 1 if there are any.
 #include <filesystem>
 #include <fstream>
 #include <iostream>

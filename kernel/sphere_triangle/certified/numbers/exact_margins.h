@@ -1,5 +1,5 @@
-// The margins of the reduced test (kernel/sphere_triangle/rungs/reduced.h), in whichever numbers: integers of so many
-// words, nonzero digits or balls.
+// The margins of the reduced test (kernel/sphere_triangle/rungs/reduced.h) over several number types: integers of a
+// fixed number of words, nonzero digits and balls.
 #pragma once
 
 namespace axiscert::certified {
@@ -47,8 +47,8 @@ class ExactMargins {
 
   static int next(int i) noexcept { return i == 2 ? 0 : i + 1; }
   static int last(int i) noexcept { return i == 0 ? 2 : i - 1; }
-  // Of the vertices themselves: as the difference of what is left of them far from the centre, a ball would tell
-  // nothing.
+  // A difference of the vertices themselves. Computed from their differences with a far centre, it would be a ball too
+  // wide to tell anything.
   Point between(int i, int to) const noexcept { return vertex_[to] - vertex_[i]; }
   Point along(int i) const noexcept { return between(i, next(i)); }
   Normal plane_normal() const noexcept { return cross<Two>(between(0, 1), between(0, 2)); }
