@@ -69,7 +69,7 @@ inline constexpr std::string_view scalar_target = "scalar";
 std::string resolve_target(std::string_view name);
 bool same_letters(std::string_view a, std::string_view b);  // compares without regard to case
 
-// How a kernel is called where the plan does not decide that (kernel/called.h).
+// How a kernel is called where the plan does not decide that (kernel/registry/called.h).
 struct Call {
   std::string target = {};                // run on this instruction set only; empty: on the one that is asked for
   Rounding rounding = Rounding::nearest;  // the caller's modes
@@ -129,7 +129,7 @@ const std::vector<ArithmeticInfo>& arithmetics();
 // The kernels of the registry.
 std::span<const Kernel> kernels();
 // The kernel with this id: one of kernels(); RUNG+ARITHMETIC, the scalar form of a rung in one of arithmetics(); either
-// of these with @CALL (kernel/called.h); plugin:PATH for a plug-in (kernel/include/axiscert/plugin.h), peer/NAME or
+// of these with @CALL (kernel/registry/called.h); plugin:PATH for a plug-in (kernel/include/axiscert/plugin.h), peer/NAME or
 // fault/NAME for one that comes with axiscert. Throws Error that lists the kernels. The reference stays valid for the
 // life of the program.
 const Kernel& find_kernel(std::string_view id);

@@ -1,5 +1,5 @@
 // Called kernels: they are called as their ids say, and claim only what still holds then.
-#include "kernel/called.h"
+#include "kernel/registry/called.h"
 
 #include <gtest/gtest.h>
 
