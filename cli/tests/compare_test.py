@@ -31,7 +31,7 @@ class Compare(Case):
         self.assertTrue(self.compare("out", "out").startswith("axiscert compare: no change\n"))
         text = self.compare("out", "seed2")
         self.assertTrue(text.startswith("axiscert compare: no change\n"), text)
-        self.assertRegex(text, r"Witnesses of OLD, asked again here: \d+ as before\.")
+        self.assertRegex(text, r"Witnesses of OLD, evaluated again here: \d+ as before\.")
 
     def test_what_is_worse_is_named_in_every_format(self):
         self.run_ok(*PLAN)
@@ -152,7 +152,7 @@ class Ratchet(Case):
             (run,) = json.loads((self.folder / "out/report.sarif").read_text())["runs"]
             worse = [r for r in run["results"] if r["ruleId"] == "worse-than-accepted"]
             self.assertEqual(len(worse), done.stderr.count("axiscert: --ratchet: "))
-            self.assertIn("it does not hold", (self.folder / "out/report.md").read_text())
+            self.assertIn("the ratchet is not met", (self.folder / "out/report.md").read_text())
         for name, schema in {"report.sarif": "testdata/sarif-2.1.0-rtm.5.json", "ratchet.json": "ratchet.schema.json"}.items():
             self.assertEqual(validate(schema, self.folder / "out" / name).stderr, "")
         done = self.judge("none", "--ratchet", self.ratchet, "--quiet")
@@ -222,7 +222,7 @@ class CiFormats(Case):
         lines = (stored / "witnesses.jsonl").read_text().splitlines()
         for result in results:
             line = result["locations"][0]["physicalLocation"]["region"]["startLine"]
-            if "Shown again by" in result["message"]["text"]:
+            if "Reproduced by" in result["message"]["text"]:
                 self.assertIn(json.loads(lines[line - 1])["id"], [w["id"] for w in record["witnesses"]])
 
     def test_the_schemas_are_not_blind(self):

@@ -72,7 +72,8 @@ InstrumentTable verdict_table(const PrecisionPlan& plan, const PrecisionTally& a
   return table;
 }
 
-// What the precision's own number of bits breaks, against what its exponents break. `step` is where that is.
+// Verdicts changed by the precision's own number of bits, next to those changed by its exponents. `step` is the
+// position of that number of bits in the plan.
 InstrumentTable separation_table(const PrecisionPlan& plan, const PrecisionTally& all, std::size_t step) {
   InstrumentTable table{fmt::format("Rounding apart from range, at the {} bits of {}; per million", plan.bits[step],
                                     name(plan.precision)),

@@ -1,4 +1,4 @@
-// `axiscert search`: the worst that a search found in a kernel, beside what is proved.
+// `axiscert search`: the worst that a search found in a kernel, next to what is proved.
 #include "reports/instrument/search_report.h"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ class SearchReport {
     }
     return nullptr;
   }
-  // The comparisons that were looked at, in their order.
+  // The comparisons that were searched, in their order.
   std::vector<Comparison> comparisons_asked() const {
     std::vector<Comparison> all;
     for (const Aim& aim : result_.aims) {
