@@ -5,7 +5,7 @@
 
 int main(int argc, char** argv) {
   using namespace axiscert;
-  // Every plug-in at work on a thread is a process with a socket and a memory file.
+  // Each plug-in at work on a thread is a process with a socket and a memory file.
   if (rlimit files{}; getrlimit(RLIMIT_NOFILE, &files) == 0) {
     files.rlim_cur = files.rlim_max;
     setrlimit(RLIMIT_NOFILE, &files);
