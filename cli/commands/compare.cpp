@@ -69,7 +69,7 @@ void add_compare(CLI::App& app, Action& action) {
   auto options = std::make_shared<CompareOptions>();
   command->add_option("OLD", options->before, "the folder of the earlier run")->required();
   command->add_option("NEW", options->after, "the folder of the later run")->required();
-  command->add_option("--format", options->format, "what is printed: text, json or markdown")
+  command->add_option("--format", options->format, "format of the output: text, json or markdown")
       ->check(CLI::IsMember({"text", "json", "markdown"}))
       ->capture_default_str();
   command->add_option("--out", options->out, "folder for compare.md, compare.json and compare.html");
@@ -80,7 +80,7 @@ void add_compare(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   command->add_flag("--no-replay", options->no_replay, "do not evaluate the witnesses of OLD again");
   add_plugin_seconds(*command);
-  command->add_flag("--quiet", options->quiet, "print nothing but errors: the exit code is the answer");
+  command->add_flag("--quiet", options->quiet, "print only errors: the exit code is the answer");
   command->callback([&action, options] { action = [options] { return compare(*options); }; });
 }
 

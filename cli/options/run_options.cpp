@@ -167,7 +167,7 @@ void add_run_options(CLI::App& command, RunOptions& o) {
       ->excludes("--exact-only");
   command
       .add_option("--preset", o.preset,
-                  "ci: all families and the corpus with 2^14 queries each, unless options say otherwise")
+                  "ci: all families and the corpus with 2^14 queries each; other options override it")
       ->check(CLI::IsMember(preset_names()));
   add_plugin_seconds(command);
   add_output_options(command, o);

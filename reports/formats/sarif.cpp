@@ -33,7 +33,7 @@ constexpr Rule rules[] = {
      "A comparison holds that does not hold in exact arithmetic, by the kernel's own formulae."},
     {"missed-separation", "missed_separation", false, "note",
      "A comparison does not hold that holds in exact arithmetic, by the kernel's own formulae."},
-    {"tolerance", "tolerance_failures", false, "error", "A comparison's error is above the tolerance asked for it."},
+    {"tolerance", "tolerance_failures", false, "error", "A comparison's error is above the tolerance given for it."},
 };
 constexpr Rule ratchet_rule = {
     "worse-than-accepted", "", false, "error",

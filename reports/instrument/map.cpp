@@ -49,9 +49,9 @@ const std::array<LegendEntry, pixel_class_count>& map_legend() {
       {declined, {0xcc, 0x79, 0xa7}, "the kernel says neither yes nor no"},
       {not_finite, {0x00, 0x9e, 0x73}, "right, though a computed side is not finite"},
       {tie, {0x00, 0x00, 0x00}, "exactly on the boundary; for a verdict: the sphere touches"},
-      {boundary, {0x40, 0x40, 0x40}, "no, beside a pixel that is yes: the exact boundary runs between them"},
-      {yes_uncertain, {0xfd, 0xf0, 0xa8}, "yes (holds, separates), where the bound does not tell"},
-      {no_uncertain, {0xd8, 0xc0, 0x60}, "no, where the bound does not tell"},
+      {boundary, {0x40, 0x40, 0x40}, "no, next to a pixel that is yes: the exact boundary runs between them"},
+      {yes_uncertain, {0xfd, 0xf0, 0xa8}, "yes (holds, separates), where the bound does not determine the sign"},
+      {no_uncertain, {0xd8, 0xc0, 0x60}, "no, where the bound does not determine the sign"},
       {yes, {0xff, 0xff, 0xff}, "yes: the comparison holds, the axis separates, the sphere and the triangle are apart"},
       {no, {0xc8, 0xc8, 0xc8}, "no"},
   }};

@@ -244,7 +244,7 @@ std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& 
                   "the formulae is rounded to nearest even at the number of bits (MPFR). Kernels by their formulae: "
                   "arithmetic is scalar and plain, and nothing is fused.",
                   thousands(all.queries), name(plan.precision), families),
-      fmt::format("Unlimited exponents: what is wrong comes from rounding or from the formulae. Exponents of {}: with "
+      fmt::format("Unlimited exponents: errors come from rounding or from the formulae. Exponents of {}: with "
                   "gradual underflow at that number of bits, so that {} bits are the scalar reference itself, which is "
                   "checked on every query.",
                   name(plan.precision), own_digits(plan)),

@@ -105,7 +105,7 @@ function show_matrix(data) {
 // The record's files hold everything, including what the page has no room for.
 const file_meanings = {
   'record.json': 'every count and every witness; the same bytes from the same plan',
-  'run.json': 'what varies: times, machine, target, versions, filter steps',
+  'run.json': 'everything that varies: times, machine, target, versions, filter steps',
   'witnesses.jsonl': 'every witness as a query file', 'report.md': 'a short version of this page', 'junit.xml': 'for CI',
   'report.sarif': 'for code scanning', 'ratchet.txt': 'the ratchet that would accept this run',
   'ratchet.json': 'the ratchet that the run was compared with, and the outcome', 'witnesses-shrunk.jsonl': 'the witnesses made smaller',

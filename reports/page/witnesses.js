@@ -43,7 +43,7 @@ function bits_table(witness, names) {
     marks.append(el('td', 'bit', witness.exact_comparisons[i] === witness.computed_comparisons[i] ? '' : '≠'));
   });
   return el('div', 'scroll', el('table', 'bits', el('caption', '', 'Comparisons: the kernel\'s own formulae in exact ' +
-    'arithmetic, and what it computed'), el('thead', '', axes, kinds), el('tbody', '', ...lines, marks)));
+    'arithmetic, and as computed'), el('thead', '', axes, kinds), el('tbody', '', ...lines, marks)));
 }
 
 function computed_side(text) {

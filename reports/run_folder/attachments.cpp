@@ -114,7 +114,8 @@ Json mutation(const Path& file) {
   Json data = whole.is_object() ? picked(whole, {"command", "kernel", "complete"}) : Json::object();
   data["mutants"] = data["controls"] = Json::array();
   for (const Json& row : rows_of(file, whole, {"mutants"})) {
-    // Where and when it was caught, or null; or whether it was, with the rest next to it.
+    // The family and the number of queries at which it was caught, or null; or whether it was caught, with the rest
+    // next to it.
     const Json caught = first_of(row, {"caught"});
     const Json& catch_of = caught.is_object() ? caught : row;
     data["mutants"].push_back({{"name", first_of(row, {"id", "name"})},

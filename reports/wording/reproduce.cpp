@@ -184,7 +184,7 @@ std::vector<std::pair<std::string, std::string>> plan_facts(const Run& run) {
   add("threads", info, "threads", [](const Json& n) { return n.dump(); });
   if (info.contains("machine")) add("processor", info["machine"], "cpu", word);
   if (info.contains("target")) {
-    add("target asked for", info["target"], "asked", word);
+    add("target requested", info["target"], "asked", word);
     add("target that ran", info["target"], "dispatched", word);
   }
   add("compiler", info, "compiler", word);
