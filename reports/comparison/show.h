@@ -15,7 +15,7 @@ struct ComparedRuns {
   std::string before_name, after_name;
 };
 
-// "worse: 3 alarms (1 new, 2 worse)", "no change", "better: ...".
+// "worse: 1 new, 2 worse", "no change" or "better: ...".
 std::string answer(const RunComparison& comparison);
 
 // For the terminal (instrument_text) and for a page (instrument_page).
