@@ -1,4 +1,4 @@
-// What the subcommands share.
+// Functions that several subcommands use.
 #include "cli/commands.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The subcommands of `axiscert`, one file each. Each adds itself to the parser and sets `action` when it was chosen.
+// The subcommands of `axiscert`, one file each. Each adds itself to the parser and sets `action` when it is chosen.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -44,15 +44,15 @@ void add_judge(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_man(CLI::App& app, Action& action);
 
-// Says on standard error what an action threw, and returns its ExitCode.
+// Prints on standard error what an action threw, and returns its ExitCode.
 int tell(const std::exception_ptr& thrown);
 
-// The folder of `--out`, where it is not there yet. Throws Error.
+// Creates the folder of `--out` where it does not exist yet. Throws Error.
 void make_folder(const std::string& path);
 
-// The `--format` option of the commands that also write for programs.
+// Adds the `--format` option of the commands that also write for programs.
 CLI::Option* add_format(CLI::App& command, std::string& format, const std::string& machine_format);
-// The `--plugin-seconds` option of the commands that run kernels.
+// Adds the `--plugin-seconds` option of the commands that run kernels.
 void add_plugin_seconds(CLI::App& command);
 
 }  // namespace axiscert

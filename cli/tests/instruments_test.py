@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The measuring subcommands: figures for programs, text, pages, one clear line for every bad input."""
+"""Tests of the measuring subcommands: figures for programs, text, pages, one clear line for every bad input."""
 import json
 import unittest
 

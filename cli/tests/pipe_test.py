@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The pipe: queries to a program in another language, its replies judged as a kernel of one's own is."""
+"""The pipe: queries to a program in another language, whose replies are judged like those of a user's own kernel."""
 import copy
 import json
 import os
@@ -18,7 +18,7 @@ SPIDER = MODELS / "OBJ/spider.obj"
 
 
 def comparable(record):
-    """A record without what a pipe cannot have: who answered, critical radii, and the sides with their errors."""
+    """A record without the parts that a pipe cannot have: who answered, critical radii, and the sides with their errors."""
     record = copy.deepcopy(record)
     del record["plan"]["kernels"]
     record["plan"].pop("replies", None)
@@ -77,7 +77,7 @@ class Pipe(Case):
         return [program]
 
     def test_both_examples_are_judged_as_the_published_kernel_is(self):
-        # Two units, the second one ragged; every family; a mesh and a query file.
+        # Two units, the second one incomplete; every family; a mesh and a query file.
         mine = self.folder / "mine.jsonl"
         mine.write_text("".join(QUERY % r for r in (1, 2, 3)))
         plans = [(["--family", "tie", "--family", "repeated", "--seed", 5], (65536 + 1000) // DIVISOR),

@@ -36,7 +36,7 @@ std::string flips_text(const Json& flips) {
   return texts.empty() ? "no flip" : fmt::format("{}", fmt::join(texts, "; "));
 }
 
-// One kernel of the record, begun once; why it cannot be asked, where it cannot.
+// One kernel of the record, started once; where that is not possible, `absent` says why.
 struct Asked {
   std::unique_ptr<Examiner> examiner;
   const Kernel* kernel = nullptr;

@@ -13,12 +13,13 @@
 
 namespace axiscert {
 
-inline constexpr std::size_t section_limit = 88 * 1024;  // bytes; eleven sections at most: 1 MiB
+inline constexpr std::size_t section_limit = 88 * 1024;  // bytes; at most eleven sections: 1 MiB
 
-// A text as it is, wherever it stands: one line, cut short, nothing in it that Markdown or HTML would read, or that a
-// forge would take for a mention, an issue or an address.
+// A text that is safe at any place of a document: one line, cut short, with nothing that Markdown or HTML would
+// interpret, or that a forge would take for a mention, an issue or an address.
 inline std::string plain(const std::string& given, std::size_t limit = 120) {
-  // Mentions and links are found in what was rendered, where no backslash is left: a comment parts the text there.
+  // Mentions and links are found in the rendered text, where no backslash is left, so a comment separates the text
+  // there.
   constexpr std::string_view apart = "<!-- -->";
   std::size_t end = std::min(limit, given.size());
   while (end < given.size() && end > 0 && (static_cast<unsigned char>(given[end]) & 0xc0) == 0x80) --end;
@@ -29,7 +30,7 @@ inline std::string plain(const std::string& given, std::size_t limit = 120) {
   for (std::size_t i = 0; i < end; ++i) {
     const char c = given[i];
     const bool opens_address = given.compare(i, 3, "://") == 0, opens_host = given.compare(i, 4, "www.") == 0;
-    // Between letters an underscore emphasises nothing.
+    // Between letters an underscore does not emphasise.
     const bool emphasises = c == '_' && !(i > 0 && is_word(i - 1) && is_word(i + 1));
     if (c == '<') text += "&lt;";
     else if (c == '&') text += "&amp;";
@@ -47,7 +48,7 @@ inline std::string code_block(const std::string& text) {
   return fmt::format("{}\n{}\n{}\n", fence, text, fence);
 }
 
-// A section that takes what fits, in the order given, and says how much did not.
+// A section that takes the lines that fit, in the order given, and says how many did not.
 class Section {
  public:
   explicit Section(const std::string& title) : text_(fmt::format("\n## {}\n\n", title)) {}
@@ -57,7 +58,7 @@ class Section {
     else text_ += piece;
   }
   void line(const std::string& piece) { add(piece + "\n"); }
-  // `columns`: the names, the first `texts` of them left-aligned.
+  // `columns`: the names; the first `texts` of them are left-aligned.
   void head(const std::vector<std::string>& columns, std::size_t texts) {
     text_ += fmt::format("| {} |\n|", fmt::join(columns, " | "));
     for (std::size_t i = 0; i < columns.size(); ++i) text_ += i < texts ? " --- |" : " ---: |";
