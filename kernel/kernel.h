@@ -129,9 +129,9 @@ const std::vector<ArithmeticInfo>& arithmetics();
 // The kernels of the registry.
 std::span<const Kernel> kernels();
 // The kernel with this id: one of kernels(); RUNG+ARITHMETIC, the scalar form of a rung in one of arithmetics(); either
-// of these with @CALL (kernel/registry/called.h); plugin:PATH for a plug-in (kernel/include/axiscert/plugin.h), peer/NAME or
-// fault/NAME for one that comes with axiscert. Throws Error that lists the kernels. The reference stays valid for the
-// life of the program.
+// of these with @CALL (kernel/registry/called.h); plugin:PATH for a plug-in (kernel/include/axiscert/plugin.h),
+// peer/NAME or fault/NAME for one that comes with axiscert. Throws Error that lists the kernels. The reference stays
+// valid for the life of the program.
 const Kernel& find_kernel(std::string_view id);
 
 }  // namespace axiscert

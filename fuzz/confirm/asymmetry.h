@@ -1,5 +1,5 @@
-// Asymmetries: answers of a kernel to images of a query (fuzz/queries/image_groups.h) that differ from its answer to the
-// query.
+// Asymmetries: answers of a kernel to images of a query (fuzz/queries/image_groups.h) that differ from its answer to
+// the query.
 #pragma once
 
 #include "fuzz/campaign/campaign.h"
