@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "kernel/base/error.h"
+#include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/sphere_triangle/reference/formulae_types.h"
 #include "kernel/kernel.h"
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "exact/sphere_triangle/measures/dual.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 // Nothing here rounds before the decision. For ring formulae the margin and its partials are polynomials, and Mpzf is
 // exact over all of them at any exponent. The early forms divide and take one root, and Surd is closed under these

@@ -1,5 +1,7 @@
 #include "exact/sphere_triangle/oracles/formula_oracle.h"
 
+#include "kernel/sphere_triangle/reference/formulae_types.h"
+
 namespace axiscert {
 namespace {
 

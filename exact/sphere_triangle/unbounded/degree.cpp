@@ -1,5 +1,7 @@
 #include "exact/sphere_triangle/unbounded/degree.h"
 
+#include "kernel/sphere_triangle/reference/formulae_types.h"
+
 #include <algorithm>
 #include <stdexcept>
 #include <vector>
