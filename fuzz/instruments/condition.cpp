@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "exact/sphere_triangle/unbounded/unbounded.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/measures/condition_number.h"

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/sphere_triangle/unbounded/unbounded.h"
 #include "exact/sphere_triangle/measures/error_measure.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/claims/claim.h"

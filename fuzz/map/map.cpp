@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/sphere_triangle/reference/scalar.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/filters/decided_check.h"
 #include "fuzz/search/moves.h"

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "kernel/sphere_triangle/reference/scalar.h"
+
 namespace axiscert {
 namespace {
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "kernel/sphere_triangle/reference/evaluate.h"
 #include "exact/sphere_triangle/measures/dual.h"
 #include "exact/numbers/floating.h"
 #include "exact/numbers/mpfr_number.h"

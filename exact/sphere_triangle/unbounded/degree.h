@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "kernel/formulae_list.h"
+#include "kernel/names.h"
 
 namespace axiscert {
 
