@@ -31,6 +31,7 @@ class Source {
   virtual std::string purpose() const = 0;
   virtual int version() const = 0;
   virtual bool exact_arithmetic() const { return false; }
+  virtual int cost() const { return 1; }  // Family::cost
   // How many queries there are in this precision, where that is not up to the caller.
   virtual std::optional<std::uint64_t> fixed_size(Precision) const { return std::nullopt; }
   // Queries that share a triangle are not independent: how many triangles `trials` queries are drawn from.
