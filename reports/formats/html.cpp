@@ -218,6 +218,6 @@ std::string render_html(const Run& run) {
 
 }  // namespace
 
-extern const Format html_format = {"report.html", render_html};
+extern const Format html_format = {"report.html", nullptr, render_html};
 
 }  // namespace axiscert

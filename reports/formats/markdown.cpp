@@ -324,6 +324,6 @@ std::string render_markdown(const Run& run) { return MarkdownReport(run).text();
 
 }  // namespace
 
-extern const Format markdown_format = {"report.md", render_markdown};
+extern const Format markdown_format = {"report.md", "the same in short", render_markdown};
 
 }  // namespace axiscert

@@ -245,7 +245,7 @@ std::string ratchet_text(const Json& record) {
   return text;
 }
 
-extern const Format ratchet_format = {"ratchet.txt", [](const Run& run) {
+extern const Format ratchet_format = {"ratchet.txt", "what a ratchet would accept of this run", [](const Run& run) {
                                         return run.ratchet.is_null() ? ratchet_text(run.record)
                                                                      : run.ratchet["accepted"].get<std::string>();
                                       }};

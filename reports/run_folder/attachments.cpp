@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "kernel/base/error.h"
+#include "reports/formats/format.h"
 #include "reports/page/packed.h"
 #include "reports/run_folder/run_folder.h"
 
@@ -229,17 +230,29 @@ Json attachments(const std::filesystem::path& folder, std::size_t image_bytes) {
 Json raw_files(const std::filesystem::path& folder) {
   Json files = Json::array();
   std::error_code ignored;
-  const auto add = [&](std::initializer_list<const char*> names, bool is_written) {
-    for (const char* name : names) {
-      if (is_written || std::filesystem::exists(folder / name, ignored)) files.push_back(name);
+  const auto add = [&](const char* name, const char* meaning) {
+    files.push_back({{"name", name}, {"meaning", meaning}});
+  };
+  const auto add_present = [&](std::initializer_list<std::pair<const char*, const char*>> all) {
+    for (const auto& [name, meaning] : all) {
+      if (std::filesystem::exists(folder / name, ignored)) add(name, meaning);
     }
   };
-  add({"record.json", "run.json"}, false);
-  // Together with the page that points to them.
-  add({"witnesses.jsonl", "report.md", "junit.xml", "report.sarif", "ratchet.txt"}, true);
-  add({"witnesses-shrunk.jsonl", "ratchet.json", "proofs.json", "search.json", "ladder.json", "precision.json",
-       "league.json", "mutation.json", "maps/index.json"},
-      false);
+  add_present({{"record.json", "every count and every witness; the same bytes from the same plan"},
+               {"run.json", "what varies: times, machine, target, versions, filter steps"}});
+  // These are written together with the page that points to them.
+  for (const Format* format : formats()) {
+    if (format->meaning) add(format->file, format->meaning);
+  }
+  add_present({{"witnesses-shrunk.jsonl", "the witnesses made smaller"},
+               {"ratchet.json", "what the run was held to"},
+               {"proofs.json", "bounds and their checkers"},
+               {"search.json", "the worst that a search found"},
+               {"ladder.json", "each form of the test"},
+               {"precision.json", "wrong verdicts against bits"},
+               {"league.json", "libraries and kernels"},
+               {"mutation.json", "mutants"},
+               {"maps/index.json", "maps around witnesses"}});
   return files;
 }
 

@@ -21,7 +21,7 @@ namespace axiscert {
 // Throws Error where a file is no JSON or has not the form that its reader needs.
 Json attachments(const std::filesystem::path& folder, std::size_t image_bytes);
 
-// The files of the folder that the page can point to, by name.
+// The files of the folder that the page can point to: [{"name", "meaning"}].
 Json raw_files(const std::filesystem::path& folder);
 
 }  // namespace axiscert
