@@ -22,8 +22,8 @@ std::optional<ExponentWindow> common_window(const AxisWindows& windows, AxisBits
 struct LadderStep {
   std::size_t from, to;
 };
-// Each kernel with the one that it was made from, where both are there: rung k from rung k - 1, the reduced forms from
-// ladder-9 or else published, a rung in another arithmetic from the rung.
+// Each kernel with the one that it was made from, where both are there: rung k from rung k - 1, a rung past the last
+// (the reduced forms) from ladder-9 or else published, a rung in another arithmetic from the rung.
 std::vector<LadderStep> ladder_steps(const std::vector<LadderEntry>& entries);
 
 // The step that makes a figure worst, of the steps that worsen it at all.
