@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/commands/commands.h"
-#include "kernel/called.h"
+#include "cli/commands.h"
+#include "kernel/registry/called.h"
 #include "kernel/plugin/load.h"
 #include "fuzz/confirm/record.h"
 
@@ -49,7 +49,8 @@ void print_kernels() {
     fmt::print("{:<20} {}; {}\n", "+" + arithmetic.name, arithmetic.summary, fmt::join(precisions_of(arithmetic), " "));
   }
   fmt::print(
-      "\nKERNEL@CALL[,CALL...], for each of the above, is it on an instruction set of its own ({}), or called in other "
+      "\nKERNEL@CALL[,CALL...], for each of the above, is the kernel on a chosen instruction set ({}), or called in "
+      "other "
       "floating-point modes:\n",
       fmt::join(targets, ", "));
   for (const CallMode& mode : call_modes()) fmt::print("{:<20} {}\n", fmt::format("@{}", mode.name), mode.summary);
@@ -58,7 +59,7 @@ void print_kernels() {
   for (const Kernel* kernel : shipped_kernels()) print_kernel(*kernel, "plug-in");
   for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
     for (const auto& absent : shipped.absent) {
-      fmt::print("{:<20} NOT BUILT, for want of the Debian package {}\n",
+      fmt::print("{:<20} NOT BUILT: the Debian package {} is missing\n",
                  fmt::format("{}{}", shipped.prefix, absent.name), absent.package);
     }
   }
@@ -74,7 +75,7 @@ Json plugin_json(const Kernel& kernel) {
           {"arithmetics", Json::array()}};
 }
 
-// A kernel that takes other arithmetics has their ids with it; a plug-in runs on no target of ours.
+// A kernel that takes other arithmetics is listed with their ids; a plug-in runs on no target of axiscert's.
 Json kernels_json() {
   Json all = Json::array();
   for (const Kernel& kernel : kernels()) {

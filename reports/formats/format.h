@@ -1,4 +1,4 @@
-// The report formats: a new one is a file that defines a Format and a line in render.cpp.
+// The report formats. A new one is a file that defines a Format, and a line in render.cpp.
 #pragma once
 
 #include <span>
@@ -9,9 +9,9 @@
 namespace axiscert {
 
 struct Format {
-  const char* file;                   // in the run's folder
-  const char* meaning;                // as report.html's list of files says it; null for the page itself
-  std::string (*render)(const Run&);  // of a run that read_run accepted
+  const char* file;                   // its name in the run's folder
+  const char* meaning;                // what report.html's list of files says of it; null for the page itself
+  std::string (*render)(const Run&);  // takes a run that read_run accepted
 };
 
 // In the order in which report.html lists their files.

@@ -1,11 +1,11 @@
-// Writes what people read into a run's folder.
+// Writes the reports of a run into its folder.
 #pragma once
 
 #include <filesystem>
 
 namespace axiscert {
 
-// The file of every format (reports/formats/format.h), from record.json, and run.json where there is one. All are
+// Renders record.json, and run.json where there is one, to the file of every format (reports/formats/format.h). All are
 // rendered before any is written. Throws Error, and then has replaced nothing unless the disk itself failed.
 void render_reports(const std::filesystem::path& run_folder);
 
