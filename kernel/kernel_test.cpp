@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "kernel/sphere_triangle/reference/contracted.h"
 #include "kernel/base/error.h"
@@ -81,6 +82,17 @@ TEST(Registry, ListsEveryKernelOnceAndNamesThemForAnUnknownOne) {
     EXPECT_EQ(std::string(e.what()).find("unknown kernel 'publishd'; plugin:PATH.so is one of your own; kernels: "
                                          "published, nonstrict, "),
               0u);
+  }
+}
+
+// Whatever formulae there are, a kernel is judged by them.
+TEST(Registry, EverySetOfFormulaeIsAKernels) {
+  std::set<Formulae> claimed;
+  for (const Kernel& kernel : kernels()) claimed.insert(kernel.formulae);
+  for (std::size_t i = 0; i < formulae_count; ++i) {
+    const auto formulae = static_cast<Formulae>(i);
+    EXPECT_TRUE(claimed.contains(formulae))
+        << "kernel/formulae_list.h has '" << name(formulae) << "', of which kernel/registry/registry.cpp has no kernel";
   }
 }
 

@@ -11,12 +11,15 @@ int list_families(const std::string& format) {
   Json all = Json::array();
   for (const Family* family : families()) {
     if (format == "text") {
-      fmt::print("{:<12} {}{}\n", family->name, family->purpose, family->exact_arithmetic ? " [exact_arithmetic]" : "");
+      fmt::print("{:<12} {}{}{}\n", family->name, family->purpose,
+                 family->exact_arithmetic ? " [exact_arithmetic]" : "",
+                 family->cost > 1 ? fmt::format(" [cost {}]", family->cost) : "");
     }
     all.push_back({{"name", family->name},
                    {"purpose", family->purpose},
                    {"version", family->version},
-                   {"exact_arithmetic", family->exact_arithmetic}});
+                   {"exact_arithmetic", family->exact_arithmetic},
+                   {"cost", family->cost}});
   }
   if (format == "json") fmt::print("{}\n", all.dump(2));
   return exit_done;

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "cli/options/instrument_options.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
@@ -14,20 +16,19 @@ struct LadderOptions : InstrumentOptions {
   bool no_speed = false;
 };
 
-const std::vector<std::string> default_kernels = {"ladder-0",
-                                                  "ladder-1",
-                                                  "ladder-2",
-                                                  "ladder-3",
-                                                  "ladder-4",
-                                                  "ladder-5",
-                                                  "ladder-6",
-                                                  "ladder-7",
-                                                  "ladder-8",
-                                                  "ladder-9",
-                                                  "reduced",
-                                                  "reduced-along",
-                                                  "reduced-determinant",
-                                                  "reduced-shared"};
+// Every rung with `>`, in the order of formulae_list.h, but published, which is ladder-9 bit for bit.
+std::vector<std::string> default_kernels() {
+  std::vector<const Kernel*> rungs;
+  for (const Kernel& kernel : kernels()) {
+    const bool has_own_steps = kernel.takes_arithmetic && kernel.formulae != Formulae::published;
+    if (has_own_steps && kernel.strictness == Strictness::strict) rungs.push_back(&kernel);
+  }
+  std::stable_sort(rungs.begin(), rungs.end(),
+                   [](const Kernel* a, const Kernel* b) { return a->formulae < b->formulae; });
+  std::vector<std::string> ids;
+  for (const Kernel* rung : rungs) ids.push_back(rung->id);
+  return ids;
+}
 const std::vector<std::string> ladder_families = {"general", "tangent", "seam", "sliver", "far", "scale"};
 
 void require_comparisons(const Kernel& kernel) {
@@ -45,7 +46,7 @@ void require_comparisons(const Kernel& kernel) {
 int ladder(const LadderOptions& options) {
   LadderPlan plan;
   plan.precision = parse_precision(options.precision);
-  plan.kernels = instrument_kernels(options, default_kernels, Measures::formulae);
+  plan.kernels = instrument_kernels(options, default_kernels(), Measures::formulae);
   for (const Kernel* kernel : plan.kernels) require_comparisons(*kernel);
   plan.sources = instrument_sources(options, ladder_families);
   plan.trials = options.trials;

@@ -18,11 +18,23 @@
 namespace axiscert {
 namespace {
 
-// Queries per family: 2^18 in binary32, 2^16 in binary64, where exact arithmetic costs more; fewest where a family
-// covers the whole exponent range.
+// Family::cost from which on a family is asked a quarter of the default in binary64.
+constexpr int dear = 24;
+
+// Queries per family: 2^18 in binary32, 2^16 in binary64, where exact arithmetic costs more, and fewest of what is
+// dear.
 std::uint64_t default_trials(const Source& source, Precision precision) {
   if (precision == Precision::binary32) return std::uint64_t{1} << 18;
-  return std::uint64_t{1} << (source.name() == "bits" ? 14 : 16);
+  return std::uint64_t{1} << (source.cost() >= dear ? 14 : 16);
+}
+
+std::string default_trials_text() {
+  std::vector<std::string_view> least;
+  for (const Family* family : families()) {
+    if (family->cost >= dear) least.push_back(family->name);
+  }
+  const std::string but = least.empty() ? "" : fmt::format(" with 2^14 for {}", fmt::join(least, ", "));
+  return fmt::format("2^18 in binary32, 2^16 in binary64{}", but);
 }
 
 // Parses "T" for all comparisons or "COMPARISON=T" for one; a later one overrides.
@@ -107,8 +119,7 @@ CLI::Option* add_source_options(CLI::App& command, SourceOptions& o) {
   command.add_option("--seed", o.seed, "seed of every family")->check(whole_number)->capture_default_str();
   return command
       .add_option("--trials", o.trials,
-                  "queries per family and precision (default: 2^18 in binary32, "
-                  "2^16 in binary64 with 2^14 for bits)")
+                  fmt::format("queries per family and precision (default: {})", default_trials_text()))
       ->check(whole_number)
       ->check(above_zero);
 }

@@ -2,6 +2,7 @@
 """The command as a user sees it: output, exit codes, one clear line for every bad input."""
 import json
 import math
+import re
 import signal
 import subprocess
 import sys
@@ -156,6 +157,16 @@ class Run(Case):
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         for name in ("report.html", "report.md", "junit.xml", "witnesses.jsonl"):
             self.assertTrue((self.folder / "out" / name).stat().st_size > 0, name)
+
+    def test_families_say_what_they_cost_and_dear_ones_are_asked_less(self):
+        listed = json.loads(axiscert("families", "--format", "json").stdout)
+        costly = [family["name"] for family in listed if family["cost"] > 1]
+        self.assertLessEqual({"speck", "bits"}, set(costly))
+        shown = [line.split()[0] for line in axiscert("families").stdout.splitlines() if re.search(r" \[cost \d+\]$", line)]
+        self.assertEqual(shown, costly, "./dev certify reads them there")
+        done = axiscert("generate", "--family", "bits", "--precision", "binary64")
+        self.assertEqual(done.stdout.count("\n"), 2**14)
+        self.assertIn("2^14 for bits)", axiscert("run", "--help").stdout.replace("\n", " "))
 
     def test_truth_and_degenerate_families(self):
         record = self.run_ok("--kernel", "published", "--kernel", "nonstrict", "--family", "lattice", "--family",

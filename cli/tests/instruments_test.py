@@ -45,6 +45,16 @@ class Ladder(Case):
         self.assertTrue(json.loads((self.folder / "out/ladder.json").read_text())["kernels"])
         self.assertTrue((self.folder / "out/ladder.html").stat().st_size > 0)
 
+    def test_without_kernels_it_measures_every_rung(self):
+        listed = json.loads(axiscert("kernels", "--format", "json").stdout)
+        rungs = {kernel["formulae"] for kernel in listed if kernel["arithmetics"]} - {"published"}
+        data = json.loads(axiscert("ladder", "--trials", 8, "--family", "general", "--no-speed", "--format", "json").stdout)
+        measured = [kernel["id"] for kernel in data["kernels"]]
+        self.assertEqual(set(measured), rungs)
+        self.assertEqual(measured[:11], [f"ladder-{step}" for step in range(10)] + ["reduced"])
+        # Each but the first has a rung that it was made from.
+        self.assertEqual([step["to"] for step in data["steps"]], measured[1:])
+
     def test_bad_input(self):
         self.refused("ladder", "--kernel", "nosuch", says=["unknown kernel 'nosuch'", "ladder-9"])
         self.refused("ladder", "--kernel", "minkowski", says=["minkowski", "only its verdict", "ladder-0"])

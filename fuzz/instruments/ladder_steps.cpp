@@ -9,6 +9,7 @@ namespace {
 // The formulae from which a set of formulae was rewritten, the nearest first.
 std::vector<Formulae> origins(Formulae formulae) {
   using enum Formulae;
+  if (formulae == none) return {};
   switch (formulae) {
     case ladder_1:
     case ladder_2:
@@ -20,13 +21,12 @@ std::vector<Formulae> origins(Formulae formulae) {
     case ladder_8:
     case ladder_9:
       return {static_cast<Formulae>(static_cast<int>(formulae) - 1)};
-    case reduced:
-    case reduced_along:
-    case reduced_determinant:
-    case reduced_shared:
-      return {ladder_9, published};
-    default:
+    case published:
+    case ladder_0:
       return {};
+    default:
+      if (kind_of(formulae) != FormulaeKind::rung) return {};
+      return {ladder_9, published};
   }
 }
 

@@ -22,8 +22,8 @@ std::optional<ExponentWindow> common_window(const AxisWindows& windows, AxisBits
 struct LadderStep {
   std::size_t from, to;
 };
-// Each kernel with the one from which it was made, if both are among the entries: rung k from rung k - 1, the reduced
-// forms from ladder-9 or otherwise published, a rung in another arithmetic from the rung.
+// Each kernel with the one from which it was made, if both are among the entries: rung k from rung k - 1, a rung past
+// the last (the reduced forms) from ladder-9 or otherwise published, a rung in another arithmetic from the rung.
 std::vector<LadderStep> ladder_steps(const std::vector<LadderEntry>& entries);
 
 // The step that worsens a figure most, among the steps that worsen it at all.

@@ -94,9 +94,13 @@ void expect_the_exact_answers(std::uint64_t count) {
     const Silent silent = compare_with_exact<Real>(*family, count);
     const Allowed most = allowed<Real>(family->name);
     const auto places = [count](std::uint64_t thousandths) { return count * thousandths / 1000 + count / 10000; };
-    EXPECT_LE(silent.distances, places(most.distances)) << family->name << ", distances of " << count;
-    EXPECT_LE(silent.radii, places(most.radii)) << family->name << ", radii of " << count;
-    EXPECT_LE(silent.coordinates, places(most.coordinates)) << family->name << ", coordinates of " << count;
+    const auto of = fmt::format(
+        " of {} queries of {} left to exact arithmetic; fuzz/queries/boundary_test.cpp, allowed(), says how many may "
+        "be",
+        count, family->name);
+    EXPECT_LE(silent.distances, places(most.distances)) << "distances" << of;
+    EXPECT_LE(silent.radii, places(most.radii)) << "radii" << of;
+    EXPECT_LE(silent.coordinates, places(most.coordinates)) << "coordinates" << of;
   }
 }
 

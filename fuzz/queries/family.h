@@ -42,6 +42,10 @@ struct Family {
   bool exact_arithmetic;
   Maker<float> binary32;
   Maker<double> binary64;
+  // About how many times as long as an ordinary query's the oracles' work on one of these takes. `axiscert families`
+  // shows what is above 1; runs that are given no number of queries ask less of what is dear
+  // (cli/options/run_options.cpp), and so does ./dev certify.
+  int cost = 1;
 
   template <class Real>
   void fill(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {

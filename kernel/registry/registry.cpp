@@ -36,18 +36,20 @@ Kernel scalar(std::string id, std::string summary) {
           .takes_arithmetic = kind_of(formulae) == FormulaeKind::rung};
 }
 
-// A kernel with the scalar form, and with one query in each lane on every other target.
-template <Formulae formulae, Strictness strictness, const SimdForms& (*simd)()>
-Kernel vectorised(std::string id, std::string summary) {
+// A kernel that evaluates the formulae as they stand: the scalar form, and one query in each lane on every other target
+// where forms/simd.cpp lists them.
+template <Formulae formulae, Strictness strictness = strict>
+Kernel evaluated(std::string id, std::string summary) {
   Kernel kernel = scalar<formulae, strictness>(std::move(id), std::move(summary));
+  if (strictness == not_less || !has_simd_form(formulae)) return kernel;
   kernel.has_simd = true;
   kernel.binary32 = [](std::string_view target) {
     return target == scalar_target ? scalar_implementation<formulae, strictness, float>()
-                                   : simd().on<float>(target, strictness);
+                                   : simd_forms(formulae)->on<float>(target, strictness);
   };
   kernel.binary64 = [](std::string_view target) {
     return target == scalar_target ? scalar_implementation<formulae, strictness, double>()
-                                   : simd().on<double>(target, strictness);
+                                   : simd_forms(formulae)->on<double>(target, strictness);
   };
   return kernel;
 }
@@ -101,27 +103,27 @@ Kernel filter(std::string id, std::string summary) {
 const std::vector<Kernel>& registry() {
   using enum Formulae;
   static const std::vector<Kernel> all = {
-      vectorised<published, strict, simd_published>("published", "the article's last block: sixteen strict comparisons, seven axes"),
-      vectorised<published, nonstrict, simd_published>("nonstrict", "the same with >= in the nine side comparisons: right for degenerate triangles too"),
-      vectorised<reduced, strict, simd_reduced>("reduced", "edge axes of degree 4, |A x B|^2 > rr e: the published signs with less rounding"),
-      vectorised<reduced, nonstrict, simd_reduced>("reduced-nonstrict", "the same with >= in the nine side comparisons: right for every triangle"),
-      scalar<reduced_along>("reduced-along", "reduced, the edge normals along the edges: A x AB for A x B"),
-      scalar<reduced_determinant>("reduced-determinant", "reduced, the plane's offset as a determinant: C.(A x B) for A.V"),
-      scalar<reduced_shared>("reduced-shared", "reduced, V = A x B + B x C + C x A from the edges' normals: fewest operations"),
-      scalar<reduced_shared, nonstrict>("reduced-shared-nonstrict", "the same with >= in the nine side comparisons"),
-      scalar<ladder_0>("ladder-0", "nothing rewritten: normals of length 1, roots, divisions"),
-      scalar<ladder_1>("ladder-1", "then the plane: squared, one division by |V|"),
-      scalar<ladder_2>("ladder-2", "then the plane: no root, (A.V)^2 / (V.V) > rr"),
-      scalar<ladder_3>("ladder-3", "then the plane: no division, cross-multiplied"),
-      scalar<ladder_4>("ladder-4", "then the vertices: squared, differences distributed, A.B > A.A"),
-      scalar<ladder_5>("ladder-5", "then the edges: squared"),
-      scalar<ladder_6>("ladder-6", "then the edges: multiplied by e^2"),
-      scalar<ladder_7>("ladder-7", "then the edges: no division, Q = A e + d AB"),
-      scalar<ladder_8>("ladder-8", "then the edges: centred, d = A.AB"),
-      scalar<ladder_9>("ladder-9", "then the edges: d = A.B - A.A; this is published, bit for bit"),
-      scalar<minkowski>("minkowski", "the centre against three spheres, three cylinders and a prism; right for every triangle"),
-      scalar<closest_point>("closest-point", "closest point by Voronoi regions, then a distance; A = B gives 0/0"),
-      scalar<segments>("segments", "edge axes through the closest point of each segment, no vertex axes"),
+      evaluated<published>("published", "the article's last block: sixteen strict comparisons, seven axes"),
+      evaluated<published, nonstrict>("nonstrict", "the same with >= in the nine side comparisons: right for degenerate triangles too"),
+      evaluated<reduced>("reduced", "edge axes of degree 4, |A x B|^2 > rr e: the published signs with less rounding"),
+      evaluated<reduced, nonstrict>("reduced-nonstrict", "the same with >= in the nine side comparisons: right for every triangle"),
+      evaluated<reduced_along>("reduced-along", "reduced, the edge normals along the edges: A x AB for A x B"),
+      evaluated<reduced_determinant>("reduced-determinant", "reduced, the plane's offset as a determinant: C.(A x B) for A.V"),
+      evaluated<reduced_shared>("reduced-shared", "reduced, V = A x B + B x C + C x A from the edges' normals: fewest operations"),
+      evaluated<reduced_shared, nonstrict>("reduced-shared-nonstrict", "the same with >= in the nine side comparisons"),
+      evaluated<ladder_0>("ladder-0", "nothing rewritten: normals of length 1, roots, divisions"),
+      evaluated<ladder_1>("ladder-1", "then the plane: squared, one division by |V|"),
+      evaluated<ladder_2>("ladder-2", "then the plane: no root, (A.V)^2 / (V.V) > rr"),
+      evaluated<ladder_3>("ladder-3", "then the plane: no division, cross-multiplied"),
+      evaluated<ladder_4>("ladder-4", "then the vertices: squared, differences distributed, A.B > A.A"),
+      evaluated<ladder_5>("ladder-5", "then the edges: squared"),
+      evaluated<ladder_6>("ladder-6", "then the edges: multiplied by e^2"),
+      evaluated<ladder_7>("ladder-7", "then the edges: no division, Q = A e + d AB"),
+      evaluated<ladder_8>("ladder-8", "then the edges: centred, d = A.AB"),
+      evaluated<ladder_9>("ladder-9", "then the edges: d = A.B - A.A; this is published, bit for bit"),
+      evaluated<minkowski>("minkowski", "the centre against three spheres, three cylinders and a prism; right for every triangle"),
+      evaluated<closest_point>("closest-point", "closest point by Voronoi regions, then a distance; A = B gives 0/0"),
+      evaluated<segments>("segments", "edge axes through the closest point of each segment, no vertex axes"),
       packed<strict>("packed", "published, one pair at a time: sixteen comparisons in four 4-lane compares"),
       packed<not_less>("packed-nonstrict", "the same with a >= b as !(b > a) in the sides: a NaN side holds"),
       eigen("eigen", "published, written with Eigen's vectors, whose reductions choose their order"),
@@ -129,8 +131,8 @@ const std::vector<Kernel>& registry() {
       certified_kernel<certified::Question::conservative>("conservative", "never a missed contact; phantom depth at most 20 sqrt(u): 0.00489, in binary64 2.11e-7"),
       filter<FilterForm::reduced>("certified-filter", "reduced with proved thresholds: separated, contact or undecided, and proved never wrong"),
       filter<FilterForm::published>("certified-filter-published", "the same with the published formulae, whose thresholds are wider"),
-      scalar<first_publication>("first-publication", "the article as first published: QC = C e + Q, wrong in exact arithmetic"),
-      scalar<vertex_typo>("vertex-typo", "the vertex section as printed: ac = dot(B, B), wrong in exact arithmetic"),
+      evaluated<first_publication>("first-publication", "the article as first published: QC = C e + Q, wrong in exact arithmetic"),
+      evaluated<vertex_typo>("vertex-typo", "the vertex section as printed: ac = dot(B, B), wrong in exact arithmetic"),
   };
   return all;
 }

@@ -2,9 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "kernel/testing/queries.h"
 #include "kernel/testing/table.h"
@@ -12,8 +10,9 @@
 namespace axiscert {
 namespace {
 
-using testing_support::answer, testing_support::behaviours, testing_support::Behaviour,
-    testing_support::for_each_vertex_order, testing_support::Says, testing_support::says_names;
+using testing_support::answer, testing_support::behaviours, testing_support::behaviours_place,
+    testing_support::Behaviour, testing_support::BehaviourRow, testing_support::for_each_vertex_order,
+    testing_support::row_text, testing_support::Says;
 
 template <class Real>
 using Queries = std::vector<Query<Real>>;
@@ -116,98 +115,113 @@ Heard ask(const Kernel& kernel, const Queries<Real>& queries) {
   return heard;
 }
 
-std::string_view summary(const Heard& heard, Says if_separated) {
-  const Says says = heard.all(Verdict::separated)                                          ? if_separated
-                    : heard.all(Verdict::contact)                                          ? Says::contact
-                    : heard.all(Verdict::invalid)                                          ? Says::invalid
-                    : heard.all(Verdict::undecided)                                        ? Says::undecided
-                    : if_separated == Says::right && heard.never_other(Verdict::separated) ? Says::declines
-                                                                                           : Says::varies;
-  return says_names[static_cast<std::size_t>(says)];
+Says summary(const Heard& heard, Says if_separated) {
+  return heard.all(Verdict::separated)                                          ? if_separated
+         : heard.all(Verdict::contact)                                          ? Says::contact
+         : heard.all(Verdict::invalid)                                          ? Says::invalid
+         : heard.all(Verdict::undecided)                                        ? Says::undecided
+         : if_separated == Says::right && heard.never_other(Verdict::separated) ? Says::declines
+                                                                                : Says::varies;
 }
-std::string_view name(Says says) { return says_names[static_cast<std::size_t>(says)]; }
+
+// What the kernel's row would have to say.
+template <class Real>
+Behaviour heard_of(const Kernel& kernel) {
+  constexpr Real inf = std::numeric_limits<Real>::infinity(), nan = std::numeric_limits<Real>::quiet_NaN();
+  const Heard apart = ask(kernel, clear_separations<Real>()), together = ask(kernel, contacts<Real>());
+  Queries<Real> negative = {overlaps<Real>()[0], overlaps<Real>()[1]};
+  for (Query<Real>& q : negative) q.r = -q.r;  // squaring forgets the sign of r
+  return {apart.all(Verdict::separated) && together.all(Verdict::contact)                   ? Says::right
+          : apart.never_other(Verdict::separated) && together.never_other(Verdict::contact) ? Says::declines
+                                                                                            : Says::wrong,
+          summary(ask(kernel, repeated<Real>(1)), Says::right),
+          summary(ask(kernel, collinear<Real>(1)), Says::right),
+          summary(ask(kernel, point<Real>(1)), Says::right),
+          summary(ask(kernel, with({nan}, 0, 9)), Says::separated),
+          summary(ask(kernel, with({inf, -inf}, 0, 9)), Says::separated),
+          summary(ask(kernel, with({inf, -inf}, 9, 12)), Says::separated),
+          summary(ask(kernel, negative), Says::separated)};
+}
+
+// The rows of kernels that exist; RowsAreThoseOfTheRegistry says which do not.
+template <class Body>
+void for_each_row(Body&& body) {
+  for (const Kernel& kernel : kernels()) {
+    for (const BehaviourRow& row : behaviours()) {
+      if (row.kernel == kernel.id) body(kernel, row.behaviour);
+    }
+  }
+}
 
 template <class Real>
 class BehaviourTest : public testing::Test {};
 using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(BehaviourTest, Reals);
 
-TYPED_TEST(BehaviourTest, EveryKernelHasOneRowInTheRegistrysOrder) {
-  ASSERT_EQ(kernels().size(), behaviours.size());
-  for (std::size_t i = 0; i < behaviours.size(); ++i) EXPECT_EQ(kernels()[i].id, behaviours[i].kernel);
-}
-
-TYPED_TEST(BehaviourTest, TrianglesWithArea) {
-  for (const Behaviour& expected : behaviours) {
-    const Kernel& kernel = find_kernel(expected.kernel);
-    const Heard apart = ask(kernel, clear_separations<TypeParam>()), together = ask(kernel, contacts<TypeParam>());
-    const Says says = apart.all(Verdict::separated) && together.all(Verdict::contact)                   ? Says::right
-                      : apart.never_other(Verdict::separated) && together.never_other(Verdict::contact) ? Says::declines
-                                                                                                        : Says::wrong;
-    EXPECT_EQ(name(says), name(expected.area)) << kernel.id;
-    if (says != Says::declines) continue;
-    // A query far from the boundary is decided.
-    EXPECT_TRUE(apart.all(Verdict::separated)) << kernel.id;
-    EXPECT_TRUE(ask(kernel, overlaps<TypeParam>()).all(Verdict::contact)) << kernel.id;
+TYPED_TEST(BehaviourTest, RowsAreThoseOfTheRegistryInItsOrder) {
+  std::vector<std::string> rows, ids;
+  for (const BehaviourRow& row : behaviours()) rows.push_back(row.kernel);
+  for (const Kernel& kernel : kernels()) {
+    ids.push_back(kernel.id);
+    EXPECT_EQ(std::count(rows.begin(), rows.end(), kernel.id), 1)
+        << "kernel '" << kernel.id << "' of kernel/registry/registry.cpp: " << behaviours_place
+        << " should have one row of it; where what the kernel answers is what it should, that is\n"
+        << row_text(kernel.id, heard_of<TypeParam>(kernel));
   }
+  for (const std::string& row : rows) {
+    EXPECT_EQ(std::count(ids.begin(), ids.end(), row), 1)
+        << behaviours_place << ": row `" << row << "` is not of a kernel of kernel/registry/registry.cpp";
+  }
+  if (!this->HasFailure())
+    EXPECT_EQ(rows, ids) << behaviours_place << ": other order than kernel/registry/registry.cpp";
 }
 
-TYPED_TEST(BehaviourTest, DegenerateTriangles) {
-  for (const Behaviour& expected : behaviours) {
-    const Kernel& kernel = find_kernel(expected.kernel);
-    EXPECT_EQ(summary(ask(kernel, repeated<TypeParam>(1)), Says::right), name(expected.repeated)) << kernel.id;
-    EXPECT_EQ(summary(ask(kernel, collinear<TypeParam>(1)), Says::right), name(expected.collinear)) << kernel.id;
-    EXPECT_EQ(summary(ask(kernel, point<TypeParam>(1)), Says::right), name(expected.point)) << kernel.id;
+TYPED_TEST(BehaviourTest, KernelsAnswerAsTheirRowsSay) {
+  for_each_row([](const Kernel& kernel, const Behaviour& expected) {
+    EXPECT_EQ(row_text(kernel.id, heard_of<TypeParam>(kernel)), row_text(kernel.id, expected)) << behaviours_place;
+  });
+}
+
+TYPED_TEST(BehaviourTest, AFilterDecidesWhatIsFarFromTheBoundary) {
+  for_each_row([](const Kernel& kernel, const Behaviour& expected) {
+    if (expected.area != Says::declines) return;
+    EXPECT_TRUE(ask(kernel, clear_separations<TypeParam>()).all(Verdict::separated)) << kernel.id;
+    EXPECT_TRUE(ask(kernel, overlaps<TypeParam>()).all(Verdict::contact)) << kernel.id;
+  });
+}
+
+TYPED_TEST(BehaviourTest, TouchingADegenerateTriangleIsContact) {
+  for_each_row([](const Kernel& kernel, const Behaviour& expected) {
     for (const auto& touching : {collinear<TypeParam>(3), point<TypeParam>(3), repeated<TypeParam>(3)}) {
       const Heard heard = ask(kernel, touching);
       EXPECT_TRUE(expected.area == Says::wrong || heard.all(Verdict::contact) ||
                   (expected.area == Says::declines && heard.never_other(Verdict::contact)))
           << kernel.id;
     }
-  }
+  });
 }
 
-TYPED_TEST(BehaviourTest, CoordinatesThatAreNoNumbers) {
+TYPED_TEST(BehaviourTest, CentresAndRadiiThatAreNoNumbers) {
   constexpr TypeParam inf = std::numeric_limits<TypeParam>::infinity(),
                       nan = std::numeric_limits<TypeParam>::quiet_NaN();
-  for (const Behaviour& expected : behaviours) {
-    const Kernel& kernel = find_kernel(expected.kernel);
-    EXPECT_EQ(summary(ask(kernel, with({nan}, 0, 9)), Says::separated), name(expected.nan)) << kernel.id;
-    EXPECT_EQ(summary(ask(kernel, with({inf, -inf}, 0, 9)), Says::separated), name(expected.infinite)) << kernel.id;
-    EXPECT_EQ(summary(ask(kernel, with({inf, -inf}, 9, 12)), Says::separated), name(expected.infinite_centre))
-        << kernel.id;
+  for_each_row([](const Kernel& kernel, const Behaviour& expected) {
     const Verdict blind = expected.nan == Says::invalid     ? Verdict::invalid
                           : expected.nan == Says::undecided ? Verdict::undecided
                                                             : Verdict::contact;
     EXPECT_TRUE(ask(kernel, with({nan}, 9, 13)).all(blind)) << kernel.id << ": centre or radius is NaN";
     EXPECT_TRUE(ask(kernel, with({inf}, 12, 13)).all(blind)) << kernel.id << ": infinite radius";
-  }
+  });
 }
 
-// Squaring discards the sign of r.
-TYPED_TEST(BehaviourTest, NegativeRadii) {
-  Queries<TypeParam> queries = {overlaps<TypeParam>()[0], overlaps<TypeParam>()[1]};
-  for (Query<TypeParam>& q : queries) q.r = -q.r;
-  for (const Behaviour& expected : behaviours) {
-    if (expected.area == Says::wrong) continue;
-    const Kernel& kernel = find_kernel(expected.kernel);
-    EXPECT_EQ(summary(ask(kernel, queries), Says::separated), name(expected.negative_radius)) << kernel.id;
-  }
-}
-
-TEST(BehaviourTable, StandsInTheDocumentation) {
-  std::ifstream file(SOURCE_FOLDER "/docs/kernels.md");
-  ASSERT_TRUE(file) << "docs/kernels.md";
-  std::stringstream text;
-  text << file.rdbuf();
-  for (const Behaviour& b : behaviours) {
-    std::string row = "| `" + std::string(b.kernel) + "` |";
-    for (const Says cell :
-         {b.area, b.repeated, b.collinear, b.point, b.nan, b.infinite, b.infinite_centre, b.negative_radius}) {
-      row += " " + std::string(name(cell)) + " |";
-    }
-    EXPECT_NE(text.str().find(row), std::string::npos) << "docs/kernels.md lacks the row\n" << row;
-  }
+TEST(BehaviourTable, ARowThatCannotBeReadIsNamed) {
+  EXPECT_EQ(row_text("x", testing_support::parsed_row(
+                              "| `x` | right | wrong | contact | varies | invalid | separated | undecided | declines |")
+                              .behaviour),
+            "| `x` | right | wrong | contact | varies | invalid | separated | undecided | declines |");
+  EXPECT_THROW(testing_support::parsed_row("| `x` | right |"), std::runtime_error);
+  EXPECT_THROW(testing_support::parsed_row(
+                   "| `x` | right | wrong | contact | varies | invalid | separated | undecided | right? |"),
+               std::runtime_error);
 }
 
 }  // namespace

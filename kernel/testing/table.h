@@ -1,9 +1,14 @@
-// The expected answers of every registered kernel to hand-worked queries, one row per kernel. docs/kernels.md shows the
-// same rows.
+// The expected answers of every registered kernel to hand-worked queries: the rows of the table "What each answers" of
+// docs/kernels.md, to which the tests hold the kernels.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <fstream>
+#include <stdexcept>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace axiscert::testing_support {
 
@@ -22,7 +27,6 @@ inline constexpr std::array<std::string_view, 8> says_names = {"right",   "wrong
 
 // From `repeated` to `infinite_centre` the sphere is clear of the triangle, or was so before a coordinate was replaced.
 struct Behaviour {
-  std::string_view kernel;
   Says area;             // a triangle with area: clear of each feature, overlapping, touching
   Says repeated;         // two vertices equal, the sphere clear of the segment
   Says collinear;        // three vertices on a line, the foot of the centre between them
@@ -32,43 +36,58 @@ struct Behaviour {
   Says infinite_centre;  // one coordinate of the centre is infinite
   Says negative_radius;  // radius -1, for a sphere that overlaps an edge or the face at radius 1
 };
+struct BehaviourRow {
+  std::string kernel;
+  Behaviour behaviour;
+};
 
-inline constexpr auto behaviours = [] {
-  using enum Says;
-  // clang-format off
-  return std::to_array<Behaviour>({
-      {"published",           right, contact, contact, contact, contact, varies, contact, contact},
-      {"nonstrict",           right, right, right, right, contact, varies, separated, contact},
-      {"reduced",             right, contact, contact, contact, contact, varies, contact, contact},
-      {"reduced-nonstrict",   right, right, right, right, contact, varies, separated, contact},
-      {"reduced-along",       right, contact, contact, contact, contact, varies, contact, contact},
-      {"reduced-determinant", right, contact, contact, contact, contact, varies, contact, contact},
-      {"reduced-shared",      right, contact, contact, contact, contact, varies, contact, contact},
-      {"reduced-shared-nonstrict", right, right, right, right, contact, varies, separated, contact},
-      {"ladder-0",            right, contact, contact, contact, contact, varies, contact, separated},
-      {"ladder-1",            right, contact, contact, contact, contact, varies, contact, varies},
-      {"ladder-2",            right, contact, contact, contact, contact, varies, contact, varies},
-      {"ladder-3",            right, contact, contact, contact, contact, varies, contact, varies},
-      {"ladder-4",            right, contact, contact, contact, contact, varies, contact, varies},
-      {"ladder-5",            right, contact, contact, contact, contact, varies, contact, contact},
-      {"ladder-6",            right, contact, contact, contact, contact, varies, contact, contact},
-      {"ladder-7",            right, contact, contact, contact, contact, varies, contact, contact},
-      {"ladder-8",            right, contact, contact, contact, contact, varies, contact, contact},
-      {"ladder-9",            right, contact, contact, contact, contact, varies, contact, contact},
-      {"minkowski",           right, right, right, right, contact, varies, separated, contact},
-      {"closest-point",       right, varies, right, right, varies, varies, separated, contact},
-      {"segments",            right, varies, contact, contact, varies, varies, contact, contact},
-      {"packed",              right, contact, contact, contact, contact, varies, contact, contact},
-      {"packed-nonstrict",    right, right, right, right, separated, varies, separated, contact},
-      {"eigen",               right, contact, contact, contact, contact, varies, contact, contact},
-      {"certified",           right, right, right, right, invalid, invalid, invalid, invalid},
-      {"conservative",        right, right, right, right, invalid, invalid, invalid, invalid},
-      {"certified-filter",    declines, undecided, undecided, undecided, undecided, undecided, undecided, undecided},
-      {"certified-filter-published", declines, undecided, undecided, undecided, undecided, undecided, undecided, undecided},
-      {"first-publication",   wrong, varies, right, contact, contact, varies, contact, contact},
-      {"vertex-typo",         wrong, varies, varies, contact, varies, varies, contact, contact},
-  });
-  // clang-format on
-}();
+inline std::string row_text(std::string_view kernel, const Behaviour& b) {
+  std::string row = "| `" + std::string(kernel) + "` |";
+  for (const Says cell :
+       {b.area, b.repeated, b.collinear, b.point, b.nan, b.infinite, b.infinite_centre, b.negative_radius}) {
+    row += " " + std::string(says_names[static_cast<std::size_t>(cell)]) + " |";
+  }
+  return row;
+}
+
+inline constexpr std::string_view behaviours_place = "docs/kernels.md, table \"What each answers\"";
+
+// Throws std::runtime_error with the row that has not nine cells, or whose answers are not among `says_names`.
+inline BehaviourRow parsed_row(const std::string& row) {
+  std::vector<std::string> cells;
+  for (std::size_t at = 1; at < row.size();) {
+    const std::size_t end = std::min(row.find('|', at), row.size());
+    const std::size_t first = row.find_first_not_of(" `", at), last = row.find_last_not_of(" `", end - 1);
+    cells.push_back(first < end ? row.substr(first, last + 1 - first) : "");
+    at = end + 1;
+  }
+  const auto wrong = [&](const std::string& what) {
+    return std::runtime_error(std::string(behaviours_place) + ": " + what + " in the row\n" + row);
+  };
+  if (cells.size() != 9) throw wrong(std::to_string(cells.size()) + " cells where there should be 9");
+  const auto says = [&](std::size_t i) {
+    const auto found = std::find(says_names.begin(), says_names.end(), cells[i]);
+    if (found == says_names.end())
+      throw wrong("'" + cells[i] + "', which is no answer that kernel/testing/table.h knows,");
+    return static_cast<Says>(found - says_names.begin());
+  };
+  return {cells[0], {says(1), says(2), says(3), says(4), says(5), says(6), says(7), says(8)}};
+}
+
+inline const std::vector<BehaviourRow>& behaviours() {
+  static const std::vector<BehaviourRow> rows = [] {
+    std::ifstream file(SOURCE_FOLDER "/docs/kernels.md");
+    std::vector<BehaviourRow> found;
+    bool in_table = false;
+    for (std::string line; std::getline(file, line);) {
+      if (line.starts_with("| kernel | area |")) in_table = true;
+      else if (!line.starts_with("|")) in_table = false;
+      else if (in_table && line.starts_with("| `")) found.push_back(parsed_row(line));
+    }
+    if (found.empty()) throw std::runtime_error(std::string(behaviours_place) + ": not found, or without a row");
+    return found;
+  }();
+  return rows;
+}
 
 }  // namespace axiscert::testing_support

@@ -11,6 +11,7 @@
 #include "reports/page/embedded.h"
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
+#include "reports/formats/raw_files.h"
 #include "reports/page/packed.h"
 #include "reports/page/page_template.h"
 #include "reports/wording/reproduce.h"
@@ -218,6 +219,6 @@ std::string render_html(const Run& run) {
 
 }  // namespace
 
-extern const Format html_format = {"report.html", render_html};
+extern const Format html_format = {"report.html", nullptr, render_html};
 
 }  // namespace axiscert

@@ -222,6 +222,6 @@ std::string render_junit(const Run& run) {
 
 }  // namespace
 
-extern const Format junit_format = {"junit.xml", render_junit};
+extern const Format junit_format = {"junit.xml", "for CI", render_junit};
 
 }  // namespace axiscert

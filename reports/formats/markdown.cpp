@@ -328,6 +328,6 @@ std::string render_markdown(const Run& run) { return MarkdownReport(run).text();
 
 }  // namespace
 
-extern const Format markdown_format = {"report.md", render_markdown};
+extern const Format markdown_format = {"report.md", "a short version of this page", render_markdown};
 
 }  // namespace axiscert

@@ -7,6 +7,7 @@
 #include <map>
 #include <random>
 
+#include "kernel/testing/sources.h"
 #include "reports/page/embedded.h"
 #include "reports/wording/markdown_text.h"
 #include "reports/gates/requirement.h"
@@ -30,13 +31,21 @@ Json named(const std::string& name) {
   return Json::parse(text);
 }
 
+TEST(Reports, EveryFormatThatIsDefinedIsListed) {
+  for (const auto& [written, source] :
+       testing_support::defined_in("reports", R"(extern const Format \w+_format = \{\s*"([^"]+)")")) {
+    EXPECT_TRUE(std::any_of(formats().begin(), formats().end(),
+                            [&](const Format* format) {
+    return format->file == written; }))
+        << source << " defines the format of " << written << ", which the list of reports/formats/render.cpp lacks";
+}
+}
+
 TEST(Reports, AllAreWritten) {
   const TestFolder folder(stored_record());
   folder.write("run.json", stored_run_info().dump());
   render_reports(folder.path());
-  for (const char* file : {"report.html", "report.md", "junit.xml", "report.sarif", "ratchet.txt", "witnesses.jsonl"}) {
-    EXPECT_FALSE(folder.read(file).empty()) << file;
-  }
+  for (const Format* format : formats()) EXPECT_FALSE(folder.read(format->file).empty()) << format->file;
 }
 
 TEST(Reports, AreTheSameBytesEveryTime) {

@@ -169,6 +169,6 @@ std::string render_sarif(const Run& run) { return Log(run).json().dump(1) + "\n"
 
 }  // namespace
 
-extern const Format sarif_format = {"report.sarif", render_sarif};
+extern const Format sarif_format = {"report.sarif", "for code scanning", render_sarif};
 
 }  // namespace axiscert

@@ -14,6 +14,7 @@
 
 #include "kernel/base/error.h"
 #include "fuzz/text/json.h"
+#include "reports/formats/format.h"
 #include "reports/formats/render.h"
 
 namespace axiscert {

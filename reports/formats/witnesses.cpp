@@ -16,6 +16,6 @@ std::string render_witnesses(const Run& run) {
 
 }  // namespace
 
-extern const Format witnesses_format = {"witnesses.jsonl", render_witnesses};
+extern const Format witnesses_format = {"witnesses.jsonl", "every witness as a query file", render_witnesses};
 
 }  // namespace axiscert

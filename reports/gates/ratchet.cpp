@@ -247,7 +247,7 @@ std::string ratchet_text(const Json& record) {
   return text;
 }
 
-extern const Format ratchet_format = {"ratchet.txt", [](const Run& run) {
+extern const Format ratchet_format = {"ratchet.txt", "the ratchet that would accept this run", [](const Run& run) {
                                         return run.ratchet.is_null() ? ratchet_text(run.record)
                                                                      : run.ratchet["accepted"].get<std::string>();
                                       }};

@@ -103,22 +103,11 @@ function show_matrix(data) {
 }
 
 // The record's files hold everything, including what the page has no room for.
-const file_meanings = {
-  'record.json': 'every count and every witness; the same bytes from the same plan',
-  'run.json': 'everything that varies: times, machine, target, versions, filter steps',
-  'witnesses.jsonl': 'every witness as a query file', 'report.md': 'a short version of this page', 'junit.xml': 'for CI',
-  'report.sarif': 'for code scanning', 'ratchet.txt': 'the ratchet that would accept this run',
-  'ratchet.json': 'the ratchet that the run was compared with, and the outcome', 'witnesses-shrunk.jsonl': 'the witnesses made smaller',
-  'proofs.json': 'bounds and their checkers', 'search.json': 'the worst that a search found', 'ladder.json': 'each form of the test',
-  'precision.json': 'wrong verdicts against bits', 'league.json': 'libraries and kernels', 'mutation.json': 'mutants',
-  'maps/index.json': 'maps around witnesses',
-};
-
 function show_files(data) {
   document.getElementById('files').append(...data.files.map((file) => {
-    const link = el('a', 'name', file);
-    link.href = file;
-    return el('li', '', link, `: ${file_meanings[file]}`);
+    const link = el('a', 'name', file.name);
+    link.href = file.name;
+    return el('li', '', link, `: ${file.meaning}`);
   }));
 }
 

@@ -228,21 +228,4 @@ Json attachments(const std::filesystem::path& folder, std::size_t image_bytes) {
   return data;
 }
 
-Json raw_files(const std::filesystem::path& folder) {
-  Json files = Json::array();
-  std::error_code ignored;
-  const auto add = [&](std::initializer_list<const char*> names, bool is_written) {
-    for (const char* name : names) {
-      if (is_written || std::filesystem::exists(folder / name, ignored)) files.push_back(name);
-    }
-  };
-  add({"record.json", "run.json"}, false);
-  // These are written together with the page that points to them.
-  add({"witnesses.jsonl", "report.md", "junit.xml", "report.sarif", "ratchet.txt"}, true);
-  add({"witnesses-shrunk.jsonl", "ratchet.json", "proofs.json", "search.json", "ladder.json", "precision.json",
-       "league.json", "mutation.json", "maps/index.json"},
-      false);
-  return files;
-}
-
 }  // namespace axiscert

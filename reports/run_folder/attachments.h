@@ -21,7 +21,4 @@ namespace axiscert {
 // have the form that its reader needs.
 Json attachments(const std::filesystem::path& folder, std::size_t image_bytes);
 
-// The names of the files of the folder that the page can point to.
-Json raw_files(const std::filesystem::path& folder);
-
 }  // namespace axiscert

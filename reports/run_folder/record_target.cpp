@@ -6,10 +6,6 @@
 #include "fuzz/targets/target.h"
 #include "reports/formats/format.h"
 
-namespace axiscert {
-extern const Format html_format, junit_format, markdown_format, ratchet_format, sarif_format, witnesses_format;
-}
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace axiscert;
   using namespace axiscert::fuzzing;
@@ -19,8 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   accepts([&] { check_run_info(run.record, "run.json"); });
   if (!accepts([&] { check_record(run.record, "record.json"); })) return 0;
   run.folder = "/nonexistent";  // a folder without attachments
-  for (const Format* format :
-       {&html_format, &junit_format, &markdown_format, &ratchet_format, &sarif_format, &witnesses_format}) {
+  for (const Format* format : formats()) {
     accepts([&] {
       if (format->render(run).empty()) fault(fmt::format("an empty {}", format->file));
     });

@@ -13,11 +13,10 @@ using testing::HasSubstr;
 std::string error_after(const std::string& spoiled) {
   const TestFolder folder(stored_record());
   render_reports(folder.path());
-  const char* const files[] = {"report.html", "report.md", "junit.xml", "witnesses.jsonl"};
-  for (const char* file : files) folder.write(file, "before");
+  for (const Format* format : formats()) folder.write(format->file, "before");
   folder.write("record.json", spoiled);
   const std::string error = folder.rendering_error();
-  for (const char* file : files) EXPECT_EQ(folder.read(file), "before") << file;
+  for (const Format* format : formats()) EXPECT_EQ(folder.read(format->file), "before") << format->file;
   EXPECT_THAT(error, HasSubstr((folder.path() / "record.json").string()));
   EXPECT_EQ(error.find('\n'), error.npos) << error;
   return error;

@@ -12,8 +12,9 @@ ReferenceBatch<Real>::ReferenceBatch(const Kernel& kernel) {
   const bool has_form = kernel.arithmetic == Arithmetic::plain && kernel.strictness != Strictness::not_less;
   const SimdForms* forms = has_form ? simd_forms(kernel.formulae) : nullptr;
   if (!forms) return;
-  form_ = forms->on<Real>(simd_targets().front(), kernel.strictness).bits;
   range_free_form_ = range_free_on<Real>(simd_targets().front(), kernel.formulae, kernel.strictness);
+  if (!range_free_form_) return;  // formulae with a form of R alone: both are evaluated one query at a time
+  form_ = forms->on<Real>(simd_targets().front(), kernel.strictness).bits;
 }
 
 template <class Real>

@@ -63,6 +63,7 @@ extern const Family bits_family = {"bits",
                                    2,
                                    false,
                                    bits_queries<float>,
-                                   bits_queries<double>};
+                                   bits_queries<double>,
+                                   30};
 }  // namespace axiscert
 #endif

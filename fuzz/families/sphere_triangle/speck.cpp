@@ -46,6 +46,7 @@ extern const Family speck_family = {
     1,
     false,
     specked_tie<float>,
-    specked_tie<double>};
+    specked_tie<double>,
+    20};
 
 }  // namespace axiscert

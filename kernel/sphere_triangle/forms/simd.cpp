@@ -5,7 +5,18 @@
 #define HWY_COMPILE_ALL_ATTAINABLE
 #include "hwy/highway.h"
 
+// The formulae that have a SIMD form, one line each: X(NAME) is `simd_NAME`, which simd_NAME.cpp defines. Every kernel
+// of the registry that is `evaluated` from them runs it on the targets that are not scalar.
+#define AXISCERT_SIMD_FORMS(X) \
+  X(published)                 \
+  X(reduced)
+
 namespace axiscert {
+
+#define AXISCERT_DECLARE(name) const SimdForms& simd_##name();
+AXISCERT_SIMD_FORMS(AXISCERT_DECLARE)
+#undef AXISCERT_DECLARE
+
 void for_each_simd_target(const std::function<void(const std::string&)>& visit) {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
@@ -30,16 +41,19 @@ const std::vector<std::string>& simd_targets() {
   return names;
 }
 
+bool has_simd_form(Formulae formulae) {
+#define AXISCERT_IS(name) || formulae == Formulae::name
+  return false AXISCERT_SIMD_FORMS(AXISCERT_IS);
+#undef AXISCERT_IS
+}
+
 const SimdForms* simd_forms(Formulae formulae) {
   if (simd_targets().empty()) return nullptr;
-  switch (formulae) {
-    case Formulae::published:
-      return &simd_published();
-    case Formulae::reduced:
-      return &simd_reduced();
-    default:
-      return nullptr;
-  }
+#define AXISCERT_FORM(name) \
+  if (formulae == Formulae::name) return &simd_##name();
+  AXISCERT_SIMD_FORMS(AXISCERT_FORM)
+#undef AXISCERT_FORM
+  return nullptr;
 }
 
 SimdForms::SimdForms(Implementation<float> (*binary32)(Strictness), Implementation<double> (*binary64)(Strictness))

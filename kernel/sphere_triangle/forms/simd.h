@@ -54,9 +54,9 @@ class SimdForms {
   SimdTable<Forms> table_;
 };
 
-// The vector forms of the formulae; null for formulae that have none.
+// Whether simd.cpp lists a vector form of these formulae.
+bool has_simd_form(Formulae formulae);
+// That form; null for formulae without one, or where the machine has no instruction set for it.
 const SimdForms* simd_forms(Formulae formulae);
-const SimdForms& simd_published();
-const SimdForms& simd_reduced();
 
 }  // namespace axiscert

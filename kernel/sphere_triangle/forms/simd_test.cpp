@@ -9,6 +9,7 @@
 
 #include "kernel/sphere_triangle/reference/scalar_kernel.h"
 #include "kernel/testing/random.h"
+#include "kernel/testing/sources.h"
 
 namespace axiscert {
 namespace {
@@ -65,6 +66,19 @@ using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(SimdTest, Reals);
 
 TYPED_TEST(SimdTest, MachineHasAnInstructionSetToTest) { EXPECT_FALSE(simd_targets().empty()); }
+
+TEST(SimdForms, EveryOneThatIsDefinedIsListed) {
+  for (const auto& [formulae, file] :
+       testing_support::defined_in("kernel/sphere_triangle/forms", R"(const SimdForms& simd_(\w+)\(\) \{)")) {
+    bool is_listed = false;
+#define AXISCERT_LOOK(set, type, kind) is_listed |= formulae == #set && has_simd_form(Formulae::set);
+    AXISCERT_FORMULAE(AXISCERT_LOOK)
+#undef AXISCERT_LOOK
+    EXPECT_TRUE(is_listed) << file << " defines simd_" << formulae
+                           << ", for which the list of kernel/sphere_triangle/forms/simd.cpp lacks X(" << formulae
+                           << ")";
+  }
+}
 
 TYPED_TEST(SimdTest, AgreesWithTheReferenceOnRandomAndOnArbitraryBits) {
   constexpr std::uint64_t seed = 20101230;
