@@ -10,6 +10,7 @@
 
 #include "kernel/arithmetic/arithmetic_list.h"
 #include "kernel/finding.h"
+#include "kernel/sphere_triangle/description.h"
 #include "kernel/sphere_triangle/formulae_list.h"
 #include "kernel/query.h"
 
@@ -81,6 +82,8 @@ inline constexpr std::array<std::string_view, 3> exposure_names = {"verdict", "c
 struct Kernel {
   std::string id;
   std::string summary;  // one line
+  const TestDescription* test = &sphere_triangle_test();
+  std::size_t entry = 0;  // of the test's: how it takes its numbers
   // What it claims to compute: these formulae, with these side comparisons, in this arithmetic.
   Formulae formulae = Formulae::published;
   Strictness strictness = Strictness::strict;
@@ -96,6 +99,7 @@ struct Kernel {
   Limits limits = {};
   Call call = {};
   std::string file = {};               // of a plug-in: its path
+  std::string source = {};             // of a plug-in: FILE:LINE in its author's sources; empty: it does not say
   std::vector<Finding> findings = {};  // of loading it, whatever is asked
 
   template <class Real>

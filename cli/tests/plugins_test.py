@@ -51,7 +51,9 @@ const axiscert_kernel *axiscert_plugin(uint32_t index) {
   if (index) return NULL;
   k.abi = AXISCERT_PLUGIN_ABI;
   k.precision = 8 * sizeof(real);
+  k.size = sizeof k;
   k.name = "other-form";
+  k.column_count = 13;
   k.run = run;
   MORE
   return &k;
@@ -138,7 +140,8 @@ class Plugins(Case):
                 self.assertEqual(json.loads(done.stdout)["flips"] == [], right)
 
     def test_wrong_answers_outside_its_limits_fail_nothing(self):
-        limits = "k.limits.greatest_coordinate=100;k.limits.least_radius=0x1p-20;"
+        limits = ("static axiscert_limits l;l.size=sizeof l;l.greatest_coordinate=100;l.least_radius=0x1p-20;"
+                  "k.limits=&l;")
         for more, code in (("", 1), (limits, 0)):
             kernel = self.compiled(f"limits{code}", more=more, real="float")
             done = axiscert("run", "--kernel", kernel, "--family", "scale", "--trials", "3000", "--precision", "binary32",

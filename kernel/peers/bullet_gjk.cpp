@@ -45,5 +45,6 @@ struct BulletGjk {
 // It gives a signed distance, of which 0 says touching: contact.
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::kernel<axiscert::peer::BulletGjk>(
-      index, {"bullet-gjk", "Bullet's btGjkPairDetector with EPA, float", AXISCERT_TOUCHING_IS_CONTACT});
+      index,
+      {"bullet-gjk", "Bullet's btGjkPairDetector with EPA, float", AXISCERT_TOUCHING_IS_CONTACT, AXISCERT_SOURCE});
 }

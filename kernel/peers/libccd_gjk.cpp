@@ -21,5 +21,5 @@ struct LibccdGjk {
 // The origin on a face of the simplex is contact there, a direction of length 0 is not: which is met first decides.
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::kernel<axiscert::peer::LibccdGjk>(
-      index, {"libccd-gjk", "libccd's ccdGJKIntersect, double", AXISCERT_TOUCHING_IS_EITHER});
+      index, {"libccd-gjk", "libccd's ccdGJKIntersect, double", AXISCERT_TOUCHING_IS_EITHER, AXISCERT_SOURCE});
 }

@@ -1,0 +1,5 @@
+/* Reads a column fewer than its test has: the radius, say, as a constant. */
+#define COLUMN_COUNT 12
+#include "kernel/plugin/misbehaving/right.h"
+
+MISBEHAVING("wrong_columns", answer_rightly)
