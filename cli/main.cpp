@@ -1,22 +1,23 @@
 // axiscert: certifies floating-point sphere-triangle kernels against exact arithmetic.
 #include <sys/resource.h>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 
 int main(int argc, char** argv) {
   using namespace axiscert;
-  // Every plug-in at work on a thread is a process with a socket and a memory file.
+  // Each plug-in at work on a thread is a process with a socket and a memory file.
   if (rlimit files{}; getrlimit(RLIMIT_NOFILE, &files) == 0) {
     files.rlim_cur = files.rlim_max;
     setrlimit(RLIMIT_NOFILE, &files);
   }
   CLI::App app{
-      "Runs sphere-triangle kernels beside exact arithmetic and reports where, how far and how often they are wrong."};
+      "Runs sphere-triangle kernels together with exact arithmetic and reports where, how far and how often they are "
+      "wrong."};
   app.set_version_flag("--version", "axiscert " AXISCERT_VERSION);
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done; 1 a requirement failed; 2 bad usage or input, or a target this machine lacks;\n"
-      "3 the oracles disagree, or the harness caught itself wrong; 130 interrupted.");
+      "3 the oracles disagree, or the harness found a fault in itself; 130 interrupted.");
   Action action;
   for (const auto add : {
            add_run,    add_plan,      add_merge,     add_check,           add_shrink, add_corpus,

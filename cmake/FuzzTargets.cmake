@@ -46,7 +46,7 @@ function(axiscert_fuzz_target name)
   # For ./dev fuzz.
   file(CONFIGURE OUTPUT ${folder}/${name}.options CONTENT "-max_len=${arg_LENGTH}\n" @ONLY)
   if(AXISCERT_TESTS)
-    axiscert_script_test(fuzz.${name} NEEDS fuzz_${name} TIMEOUT 900
+    axiscert_script_test(fuzz.${name} MEMORY NEEDS fuzz_${name} TIMEOUT 900
                          COMMAND fuzz_${name} -seed_inputs=@${folder}/seeds/${name}.list -runs=${arg_RUNS} -seed=1
                                        -max_len=${arg_LENGTH} -artifact_prefix=${folder}/found/${name}- -verbosity=0)
   endif()

@@ -12,6 +12,21 @@ target_compile_options(axiscert_warnings INTERFACE -Wall -Wextra -Wconversion -W
 add_library(axiscert_light INTERFACE)
 target_compile_options(axiscert_light INTERFACE $<$<CONFIG:Release>:-O1>)
 
+# Sanitized builds. Sanitizers are for the code where memory is at risk (the plug-in host, parsers, pipe, journal, kernels, families,
+# reports): what MEMORY marks below. AXISCERT_SANITIZE_ALL, of the preset asan-ubsan-all, has all of it.
+set(AXISCERT_SANITIZED OFF)
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+  set(AXISCERT_SANITIZED ON)
+endif()
+# axiscert_unsanitized(TARGETS...): compiled without sanitizers where not all is to be sanitized.
+function(axiscert_unsanitized)
+  if(AXISCERT_SANITIZED AND NOT AXISCERT_SANITIZE_ALL)
+    foreach(target ${ARGV})
+      target_compile_options(${target} PRIVATE -fno-sanitize=all)
+    endforeach()
+  endif()
+endfunction()
+
 # ccache and lld where they are installed: neither changes a byte of what is computed.
 find_program(AXISCERT_CCACHE ccache)
 if(AXISCERT_CCACHE)
@@ -63,15 +78,16 @@ function(axiscert_test_header layer)
   target_precompile_headers(${layer}_test_header PRIVATE <gtest/gtest.h> <gmock/gmock.h> ${arg_HEADERS})
 endfunction()
 
-# axiscert_test(NAME SOURCES... [ROOMS folders...] LIBRARIES libraries... [HEADER layer] [NEEDS targets...] [LONG]): a GoogleTest
-# program, one CTest test a case, of its sources and the `_test.cpp` of its rooms. Suites whose names end in "Long", typed ones
-# (SuiteLong/0) too, get the label `long`, the others `quick`; with LONG all get `long`. HEADER: the layer whose precompiled header it
+# axiscert_test(NAME SOURCES... [ROOMS folders...] LIBRARIES libraries... [HEADER layer] [NEEDS targets...] [MEMORY] [LONG]):
+# a GoogleTest program, one CTest test a case, of its sources and the `_test.cpp` of its rooms. Suites whose names end in "Long", typed
+# ones (SuiteLong/0) too, get the label `long`, the others `quick`; with LONG all get `long`, and in a sanitized build all that are not
+# marked MEMORY. HEADER: the layer whose precompiled header it
 # takes. NEEDS: what has to be built for it to run.
 function(axiscert_test name)
   if(NOT AXISCERT_TESTS)
     return()
   endif()
-  cmake_parse_arguments(arg "LONG" "HEADER" "LIBRARIES;ROOMS;NEEDS" ${ARGN})
+  cmake_parse_arguments(arg "LONG;MEMORY" "HEADER" "LIBRARIES;ROOMS;NEEDS" ${ARGN})
   set(sources ${arg_UNPARSED_ARGUMENTS})
   if(arg_ROOMS)
     list(TRANSFORM arg_ROOMS APPEND /*_test.cpp)
@@ -85,7 +101,7 @@ function(axiscert_test name)
     target_precompile_headers(${name} REUSE_FROM ${arg_HEADER}_test_header)
   endif()
   set(label quick)
-  if(arg_LONG)
+  if(arg_LONG OR (AXISCERT_SANITIZED AND NOT arg_MEMORY))
     set(label long)
   else()
     add_dependencies(axiscert_quick ${name})
@@ -100,16 +116,16 @@ function(axiscert_test name)
                        PROPERTIES LABELS long TIMEOUT 7200)
 endfunction()
 
-# axiscert_script_test(NAME COMMAND command... [NEEDS targets...] [TIMEOUT seconds] [LONG]): a test that is a script or a program's exit
-# code, with the label `quick`, or `long`.
+# axiscert_script_test(NAME COMMAND command... [NEEDS targets...] [TIMEOUT seconds] [MEMORY] [LONG]): a test that is a script or a
+# program's exit code, with the label `quick` or `long`, as axiscert_test has them.
 function(axiscert_script_test name)
-  cmake_parse_arguments(arg "LONG" "TIMEOUT" "COMMAND;NEEDS" ${ARGN})
+  cmake_parse_arguments(arg "LONG;MEMORY" "TIMEOUT" "COMMAND;NEEDS" ${ARGN})
   add_test(NAME ${name} COMMAND ${arg_COMMAND})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 1200)
   endif()
   set(label quick)
-  if(arg_LONG)
+  if(arg_LONG OR (AXISCERT_SANITIZED AND NOT arg_MEMORY))
     set(label long)
   elseif(arg_NEEDS)
     add_dependencies(axiscert_quick ${arg_NEEDS})
@@ -130,7 +146,7 @@ endfunction()
 # axiscert_vector_sources(SOURCES...): of these, those that compile for several instruction sets lose UBSan, whose checks of
 # hundreds of vector operations a function take minutes of compile time each, and keep AddressSanitizer, where there are any.
 function(axiscert_vector_sources)
-  if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+  if(NOT AXISCERT_SANITIZED)
     return()
   endif()
   foreach(source ${ARGV})
@@ -158,7 +174,7 @@ function(axiscert_instances variable list template result)
   endforeach()
   set(${result} ${sources} PARENT_SCOPE)
   # One template over sixteen number types takes a third of a sanitized build: the first of them is sanitized.
-  if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+  if(AXISCERT_SANITIZED)
     list(REMOVE_AT sources 0)
     set_property(SOURCE ${sources} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize=all)
     set_property(SOURCE ${sources} PROPERTY SKIP_PRECOMPILE_HEADERS ON)

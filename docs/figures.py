@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes the figures of the documents from the commands that stand beside them.
+"""Writes the figures of the documents from the commands that are stated with them.
 
 figures.py AXISCERT FILE.md...            runs each command and replaces what is below it
 figures.py --check AXISCERT FILE.md...    fails where that would change a file
@@ -10,7 +10,7 @@ A figure is a block
     <!-- end -->
 whose text is the command's output; with `<!-- table N of: $ axiscert NAME ARGS -->` its N-th table, from 0; with
 `<!-- plot N of: ... -->` the N-th plot of its page, as plots/*.svg.
-Commands are deterministic: what varies from run to run (times) is not among them.
+The commands are deterministic: figures that vary from run to run (times) are not made this way.
 """
 import html
 import json

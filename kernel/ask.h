@@ -1,29 +1,29 @@
-// Everything that a kernel says of a batch, asked in the one way that fits it.
+// Everything that a kernel says about a batch, obtained by the one way of calling that fits the kernel.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/kernel.h"
+#include "kernel/outcome.h"
 
 namespace axiscert {
 
-// What a kernel said of a batch. Kept from one batch to the next, it allocates nothing.
+// The answers of a kernel to a batch. A Reply that is reused for the next batch allocates nothing.
 template <class Real>
 struct Reply {
   std::vector<Verdict> verdicts;
   Answers<Real> answers;
-  std::vector<Finding> findings;  // of somebody else's code
+  std::vector<Finding> findings;  // faults of a kernel that is not built in
   bool has_bits = false;          // the kernel exposes comparisons
 
-  // No bits from a kernel that shows only verdicts, or where there is no answer.
+  // The verdict, and the bits unless the kernel shows only verdicts or gave no answer.
   Outcome outcome(std::size_t i) const {
     Outcome found{verdicts[i], std::nullopt};
     if (has_bits && found.verdict != Verdict::unanswered) found.bits = answers.bits[i];
     return found;
   }
-  // Of a kernel that exposes them, where there is an answer.
+  // The computed sides; only for a kernel that exposes them, and a query that it answered.
   Sides<Real> sides(std::size_t i) const {
     Sides<Real> s;
     for (std::size_t k = 0; k < comparison_count; ++k) {

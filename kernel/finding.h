@@ -1,4 +1,4 @@
-// What a kernel did wrong beside a wrong answer, found while it ran.
+// Faults of a kernel other than a wrong answer, found while it ran.
 #pragma once
 
 #include <array>
@@ -10,15 +10,15 @@
 namespace axiscert {
 
 enum class FindingKind : std::uint8_t {
-  load,              // cannot be loaded, or what it says of itself cannot be true
+  load,              // cannot be loaded, or makes a statement about itself that cannot be true
   abi,               // made for a version of the interface that axiscert does not know
-  crash,             // a signal, or the process left
+  crash,             // a signal, or the process ended
   hang,              // no answer within the time limit
-  out_of_bounds,     // touched what lies beside an array, or wrote to an input
-  nondeterministic,  // another answer to the same batch
-  batch_dependent,   // another answer to the same query in another lane, batch length or alignment
+  out_of_bounds,     // touched memory beside an array, or wrote to an input
+  nondeterministic,  // a different answer to the same batch
+  batch_dependent,   // a different answer to the same query in another lane, batch length or alignment
   environment,       // left the floating-point environment changed
-  inconsistent,      // no verdict at all, or one that its own comparisons contradict
+  inconsistent,      // a value that is not a verdict, or a verdict that its own comparisons contradict
 };
 inline constexpr std::size_t finding_kind_count = 9;
 inline constexpr std::array<std::string_view, finding_kind_count> finding_kind_names = {
@@ -28,7 +28,7 @@ constexpr std::string_view name(FindingKind kind) { return finding_kind_names[st
 
 struct Finding {
   FindingKind kind;
-  std::size_t index;   // of the query in its batch; 0 where there was none
+  std::size_t index;   // position of the query in its batch; 0 if no query is concerned
   std::string detail;  // one line, the same on every run
 };
 

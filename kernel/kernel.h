@@ -1,4 +1,4 @@
-// What a kernel is to the harness: functions over a batch, per precision and instruction set, and what they claim to
+// A kernel as the harness sees it: functions over a batch, per precision and instruction set, and what they claim to
 // compute.
 #pragma once
 
@@ -10,13 +10,13 @@
 
 #include "kernel/arithmetic/arithmetic_list.h"
 #include "kernel/finding.h"
-#include "kernel/sphere_triangle/description.h"
-#include "kernel/sphere_triangle/formulae_list.h"
+#include "kernel/formulae_list.h"
 #include "kernel/query.h"
+#include "kernel/test.h"
 
 namespace axiscert {
 
-// Where a kernel writes the full story of a batch: the comparison bits and the sixteen pairs of computed sides.
+// The full answer of a kernel to a batch: the comparison bits and the sixteen pairs of computed sides.
 template <class Real>
 struct Answers {
   std::vector<ComparisonBits> bits;
@@ -29,78 +29,83 @@ struct Answers {
   }
 };
 
-// One kernel in one precision on one instruction set. Both functions are total: any bits in, no trap, no allocation.
+// One kernel in one precision on one instruction set. The functions are total: they take any bits, do not trap and do
+// not allocate.
 template <class Real>
 struct Implementation {
-  // Verdict only; `out` holds batch.size entries. `separated` or `contact`, of a filter `undecided` too; only some
-  // look for bad input, and say `invalid`.
+  // Verdicts only; `out` has batch.size entries. A verdict is `separated` or `contact`, or from a filter `undecided`;
+  // only some kernels check for invalid input and answer `invalid`.
   std::function<void(const QueryColumns<Real>& batch, Verdict* out)> verdicts;
   // Comparison bits and computed sides; `out` is sized to the batch. Empty for a kernel that shows only verdicts.
   std::function<void(const QueryColumns<Real>& batch, Answers<Real>& out)> explain = {};
-  // For somebody else's code: both at once, run again in other arrangements and watched. Appends what it did wrong;
-  // a query that got no answer is `unanswered`. Empty for a built-in kernel.
+  // For a kernel that is not built in: verdicts and sides at once, computed again in other arrangements and supervised.
+  // Appends the faults found; a query that got no answer is `unanswered`. Empty for a built-in kernel.
   std::function<void(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>& answers,
                      std::vector<Finding>& findings)>
       supervised = {};
-  // `verdicts`, and how long the kernel itself took, in nanoseconds, where it runs in another process. Empty for a
-  // built-in kernel.
+  // Verdicts, for a kernel that runs in another process; returns the time that the kernel itself took, in nanoseconds.
+  // Empty for a built-in kernel.
   std::function<double(const QueryColumns<Real>& batch, Verdict* out)> timed = {};
-  // The bits of `explain` alone. Empty where nothing is gained.
+  // The bits of `explain` alone. Empty where computing them alone is not faster.
   std::function<void(const QueryColumns<Real>& batch, ComparisonBits* out)> bits = {};
 };
 
-// Within what a kernel promises to be right, inclusive; 0: no limit. A wrong answer outside fails no requirement.
+// The range in which a kernel promises to be right, bounds included; a bound of 0 means no limit. A wrong answer to a
+// query outside the range fails no requirement.
 struct Limits {
-  double least_coordinate = 0, greatest_coordinate = 0;  // of |x| of A, B, C, P; the least of those that are not zero
-  double least_area = 0;                                 // of the triangle
+  double least_coordinate = 0, greatest_coordinate = 0;  // bounds of |x| over the coordinates of A, B, C, P that are
+                                                         // not zero
+  double least_area = 0;                                 // area of the triangle
   double least_radius = 0, greatest_radius = 0;
   bool operator==(const Limits&) const = default;
   bool any() const { return *this != Limits{}; }
 };
 
-// An instruction set that a kernel can be asked to run on. `scalar` is the reference itself; the rest are Highway's
-// names. Best first.
+// The instruction sets that a kernel can run on, best first. `scalar` is the reference itself; the others have
+// Highway's names.
 std::vector<std::string> available_targets();
 inline constexpr std::string_view scalar_target = "scalar";
-// The name as `available_targets` spells it (any case is accepted; `auto` is the best). Throws Error with what exists.
+// The name as `available_targets` spells it (any case is accepted; `auto` is the best). Throws Error that lists the
+// targets.
 std::string resolve_target(std::string_view name);
-bool same_letters(std::string_view a, std::string_view b);  // in any case
+bool same_letters(std::string_view a, std::string_view b);  // compares without regard to case
 
-// How a kernel is called where that is not as a plan says (kernel/called.h).
+// How a kernel is called where the plan does not decide that (kernel/registry/called.h).
 struct Call {
-  std::string target = {};                // on this instruction set and no other; empty: the one that is asked for
+  std::string target = {};                // run on this instruction set only; empty: on the one that is asked for
   Rounding rounding = Rounding::nearest;  // the caller's modes
   bool flush = false;
   bool operator==(const Call&) const = default;
   bool has_modes() const { return rounding != Rounding::nearest || flush; }
 };
 
-// What a kernel shows beside its verdict. Each includes the one before.
+// The parts of an answer that a kernel shows besides its verdict. Each value includes the one before.
 enum class Exposure : std::uint8_t { verdict, comparisons, sides };
 inline constexpr std::array<std::string_view, 3> exposure_names = {"verdict", "comparisons", "sides"};
 
 struct Kernel {
   std::string id;
   std::string summary;  // one line
-  const TestDescription* test = &sphere_triangle_test();
-  std::size_t entry = 0;  // of the test's: how it takes its numbers
-  // What it claims to compute: these formulae, with these side comparisons, in this arithmetic.
+  const TestDescription* test = &first_test();
+  std::size_t entry = 0;  // index among the test's entries: the form in which the kernel takes the numbers
+  // The kernel claims to compute these formulae, with these side comparisons, in this arithmetic.
   Formulae formulae = Formulae::published;
   Strictness strictness = Strictness::strict;
   Arithmetic arithmetic = Arithmetic::plain;
   Exposure exposes = Exposure::sides;
-  // Empty where it does not exist in that precision. A kernel that has one form runs it on every target.
+  // Empty where the kernel does not exist in that precision. A kernel that has only one form runs it on every target.
   std::function<Implementation<float>(std::string_view target)> binary32;
   std::function<Implementation<double>(std::string_view target)> binary64;
-  bool has_simd = false;     // other instructions on other targets
-  bool is_reference = true;  // claims the scalar reference's bits and sides, bit for bit; else none is judged by it
-  bool takes_arithmetic = false;  // is the rung of RUNG+ARITHMETIC
+  bool has_simd = false;     // uses different instructions on different targets
+  bool is_reference = true;  // claims the scalar reference's bits and sides, bit for bit; a kernel that does not is not
+                             // compared with the reference
+  bool takes_arithmetic = false;  // may be the rung in RUNG+ARITHMETIC
   Touching touching = Touching::contact;
   Limits limits = {};
   Call call = {};
-  std::string file = {};               // of a plug-in: its path
-  std::string source = {};             // of a plug-in: FILE:LINE in its author's sources; empty: it does not say
-  std::vector<Finding> findings = {};  // of loading it, whatever is asked
+  std::string file = {};               // path of a plug-in
+  std::string source = {};             // of a plug-in: FILE:LINE among its author's sources; empty: unknown
+  std::vector<Finding> findings = {};  // faults found when it was loaded, independent of any query
 
   template <class Real>
   Implementation<Real> on(std::string_view target) const {
@@ -112,11 +117,11 @@ struct Kernel {
   }
 };
 
-// As ids spell them: "closest_point" is "closest-point". `none` is empty.
+// The names as ids spell them: Formulae::closest_point is "closest-point". Formulae::none is empty.
 std::string name(Formulae formulae);
 std::string name(Arithmetic arithmetic);
 
-// What an arithmetic is called and does; see arithmetic_list.h.
+// Name and description of an arithmetic; see arithmetic_list.h.
 struct ArithmeticInfo {
   std::string name, summary;
   Arithmetic arithmetic;
@@ -125,11 +130,12 @@ struct ArithmeticInfo {
 };
 const std::vector<ArithmeticInfo>& arithmetics();
 
-// The kernels that stand in the registry.
+// The kernels of the registry.
 std::span<const Kernel> kernels();
-// One of those; RUNG+ARITHMETIC, for the scalar form of a rung in one of arithmetics(); either with @CALL
-// (kernel/called.h); plugin:PATH for a plug-in (kernel/include/axiscert/plugin.h), peer/NAME or fault/NAME for one that
-// comes with axiscert. Throws Error naming what exists. The reference is good for the life of the program.
+// The kernel with this id: one of kernels(); RUNG+ARITHMETIC, the scalar form of a rung in one of arithmetics(); either
+// of these with @CALL (kernel/registry/called.h); plugin:PATH for a plug-in (kernel/include/axiscert/plugin.h),
+// peer/NAME or fault/NAME for one that comes with axiscert. Throws Error that lists the kernels. The reference stays
+// valid for the life of the program.
 const Kernel& find_kernel(std::string_view id);
 
 }  // namespace axiscert

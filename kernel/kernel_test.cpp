@@ -1,4 +1,4 @@
-// The formulae beside hand computations, the vocabulary, the registry and the self-check.
+// The formulae against hand computations, the vocabulary, the registry and the self-check.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -10,7 +10,7 @@
 #include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 
 namespace axiscert {
 namespace {
@@ -30,7 +30,7 @@ TEST(Names, BitsAreInTheOrderOfTheTable) {
   EXPECT_EQ(std::popcount(side_comparisons), 9);
 }
 
-// Centre (1/4, 1/4, 2): A = (-1/4, -1/4, -2), and so on; every side is a small dyadic number, worked out by hand.
+// Centre (1/4, 1/4, 2): A = (-1/4, -1/4, -2), and so on; every side is a small dyadic number, computed by hand.
 TEST(Formulae, AgreeWithAHandComputation) {
   const auto sides = reference_sides(unit_right_triangle<float>({0.25f, 0.25f, 2}, 1));
   const auto at = [&](Comparison c) {
@@ -64,7 +64,7 @@ TEST(Formulae, TheArticlesAxesDecideTheirRegions) {
   EXPECT_EQ(separating({0.25, 0.25, 0.5}, 0.5), 0u) << "touching is contact";
 }
 
-// The strict test's specification fault, in its smallest form (A = B): separated by 1, called a contact.
+// The specification fault of the strict test in its smallest form (A = B): separated by 1, reported as a contact.
 TEST(Formulae, StrictSidesInventAContactOnARepeatedVertex) {
   const Query<double> q{{2, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 0, 0}, 1};
   const auto sides = reference_sides(q);

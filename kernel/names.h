@@ -1,4 +1,4 @@
-// The vocabulary: seven axes, sixteen comparisons, verdicts. Every name that a report shows is stated here, once.
+// The vocabulary: seven axes, sixteen comparisons, verdicts. Every name that a report shows is defined here, once.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ inline constexpr std::size_t axis_count = 7;
 inline constexpr std::array<std::string_view, axis_count> axis_names = {"plane",   "vertex_a", "vertex_b", "vertex_c",
                                                                         "edge_ab", "edge_bc",  "edge_ca"};
 
-// One `lhs > rhs`. `vertex_a_side_b`: B lies beyond the plane through A with normal A - P.
+// A comparison `lhs > rhs`. `vertex_a_side_b`: B lies beyond the plane through A with normal A - P.
 // clang-format off
 enum class Comparison : std::uint8_t {
   plane_radius,
@@ -30,7 +30,7 @@ inline constexpr std::size_t comparison_count = 16;
 struct ComparisonInfo {
   std::string_view name;
   Axis axis;
-  bool is_radius;  // seven are; the other nine are side comparisons
+  bool is_radius;  // seven comparisons are; the other nine are side comparisons
 };
 inline constexpr std::array<ComparisonInfo, comparison_count> comparisons = {{
     {"plane.radius", Axis::plane, true},
@@ -56,7 +56,7 @@ constexpr const ComparisonInfo& info(Comparison c) { return comparisons[static_c
 using ComparisonBits = std::uint16_t;
 using AxisBits = std::uint8_t;
 
-// By axis, the comparisons that it needs, all of them, to separate.
+// For each axis, the comparisons that must all hold for it to separate.
 inline constexpr std::array<ComparisonBits, axis_count> axis_comparisons = [] {
   std::array<ComparisonBits, axis_count> bits{};
   for (std::size_t i = 0; i < comparison_count; ++i) {
@@ -82,23 +82,24 @@ constexpr AxisBits axes_of(ComparisonBits bits) {
   return axes;
 }
 
-// `contact` and `separated` are 0 and 1 so that a separation bit is a verdict. `unanswered` is no kernel's word: it
-// crashed, hung, or was not asked because of that.
+// `contact` and `separated` are 0 and 1 so that a separation bit is a verdict. A kernel never answers `unanswered`: it
+// means that the kernel crashed, hung, or was not asked because of that.
 enum class Verdict : std::uint8_t { contact = 0, separated = 1, undecided = 2, invalid = 3, unanswered = 4 };
 inline constexpr std::array<std::string_view, 5> verdict_names = {"contact", "separated", "undecided", "invalid",
                                                                   "unanswered"};
 constexpr std::string_view name(Verdict v) { return verdict_names[static_cast<std::size_t>(v)]; }
 
-// Any separating axis separates.
+// One separating axis suffices.
 constexpr Verdict verdict_of(AxisBits axes) { return axes != 0 ? Verdict::separated : Verdict::contact; }
 
-// What a kernel means to say of a sphere that touches the triangle; with `either`, neither answer is wrong.
+// The answer that a kernel means to give for a sphere that touches the triangle; with `either`, neither answer is
+// wrong.
 enum class Touching : std::uint8_t { contact, separated, either };
 inline constexpr std::array<std::string_view, 3> touching_names = {"contact", "separated", "either"};
 constexpr std::string_view name(Touching t) { return touching_names[static_cast<std::size_t>(t)]; }
 
-// Which relation the nine side comparisons use; the seven radius comparisons are `>` in each. `not_less` is `>=` as
-// hardware without it has it, !(rhs > lhs): the same on numbers, but a NaN side makes it hold.
+// The relation that the nine side comparisons use; the seven radius comparisons use `>` in each case. `not_less` is
+// `>=` on hardware without that instruction, !(rhs > lhs): the same on numbers, but it holds if a side is NaN.
 enum class Strictness : std::uint8_t { strict, nonstrict, not_less };
 inline constexpr std::array<std::string_view, 3> strictness_names = {"strict", "nonstrict", "not_less"};
 constexpr std::string_view name(Strictness s) { return strictness_names[static_cast<std::size_t>(s)]; }

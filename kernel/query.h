@@ -34,7 +34,7 @@ constexpr Query<Real> from_coordinates(const std::array<Real, coordinate_count>&
 inline constexpr std::array<const char*, coordinate_count> coordinate_names = {"ax", "ay", "az", "bx", "by", "bz", "cx",
                                                                                "cy", "cz", "px", "py", "pz", "r"};
 
-// The same query in binary64: exact.
+// The same query in binary64; the conversion is exact.
 inline Query<double> widened(const Query<float>& q) {
   const auto vec = [](const Vec3<float>& v) { return Vec3<double>{v.x, v.y, v.z}; };
   return {vec(q.a), vec(q.b), vec(q.c), vec(q.p), q.r};
@@ -50,20 +50,20 @@ bool is_valid(const Query<Real>& q) {
   return q.r >= 0;
 }
 
-// A batch, structure of arrays: thirteen pointers to `size` numbers each. Owns nothing, needs no alignment.
+// A batch as structure of arrays: thirteen pointers to `size` numbers each. It owns nothing and needs no alignment.
 template <class Real>
 struct QueryColumns {
   std::array<const Real*, coordinate_count> column;
   std::size_t size;
 };
 
-// The same to be written: generators fill these.
+// The same as QueryColumns, to be written to: generators fill these.
 template <class Real>
 struct MutableColumns {
   std::array<Real*, coordinate_count> column;
   std::size_t size;
 
-  // The columns from query `begin` on, `count` of them.
+  // The columns of `count` queries from query `begin` on.
   MutableColumns part(std::size_t begin, std::size_t count) const {
     MutableColumns rest{{}, count};
     for (std::size_t k = 0; k < coordinate_count; ++k) rest.column[k] = column[k] + begin;
@@ -80,7 +80,7 @@ struct MutableColumns {
   }
 };
 
-// The query that fill(columns) writes into columns of one.
+// The query that fill(columns) writes into columns of length one.
 template <class Real, class Fill>
 Query<Real> filled_query(Fill&& fill) {
   std::array<Real, coordinate_count> v;
@@ -98,7 +98,8 @@ class QueryBatch {
   std::size_t size() const { return size_; }
   std::size_t capacity() const { return capacity_; }
   void clear() { size_ = 0; }
-  // `size` queries of any numbers, to be written through mutable_columns(); at most the capacity.
+  // Makes the size `size`, at most the capacity; the queries have arbitrary values until written through
+  // mutable_columns().
   void resize(std::size_t size) { size_ = size; }
   void push_back(const Query<Real>& q) {
     const auto v = coordinates(q);
@@ -122,8 +123,8 @@ class QueryBatch {
   }
 
  private:
-  // From column to column: an odd number of cache lines of 64 bytes. At a multiple of 4096 bytes all columns would
-  // compete for the same eight lines of a first-level cache.
+  // Distance between columns, in numbers: an odd number of cache lines of 64 bytes. At a multiple of 4096 bytes all
+  // columns would compete for the same eight lines of a first-level cache.
   std::size_t stride() const {
     constexpr std::size_t line = 64 / sizeof(Real);
     return ((capacity_ / line + 1) | 1) * line;

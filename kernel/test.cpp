@@ -8,18 +8,9 @@
 
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
-
-// One line a test.
-const std::vector<const TestDescription*>& all_tests() {
-  static const std::vector<const TestDescription*> all = {
-      &sphere_triangle_test(),
-  };
-  return all;
-}
 
 template <class Named>
 std::vector<std::string_view> names_of(const std::vector<Named>& all) {
@@ -74,17 +65,6 @@ std::uint64_t clauses_of(const TestDescription& test, std::uint64_t comparisons)
 Verdict verdict_of(const TestDescription& test, std::uint64_t comparisons) {
   const bool separates = test.rule.separates ? test.rule.separates(comparisons) : clauses_of(test, comparisons) != 0;
   return separates ? Verdict::separated : Verdict::contact;
-}
-
-std::span<const TestDescription* const> tests() { return all_tests(); }
-
-const TestDescription& find_test(std::string_view id) {
-  std::vector<std::string_view> known;
-  for (const TestDescription* test : all_tests()) {
-    if (test->id == id) return *test;
-    known.push_back(test->id);
-  }
-  throw Error(fmt::format("unknown test '{}'; tests: {}", id, fmt::join(most_alike_first(id, std::move(known)), ", ")));
 }
 
 std::size_t find_entry(const TestDescription& test, std::string_view name) {

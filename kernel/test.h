@@ -82,9 +82,13 @@ TestDescription checked(TestDescription test);
 std::uint64_t clauses_of(const TestDescription& test, std::uint64_t comparisons);
 Verdict verdict_of(const TestDescription& test, std::uint64_t comparisons);
 
-std::span<const TestDescription* const> tests();
-// Both throw Error naming those that exist, the most alike first. An empty name of an entry is the first.
-const TestDescription& find_test(std::string_view id);
+// The index of an entry; an empty name means the first. Throws Error naming those that exist, the most alike first.
 std::size_t find_entry(const TestDescription& test, std::string_view name);
+
+// The tests that exist; defined in kernel/registry/tests.cpp. find_test throws Error as find_entry does.
+std::span<const TestDescription* const> tests();
+const TestDescription& find_test(std::string_view id);
+// The test of a kernel that names none.
+const TestDescription& first_test();
 
 }  // namespace axiscert

@@ -1,5 +1,5 @@
-// The greatest errors that searches attained on the scaled domain, in u: what a bound is compared with. Each by
-// `axiscert search --kernel K --precision binary32`, the rest of the command beside the row.
+// The greatest errors, in u, that searches attained on the scaled domain; the bounds are compared with them. Each was
+// found by `axiscert search --kernel K --precision binary32` with the options in the row.
 #pragma once
 
 #include <array>

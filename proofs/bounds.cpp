@@ -8,8 +8,8 @@
 namespace axiscert::proofs {
 namespace {
 
-// By domain and contraction. In u the bounds of binary64 are less than those of binary32 by terms of second order only,
-// so one table serves both.
+// The bounds in u/16, by domain and contraction. In u, the bounds of binary64 are less than those of binary32 only by
+// terms of second order, so one table serves both.
 struct Row {
   std::string_view what;
   std::array<std::array<int, 2>, 2> sixteenths;  // [domain][contraction]

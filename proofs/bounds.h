@@ -7,7 +7,7 @@
 
 namespace axiscert::proofs {
 
-// The comparisons that differ by a renaming of the vertices have one bound.
+// Comparisons that differ only by a renaming of the vertices have the same bound.
 enum class Kind : unsigned char { plane_radius, vertex_radius, vertex_side, edge_radius, edge_side };
 Kind kind_of(Comparison which);
 
@@ -18,12 +18,12 @@ struct Setting {
   Domain domain;
 };
 
-// At most so many u/16 is |(computed lhs - computed rhs) - (lhs - rhs)|. 0: none is known yet, and the script asks.
+// A bound of |(computed lhs - computed rhs) - (lhs - rhs)|, in u/16. 0: none is known yet, and the script asks for one.
 int bound(const Setting& setting, Comparison which);
-// At most so many u/16 is the error of every component of a vector: a step of the proof.
+// A bound of the error of every component of a vector, in u/16: a step of the proof.
 int vector_bound(const Setting& setting, std::string_view vector);
 
-// The two sets of formulae share the plane's and the vertices' comparisons: those have one script, published's.
+// The two sets of formulae share the comparisons of the plane and the vertices; the scripts of these are published's.
 bool is_shared(Comparison which);
 std::string script_path(const Setting& setting, Comparison which);
 

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder of its own, removed at the end.
+// A temporary folder, removed at the end.
 class Scratch {
  public:
   Scratch() {

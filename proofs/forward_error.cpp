@@ -6,7 +6,8 @@
 namespace axiscert::proofs {
 namespace {
 
-// Of a step: its exact value is at most `size`, its computed one differs from that by at most `error`.
+// Bounds for a step: the magnitude of its exact value is at most `size`, and its computed value differs from that by at
+// most `error`.
 struct Reach {
   double size = 0, error = 0;
 };
@@ -14,7 +15,7 @@ struct Reach {
 }  // namespace
 
 std::array<double, comparison_count> forward_error(const Recording& recording, int digits, int least_exponent) {
-  // To nearest: |rnd(x) - x| <= max(u |x|, half the least number).
+  // Rounding to nearest: |rnd(x) - x| <= max(u |x|, half the least number).
   const double u = std::ldexp(1.0, -digits), half_least = std::ldexp(0.5, least_exponent);
   const auto rounded = [&](Reach exact) {
     return Reach{exact.size, exact.error + u * (exact.size + exact.error) + half_least};
@@ -40,7 +41,7 @@ std::array<double, comparison_count> forward_error(const Recording& recording, i
       case Operation::add:
       case Operation::subtract: {
         const Reach a = operand(0), b = operand(1);
-        // Less or plus an exact zero is exact: the translation by P = 0.
+        // Adding or subtracting an exact zero is exact: the translation by P = 0.
         const bool unchanged = b.size + b.error == 0;
         reach[i] = unchanged ? a : rounded(sum(a, b));
         break;
@@ -53,8 +54,8 @@ std::array<double, comparison_count> forward_error(const Recording& recording, i
         break;
     }
   }
-  // Only sums and products of non-negative doubles so far, fewer than 2^10 in a row: each raises or lowers by less than
-  // 2^-52 of the result, all of them by less than 2^-40.
+  // So far there are only sums and products of non-negative doubles, fewer than 2^10 in a row: each changes the result
+  // by less than 2^-52 of it, all of them by less than 2^-40.
   std::array<double, comparison_count> bounds;
   for (std::size_t k = 0; k < comparison_count; ++k) {
     bounds[k] = (reach[recording.lhs[k]].error + reach[recording.rhs[k]].error) * (1 + 0x1p-40);

@@ -1,6 +1,8 @@
-"""FPCore 2.0 (https://fpbench.org/spec/fpcore-2.0.html): read, checked against the grammar, evaluated exactly or rounded.
+"""FPCore 2.0 (https://fpbench.org/spec/fpcore-2.0.html): reads FPCores, checks them against the grammar, and evaluates
+them exactly or rounded.
 
-The part of the language without loops, tensors and annotations. Only + - * and fma are evaluated, in straight-line programs."""
+It covers the language without loops, tensors and annotations. Only + - * and fma are evaluated, in straight-line
+programs."""
 import re
 from fractions import Fraction
 
@@ -11,7 +13,8 @@ DECNUM = re.compile(r"[-+]?([0-9]+(\.[0-9]+)?|\.[0-9]+)(e[-+]?[0-9]+)?")
 HEXNUM = re.compile(r"[+-]?0x([0-9a-f]+(\.[0-9a-f]+)?|\.[0-9a-f]+)(p[-+]?[0-9]+)?", re.I)
 CONSTANTS = {"E", "LOG2E", "LOG10E", "LN2", "LN10", "PI", "PI_2", "PI_4", "M_1_PI", "M_2_PI", "M_2_SQRTPI", "SQRT2",
              "SQRT1_2", "INFINITY", "NAN", "TRUE", "FALSE"}
-# Arithmetic: real operands, a real; tests: real operands, a boolean; by their numbers of operands.
+# Operations by their numbers of operands. Arithmetic: real operands, a real result; tests: real operands, a boolean
+# result.
 ARITHMETIC = {"+": {2}, "-": {1, 2}, "*": {2}, "/": {2}, "fma": {3}}
 ARITHMETIC |= dict.fromkeys("""fabs exp exp2 expm1 log log10 log2 log1p sqrt cbrt sin cos tan asin acos atan sinh cosh tanh asinh acosh
                                atanh erf erfc tgamma lgamma ceil floor trunc round nearbyint""".split(), {1})
@@ -22,7 +25,7 @@ ROUNDINGS = {"nearestEven", "nearestAway", "toPositive", "toNegative", "toZero"}
 
 
 class Malformed(Exception):
-    """Not an FPCore: what was found, where, and what would be right."""
+    """The text is not an FPCore; the message says what was found, where, and what would be right."""
 
 
 class String(str):
@@ -30,17 +33,17 @@ class String(str):
 
 
 class Bracketed(list):
-    """A list in [ ], which the grammar has for bindings alone."""
+    """A list in [ ], which the grammar allows only for bindings."""
 
 
 def parse(text):
-    """The top-level S-expressions: words as str, strings as String, lists as list, bracketed ones as Bracketed."""
+    """The top-level S-expressions: words are str, strings String, lists list, and bracketed lists Bracketed."""
     stack, closers, at = [[]], [], 0
     while at < len(text):
         found = TOKEN.match(text, at)
         where = f"line {text.count(chr(10), 0, at) + 1}"
         if not found:
-            raise Malformed(f"{where}: '{text[at:at + 20]}' is no token")
+            raise Malformed(f"{where}: '{text[at:at + 20]}' is not a token")
         at = found.end()
         if found["open"]:
             stack.append(Bracketed() if found["open"] == "[" else [])
@@ -68,9 +71,9 @@ def is_symbol(datum):
 
 
 def type_of(expression, bound):
-    """'real' or 'boolean'; every symbol has to be bound."""
+    """'real' or 'boolean'. Every symbol has to be bound."""
     if isinstance(expression, String):
-        raise Malformed(f"{expression}: a string is no expression")
+        raise Malformed(f"{expression}: a string is not an expression")
     if isinstance(expression, str):
         if is_number(expression):
             return "real"
@@ -115,12 +118,12 @@ class Core:
             raise Malformed(f"{self.name}: a list of arguments is expected")
         self.arguments = rest.pop(0)
         if len(set(self.arguments)) != len(self.arguments):
-            raise Malformed(f"{self.name}: an argument twice")
+            raise Malformed(f"{self.name}: an argument appears twice")
         self.properties = {}
         while len(rest) >= 2 and type(rest[0]) is str and rest[0].startswith(":"):
             key = rest.pop(0)[1:]
             if not is_symbol(key) or key in self.properties:
-                raise Malformed(f"{self.name}: the property :{key} twice, or none")
+                raise Malformed(f"{self.name}: the property :{key} appears twice, or is not a symbol")
             self.properties[key] = rest.pop(0)
         if len(rest) != 1:
             raise Malformed(f"{self.name}: properties and one expression are expected")
@@ -133,23 +136,24 @@ class Core:
             raise Malformed(f"{self.name}: a real is expected")
         p = self.properties
         if "pre" in p and type_of(p["pre"], bound) != "boolean":
-            raise Malformed(f"{self.name}: :pre is a boolean")
+            raise Malformed(f"{self.name}: :pre has to be a boolean")
         if p.get("precision", "real") not in ("real", "binary32", "binary64"):
-            raise Malformed(f"{self.name}: :precision {p['precision']}")
+            raise Malformed(f"{self.name}: :precision {p['precision']} is not known")
         if p.get("round", "nearestEven") not in ROUNDINGS:
-            raise Malformed(f"{self.name}: :round {p['round']}")
+            raise Malformed(f"{self.name}: :round {p['round']} is not known")
         for key in ("name", "description"):
             if key in p and not isinstance(p[key], String):
-                raise Malformed(f"{self.name}: :{key} is a string")
+                raise Malformed(f"{self.name}: :{key} has to be a string")
         if "cite" in p and not (type(p["cite"]) is list and all(is_symbol(s) for s in p["cite"])):
-            raise Malformed(f"{self.name}: :cite is a list of symbols")
+            raise Malformed(f"{self.name}: :cite has to be a list of symbols")
 
 
 def cores(text):
     return [Core(datum) for datum in parse(text)]
 
 
-# Precision in bits, exponent of the least number's last place, and of the first power of two that is too great.
+# Precision in bits, the exponent of the least number's last place, and that of the first power of two that is too
+# great.
 FORMATS = {"binary32": (24, -149, 128), "binary64": (53, -1074, 1024)}
 
 
@@ -162,7 +166,7 @@ def power(e):
 
 
 def nearest_even(x, digits, least_exponent):
-    """x rounded to so many digits; least_exponent None: without a limit of the exponents."""
+    """x rounded to `digits` digits; with least_exponent None the exponents are unlimited."""
     if x == 0:
         return x
     n, d = abs(x.numerator), x.denominator
@@ -176,8 +180,9 @@ def nearest_even(x, digits, least_exponent):
 
 
 class Arithmetic:
-    """Rounding to nearest of one format: `bounded`, with its exponents, gradual underflow and overflow (OutOfRange); else with
-    any exponents. `underflows` counts the operations whose result the least exponent changed."""
+    """Rounding to nearest in one format. If `bounded`, with the format's exponents, gradual underflow and overflow
+    (OutOfRange); otherwise with unlimited exponents. `underflows` counts the operations whose result the least
+    exponent changed."""
 
     def __init__(self, precision, bounded=True):
         self.digits, self.least, self.greatest = FORMATS[precision]
@@ -200,7 +205,7 @@ def exactly(x):
 
 
 def evaluate(expression, values, rounded):
-    """The value of an expression whose symbols have these values, each operation rounded by `rounded`."""
+    """The value of an expression whose symbols have these values, with each operation rounded by `rounded`."""
     if isinstance(expression, str):
         return values[expression] if expression in values else Fraction(expression)
     operation, *operands = expression

@@ -1,4 +1,4 @@
-// A straight-line program: what a formula computes, step by step, in the order in which it computes it.
+// A straight-line program: the operations of a formula, step by step, in the order in which they are computed.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ enum class Operation : unsigned char { input, zero, negate, add, subtract, multi
 struct Step {
   Operation operation;
   std::array<std::size_t, 3> operands{};
-  std::string name;  // of an input, or of a quantity that the field has a word for; empty elsewhere
+  std::string name;  // the name of an input, or of a quantity that has an established name; empty otherwise
 };
 constexpr std::size_t operand_count(Operation operation) {
   switch (operation) {
@@ -38,16 +38,16 @@ constexpr std::size_t operand_count(Operation operation) {
 class Program {
  public:
   std::size_t input(std::string name);
-  // The step that does this; one that is there already, or a new one. Equal steps compute equal bits, so that a
+  // The step with this operation and these operands, an existing one or a new one. Equal steps compute equal bits, so a
   // quantity computed twice is one step.
   std::size_t step(Operation operation, std::array<std::size_t, 3> operands = {});
-  // Names a step; a step has one name, the first.
+  // Names a step. A step keeps its first name.
   void name(std::size_t step, const std::string& name);
 
   const std::vector<Step>& steps() const { return steps_; }
-  // The step of that name. Throws std::logic_error where the program has none.
+  // The step of that name. Throws std::logic_error if the program has none.
   std::size_t named(const std::string& name) const;
-  // The steps that these depend on, themselves included, in order.
+  // The steps on which these results depend, the results included, in order.
   std::vector<std::size_t> needed_by(const std::vector<std::size_t>& results) const;
 
  private:
@@ -62,7 +62,7 @@ inline constexpr std::array<std::string_view, 2> contraction_names = {"plain", "
 constexpr std::string_view name(Form f) { return form_names[static_cast<std::size_t>(f)]; }
 constexpr std::string_view name(Contraction c) { return contraction_names[static_cast<std::size_t>(c)]; }
 
-// All sixteen comparisons of a set of formulae as one program, its inputs Ax Ay Az Bx ... Pz r.
+// All sixteen comparisons of a set of formulae as one program with the inputs Ax Ay Az Bx ... Pz r.
 struct Recording {
   Form form;
   Contraction contraction;
@@ -70,14 +70,14 @@ struct Recording {
   std::array<std::size_t, comparison_count> lhs, rhs;
 };
 
-// Evaluates kernel/sphere_triangle/formulae.h or kernel/sphere_triangle/rungs/reduced.h over a number type that
-// records.
+// Evaluates kernel/sphere_triangle/formulae.h or kernel/sphere_triangle/rungs/reduced.h over a number type that records
+// its operations.
 Recording record(Form form, Contraction contraction);
 
 inline constexpr std::array<std::string_view, 13> input_names = {"Ax", "Ay", "Az", "Bx", "By", "Bz", "Cx",
                                                                  "Cy", "Cz", "Px", "Py", "Pz", "r"};
 
-// A comparison's name as an identifier: `.` is `_`.
+// A comparison's name as an identifier, with `_` for `.`.
 std::string identifier(Comparison which);
 
 }  // namespace axiscert::proofs

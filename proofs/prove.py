@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Checks the Coq theory in proofs/coq: builds it, compares what each main theorem assumes with Assumptions.expected and
-what it says with Statements.expected, and refuses admitted steps. coqc writes beside its sources, so a copy is built, in
-build/proofs; what has not changed since the last time is not built again.
+"""Checks the Coq theory in proofs/coq: builds it, compares the assumptions of each main theorem with
+Assumptions.expected and its statement with Statements.expected, and refuses admitted steps. coqc writes beside its
+sources, so a copy is built, in build/proofs; files that have not changed since the last time are not built again.
 
-  prove.py [--build DIR] [--jobs N]            the whole theory
-  prove.py --planted [--build DIR]             each planted fault has to be refused, at the file named (after the above)
+  prove.py [--build DIR] [--jobs N]            checks the whole theory
+  prove.py --planted [--build DIR]             after that: checks that each planted fault is refused, at the file named
 
 Exit status: 0 everything holds, 1 something does not, 2 coqc or Flocq is missing."""
 import argparse
@@ -15,10 +15,10 @@ import subprocess
 import sys
 
 SOURCES = pathlib.Path(__file__).resolve().parent / "coq"
-# Whatever would let a theorem rest on something unproved. Print Assumptions has the last word; this names the line.
+# Everything that would let a theorem rest on something unproved. Print Assumptions decides; this names the line.
 FORBIDDEN = re.compile(r"\b(Admitted|admit|give_up|Axioms?|Parameters?|Conjecture|bypass_check|Unset\s+\w+\s+Checking)\b")
 
-# A fault: what is replaced in which file, and the file at which coqc has to stop.
+# Faults: what is replaced in which file, and the file at which coqc has to stop.
 FAULTS = {
     "a wrong coefficient in a recorded formula, exact": (
         "Recorded.v", "let Q1_x := a_x * e1 - AB_x * d1 in", "let Q1_x := a_x * e1 + AB_x * d1 in", "RecordedIsSat7.v"),
@@ -30,7 +30,7 @@ FAULTS = {
         "RecordedIsSat7.v"),
     "a threshold halved": ("Thresholds.v", "=> 13240", "=> 6620", "Thresholds.v"),
     "a range too narrow": ("Programs.v", "capped 8", "capped 7", "Caps.v"),
-    "a side turned round": (
+    "a side reversed": (
         "Sat7.v", "Definition vertex_side_sides (A B : vec) := (dot A B, dot A A).",
         "Definition vertex_side_sides (A B : vec) := (dot A A, dot A B).", "Sound.v"),
     "an exported threshold that is not the proved one": ("Exported.v", "(13240, 6%nat)", "(13241, 6%nat)", "Exported.v"),
@@ -54,15 +54,16 @@ FAULTS = {
     "phantoms too shallow": ("PhantomStep.v", "Definition phantom_depth : R := 20.", "Definition phantom_depth : R := 19.", "PhantomStep.v"),
 }
 
-# A theorem made weaker, so that it still has its proof: what is replaced in which file, and what says less then.
+# Theorems made weaker, which still have their proofs: what is replaced in which file, and the statement that says less
+# then.
 WEAKENED = {
-    "a filter that may lie of an infinite radius": (
+    "a filter that may be wrong for an infinite radius": (
         "Filters.v", "-> Prop) : Prop := forall q,", "-> Prop) : Prop := forall q, is_finite (fr prec emax q) = true ->",
         "never_lies"),
     "a program recorded for one comparison only": (
         "RecordedIsProgram.v", "Theorem published_float_program rnd q m K :",
         "Theorem published_float_program rnd q m K : K = plane_radius ->", "published_float_program"),
-    "a coarse step that may lie of an infinite radius": (
+    "a coarse step that may be wrong for an infinite radius": (
         "CoarseFloat.v", "(r : binary_float prec emax),\n", "(r : binary_float prec emax), is_finite r = true ->\n",
         "float_coarse_never_lies"),
     "a conservative test that may miss a point's contact": (
@@ -79,7 +80,7 @@ def fail(message):
 
 
 def copy_changed(sources, build):
-    """The sources in `build`, keeping the times of those that are the same, for make."""
+    """Copies the sources to `build`, keeping the times of those that are unchanged, for make."""
     build.mkdir(parents=True, exist_ok=True)
     for stale in build.glob("*.v"):
         if not (sources / stale.name).exists():
@@ -121,24 +122,24 @@ def make(build, jobs):
 
 
 def by_theorem(printed):
-    """What Assumptions.v prints, by theorem."""
+    """The output of Assumptions.v, by theorem."""
     pieces = re.split(r'^== "?(\w+)"?\n', printed, flags=re.M)
     return dict(zip(pieces[1::2], (" ".join(piece.split()) for piece in pieces[2::2])))
 
 
 def printed_by(build, name):
-    """What NAME.v prints and what NAME.expected has, by theorem or definition; they name the same."""
+    """The output of NAME.v and the content of NAME.expected, by theorem or definition. Both have to name the same ones."""
     result = coqc(build, f"{name}.v")
     if result.returncode:
         fail(f"{name}.v does not check:\n{result.stdout}{result.stderr}")
     printed, expected = by_theorem(result.stdout), by_theorem((SOURCES / f"{name}.expected").read_text())
     if set(printed) != set(expected):
-        fail(f"{name}.v and {name}.expected name other theorems: {sorted(set(printed) ^ set(expected))}")
+        fail(f"{name}.v and {name}.expected name different theorems: {sorted(set(printed) ^ set(expected))}")
     return printed, expected
 
 
 def changed_statements(build):
-    """The theorems and definitions that say something else than Statements.expected."""
+    """The theorems and definitions that differ from Statements.expected."""
     printed, expected = printed_by(build, "Statements")
     return {name: (text, expected[name]) for name, text in printed.items() if text != expected[name]}
 
@@ -147,7 +148,7 @@ def compare(build):
     assumed, expected = printed_by(build, "Assumptions")
     for theorem, assumptions in assumed.items():
         if assumptions != expected[theorem]:
-            fail(f"{theorem} rests on\n  {assumptions}\nand should on\n  {expected[theorem]}")
+            fail(f"{theorem} depends on\n  {assumptions}\nand should depend on\n  {expected[theorem]}")
         axioms = re.findall(r"[\w.]+\.(\w+) :", assumptions)
         print(f"proved  {theorem:36} {', '.join(axioms) or 'no axioms'}")
     if unread := set(assumed) - set(by_theorem((SOURCES / "Statements.expected").read_text())):
@@ -157,13 +158,14 @@ def compare(build):
 
 
 def planted_copy(build, name, file, old, new):
-    """What was built, with times, and one file changed, so that only what depends on it is built again."""
+    """A copy of the build, with its times, in which one file is changed, so that only what depends on that file is
+    built again."""
     planted = build.parent / "planted"
     shutil.rmtree(planted, ignore_errors=True)
     shutil.copytree(build, planted)
     text = (planted / file).read_text()
     if old not in text:
-        fail(f"the fault '{name}' finds no '{old}' in {file}")
+        fail(f"the fault '{name}': '{old}' is not in {file}")
     (planted / file).write_text(text.replace(old, new))
     return planted
 
@@ -181,7 +183,7 @@ def plant(build):
         planted = planted_copy(build, name, file, old, new)
         make(planted, 1)
         if set(changed_statements(planted)) != {weaker}:
-            fail(f"{name}: {weaker} alone should be seen to say less, and {sorted(changed_statements(planted))} is")
+            fail(f"{name}: only {weaker} should differ from Statements.expected, but {sorted(changed_statements(planted))} do")
         print(f"seen    {name:50} Statements.expected, {weaker}")
 
 

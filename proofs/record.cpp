@@ -1,4 +1,4 @@
-// The symbolic recorder: kernel/sphere_triangle/formulae.h over a number type whose operations are written down.
+// The symbolic recorder: kernel/sphere_triangle/formulae.h over a number type that records its operations.
 #include <stdexcept>
 
 #include "proofs/program.h"
@@ -9,7 +9,7 @@
 namespace axiscert::proofs {
 namespace {
 
-// The program being recorded on this thread: a number type has nowhere else to keep it.
+// The program being recorded on this thread; a number type has no other place to keep it.
 thread_local Program* recorder = nullptr;
 
 struct Recorded {
@@ -43,8 +43,8 @@ void name_scalar(const std::string& name, const T& x) {
   recorder->name(step_of(x), name);
 }
 
-// Gives the article's names to the steps that compute its quantities. What a program does not compute becomes a step
-// that no result needs.
+// Gives the article's names to the steps that compute its quantities. A quantity that a program does not compute
+// becomes a step that no result needs.
 template <class T>
 void name_quantities(const portable::Problem<T>& query) {
   using portable::dot, portable::cross;

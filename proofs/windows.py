@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""The window of exponents in which nothing over- or underflows: its table in docs/bounds.md and its ends as queries.
+"""The window of exponents in which nothing over- or underflows: its table in docs/bounds.md and queries at its ends.
 
 windows.py            writes the table and proofs/windows.jsonl
 windows.py --check    says which of the two is not current, and exits 1
 
-The window is a theorem (coq/Windows.v), whose numbers are read from there; where it ends is found here, by evaluating the
-FPCores in exact arithmetic, rounded, with the format's exponents and without limits of them: the first size 2^h at which an
-operation overflows, among the cube's vertices, and the first grid 2^g on which one underflows, among small integers. Each end
-is kept as two queries, the last that does not and the first that does."""
+The window is a theorem (coq/Windows.v), and its numbers are read from there. Where it ends is found here, by
+evaluating the FPCores in exact arithmetic with rounding, once with the format's exponents and once with unlimited
+ones: the first size 2^h at which an operation overflows, among the cube's vertices, and the first grid 2^g on which
+one underflows, among small integers. Each end is kept as two queries, the last that does not and the first that
+does."""
 import itertools
 import json
 import pathlib
@@ -23,7 +24,7 @@ DOCUMENT = PROOFS.parent / "docs" / "bounds.md"
 QUERIES = PROOFS / "windows.jsonl"
 BEGIN, END = "<!-- $ proofs/windows.py -->\n", "<!-- end -->\n"
 
-# One of each kind; the others are the same with the vertices renamed A -> B -> C -> A.
+# One comparison of each kind; the others are the same with the vertices renamed A -> B -> C -> A.
 KINDS = ["plane_radius", "vertex_a_radius", "vertex_a_side_b", "edge_ab_radius", "edge_ab_side_c"]
 RENAMED = {"edge_bc_radius": ("edge_ab_radius", 1), "edge_bc_side_a": ("edge_ab_side_c", 1),
            "edge_ca_radius": ("edge_ab_radius", 2), "edge_ca_side_b": ("edge_ab_side_c", 2)}
@@ -36,12 +37,12 @@ def kind_of(comparison):
 
 
 def shown(comparison):
-    """As `axiscert` spells it: vertex_a_side_b is vertex_a.side_b."""
+    """The name as `axiscert` spells it: vertex_a_side_b is vertex_a.side_b."""
     return re.sub(r"_(radius|side)", r".\1", comparison)
 
 
 def proved_greatest():
-    """Of coq/Windows.v: the size 2^h up to which nothing overflows, by (form, precision, comparison)."""
+    """The size 2^h up to which nothing overflows, by (form, precision, comparison), read from coq/Windows.v."""
     text = (PROOFS / "coq" / "Windows.v").read_text()
     found = {}
     for form in ("published", "reduced"):
@@ -62,7 +63,7 @@ def sides(form, contraction="plain", precision="binary32"):
 
 
 def degree(core):
-    """Of the polynomial: how the side of a query of size 2^h grows with h."""
+    """The degree of the polynomial, which tells how the side of a query of size 2^h grows with h."""
     generic = {name: Fraction(n) for name, n in zip(INPUTS, (2, 3, 5, -7, 11, 13, 17, -19, 23, 0, 0, 0, 29))}
     once = fpcore.evaluate(core.body, generic, fpcore.exactly)
     twice = fpcore.evaluate(core.body, {n: 2 * x for n, x in generic.items()}, fpcore.exactly)
@@ -88,19 +89,19 @@ def overflows(cores, values, precision):
 
 
 def outside(cores, values, precision):
-    """Whether some side is not what it is with an unbounded exponent."""
+    """Whether some side differs from its value with an unbounded exponent."""
     bounded, free = fpcore.Arithmetic(precision), fpcore.Arithmetic(precision, bounded=False)
     return evaluated(cores, values, bounded) != evaluated(cores, values, free)
 
 
-# Up to the cube's symmetries, which negate coordinates: A is (1, 1, 1).
+# All triangles of the cube's vertices up to its symmetries, which negate coordinates: A is (1, 1, 1).
 CUBE = [(1, 1, 1, *rest, 0, 0, 0, 1) for rest in itertools.product((1, -1), repeat=6)]
 SMALL = [(*a, *b, *c, 0, 0, 0, 1) for a in ((1, 0, 0), (1, 1, 0)) for b in itertools.product((0, 1, 2), repeat=3)
          for c in itertools.product((0, 1, 2), repeat=3)]
 
 
 def overflow(cores, k, precision):
-    """The least h at which a query of the cube overflows, and it."""
+    """The least h at which a query of the cube overflows, and that query."""
     start = (fpcore.FORMATS[precision][2] - 9) // k  # a side is less than 2^9 2^(k h)
     for h in itertools.count(start):
         for query in CUBE:
@@ -115,7 +116,7 @@ def underflow(cores, k, precision):
 
 
 def renamed(query, turns):
-    """The query whose vertices A, B, C are, `turns` places on, those of this one."""
+    """The query whose vertices A, B, C are this query's, moved on by `turns` places."""
     vertices = [query[0:3], query[3:6], query[6:9]]
     return sum((vertices[(i - turns) % 3] for i in range(3)), ()) + query[9:]
 
@@ -173,7 +174,7 @@ def main():
             if "--check" not in sys.argv:
                 path.write_text(new)
     for path in stale:
-        print(f"{path}: not what windows.py makes" if "--check" in sys.argv else path)
+        print(f"{path}: is not what windows.py makes" if "--check" in sys.argv else path)
     return 1 if stale and "--check" in sys.argv else 0
 
 

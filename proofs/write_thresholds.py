@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Exports the filter's thresholds and windows out of the Coq theory, where they are proved to suffice.
+"""Exports the filter's thresholds and windows from the Coq theory, where they are proved to suffice.
 
   write_thresholds.py [--check] [--coq FOLDER] [--headers FOLDER]
 
@@ -7,9 +7,10 @@ reads coq/Thresholds.v, coq/Filters.v, coq/Margins.v, coq/Certified.v, coq/Certi
 coq/Conservative.v and coq/ConservativeStep.v and writes
   kernel/sphere_triangle/certified_filter/thresholds.h      for the kernels
   kernel/sphere_triangle/certified_filter/margin_bounds.h   for the filters of exact/ and the certified predicate
-  coq/Exported.v                  the same figures as theorems about what never lies, so that what was read here is what is
+  coq/Exported.v                  the same figures as theorems about the filters, so that the figures read here are those
                                   proved there
-With --check nothing is written; exit status 1 names the file that is not current. 2: the theory is not as expected."""
+With --check nothing is written, and exit status 1 names the file that is not current. Exit status 2: the theory is
+not as expected."""
 import argparse
 import pathlib
 import re
@@ -20,7 +21,7 @@ PROOFS = pathlib.Path(__file__).resolve().parent
 FORMS = ["published", "reduced"]
 # Bits of the significand, exponent of the overflow threshold: as in Filters.v.
 FORMATS = {"binary32": (24, 128), "binary64": (53, 1024)}
-# The order of kernel/names.h and of Vectors.v.
+# The comparisons in the order of kernel/names.h and of Vectors.v.
 COMPARISONS = ["plane_radius"] + [
     f"vertex_{v}_{what}" for v, others in (("a", "bc"), ("b", "ac"), ("c", "ab"))
     for what in ("radius", f"side_{others[0]}", f"side_{others[1]}")] + [
@@ -34,17 +35,17 @@ def stop(message):
 
 
 def degree(form, comparison):
-    """In the coordinates; Exported.v proves it."""
+    """The degree in the coordinates, which Exported.v proves."""
     if comparison.startswith("vertex"):
         return 2
     return 4 if form == "reduced" and comparison.startswith("edge") else 6
 
 
 def thresholds(text, form):
-    """What `Definition FORM_threshold` has for each comparison."""
+    """The values that `Definition FORM_threshold` gives for the comparisons."""
     found = re.search(rf"Definition {form}_threshold \(K : comparison\) : Z :=\s*match K with(.*?)end\.", text, re.S)
     if not found:
-        stop(f"Thresholds.v: no 'Definition {form}_threshold (K : comparison) : Z := match K with ... end.'")
+        stop(f"Thresholds.v: there is no 'Definition {form}_threshold (K : comparison) : Z := match K with ... end.'")
     values, rest = {}, {}
     cases = re.findall(r"((?:\|\s*\w+\s*)+)=>\s*([^|]*[^|\s])", found.group(1))
     for names, value in cases:
@@ -53,7 +54,7 @@ def thresholds(text, form):
             rest = dict(zip(COMPARISONS, thresholds(text, "published")))
             continue
         if not value.isdigit():
-            stop(f"Thresholds.v, {form}_threshold: '{' | '.join(names)} => {value}' is no case of a whole number")
+            stop(f"Thresholds.v, {form}_threshold: '{' | '.join(names)} => {value}' is not a case with a whole number")
         values |= {name: int(value) for name in names}
     values = rest | values
     if set(values) != set(COMPARISONS):
@@ -62,32 +63,32 @@ def thresholds(text, form):
 
 
 def window_end(text, which, number_format):
-    """The exponent of `least` or `greatest`, a power of two."""
+    """The exponent of `least` or `greatest`, which are powers of two."""
     found = re.search(rf"Definition {which}_{number_format} : [^:]*:= @B754_finite \d+ \d+ false (\d+) \(?(-?\d+)\)? eq_refl",
                       text)
     if not found:
-        stop(f"Filters.v: no 'Definition {which}_{number_format} ... := @B754_finite ... eq_refl.'")
+        stop(f"Filters.v: there is no 'Definition {which}_{number_format} ... := @B754_finite ... eq_refl.'")
     significand, exponent = int(found.group(1)), int(found.group(2))
     if significand & (significand - 1):
-        stop(f"Filters.v: {which}_{number_format} is no power of two: its significand is {significand}")
+        stop(f"Filters.v: {which}_{number_format} is not a power of two: its significand is {significand}")
     return significand.bit_length() - 1 + exponent
 
 
 def constants(text, file):
-    """The real constants that a file defines, as they are spelt, in its order."""
+    """The real constants that a file defines, with their spelling and in its order."""
     found = dict(re.findall(r"^Definition (\w+) : R := ([\d.]*\d)\.$", text, re.M))
     if not found:
-        stop(f"{file}: no 'Definition NAME : R := NUMBER.'")
+        stop(f"{file}: there is no 'Definition NAME : R := NUMBER.'")
     return found
 
 
 def exponents(text, file, theorem, number_format):
-    """What a theorem about a step has behind the precision and the least exponent, in parentheses: other exponents."""
+    """The exponents in parentheses that follow the precision and the least exponent in a theorem about a step."""
     precision, emax = FORMATS[number_format]
     says = f"{theorem} {precision} ({3 - emax - precision})"
     found = re.search(rf"Theorem {theorem}\d+ : {re.escape(says)}((?: \(-?\d+\))+)\.", text)
     if not found:
-        stop(f"{file}: no 'Theorem {theorem}... : {says} (...).'")
+        stop(f"{file}: there is no 'Theorem {theorem}... : {says} (...).'")
     return [int(exponent) for exponent in re.findall(r"-?\d+", found.group(1))]
 
 
@@ -96,12 +97,12 @@ def float_exponents(text, number_format):
     precision, emax = FORMATS[number_format]
     found = re.search(rf"Theorem float_coarse_never_lies\d+ : float_coarse_never_lies {precision} {emax} \((-?\d+)\) (\d+) ", text)
     if not found:
-        stop(f"CoarseFloat.v: no 'Theorem float_coarse_never_lies... : float_coarse_never_lies {precision} {emax} (...) ...'")
+        stop(f"CoarseFloat.v: there is no 'Theorem float_coarse_never_lies... : float_coarse_never_lies {precision} {emax} (...) ...'")
     return [int(found.group(1)), 2 * int(found.group(2))]
 
 
 def dotted(comparison):
-    """As reports spell it: vertex_a.side_b."""
+    """The name as reports spell it: vertex_a.side_b."""
     return re.sub("_(radius|side)", r".\1", comparison)
 
 

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include "cli/running/check_output.h"
-#include "cli/commands/commands.h"
-#include "exact/judge/examine.h"
+#include "cli/commands.h"
+#include "exact/sphere_triangle/claims/examine.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/query_file.h"
-#include "reports/wording/finding.h"
+#include "fuzz/confirm/finding_record.h"
 
 namespace axiscert {
 namespace {
@@ -53,8 +53,9 @@ void add_check(CLI::App& app, Action& action) {
   command->add_option("FILE", options->file, "query file, JSON Lines or CSV; - reads standard input")->required();
   command->add_option("--kernel", options->kernel, "kernel id")->capture_default_str();
   command->add_option("--target", options->target, "instruction set, or auto")->capture_default_str();
-  command->add_option("--precision", options->precision, "of a CSV file, which does not say")->capture_default_str();
-  command->add_flag("--errors", options->errors, "the errors of the computed sides as well, in u, exactly");
+  command->add_option("--precision", options->precision, "precision of a CSV file, which does not state it")
+      ->capture_default_str();
+  command->add_flag("--errors", options->errors, "also print the errors of the computed sides, in u, exactly");
   add_plugin_seconds(*command);
   add_format(*command, options->format, "jsonl");
   command->callback([&action, options] { action = [options] { return check(*options); }; });

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/terminal.h"
 #include "kernel/base/error.h"
 #include "kernel/kernel.h"
@@ -17,11 +17,11 @@ namespace {
 
 struct CompareOptions {
   std::string before, after, format = "text", out;
-  std::vector<std::string> kernels;  // that may be loaded
+  std::vector<std::string> kernels;  // those that may be loaded
   bool no_replay = false, quiet = false;
 };
 
-// The kernels that the user names are in OLD, or naming them would do nothing.
+// The kernels that the user names. Each must be in OLD, since naming another would have no effect.
 std::set<std::string> trusted_kernels(const CompareOptions& options, const Json& record) {
   const auto known = record["plan"]["kernels"].get<std::vector<std::string>>();
   for (const std::string& id : options.kernels) {
@@ -65,23 +65,22 @@ int compare(const CompareOptions& options) {
 
 void add_compare(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
-      "compare",
-      "Hold two runs against each other: what is new, worse, better, fixed; exit 1 where anything is new or worse");
+      "compare", "Compare two runs: what is new, worse, better, fixed; exit 1 where anything is new or worse");
   auto options = std::make_shared<CompareOptions>();
   command->add_option("OLD", options->before, "the folder of the earlier run")->required();
   command->add_option("NEW", options->after, "the folder of the later run")->required();
-  command->add_option("--format", options->format, "what is printed: text, json or markdown")
+  command->add_option("--format", options->format, "format of the output: text, json or markdown")
       ->check(CLI::IsMember({"text", "json", "markdown"}))
       ->capture_default_str();
   command->add_option("--out", options->out, "folder for compare.md, compare.json and compare.html");
   command
       ->add_option("--kernel", options->kernels,
-                   "plugin:PATH.so of OLD, which is loaded to ask it the witnesses of OLD again; no plug-in that a "
+                   "plugin:PATH.so of OLD, which is loaded to evaluate the witnesses of OLD again; no plug-in that a "
                    "record names is loaded without it; repeatable")
       ->allow_extra_args(false);
-  command->add_flag("--no-replay", options->no_replay, "do not ask the kernels here the witnesses of OLD again");
+  command->add_flag("--no-replay", options->no_replay, "do not evaluate the witnesses of OLD again");
   add_plugin_seconds(*command);
-  command->add_flag("--quiet", options->quiet, "print nothing but errors: the exit code is the answer");
+  command->add_flag("--quiet", options->quiet, "print only errors: the exit code is the answer");
   command->callback([&action, options] { action = [options] { return compare(*options); }; });
 }
 

@@ -24,7 +24,7 @@ int measure(const ConditionOptions& options) {
   for (const Kernel* kernel : plan.kernels) {
     if (kernel->exposes == Exposure::verdict || !has_comparisons(kernel->formulae)) {
       throw Error(
-          fmt::format("--kernel {}: it shows a verdict alone, and conditions are those of comparisons; "
+          fmt::format("--kernel {}: it shows a verdict alone, but conditions belong to comparisons; "
                       "'axiscert kernels' says which expose them",
                       kernel->id));
     }
@@ -37,14 +37,15 @@ int measure(const ConditionOptions& options) {
 }  // namespace
 
 void add_condition(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("condition", "Tell flips that are the query's fault from those of the formula");
+  auto* command = app.add_subcommand(
+      "condition", "Distinguish flips caused by the query's condition from those caused by the formula");
   auto options = std::make_shared<ConditionOptions>();
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
   const CLI::Range count(std::uint64_t{0}, std::uint64_t{1} << 32);
   command->add_option("--flips", options->flips, "flips evaluated per kernel, family and comparison")
       ->check(count)
       ->capture_default_str();
-  command->add_option("--sample", options->sample, "queries per family evaluated where nothing flipped")
+  command->add_option("--sample", options->sample, "queries per family that are evaluated where nothing flipped")
       ->check(count)
       ->capture_default_str();
   command->callback([&action, options] { action = [options] { return measure(*options); }; });

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
 
@@ -40,12 +40,12 @@ int add(const CorpusOptions& options) {
   const Provenance provenance = parse_provenance(options.provenance, options.about);
   const auto queries = read_query_file(options.file, parse_precision(options.precision));
   if (queries.size() != 1) {
-    throw Error(fmt::format("{}: {} queries; a file with the one that is to be named '{}' belongs here", options.file,
+    throw Error(fmt::format("{}: {} queries; give a file with one query, which gets the name '{}'", options.file,
                             queries.size(), options.name));
   }
   if (options.name.empty()) throw Error("--name: empty; an entry needs a name");
   std::vector<CorpusEntry> entries;
-  // The first entry of a corpus has no corpus to be held against.
+  // A corpus without entries has nothing to compare the first one with.
   std::error_code problem;
   if (!std::filesystem::is_empty(folder, problem) && !problem) entries = read_corpus(folder);
   if (problem) throw Error(fmt::format("{}: the corpus cannot be read: {}", folder, problem.message()));
@@ -54,12 +54,12 @@ int add(const CorpusOptions& options) {
   entry.stored.id = options.name;
   for (const CorpusEntry& other : entries) {
     if (other.stored.id == options.name) {
-      throw Error(fmt::format("--name {}: that is the name of {}:{}", options.name, other.file, other.stored.line));
+      throw Error(fmt::format("--name {}: {}:{} has this name already", options.name, other.file, other.stored.line));
     }
   }
   if (const CorpusEntry* same = find_image(entries, entry.stored)) {
     throw Error(
-        fmt::format("{}: it is in the corpus as '{}' ({}:{}), but for vertex order, axes, signs, translation or "
+        fmt::format("{}: already in the corpus as '{}' ({}:{}), up to vertex order, axes, signs, translation or "
                     "a power of two",
                     options.file, same->stored.id, same->file, same->stored.line));
   }
@@ -74,11 +74,12 @@ int add(const CorpusOptions& options) {
 }  // namespace
 
 void add_corpus(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("corpus", "The queries that are kept with their exact answers: list and add");
+  auto* command =
+      app.add_subcommand("corpus", "List the queries that are kept with their exact answers, and add to them");
   command->require_subcommand(1);
   auto options = std::make_shared<CorpusOptions>();
   const auto add_folder = [&](CLI::App& to) {
-    to.add_option("--folder", options->folder, "the corpus (default: the one that comes along)");
+    to.add_option("--folder", options->folder, "the corpus (default: the one supplied with axiscert)");
   };
   auto* listing = command->add_subcommand("list", "Every entry: name, exact verdict, where it came from");
   add_folder(*listing);
@@ -86,14 +87,15 @@ void add_corpus(CLI::App& app, Action& action) {
   listing->callback([&action, options] { action = [options] { return list(*options); }; });
 
   auto* adding = command->add_subcommand(
-      "add", "Admit a query with its exact answers, unless it is there already up to the symmetries of the test");
+      "add", "Add a query with its exact answers, unless the corpus has it already up to the symmetries of the test");
   adding->add_option("FILE", options->file, "query file with one query; - reads standard input")->required();
-  adding->add_option("--name", options->name, "what the entry is called")->required();
+  adding->add_option("--name", options->name, "the entry's name")->required();
   adding->add_option("--provenance", options->provenance, "KIND:WHERE; kinds: address, search, report, made")
       ->required();
-  adding->add_option("--about", options->about, "what a report was about: static, sweep or other");
-  adding->add_option("--note", options->note, "a sentence on what is hard about it");
-  adding->add_option("--precision", options->precision, "of a CSV file, which does not say")->capture_default_str();
+  adding->add_option("--about", options->about, "the subject of a report: static, sweep or other");
+  adding->add_option("--note", options->note, "a sentence on why the query is hard");
+  adding->add_option("--precision", options->precision, "precision of a CSV file, which does not state it")
+      ->capture_default_str();
   add_folder(*adding);
   adding->callback([&action, options] { action = [options] { return add(*options); }; });
 }

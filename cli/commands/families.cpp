@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/confirm/record.h"
 
@@ -25,7 +25,7 @@ int list_families(const std::string& format) {
 }  // namespace
 
 void add_families(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("families", "List the families of queries and what each is for");
+  auto* command = app.add_subcommand("families", "List the families of queries and the purpose of each");
   auto format = std::make_shared<std::string>("text");
   add_format(*command, *format, "json");
   command->callback([&action, format] { action = [format] { return list_families(*format); }; });

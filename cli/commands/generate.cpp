@@ -6,7 +6,7 @@
 #include <csignal>
 #include <cstring>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/options/run_options.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/pipe/query_stream.h"
@@ -21,10 +21,10 @@ struct GenerateOptions : SourceOptions {
   int threads = 0;
 };
 
-// The reader of a pipe has closed it: it had enough, or it failed, which is its own to say.
+// Thrown when the reader of a pipe has closed it: it had enough, or it failed, which it reports itself.
 struct ReaderLeft {};
 
-// A file or standard output, by descriptor: a stream would keep a failed write to itself until the end.
+// A file or standard output, by descriptor: a stream would not report a failed write until the end.
 class Output {
  public:
   explicit Output(const std::string& path) : name_(path == "-" ? "standard output" : path) {
@@ -65,14 +65,14 @@ PipePlan plan_of(const GenerateOptions& options) {
     plan.parts.push_back({source, fixed ? *fixed : trials_of(options, *source, plan.precision)});
   }
   if (plan.queries() == 0)
-    throw Error(fmt::format("no queries in {}; --precision asks for the other", options.precision));
+    throw Error(fmt::format("no queries in {}; choose the other precision with --precision", options.precision));
   return plan;
 }
 
 int generate(const GenerateOptions& options) {
   const PipePlan plan = plan_of(options);
   const auto encoding = options.binary ? QueryEncoding::binary : QueryEncoding::json_lines;
-  if (options.binary) header_of(plan);  // that there is one, before a file is begun
+  if (options.binary) header_of(plan);  // throws where there is none, before a file is created
   std::signal(SIGPIPE, SIG_IGN);
   const Output output(options.out_file);
   if (options.binary && output.is_terminal()) {
@@ -92,7 +92,7 @@ void add_generate(CLI::App& app, Action& action) {
       "generate", "Write queries, as a query file or (--binary) for a program whose replies `axiscert judge` takes");
   auto options = std::make_shared<GenerateOptions>();
   add_source_options(*command, *options);
-  command->add_option("--precision", options->precision, "binary32 or binary64; that of CSV files")
+  command->add_option("--precision", options->precision, "binary32 or binary64; also the precision of CSV files")
       ->capture_default_str();
   command->add_flag("--binary", options->binary, "the query stream of docs/pipe.md instead of JSON Lines");
   command->add_option("-o,--out-file", options->out_file, "file to write, - for standard output")

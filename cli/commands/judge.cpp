@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <iostream>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/judged_run.h"
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
 #include "reports/gates/requirement.h"
@@ -25,7 +25,7 @@ FilePlaces places_of(const JudgeOptions& options) {
   for (const auto* paths : {&options.meshes, &options.queries}) {
     for (const std::string& path : *paths) {
       const auto [place, is_new] = places.try_emplace(base_name(path), path);
-      if (!is_new) throw Error(fmt::format("{} and {}: two files of one name", place->second, path));
+      if (!is_new) throw Error(fmt::format("{} and {}: two files with the same name", place->second, path));
     }
   }
   return places;
@@ -56,7 +56,7 @@ StoredReplies read(const JudgeOptions& options) {
   return replies;
 }
 
-// The built-in kernel that an option names, which fits what the replies show.
+// The built-in kernel that an option names, checked to fit what the replies show.
 const Kernel& claimed(const char* option, const std::string& id, const StoredReplies& replies) {
   if (plugin::plugin_path(id))
     throw Error(fmt::format("{} {}: not a built-in kernel; see `axiscert kernels`", option, id));
@@ -76,7 +76,7 @@ bool is_id(const std::string& id) {
   });
 }
 
-// The program as a kernel that is never run: its answers are stored.
+// The program, represented by a kernel that is never run: its answers are stored.
 Kernel program(const JudgeOptions& options, const StoredReplies& replies) {
   if (!is_id(options.id))
     throw Error(fmt::format("--as {}: an id is 1 to 100 letters, digits, '-', '_', '.'", options.id));
@@ -94,7 +94,7 @@ Kernel program(const JudgeOptions& options, const StoredReplies& replies) {
     const Kernel& model = claimed("--conforms-to", id, replies);
     if (!model.is_reference) {
       throw Error(
-          fmt::format("--conforms-to {}: it chooses its own order of operations, so nothing can be held against "
+          fmt::format("--conforms-to {}: it chooses its own order of operations, so nothing can be compared with "
                       "it bit for bit; --formulae {} judges by its formulae",
                       id, id));
     }
@@ -128,7 +128,7 @@ int judge_replies(const JudgeOptions& options) {
   plan.kernels = {&kernel};
   plan.sources = replies->sources();
   plan.precisions = replies->precisions();
-  plan.target = scalar_target;  // what the claim's reference runs on
+  plan.target = scalar_target;  // the target of the claim's reference
   plan.threads = threads_of(options.threads);
   plan.replies = replies;
   plan.claim = options.claim;
@@ -141,22 +141,25 @@ void add_judge(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
       "judge", "Judge a program's replies to the queries of `generate --binary` and write a report as `run` does");
   auto options = std::make_shared<JudgeOptions>();
-  command->add_option("FILE", options->replies, "reply files, one a precision; - for standard input")
+  command->add_option("FILE", options->replies, "reply files, one for each precision; - for standard input")
       ->capture_default_str();
   command->add_option("--as", options->id, "the program's id in the record")->capture_default_str();
   auto* conforms_to = command->add_option("--conforms-to", options->claim.conforms_to,
-                                          "built-in kernel that it is said to equal bit for bit");
+                                          "built-in kernel that the program claims to equal bit for bit");
   command
-      ->add_option("--formulae", options->claim.formulae,
-                   "built-in kernel whose formulae it evaluates in its own way (default: published where the replies "
-                   "give comparison bits)")
+      ->add_option(
+          "--formulae", options->claim.formulae,
+          "built-in kernel whose formulae the program evaluates in its own way (default: published where the replies "
+          "give comparison bits)")
       ->excludes(conforms_to);
-  command->add_option("--touching", options->touching, "what it means to say of a sphere that touches the triangle")
+  command
+      ->add_option("--touching", options->touching,
+                   "the program's intended answer for a sphere that touches the triangle")
       ->check(CLI::IsMember({"contact", "separated", "either"}))
       ->capture_default_str();
-  command->add_option("--mesh", options->meshes, "where a mesh of the queries is now, repeatable")
+  command->add_option("--mesh", options->meshes, "present path of a mesh of the queries, repeatable")
       ->allow_extra_args(false);
-  command->add_option("--queries", options->queries, "where a query file of the queries is now, repeatable")
+  command->add_option("--queries", options->queries, "present path of a query file of the queries, repeatable")
       ->allow_extra_args(false);
   add_output_options(*command, *options);
   command->callback([&action, options] { action = [options] { return judge_replies(*options); }; });

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/commands/commands.h"
-#include "kernel/called.h"
+#include "cli/commands.h"
+#include "kernel/registry/called.h"
 #include "kernel/plugin/load.h"
 #include "kernel/test.h"
 #include "fuzz/confirm/record.h"
@@ -50,7 +50,8 @@ void print_kernels() {
     fmt::print("{:<20} {}; {}\n", "+" + arithmetic.name, arithmetic.summary, fmt::join(precisions_of(arithmetic), " "));
   }
   fmt::print(
-      "\nKERNEL@CALL[,CALL...], for each of the above, is it on an instruction set of its own ({}), or called in other "
+      "\nKERNEL@CALL[,CALL...], for each of the above, is the kernel on a chosen instruction set ({}), or called in "
+      "other "
       "floating-point modes:\n",
       fmt::join(targets, ", "));
   for (const CallMode& mode : call_modes()) fmt::print("{:<20} {}\n", fmt::format("@{}", mode.name), mode.summary);
@@ -59,13 +60,13 @@ void print_kernels() {
   for (const Kernel* kernel : shipped_kernels()) print_kernel(*kernel, "plug-in");
   for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
     for (const auto& absent : shipped.absent) {
-      fmt::print("{:<20} NOT BUILT, for want of the Debian package {}\n",
+      fmt::print("{:<20} NOT BUILT: the Debian package {} is missing\n",
                  fmt::format("{}{}", shipped.prefix, absent.name), absent.package);
     }
   }
 }
 
-// A plug-in runs on no target of ours.
+// A plug-in runs on no target of axiscert's.
 std::vector<std::string> targets_of(const Kernel& kernel) {
   if (!kernel.file.empty()) return {};
   return kernel.has_simd ? available_targets() : std::vector{std::string(scalar_target)};
@@ -78,7 +79,7 @@ void print_one(const Kernel& kernel) {
   for (const Finding& finding : kernel.findings) fmt::print("{:<20} {}: {}\n", "", name(finding.kind), finding.detail);
 }
 
-// A kernel that takes other arithmetics has their ids with it.
+// A kernel that takes other arithmetics is listed with their ids.
 Json kernel_json(const Kernel& kernel) {
   Json composed = Json::array(), findings = Json::array();
   for (const ArithmeticInfo& arithmetic : arithmetics()) {
@@ -130,7 +131,7 @@ void add_kernels(CLI::App& app, Action& action) {
   auto format = std::make_shared<std::string>("text");
   add_format(*command, *format, "json");
   auto ids = std::make_shared<std::vector<std::string>>();
-  command->add_option("--kernel", *ids, "only this one, with its test and where its source is; repeatable")
+  command->add_option("--kernel", *ids, "list this kernel alone, with its test and where its source is; repeatable")
       ->allow_extra_args(false);
   command->callback([&action, format, ids] { action = [format, ids] { return list_kernels(*format, *ids); }; });
 }

@@ -4,7 +4,7 @@
 #include "cli/options/instrument_options.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 #include "reports/instrument/ladder_report.h"
 
 namespace axiscert {
@@ -37,7 +37,7 @@ void require_comparisons(const Kernel& kernel) {
     if (other.exposes != Exposure::verdict) able.push_back(other.id);
   }
   throw Error(
-      fmt::format("--kernel {}: it shows only its verdict, and ladder measures comparisons; kernels that show "
+      fmt::format("--kernel {}: it shows only its verdict, but ladder measures comparisons; kernels that show "
                   "them: {}, and RUNG+ARITHMETIC",
                   kernel.id, fmt::join(able, ", ")));
 }
@@ -62,7 +62,8 @@ void add_ladder(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("ladder", "Measure what each step of the derivation costs: errors, range, time");
   auto options = std::make_shared<LadderOptions>();
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
-  command->add_flag("--no-speed", options->no_speed, "take no times: all that is left is the same on every run");
+  command->add_flag("--no-speed", options->no_speed,
+                    "measure no times: the rest of the output is the same in every run");
   command->callback([&action, options] { action = [options] { return ladder(*options); }; });
 }
 

@@ -10,7 +10,7 @@
 #include "fuzz/instruments/kernel_speed.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 #include "reports/instrument/league_report.h"
 
 namespace axiscert {
@@ -34,7 +34,7 @@ void add_kernel(League& league, const std::string& id) {
   league.plan.kernels.push_back(&kernel);
 }
 
-// Our own, every peer, and apart from them every kernel with a fault.
+// Our own kernels and every peer; every kernel with a planted fault is kept apart from them.
 void add_all_kernels(League& league) {
   for (const std::string& id : own_kernels) add_kernel(league, id);
   for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
@@ -47,7 +47,7 @@ void add_all_kernels(League& league) {
     }
     for (const auto& absent : shipped.absent) {
       league.not_checked.push_back(
-          fmt::format("NOT CHECKED: {}{}: it was not built, for want of the Debian package {}.", shipped.prefix,
+          fmt::format("NOT CHECKED: {}{}: it was not built, because the Debian package {} is missing.", shipped.prefix,
                       absent.name, absent.package));
     }
   }
@@ -107,13 +107,14 @@ int run_league(const LeagueOptions& options) {
 }  // namespace
 
 void add_league(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand(
-      "league", "Production libraries and our kernels on the same queries, and how soon planted faults are caught");
+  auto* command = app.add_subcommand("league",
+                                     "Run production libraries and axiscert's kernels on the same queries, and show "
+                                     "how soon planted faults are caught");
   auto options = std::make_shared<LeagueOptions>();
   options->precision.clear();
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
   add_thread_option(*command, options->threads);
-  command->add_flag("--no-speed", options->no_speed, "take no times");
+  command->add_flag("--no-speed", options->no_speed, "measure no times");
   command->callback([&action, options] { action = [options] { return run_league(*options); }; });
 }
 

@@ -1,12 +1,12 @@
-// `axiscert man`: the manual page, made from the same definitions that parse the command line.
+// `axiscert man`: the manual page, generated from the definitions that parse the command line.
 #include <fmt/format.h>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 
 namespace axiscert {
 namespace {
 
-// Text as roff shows it: no escapes, no requests, hyphens that can be copied.
+// The text in the form that roff shows unchanged: no escapes, no requests, hyphens that can be copied.
 std::string roff(const std::string& text) {
   std::string out;
   bool at_start = true;
@@ -20,7 +20,7 @@ std::string roff(const std::string& text) {
   return out;
 }
 
-// Names that take a value say so in capitals.
+// The capital letters that stand for the value of an option that takes one.
 std::string value_of(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return "";
   std::string type = option.get_type_name();
@@ -35,7 +35,7 @@ std::string option_entry(const CLI::Option& option) {
   std::string text = option.get_description();
   if (option.get_required()) text += text.empty() ? "required" : " (required)";
   const std::string standard = option.get_default_str();
-  // Where a path stands as the default it depends on where axiscert is installed.
+  // A default that is a path depends on where axiscert is installed, so it is left out.
   if (!standard.empty() && standard[0] != '/') text += fmt::format(" (default: {})", standard);
   return fmt::format(".TP\n.B {}\n{}\n", roff(names + value_of(option)), roff(text));
 }
@@ -66,8 +66,8 @@ std::string manual_page(const CLI::App& app) {
     if (!command->get_group().empty()) text += command_section(*command, command->get_name());
   }
   return text + fmt::format(
-                    ".SH EXIT STATUS\n{}\n.SH ENVIRONMENT\n.TP\n.B NO_COLOR\nset to anything: no colour. Without it "
-                    "there is colour on a terminal only.\n",
+                    ".SH EXIT STATUS\n{}\n.SH ENVIRONMENT\n.TP\n.B NO_COLOR\nset to any value: no colour. Without it "
+                    "colour is used on a terminal only.\n",
                     roff(app.get_footer()));
 }
 

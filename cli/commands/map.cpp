@@ -5,12 +5,12 @@
 #include <filesystem>
 
 #include "cli/options/address_query.h"
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/run_output.h"
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
-#include "kernel/self_check.h"
-#include "reports/wording/finding.h"
+#include "kernel/registry/self_check.h"
+#include "fuzz/confirm/finding_record.h"
 #include "reports/instrument/map.h"
 #include "reports/wording/reproduce.h"
 #include "reports/run_folder/run_folder.h"
@@ -30,14 +30,14 @@ struct MapOptions {
 
 constexpr std::size_t default_size = 256;
 
-// The one query that is given, or the one that --id chooses.
+// The query of the file, or the one that --id chooses.
 StoredQuery witness_of(const MapOptions& options) {
   std::vector<StoredQuery> queries = queries_given({options.query}, options.precision, options.files);
   if (!options.id.empty()) {
     std::erase_if(queries, [&](const StoredQuery& q) { return q.id != options.id; });
   }
   if (queries.size() != 1) {
-    throw Error(fmt::format("{}: {} queries{}; a map is drawn around one: choose it with --id", options.query,
+    throw Error(fmt::format("{}: {} queries{}; a map is drawn around one query: choose it with --id", options.query,
                             queries.size(), options.id.empty() ? "" : " of the id '" + options.id + "'"));
   }
   const bool valid = std::visit([](const auto& q) { return is_valid(q); }, queries.front().query);
@@ -106,7 +106,7 @@ int draw(const MapOptions& options) {
   const MapPlan plan{&kernel, resolve_target(options.target), witness, plane_of(options, witness),
                      subjects_of(options, kernel)};
   const std::string folder = (std::filesystem::path(options.out) / "maps").string();
-  const OutputFolder writable(folder);  // found so before anything runs
+  const OutputFolder writable(folder);  // checked before anything runs
   require_uncontracted(plan.target);
   const std::vector<MapPicture> pictures = draw_map(plan);
   const Json map = map_json(options.name, plan, pictures, command_of(options, plan));
@@ -121,17 +121,18 @@ int draw(const MapOptions& options) {
 
 void add_map(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
-      "map", "Draw where a kernel is wrong around a query: a plane through query space, an ulp or an exponent a pixel");
+      "map",
+      "Draw where a kernel is wrong around a query: a plane through query space, one ulp or exponent for each pixel");
   auto options = std::make_shared<MapOptions>();
   MapOptions& o = *options;
   command->add_option("QUERY", o.query, "query file (- for standard input) or address")->required();
-  command->add_option("--id", o.id, "which query of the file");
+  command->add_option("--id", o.id, "id of the query in the file");
   command->add_option("--kernel", o.kernel, "kernel id")->capture_default_str();
   command->add_option("--along", o.along,
-                      "what moves to the right: a.x ... p.z, r (default: a.x); with --exponents also "
+                      "the number that changes to the right: a.x ... p.z, r (default: a.x); with --exponents also "
                       "a, b, c, p, triangle, scene (default: scene)");
-  command->add_option("--across", o.across, "what moves upwards (default: r)");
-  auto* exponents = command->add_flag("--exponents", o.exponents, "every power of two in place of ulps");
+  command->add_option("--across", o.across, "the number that changes upwards (default: r)");
+  auto* exponents = command->add_flag("--exponents", o.exponents, "every power of two instead of ulps");
   command->add_option("--size", o.size, "pixels each way (default: 256; with --exponents at most these, default: 4096)")
       ->check(CLI::Range(std::size_t{2}, greatest_map));
   command->add_option("--ulps", o.ulps, "ulps from pixel to pixel")
@@ -140,13 +141,15 @@ void add_map(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("--what", o.what, "verdict, an axis or a comparison, repeatable (default: all)")
       ->allow_extra_args(false);
-  command->add_option("--name", o.name, "of the map: its pictures are OUT/maps/NAME-WHAT.png")->capture_default_str();
+  command->add_option("--name", o.name, "name of the map: its pictures are OUT/maps/NAME-WHAT.png")
+      ->capture_default_str();
   command->add_option("--target", o.target, "instruction set, or auto")->capture_default_str();
-  command->add_option("--precision", o.precision, "of a CSV file, which does not say")->capture_default_str();
+  command->add_option("--precision", o.precision, "precision of a CSV file, which does not state it")
+      ->capture_default_str();
   add_address_files(*command, o.files);
   add_plugin_seconds(*command);
   add_format(*command, o.format, "json");
-  command->add_option("--out", o.out, "folder that gets maps/")->capture_default_str();
+  command->add_option("--out", o.out, "folder in which maps/ is written")->capture_default_str();
   command->callback([&action, options] { action = [options] { return draw(*options); }; });
 }
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/judged_run.h"
 #include "cli/running/planned_run.h"
 #include "kernel/base/error.h"
@@ -17,18 +17,18 @@ struct MergeOptions {
   std::string out = "out", plan;
 };
 
-// Parts of a list of units that a message names.
+// Most parts of a list of units that a message names.
 constexpr std::size_t most_parts = 20;
 
 std::string in(const std::string& folder, const char* file) { return (fs::path(folder) / file).string(); }
 
-// Every folder's own plan has to be this one.
+// Requires every folder's copy of the plan to be this plan.
 void require_same_plan(const PlanFile& file, const std::string& folder) {
   const PlanFile other = read_plan_file(in(folder, plan_copy));
   if (other.digest == file.digest) return;
   std::string differs = difference(other.json["plan"], file.json["plan"]);
   if (differs.empty()) differs = difference(other.json, file.json);
-  throw Error(fmt::format("{}: a part of another plan than {}: there {}", folder, file.path, differs));
+  throw Error(fmt::format("{}: part of another plan than {}: there {}", folder, file.path, differs));
 }
 
 int merge(const MergeOptions& options) {
@@ -41,15 +41,14 @@ int merge(const MergeOptions& options) {
   const auto started = std::chrono::system_clock::now();
 
   Gathered gathered(plan, stretches);
-  std::vector<std::uint32_t> from(stretches.count());  // by stretch: the folder
+  std::vector<std::uint32_t> from(stretches.count());  // for each stretch, the folder it is from
   std::uint64_t bytes = 0;
   for (std::uint32_t i = 0; i < options.folders.size(); ++i) {
     const std::string journal = in(options.folders[i], journal_file);
     const JournalEnd end = read_journal(journal, file.digest, [&](std::string_view content) {
       const auto entry = finished_in(content);
       if (entry && entry->stretch < stretches.count() && gathered.has(entry->stretch)) {
-        throw Error(fmt::format("{}: {}: stands in {} already: give each part once", journal,
-                                stretches.text(entry->stretch),
+        throw Error(fmt::format("{}: {}: already in {}: give each part once", journal, stretches.text(entry->stretch),
                                 in(options.folders[from[entry->stretch]], journal_file)));
       }
       gathered.replay(content);
@@ -57,7 +56,7 @@ int merge(const MergeOptions& options) {
     });
     bytes += end.whole;
     if (end.torn != 0) {
-      fmt::print(stderr, "axiscert: {}: its last entry was cut off when it was being written: {} bytes dropped\n",
+      fmt::print(stderr, "axiscert: {}: its last entry was cut off while it was being written: {} bytes dropped\n",
                  journal, end.torn);
     }
   }
@@ -82,11 +81,11 @@ int merge(const MergeOptions& options) {
 }  // namespace
 
 void add_merge(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("merge", "Join the shards of a plan to the record of the whole");
+  auto* command = app.add_subcommand("merge", "Join the shards of a plan into the record of the whole plan");
   auto options = std::make_shared<MergeOptions>();
   command->add_option("FOLDER", options->folders, "folders that `run --plan --shard --out` wrote, in any order")
       ->required();
-  command->add_option("--plan", options->plan, "where the plan is now (default: the first folder's copy of it)");
+  command->add_option("--plan", options->plan, "present path of the plan (default: the first folder's copy of it)");
   command->add_option("--out", options->out, "folder for record, reports and witnesses")->capture_default_str();
   command->callback([&action, options] { action = [options] { return merge(*options); }; });
 }

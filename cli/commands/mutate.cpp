@@ -10,7 +10,7 @@
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 #include "reports/instrument/mutation_report.h"
 
 namespace axiscert {
@@ -24,10 +24,10 @@ struct MutateOptions {
   bool list = false, no_controls = false;
 };
 
-// Exact arithmetic judges the controls in other arithmetics, at a hundred times the cost of a mutant's query.
+// The controls in other arithmetics are judged by exact arithmetic, at a hundred times the cost of a mutant's query.
 constexpr std::uint64_t trials_of_a_control(std::uint64_t trials) { return std::max<std::uint64_t>(1, trials / 64); }
 
-// By id, or by fault: "swap".
+// Mutants by id, or by fault: "swap".
 std::vector<const mutants::Mutant*> mutants_asked(const MutateOptions& options) {
   std::vector<const mutants::Mutant*> asked;
   const std::span<const mutants::Mutant> all = mutants::mutants_of(options.kernel);
@@ -41,9 +41,9 @@ std::vector<const mutants::Mutant*> mutants_asked(const MutateOptions& options) 
     }
     if (asked.size() > before) continue;
     const std::string id = given.find('~') == given.npos ? options.kernel + "~" + given : given;
-    asked.push_back(&mutants::find_mutant(id));  // or says what exists
+    asked.push_back(&mutants::find_mutant(id));  // throws an error that lists what exists
     if (!id.starts_with(options.kernel + "~"))
-      throw Error(fmt::format("--mutant {}: it is none of {}", given, options.kernel));
+      throw Error(fmt::format("--mutant {}: not a mutant of {}", given, options.kernel));
   }
   return asked;
 }
@@ -105,13 +105,13 @@ int mutate(const MutateOptions& options) {
 
 void add_mutate(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
-      "mutate",
-      "Plant one fault after the other in a kernel that is right, and see which of them are caught, and how soon");
+      "mutate", "Plant one fault after the other in a correct kernel, and show which are caught, and how soon");
   auto options = std::make_shared<MutateOptions>();
   MutateOptions& o = *options;
   o.trials = std::uint64_t{1} << 16;
   command
-      ->add_option("--kernel", o.kernel, fmt::format("what mutants are made of: {}", fmt::join(mutants::bases, ", ")))
+      ->add_option("--kernel", o.kernel,
+                   fmt::format("kernel that the mutants are made from: {}", fmt::join(mutants::bases, ", ")))
       ->capture_default_str();
   command->add_option("--mutant", o.mutants, "id or fault, repeatable (default: all)")->allow_extra_args(false);
   command->add_option("--family", o.families, "family, repeatable (default: all)")->allow_extra_args(false);
@@ -120,8 +120,8 @@ void add_mutate(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("--seed", o.seed, "seed of every family")->capture_default_str();
   command->add_option("--precision", o.precision, "binary32 or binary64")->default_str("both");
-  command->add_flag("--list", o.list, "list the mutants, and ask nothing");
-  command->add_flag("--no-controls", o.no_controls, "leave out the kernels that are right");
+  command->add_flag("--list", o.list, "list the mutants and run no queries");
+  command->add_flag("--no-controls", o.no_controls, "leave out the controls, which are correct kernels");
   add_thread_option(*command, o.threads);
   add_format(*command, o.format, "json");
   command->add_option("--out", o.out, "folder for mutation.json, mutation.md and mutation.html");

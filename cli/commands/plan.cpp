@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/options/plan_file.h"
 #include "reports/run_folder/run_folder.h"
 
@@ -33,10 +33,9 @@ void add_plan(CLI::App& app, Action& action) {
   add_plan_options(*command, *options);
   add_require_option(*command, options->require);
   command
-      ->add_option(
-          "--units-per-stretch", options->units_each,
-          "units handed out, journalled and done again together (default: 1 in small plans, 16 in others, more "
-          "where the journal would have more than 2^22 entries)")
+      ->add_option("--units-per-stretch", options->units_each,
+                   "units handed out, journalled and repeated together (default: 1 in small plans, 16 in others, more "
+                   "where the journal would have more than 2^22 entries)")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
   command->add_option("--out", options->file, "the file")->capture_default_str();
   command->callback([&action, options] { action = [options] { return plan(*options); }; });

@@ -51,7 +51,7 @@ void add_precision(CLI::App& app, Action& action) {
       "precision", "Evaluate formulae at 8 to 256 bits: what rounding costs, apart from what range costs");
   auto options = std::make_shared<PrecisionOptions>();
   add_instrument_options(*command, *options, std::uint64_t{1} << 11);
-  command->add_option("--bits", options->bits, "bits of precision, repeatable; 26 values from 8 to 256 where not given")
+  command->add_option("--bits", options->bits, "bits of precision, repeatable (default: 26 values from 8 to 256)")
       ->allow_extra_args(false);
   command->callback([&action, options] { action = [options] { return measure(*options); }; });
 }

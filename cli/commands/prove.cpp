@@ -1,4 +1,4 @@
-// axiscert prove: runs the checkers on the proofs, and says of every bound whether it was accepted.
+// axiscert prove: runs the checkers on the proofs and reports for every bound whether it was accepted.
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -7,7 +7,7 @@
 #include <iostream>
 #include <optional>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/options/instrument_options.h"
 #include "proofs/attained.h"
 #include "proofs/checkers.h"
@@ -53,7 +53,7 @@ std::vector<Entry> entries_of(const ProveOptions& options) {
   return entries;
 }
 
-// What a search attained with the kernel, or with the one whose comparison is the same program.
+// The largest error that a search attained with the kernel, or with the kernel whose comparison is the same program.
 std::optional<double> attained_of(const Entry& entry) {
   if (entry.setting.domain != Domain::scaled || entry.setting.precision != Precision::binary32) return std::nullopt;
   Setting searched = entry.setting;
@@ -64,11 +64,11 @@ std::optional<double> attained_of(const Entry& entry) {
   return std::nullopt;
 }
 
-// A bound is proved where Gappa accepts its script and Coq accepts every range that it takes as a hypothesis. The
-// ranges of the absolute domain have no proof in Coq.
+// A bound is proved where Gappa accepts its script and Coq accepts every range that the script takes as a hypothesis.
+// The ranges of the absolute domain have no proof in Coq.
 void check(std::vector<Entry>& entries, const std::optional<bool>& ranges) {
   const Files scripts = gappa_files();
-  std::vector<std::pair<std::string, bool>> accepted;  // each script once, whoever shares it
+  std::vector<std::pair<std::string, bool>> accepted;  // each script once, whichever bounds share it
   for (const Entry& entry : entries) accepted.emplace_back(script_path(entry.setting, entry.which), false);
   std::sort(accepted.begin(), accepted.end());
   accepted.erase(std::unique(accepted.begin(), accepted.end()), accepted.end());
@@ -121,7 +121,7 @@ void print_text(const Json& data) {
 
 int prove(const ProveOptions& options) {
   std::optional<OutputFolder> folder;
-  if (!options.out.empty()) folder.emplace(options.out);  // found writable before anything runs
+  if (!options.out.empty()) folder.emplace(options.out);  // checked before anything runs
   std::vector<Entry> entries = entries_of(options);
   const auto gappa = gappa_version(), coq = options.without_coq ? std::nullopt : coq_version();
   if (gappa) {
@@ -142,7 +142,7 @@ int prove(const ProveOptions& options) {
 
 void add_prove(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
-      "prove", "Check the proofs of the rounding errors with Gappa and Coq, and say what they prove");
+      "prove", "Check the proofs of the rounding errors with Gappa and Coq, and report what they prove");
   auto options = std::make_shared<ProveOptions>();
   ProveOptions& o = *options;
   command->add_option("--precision", o.precision, "binary32 or binary64 (default: both)");

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/options/address_query.h"
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 
 namespace axiscert {
 
@@ -10,7 +10,7 @@ void add_query(CLI::App& app, Action& action) {
     std::string address;
     AddressFiles files;
   };
-  auto* command = app.add_subcommand("query", "Make the query of an address again, as a line of a query file");
+  auto* command = app.add_subcommand("query", "Generate the query of an address again, as a line of a query file");
   auto options = std::make_shared<Options>();
   command->add_option("ADDRESS", options->address, "SEED:NAME:VERSION:PRECISION:UNIT:INDEX")->required();
   add_address_files(*command, options->files);

@@ -1,4 +1,4 @@
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/judged_run.h"
 #include "cli/running/planned_run.h"
 

@@ -8,10 +8,10 @@
 #include "cli/options/run_options.h"
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
-#include "kernel/self_check.h"
-#include "reports/wording/finding.h"
+#include "kernel/registry/self_check.h"
+#include "fuzz/confirm/finding_record.h"
 #include "reports/instrument/search_report.h"
 
 namespace axiscert {
@@ -27,7 +27,7 @@ struct SearchOptions {
   bool resume = false;
 };
 
-// Where nothing is asked for: a few seconds.
+// The number of evaluations where none is given: a few seconds.
 constexpr std::uint64_t default_evaluations = std::uint64_t{1} << 24;
 constexpr const char* state_file = "search.state";
 
@@ -54,7 +54,8 @@ SearchPlan plan_of(const SearchOptions& options) {
     if (std::find(so_far.begin(), so_far.end(), which) == so_far.end()) plan.comparisons.push_back(which);
   }
   if (!plan.comparisons.empty() && aims_of(*plan.kernel, plan.comparisons).empty()) {
-    throw Error(fmt::format("--comparison: kernel {} shows no computed sides of its own formulae", options.kernel));
+    throw Error(
+        fmt::format("--comparison: kernel {} does not show the computed sides of its own formulae", options.kernel));
   }
   std::sort(plan.comparisons.begin(), plan.comparisons.end());
   InstrumentOptions families;
@@ -85,7 +86,7 @@ int search(const SearchOptions& options) {
     state = read_bytes((std::filesystem::path(options.out) / state_file).string());
   }
   std::optional<OutputFolder> folder;
-  if (!options.out.empty()) folder.emplace(options.out);  // found writable before anything runs
+  if (!options.out.empty()) folder.emplace(options.out);  // checked before anything runs
   require_uncontracted(plan.target);
 
   const std::atomic<bool>& interrupted = watch_for_interrupts();
@@ -110,26 +111,26 @@ int search(const SearchOptions& options) {
 }  // namespace
 
 void add_search(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand(
-      "search",
-      "Search for the worst of a kernel: errors of its comparisons, wrong verdicts, the scales where range fails");
+  auto* command = app.add_subcommand("search",
+                                     "Search for the worst cases of a kernel: errors of its comparisons, wrong "
+                                     "verdicts, the scales where range fails");
   auto options = std::make_shared<SearchOptions>();
   SearchOptions& o = *options;
   command->add_option("--kernel", o.kernel, "kernel id")->capture_default_str();
   command->add_option("--precision", o.precision, "binary32 or binary64")->capture_default_str();
   command->add_option("--comparison", o.comparisons, "comparison, repeatable (default: all, and the verdict)")
       ->allow_extra_args(false);
-  command->add_option("--family", o.families, "family that queries are begun from, repeatable")
+  command->add_option("--family", o.families, "family from which the search starts, repeatable")
       ->allow_extra_args(false);
   auto* evaluations = command
                           ->add_option("--evaluations", o.evaluations,
-                                       "queries to estimate, rounded up to whole islands (default: 2^24)")
+                                       "queries to evaluate, rounded up to whole islands (default: 2^24)")
                           ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 48));
   command->add_option("--time", o.seconds, "seconds to search instead")
       ->check(CLI::PositiveNumber)
       ->excludes(evaluations);
-  command->add_option("--seed", o.seed, "of all random choices")->capture_default_str();
-  command->add_flag("--resume", o.resume, "go on from the state in the folder of --out");
+  command->add_option("--seed", o.seed, "seed of all random choices")->capture_default_str();
+  command->add_flag("--resume", o.resume, "continue from the state in the folder of --out");
   command->add_option("--target", o.target, "instruction set, or auto")->capture_default_str();
   add_thread_option(*command, o.threads);
   add_plugin_seconds(*command);

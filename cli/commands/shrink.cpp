@@ -5,11 +5,11 @@
 #include <cstdio>
 
 #include "cli/options/address_query.h"
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/shrunk.h"
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
-#include "reports/wording/finding.h"
+#include "fuzz/confirm/finding_record.h"
 
 namespace axiscert {
 namespace {
@@ -21,7 +21,7 @@ struct ShrinkOptions {
   AddressFiles files;
 };
 
-// "COMPARISON:error" asks for the error, whether or not the sign came out wrong.
+// "COMPARISON:error" keeps the error, whether or not the sign is wrong.
 constexpr std::string_view error_suffix = ":error";
 
 std::string known_symptoms() {
@@ -31,7 +31,8 @@ std::string known_symptoms() {
   return fmt::format("{}, and COMPARISON{}", fmt::join(names, ", "), error_suffix);
 }
 
-// The symptom of that name without what has to be found out; none where there is no such name.
+// The symptom of that name, without the parts that have to be determined from a query; empty where there is no such
+// name.
 std::optional<Symptom> named(std::string_view what) {
   const bool is_error = what.ends_with(error_suffix);
   if (is_error) what.remove_suffix(error_suffix.size());
@@ -48,42 +49,42 @@ std::optional<Symptom> named(std::string_view what) {
 std::string joined(const std::vector<Symptom>& symptoms) {
   std::vector<std::string> texts;
   for (const Symptom& s : symptoms) texts.push_back(text(s));
-  return texts.empty() ? "every verdict, axis and comparison is right there"
+  return texts.empty() ? "its verdict and every axis and comparison are right there"
                        : fmt::format("{}", fmt::join(texts, "; "));
 }
 
-// A query that shows nothing to keep.
+// Thrown for a query that shows nothing to keep.
 struct NothingToKeep : Error {
   using Error::Error;
 };
 
-// What is to be kept: what was asked for, or the first that is wrong: verdict before axes before comparisons.
+// The symptom to keep: the one requested, or the first that is wrong: verdict before axes before comparisons.
 template <class Real>
 Symptom wanted(const Query<Real>& q, const StoredQuery& stored, const ShrinkOptions& options, const Kernel& kernel,
                std::string_view target) {
   const auto fail = [&](const std::string& what) {
     return NothingToKeep(fmt::format("query '{}': {}", stored.id, what));
   };
-  if (!is_valid(q)) throw fail("not a valid query (finite, r >= 0): there is nothing that a kernel could have wrong");
+  if (!is_valid(q)) throw fail("not a valid query (finite, r >= 0): no answer of a kernel could be wrong");
   Diagnosis<Real> diagnosis(kernel, target);
   const std::vector<Symptom> flips = diagnosis.flips(q);
   if (options.what.empty()) {
     if (!flips.empty()) return flips.front();
-    throw fail(fmt::format("{} is not wrong on it: {}; --what COMPARISON{} keeps the error of a comparison", kernel.id,
-                           joined(flips), error_suffix));
+    throw fail(fmt::format("{} is not wrong on it: {}; to keep the error of a comparison, give --what COMPARISON{}",
+                           kernel.id, joined(flips), error_suffix));
   }
   const Symptom asked = *named(options.what);
   if (!std::string_view(options.what).ends_with(error_suffix)) {
     for (const Symptom& flip : flips) {
       if (flip.level == asked.level && flip.index == asked.index) return flip;
     }
-    throw fail(fmt::format("--what {}: {} has it right; wrong there: {}", options.what, kernel.id,
+    throw fail(fmt::format("--what {}: {} has it right; it is wrong there: {}", options.what, kernel.id,
                            flips.empty() ? "nothing" : joined(flips)));
   }
   if (diagnosis.severity(q, asked)) return asked;
   throw fail(
-      fmt::format("--what {}: {} has no error there that could be measured: it shows no sides of its own "
-                  "formulae, or a side is not finite, or nothing to measure against",
+      fmt::format("--what {}: {} has no measurable error there: it shows no sides of its own "
+                  "formulae, or a side is not finite, or there is nothing to measure against",
                   options.what, kernel.id));
 }
 
@@ -97,8 +98,8 @@ void print_text(const StoredQuery& stored, const StoredQuery& smaller, const Sym
   fmt::print("{}: {} keeps {}\n", stored.id, kernel.id, text(kept));
   row("before", found.sizes.front(), found.before, stored);
   row("after", found.sizes.back(), found.after, smaller);
-  fmt::print("  {} steps, {} queries asked{}\n", found.sizes.size() - 1, found.evaluations,
-             found.complete ? ", no step makes it smaller" : ": the limit; more with --evaluations");
+  fmt::print("  {} steps, {} queries evaluated{}\n", found.sizes.size() - 1, found.evaluations,
+             found.complete ? ", no step makes it smaller" : ": the limit; --evaluations raises it");
   fmt::print("  check   echo '{}' | axiscert check - --kernel {}\n", query_line(smaller), kernel.id);
 }
 
@@ -118,7 +119,7 @@ int shrink_all(const ShrinkOptions& options) {
   require_loaded(kernel);
   const std::string target = resolve_target(options.target);
   if (!options.what.empty() && !named(options.what)) {
-    throw Error(fmt::format("--what {}: unknown; what there is: {}", options.what, known_symptoms()));
+    throw Error(fmt::format("--what {}: unknown; possible values: {}", options.what, known_symptoms()));
   }
   const auto queries = queries_given(options.queries, options.precision, options.files);
   for (const StoredQuery& stored : queries) {
@@ -126,7 +127,7 @@ int shrink_all(const ShrinkOptions& options) {
     throw Error(fmt::format("query '{}' is in {}, in which kernel {} does not exist", stored.id, name(stored.precision),
                             kernel.id));
   }
-  // One that shows nothing does not stop the others, and is an error where it is the only one.
+  // A query that shows nothing to keep does not stop the others, but is an error where it is the only one.
   std::size_t shrunk = 0;
   for (const StoredQuery& stored : queries) {
     try {
@@ -145,16 +146,18 @@ int shrink_all(const ShrinkOptions& options) {
 
 void add_shrink(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
-      "shrink", "Make queries smaller on which a kernel is wrong, the same way and no less badly, for people to read");
+      "shrink",
+      "Make queries on which a kernel is wrong smaller and easier to read, with the same fault, no less severe");
   auto options = std::make_shared<ShrinkOptions>();
   command->add_option("QUERY", options->queries, "query files (- for standard input) and addresses")->required();
   command->add_option("--kernel", options->kernel, "kernel id")->capture_default_str();
   command->add_option("--target", options->target, "instruction set, or auto")->capture_default_str();
-  command->add_option("--precision", options->precision, "of a CSV file, which does not say")->capture_default_str();
+  command->add_option("--precision", options->precision, "precision of a CSV file, which does not state it")
+      ->capture_default_str();
   command->add_option("--what", options->what,
                       "what to keep: verdict, an axis or a comparison that is wrong, or COMPARISON:error (default: the "
                       "first that is wrong, in this order)");
-  command->add_option("--evaluations", options->evaluations, "smaller queries to ask about at most, for each query")
+  command->add_option("--evaluations", options->evaluations, "most smaller queries to evaluate, for each query")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
       ->capture_default_str();
   add_address_files(*command, options->files);

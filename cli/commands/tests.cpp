@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "cli/commands/commands.h"
-#include "fuzz/files/json.h"
+#include "cli/commands.h"
+#include "fuzz/text/json.h"
 #include "fuzz/queries/family.h"
 #include "kernel/kernel.h"
 #include "kernel/test.h"
@@ -25,7 +25,7 @@ std::vector<std::string_view> kernels_of(const TestDescription& test) {
 std::vector<std::string_view> families_of(const TestDescription& test) {
   std::vector<std::string_view> names;
   for (const Family* family : families()) {
-    if (&test == tests().front()) names.push_back(family->name);
+    if (&test == &first_test()) names.push_back(family->name);
   }
   return names;
 }

@@ -10,7 +10,7 @@
 namespace axiscert {
 namespace {
 
-// The source that an address names: a family, or the file that is given for it if it has the right SHA-256.
+// The source that an address names: a family, or the given file if its SHA-256 is the address's.
 SourcePtr source_of(const Address& address, const AddressFiles& files) {
   const auto is_into = [&](const char* kind) { return address.name.starts_with(kind); };
   const bool is_mesh = is_into("mesh-"), is_corpus = is_into("corpus-");
@@ -18,14 +18,15 @@ SourcePtr source_of(const Address& address, const AddressFiles& files) {
   const std::string& path = is_mesh ? files.mesh : is_corpus ? files.corpus : files.queries;
   const char* option = is_mesh ? "--mesh" : is_corpus ? "--corpus" : "--queries";
   if (path.empty() && !is_corpus) {
-    throw Error(fmt::format("address '{}' is into a file: give it with {} FILE", text(address), option));
+    throw Error(fmt::format("address '{}' is in a file: give that file with {} FILE", text(address), option));
   }
   const std::string place = is_corpus && path.empty() ? default_corpus_folder() : path;
   const SourcePtr source = is_mesh     ? mesh_source(place)
                            : is_corpus ? corpus_source(place)
                                        : query_file_source(place, address.precision);
   if (source->address_name() != address.name) {
-    throw Error(fmt::format("{} {} is {}, the address wants {}", option, place, source->address_name(), address.name));
+    throw Error(
+        fmt::format("{} {} is {}, but the address names {}", option, place, source->address_name(), address.name));
   }
   return source;
 }
@@ -44,10 +45,10 @@ Query<Real> made(const Address& address, const Source& source) {
 }  // namespace
 
 void add_address_files(CLI::App& command, AddressFiles& files) {
-  command.add_option("--mesh", files.mesh, "the mesh that the address is into");
-  command.add_option("--queries", files.queries, "the query file that the address is into");
+  command.add_option("--mesh", files.mesh, "the mesh in which the address is");
+  command.add_option("--queries", files.queries, "the query file in which the address is");
   command.add_option("--corpus", files.corpus,
-                     "the corpus that the address is into (default: the one that comes along)");
+                     "the corpus in which the address is (default: the one supplied with axiscert)");
 }
 
 std::vector<StoredQuery> queries_given(const std::vector<std::string>& given, const std::string& csv_precision,
@@ -66,7 +67,7 @@ std::vector<StoredQuery> queries_given(const std::vector<std::string>& given, co
 StoredQuery query_at(const Address& address, const AddressFiles& files) {
   const SourcePtr source = source_of(address, files);
   if (source->version() != address.version) {
-    throw Error(fmt::format("address '{}': {} is at generator version {} here, the address is from version {}",
+    throw Error(fmt::format("address '{}': {} has generator version {} here, but the address is from version {}",
                             text(address), source->name(), source->version(), address.version));
   }
   StoredQuery stored{text(address), address.precision, {}, 0};

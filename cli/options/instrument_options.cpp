@@ -8,7 +8,7 @@
 #include "fuzz/queries/address.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
-#include "reports/wording/finding.h"
+#include "fuzz/confirm/finding_record.h"
 
 namespace axiscert {
 namespace {
@@ -46,13 +46,13 @@ std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, 
     const Kernel& kernel = find_kernel(id);
     if (measures == Measures::formulae && !kernel.file.empty()) {
       throw Error(
-          fmt::format("--kernel {}: this command measures built-in formulae; plug-ins are for run, check, "
+          fmt::format("--kernel {}: this command measures built-in formulae; plug-ins are accepted by run, check, "
                       "critical-radius and league",
                       id));
     }
     if (measures == Measures::formulae && kernel.call != Call{}) {
-      throw Error(
-          fmt::format("--kernel {}: this command measures formulae in an arithmetic, however they are called", id));
+      throw Error(fmt::format(
+          "--kernel {}: this command measures formulae in an arithmetic, which '@CALL' does not change", id));
     }
     require_loaded(kernel);
     if (!kernel.has(precision)) {

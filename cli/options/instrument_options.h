@@ -1,7 +1,7 @@
-// What the measuring subcommands share: which kernels on which queries, and where their report goes.
+// Options that the measuring subcommands share: the kernels, the queries, and the destination of the report.
 #pragma once
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 #include "reports/instrument/instrument.h"
@@ -9,7 +9,7 @@
 namespace axiscert {
 
 struct InstrumentOptions {
-  std::vector<std::string> kernels, families;  // as given; the subcommand's defaults where empty
+  std::vector<std::string> kernels, families;  // as given; empty: the subcommand's defaults
   std::uint64_t trials = 0, seed = 1;
   std::string precision = "binary32", format = "text", out;
 };
@@ -17,18 +17,18 @@ struct InstrumentOptions {
 // Adds --kernel, --family, --trials, --seed, --precision, --format text|json and --out; `trials` is the default.
 void add_instrument_options(CLI::App& command, InstrumentOptions& options, std::uint64_t trials);
 
-// Whether an instrument asks verdicts alone, or looks into formulae that only a built-in kernel is known to evaluate.
+// Whether an instrument uses only verdicts, or examines formulae, which only a built-in kernel is known to evaluate.
 enum class Measures { verdicts, formulae };
-// The kernels asked for, or `defaults`. Throws Error for one that does not exist in the precision, or that the
-// instrument is not for.
+// The kernels given by the options, or `defaults`. Throws Error for one that does not exist in the precision, or that
+// the instrument does not accept.
 std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, std::vector<std::string> defaults,
                                               Measures measures);
-// The families asked for, or `defaults`.
+// The families given by the options, or `defaults`.
 std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std::vector<std::string> defaults);
-// The command line that makes the report again: "axiscert NAME --kernel ...".
+// The command line that produces the report again: "axiscert NAME --kernel ...".
 std::string instrument_command(const std::string& name, const InstrumentOptions& options);
 
-// Prints the report in the format asked for and, where --out names a folder, writes NAME.json and NAME.html there.
+// Prints the report in the given format and, where --out names a folder, writes NAME.json and NAME.html there.
 int put_instrument(const InstrumentReport& report, const InstrumentOptions& options);
 
 }  // namespace axiscert

@@ -4,10 +4,10 @@
 
 #include <filesystem>
 
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/number_text.h"
-#include "fuzz/files/sha256.h"
-#include "fuzz/files/whole_number.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/number_text.h"
+#include "fuzz/text/sha256.h"
+#include "fuzz/text/whole_number.h"
 #include "kernel/base/error.h"
 #include "kernel/base/utf8.h"
 #include "reports/run_folder/parsed_json.h"
@@ -65,10 +65,10 @@ std::string digest_of(Json json) {
   return sha256_hex(std::as_bytes(std::span(text)));
 }
 
-// What the options come to: the plan of the record that they lead to.
+// The plan as the record of a run with these options has it.
 Json plan_of_record(const Plan& plan, const std::string& require) { return plan_json(plan, planned(plan), require); }
 
-// Where files are not where they were: beside the plan, by their base name.
+// Replaces each file that does not exist by the file of the same base name next to the plan, where that exists.
 void look_beside(const std::string& plan_path, std::vector<std::string>& files) {
   for (std::string& file : files) {
     const auto beside = std::filesystem::path(plan_path).parent_path() / base_name(file);
@@ -83,7 +83,7 @@ std::string PlanFile::text() const { return json.dump(1) + "\n"; }
 
 PlanFile plan_file_of(const RunOptions& options, std::optional<std::uint64_t> units_each) {
   for (const std::string& path : options.queries) {
-    if (path == "-") throw Error("--queries -: what came from standard input cannot be read again; give a file");
+    if (path == "-") throw Error("--queries -: standard input cannot be read again; give a file");
   }
   const Plan plan = plan_of(options);
   const Stretches stretches(plan, units_each ? *units_each : Stretches::default_units_each(plan));
@@ -111,31 +111,31 @@ PlanFile read_plan_file(const std::string& path) {
   try {
     file.json = parsed_json(read_bytes(path));
   } catch (const Json::exception&) {
-    // null: none, as below
+    // null: no plan, reported below
   }
   const Json& json = file.json;
   if (!json.is_object() || !json.contains("schema")) {
-    throw Error(fmt::format("{}: is no plan, or cut off: `axiscert plan --out {}` writes one", path, path));
+    throw Error(fmt::format("{}: not a plan, or cut off: `axiscert plan --out {}` writes one", path, path));
   }
   if (json["schema"] != plan_schema) {
-    throw Error(fmt::format("{}: its schema is {}, this axiscert reads \"{}\"", path, shown(json["schema"].dump()),
+    throw Error(fmt::format("{}: its schema is {}, but this axiscert reads \"{}\"", path, shown(json["schema"].dump()),
                             plan_schema));
   }
   file.digest = digest_of(json);
   if (const Json digest = json.value("digest", Json()); digest != file.digest) {
     throw Error(
-        fmt::format("{}: was changed after it was written: its digest is {} and says {}; write a new plan with "
+        fmt::format("{}: changed after it was written: its digest is {}, but it states {}; write a new plan with "
                     "`axiscert plan`",
                     path, file.digest, shown(digest.dump())));
   }
   try {
     for_each_option(file.options, [&](const char* name, auto& value) { get_member(json.at("options"), name, value); });
     get_member(json, "units_per_stretch", file.units_each);
-    std::uint64_t counted;  // again, where the plan is taken
+    std::uint64_t counted;  // computed again where the plan is taken
     for (const char* count : {"queries", "units", "stretches"}) get_member(json, count, counted);
-    if (!json.at("plan").is_object()) throw Error("'plan' is no object");
+    if (!json.at("plan").is_object()) throw Error("'plan' is not an object");
   } catch (const std::exception& wrong) {
-    throw Error(fmt::format("{}: not as {} has it: {}", path, plan_schema, wrong.what()));
+    throw Error(fmt::format("{}: does not conform to {}: {}", path, plan_schema, wrong.what()));
   }
   if (file.units_each == 0) throw Error(fmt::format("{}: a stretch has at least one unit, not 0", path));
   return file;
@@ -149,7 +149,7 @@ Plan plan_of(const PlanFile& file) {
   const std::string differs = difference(plan_of_record(plan, options.require), file.json["plan"]);
   if (!differs.empty()) {
     throw Error(
-        fmt::format("{}: cannot be done as it was planned: here {}; write a new plan, or use the axiscert and the "
+        fmt::format("{}: cannot be run as planned: here {}; write a new plan, or use the axiscert and the "
                     "files that it was written with",
                     file.path, differs));
   }
@@ -165,11 +165,11 @@ std::string difference(const Json& plan, const Json& expected) {
     for (const auto& [key, ignored] : flat->items()) {
       const std::string is = value(here, key), expected_to_be = value(there, key);
       if (is != expected_to_be)
-        return fmt::format("{} is {}, and not {}", key.empty() ? "the plan" : key.substr(1), shown(is),
+        return fmt::format("{} is {}, not {}", key.empty() ? "the plan" : key.substr(1), shown(is),
                            shown(expected_to_be));
     }
   }
-  return here == there ? "" : "the order of its members is another";
+  return here == there ? "" : "the order of its members differs";
 }
 
 }  // namespace axiscert

@@ -1,10 +1,10 @@
-// Plan files: refused by Error; or read, and then what is written of it is read to the same plan, and the plan itself
-// is made or refused. The digest is made right first, or nothing would ever come past it; every input is read as it
-// stands too.
+// Fuzzes plan files: they are refused with an Error; or read, and then the file written from them is read to the same
+// plan, and the plan itself is made or refused. The digest is corrected first, or nearly no input would pass it; every
+// input is also read unchanged.
 #include <fmt/format.h>
 
 #include "cli/options/plan_file.h"
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/sha256.h"
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
 
@@ -13,7 +13,7 @@ namespace {
 using namespace axiscert;
 using namespace axiscert::fuzzing;
 
-// A plan opens the files that it names, plug-ins among them: such a plan is read, and not made.
+// A plan opens the files that it names, including plug-ins, so a plan with files is read but not made.
 bool names_a_file(const RunOptions& options) {
   bool names_one = !options.meshes.empty() || !options.queries.empty() || options.corpus;
   for (const std::string& id : options.kernels) names_one |= id.find_first_of(":/") != id.npos;
@@ -28,16 +28,16 @@ void check(const std::string& text) {
   if (!accepts([&] {
         const PlanFile again = read_plan_file(written.path());
         if (again.json != plan.json || again.digest != plan.digest)
-          fault("a plan was read, written and read to another");
+          fault("a plan that was read, written and read again differs");
       })) {
-    fault("a plan that was written is not read again");
+    fault("a plan that was written cannot be read again");
   }
   if (names_a_file(plan.options)) return;
-  accepts([&] { plan_of(plan); });  // nearly always another plan than the one beside the options
+  accepts([&] { plan_of(plan); });  // nearly always differs from the plan stored with the options
   accepts([&] { Stretches(plan_of(plan.options), plan.units_each); });
 }
 
-// As plan_file.cpp makes it.
+// The same digest that plan_file.cpp makes.
 std::string signed_again(std::string_view text) {
   Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) return std::string(text);

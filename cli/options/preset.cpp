@@ -13,8 +13,8 @@ struct Preset {
   std::uint64_t trials;  // per family and precision
 };
 
-// ci: every family and the corpus. Bounded by trials, so that it is the same plan everywhere, and so few that the
-// default kernel takes no more than 20 s on two cores.
+// ci: every family and the corpus. Bounded by trials, so that the plan is the same everywhere; the trials are so few
+// that the default kernel takes no more than 20 s on two cores.
 constexpr Preset presets[] = {{"ci", std::uint64_t{1} << 14}};
 
 }  // namespace

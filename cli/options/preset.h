@@ -1,4 +1,4 @@
-// Presets of `axiscert run`: plans that have a name. A new one is a line in preset.cpp.
+// Presets of `axiscert run`: plans with a name. A new one is a line in preset.cpp.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace axiscert {
 
 std::vector<std::string> preset_names();
-// What the preset says where the options say nothing. The name is one of preset_names().
+// Sets the options that were not given to the preset's values. The name is one of preset_names().
 void apply_preset(const std::string& name, RunOptions& options);
 
 }  // namespace axiscert

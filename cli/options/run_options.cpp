@@ -6,26 +6,26 @@
 #include <algorithm>
 #include <thread>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/options/preset.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/corpus.h"
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/sha256.h"
 #include "kernel/base/error.h"
 #include "reports/gates/requirement.h"
 
 namespace axiscert {
 namespace {
 
-// Queries per family: 2^18 in binary32, 2^16 in binary64, where exact arithmetic costs more; least where it spans the
-// whole exponent range.
+// Queries per family: 2^18 in binary32, 2^16 in binary64, where exact arithmetic costs more; fewest where a family
+// covers the whole exponent range.
 std::uint64_t default_trials(const Source& source, Precision precision) {
   if (precision == Precision::binary32) return std::uint64_t{1} << 18;
   return std::uint64_t{1} << (source.name() == "bits" ? 14 : 16);
 }
 
-// "T" for all comparisons or "COMPARISON=T" for one; a later one overrides.
+// Parses "T" for all comparisons or "COMPARISON=T" for one; a later one overrides.
 void add_tolerance(const std::string& given, Plan& plan) {
   const std::size_t equals = given.find('=');
   const std::string which = equals == given.npos ? "" : given.substr(0, equals);
@@ -51,8 +51,8 @@ void add_tolerance(const std::string& given, Plan& plan) {
       fmt::format("--tolerance {}: unknown comparison '{}'; comparisons: {}", given, which, fmt::join(names, ", ")));
 }
 
-// What the record says of a plug-in that was given by its path. One that cannot be read has no hash: that it could not
-// be loaded is a finding.
+// Adds the record's entry for a plug-in that was given by its path. A plug-in that cannot be read has no hash: a
+// finding reports that it could not be loaded.
 void add_plugin(const Kernel& kernel, Plan& plan) {
   if (!kernel.id.starts_with("plugin:") || kernel.file.empty()) return;
   FileInfo& file = plan.plugins.emplace_back();
@@ -66,13 +66,13 @@ void add_plugin(const Kernel& kernel, Plan& plan) {
   }
 }
 
-// Could not be loaded: in no precision, whatever is asked.
+// Whether a kernel could not be loaded: it exists in no precision, whatever is requested.
 bool is_unloadable(const Kernel* kernel) {
   return !kernel->has(Precision::binary32) && !kernel->has(Precision::binary64);
 }
 
-// A precision in which no kernel exists is left out of the plan; one that was asked for by name is an error for each
-// kernel that lacks it. A plug-in that cannot be loaded exists in none, which its findings say.
+// A precision in which no kernel exists is left out of the plan; one that was requested by name is an error for each
+// kernel that lacks it. A plug-in that cannot be loaded exists in none, which its findings report.
 void drop_idle_precisions(Plan& plan, const std::string& asked) {
   for (const Kernel* kernel : plan.kernels) {
     if (asked.empty() || is_unloadable(kernel) || kernel->has(plan.precisions.front())) continue;
@@ -85,15 +85,15 @@ void drop_idle_precisions(Plan& plan, const std::string& asked) {
   });
 }
 
-// Digits only: CLI11 would take "-1" for the greatest number there is.
+// Accepts digits only: CLI11 would take "-1" for the greatest number there is.
 std::string whole_number(const std::string& text) {
   const bool digits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
-  return digits ? "" : fmt::format("'{}' is not a whole number from 0 on", text);
+  return digits ? "" : fmt::format("'{}' is not a whole number >= 0", text);
 }
 
 std::string above_zero(const std::string& text) {
   double value = 0;
-  return CLI::detail::lexical_cast(text, value) && value > 0 ? "" : fmt::format("'{}' is not a number above 0", text);
+  return CLI::detail::lexical_cast(text, value) && value > 0 ? "" : fmt::format("'{}' is not a number > 0", text);
 }
 
 }  // namespace
@@ -124,23 +124,25 @@ void add_require_option(CLI::App& command, std::string& require) {
 void add_output_options(CLI::App& command, OutputOptions& o) {
   add_thread_option(command, o.threads);
   add_require_option(command, o.require);
-  command.add_option("--ratchet", o.ratchet,
-                     "file of what is accepted, a line a cell: exit 1 where anything is worse or a waiver has expired");
+  command.add_option(
+      "--ratchet", o.ratchet,
+      "file of accepted errors, one line for each cell: exit 1 where anything is worse or a waiver has expired");
   command.add_option("--out", o.out, "folder for record, reports and witnesses")->capture_default_str();
-  command.add_flag("--quiet", o.quiet, "print nothing but errors and what fails");
+  command.add_flag("--quiet", o.quiet, "print only errors and failures");
 }
 
 CLI::Option* add_plan_options(CLI::App& command, RunOptions& o) {
   command
-      .add_option(
-          "--kernel", o.kernels,
-          "kernel id, KERNEL@CALL for one called otherwise (see `axiscert kernels`), repeatable (default: published)")
+      .add_option("--kernel", o.kernels,
+                  "kernel id, or KERNEL@CALL for another way to call it (see `axiscert kernels`), repeatable (default: "
+                  "published)")
       ->allow_extra_args(false);
   CLI::Option* trials = add_source_options(command, o);
-  command.add_option("--corpus", o.corpus, "the corpus too, that of this folder or the one that comes along")
+  command.add_option("--corpus", o.corpus, "also run the corpus, from this folder or the one supplied with axiscert")
       ->expected(0, 1)
       ->default_str(default_corpus_folder());
-  command.add_option("--precision", o.precision, "binary32 or binary64 (default: both); that of CSV files");
+  command.add_option("--precision", o.precision,
+                     "binary32 or binary64 (default: both); also the precision of CSV files");
   command.add_option("--tolerance", o.tolerances, "[COMPARISON=]T: count errors above T u, repeatable")
       ->allow_extra_args(false);
   return trials;
@@ -148,22 +150,24 @@ CLI::Option* add_plan_options(CLI::App& command, RunOptions& o) {
 
 void add_run_options(CLI::App& command, RunOptions& o) {
   CLI::Option* trials = add_plan_options(command, o);
-  command.add_option("--time", o.seconds, "seconds to run instead; units that were begun are finished")
+  command
+      .add_option("--time", o.seconds,
+                  "seconds to run instead of a number of trials; units that were begun are finished")
       ->check(above_zero)
       ->excludes(trials);
   command.add_option("--target", o.target, "instruction set, see `axiscert kernels`")->capture_default_str();
-  command.add_option("--shrink", o.shrink, "make the witnesses smaller too, by at most so many evaluations each")
+  command.add_option("--shrink", o.shrink, "also make the witnesses smaller, with at most this many evaluations each")
       ->expected(0, 1)
       ->default_str("1000")
       ->check(whole_number);
   command.add_flag("--exact-only", o.exact_only,
                    "judge every query by CGAL, arbitrary precision and MPFR, without filters: the record is the same");
-  command.add_option("--plant", o.planted, "break the filter on purpose, to see that it is caught: exit 3")
+  command.add_option("--plant", o.planted, "break the filter on purpose, to test that this is caught: exit 3")
       ->check(CLI::IsMember(std::vector<std::string>(filter_fault_names.begin(), filter_fault_names.end())))
       ->excludes("--exact-only");
   command
       .add_option("--preset", o.preset,
-                  "ci: all families and the corpus with 2^14 queries each, unless options say otherwise")
+                  "ci: all families and the corpus with 2^14 queries each; other options override it")
       ->check(CLI::IsMember(preset_names()));
   add_plugin_seconds(command);
   add_output_options(command, o);
@@ -175,7 +179,7 @@ std::vector<SourcePtr> sources_of(const SourceOptions& options, Precision csv_pr
     for (const SourcePtr& other : sources) {
       if (other->address_name() == source->address_name()) return;  // given twice
       if (other->name() == source->name()) {
-        throw Error(fmt::format("two different files are both '{}' in the report: rename one", source->name()));
+        throw Error(fmt::format("two different files would both be '{}' in the report: rename one", source->name()));
       }
     }
     sources.push_back(std::move(source));
@@ -219,10 +223,11 @@ int threads_of(int given) {
 Plan plan_of(const RunOptions& given) {
   RunOptions options = given;
   if (options.seconds) {
-    // What is bounded by time has other queries on every machine.
+    // A run that is bounded by time has other queries on every machine.
     for (const auto& [name, value] : {std::pair("--preset", options.preset), {"--ratchet", options.ratchet}}) {
       if (!value.empty())
-        throw Error(fmt::format("--time with {} {}: it holds a run to its plan, so bound it by --trials", name, value));
+        throw Error(
+            fmt::format("--time with {} {}: it requires a fixed plan, so bound the run by --trials", name, value));
     }
   }
   if (!options.preset.empty()) apply_preset(options.preset, options);

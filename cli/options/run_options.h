@@ -1,4 +1,4 @@
-// The options of `axiscert run`, those it shares with `generate` and `judge`, and the plan they make.
+// The options of `axiscert run`, those that it shares with `generate` and `judge`, and the plan that they lead to.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -12,7 +12,7 @@
 
 namespace axiscert {
 
-// Which queries.
+// The queries.
 struct SourceOptions {
   std::vector<std::string> families, meshes, queries;
   std::optional<std::string> corpus;  // its folder
@@ -20,7 +20,7 @@ struct SourceOptions {
   std::uint64_t seed = 1;
 };
 
-// What becomes of the judged answers.
+// The use of the judged answers.
 struct OutputOptions {
   std::string require, out = "out", ratchet;
   bool quiet = false;
@@ -38,23 +38,23 @@ struct RunOptions : SourceOptions, OutputOptions {
   std::string planted = "none";
 };
 
-// The option --trials, which others may exclude.
+// Adds the options and returns --trials, which others may exclude.
 CLI::Option* add_source_options(CLI::App& command, SourceOptions& options);
-// What a plan file keeps: kernels, queries, precision, tolerances. Returns --trials too.
+// Adds the options that a plan file keeps: kernels, queries, precision, tolerances. Also returns --trials.
 CLI::Option* add_plan_options(CLI::App& command, RunOptions& options);
 void add_require_option(CLI::App& command, std::string& require);
 void add_thread_option(CLI::App& command, int& threads);
 void add_output_options(CLI::App& command, OutputOptions& options);
 void add_run_options(CLI::App& command, RunOptions& options);
 
-// The families by name, the files read; all families where nothing is named. Throws Error.
+// The families given by name, and the files, which are read; all families where nothing is named. Throws Error.
 std::vector<SourcePtr> sources_of(const SourceOptions& options, Precision csv_precision);
-// How many queries of a source: as asked, or the default; a query file's own number is not looked at.
+// Number of queries of a source: as requested, or the default; the number of a query file's own queries is ignored.
 std::uint64_t trials_of(const SourceOptions& options, const Source& source, Precision precision);
-// Says on standard error which queries of query files are in none of these precisions.
+// Reports on standard error which queries of query files have none of these precisions.
 void say_what_is_left_out(const std::vector<SourcePtr>& sources, const std::vector<Precision>& precisions);
 int threads_of(int given);
-// Looks up every name and reads every file. Throws Error.
+// Makes the plan: looks up every name and reads every file. Throws Error.
 Plan plan_of(const RunOptions& options);
 
 }  // namespace axiscert

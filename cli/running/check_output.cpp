@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 #include "reports/instrument/figures.h"
 
 namespace axiscert {
@@ -39,7 +39,7 @@ Json findings_json(const std::vector<Finding>& findings) {
   return all;
 }
 
-// " (touching)", and what the kernel means to say of it where that is not contact.
+// " (touching)", with the kernel's own convention where that is not contact.
 std::string touching_text(const Truth& truth, const Kernel& kernel) {
   if (!truth.touching) return "";
   switch (kernel.touching) {

@@ -7,14 +7,14 @@
 #include <filesystem>
 #include <optional>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/run_output.h"
 #include "cli/running/shrunk.h"
 #include "cli/running/terminal.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/campaign/parts/stretch.h"
 #include "kernel/base/error.h"
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 #include "reports/gates/ratchet.h"
 #include "fuzz/confirm/plan.h"
 #include "reports/formats/render.h"
@@ -25,7 +25,7 @@ namespace {
 
 constexpr const char* shrunk_file = "witnesses-shrunk.jsonl";
 
-// Says what is worse and what is better. Whether the ratchet holds.
+// Prints what is worse and what is better; returns whether the ratchet is met.
 bool holds(const RatchetOutcome& outcome, bool quiet) {
   for (const std::string& better : outcome.better) {
     if (!quiet) fmt::print("{}\n", coloured("better: " + better, TextColour::green));
@@ -41,7 +41,7 @@ std::optional<Ratchet> ratchet_of(const OutputOptions& output, const Plan& plan)
   Ratchet ratchet = read_ratchet(output.ratchet);
   std::error_code none;
   if (std::filesystem::equivalent(output.ratchet, std::filesystem::path(output.out) / "ratchet.txt", none)) {
-    throw Error(fmt::format("--ratchet {}: the run would write over it; keep the reviewed file outside of --out {}",
+    throw Error(fmt::format("--ratchet {}: the run would overwrite it; keep the reviewed file outside of --out {}",
                             output.ratchet, output.out));
   }
   require_plan(ratchet, plan_json(plan, planned(plan), output.require));
@@ -81,7 +81,7 @@ int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResul
   std::optional<RatchetOutcome> held;
   if (ratchet && result.complete)
     held = hold_against(*ratchet, record, iso_time(std::chrono::system_clock::now()).substr(0, 10));
-  // Of the run before, in the same folder.
+  // These files may be left from an earlier run in the same folder.
   for (const char* file : {ratchet_outcome_file, shrunk_file}) folder.remove(file);
   folder.write("record.json", record);
   if (held) folder.write(ratchet_outcome_file, outcome_json(*ratchet, *held));

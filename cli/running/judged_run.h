@@ -1,4 +1,4 @@
-// A plan carried out, judged and reported: what `run` and `judge` do once they know their plan.
+// Carries out, judges and reports a plan: what `run` and `judge` do once they know their plan.
 #pragma once
 
 #include <chrono>
@@ -13,19 +13,20 @@ namespace axiscert {
 
 // Writes the run's folder and prints its summary; returns an ExitCode. Throws Error, and HarnessFault where the oracles
 // disagree.
+// disagree.
 int judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked);
 
-// What --ratchet names, for put_result; read, and held against the plan, before anything runs or is written. Throws
-// Error.
+// The ratchet that --ratchet names, for put_result; read, and compared with the plan, before anything runs or is
+// written. Throws Error.
 std::optional<Ratchet> ratchet_of(const OutputOptions& output, const Plan& plan);
 
-// The second half of it, of a result that is there: record, reports, summary. `scale` is what run.json says of ranks
-// and journal, or null.
+// The second half of judged_run, for a result that exists: record, reports, summary. `scale` is run.json's entry on
+// ranks and journal, or null.
 int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResult& result, const OutputOptions& output,
                const std::optional<Ratchet>& ratchet, const std::string& target_asked,
                std::chrono::system_clock::time_point started, const Json& scale = nullptr);
 
-// What to throw where oracles disagreed: the query is in the folder then.
+// Saves the query on which oracles disagreed in the folder, and returns the exception to throw.
 HarnessFault saved(const OutputFolder& folder, const OracleDisagreement& disagreement);
 
 }  // namespace axiscert

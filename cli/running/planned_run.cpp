@@ -6,25 +6,25 @@
 #include <set>
 #include <sstream>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/judged_run.h"
 #include "cli/running/recheck.h"
 #include "cli/running/run_output.h"
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "fuzz/campaign/parts/distribute.h"
 #include "kernel/base/error.h"
-#include "kernel/self_check.h"
+#include "kernel/registry/self_check.h"
 
 namespace axiscert {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Seconds between lines of progress in a batch job's log, and between two times that the journal is brought to the disk
-// itself: a kill loses nothing that was appended, a power cut at most that.
+// Seconds between lines of progress in a batch job's log, and seconds between syncs of the journal to the disk itself:
+// a kill loses nothing that was appended, a power cut at most what was appended since the last sync.
 constexpr double seconds_between_lines = 60, seconds_between_syncs = 10;
 
-// "I/N": every N-th stretch, from the I-th on.
+// "I/N": every N-th stretch, beginning with the I-th.
 Selection shard_of(const std::string& given) {
   std::uint64_t shard = 0, shards = 0;
   char slash = 0;
@@ -32,7 +32,7 @@ Selection shard_of(const std::string& given) {
   const bool is_pair = given.find_first_not_of("0123456789/") == given.npos && (text >> shard >> slash >> shards) &&
                        slash == '/' && text.peek() == std::istringstream::traits_type::eof();
   if (!is_pair || shard < 1 || shard > shards) {
-    throw Error(fmt::format("--shard {}: I/N is right, I from 1 to N: 3/8 is the third of eight", given));
+    throw Error(fmt::format("--shard {}: give I/N with I from 1 to N: 3/8 is the third of eight", given));
   }
   return [=](std::uint64_t stretch) { return stretch % shards == shard - 1; };
 }
@@ -42,12 +42,13 @@ Selection listed_in(const std::string& file, std::uint64_t count) {
   std::set<std::uint64_t> numbers;
   for (std::uint64_t number = 0; text >> number;) numbers.insert(number);
   if (!text.eof() || numbers.empty() || *numbers.rbegin() >= count) {
-    throw Error(fmt::format("--stretches {}: numbers of stretches, one a line, below {} are right", file, count));
+    throw Error(
+        fmt::format("--stretches {}: give a file with numbers of stretches, one in each line, below {}", file, count));
   }
   return [=](std::uint64_t stretch) { return numbers.contains(stretch); };
 }
 
-// Rank 0's part.
+// The work of rank 0.
 class Lead {
  public:
   Lead(const PlannedOptions& options, const OutputOptions& output, const PlanFile& file, const Plan& plan,
@@ -93,13 +94,13 @@ class Lead {
   void open_journal() {
     const std::string journal = path(journal_file);
     if (!options_.resume && fs::exists(journal)) {
-      throw Error(fmt::format("{}: is there already: --resume goes on with it, or give another folder", journal));
+      throw Error(fmt::format("{}: already exists; --resume continues it, or give another folder", journal));
     }
     journal_.emplace(journal, file_.digest, [this](std::string_view content) { gathered_.replay(content); });
     folder_.write_text(plan_copy, file_.text());
     if (journal_->torn() != 0) {
       fmt::print(stderr,
-                 "axiscert: {}: its last entry was cut off when it was being written: {} bytes dropped, and done "
+                 "axiscert: {}: its last entry was cut off while it was being written: {} bytes dropped, and done "
                  "again\n",
                  journal, journal_->torn());
     }
@@ -149,7 +150,7 @@ class Lead {
                       }});
   }
 
-  // What run.json has of it. Stretches of another process of the same plan are not counted: no rank of this run did
+  // The entry of run.json. Stretches done by another process of the same plan are not counted: no rank of this run did
   // them.
   Json scale_json(const std::vector<RankUse>& uses) const {
     Json ranks = Json::array();
@@ -195,13 +196,13 @@ class Lead {
   const std::atomic<bool>& interrupted_ = watch_for_interrupts();
 };
 
-// One rank, or the only process.
+// Runs one rank, or the only process.
 int run_as(Ranks* ranks, const PlannedOptions& options, const RunOptions& run) {
   const PlanFile file = read_plan_file(options.plan);
   Plan plan = plan_of(file);
   plan.target = resolve_target(run.target);
   plan.exact_only = run.exact_only;
-  // A launcher starts a rank for each core, or says otherwise.
+  // A launcher starts one rank for each core, unless told otherwise.
   plan.threads = ranks && run.threads == 0 ? 1 : threads_of(run.threads);
   Plan again = plan;
   if (options.recheck > 0) again.target = recheck_target(options, plan.target);
@@ -226,31 +227,32 @@ int run_as(Ranks* ranks, const PlannedOptions& options, const RunOptions& run) {
 void add_planned_options(CLI::App& command, PlannedOptions& o) {
   auto* plan =
       command.add_option("--plan", o.plan,
-                         "plan file of `axiscert plan` to do, by all ranks where mpirun starts several; what is "
-                         "finished stands in the folder's journal");
+                         "plan file of `axiscert plan` to run, by all ranks where mpirun starts several; finished "
+                         "stretches are kept in the folder's journal");
   for (const char* settled : {"--kernel", "--family", "--mesh", "--queries", "--corpus", "--seed", "--trials", "--time",
                               "--precision", "--tolerance", "--require", "--plant", "--preset"}) {
     plan->excludes(command.get_option(settled));
   }
-  command.add_flag("--resume", o.resume, "go on with the folder's journal, where there is one")->needs(plan);
+  command.add_flag("--resume", o.resume, "continue the folder's journal, where there is one")->needs(plan);
   auto* shard = command.add_option("--shard", o.shard, "I/N: the I-th of N parts of the plan, for `axiscert merge`");
-  auto* ratchet = command.get_option("--ratchet");  // which holds a whole run
+  auto* ratchet = command.get_option("--ratchet");  // needs a whole run
   shard->needs(plan)->excludes(ratchet);
-  command.add_option("--stretches", o.stretches, "file of numbers: do these stretches of the plan only")
+  command.add_option("--stretches", o.stretches, "file of numbers: run only these stretches of the plan")
       ->needs(plan)
       ->excludes(shard)
       ->excludes(ratchet);
   auto* recheck = command.add_option("--recheck", o.recheck,
-                                     "fraction of the finished stretches to do again in another way; a difference is "
+                                     "fraction of the finished stretches to repeat in another way; a difference is "
                                      "exit 3");
   recheck->needs(plan)->check(CLI::Range(0.0, 1.0));
-  command.add_option("--recheck-seed", o.recheck_seed, "which of them (default: chosen anew, and said)")
+  command.add_option("--recheck-seed", o.recheck_seed, "seed that selects them (default: chosen anew, and printed)")
       ->needs(recheck);
-  auto* target = command.add_option("--recheck-target", o.recheck_target,
-                                    "instruction set of the second time (default: scalar, or the best where the first "
-                                    "was scalar)");
+  auto* target =
+      command.add_option("--recheck-target", o.recheck_target,
+                         "instruction set of the repetition (default: scalar, or the best where the first run "
+                         "was scalar)");
   target->needs(recheck);
-  command.add_option("--recheck-with", o.recheck_with, "another build's axiscert, which does it the second time")
+  command.add_option("--recheck-with", o.recheck_with, "another build's axiscert, which does the repetition")
       ->needs(recheck)
       ->excludes(target);
 }
@@ -262,7 +264,7 @@ int planned_run(const PlannedOptions& options, const RunOptions& run) {
     return run_as(ranks.get(), options, run);
   } catch (...) {
     const int code = tell(std::current_exception());
-    ranks->abort(code);  // the others would wait for this rank for ever
+    ranks->abort(code);  // otherwise the others would wait for this rank for ever
     return code;
   }
 }

@@ -1,4 +1,4 @@
-// A plan file done: by one process or the ranks of an MPI job, whole or a shard of it, with a journal of what is
+// Runs a plan file: by one process or by the ranks of an MPI job, whole or a shard of it, with a journal of what is
 // finished.
 #pragma once
 
@@ -11,23 +11,23 @@ namespace axiscert {
 struct PlannedOptions {
   std::string plan;       // file; empty: not a planned run
   std::string shard;      // "I/N"
-  std::string stretches;  // file with the numbers of the only stretches to do
+  std::string stretches;  // file with the numbers of the only stretches to run
   bool resume = false;
   double recheck = 0;  // fraction of the finished stretches
   std::optional<std::uint64_t> recheck_seed;
   std::string recheck_target, recheck_with;
 };
 
-// Of the folder of a planned run.
+// Files in the folder of a planned run.
 inline constexpr const char* journal_file = "journal";
 inline constexpr const char* plan_copy = "plan.json";
 
-// Which stretches are asked for.
+// The stretches that are requested.
 using Selection = std::function<bool(std::uint64_t)>;
 
-// --plan and what goes with it; options of `run` that a plan has settled are refused beside it.
+// Adds --plan and the options that go with it; options of `run` that a plan determines are refused next to it.
 void add_planned_options(CLI::App& command, PlannedOptions& options);
-// Of `run` it reads where to and how: folder, threads, target, --exact-only. Returns an ExitCode.
+// Uses from `run` the folder, threads, target and --exact-only. Returns an ExitCode.
 int planned_run(const PlannedOptions& options, const RunOptions& run);
 
 }  // namespace axiscert

@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Runs a program to its end, without standard output and without what a launcher told this rank. Throws Error where it
-// cannot be started or fails.
+// Runs a program to its end, without standard output and without the environment variables in which a launcher
+// addressed this rank. Throws Error where it cannot be started or fails.
 void run_program(const std::vector<std::string>& command) {
   std::vector<char*> arguments, environment;
   for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
@@ -46,11 +46,11 @@ void run_program(const std::vector<std::string>& command) {
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-  throw Error(fmt::format("--recheck-with {}: did not do the sample (exit status {}); its own message stands above",
+  throw Error(fmt::format("--recheck-with {}: failed on the sample (exit status {}); its own message is above",
                           command[0], WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status)));
 }
 
-// A folder beside the journal for as long as it is needed.
+// A folder next to the journal that exists as long as this object.
 class Scratch {
  public:
   explicit Scratch(const std::string& out) : path_(fs::path(out) / "recheck") { fs::remove_all(path_); }

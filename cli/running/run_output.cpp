@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "cli/commands/commands.h"
+#include "cli/commands.h"
 #include "cli/running/terminal.h"
 #include "fuzz/files/query_file.h"
 #include "kernel/base/error.h"
@@ -101,7 +101,8 @@ std::string iso_time(std::chrono::system_clock::time_point time) {
 
 namespace {
 
-// Red where a contact is missed or a query has no answer, yellow where the verdict is wrong in other ways, else green.
+// Red where a contact is missed or a query has no answer, yellow where the verdict is wrong in another way, otherwise
+// green.
 std::string kernels_table(const Json& kernels) {
   std::vector<std::string> columns = {
       "kernel",           "precision", "queries",   "missed contacts",    "deepest",

@@ -1,4 +1,4 @@
-// What `axiscert run` shows and writes: the progress line, the run folder, the summary.
+// The output of `axiscert run`: the progress line, the run folder, the summary.
 #pragma once
 
 #include <atomic>
@@ -13,8 +13,8 @@
 
 namespace axiscert {
 
-// One line on a terminal, rewritten, and cleared when it goes out of scope. Elsewhere nothing, or a line every so
-// often.
+// One line on a terminal, rewritten, and cleared when the object goes out of scope. Elsewhere nothing, or a line at
+// intervals.
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet = false, std::optional<double> seconds_between_lines = std::nullopt);
@@ -29,26 +29,27 @@ class ProgressLine {
   double last_shown_ = 0;
 };
 
-// The folder of a run. Made, and found writable, before anything runs; a file appears in it whole or not at all.
+// The folder of a run. It is created, and checked to be writable, before anything runs; a file appears in it whole or
+// not at all.
 class OutputFolder {
  public:
   explicit OutputFolder(const std::string& path);  // throws Error
   void write(const std::string& file, const Json& json) const;
   void write_text(const std::string& file, const std::string& text) const;  // whole or not at all
-  void remove(const std::string& file) const;                               // where it is there
-  // Saves the query that the oracles differ on, and returns the file's path.
+  void remove(const std::string& file) const;                               // where it exists
+  // Saves the query on which the oracles disagree, and returns the file's path.
   std::string save(const OracleDisagreement& disagreement) const;
 
  private:
   std::filesystem::path path_;
 };
 
-// Set by the first Ctrl-C, at which what is under way finishes and is reported; the second one leaves at once.
+// Set by the first Ctrl-C, after which work under way is finished and reported; the second one exits at once.
 const std::atomic<bool>& watch_for_interrupts();
 
 std::string iso_time(std::chrono::system_clock::time_point time);
-// What `run` prints in the end: findings first, each with the command that shows it again, then a table, a line a
-// kernel and precision; in colour on a terminal.
+// The final output of `run`: findings first, each with the command that reproduces it, then a table with a line for
+// each kernel and precision; in colour on a terminal.
 std::string summary_text(const Json& record, double seconds);
 
 }  // namespace axiscert

@@ -36,7 +36,7 @@ template Json shrunk_json(const StoredQuery&, const Symptom&, const Shrunk<doubl
 std::string shrunk_witnesses(const Json& record, const std::string& target, std::uint64_t evaluations) {
   std::string text;
   for (const Json& witness : record["witnesses"]) {
-    if (witness["flips"].empty()) continue;  // an extreme, and nothing wrong
+    if (witness["flips"].empty()) continue;  // kept as an extreme, nothing is wrong
     const Kernel& kernel = find_kernel(witness["kernel"].get<std::string>());
     const std::string id = witness["id"];
     const StoredQuery stored = parse_queries(witness.dump(), id, Precision::binary32).front();
@@ -44,7 +44,7 @@ std::string shrunk_witnesses(const Json& record, const std::string& target, std:
         [&]<class Real>(const Query<Real>& q) {
           Diagnosis<Real> diagnosis(kernel, target);
           const auto flips = diagnosis.flips(q);
-          // Somebody else's code may answer otherwise today.
+          // Somebody else's code may give another answer today.
           if (flips.empty() || !diagnosis.severity(q, flips.front())) return;
           const auto found = shrink(q, flips.front(), kernel, target, evaluations);
           text += shrunk_json(stored, flips.front(), found, kernel).dump() + "\n";

@@ -1,20 +1,21 @@
-// A query made small, as a line of a query file that says what it keeps.
+// A query made small, as a line of a query file that states what it keeps.
 #pragma once
 
 #include <string>
 
 #include "fuzz/files/query_file.h"
 #include "fuzz/shrink/shrink.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 
-// The smaller query, named "shrunk-" and the name of the one given, and beside it what it keeps and what the other was.
+// The smaller query, named "shrunk-" and the name of the given one, together with the symptom that it keeps and the
+// given query.
 template <class Real>
 Json shrunk_json(const StoredQuery& stored, const Symptom& kept, const Shrunk<Real>& found, const Kernel& kernel);
 
-// Of every witness of a record on which its kernel is wrong, one line: what it shows first (verdict before axes before
-// comparisons), smaller by at most so many evaluations.
+// One line for every witness of a record on which its kernel is wrong: the first symptom that it shows (verdict before
+// axes before comparisons), made smaller with at most this many evaluations.
 std::string shrunk_witnesses(const Json& record, const std::string& target, std::uint64_t evaluations);
 
 }  // namespace axiscert

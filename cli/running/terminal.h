@@ -1,4 +1,4 @@
-// What depends on whether somebody looks: colour.
+// Output that depends on whether a person sees it: colour.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@ namespace axiscert {
 
 enum class TextColour { red, yellow, green };
 
-// Standard output is a terminal that shows colours, and NO_COLOR is not set to anything.
+// Whether standard output is a terminal that shows colours, and NO_COLOR is not set to any value.
 bool output_has_colour();
-// The text in that colour where output_has_colour(), else as it is. A line's end stays outside.
+// The text in that colour where output_has_colour(), otherwise unchanged. A line end stays outside the colour.
 std::string coloured(const std::string& text, TextColour colour);
 
 }  // namespace axiscert

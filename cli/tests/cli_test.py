@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The command as a user meets it: output, exit codes, one clear line for every bad input."""
+"""The command as a user sees it: output, exit codes, one clear line for every bad input."""
 import json
 import math
 import signal
@@ -45,7 +45,7 @@ class Check(Case):
             self.assertEqual(line["flips"], [])
 
     def test_a_decimal_is_rounded_from_its_text(self):
-        # The double nearest to this decimal lies on a midpoint of two floats; only the text says which is nearer.
+        # The double nearest to this decimal lies on a midpoint of two floats; only the text decides which is nearer.
         (line,) = self.check(QUERY.replace("[0,0,0]", "[1.00000005960464477540,0,0]") % 0)
         self.assertEqual(Fraction(line["exact"]["squared_distance"]), (2 - Fraction(float.fromhex("0x1.000002p0"))) ** 2)
 

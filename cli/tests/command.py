@@ -1,4 +1,4 @@
-"""What the tests of the command share. A test file is run as
+"""Functions that the tests of the command share. A test file is run as
 
     FILE BUILD_FOLDER MODELS_FOLDER TRIAL_DIVISOR [unittest arguments]
 

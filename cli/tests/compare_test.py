@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""compare, the ratchet, what CI reads, and what a terminal shows."""
+"""Tests of compare, the ratchet, the files that CI reads, and the output on a terminal."""
 import json
 import os
 import pty
@@ -31,7 +31,7 @@ class Compare(Case):
         self.assertTrue(self.compare("out", "out").startswith("axiscert compare: no change\n"))
         text = self.compare("out", "seed2")
         self.assertTrue(text.startswith("axiscert compare: no change\n"), text)
-        self.assertRegex(text, r"Witnesses of OLD, asked again here: \d+ as before\.")
+        self.assertRegex(text, r"Witnesses of OLD, evaluated again here: \d+ as before\.")
 
     def test_what_is_worse_is_named_in_every_format(self):
         self.run_ok(*PLAN)
@@ -103,11 +103,11 @@ __attribute__((constructor)) static void tell(void) {{ FILE* file = fopen("{load
         self.assertEqual((done.returncode, done.stderr), (0, b""))
         compared = json.loads((self.folder / os.fsdecode(b"c\xff") / "compare.json").read_text())
         self.assertEqual(compared["old"]["folder"], "caf\\xe9 '")
-        # The command that is shown is one that a shell reads as the folder's bytes.
+        # A shell reads the command that is shown as the bytes of the folder's name.
         (line,) = [line for line in done.stdout.decode().splitlines() if "axiscert compare $" in line]
         word = line[line.index("$'"):].split(" $'")[0]
         self.assertEqual(subprocess.run(["bash", "-c", f"printf %s {word}"], capture_output=True).stdout, os.fsencode(out))
-        # What a record would have to hold is refused, once and clearly.
+        # Names that a record would have to hold are refused, once and clearly.
         queries, mesh, kernel = (os.fsdecode(name) for name in (b"q\xff.jsonl", b"m\xff.obj", b"k\xff.so"))
         for name, text in {queries: QUERY % 1, kernel: "", mesh: "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}.items():
             (self.folder / name).write_text(text)
@@ -121,7 +121,7 @@ __attribute__((constructor)) static void tell(void) {{ FILE* file = fopen("{load
 
 
 class Ratchet(Case):
-    """A kernel of one's own under one name: as it is, with a fault, and mended."""
+    """A user's own kernel under one name: unchanged, with a fault, and mended."""
 
     def setUp(self):
         super().setUp()
@@ -152,7 +152,7 @@ class Ratchet(Case):
             (run,) = json.loads((self.folder / "out/report.sarif").read_text())["runs"]
             worse = [r for r in run["results"] if r["ruleId"] == "worse-than-accepted"]
             self.assertEqual(len(worse), done.stderr.count("axiscert: --ratchet: "))
-            self.assertIn("it does not hold", (self.folder / "out/report.md").read_text())
+            self.assertIn("the ratchet is not met", (self.folder / "out/report.md").read_text())
         for name, schema in {"report.sarif": "testdata/sarif-2.1.0-rtm.5.json", "ratchet.json": "ratchet.schema.json"}.items():
             self.assertEqual(validate(schema, self.folder / "out" / name).stderr, "")
         done = self.judge("none", "--ratchet", self.ratchet, "--quiet")
@@ -191,7 +191,7 @@ class Ratchet(Case):
         self.refused("run", "--preset", "nosuch", "--out", out, says=["nosuch", "ci"])
         self.assertFalse(out.exists(), "output was begun")
         self.ratchet.write_text("axiscert-ratchet/1 x\n")
-        self.refused("run", "--ratchet", self.ratchet, "--out", self.folder, says=["write over it"])
+        self.refused("run", "--ratchet", self.ratchet, "--out", self.folder, says=["overwrite it"])
         self.assertEqual(self.ratchet.read_text(), "axiscert-ratchet/1 x\n")
         self.ratchet.write_text("axiscert-ratchet/1 0123456789abcdef\n")
         done = self.refused("run", *PLAN, "--ratchet", self.ratchet, "--out", out, says=["0123456789abcdef", "not comparable"])
@@ -211,7 +211,7 @@ class CiFormats(Case):
                                   capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(validate("testdata/sarif-2.1.0-rtm.5.json", folder / "report.sarif").stderr, "")
-        # A case a kernel, family and comparison, and a verdict for each.
+        # One case for each kernel, family and comparison, and one verdict for each.
         suites = ElementTree.parse(self.folder / "out/junit.xml").getroot()
         self.assertEqual(sum(len(suite.findall("testcase")) for suite in suites), 2 * 17)
         for suite in suites:
@@ -222,7 +222,7 @@ class CiFormats(Case):
         lines = (stored / "witnesses.jsonl").read_text().splitlines()
         for result in results:
             line = result["locations"][0]["physicalLocation"]["region"]["startLine"]
-            if "Shown again by" in result["message"]["text"]:
+            if "Reproduced by" in result["message"]["text"]:
                 self.assertIn(json.loads(lines[line - 1])["id"], [w["id"] for w in record["witnesses"]])
 
     def test_the_schemas_are_not_blind(self):
@@ -254,7 +254,7 @@ class CiFormats(Case):
 
 class Terminal(Case):
     def on_terminal(self, *args, **environment):
-        """What the command writes to a terminal."""
+        """The text that the command writes to a terminal."""
         leader, follower = pty.openpty()
         env = {k: v for k, v in os.environ.items() if k != "NO_COLOR"} | {"TERM": "xterm"} | environment
         done = subprocess.Popen([BUILD / "axiscert", *map(str, args)], stdout=follower, stderr=follower, env=env)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The installed axiscert, moved elsewhere, as a user of find_package(axiscert) meets it: the examples build against it and
+"""The installed axiscert, moved elsewhere, as a user of find_package(axiscert) sees it: the examples build against it and
 are judged by it."""
 import ctypes
 import json
@@ -14,7 +14,7 @@ from command import BUILD, DIVISOR, ROOT, family
 
 EXAMPLES = ROOT / "examples" / "plugin"
 EXAMPLE_KERNELS = {"c": [32], "cpp": [32, 64]}
-if DIVISOR == 1:  # a library with a sanitizer in it is nothing that a plain program can load
+if DIVISOR == 1:  # a plain program cannot load a library with a sanitizer in it
     EXAMPLE_KERNELS["certified"] = [32, 64]
 
 
@@ -42,7 +42,7 @@ class Examples(unittest.TestCase):
 
     @classmethod
     def built(cls, source):
-        """The plug-in of an example, built against what is installed."""
+        """The plug-in of an example, built against the installed axiscert."""
         build = Path(tempfile.mkdtemp(dir=cls.folder))
         done("cmake", "-S", source, "-B", build, f"-DCMAKE_PREFIX_PATH={cls.prefix}")
         done("cmake", "--build", build)

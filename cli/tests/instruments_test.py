@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The measuring subcommands: figures for programs, text, pages, one clear line for every bad input."""
+"""Tests of the measuring subcommands: figures for programs, text, pages, one clear line for every bad input."""
 import json
 import unittest
 
@@ -215,7 +215,7 @@ class Search(Case):
         self.search(*self.PLAN, "--evaluations", 1)
         self.refused("search", "--resume", "--out", self.folder / "out", says=["comparisons"])
         (self.folder / "out/search.state").write_text("no state")
-        self.refused(*self.PLAN, "--resume", "--out", self.folder / "out", says=["no state"])
+        self.refused(*self.PLAN, "--resume", "--out", self.folder / "out", says=["not the state of a search"])
 
 
 if __name__ == "__main__":

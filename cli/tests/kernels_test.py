@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The kernels and arithmetics as a user meets them."""
+"""The kernels and arithmetics as a user sees them."""
 import json
 import unittest
 
@@ -7,10 +7,10 @@ from command import DIVISOR, QUERY, ROOT, Case, axiscert, family
 
 
 class Kernels(Case):
-    """The rungs, the other methods and the arithmetics, by their ids."""
+    """Tests of the rungs, the other methods and the arithmetics, by their ids."""
 
     def listed(self):
-        """The built-in ones; the plug-ins that come with axiscert have a '/' in their ids."""
+        """The built-in kernels; the plug-ins supplied with axiscert have a '/' in their ids."""
         done = axiscert("kernels", "--format", "json")
         self.assertEqual(done.returncode, 0, done.stderr)
         return [kernel for kernel in json.loads(done.stdout) if "/" not in kernel["id"]]
@@ -81,8 +81,8 @@ class Kernels(Case):
         record = self.run_ok(*plan, "--family", "sliver", "--family", "repeated", "--family", "scale", "--trials", 200)
         self.assertEqual(len(record["kernels"]), 2 * len(plan))
         for entry in record["kernels"]:
-            # Eigen chooses its own order of operations, the certified ones claim no formulae: no reference, and what
-            # differs has no known link.
+            # Eigen chooses its own order of operations and the certified kernels claim no formulae: they have no
+            # reference, and a difference has no known link.
             references = {"eigen": False, "certified": None, "conservative": None, "certified-filter": None,
                           "certified-filter-published": None}
             self.assertEqual(entry["reference"], references.get(entry["id"], True))
@@ -108,7 +108,7 @@ class Kernels(Case):
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
 
     def test_a_kernel_is_judged_as_it_is_called(self):
-        """The exact one is right however it is called, in one run; the published one loses what is flushed, and rounds up."""
+        """The exact kernel is right in every way of calling it, in one run; the published one loses what is flushed, and rounds up."""
         targets = self.listed()[0]["targets"]
         exact = [f"certified@{target}" for target in targets] + ["certified@scalar,upward,flushed", "certified@downward"]
         plan = [f"--kernel={kernel}" for kernel in exact]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Maps: the pictures hold what the index counts, by another reader of PNG; one clear line for every bad input."""
+"""Maps: the pictures contain what the index counts, read by another PNG library; one clear line for every bad input."""
 import json
 import unittest
 
@@ -8,7 +8,7 @@ from PIL import Image
 
 from command import SCHEMAS, Case, axiscert
 
-# Touches A; the nearest other feature is far away.
+# The sphere touches A; the nearest other feature is far away.
 TOUCHING = {"id": "touching", "precision": "binary32", "a": [1, 0, 0], "b": [2, 1, 0], "c": [2, -1, 1], "p": [0, 0, 0],
             "r": 1}
 

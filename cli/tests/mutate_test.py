@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`axiscert mutate`: what is caught is caught by `run --require logic` too, and at the query that it names."""
+"""`axiscert mutate`: a mutant that it catches is also caught by `run --require logic`, and at the query that it names."""
 import json
 import unittest
 
@@ -41,7 +41,7 @@ class Mutate(Case):
                            "binary32", "--require", "logic", "--out", self.folder / "run")
             self.assertEqual(run.returncode, 1, run.stderr)
             if "tail" in mutant:
-                continue  # of one query there is no tail to show
+                continue  # one query has no tail to show
             query = axiscert("query", caught["address"]).stdout
             line = json.loads(axiscert("check", "-", "--format", "jsonl", "--kernel", mutant, stdin=query).stdout)
             self.assertIn("implementation", line["flips"][0]["links"])
@@ -67,7 +67,7 @@ class Mutate(Case):
     def test_bad_input(self):
         self.refused("mutate", "--kernel", "published", says=["published", "nonstrict, reduced-nonstrict"])
         self.refused("mutate", "--mutant", "nosuch", says=["nonstrict~nosuch", "swap", "--list"])
-        self.refused("mutate", "--mutant", "reduced-nonstrict~sign:28", says=["none of nonstrict"])
+        self.refused("mutate", "--mutant", "reduced-nonstrict~sign:28", says=["not a mutant of nonstrict"])
         self.refused("mutate", "--family", "nosuch", says=["nosuch", "tangent"])
         self.refused("mutate", "--precision", "binary16", says=["binary16"])
         self.refused("mutate", "--trials", "0", says=["--trials"])

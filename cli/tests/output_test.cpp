@@ -1,4 +1,4 @@
-// What `check` and `run` say of somebody else's kernel.
+// Output of `check` and `run` for somebody else's kernel.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ TEST(CheckOutput, NoAnswerIsSaidWithTheFinding) {
   EXPECT_TRUE(json["flips"].empty());
 }
 
-// A kernel that left is begun again for the next query.
+// A kernel that crashed is started again for the next query.
 TEST(CheckOutput, TheQueryAfterACrashIsAnswered) {
   int begun = 0;
   Kernel kernel = black_box("mine", [](const Query<double>& q, auto, Verdict& verdict, auto&) {
@@ -92,7 +92,7 @@ TEST(RunOutput, FindingsStandFirstThenWhatWasJudged) {
     std::istringstream words(text.substr(text.find("\n  " + kernel)));
     return std::vector<std::string>(std::istream_iterator<std::string>(words), {});
   };
-  // Without an answer, outside its limits, and wrong there.
+  // Columns: without an answer, outside its limits, and wrong there.
   EXPECT_EQ(row("plugin:x.so").at(7), "3");
   EXPECT_EQ(row("plugin:box.so").at(8), "3");
   EXPECT_EQ(row("plugin:box.so").at(9), "0");

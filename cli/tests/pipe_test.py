@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The pipe: queries to a program in another language, its replies judged as a kernel of one's own is."""
+"""The pipe: queries to a program in another language, whose replies are judged like those of a user's own kernel."""
 import copy
 import json
 import os
@@ -18,7 +18,7 @@ SPIDER = MODELS / "OBJ/spider.obj"
 
 
 def comparable(record):
-    """A record without what a pipe cannot have: who answered, critical radii, and the sides with their errors."""
+    """A record without the parts that a pipe cannot have: who answered, critical radii, and the sides with their errors."""
     record = copy.deepcopy(record)
     del record["plan"]["kernels"]
     record["plan"].pop("replies", None)
@@ -77,7 +77,7 @@ class Pipe(Case):
         return [program]
 
     def test_both_examples_are_judged_as_the_published_kernel_is(self):
-        # Two units, the second one ragged; every family; a mesh and a query file.
+        # Two units, the second one incomplete; every family; a mesh and a query file.
         mine = self.folder / "mine.jsonl"
         mine.write_text("".join(QUERY % r for r in (1, 2, 3)))
         plans = [(["--family", "tie", "--family", "repeated", "--seed", 5], (65536 + 1000) // DIVISOR),
@@ -246,11 +246,11 @@ class Pipe(Case):
         self.refused_replies(changed(70, 0), says=["header was changed", "SHA-256"])
         self.refused_replies(good[:header + 12], says=["ends after 3 of 10 replies"])
         self.refused_replies(good[:-1], says=["ends after 9 of 10 replies and 3 bytes"])
-        self.refused_replies(good + b"\0", says=["goes on after 10 of 10 replies"])
-        self.refused_replies(good + b"10 queries answered\n", says=["goes on", "it is text, \"10 queries answered"])
+        self.refused_replies(good + b"\0", says=["continues after 10 of 10 replies"])
+        self.refused_replies(good + b"10 queries answered\n", says=["continues after", "it is text, \"10 queries answered"])
         self.refused_replies(changed(header + 8, 4), says=["reply 3 of 10", f"at byte {header + 8}", "verdict 4"])
         self.refused_replies(changed(header + 9, 3), says=["reply 3 of 10", "flags 0x03"])
-        self.refused_replies(changed(header + 9, 0), says=["reply 3 of 10", "no comparison bits, where"])
+        self.refused_replies(changed(header + 9, 0), says=["reply 3 of 10", "no comparison bits, but"])
         self.refused_replies(changed(header, 1 - good[header]), says=["reply 1 of 10", "but its comparison bits", "say"])
         done = self.refused("judge", says=["stdin: empty"], stdin="")
         self.assertEqual(len(done.stderr.splitlines()), 1)
@@ -273,7 +273,7 @@ class Pipe(Case):
                 self.refused_replies(good, *args, says=says)
         self.refused("judge", self.stored("g.bin", good), "--touching", "maybe", says=["--touching", "maybe"])
         self.refused("judge", self.folder / "g.bin", "--conforms-to", "published", "--formulae", "published", says=["--formulae"])
-        self.refused("judge", self.folder / "g.bin", self.folder / "g.bin", says=["g.bin", "another stream in binary32"])
+        self.refused("judge", self.folder / "g.bin", self.folder / "g.bin", says=["g.bin", "a second stream in binary32"])
 
     def test_a_file_that_is_gone_or_changed(self):
         mesh = self.folder / "mesh.obj"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Somebody's own kernel through the command: what it does wrong is told, what it does in its own way is no fault."""
+"""A user's own kernel through the command: its faults are reported, and its own way of computing is not a fault."""
 import hashlib
 import json
 import re
@@ -9,7 +9,7 @@ import unittest
 
 from command import BUILD, DIVISOR, ROOT, Case, axiscert, family
 
-# A closest-point test in C over `real`; FORM picks how it is written, RELATION what touching is.
+# A closest-point test in C over `real`; FORM chooses how it is written, RELATION the convention for touching.
 OTHER_FORMS = r"""
 #include "kernel/include/axiscert/plugin.h"
 static real dot(const real *a, const real *b) { return a[2] * b[2] + (a[1] * b[1] + a[0] * b[0]); }
@@ -91,7 +91,7 @@ def uses_of(name):
 
 class Plugins(Case):
     def compiled(self, name, *flags, real="float", relation=">", more="", fault=("", "")):
-        """`more`: statements that set members of the kernel; `fault`: a text and what takes its place."""
+        """`more`: statements that set members of the kernel; `fault`: a text and its replacement."""
         source, plugin = self.folder / f"{name}.c", self.folder / f"{name}.so"
         source.write_text(OTHER_FORMS.replace(*fault))
         subprocess.run(["cc", "-O2", "-shared", "-fPIC", f"-I{ROOT}", f"-Dreal={real}", f"-DRELATION={relation}",
@@ -227,7 +227,7 @@ class Plugins(Case):
         self.refused("run", "--kernel", "peer/nosuch", says=["peer/nosuch"])
 
     def test_the_path_of_a_plugin_may_look_like_a_call(self):
-        """It is called as it is; what would set modes for it is refused."""
+        """Its name is used as it is; a mode added to it is refused."""
         plain = self.compiled("other")
         for name in ("a@b/c.so", "c.so", "c.so@upward"):
             path = self.folder / name

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`axiscert prove`: which bounds it calls proved, on whose word, and what it says where a checker is missing."""
+"""`axiscert prove`: which bounds it calls proved, by which checkers, and its answer where a checker is missing."""
 import json
 import os
 import shutil
@@ -15,10 +15,10 @@ KERNELS = ("published", "published+fma", "reduced", "reduced+fma")
 
 
 class Prove(Case):
-    """Real checkers take minutes (ctest's proofs.* run them); here a program that says yes or no stands in for each."""
+    """Real checkers take minutes (ctest's proofs.* run them); here a program that accepts or refuses replaces each."""
 
     def checker(self, name, refuses="no-such-text"):
-        """A program of that name, alone with /usr/bin's, that accepts every file but those in which `refuses` stands."""
+        """A program of that name, alone with /usr/bin's, that accepts every file except those that contain `refuses`."""
         folder = self.folder / "bin"
         folder.mkdir(exist_ok=True)
         path = folder / name
@@ -27,7 +27,7 @@ class Prove(Case):
         path.chmod(path.stat().st_mode | stat.S_IXUSR)
 
     def prove(self, *args, code=0):
-        """proofs.json of a run in which no checkers are found but the stand-ins; valid by the schema, and as printed."""
+        """proofs.json of a run that finds no checkers but the stand-ins; valid by the schema, and equal to the printed text."""
         folder = self.folder / "bin"
         folder.mkdir(exist_ok=True)
         for tool in ("sh", "grep"):
@@ -75,7 +75,7 @@ class Prove(Case):
         data = self.prove("--precision", "binary32", code=1)
         refused = [(b["kernel"], b["comparison"], b["domain"]) for b in data["bounds"] if b["status"] == "refused"]
         self.assertEqual(refused, [(k, "plane.radius", "absolute") for k in ("published", "reduced")])
-        # Without its ranges no bound holds.
+        # Without its ranges no bound is proved.
         self.checker("gappa")
         self.checker("coqc", refuses="RangesClaimed.v\\|Theorem exact_V_x")
         data = self.prove("--precision", "binary32", code=1)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A plan in parts: whatever was killed, cut off, shuffled or spread over ranks, the record is that of one thread."""
+"""A plan in parts: whatever was killed, cut off, shuffled or distributed over ranks, the record is that of one thread."""
 import hashlib
 import json
 import os
@@ -13,7 +13,7 @@ import unittest
 from command import BUILD, DIVISOR, MODELS, SCHEMAS, ROOT, Case, axiscert
 
 SEED = 20261121
-# As root, and with more ranks than cores, which Open MPI does not like to start.
+# For root, and for more ranks than cores, which Open MPI refuses to start otherwise.
 MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
@@ -61,7 +61,7 @@ class Plan(PlanCase):
                         self.folder / "threads-2/run.json"], check=True)
 
     def resigned(self, text, where, name, value):
-        """A plan with another value of a member, and the digest of what it is now."""
+        """A plan with another value of a member, and the digest of the changed plan."""
         plan = json.loads(text)
         (plan[where] if where else plan)[name] = value
         del plan["digest"]
@@ -75,28 +75,28 @@ class Plan(PlanCase):
         text = self.plan.read_text()
         run = ["run", "--out", self.folder / "out", "--plan"]
         broken = self.folder / "broken.json"
-        for wrong, says in ((text[:-20], ["no plan, or cut off"]), ("{}", ["no plan"]),
+        for wrong, says in ((text[:-20], ["not a plan, or cut off"]), ("{}", ["not a plan"]),
                             (text.replace("axiscert-plan/1", "axiscert-plan/9"), ["axiscert-plan/9", "reads"]),
                             (text.replace('"seed": 1', '"seed": 2'), ["changed after it was written", "digest"])):
             broken.write_text(wrong)
             self.refused(*run, broken, says=["broken.json", *says])
-        for where, name, value, says in (("options", "trials", 1.8e19, "1.8e+19 is no whole number"),
-                                         ("options", "seed", -1, "-1 is no whole number"),
+        for where, name, value, says in (("options", "trials", 1.8e19, "1.8e+19 is not a whole number"),
+                                         ("options", "seed", -1, "-1 is not a whole number"),
                                          ("options", "families", 7, "must be array"),
-                                         (None, "units_per_stretch", 0.5, "0.5 is no whole number"),
-                                         (None, "queries", -7, "-7 is no whole number"),
-                                         (None, "stretches", "many", "is no whole number"),
-                                         (None, "plan", "\x1b[31m", "is no object")):
+                                         (None, "units_per_stretch", 0.5, "0.5 is not a whole number"),
+                                         (None, "queries", -7, "-7 is not a whole number"),
+                                         (None, "stretches", "many", "is not a whole number"),
+                                         (None, "plan", "\x1b[31m", "is not an object")):
             self.refused(*run, self.resigned(text, where, name, value),
-                         says=["broken.json: not as axiscert-plan/1 has it", f"'{name}'", says])
-        self.refused(*run, self.resigned(text, None, "plan", {}), says=["broken.json", "and not"])
+                         says=["broken.json: does not conform to axiscert-plan/1", f"'{name}'", says])
+        self.refused(*run, self.resigned(text, None, "plan", {}), says=["broken.json", ", not "])
         self.refused(*run, self.folder / "none.json", says=["none.json"])
         self.refused(*run, self.plan, "--kernel", "reduced", says=["--plan", "--kernel"])
         self.refused("run", "--resume", says=["--plan"])
         for shard in ("0/3", "4/3", "1", "a/b", "1/2/3", "-1/2"):
             self.refused(*run, self.plan, "--shard", shard, says=["--shard", "I/N"])
         self.refused("plan", "--queries", "-", says=["standard input"])
-        self.refused("plan", "--trials", 2**50, "--units-per-stretch", 1, says=["at least", "units a stretch"])
+        self.refused("plan", "--trials", 2**50, "--units-per-stretch", 1, says=["at least", "units per stretch"])
 
     def test_a_mesh_that_has_changed_is_told_and_one_that_has_moved_is_found(self):
         mesh = self.folder / "mesh.obj"
@@ -110,7 +110,7 @@ class Plan(PlanCase):
         self.ok("run", "--plan", moved, "--out", self.folder / "out")
         with open(self.folder / "elsewhere/mesh.obj", "a") as more:
             more.write("\n")
-        self.refused("run", "--plan", moved, "--out", self.folder / "out2", says=["sha256", "and not"])
+        self.refused("run", "--plan", moved, "--out", self.folder / "out2", says=["sha256", ", not "])
 
     def test_a_requirement_is_the_plans(self):
         self.ok("plan", "--family", "repeated", "--trials", 500, "--require", "logic", "--out", self.plan)
@@ -132,7 +132,7 @@ class Resume(PlanCase):
         start = time.monotonic()
         self.run_plan(out="timed")
         whole = time.monotonic() - start
-        for folder in range(4 if DIVISOR == 1 else 1):  # sanitized, each takes many times as long
+        for folder in range(4 if DIVISOR == 1 else 1):  # sanitized, each takes many times longer
             args = [BUILD / "axiscert", "run", "--plan", self.plan, "--out", self.folder / str(folder), "--resume"]
             for _ in range(5):
                 run = subprocess.Popen(args, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -149,7 +149,7 @@ class Resume(PlanCase):
         while run.poll() is None and not (journal.exists() and journal.stat().st_size > 4000):
             time.sleep(0.002)
         run.send_signal(signal.SIGINT)
-        if run.wait() != 0:  # it may have been through
+        if run.wait() != 0:  # it may have been finished
             self.assertEqual(run.returncode, 130)
             self.assertFalse(json.loads(self.record())["complete"])
         self.run_plan("--resume")
@@ -210,11 +210,11 @@ class Shards(PlanCase):
         self.ok("plan", *self.options, "--seed", 2, "--out", other)
         self.ok("run", "--plan", other, "--shard", "2/3", "--out", self.folder / "seed-2")
         said = self.merge(folders[0], self.folder / "seed-2", folders[2], code=2).stderr
-        self.assertIn("there seed is 2, and not 1", said)
-        # Its plan exchanged, too: the journal itself knows.
+        self.assertIn("there seed is 2, not 1", said)
+        # Its plan is exchanged as well: the journal itself identifies its plan.
         (self.folder / "seed-2/plan.json").write_bytes(self.plan.read_bytes())
         said = self.merge(folders[0], self.folder / "seed-2", folders[2], code=2).stderr
-        self.assertIn("no journal of this plan", said)
+        self.assertIn("is not a journal of this plan", said)
 
         journal = folders[1] / "journal"
         whole = journal.read_bytes()
@@ -239,7 +239,7 @@ class Shards(PlanCase):
 
 
 def entries(journal):
-    """Offset, head and content of each, read by what fuzz/campaign/parts/journal.h says."""
+    """Offset, head and content of each entry, read by the format in fuzz/campaign/parts/journal.h."""
     offset = journal.index(b"\n") + 1
     while offset < len(journal):
         length = int.from_bytes(journal[offset:offset + 4], "little")
@@ -301,7 +301,7 @@ class Ranks(MpiCase):
 
     def test_a_fault_ends_all_ranks_with_its_exit_code(self):
         self.plan.write_text("{}")
-        self.assertIn("no plan", self.mpi_ok(2, "--out", self.folder / "out", code=2))
+        self.assertIn("not a plan", self.mpi_ok(2, "--out", self.folder / "out", code=2))
 
     def test_the_job_scripts(self):
         scripts = ROOT / "examples/scale"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Shrinking and the corpus: what is handed out replays in `check`, one clear line for every bad input."""
+"""Shrinking and the corpus: every query that is printed replays in `check`; one clear line for every bad input."""
 import json
 import unittest
 

@@ -5,8 +5,8 @@
 namespace axiscert {
 namespace {
 
-// Per link, the bits at which the chain E -> R-infinity -> R -> K breaks, on one level's own bits; `of` takes these
-// from an outcome.
+// For each link, the bits at which the chain E -> R-infinity -> R -> K breaks at one level; `of` takes that level's
+// bits from comparison bits.
 template <class Of>
 auto broken_links(const Reference& chain, std::invoke_result_t<Of, ComparisonBits> kernel, Of&& of) {
   using Bits = std::invoke_result_t<Of, ComparisonBits>;
@@ -50,8 +50,8 @@ void judge_bits(const Reference& chain, ComparisonBits bits, Verdict verdict, Ju
   out.broken = broken_links(chain, bits, [](ComparisonBits own) { return own; });
   out.broken_axes = broken_links(chain, axes, axes_of);
   if (verdict == verdict_of(exact_axes)) return;  // nothing flipped the verdict: all masked
-  // A verdict that differs points one way; so does every flip that can have caused it: the axes that flipped that way,
-  // and in those axes the comparisons that did.
+  // A wrong verdict has one direction, and so has every flip that can have caused it: the axes that flipped in that
+  // direction and, within those axes, the comparisons that did.
   const bool false_separation = verdict == Verdict::separated;
   out.axis_decisive = out.axis_flips & (false_separation ? axes : exact_axes);
   ComparisonBits in_those_axes = 0;
@@ -61,7 +61,7 @@ void judge_bits(const Reference& chain, ComparisonBits bits, Verdict verdict, Ju
   out.comparison_decisive = out.comparison_flips & in_those_axes & (false_separation ? bits : exact);
 }
 
-// The reference on a touching query, its radius ties decided by a convention other than `contact`.
+// The reference on a touching query under a convention other than `contact`, which decides its radius ties.
 Reference by_convention(Reference chain, Touching touching, const Answer& answer) {
   if (!chain.exact.bits) {
     chain.exact.verdict = touching == Touching::separated ? Verdict::separated : answer.verdict;

@@ -1,4 +1,5 @@
-// The judge: a kernel's answer to one query, held against the truth, and where each difference came from.
+// The judge: compares a kernel's answer to one query with the truth and attributes each difference to a link of the
+// chain.
 #pragma once
 
 #include <array>
@@ -8,7 +9,7 @@
 #include <vector>
 
 #include "exact/judge/truth.h"
-#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "kernel/outcome.h"
 
 namespace axiscert {
 
@@ -24,61 +25,67 @@ constexpr LinkBits link_bit(Link link) { return static_cast<LinkBits>(1u << stat
 enum class Level : std::uint8_t { verdict, axis, comparison };
 inline constexpr std::array<std::string_view, 3> level_names = {"verdict", "axis", "comparison"};
 
-// `false_separation` at every level: the kernel says yes wrongly. Its opposite is `false_contact` for a verdict and
-// `missed_separation` for an axis or a comparison.
+// `false_separation` exists at every level: the kernel wrongly says yes. Its opposite is `false_contact` for a verdict
+// and `missed_separation` for an axis or a comparison.
 enum class FlipKind : std::uint8_t { false_separation, false_contact, missed_separation };
 inline constexpr std::array<std::string_view, 3> flip_kind_names = {"false_separation", "false_contact",
                                                                     "missed_separation"};
 
 struct Flip {
   Level level;
-  std::uint8_t index;  // of the axis or comparison; 0 for the verdict
+  std::uint8_t index;  // index of the axis or comparison; 0 for the verdict
   FlipKind kind;
   bool decisive;
   LinkBits links;
 };
 std::string_view name(const Flip& flip);  // "verdict", "edge_ab", "edge_ab.radius"
 
-// What a kernel answered: its verdict and, where it exposes them, its comparison bits.
+// A kernel's answer: its verdict and, if it exposes them, its comparison bits.
 using Answer = Outcome;
 
-// What the formulae that a kernel claims decide, along the chain E -> R-infinity -> R. Verdicts alone for a method that
-// has no comparisons. Without `rounded` the kernel evaluates them in its own way, and what differs from E is
-// `unattributed`.
+// The decisions of formulae as rounded: with an exponent without limits (R-infinity), and as the scalar reference
+// computes them (R).
+struct Rounded {
+  Outcome range_free, reference;
+};
+
+// The decisions of the formulae that a kernel claims, along the chain E -> R-infinity -> R; verdicts alone for a
+// method, which has no comparisons. Without `rounded` the kernel evaluates the formulae in its own way, and differences
+// from E are `unattributed`.
 struct Reference {
   Outcome exact;
   std::optional<Rounded> rounded;
-  ComparisonBits ties = 0;  // of the exact formulae: lhs == rhs
+  ComparisonBits ties = 0;  // ties of the exact formulae: lhs == rhs
 };
 
 struct Judgement {
-  std::optional<FlipKind> verdict_flip;  // against right_verdict(); none where the truth is `invalid`
-  LinkBits verdict_links = 0;            // broken on the way, whether the verdict came out wrong or right
-  std::uint16_t comparison_flips = 0, comparison_decisive = 0;  // bit i is comparison i; decisive is a subset
+  std::optional<FlipKind> verdict_flip;  // against right_verdict(); empty if the truth is `invalid`
+  LinkBits verdict_links = 0;            // links broken on the way, whether the verdict is wrong or right
+  std::uint16_t comparison_flips = 0, comparison_decisive = 0;  // bit i is comparison i; decisive is a subset of flips
   std::uint8_t axis_flips = 0, axis_decisive = 0;
   std::vector<Flip> flips() const;  // in the order verdict, axes, comparisons
-  // The same, one after the other.
+  // Visits the same flips in the same order.
   template <class Visit>
   void for_each_flip(Visit&& visit) const;
 
   std::optional<ComparisonBits> exact;              // the kernel's own formulae in exact arithmetic
-  std::array<ComparisonBits, link_count> broken{};  // per link, the comparisons at which it is broken
+  std::array<ComparisonBits, link_count> broken{};  // for each link, the comparisons at which it is broken
   std::array<AxisBits, link_count> broken_axes{};
 };
 
-// What a kernel with this convention is to say of a valid query; nothing where neither answer is wrong.
+// The right verdict on a valid query for a kernel with this convention; empty if neither answer is wrong.
 std::optional<Verdict> right_verdict(const Truth& truth, Touching touching);
 
-// `reference` is empty for a kernel that claims no formulae: only its verdict is judged. Where the truth is `invalid`
+// `reference` is empty for a kernel that claims no formulae: then only its verdict is judged. If the truth is `invalid`
 // or there is no answer, there is no flip.
 //
-// On a touching query a kernel is held to its convention, and so are the formulae that it evaluates in its own way. A
-// sphere touches where a radius comparison is a tie, and which relation that comparison uses, `>` or `>=`, is all that
-// a convention can mean: with `separated`, their radius ties hold there; with `either`, they are as the kernel has
-// them, and no link is broken. Otherwise each right answer would break links, and each rounding at a tie would be laid
-// on the specification. On any other query the formulae are taken as named: a `>=` that also separates a zero-area
-// triangle by 0 >= 0 is a fault. A reference bit for bit has the relation that it has, so there a convention other than
-// `contact` contradicts its own formulae: `specification`.
+// On a touching query a kernel is judged by its own convention, and so are formulae that it evaluates in its own way. A
+// sphere touches where a radius comparison is a tie, and a convention can only mean the relation, `>` or `>=`, that
+// this comparison uses: with `separated`, radius ties hold; with `either`, they are as the kernel has them, and no link
+// is broken. Otherwise each right answer would break links, and each rounding at a tie would count as a fault of the
+// specification. On any other query the formulae are taken as named: a `>=` that also separates a zero-area triangle by
+// 0 >= 0 is a fault. A bit-for-bit reference has a fixed relation, so a convention other than `contact` contradicts the
+// formulae of such a kernel: `specification`.
 Judgement judge(const Truth& truth, const std::optional<Reference>& reference, const Answer& answer,
                 Touching touching = Touching::contact);
 

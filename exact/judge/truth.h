@@ -1,4 +1,4 @@
-// What is true of one query, as far as the judge needs it, and the error that ends a run: two oracles that differ.
+// The truth about one query, as far as the judge needs it, and the error that ends a run when two oracles differ.
 #pragma once
 
 #include <array>
@@ -14,7 +14,8 @@ struct Truth {
   bool touching;    // distance exactly r
 };
 
-// Two oracles differ, or one contradicts the theorem. Carries the query for saving (a float widens exactly).
+// Two oracles differ, or one contradicts the theorem. Carries the query so that it can be saved (a float widens
+// exactly).
 struct OracleDisagreement : HarnessFault {
   template <class Real>
   OracleDisagreement(const std::string& what, const Query<Real>& q)

@@ -48,7 +48,7 @@ std::string Decimal6::text() const {
 
 Decimal6 round_up(const Fraction& q) {
   if (q.numerator == 0) return {};
-  // A first exponent from the bit lengths, two steps low at most, then mended by looking.
+  // A first exponent from the bit lengths, at most two too low, then corrected by comparison.
   const long bits = static_cast<long>(mpz_sizeinbase(q.numerator.get_mpz_t(), 2)) -
                     static_cast<long>(mpz_sizeinbase(q.denominator.get_mpz_t(), 2));
   int exponent = static_cast<int>(std::floor(static_cast<double>(bits - 1) * 0.30102999566398120)) - 5;

@@ -14,17 +14,17 @@ struct Decimal6 {
   std::int32_t exponent = INT32_MIN;
   std::uint32_t mantissa = 0;
   auto operator<=>(const Decimal6&) const = default;
-  // Rounding up to six digits raises a number by less than a part in 10^5: one that is less than this times another
-  // comes to no greater a decimal, and to no equal one.
+  // Rounding up to six digits increases a number by less than one part in 10^5: a number below this ratio times another
+  // rounds to a strictly smaller decimal.
   static constexpr double least_ratio = 1 - 1.1e-5;
   bool is_zero() const { return mantissa == 0; }
-  // The double nearest to the decimal, whose shortest text is the decimal again; infinite beyond binary64's range,
-  // where errors do get: against an exact side of 2^-2148 the least rounding is enough.
+  // The double nearest to the decimal; its shortest text is the decimal again. Infinite beyond binary64's range, which
+  // errors do reach: against an exact side of 2^-2148 the least rounding is enough.
   double value() const;
-  std::string text() const;  // "366.123", "1.5e+620": as a double is written, at any size
+  std::string text() const;  // "366.123", "1.5e+620": in the format of a double, at any size
 };
 
-// The number that it is, and its neighbours; not for zero.
+// The decimal's exact value, and its two neighbours among the decimals; the neighbours are not defined for zero.
 Rational exact(const Decimal6& d);
 Decimal6 next(Decimal6 d);
 Decimal6 previous(Decimal6 d);

@@ -3,8 +3,8 @@
 //
 // Error bounds are absolute, where Joldes, Muller and Popescu ("Tight and rigorous error bounds for basic building
 // blocks of double-word arithmetic", 2017) have relative ones: a sum then needs no more than their "sloppy" eleven
-// operations and three for a sum that is normalized whatever cancels. u is the unit roundoff of T; |low| <= u |high| in
-// every result.
+// operations and three for a sum that is normalized whatever cancellation occurs. u is the unit roundoff of T; |low| <=
+// u |high| in every result.
 #pragma once
 
 #include <cmath>
@@ -14,8 +14,8 @@
 
 namespace axiscert {
 
-// a b and the error of its rounding, exactly, unless something in it underflows: then the two are off by less than the
-// bound that DoubleDouble's product has for that. Dekker's splitting overflows beyond 2^996.
+// a b and the error of its rounding, exactly, unless an intermediate result underflows: then the two are off by less
+// than the underflow term in the error bound of DoubleDouble's product. Dekker's splitting overflows beyond 2^996.
 template <class T>
 AXISCERT_INLINE arithmetic::WithError<T> exact_product(const T& a, const T& b) {
 #ifdef __FP_FAST_FMA
@@ -40,7 +40,7 @@ struct DoubleDouble {
 
   // Error: at most 3 u^2 (1 + 4u) (|a.high| + |b.high|). With S = |a.high| + |b.high|: the low parts sum with an error
   // of u (u S) at most; the error of the sum of the high parts is at most u S, and adding it to theirs, 2 u S (1 + u)
-  // in all, errs by u times that. The last step is exact. Sums do not underflow.
+  // in all, adds u times that. The last step is exact. Sums do not underflow.
   AXISCERT_INLINE friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
     const auto sum = arithmetic::two_sum(a.high, b.high);
     const auto result = arithmetic::two_sum(sum.value, T(sum.error + (a.low + b.low)));
@@ -50,23 +50,23 @@ struct DoubleDouble {
 
   // Error: at most 8 u^2 (1 + 10u) |result.high| + 2^-890, for binary64 and |a|, |b| <= 2^996. With P = |a.high
   // b.high|, the two mixed products err by u (u P) each, their sum by u (2 u P), its sum with the product's error by u
-  // (3 u P), all but for factors 1 + 3u, and what is left out, a.low b.low, is at most u^2 P; |result.high| >= P (1 -
+  // (3 u P), all but for factors 1 + 3u, and the omitted term, a.low b.low, is at most u^2 P; |result.high| >= P (1 -
   // 5u). The last step is exact, since its second term is at most 4 u P.
   //
   // Underflow: a mixed product errs by another 2^-1075. Where P >= 2^-900, no part of exact_product underflows: each is
-  // zero or a multiple of u^2 P / 4. Where P is less, everything but the leading product is below 2^-945 by more than
-  // the factor that any sequence of these few roundings could make of it. Both are far below 2^-890.
+  // zero or a multiple of u^2 P / 4. If P is less, everything but the leading product is below 2^-945 by more than the
+  // factor that any sequence of these few roundings could make of it. Both are far below 2^-890.
   AXISCERT_INLINE friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
     const auto product = lossy_product(a, b);
     const T high = product.value + product.error;
     return {high, product.error - (high - product.value)};
   }
 
-  // What kernel/base/geometry.h takes for the products of vectors: the leading parts are summed exactly, the rest as
-  // they come. Error: at most 24 u^2 (1 + 10u) S + 2^-888, with S the sum of |a.high b.high| over the products. Each
-  // product errs by 8 u^2 of its own magnitude, as above, and has a rest of 3u of it; each exact sum leaves u S at
-  // most. The sums of these rests are, in order, at most 3u S, 4u S, 4u S and 5u S, with u of each as their roundings;
-  // a difference of two products has the first two. The last step is exact.
+  // Overloads that kernel/base/geometry.h uses for the products of vectors: the leading parts are summed exactly, the
+  // remainders in ordinary arithmetic. Error: at most 24 u^2 (1 + 10u) S + 2^-888, with S the sum of |a.high b.high|
+  // over the products. Each product errs by 8 u^2 of its own magnitude, as above, and has a remainder of 3u of it; each
+  // exact sum leaves u S at most. The sums of these remainders are, in order, at most 3u S, 4u S, 4u S and 5u S, with u
+  // of each as their roundings; a difference of two products has the first two. The last step is exact.
   AXISCERT_INLINE static DoubleDouble dot(const portable::Vec3<DoubleDouble>& u,
                                           const portable::Vec3<DoubleDouble>& v) {
     const auto x = lossy_product(u.x, v.x), y = lossy_product(u.y, v.y), z = lossy_product(u.z, v.z);
@@ -81,7 +81,8 @@ struct DoubleDouble {
   }
 
  private:
-  // a b before its last step: the rounded product of the high parts, and the rest, which may be as great as 3u of it.
+  // a b before its last step: the rounded product of the high parts, and the remainder, which may be as great as 3u of
+  // it.
   AXISCERT_INLINE static arithmetic::WithError<T> lossy_product(const DoubleDouble& a, const DoubleDouble& b) {
     const auto product = exact_product(a.high, b.high);
     return {product.value, product.error + (a.high * b.low + a.low * b.high)};

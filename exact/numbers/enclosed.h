@@ -1,4 +1,5 @@
-// A number and a bound of its error, carried through sums and products: what follows from it is certain, or not said.
+// A number with a bound of its error, carried through sums and products: every conclusion drawn from it is certain, or
+// is not drawn.
 #pragma once
 
 #include <cmath>
@@ -9,17 +10,18 @@
 
 namespace axiscert {
 
-// The leading double of a number type, and what its own sum and product are off by: computed bounds, themselves below
-// what they stand for by a few roundings.
+// The leading double of a number type, and bounds of the rounding errors of its sum and product. The bounds are
+// computed, so they may themselves lie a few roundings below the quantities they bound.
 AXISCERT_INLINE double leading(double x) { return x; }
 AXISCERT_INLINE double leading(const DoubleDouble<double>& x) { return x.high; }
 
-// u |result|, u = 2^-53: half an ulp. A sum does not underflow; a product that does is off by another 2^-1075, and
-// a greater bound spares the processor numbers that are subnormal. The bound of a sum may underflow itself: where the
-// terms are products, their bounds are so much greater that `more` makes up for it; other sums are of numbers as given.
+// u |result|, u = 2^-53: half an ulp. A sum does not underflow; a product that underflows is off by another 2^-1075,
+// and the greater bound used here keeps subnormal numbers, which are slow, out of the processor. The bound of a sum may
+// itself underflow: if the terms are products, their bounds are so much greater that `more` makes up for it; all other
+// sums are of numbers as given.
 AXISCERT_INLINE double sum_error(double, double, double sum) { return 0x1p-53 * std::fabs(sum); }
 AXISCERT_INLINE double product_error(double product) { return 0x1p-53 * std::fabs(product) + 0x1p-1000; }
-// Bounds of exact/numbers/double_double.h, their small factors rounded up.
+// The bounds of exact/numbers/double_double.h, their small factors rounded up.
 AXISCERT_INLINE double sum_error(const DoubleDouble<double>& a, const DoubleDouble<double>& b,
                                  const DoubleDouble<double>&) {
   return 0x1.9p-105 * (std::fabs(a.high) + std::fabs(b.high));  // 3.125 u^2
@@ -28,10 +30,9 @@ AXISCERT_INLINE double product_error(const DoubleDouble<double>& product) {
   return 0x1.08p-103 * std::fabs(product.high) + 0x1p-890;  // 8.25 u^2
 }
 
-// Bounds are sums and products of numbers that are not negative, each rounded to nearest: one that is made by k
-// roundings, counted through all factors of its terms, is at least (1 - u)^k of what it stands for. The same holds for
-// |a.high| in place of |a|, at least (1 - u) of it. Nothing here makes k as great as 4,000, so this makes up for all of
-// it.
+// Bounds are sums and products of non-negative numbers, each rounded to nearest: a bound made by k roundings, counted
+// through all factors of its terms, is at least (1 - u)^k of its exact value. The same holds for |a.high| in place of
+// |a|, which is at least (1 - u) of it. Nothing here makes k as great as 4,000, so this factor makes up for all of it.
 inline constexpr double more = 1 + 0x1p-40, less = 1 - 0x1p-40;
 
 template <class T>
@@ -53,17 +54,18 @@ struct Enclosed {
     return {product, (size_a * b.error + a.error * (size_b + b.error)) + product_error(product)};
   }
 
-  // Certain bounds; NaN where the number or its bound is not finite, so a condition must be one that NaN fails. An
+  // Certain bounds; NaN if the number or its bound is not finite, so a condition must be one that is false for NaN. An
   // exact zero has the bounds zero.
   AXISCERT_INLINE double low() const { return leading(value) - slack(); }
   AXISCERT_INLINE double high() const { return leading(value) + slack(); }
 
  private:
-  // Covers error more, the value's low part, u |value|, and the rounding of low() or high(), u (|value| + slack()).
+  // Covers error more, the low part of the value, u |value|, and the rounding of low() or high(), u (|value| +
+  // slack()).
   AXISCERT_INLINE double slack() const { return error * (1 + 0x1p-39) + 0x1p-50 * std::fabs(leading(value)); }
 };
 
-// A vector, one bound for each of its components.
+// A vector with one error bound for all of its components.
 template <class T>
 struct EnclosedVector {
   portable::Vec3<T> value;
@@ -79,16 +81,17 @@ AXISCERT_INLINE EnclosedVector<T> enclosed(const portable::Vec3<T>& v, double er
   return {v, (std::fabs(leading(v.x)) + std::fabs(leading(v.y))) + std::fabs(leading(v.z)), error};
 }
 
-// What a dot product, or a component of a cross product, of vectors of sizes s and t is off by, all rounded up: of
-// doubles u for a product, u for a sum of two and 2u of three, 3 u s t in all; of double-doubles 8 u^2, 3 u^2 and 6
-// u^2, 14 u^2 s t. The sum of the products' magnitudes is at most s t.
+// A bound, rounded up, of the rounding error of a dot product, or of a component of a cross product, of vectors of
+// sizes s and t. For doubles: u for a product, u for a sum of two and 2u for a sum of three, 3 u s t in all. For
+// double-doubles: 8 u^2, 3 u^2 and 6 u^2, 14 u^2 s t in all. The sum of the products' magnitudes is at most s t.
 template <class T>
 AXISCERT_INLINE double products_error(double sizes) {
   if constexpr (std::is_same_v<T, double>) return 0x1.9p-52 * sizes + 0x1p-998;
   else return 0x1.ap-102 * sizes + 0x1p-888;
 }
 
-// With components that are off by e and f: of each product |u_i| f + |v_i| e + e f, three of them or two.
+// The error that the components' own errors e and f cause: |u_i| f + |v_i| e + e f for each product, of which there are
+// two or three.
 template <class T>
 AXISCERT_INLINE double carried_error(const EnclosedVector<T>& u, const EnclosedVector<T>& v) {
   return u.size * v.error + u.error * (v.size + 3 * v.error);
@@ -102,7 +105,7 @@ AXISCERT_INLINE EnclosedVector<T> cross(const EnclosedVector<T>& u, const Enclos
   return enclosed(portable::cross(u.value, v.value), carried_error(u, v) + products_error<T>(u.size * v.size));
 }
 
-// The same number, its value a double.
+// The same number with a double as its value.
 AXISCERT_INLINE Enclosed<double> as_double(const Enclosed<double>& x) { return x; }
 AXISCERT_INLINE Enclosed<double> as_double(const Enclosed<DoubleDouble<double>>& x) {
   return {x.value.high, x.error + 0x1p-53 * std::fabs(x.value.high)};

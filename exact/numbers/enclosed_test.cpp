@@ -1,5 +1,5 @@
-// The bounds that double-doubles and enclosed numbers state, against rationals: cancellation, underflow and low parts
-// of every size.
+// The error bounds of double-doubles and enclosed numbers, checked against rationals: cancellation, underflow and low
+// parts of every size.
 #include "exact/numbers/enclosed.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ class Numbers {
     const auto bits = static_cast<std::int64_t>(random_()) >> integer(0, 40);
     return std::ldexp(static_cast<double>(bits), exponent - 63);
   }
-  // Zero, half an ulp, or anything below.
+  // Zero, half an ulp, or any smaller number.
   double low_part(double high) {
     const double most = std::fabs(high) * 0x1p-53 * (1 - 0x1p-52);
     switch (integer(0, 3)) {
@@ -66,7 +66,7 @@ void expect_normalized(const T& x) {
   }
 }
 
-// `parts` of a bound may come from another error than rounding.
+// Expects a normalized number and |computed - exactly| <= bound more.
 template <class T>
 void expect_within(const T& computed, const Rational& exactly, double bound, std::string_view what, int trial) {
   expect_normalized(computed);
@@ -113,7 +113,7 @@ TYPED_TEST(EnclosedNumbers, ProductsOfVectorsErrAsStated) {
   }
 }
 
-// What stands for a range of numbers goes on to stand for all that are made of its ends.
+// Enclosures of ranges: results enclose every value that the operands' ranges can give.
 TYPED_TEST(EnclosedNumbers, CarryTheErrorsOfTheirOperands) {
   using T = TypeParam;
   Numbers<T> numbers(41, 30);

@@ -6,8 +6,8 @@ namespace {
 thread_local FloatingFormat format;
 thread_local mpfr_rnd_t rounding = MPFR_RNDN;
 
-// MPFR's own exponent range belongs to the thread as well. Outside `limit` it is the widest there is, so that a number
-// made from a double is that double even where it lies outside the format's range.
+// MPFR's exponent range belongs to the thread as well. Outside `limit` it is the widest possible, so that a number made
+// from a double equals that double even if it lies outside the format's range.
 void set_widest_exponents() {
   mpfr_set_emin(mpfr_get_emin_min());
   mpfr_set_emax(mpfr_get_emax_max());
@@ -21,15 +21,15 @@ void put_in_force(const FloatingFormat& wanted) {
 }
 
 // Brings a result with unbounded exponent into the format's range: overflow, and gradual underflow without a second
-// rounding, for which MPFR needs to know on which side of the exact result this one lies (`ternary`). MPFR's
-// significands lie in [1/2, 1): exponents are one more than IEEE's.
+// rounding. For the latter MPFR needs to know on which side of the exact result this one lies (`ternary`). MPFR's
+// significands lie in [1/2, 1): exponents are one greater than IEEE's.
 void limit(mpfr_ptr value, int ternary) {
   const bool single = *format.exponents == Precision::binary32;
   const mpfr_exp_t least_normal = single ? -125 : -1021, greatest = single ? 128 : 1024;
   if (!mpfr_regular_p(value)) return;
   const mpfr_exp_t exponent = mpfr_get_exp(value);
   if (exponent >= least_normal && exponent <= greatest) return;
-  mpfr_set_emin(least_normal - format.precision + 1);  // of the least subnormal number
+  mpfr_set_emin(least_normal - format.precision + 1);  // exponent of the least subnormal number
   mpfr_set_emax(greatest);
   ternary = mpfr_check_range(value, ternary, rounding);
   mpfr_subnormalize(value, ternary, rounding);

@@ -1,4 +1,4 @@
-// A floating-point number of any precision up to 256 bits, chosen at run time for a scope.
+// A floating-point number of any precision up to 256 bits, chosen at run time for the duration of a scope.
 #pragma once
 
 #include <mpfr.h>
@@ -11,15 +11,16 @@
 
 namespace axiscert {
 
-// How the operations in a scope round: to `precision` bits, with the exponent range of a format or without end.
+// The rounding of the operations in a scope: to `precision` bits, with the exponent range of a format or an unbounded
+// one.
 struct FloatingFormat {
   int precision = 53;
   Rounding rounding = Rounding::nearest;
-  // The exponents of binary32 or binary64, gradual underflow included; none: unbounded (2^62 at least).
+  // The exponents of binary32 or binary64, gradual underflow included; empty: unbounded (2^62 at least).
   std::optional<Precision> exponents;
 };
 
-// Sets the format of this thread's Floating operations; restores the one before.
+// Sets the format of this thread's Floating operations and restores the previous one at the end of the scope.
 class FloatingScope {
  public:
   explicit FloatingScope(const FloatingFormat& format);
@@ -33,8 +34,8 @@ class FloatingScope {
   FloatingFormat before_;
 };
 
-// Every operation rounds its exact result once, to the format in force. A number made from a double is that double: it
-// is not rounded, whatever the format. Holds its limbs itself: no allocation.
+// Every operation rounds its exact result once, to the format in force. A number made from a double equals that double:
+// it is not rounded, whatever the format. The limbs are stored in the object: no allocation.
 class Floating {
  public:
   Floating() : Floating(0.0) {}
@@ -61,7 +62,7 @@ class Floating {
   friend Floating fused(const Floating& a, const Floating& b, const Floating& c);  // a b + c
   friend Floating square_root(const Floating& a);
   friend Floating magnitude(const Floating& a);
-  // A NaN holds in no comparison.
+  // Every comparison with a NaN is false.
   friend bool operator>(const Floating& a, const Floating& b) { return mpfr_greater_p(a.value_, b.value_) != 0; }
   friend bool operator>=(const Floating& a, const Floating& b) { return mpfr_greaterequal_p(a.value_, b.value_) != 0; }
 

@@ -1,5 +1,5 @@
-// Integers of a run-time number of words below a fixed capacity, by GMP's mpn functions: sums, differences and exact
-// products without an allocation of their own. What WideInteger is for a few words, this is for many.
+// Integers of a run-time number of words up to a fixed capacity, by GMP's mpn functions: sums, differences and exact
+// products without an allocation of their own. Serves for many words, as WideInteger does for a few.
 #pragma once
 
 #include <gmp.h>
@@ -11,8 +11,8 @@
 
 namespace axiscert {
 
-// Sign and magnitude, words least first, the last of them not zero: a number takes the time of its own size and not of
-// the capacity. That no result is 2^(64 capacity) or greater is the caller's to show.
+// Sign and magnitude, words least significant first, the last of them not zero: the time of an operation depends on the
+// size of the numbers and not on the capacity. The caller must ensure that no result is 2^(64 capacity) or greater.
 template <std::size_t capacity>
 class LimbInteger {
   static_assert(GMP_NUMB_BITS == 64);
@@ -66,7 +66,7 @@ class LimbInteger {
     return result;
   }
 
-  // Calls use(mpz) with a view of the number as one of GMP's.
+  // Calls use(mpz) with a view of the number as a GMP integer.
   template <class Use>
   auto as_mpz(Use&& use) const {
     mpz_t view;
@@ -84,7 +84,7 @@ class LimbInteger {
     return a.size_ == 0 ? 0 : mpn_cmp(a.word_, b.word_, a.length());
   }
 
-  // a + b, or a - b: b with the sign that is given.
+  // a + b or a - b; `b_is_negative` is the sign to use for b.
   static LimbInteger sum(const LimbInteger& a, const LimbInteger& b, bool b_is_negative) {
     LimbInteger result;
     const int order = order_of_magnitudes(a, b);
@@ -109,7 +109,7 @@ class LimbInteger {
   }
 
   std::size_t size_;
-  bool is_negative_;  // nothing where the number is zero
+  bool is_negative_;  // unspecified if the number is zero
   mp_limb_t word_[capacity];
 };
 

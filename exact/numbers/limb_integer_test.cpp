@@ -1,4 +1,4 @@
-// Sums, differences and products of LimbInteger beside GMP's own integers, whose signs and sizes are kept by GMP.
+// Sums, differences and products of LimbInteger compared with GMP's own integers.
 #include "exact/numbers/limb_integer.h"
 
 #include <gmpxx.h>
@@ -16,7 +16,7 @@ mpz_class value(const auto& x) {
   return x.as_mpz([](mpz_srcptr z) { return mpz_class(z); });
 }
 
-// Runs of ones and of zeros, of any length to six words: carries that go far, and numbers that cancel.
+// Runs of ones and of zeros, up to six words long: carries that propagate far, and numbers that cancel.
 Integer number(std::mt19937_64& random) {
   Integer sum;
   for (std::uint64_t terms = random() % 4; terms > 0; --terms) {

@@ -1,12 +1,13 @@
-// MPFR as a number type of the formulae: Bits of significand, an exponent that never ends, round to nearest even.
+// MPFR as a number type of the formulae: `Bits` bits of significand, an unbounded exponent, rounding to nearest even.
 #pragma once
 
 #include <mpfr.h>
 
 namespace axiscert {
 
-// Holds its limbs itself: no allocation. MPFR's default exponent range (2^30) is far beyond what any product of twelve
-// binary64 numbers reaches, so no operation here over- or underflows; mpfr_inexflag_p tells whether any rounded.
+// The limbs are stored in the object: no allocation. MPFR's default exponent range (2^30) is far beyond the magnitude
+// of any product of twelve binary64 numbers, so no operation here over- or underflows; mpfr_inexflag_p tells whether
+// any operation rounded.
 template <int Bits>
 class Mpfr {
  public:
@@ -15,7 +16,7 @@ class Mpfr {
     mpfr_custom_init_set(value_, MPFR_ZERO_KIND, 0, Bits, limbs_);
   }
   explicit Mpfr(double x) : Mpfr() { mpfr_set_d(value_, x, MPFR_RNDN); }
-  template <int Others>  // rounds where Bits is less
+  template <int Others>  // rounds if Bits is less than Others
   explicit Mpfr(const Mpfr<Others>& other) : Mpfr() {
     mpfr_set(value_, other.get(), MPFR_RNDN);
   }
@@ -24,7 +25,7 @@ class Mpfr {
     mpfr_set(value_, other.value_, MPFR_RNDN);
     return *this;
   }
-  static Mpfr of(mpz_srcptr x) {  // rounds where it has more bits
+  static Mpfr of(mpz_srcptr x) {  // rounds if x has more bits
     Mpfr result;
     mpfr_set_z(result.value_, x, MPFR_RNDN);
     return result;

@@ -57,7 +57,7 @@ TEST(SurdTest, RefusesWhatItIsNotClosedUnder) {
   EXPECT_NO_THROW(EXPECT_GT(root3, root2)) << "different roots have an order";
 }
 
-// A Surd beside the same value at 400 bits.
+// A Surd and the same value at 400 bits.
 struct Both {
   Surd exact;
   Mpfr<400> near;
@@ -73,7 +73,7 @@ TEST(SurdTest, HasTheOrderOfAnEvaluationAt400Bits) {
   std::mt19937_64 random(seed);
   int ties = 0;
   for (int i = 0; i < 400; ++i) {
-    // Small numbers, so that values meet; sums are of like numbers only.
+    // Small numbers, so that values coincide; only numbers of the same kind are added.
     const auto small = [&] { return static_cast<double>(random() % 9) - 4; };
     const double inside = static_cast<double>(random() % 6 + 1) / 4;
     const Both root{square_root(surd(inside)), square_root(Mpfr<400>(inside)), true};
@@ -95,7 +95,7 @@ TEST(SurdTest, HasTheOrderOfAnEvaluationAt400Bits) {
           break;
         case 2:
           made.push_back(a * b);
-          // A product of equal roots is rational, and so is marked.
+          // A product of equal roots is rational and is recorded as such.
           made.back().rooted = !made.back().exact.is_rational();
           break;
         case 3:
@@ -108,7 +108,7 @@ TEST(SurdTest, HasTheOrderOfAnEvaluationAt400Bits) {
     for (const Both& a : made) {
       for (const Both& b : made) {
         const Mpfr<400> difference = a.near - b.near;
-        // Far below any two different values of these few small operations.
+        // The threshold lies far below any two different values of these few small operations.
         const int sign = order(magnitude(difference), Mpfr<400>(0x1p-300)) < 0 ? 0 : order(difference, Mpfr<400>(0));
         ASSERT_EQ(a.exact > b.exact, sign > 0) << "case " << i << " of seed " << seed;
         ASSERT_EQ(a.exact >= b.exact, sign >= 0) << "case " << i << " of seed " << seed;
@@ -127,7 +127,8 @@ Real real(const Floating& x) {
   else return mpfr_get_d(x.get(), MPFR_RNDN);
 }
 
-// Numbers whose operations meet every end of the range: arbitrary bits, and neighbours of the least and greatest.
+// Numbers whose operations reach every limit of the range: arbitrary bits, and neighbours of the least and the greatest
+// number.
 template <class Real>
 Real any_number(std::mt19937_64& random) {
   using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
@@ -146,7 +147,8 @@ Real any_number(std::mt19937_64& random) {
   return std::bit_cast<Real>(static_cast<Bits>(random()));
 }
 
-// One operation in the processor's mode: operands and result by way of memory, so that it stays in the scope.
+// One operation in the processor's rounding mode: operands and result go through memory, so that the operation stays
+// within the scope.
 template <class Real>
 Real on_hardware(int operation, Rounding rounding, Real a, Real b, Real c) {
   volatile Real x = a, y = b, z = c, result = 0;
@@ -235,7 +237,7 @@ TEST(FloatingFormats, WithoutExponentLimitsIsAnMpfrOf24Bits) {
   const FloatingScope scope({24, Rounding::nearest, {}});
   for (int i = 0; i < 20000; ++i) {
     const double a = any_number<float>(random), b = any_number<float>(random);
-    // Four times a square: exponents far beyond binary32's.
+    // Squared four times: exponents far beyond binary32's.
     Floating x(a), y(b);
     Mpfr<24> u(a), v(b);
     const auto same = [&](const Floating& f, const Mpfr<24>& m) {

@@ -12,7 +12,7 @@
 namespace axiscert {
 namespace {
 
-// MPFR restricted to the exponent range of Real, so that its results can be made that format's exactly.
+// MPFR restricted to the exponent range of Real, so that its results convert to that format exactly.
 template <class Real>
 class FormatRange {
  public:
@@ -32,7 +32,7 @@ class FormatRange {
   mpfr_exp_t emin_, emax_;
 };
 
-// Rounds whatever `set` stores (it returns MPFR's ternary value) to Real, in one rounding.
+// Rounds the value that `set` stores (it returns MPFR's ternary value) to Real, in one rounding.
 template <class Real, class Set>
 Real round_once(Set&& set) {
   const FormatRange<Real> range;
@@ -90,8 +90,8 @@ template double nearest<double>(const Rational&);
 template <class Real>
 Real nearest_sqrt(const mpz_class& numerator, const mpz_class& denominator) {
   if (numerator == 0) return 0;
-  // s = floor(sqrt(numerator 4^k / denominator)) with at least 64 bits. Its last bit is set when anything was cut off
-  // (round to odd), so that the one rounding below, to at most 53 bits, is that of the exact root.
+  // s = floor(sqrt(numerator 4^k / denominator)) with at least 64 bits. Its last bit is set if anything was cut off
+  // (round to odd), so that the one rounding below, to at most 53 bits, gives the rounding of the exact root.
   const long width = static_cast<long>(mpz_sizeinbase(numerator.get_mpz_t(), 2)) -
                      static_cast<long>(mpz_sizeinbase(denominator.get_mpz_t(), 2));
   const long k = width >= 130 ? 0 : (131 - width) / 2;

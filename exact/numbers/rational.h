@@ -9,13 +9,13 @@ namespace axiscert {
 
 using Rational = mpq_class;
 
-// A finite float as the dyadic rational that it is.
+// A finite float as a dyadic rational, exactly.
 Rational exact(double value);
 
-// A decimal such as "12.5", "-3" or "1e-3" as the rational that it is. Throws Error.
+// A decimal such as "12.5", "-3" or "1e-3" as a rational, exactly. Throws Error.
 Rational parse_decimal(std::string_view text);
 
-// The Real nearest to q, ties to even; rounds to infinity where a Real would.
+// The Real nearest to q, ties to even; overflows to infinity as IEEE rounding does.
 template <class Real>
 Real nearest(const Rational& q);
 

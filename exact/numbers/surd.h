@@ -1,4 +1,4 @@
-// Exact numbers with one division or root too many for a ring: n sqrt(k) / d over Mpzf.
+// Exact numbers for formulae that need one division or root beyond a ring: n sqrt(k) / d over Mpzf.
 #pragma once
 
 #include <CGAL/Mpzf.h>
@@ -11,8 +11,8 @@ namespace axiscert {
 using Ring = CGAL::Mpzf;
 
 // The early forms of the derivation divide and take one root, never a root of a root nor a sum of two different roots;
-// this is closed under what they do. 0/0 and x/0 are undefined, as is all that is made of them, and no comparison with
-// one holds.
+// this type is closed under these operations. 0/0 and x/0 are undefined, as is every result made from them, and no
+// comparison with an undefined number holds.
 class Surd {
  public:
   Surd() : Surd(Ring(0)) {}
@@ -47,7 +47,7 @@ class Surd {
     }
     return a * inverse;
   }
-  // Of a number that is not negative: sqrt(n / d) = sqrt(n d) / d.
+  // The root of a non-negative number: sqrt(n / d) = sqrt(n d) / d.
   friend Surd square_root(const Surd& a) {
     if (!a.rational_) throw std::logic_error("Surd: a root of a root");
     return Surd(Ring(1), a.denominator_, a.undefined_).times_root(a.numerator_ * a.denominator_);
@@ -81,7 +81,7 @@ class Surd {
       throw std::logic_error("Surd: a sum of different roots");
     }
     const bool undefined = a.undefined_ || b.undefined_;
-    // The sums of the formulae have one denominator, nearly always.
+    // The sums in the formulae nearly always have a common denominator.
     if (a.denominator_ == b.denominator_) {
       return Surd(a.numerator_ + signed_b, a.denominator_, undefined).with_root_of(a);
     }

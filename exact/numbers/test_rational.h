@@ -1,4 +1,4 @@
-// For tests: what GMP's rationals lack.
+// For tests: operations that GMP's rationals lack.
 #pragma once
 
 #include "exact/numbers/rational.h"

@@ -12,8 +12,8 @@
 
 #include "kernel/base/address_sanitizer.h"
 
-// Inlined by force, or the words would go through memory. Not where AddressSanitizer instruments each of them: the code
-// would grow beyond what a compiler gets through.
+// Force inlining, since the words would go through memory otherwise. Not under AddressSanitizer, which instruments each
+// access: the code would grow beyond what a compiler can handle.
 #ifdef AXISCERT_ADDRESS_SANITIZER
 #define AXISCERT_WORDS_INLINE
 #else
@@ -22,13 +22,13 @@
 
 namespace axiscert {
 
-__extension__ typedef __int128 Int128;  // ISO C++ has no name for it
+__extension__ typedef __int128 Int128;  // ISO C++ has no name for this type
 __extension__ typedef unsigned __int128 UInt128;
 
 namespace words {
 
-// a + b + carry and a - b - borrow modulo 2^64; the carry out is 0 or 1. Written for the compiler to keep the carry in
-// a flag, which it does not do for a carry that it sees as a number.
+// a + b + carry and a - b - borrow modulo 2^64; the carry out is 0 or 1. Written so that the compiler keeps the carry
+// in a flag, which it does not do for a carry in an integer variable.
 #ifdef __x86_64__
 using Carry = unsigned char;
 AXISCERT_WORDS_INLINE inline std::uint64_t add(std::uint64_t a, std::uint64_t b, Carry& carry) {
@@ -55,7 +55,7 @@ AXISCERT_WORDS_INLINE inline std::uint64_t subtract(std::uint64_t a, std::uint64
 }
 #endif
 
-// Calls f with each index as a constant: a loop that is unrolled before the optimiser starts.
+// Calls f with each index as a constant: the loop is unrolled before the optimiser runs.
 template <std::size_t count, class F>
 AXISCERT_WORDS_INLINE inline void for_each_index(F&& f) {
   [&]<std::size_t... i>(std::index_sequence<i...>)
@@ -64,8 +64,9 @@ AXISCERT_WORDS_INLINE inline void for_each_index(F&& f) {
 
 }  // namespace words
 
-// Words are unsigned, least first, and sums and differences are taken modulo 2^(64 words): right wherever the result
-// lies in [-2^(64 words - 1), 2^(64 words - 1)), whatever the partial sums did. That it does is the caller's to show.
+// Words are unsigned, least significant first, and sums and differences are taken modulo 2^(64 words): the result is
+// right if it lies in [-2^(64 words - 1), 2^(64 words - 1)), whatever the partial sums were. The caller must ensure
+// that it does.
 template <std::size_t count>
 class WideInteger {
  public:
@@ -79,7 +80,7 @@ class WideInteger {
     word_[1] = word_[0];
     word_[0] = static_cast<std::uint64_t>(x);
   }
-  // The low words of a number that fits them.
+  // The low words of a wider number whose value fits them.
   template <std::size_t others>
     requires(others > count)
   AXISCERT_WORDS_INLINE explicit WideInteger(const WideInteger<others>& x) {
@@ -132,13 +133,14 @@ class WideInteger {
   AXISCERT_WORDS_INLINE WideInteger<count + others> product(const WideInteger<others>& other) const {
     WideInteger<count + others> result;
     result.set_unsigned_product(word_, other.word_);
-    // Read as unsigned, a negative a is a + 2^(64 count): the product has 2^(64 count) b too much, and likewise for b.
-    // Where both are negative it has 2^(64 (count + others)) too much as well, which is none.
+    // Read as unsigned, a negative a is a + 2^(64 count): the product is too great by 2^(64 count) b, and likewise for
+    // b. If both are negative it is also too great by 2^(64 (count + others)), which is 0 modulo the size of the
+    // result.
     result.template subtract<count>(other, sign_mask());
     result.template subtract<others>(*this, other.sign_mask());
     return result;
   }
-  // A function of its own: a call is little beside so many words.
+  // The product in a function of its own: the cost of a call is small beside that of so many words.
   template <std::size_t others>
   [[gnu::noinline]] WideInteger<count + others> called_product(const WideInteger<others>& other) const {
     return product(other);
@@ -160,8 +162,8 @@ class WideInteger {
     });
   }
 
-  // Subtracts the number from the words from `from` on, which are as many as its own, if the mask is all ones; nothing
-  // if it is 0.
+  // Subtracts `number` from the words from index `from` on, as many as `number` has, if the mask is all ones; does
+  // nothing if it is 0.
   template <std::size_t from, std::size_t n>
   AXISCERT_WORDS_INLINE void subtract(const WideInteger<n>& number, std::uint64_t mask) {
     static_assert(from + n == count);

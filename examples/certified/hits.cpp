@@ -1,4 +1,4 @@
-// One sphere against the triangles of a mesh that a broad phase has left: the hits, compacted.
+// One sphere against the triangles of a mesh that a broad phase has left; the hits are compacted.
 #include <axiscert/certified.hpp>
 #include <cstdint>
 #include <cstdio>
@@ -14,7 +14,7 @@ int main() {
   std::vector<std::uint32_t> indices;
   for (std::uint32_t i = 0; i < 8; i += 2) indices.insert(indices.end(), {i, i + 1, i + 2, i + 1, i + 3, i + 2});
 
-  const float sphere[4] = {2, 0.5f, 0.5f, 0.5f};  // touches the plane in (2, 0.5, 0), on an edge of two triangles
+  const float sphere[4] = {2, 0.5f, 0.5f, 0.5f};  // touches the plane at (2, 0.5, 0), on an edge of two triangles
   const std::vector<std::uint32_t> near = {2, 3, 4, 5};
   std::vector<std::uint32_t> hits(near.size());
   const axiscert_mesh_f32 mesh{vertices.data(), 3, indices.data()};

@@ -1,5 +1,5 @@
-/* One pair at a time. The sphere touches the triangle's longest edge in one point: float arithmetic may say either, and
- * the exact answer depends on the question. */
+/* One pair at a time. The sphere touches the triangle's longest edge in one point: float arithmetic may answer
+ * either, and the exact answer depends on the question. */
 #include <axiscert/certified.h>
 #include <stdio.h>
 

@@ -13,7 +13,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-// A triangle by its box alone: what a triangle without area has too.
+// A triangle represented by its box only, which a triangle without area has too.
 class Box {
  public:
   using Id = const MeshTriangle*;
@@ -34,7 +34,8 @@ class Box {
   Datum cuboid_;
 };
 
-// P - r and P + r are rounded in double where the two are far apart: outwards, so that no contact is left out.
+// P - r and P + r are rounded in double where the two are far apart; they are moved outwards, so that no contact is
+// left out.
 double below(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
 double above(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
 

@@ -1,5 +1,5 @@
 // The walk on grounds small enough to know the answer, its answers against CGAL's exact distance on a real mesh, and
-// what the comparison counts of kernels with planted faults.
+// the comparison's counts for kernels with planted faults.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "examples/character/comparison.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/sha256.h"
 #include "kernel/base/error.h"
 
 namespace axiscert::character {
@@ -22,7 +22,7 @@ void add_rectangle(Triangles& to, const std::array<Vec3<float>, 4>& v) {
   to.push_back({v[0], v[1], v[2]});
   to.push_back({v[0], v[2], v[3]});
 }
-// z = 0 over [0,4] x [0,4]: below the diagonal y = x, and above it.
+// The square [0,4] x [0,4] at z = 0, as one triangle below the diagonal y = x and one above it.
 Triangles flat_floor() {
   Triangles floor;
   add_rectangle(floor, {{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}});
@@ -149,7 +149,7 @@ TEST(Walk, IsTheSameEverywhere) {
   EXPECT_NE(other.paths.front().front().x, spider().walk.paths.front().front().x);
 }
 
-// A kernel that answers as `answer` does.
+// A kernel that gives the answers of `answer`.
 template <class Answer>
 Kernel kernel_of(const std::string& id, Touching touching, Answer answer) {
   Kernel kernel;
@@ -173,7 +173,7 @@ Verdict certified(const Query<float>& q) {
   return static_cast<Verdict>(axiscert_pair_f32(v.data(), v.data() + 9, AXISCERT_CLOSED_SPHERE));
 }
 
-// On the floor: everything touches or is touched, and what is known of that is counted by hand above.
+// On the floor every contact is known: the tests above count them by hand.
 TEST(Comparison, AKernelThatNeverOrAlwaysFindsContactIsCountedSo) {
   const Ground ground(flat_floor(), 2);
   const Walk walk = walked(ground, {.seed = 3, .steps = 50, .radius = radius});
@@ -198,7 +198,7 @@ TEST(Comparison, AKernelThatNeverOrAlwaysFindsContactIsCountedSo) {
   EXPECT_EQ(blind.all.lost, with_contact);
   EXPECT_EQ(blind.lost, walk.rests);
   const Tally open = compared(ground, walk, kernel_of("never", Touching::separated, never)).all;
-  EXPECT_EQ(open.errors.missed, all.contacts - all.touching) << "touching is no contact to it";
+  EXPECT_EQ(open.errors.missed, all.contacts - all.touching) << "touching is not contact to it";
   const Tally sees = compared(ground, walk, kernel_of("always", Touching::contact, always)).all;
   EXPECT_EQ(sees.errors.missed, 0u);
   EXPECT_EQ(sees.errors.invented, all.triangles - all.contacts);
@@ -210,7 +210,7 @@ TEST(Comparison, AKernelThatNeverOrAlwaysFindsContactIsCountedSo) {
 TEST(Comparison, OneWrongAnswerIsFoundWhereItIs) {
   const auto& [ground, walk] = spider();
   for (const int planted : {AXISCERT_CONTACT, AXISCERT_SEPARATED}) {
-    // The last of its kind, of those that stand.
+    // The last answer of its kind, at rest.
     std::size_t where = 0, at = 0;
     for (const std::size_t rest : walk.rests) {
       const Ask& ask = walk.asks[rest];

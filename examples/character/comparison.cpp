@@ -11,7 +11,7 @@
 namespace axiscert::character {
 namespace {
 
-// Of the candidates from `first` on.
+// The kernel's answers for the candidates of asks first_ask to last_ask - 1.
 std::vector<Verdict> answers(const Ground& ground, const Walk& walk, const Implementation<float>& kernel,
                              std::size_t first_ask, std::size_t last_ask) {
   const std::size_t first = walk.asks[first_ask].first;
@@ -27,7 +27,7 @@ std::vector<Verdict> answers(const Ground& ground, const Walk& walk, const Imple
   return found;
 }
 
-// The certified answer to the kernel's own question, and whether another one is wrong.
+// The certified answer to the kernel's own question, and whether a different answer is wrong.
 struct Truth {
   bool contact, counts;
 };
@@ -48,8 +48,8 @@ void confirm(const Query<float>& q, bool contact, Touching touching, const std::
   const int order = distance_order(q);
   if (contact == (touching == Touching::separated ? order < 0 : order <= 0)) return;
   throw HarnessFault(
-      fmt::format("the certified predicate says {} of a sphere and a triangle on which {} differs, and "
-                  "CGAL's exact distance sides with {}",
+      fmt::format("the certified predicate answers {} for a sphere and a triangle where {} differs, and "
+                  "CGAL's exact distance agrees with {}",
                   contact ? "contact" : "separated", kernel, kernel));
 }
 
@@ -120,7 +120,7 @@ AskedByMoment asked(const Ground& ground, const Walk& walk) {
 }
 
 Comparison compared(const Ground& ground, const Walk& walk, const Kernel& kernel) {
-  constexpr std::size_t batch = 1 << 14;  // triangles, at least
+  constexpr std::size_t batch = 1 << 14;  // least number of triangles in a batch
   const Implementation<float> implementation = kernel.on<float>(resolve_target("auto"));
   Judge judge(ground, walk, kernel);
   for (std::size_t first = 0; first < walk.asks.size();) {

@@ -1,4 +1,4 @@
-// What a kernel says of a walk that it did not steer, held against the certified answers.
+// A kernel's answers on a walk that it did not steer, compared with the certified answers.
 #pragma once
 
 #include "examples/character/walk.h"
@@ -6,7 +6,7 @@
 
 namespace axiscert::character {
 
-// Of the walk itself, by moment.
+// Counts of the walk itself, by moment.
 struct Asked {
   std::uint64_t spheres = 0, triangles = 0, contacts = 0;
   std::uint64_t touching = 0;      // contacts at exactly the distance r
@@ -15,13 +15,14 @@ struct Asked {
 using AskedByMoment = std::array<Asked, moment_count>;
 AskedByMoment asked(const Ground& ground, const Walk& walk);
 
-// An answer that is neither contact nor separated counts as no contact. Where the sphere touches exactly, a kernel is
-// held to what it declares of touching; with Touching::either nothing that it says is wrong.
+// A wrong answer. An answer that is neither contact nor separated counts as no contact. Where the sphere touches
+// exactly, a kernel's answer is compared with what it declares for touching; with Touching::either neither answer is
+// wrong.
 struct Wrong {
   std::size_t ask;
   std::uint32_t triangle;
-  bool missed;   // else invented
-  double depth;  // exact/sphere_triangle/measures/depth.h
+  bool missed;   // otherwise invented
+  double depth;  // as in exact/sphere_triangle/measures/depth.h
 };
 
 struct Errors {
@@ -30,11 +31,11 @@ struct Errors {
 
   void add(const Wrong& wrong);
 };
-// Of one moment.
+// The counts of one moment.
 struct Tally {
   Errors errors;
-  std::uint64_t lost = 0;     // spheres that touch, and the kernel finds nothing that they touch
-  std::uint64_t phantom = 0;  // spheres that touch nothing, and the kernel finds something
+  std::uint64_t lost = 0;     // spheres that touch something, where the kernel finds nothing
+  std::uint64_t phantom = 0;  // spheres that touch nothing, where the kernel finds something
 };
 
 struct Comparison {
@@ -42,12 +43,13 @@ struct Comparison {
   Touching touching;
   std::array<Tally, moment_count> tallies;
   Tally all;
-  Errors with_area, without_area;  // by the triangle
+  Errors with_area, without_area;  // by whether the triangle has area
   std::vector<Wrong> wrong;        // in the order of the walk
-  std::vector<std::size_t> lost;   // the asks at rest
+  std::vector<std::size_t> lost;   // the asks at rest that lost their contact
 };
 
-// CGAL's exact distance confirms that each answer is wrong; HarnessFault where it does not.
+// Compares the kernel with the walk. CGAL's exact distance confirms each wrong answer; throws HarnessFault where it
+// does not.
 Comparison compared(const Ground& ground, const Walk& walk, const Kernel& kernel);
 
 }  // namespace axiscert::character

@@ -59,8 +59,8 @@ std::size_t thinnest_axis(const std::vector<MeshTriangle>& triangles) {
   return thinnest;
 }
 
-// The nearest of the three edges' points and, where it lies inside, of the foot on the plane. A triangle without area
-// has its edges.
+// The nearest of the three edges' points and, if it is inside, of the foot on the plane. A triangle without area has
+// only its edges.
 Point nearest_point(const MeshTriangle& triangle, const Point& to) {
   const Vector p = vector(to);
   const std::array<Vector, 3> v = {vector(point(triangle[0])), vector(point(triangle[1])), vector(point(triangle[2]))};

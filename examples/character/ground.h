@@ -1,5 +1,5 @@
-// What the character walks on: an indexed mesh for the narrow phase, and a tree of its triangles' boxes, the broad
-// phase.
+// The ground on which the character walks: an indexed mesh for the narrow phase, and a tree of its triangles' boxes for
+// the broad phase.
 #pragma once
 
 #include <memory>
@@ -16,15 +16,15 @@ struct Sphere {
   float radius;
 };
 
-using Point = std::array<double, 3>;  // exact in float or not
+using Point = std::array<double, 3>;  // need not be exact in float
 inline Point point(const Vec3<float>& v) { return {v.x, v.y, v.z}; }
 
-// CGAL's AABB_tree: kept for as long as the mesh is, asked once a sphere.
+// CGAL's AABB_tree: kept as long as the mesh, and asked once per sphere.
 class BroadPhase {
  public:
-  explicit BroadPhase(const std::vector<MeshTriangle>& triangles);  // which stay where they are
+  explicit BroadPhase(const std::vector<MeshTriangle>& triangles);  // must stay in place
   ~BroadPhase();
-  // The triangles whose boxes meet the sphere's, ascending: every contact is among them.
+  // The triangles whose boxes intersect the sphere's, ascending: every contact is among them.
   void candidates(const Sphere& sphere, std::vector<std::uint32_t>& out) const;
 
  private:
@@ -34,7 +34,7 @@ class BroadPhase {
 
 class Ground {
  public:
-  // `up` is the axis against which things fall: 0, 1 or 2. Not more than 2^30 triangles.
+  // `up` is the axis opposite to gravity: 0, 1 or 2. At most 2^30 triangles.
   Ground(std::vector<MeshTriangle> triangles, std::size_t up);
   Ground(const Ground&) = delete;
 
@@ -42,7 +42,7 @@ class Ground {
   const MeshTriangle& triangle(std::size_t t) const { return triangles_[t]; }
   bool has_area(std::size_t t) const { return has_area_[t]; }
   std::size_t up() const { return up_; }
-  const Point& low() const { return low_; }  // the box of all
+  const Point& low() const { return low_; }  // the box of all triangles
   const Point& high() const { return high_; }
   const BroadPhase& broad_phase() const { return broad_phase_; }
   axiscert_mesh_f32 mesh() const { return {&triangles_[0][0].x, 3, indices_.data()}; }
@@ -59,10 +59,11 @@ class Ground {
   BroadPhase broad_phase_;
 };
 
-// The axis along which the mesh is thinnest, of equal ones the last: a level lies flat.
+// The axis along which the mesh is thinnest, of equal ones the last: levels are mostly flat.
 std::size_t thinnest_axis(const std::vector<MeshTriangle>& triangles);
 
-// Of the closed triangle, the point nearest to p, in double and rounded: for which way to push, not for whether.
+// The point of the closed triangle nearest to p, computed in double and rounded: it decides the direction of a push,
+// not whether there is contact.
 Point nearest_point(const MeshTriangle& triangle, const Point& p);
 
 }  // namespace axiscert::character

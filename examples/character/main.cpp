@@ -1,4 +1,5 @@
-// character MESH: a sphere walks over a mesh by the certified predicate; what other kernels say of the same spheres.
+// character MESH: a sphere walks over a mesh by the certified predicate; other kernels are asked about the same
+// spheres.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,11 +13,11 @@
 #include "examples/character/comparison.h"
 #include "examples/character/picture.h"
 #include "examples/character/table.h"
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
-#include "kernel/self_check.h"
-#include "reports/wording/finding.h"
+#include "kernel/registry/self_check.h"
+#include "fuzz/confirm/finding_record.h"
 
 namespace axiscert::character {
 namespace {
@@ -27,20 +28,20 @@ struct Options {
   std::vector<std::string> kernels;
 };
 
-constexpr double default_share = 64, least_share = 4096;  // of the box's diagonal
+constexpr double default_share = 64, least_share = 4096;  // divisors of the box's diagonal
 
 float radius_of(const Options& options, const Mesh& mesh) {
   if (!(mesh.diagonal >= 0x1p-100 && mesh.diagonal <= 0x1p+100)) {
-    throw Error(fmt::format("{}: its box has the diagonal {}; a walk takes one from 2^-100 to 2^100", options.mesh,
+    throw Error(fmt::format("{}: its box has the diagonal {}; a walk needs one from 2^-100 to 2^100", options.mesh,
                             mesh.diagonal));
   }
   if (options.radius.empty()) return static_cast<float>(mesh.diagonal / default_share);
-  // Floats, so that what a refusal names is not refused.
+  // Rounded to float, so that the limits named in a refusal are accepted.
   const auto least = static_cast<float>(mesh.diagonal / least_share), greatest = static_cast<float>(mesh.diagonal);
   const auto refused = [&](const std::string& why) {
-    return Error(
-        fmt::format("--radius {}: {}; a number from {} to {}, a {}th of the diagonal of the mesh's box to all of it",
-                    shown(options.radius), why, least, greatest, least_share));
+    return Error(fmt::format(
+        "--radius {}: {}; give a number from {} to {}, a {}th of the diagonal of the mesh's box to all of it",
+        shown(options.radius), why, least, greatest, least_share));
   };
   float radius = 0;
   try {
@@ -48,11 +49,11 @@ float radius_of(const Options& options, const Mesh& mesh) {
   } catch (const Error& wrong) {
     throw refused(wrong.what());
   }
-  if (!(radius >= least && radius <= greatest)) throw refused("no size for this mesh");
+  if (!(radius >= least && radius <= greatest)) throw refused("out of range for this mesh");
   return radius;
 }
 
-// Those asked for; without any, the published test and Bullet's, where Bullet's was built.
+// The kernels asked for; if none, the published test and Bullet's, if Bullet's was built.
 std::vector<const Kernel*> kernels_of(const Options& options, std::string& not_checked) {
   std::vector<const Kernel*> found;
   for (const std::string& id : options.kernels) {
@@ -70,13 +71,14 @@ std::vector<const Kernel*> kernels_of(const Options& options, std::string& not_c
   for (const Kernel* kernel : found) {
     require_loaded(*kernel);
     if (!kernel->has(Precision::binary32)) {
-      throw Error(fmt::format("--kernel {}: it does not exist in binary32, which this walk is in", kernel->id));
+      throw Error(fmt::format("--kernel {}: does not exist in binary32, the precision of this walk", kernel->id));
     }
   }
   return found;
 }
 
-// Opened before the walk, so that nothing is walked in vain; what is there already stays until there is something else.
+// The output file is opened before the walk, so that no walk is made in vain; an existing file stays as it is until
+// write().
 class Out {
  public:
   explicit Out(const std::string& path) : path_(path), file_(path, std::ios::binary | std::ios::app) { require(); }
@@ -90,13 +92,13 @@ class Out {
 
  private:
   void require() const {
-    if (!file_) throw Error(fmt::format("--out {}: {}; a file that can be written", path_, std::strerror(errno)));
+    if (!file_) throw Error(fmt::format("--out {}: {}; give a file that can be written", path_, std::strerror(errno)));
   }
   std::string path_;
   std::ofstream file_;
 };
 
-// Digits only, and as many as fit: CLI11 would take "-1" and 2^64 for the greatest number there is.
+// Accepts only digits that fit in 64 bits: CLI11 would read "-1" and 2^64 as the greatest number.
 std::string whole_number(const std::string& text) {
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -137,18 +139,20 @@ int main(int argc, char** argv) {
   using namespace axiscert;
   character::Options o;
   CLI::App app{
-      "A sphere walks and slides over a mesh by the certified predicate, and other kernels are asked of each of its "
+      "A sphere walks and slides over a mesh by the certified predicate, and other kernels are asked about each of its "
       "spheres."};
   app.add_option("MESH", o.mesh, "file of any format that assimp reads")->required();
-  app.add_option("--steps", o.steps, "of half a radius")->check(CLI::Range(1, 1000000))->capture_default_str();
-  app.add_option("--seed", o.seed, "of where it is set down and where it turns")
+  app.add_option("--steps", o.steps, "number of steps, each of half a radius")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app.add_option("--seed", o.seed, "seed of the places where it is set down and of its turns")
       ->check(character::whole_number)
       ->capture_default_str();
-  app.add_option("--radius", o.radius, "of the sphere (default: a 64th of the diagonal of the mesh's box)");
-  app.add_option("--up", o.up, "axis (default: along which the mesh is thinnest)")
+  app.add_option("--radius", o.radius, "radius of the sphere (default: a 64th of the diagonal of the mesh's box)");
+  app.add_option("--up", o.up, "axis that points up (default: the one along which the mesh is thinnest)")
       ->check(CLI::IsMember({"x", "y", "z"}));
   app.add_option("--kernel", o.kernels,
-                 "kernel id as of `axiscert kernels`, repeatable (default: published, peer/bullet)")
+                 "kernel id from `axiscert kernels`, repeatable (default: published, peer/bullet)")
       ->allow_extra_args(false);
   app.add_option("--out", o.out, "SVG picture of the walk");
   app.footer("Exit codes: 0 done; 2 bad usage or input; 3 the certified predicate and CGAL's exact distance disagree.");

@@ -15,7 +15,7 @@ namespace {
 constexpr double margin = 32, gap = 28, head = 84, caption = 58, foot = 64;
 constexpr double panel_width = 480, panel_height = 760;
 
-// Colours that people who see red and green alike tell apart.
+// Colours that people with red-green colour blindness can tell apart.
 constexpr const char* style = R"(<style>
 text{font-family:"Helvetica Neue",Helvetica,Arial,"Liberation Sans",sans-serif;fill:#1c2733}
 .title{font-size:22px;font-weight:bold}.about{font-size:14px;fill:#4d5b6a}
@@ -42,7 +42,7 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-// To a tenth of a pixel, so that what cannot be seen apart is written once.
+// Rounded to a tenth of a pixel, so that positions that cannot be told apart are written once.
 std::string at(const Pixel& p) { return fmt::format("{:.1f},{:.1f}", p.x, p.y); }
 
 std::string outline(const Projection& project, const MeshTriangle& t) {
@@ -56,7 +56,7 @@ double height(const Ground& ground, std::size_t t) {
   return sum;
 }
 
-// Grey by how steep the triangle is, and lit from one side; both sides of a triangle alike.
+// A grey that depends on how steep the triangle is, lit from one side; both sides of a triangle are alike.
 std::string grey(const Ground& ground, std::size_t t) {
   const MeshTriangle& v = ground.triangle(t);
   const auto edge = [&](std::size_t k) {
@@ -70,11 +70,12 @@ std::string grey(const Ground& ground, std::size_t t) {
   const double side = unit[ground.up()] < 0 ? -1 : 1;
   const double light =
       side * (0.88 * unit[ground.up()] - 0.34 * unit[(ground.up() + 1) % 3] + 0.34 * unit[(ground.up() + 2) % 3]);
-  const int level = static_cast<int>(std::lround(std::clamp(light, 0.0, 1.0) * 12));  // few, so that they are grouped
+  const int level = static_cast<int>(std::lround(std::clamp(light, 0.0, 1.0) * 12));  // few levels, so that triangles
+                                                                                      // can be grouped
   return fmt::format("#{:02x}{:02x}{:02x}", 150 + 7 * level, 161 + 6 * level, 172 + 6 * level);
 }
 
-// The lowest first, which the higher cover.
+// The triangles from the lowest to the highest, so that higher ones cover lower ones.
 std::string mesh(const Ground& ground, const Projection& project) {
   std::vector<std::size_t> order(ground.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -116,7 +117,7 @@ std::string circle(std::string_view kind, const std::string& where, double radiu
                      where.substr(comma + 1), radius);
 }
 
-// The triangles that a kernel got wrong anywhere, the spheres with which it did, and those at rest that lost the
+// The triangles about which a kernel was wrong anywhere, the spheres with which it was, and those at rest that lost the
 // ground.
 std::string marks(const Ground& ground, const Walk& walk, const Comparison& comparison, const Projection& project) {
   constexpr unsigned missed = 1, invented = 2;
@@ -157,7 +158,7 @@ std::string grouped(std::uint64_t n) {
   return fmt::format("{},{:03}", grouped(n / 1000), n % 1000);
 }
 
-// The depth of a wrong answer, where there is one: most are roundings, which the marks do not show.
+// The depth of the deepest wrong answer; empty for 0. Most are roundings, which the marks do not show.
 std::string deepest(double depth) { return depth > 0 ? fmt::format(", by {:.1e} at most", depth) : ""; }
 
 struct LegendEntry {
@@ -231,7 +232,7 @@ std::string picture(const Ground& ground, const Walk& walk, std::span<const Comp
       fmt::format("{} contacts, {} of them touching exactly", grouped(contacts), grouped(touching)),
       paths(walk, project, "walk") + starts(walk, project));
   for (const Comparison& comparison : comparisons) {
-    panel(comparison.kernel + (comparison.touching == Touching::separated ? ", to which touching is no contact" : ""),
+    panel(comparison.kernel + (comparison.touching == Touching::separated ? ", to which touching is not contact" : ""),
           fmt::format("{} contacts missed{}, {} invented{}", grouped(comparison.all.errors.missed),
                       deepest(comparison.all.errors.deepest_missed), grouped(comparison.all.errors.invented),
                       deepest(comparison.all.errors.deepest_invented)),

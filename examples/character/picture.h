@@ -1,4 +1,5 @@
-// The walk as SVG, seen from above: a panel of the walk, and one a kernel with what it missed and invented.
+// The walk as SVG, seen from above: one panel for the walk, and one for each kernel with the contacts that it missed
+// and invented.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The program: the same output every time, a picture that shows it, refusals that say what would be right, and the figures of
-docs/certified.md.
+"""The program gives the same output every time, a picture that shows it, refusals that say what would be right, and the
+figures of docs/certified.md.
 
 program_test.py BUILD_FOLDER MODELS_FOLDER TRIAL_DIVISOR [unittest arguments]
 """
@@ -15,7 +15,7 @@ import xml.etree.ElementTree as xml
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "cli"))
+sys.path.insert(0, str(ROOT / "cli" / "tests"))
 from command import BUILD, DIVISOR, MODELS  # noqa: E402
 
 SPIDER = MODELS / "OBJ/spider.obj"
@@ -28,7 +28,8 @@ def character(*args, program=BUILD / "character"):
 
 
 def tables(text):
-    """The rows of the output's tables, each a list of words: of the walk, of kernels by moment, of kernels by triangle."""
+    """The rows of the output's tables, each a list of words: those of the walk, of kernels by moment, and of kernels by
+    triangle."""
     return [[line.split() for line in table.splitlines()[1:]] for table in text.split("NOT CHECKED")[0].split("\n\n")[1:]]
 
 
@@ -80,7 +81,7 @@ class Program(unittest.TestCase):
         self.assertEqual(areas[2], 0, "certified")
 
     def test_every_format_gives_the_same_walk(self):
-        """The same triangles in the same order; the first line names the file."""
+        """The formats give the same triangles in the same order; the first line names the file."""
         walks = {self.walked(MODELS / file, "--steps", 50, "--up", "y", "--kernel", "published").split("\n", 1)[1]
                  for file in ("OBJ/WusonOBJ.obj", "PLY/Wuson.ply", "RAW/Wuson.raw")}
         self.assertEqual(len(walks), 1)

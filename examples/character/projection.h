@@ -1,4 +1,5 @@
-// From above, into a panel of a picture: the axis up comes out of the page, and what is right-handed stays so.
+// The projection from above into a panel of a picture: the axis up comes out of the page, and right-handed stays
+// right-handed.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@ struct Pixel {
 
 class Projection {
  public:
-  // The mesh's box and `margin` around it, at most as wide and as high as this.
+  // The mesh's box with `margin` around it, scaled to at most this width and height.
   Projection(const Ground& ground, double margin, double width, double height)
       : right_(ground.up() == 0 ? 1 : 0), across_(ground.up() == 2 ? 1 : 2), sign_(ground.up() == 1 ? 1 : -1) {
     const double w = ground.high()[right_] - ground.low()[right_] + 2 * margin;
@@ -28,7 +29,7 @@ class Projection {
     return {(p[right_] - left_) * scale_, (p[across_] - top_) * sign_ * scale_};
   }
   Pixel size() const { return size_; }
-  double scale() const { return scale_; }  // pixels a unit
+  double scale() const { return scale_; }  // pixels per unit of length
 
  private:
   std::size_t right_, across_;

@@ -11,12 +11,13 @@
 namespace axiscert::character {
 namespace {
 
-constexpr int pushes = 8;                 // out of what the sphere sinks into, a step
-constexpr int directions = 8;             // tried for a step before the character is set down elsewhere
-constexpr int places = 256;               // tried for a place to stand
-constexpr std::uint64_t patience = 48;    // steps to get two radii away, or the character is set down elsewhere
+constexpr int pushes = 8;                 // most pushes out of triangles per step
+constexpr int directions = 8;             // directions tried for a step before the character is set down elsewhere
+constexpr int places = 256;               // places tried to stand on
+constexpr std::uint64_t patience = 48;    // steps allowed to move two radii away; after that the character is set down
+                                          // elsewhere
 constexpr double least_slope = 0.5;       // cosine of the steepest ground
-constexpr double least_progress = 0.125;  // of a stride: less is a wall
+constexpr double least_progress = 0.125;  // share of a stride: less progress means a wall
 
 class Character {
  public:
@@ -68,7 +69,7 @@ class Character {
     return square < 4 * double(options_.radius) * double(options_.radius);
   }
 
-  // The narrow phase over what the broad phase leaves: how many contacts of the closed sphere.
+  // The narrow phase over the candidates of the broad phase: the number of contacts of the closed sphere.
   std::size_t contacts(const Place& p, Moment moment) {
     const Sphere s = sphere(p);
     const float numbers[4] = {s.centre.x, s.centre.y, s.centre.z, s.radius};
@@ -88,7 +89,7 @@ class Character {
     return hits_.size();
   }
 
-  // Of the last ask: the way from a hit's nearest point to the centre, of length 1, and how far apart they are.
+  // The direction from a hit's nearest point to the centre, of length 1, and the distance between the two.
   struct Way {
     Point direction;
     double distance;
@@ -107,8 +108,8 @@ class Character {
     return false;
   }
 
-  // Out of the triangle that it sinks into most, until it sinks into none by the exact answer, or rounding is in the
-  // way.
+  // Pushes p out of the triangle in which the sphere is deepest, until by the exact answer it penetrates none, or
+  // rounding prevents it.
   Place slid(Place p) {
     contacts(p, Moment::move);
     for (int push = 0; push < pushes; ++push) {
@@ -130,8 +131,8 @@ class Character {
     return p;
   }
 
-  // Down from p, by no more than `reach`, to a float with a contact whose next above has none, or to p if it has one;
-  // nothing where there is none at any half a radius.
+  // Falls from p, by at most `reach`, to a float with a contact whose next float above has none; returns p if it has a
+  // contact, and nothing if no position tried, every half radius, has one.
   std::optional<Place> fallen(Place p, double reach) {
     if (contacts(p, Moment::fall) > 0) return p;
     for (double depth = options_.radius * 0.5; depth <= reach; depth += options_.radius * 0.5) {
@@ -168,7 +169,7 @@ class Character {
     return held(fallen(to, 2 * double(options_.radius)));
   }
 
-  // Above the middle of a triangle, and down from beyond the top.
+  // Starts above the middle of a triangle, beyond the top of the mesh, and falls.
   Place set_down() {
     const double reach = (ground_.high()[up_] - ground_.low()[up_]) + 8 * double(options_.radius);
     for (int tried = 0; tried < places; ++tried) {
@@ -187,7 +188,7 @@ class Character {
     }
     throw Error(
         fmt::format("nothing to stand on along the axis {}: a sphere of radius {} fell past {} triangles or "
-                    "found them steeper than 60 degrees; another --up, or another --radius",
+                    "found them steeper than 60 degrees; try another --up or --radius",
                     "xyz"[up_], options_.radius, places));
   }
 
@@ -206,7 +207,7 @@ class Character {
       return;
     }
   }
-  // By up to 2 atan(1/16), 7 degrees, to either side, without a cosine: those are not the same everywhere.
+  // Turns by up to 2 atan(1/16), 7 degrees, to either side, without library cosines, which are not the same everywhere.
   void turn() {
     const double t = random_.symmetric<double>() / 16;
     const double scale = 1 / (1 + t * t), cosine = (1 - t * t) * scale, sine = 2 * t * scale;

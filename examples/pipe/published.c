@@ -3,9 +3,9 @@
  *     cc -std=c99 -O2 -ffp-contract=off -o published published.c
  *     axiscert generate --family tangent --binary | ./published | axiscert judge --conforms-to published
  *
- * -ffp-contract=off forbids the compiler to fuse a * b + c into one operation with one rounding, as many do by default
- * where the machine has it: the replies would be another kernel's, and on repeated vertices deeply wrong.
- * -DREAL=double makes the same for binary64. Big-endian machines would have to swap bytes. */
+ * -ffp-contract=off forbids the compiler to fuse a * b + c into one operation with one rounding, as many do by
+ * default where the machine has it: the replies would be those of another kernel, and deeply wrong on repeated
+ * vertices. -DREAL=double makes the program for binary64. Big-endian machines would have to swap bytes. */
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -23,7 +23,7 @@ static vec scale(vec u, real s) { return (vec){u.x * s, u.y * s, u.z * s}; }
 static real dot(vec u, vec v) { return (u.x * v.x + u.y * v.y) + u.z * v.z; }
 static vec cross(vec u, vec v) { return (vec){u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x}; }
 
-/* Edge uv lies beyond the sphere (bit 0), and so does the third vertex w (bit 1). */
+/* Bit 0: edge uv lies beyond the sphere; bit 1: so does the third vertex w. */
 static unsigned beyond_edge(vec u, vec v, vec w, real uu, real uv, real rr) {
   const vec edge = sub(v, u);
   const real d = uv - uu, e = dot(edge, edge);
@@ -48,7 +48,7 @@ static unsigned comparisons(const real v[13]) {
          beyond_edge(c, a, b, cc, ac, rr) << 14;
 }
 
-/* An axis separates where all its comparisons hold, the sphere and triangle where any axis does. */
+/* An axis separates if all its comparisons hold; sphere and triangle are separated if any axis separates. */
 static int separated(unsigned bits) {
   static const unsigned axis[7] = {0x0001, 0x000e, 0x0070, 0x0380, 0x0c00, 0x3000, 0xc000};
   int i, any = 0;
@@ -57,7 +57,7 @@ static int separated(unsigned bits) {
 }
 
 static int fail(const char* what) {
-  fprintf(stderr, "published: %s\n", what); /* standard output is the replies' alone */
+  fprintf(stderr, "published: %s\n", what); /* standard output is for replies only */
   return 1;
 }
 
@@ -65,19 +65,21 @@ int main(void) {
   static unsigned char header[1 << 20];
   uint32_t precision, header_size;
   uint64_t count;
-  if (fread(header, 64, 1, stdin) != 1 || memcmp(header, "AXISCERT", 8) != 0) return fail("no query stream");
+  if (fread(header, 64, 1, stdin) != 1 || memcmp(header, "AXISCERT", 8) != 0)
+    return fail("standard input is not a query stream");
   memcpy(&precision, header + 12, 4);
   memcpy(&count, header + 16, 8);
   memcpy(&header_size, header + 24, 4);
-  if (precision != 8 * sizeof(real)) return fail("made for the other precision; see -DREAL");
-  if (header_size < 64 || header_size > sizeof header) return fail("a header longer than 1 MiB");
-  if (fread(header + 64, 1, header_size - 64, stdin) != header_size - 64) return fail("half a header");
+  if (precision != 8 * sizeof(real)) return fail("compiled for the other precision; see -DREAL");
+  if (header_size < 64 || header_size > sizeof header)
+    return fail("the header is shorter than 64 bytes or longer than 1 MiB");
+  if (fread(header + 64, 1, header_size - 64, stdin) != header_size - 64) return fail("the header is cut short");
   fwrite(header, 1, header_size, stdout);
   for (; count != 0; --count) {
     real query[13];
     unsigned bits;
-    unsigned char reply[4] = {0, 1, 0, 0}; /* contact; comparison bits are given */
-    if (fread(query, sizeof query, 1, stdin) != 1) return fail("half a query");
+    unsigned char reply[4] = {0, 1, 0, 0}; /* contact; flags: comparison bits are given */
+    if (fread(query, sizeof query, 1, stdin) != 1) return fail("a query is cut short");
     bits = comparisons(query);
     reply[0] = (unsigned char)separated(bits);
     reply[2] = (unsigned char)(bits & 0xff);

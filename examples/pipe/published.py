@@ -22,7 +22,7 @@ def cross(u, v):
 
 
 def beyond_edge(u, v, w, uu, uv, rr):
-    """Edge uv lies beyond the sphere, and so does the third vertex w."""
+    """Whether edge uv lies beyond the sphere, and whether the third vertex w does."""
     edge = v - u
     d, e = uv - uu, dot(edge, edge)
     q = u * e - edge * d
@@ -45,7 +45,7 @@ def comparisons(a, b, c, p, r):
 
 
 def replies(queries):
-    """Four bytes a query: verdict, flags, sixteen comparison bits."""
+    """Four bytes per query: verdict, flags, sixteen comparison bits."""
     columns = np.ascontiguousarray(queries.T)
     held = comparisons(columns[0:3], columns[3:6], columns[6:9], columns[9:12], columns[12])
     plane, vertices, edges = held[:1], zip(*[iter(held[1:10])] * 3), zip(*[iter(held[10:])] * 2)
@@ -62,7 +62,7 @@ def main():
     head = read(64)
     magic, _, precision, count, header_size, record_size = struct.unpack_from("<8sIIQII", head)
     if magic != b"AXISCERT":
-        sys.exit("published.py: standard input is no query stream; axiscert generate --binary makes one")
+        sys.exit("published.py: standard input is not a query stream; axiscert generate --binary makes one")
     write(head + read(header_size - 64))
     number = np.dtype({32: "<f4", 64: "<f8"}[precision])
     with np.errstate(all="ignore"):  # overflow and NaN are part of the queries

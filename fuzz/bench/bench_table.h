@@ -1,4 +1,4 @@
-// What the benchmarks that print a table a family share: what they measure, the median, and main.
+// Common parts of the benchmarks that print a table with a row per family: the sources, the median, and main.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,13 +14,13 @@
 
 namespace axiscert {
 
-// The lower one of two.
+// The median; of an even number, the lower of the two in the middle.
 inline double median(std::vector<double> of) {
   std::sort(of.begin(), of.end());
   return of[(of.size() - 1) / 2];
 }
 
-// The families and the mesh that are named; all without names. Throws std::invalid_argument for another name.
+// The families and the mesh with these names; all if there are no names. Throws std::invalid_argument for another name.
 inline std::vector<SourcePtr> sources_named(const std::vector<std::string_view>& names) {
   std::vector<SourcePtr> all, named;
   for (const Family* family : families()) all.push_back(family_source(*family));
@@ -28,13 +28,14 @@ inline std::vector<SourcePtr> sources_named(const std::vector<std::string_view>&
   if (names.empty()) return all;
   for (const std::string_view name : names) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const SourcePtr& s) { return s->name() == name; });
-    if (found == all.end()) throw std::invalid_argument(fmt::format("no family or mesh '{}'", name));
+    if (found == all.end())
+      throw std::invalid_argument(fmt::format("'{}' is not the name of a family or a mesh", name));
     named.push_back(*found);
   }
   return named;
 }
 
-// run(arguments after the program's name); 2 for an argument that is none, 1 for what else it throws.
+// Calls run(arguments after the program's name). Returns 2 if it throws std::invalid_argument, 1 for another exception.
 template <class Run>
 int bench_main(const char* program, int argc, char** argv, Run run) {
   try {

@@ -1,5 +1,5 @@
-// ns a query of each family: values on a boundary by filter (exact arithmetic where that is silent) and by exact
-// arithmetic alone, and bounds of the depth. `silent` is the share that the filter leaves.
+// Nanoseconds per query of each family: values on a boundary by filter (with exact arithmetic where that is silent) and
+// by exact arithmetic alone, and bounds of the depth. `silent` is the share that the filter does not decide.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -24,7 +24,7 @@ std::vector<Query<Real>> queries(const Family& family) {
   return all;
 }
 
-// The seven radii in turn, and the nine sides.
+// The seven radius comparisons in turn, and the nine side comparisons.
 Comparison radius_of(std::size_t i) { return radius_comparison(static_cast<Axis>(i % axis_count)); }
 Comparison side_of(std::size_t i) {
   std::size_t left = i % 9, k = 0;

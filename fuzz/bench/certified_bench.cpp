@@ -1,9 +1,9 @@
-// What exactness costs: `certified` and `conservative` beside the raw tests and CGAL, the same queries for all.
+// The cost of exactness: `certified` and `conservative` beside the raw tests and CGAL, on the same queries.
 //
 //     certified_bench [--target T] [FAMILY...]
 //
-// Without names all families and a mesh, and what a large mesh costs. T is an instruction set of `axiscert kernels`,
-// the best one if none is given; one pair is always asked on the best.
+// Without names: all families and a mesh, and the cost of a large mesh. T is an instruction set from `axiscert
+// kernels`, by default the best one; one pair always uses the best.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,13 +24,13 @@ namespace {
 
 constexpr std::size_t query_count = std::size_t{1} << 17;  // 6.5 MiB of binary32
 constexpr int repetitions = 9;
-constexpr double least_seconds = 2e-3;  // of one repetition
-constexpr double enough_seconds = 4;    // of all; what is slow is repeated less, but once
+constexpr double least_seconds = 2e-3;  // least time of one repetition
+constexpr double enough_seconds = 4;    // time for all repetitions; slow kernels have fewer, but at least one
 
-// What is timed, interleaved with the rest.
+// A timed function, interleaved with the others.
 struct Timed {
   std::string name;
-  std::function<void()> pass;  // over query_count queries
+  std::function<void()> pass;  // one pass over query_count queries
   std::size_t passes = 1;
   std::vector<double> seconds = {};
 
@@ -74,7 +74,7 @@ void measure(const Source& source, const std::string& target) {
       if (timed.spent() < enough_seconds) timed.seconds.push_back(timed.once());
     }
   }
-  // Slow, and steady enough at one pass.
+  // It is slow, and steady enough with one pass.
   Timed epick{"CGAL EPICK", [&] { contacts += static_cast<int>(contacts_by_epick(queries)); }};
   epick.seconds.push_back(epick.once());
 
@@ -92,7 +92,8 @@ void measure(const Source& source, const std::string& target) {
 void run(std::vector<std::string_view> names) {
   std::string wanted = "auto";
   if (!names.empty() && names[0] == "--target") {
-    if (names.size() == 1) throw std::invalid_argument("--target: say which, as `axiscert kernels` names it");
+    if (names.size() == 1)
+      throw std::invalid_argument("--target: name an instruction set, as listed by `axiscert kernels`");
     wanted = names[1];
     names.erase(names.begin(), names.begin() + 2);
   }

@@ -19,11 +19,11 @@
 namespace axiscert {
 namespace {
 
-constexpr std::uint32_t side = 2049;  // vertices a side: 2^23 triangles, 288 MiB of binary32
+constexpr std::uint32_t side = 2049;  // vertices per side: 2^23 triangles, 288 MiB of binary32
 constexpr std::size_t triangle_count = std::size_t{2} * (side - 1) * (side - 1);
 constexpr int repetitions = 9;
 
-// Rolling ground of one unit a cell, as an indexed mesh and as columns.
+// Rolling ground with cells of one unit, as an indexed mesh and as columns.
 template <class Real>
 struct Ground {
   std::vector<Real> vertices;
@@ -49,7 +49,7 @@ struct Ground {
       }
     }
   }
-  // The mesh's triangles in an order that has nothing to do with where they are.
+  // Puts the mesh's triangles in an order independent of their places.
   void shuffle() {
     std::mt19937_64 random(20101230);
     for (std::size_t i = triangle_count - 1; i > 0; --i) {
@@ -59,7 +59,7 @@ struct Ground {
   }
 };
 
-// What a plain read does with the bytes: their words' sum, in eight that do not wait for each other.
+// A plain read of the bytes: the sum of their words, in eight sums that do not wait for each other.
 template <class Element>
 std::uint64_t sum_of(const std::vector<Element>& all) {
   std::uint64_t sums[8] = {}, words[8];
@@ -80,7 +80,7 @@ double seconds(const std::function<void()>& pass) {
   return thread_seconds() - start;
 }
 
-// By turns, so that what else the machine does befalls both.
+// The two are timed in turns, so that other load on the machine affects both.
 void print_row(std::string_view shape, Precision precision, std::size_t bytes, const std::function<void()>& ask,
                const std::function<void()>& read) {
   std::vector<double> asks, reads;
@@ -120,7 +120,7 @@ void print_streams(Precision precision) {
   print_mesh("indexed mesh");
   ground.shuffle();
   print_mesh("the same, shuffled");
-  if (sum == 0) fmt::print("\n");  // so that it is read
+  if (sum == 0) fmt::print("\n");  // uses the sum, so that the read is not removed
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 namespace axiscert {
 
-// Prints, for each precision and shape, how fast one sphere is asked of a mesh larger than the last cache, beside a
-// plain read of the same bytes.
+// Prints, for each precision and shape, the rate at which one sphere is tested against a mesh larger than the
+// last-level cache, beside that of a plain read of the same bytes.
 void print_certified_streams();
 
 }  // namespace axiscert

@@ -5,7 +5,7 @@
 
 namespace axiscert {
 
-// As kernel/peers/cgal_epick.cpp, without a plug-in around it.
+// The same as kernel/peers/cgal_epick.cpp, without a plug-in around it.
 template <class Real>
 std::uint64_t contacts_by_epick(const std::vector<Query<Real>>& queries) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

@@ -1,5 +1,5 @@
-// ns a query of filling batches of 1024, as a run does, for each family and precision on the best instruction set; and
-// of the random numbers alone.
+// Nanoseconds per query to fill batches of 1024, as a run does, for each family and precision on the best instruction
+// set; and per random number.
 #include <benchmark/benchmark.h>
 
 #include <filesystem>
@@ -46,7 +46,7 @@ void add(const SourcePtr& source) {
 const bool added = [] {
   benchmark::RegisterBenchmark("one word of a Stream", time_words);
   for (const Family* family : families()) add(family_source(*family));
-  const std::string model = "/usr/share/assimp/models/OBJ/spider.obj";  // of the package assimp-testmodels
+  const std::string model = "/usr/share/assimp/models/OBJ/spider.obj";  // from the package assimp-testmodels
   if (std::filesystem::exists(model)) add(mesh_source(model));
   return true;
 }();

@@ -1,4 +1,4 @@
-// The one source of the benchmark that computes in another rounding direction: built with -frounding-math.
+// The only source of the benchmark that computes in another rounding direction; it is built with -frounding-math.
 #include <CGAL/Interval_nt.h>
 
 #include "exact/sphere_triangle/oracles/formula_oracle.h"
@@ -7,12 +7,12 @@
 namespace axiscert {
 namespace {
 
-// Without a guard of its own around every operation: there is one around a block of queries.
+// Intervals without a guard of their own around every operation: there is one around a block of queries.
 using Interval = CGAL::Interval_nt<false>;
 
 constexpr std::size_t block_size = 1024;
 
-// The signs that the intervals decide; returns whether they decide all.
+// The signs that the intervals decide; returns whether they decide all of them.
 template <class Real>
 bool signs_within_guard(const Query<Real>& q, Signs& signs) {
   const auto centred = centred_as<Interval>(q, [](Real x) { return Interval(static_cast<double>(x)); });

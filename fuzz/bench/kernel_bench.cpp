@@ -1,5 +1,5 @@
-// ns a query of each kernel on each target, verdict only, over 2^17 distinct queries; and of a plain hand-written loop,
-// which the scalar reference has to keep up with.
+// Nanoseconds per query of each kernel on each target, verdict only, over 2^17 distinct queries; and of a plain
+// hand-written loop, with which the scalar reference has to keep up.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ const QueryBatch<Real>& queries() {
   return batch;
 }
 
-// The article's last block as a user writes it, with no template in sight.
+// The article's last block as a user writes it, without templates.
 template <class Real>
 bool plain(const Real* const* k, std::size_t i) {
   const Real px = k[9][i], py = k[10][i], pz = k[11][i], r = k[12][i];

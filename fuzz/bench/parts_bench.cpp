@@ -1,4 +1,4 @@
-// What the journal adds to a unit: compare `unit` with `entry`.
+// The cost that the journal adds to a unit: compare `unit` with `entry`.
 #include <benchmark/benchmark.h>
 
 #include <filesystem>
@@ -19,14 +19,14 @@ const Plan& plan() {
   return made;
 }
 
-// 2^16 queries of the cheapest family and precision, begun without knowing of other units, as a stretch is.
+// 2^16 queries of the cheapest family and precision, begun without knowledge of other units, as in a stretch.
 void unit(benchmark::State& state) {
   for (auto _ : state)
     benchmark::DoNotOptimize(run_unit(plan(), *plan().sources[0], Precision::binary32, 0, unit_size));
 }
 BENCHMARK(unit)->Unit(benchmark::kMicrosecond);
 
-// The same beside what another unit has found, as a run without a plan has it.
+// The same with the findings of another unit known, as in a run without a plan.
 void unit_with_standing(benchmark::State& state) {
   const UnitResult other = run_unit(plan(), *plan().sources[0], Precision::binary32, 1, unit_size);
   const std::vector<Standing> standing = {standing_of(other.tallies[0])};
@@ -36,7 +36,7 @@ void unit_with_standing(benchmark::State& state) {
 }
 BENCHMARK(unit_with_standing)->Unit(benchmark::kMicrosecond);
 
-// All that a finished stretch goes through: encoded, taken apart and merged at rank 0, appended with the note before
+// All that is done with a finished stretch: encoded, decoded and merged at rank 0, and appended with the note before
 // it.
 void entry(benchmark::State& state) {
   const Stretches stretches(plan(), 1);

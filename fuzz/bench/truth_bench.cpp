@@ -1,9 +1,10 @@
-// What truth costs: the loop that a user would write, a judge by intervals, and axiscert's own unit, which makes the
-// queries besides, runs the kernel, judges all sixteen comparisons and tallies. The same queries for all three.
+// The cost of truth: the loop that a user would write, a judge by intervals, and axiscert's own unit, which also makes
+// the queries, runs the kernel, judges all sixteen comparisons and tallies. All three have the same queries.
 //
 //     truth_bench [--queries N] [FAMILY...]
 //
-// Without names all families and a mesh. N: at most so many queries of each, for a quick look (default: eight units).
+// Without names: all families and a mesh. N is the greatest number of queries of each, for a quick look (default: eight
+// units).
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -24,7 +25,8 @@ namespace {
 
 constexpr int repetitions = 5;
 constexpr std::uint64_t default_queries = 8 * unit_size, least_queries = unit_size / 16;
-constexpr double slow_naive_ns = 1e5;  // a query; beyond it fewer queries, for as long a time
+constexpr double slow_naive_ns = 1e5;  // per query; if the naive loop is slower, there are fewer queries, for the same
+                                       // total time
 
 Plan plan_of(std::vector<SourcePtr> sources) {
   Plan plan;
@@ -35,7 +37,7 @@ Plan plan_of(std::vector<SourcePtr> sources) {
   return plan;
 }
 
-// How many times the naive loop's rate the harness is to reach; 0: nobody said.
+// The rate that the harness is to reach, as a multiple of the naive loop's; 0 if no goal is set.
 double goal(std::string_view source, Precision precision) {
   const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), source) != names.end();
@@ -47,7 +49,7 @@ double goal(std::string_view source, Precision precision) {
   return 0;
 }
 
-// Nanoseconds of processor time.
+// Processor time in nanoseconds.
 template <class Work>
 double nanoseconds(Work&& work) {
   const double start = thread_seconds();
@@ -59,7 +61,7 @@ struct BenchFault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// What is timed has to be right: all three count the same, and on a sample every sign is that of exact arithmetic.
+// The timed results have to be right: all three count the same, and on a sample every sign is that of exact arithmetic.
 template <class Real>
 void check(const std::vector<Query<Real>>& queries, const std::vector<Signs>& signs, std::uint64_t naive,
            std::uint64_t harness) {
@@ -99,7 +101,7 @@ void measure(const Plan& plan, const Source& source, std::uint64_t most_queries)
     naive.push_back(nanoseconds([&] { by_naive = separated_by_distance(queries); }));
     interval.push_back(nanoseconds([&] { signs_by_intervals(queries, signs); }));
     harness.push_back(nanoseconds([&] {
-      Tally all;  // as a campaign has it, whose units know what others have found
+      Tally all;  // as in a campaign, whose units know the findings of others
       for (std::uint64_t first = 0; first < count; first += unit_size) {
         const std::uint64_t size = std::min(unit_size, count - first);
         all.merge(run_unit(plan, source, precision_of<Real>, first / unit_size, size, {standing_of(all)}).tallies[0]);
@@ -117,7 +119,7 @@ void measure(const Plan& plan, const Source& source, std::uint64_t most_queries)
   std::fflush(stdout);
 }
 
-// Seconds by the clock: here other programs do count.
+// Wall-clock seconds, which other programs do affect.
 double campaign_seconds(Plan plan, int threads, std::uint64_t units) {
   plan.threads = threads;
   plan.trials = [units](const Source&, Precision) { return units * unit_size; };
@@ -133,11 +135,12 @@ double peak_mebibytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts in KiB
 }
 
-// Two lines about whole campaigns of family `general`, binary32. Before the table, whose queries would be in the peak.
+// Two lines about whole campaigns of family `general`, binary32. They come before the table, whose queries would add to
+// the peak.
 std::string campaign_lines() {
   const Plan plan = plan_of({family_source(find_family("general"))});
   const double unit_seconds = campaign_seconds(plan, 1, 1);
-  // A second and a half of one thread, and units enough for two threads to share evenly.
+  // Enough units for a second and a half of one thread, and for two threads to share evenly.
   const auto units = static_cast<std::uint64_t>(std::clamp(std::ceil(0.75 / unit_seconds) * 2, 8.0, 4096.0));
   campaign_seconds(plan, 2, units);
   const double peak = peak_mebibytes();

@@ -1,4 +1,5 @@
-// What built this program and what it runs on: for run.json and for benchmarks, never for a record.
+// The compiler that built this program and the processor it runs on: for run.json and for benchmarks, never for a
+// record.
 #pragma once
 
 #include <string>
@@ -6,7 +7,7 @@
 namespace axiscert {
 
 std::string compiler_name();   // "g++ 12.2.0"
-std::string compiler_flags();  // those of the build type
-std::string processor_name();  // as Linux has it, or "unknown"
+std::string compiler_flags();  // the flags of the build type
+std::string processor_name();  // as Linux reports it, or "unknown"
 
 }  // namespace axiscert

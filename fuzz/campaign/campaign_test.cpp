@@ -1,4 +1,4 @@
-// The campaign: the same tallies on any number of threads and any target; planted kernels told by their link.
+// The campaign: the same tallies on any number of threads and any target; planted kernels are detected by their link.
 #include "fuzz/campaign/campaign.h"
 
 #include <fmt/format.h>
@@ -112,7 +112,7 @@ TEST(PlantedKernel, AContractedKernelIsAnImplementationFault) {
 }
 TEST(PlantedKernel, AFlushedKernelIsAnImplementationFault) { expect_implementation_links(flushed_kernel, "scale"); }
 
-// What the filters find is held against exact arithmetic on a sample: a filter that lies is told.
+// The filters' decisions are compared with exact arithmetic on a sample: a faulty filter is detected.
 void expect_caught(FilterFault fault, std::vector<std::string> families, Precision precision) {
   Plan plan = plan_of({&find_kernel("published")}, std::move(families), 40000);
   plan.precisions = {precision};
@@ -152,8 +152,8 @@ std::string fingerprint(const CampaignResult& result) {
   return text;
 }
 
-// A kernel that adds a constant to each side, as production code does, has errors of any size and infinite sides: what
-// the filter may pass over is told from them as well.
+// A kernel that adds a constant to each side, as production code does, has errors of any size and infinite sides: the
+// filter must not pass over any of these wrongly.
 template <class Real>
 void shifted_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
   scalar_implementation<Formulae::published, Strictness::strict, Real>().verdicts(batch, out);
@@ -200,7 +200,7 @@ TEST(Campaign, StopsWhenInterruptedAndSaysSo) {
   EXPECT_EQ(result.cells[0].tallies[0].trials, 2 * unit_size);
 }
 
-// The queries that a tally keeps, by position.
+// The number of queries that a tally keeps by position.
 std::size_t candidates_in(const Tally& tally) {
   const VerdictTally& v = tally.verdict;
   std::size_t sum = v.deepest_false_separation.candidates().size() + v.deepest_false_contact.candidates().size();
@@ -212,7 +212,7 @@ std::size_t candidates_in(const Tally& tally) {
   return sum;
 }
 
-// Units on both sides of the last query whose critical radius is found.
+// Units before and after the last query whose critical radius is found.
 TEST(Campaign, ATallyDoesNotGrowWithTheTrials) {
   static_assert(critical_radius_queries % unit_size == 0);
   constexpr std::uint64_t beyond = critical_radius_queries / unit_size, size = 4 * critical_radius_stride;

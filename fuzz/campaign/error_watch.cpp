@@ -65,11 +65,14 @@ void ErrorWatch<Real>::look(const QueryBatch<Real>& batch, std::uint64_t positio
   zero_.assign(batch.size(), std::nullopt);
   for (auto& [query, sides] : exact_sides_) sides.reset();
   for (auto& [query, margins] : wide_) margins.reset();
-  ErrorScreen screen{{}, this, [](void* watch, const SuspectError& suspect) {
-                       return static_cast<ErrorWatch*>(watch)->judge(suspect);
-                     }};
-  for (std::size_t k = 0; k < comparison_count; ++k) screen.thresholds[k] = threshold(k);
-  filter_.errors(batch.columns(), computed, formulae_ != Formulae::published, screen);
+  ErrorThresholds thresholds;
+  for (std::size_t k = 0; k < comparison_count; ++k) thresholds[k] = threshold(k);
+  suspects_.clear();
+  filter_.errors(batch.columns(), computed, formulae_ != Formulae::published, thresholds, suspects_);
+  for (const SuspectError& suspect : suspects_) {
+    // An earlier suspect of the batch may have raised the threshold.
+    if (suspect.upper > threshold(suspect.comparison)) judge(suspect);
+  }
   constexpr auto all = ComparisonBits{0xffff};
   expects_exact_ =
       std::count(zero_.begin(), zero_.end(), std::optional(all)) > static_cast<std::ptrdiff_t>(batch.size() / 2);
@@ -162,9 +165,9 @@ void ErrorWatch<Real>::raise_passed(std::size_t k) {
 }
 
 template <class Real>
-double ErrorWatch<Real>::judge(const SuspectError& suspect) {
+void ErrorWatch<Real>::judge(const SuspectError& suspect) {
   auto [i, k, lower, upper] = suspect;
-  if ((*attention_)[i] == Attention::none) return threshold(k);
+  if ((*attention_)[i] == Attention::none) return;
   const Real lhs = computed_->lhs[k][i], rhs = computed_->rhs[k][i];
   if ((*attention_)[i] == Attention::checked) {
     checked_.push_back(suspect);
@@ -172,24 +175,24 @@ double ErrorWatch<Real>::judge(const SuspectError& suspect) {
       const WideMargins::ErrorRange range = wide_error(suspect);
       checked_.push_back({i, k, range.lower, range.upper});
     }
-    return threshold(k);
+    return;
   }
   ComparisonTally& comparison = tally_.comparisons[k];
   if (!std::isfinite(lhs) || !std::isfinite(rhs)) {
     ++comparison.range_events;
-    return threshold(k);
+    return;
   }
   if (!std::isfinite(upper) && ((both_sides_zero((*decided_)[i].signs) >> k) & 1u)) {
     comparison.error_without_scale += lhs != rhs;  // any difference is over |0| + |0|
-    return threshold(k);
+    return;
   }
-  if (lower == 0 && is_exactly_zero(i, k)) return threshold(k);
+  if (lower == 0 && is_exactly_zero(i, k)) return;
   if (upper > 2 * lower) {
     const WideMargins::ErrorRange range = wide_error(suspect);
     lower = range.lower;
     upper = range.upper;
-    if (upper <= threshold(k)) return threshold(k);
-    if (!tolerances_[k] && range.exponent_above <= largest_[k].passed_exponent) return threshold(k);
+    if (upper <= threshold(k)) return;
+    if (!tolerances_[k] && range.exponent_above <= largest_[k].passed_exponent) return;
   }
   Largest& largest = largest_[k];
   const auto exactly = [&] { return ComparisonError(lhs, rhs, exact_sides(i).comparison(k)); };
@@ -202,14 +205,14 @@ double ErrorWatch<Real>::judge(const SuspectError& suspect) {
     const ComparisonError error = exactly();
     if (error.kind() == ComparisonError::Kind::without_scale) {
       ++comparison.error_without_scale;
-      return threshold(k);
+      return;
     }
     if (tolerances_[k] && error.exceeds(*tolerances_[k])) fail();
     if (error.upper() > largest.passed) {
       comparison.largest_error.offer({error.rounded_up(), position_ + i});
       raise_passed(k);
     }
-    return threshold(k);
+    return;
   }
   if (tolerances_[k] && upper > tolerated_[k]) {
     const bool is_certain = lower > tolerances_[k]->get_d() * (1 + 0x1p-50);
@@ -220,7 +223,6 @@ double ErrorWatch<Real>::judge(const SuspectError& suspect) {
     largest.passed = std::max(largest.passed, lower * Decimal6::least_ratio);
     if (largest.suspects.size() == most_suspects) settle(k);
   }
-  return threshold(k);
 }
 
 template <class Real>

@@ -8,6 +8,7 @@
 #include "exact/sphere_triangle/filters/cascade.h"
 #include "exact/sphere_triangle/filters/wide_margins.h"
 #include "exact/sphere_triangle/measures/error_measure.h"
+#include "fuzz/campaign/stages.h"
 #include "fuzz/campaign/tally.h"
 
 namespace axiscert {
@@ -17,12 +18,6 @@ constexpr bool has_filtered_errors(Formulae formulae) {
   return formulae == Formulae::published || formulae == Formulae::reduced || formulae == Formulae::reduced_along ||
          formulae == Formulae::reduced_determinant || formulae == Formulae::reduced_shared;
 }
-
-enum class Attention : std::uint8_t {
-  none,     // not looked at: no truth, or counted elsewhere
-  counted,  // by the watch
-  checked,  // counted elsewhere, exactly; what the filter says of it is kept for the cross-check
-};
 
 // One kernel over one unit, its batches in the order of their positions. What it borrows has to outlive it.
 template <class Real>
@@ -55,7 +50,7 @@ class ErrorWatch {
     std::vector<Suspect> suspects;
   };
 
-  double judge(const SuspectError& suspect);
+  void judge(const SuspectError& suspect);
   // Whether binary64 evaluates the whole batch without any rounding, and to the computed sides: no error but zero.
   bool is_batch_exact();
   double threshold(std::size_t comparison) const;
@@ -94,7 +89,7 @@ class ErrorWatch {
   std::array<std::pair<std::size_t, std::optional<FormulaTruth>>, 16> exact_sides_;
   std::array<std::pair<std::size_t, std::optional<WideMargins>>, 16> wide_;  // likewise
   bool any_failing_ = false;
-  std::vector<SuspectError> checked_;
+  std::vector<SuspectError> suspects_, checked_;  // what the filter left of the batch; the checked ones among them
 };
 
 }  // namespace axiscert

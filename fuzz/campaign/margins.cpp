@@ -10,7 +10,7 @@
 namespace axiscert {
 namespace {
 
-// The k with 2^k < x <= 2^(k+1), of a finite x > 0.
+// The k with 2^k < x <= 2^(k+1), for a finite x > 0.
 int exponent_of(double x) {
   int exponent;
   const double half = std::frexp(x, &exponent);  // x = half * 2^exponent, 1/2 <= half < 1
@@ -24,19 +24,20 @@ Rational power_of_two(int exponent) {
 
 }  // namespace
 
-// The margin in u is the error of a kernel that computed 0 > 0, whose sides differ from the exact ones by the margin.
+// The margin in u equals the error of a kernel that computed 0 > 0: its sides differ from the exact ones by the margin.
 template <class Real>
 std::optional<int> margin_exponent(const ExactComparison& exact) {
   const ComparisonError margin(Real(0), Real(0), exact);
   if (exact.undefined) return std::nullopt;
-  // 0/0, and what is exactly 0: no margin exceeds it.
+  // 0/0 and a margin of exactly 0 are ties.
   if (margin.kind() == ComparisonError::Kind::without_scale || margin.upper() == 0) return tied_margin;
   if (margin.lower() > 0 && std::isfinite(margin.upper())) {
     const int low = exponent_of(margin.lower()), high = exponent_of(margin.upper());
     if (low == high || high <= least_margin_exponent) return std::max(low, least_margin_exponent);
   }
   if (!margin.exceeds(0)) return tied_margin;
-  // No margin exceeds its scale: 1/u. Invariant: above 2^low or low is the least; not above 2^high.
+  // No margin exceeds its scale: 1/u. Invariant: the margin is above 2^low, or low is the least exponent; it is not
+  // above 2^high.
   int low = least_margin_exponent, high = std::numeric_limits<Real>::digits;
   while (high - low > 1) {
     const int middle = (low + high) / 2;

@@ -41,7 +41,7 @@ TEST(MarginExponent, IsThatOfTheDefinitionOnWholeNumbers) {
   }
 }
 
-// No estimate can tell on which side of a power of two these lie.
+// Margins for which no estimate can decide on which side of a power of two they lie.
 TEST(MarginExponent, APowerOfTwoBelongsToTheBinBelow) {
   EXPECT_EQ(exponent<float>(Ring(1), Ring(-1)), 23);  // 1/u: no margin is greater
   EXPECT_EQ(exponent<double>(Ring(1), Ring(0)), 52);
@@ -67,7 +67,7 @@ TEST(MarginExponent, OfARootIsThatOfItsValue) {
   EXPECT_EQ(exponent<float>(Ring(0), Ring(0), true), tied_margin);
   // sqrt(2) - 1.4142135 is 6.2e-8: 2.2e-8 of the scale, 0.37 u.
   EXPECT_EQ(exponent<float>(Ring(2), Ring(1.4142135), true), -2);
-  // Beyond binary64's range: nothing but exact arithmetic tells.
+  // Beyond binary64's range: only exact arithmetic decides.
   Ring huge(1);
   for (int i = 0; i < 3; ++i) huge = huge * Ring(0x1p+500);
   EXPECT_EQ(exponent<float>(huge * huge * Ring(9), huge, true), 22);
@@ -114,7 +114,8 @@ TEST(Margins, AreTheSameWithoutFilters) {
   }
 }
 
-// A wrong sign needs an error of its margin at least: what the one measures bounds what the other counts.
+// A wrong sign needs an error of at least the margin: the largest measured error bounds the margins of counted wrong
+// signs.
 TEST(Margins, NoFiniteComparisonIsWrongAboveItsLargestError) {
   const Plan plan = plan_of("published", false);
   std::uint64_t wrong = 0;

@@ -7,12 +7,6 @@
 
 namespace axiscert {
 
-// What count() adds up, of `times` queries with this judgement: nothing of positions and depths.
-void count_numbers(Tally& tally, const Truth& truth, ComparisonBits ties, const Answer& answer,
-                   const Judgement& judgement, std::uint64_t times);
-// What count() keeps of the depth of a wrong verdict.
-void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth, const Standing& standing);
-
 // All that the judgement of a query depends on, for one kernel whose answer has the bits of its reference or none: so
 // queries with one pattern have one judgement.
 struct JudgementPattern {

@@ -1,4 +1,4 @@
-// Somebody else's kernel in a campaign: what it does wrong, what it does not answer, its convention and its limits.
+// A supervised kernel, as foreign code is, in a campaign: its faults, unanswered queries, convention and limits.
 #include "fuzz/campaign/supervised_testing.h"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ TEST(Supervised, TheFirstFindingIsKeptInAnyOrderOfMerging) {
   }
 }
 
-// A query without an answer enters no flip, error or critical radius, whatever stands in the arrays.
+// A query without an answer enters no flip, error or critical radius, whatever the arrays contain.
 TEST(Supervised, NoAnswerIsNoFlipAndIsNotMeasured) {
   const Kernel silent = supervised_kernel(
       "silent", [](const auto&, auto, Verdict& verdict, auto&) { verdict = Verdict::unanswered; }, "first-publication");
@@ -94,7 +94,7 @@ TEST(Supervised, ASearchForACriticalRadiusThatGetsNoAnswerIsCounted) {
   EXPECT_EQ(tally.critical_radius.unbounded, 0u) << "no answer is not `separated`";
 }
 
-// Its process lasts a unit: no query's answer depends on which units a thread did before.
+// The process lasts for one unit: no answer depends on which units a thread did before.
 TEST(Supervised, AKernelIsBegunOnceAUnit) {
   std::atomic<int> begun = 0;
   Kernel kernel = black_box("counted", no_fault);
@@ -127,7 +127,7 @@ TEST(Supervised, ThreadsChangeNothing) {
   EXPECT_EQ(fingerprint(tallies_of(plan)[0]), one);
 }
 
-// Over small integers `minkowski` is right, and says contact where the sphere touches.
+// Over small integers `minkowski` is right, and says contact when the sphere touches.
 TEST(Supervised, TouchingIsHeldAgainstTheConvention) {
   Kernel contact = black_box("contact", no_fault);
   Kernel separated = black_box("separated", [](const Query<double>& q, auto, Verdict& verdict, auto&) {
@@ -151,7 +151,8 @@ TEST(Supervised, TouchingIsHeldAgainstTheConvention) {
   EXPECT_EQ(wrong(Touching::either), (std::vector<std::uint64_t>{0, 0}));
 }
 
-// `scale` takes the published test out of range; the same kernel that promises nothing there is right where it does.
+// `scale` takes the published test out of range; the same kernel with limits that exclude those queries is right on the
+// rest.
 TEST(Supervised, OutsideItsLimitsNothingElseIsCounted) {
   const Kernel unlimited = supervised_kernel("unlimited", no_fault);
   Kernel limited = unlimited;
@@ -190,7 +191,7 @@ TEST(Supervised, InvalidQueriesAreNotOutside) {
   EXPECT_GT(tally.invalid, 0u);
 }
 
-// A slip is found by the first query that shows it.
+// A slip in the formulae is found by the first query that shows it.
 TEST(Supervised, TheFirstWrongVerdictOfALink) {
   const Kernel kernel = supervised_kernel("slip", no_fault, "first-publication");
   Plan plan = plan_of({&kernel}, "general", 5000);

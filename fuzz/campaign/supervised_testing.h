@@ -1,4 +1,4 @@
-// For tests: kernels as somebody else's code is to the harness, supervised, with what they do wrong planted.
+// For tests: supervised kernels, as the harness sees foreign code, with planted faults.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace axiscert {
 
-// Changes the answer to query `i` of a batch, or finds something about it. The query is widened, exactly.
+// Changes the answer to query `i` of a batch, or adds a finding about it. The query is widened, exactly.
 using Plant =
     std::function<void(const Query<double>& q, std::size_t i, Verdict& verdict, std::vector<Finding>& findings)>;
 
@@ -47,7 +47,7 @@ inline Kernel supervised_kernel(const std::string& id, const Plant& plant, const
   return kernel;
 }
 
-// The same, showing only its verdict, and claiming no formulae.
+// The same, but exposing only its verdict and claiming no formulae.
 inline Kernel black_box(const std::string& id, const Plant& plant, const std::string& base = "minkowski") {
   Kernel kernel = supervised_kernel(id, plant, base);
   kernel.formulae = Formulae::none;

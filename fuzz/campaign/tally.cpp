@@ -3,7 +3,6 @@
 #include <bit>
 
 #include "exact/sphere_triangle/measures/error_measure.h"
-#include "fuzz/campaign/repeated_judgements.h"
 
 namespace axiscert {
 namespace {

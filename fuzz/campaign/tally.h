@@ -142,6 +142,12 @@ using Tolerances = std::array<std::optional<Rational>, comparison_count>;
 void count(Tally& tally, std::uint64_t position, const Truth& truth, ComparisonBits ties, const Answer& answer,
            const Judgement& judgement, DepthOf& depth, const Standing& standing);
 
+// The part of count() that adds up: the same for each of `times` queries with this judgement.
+void count_numbers(Tally& tally, const Truth& truth, ComparisonBits ties, const Answer& answer,
+                   const Judgement& judgement, std::uint64_t times);
+// The part of count() that keeps the depth of a wrong verdict.
+void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth, const Standing& standing);
+
 // Counts a valid query outside the kernel's limits.
 void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const Judgement& judgement, DepthOf& depth);
 

@@ -1,11 +1,11 @@
-// Processor time, which other programs on the machine hardly change.
+// Processor time, which other programs on the machine hardly influence.
 #pragma once
 
 #include <ctime>
 
 namespace axiscert {
 
-// Of the calling thread, in seconds, since it began.
+// Processor time of the calling thread since it began, in seconds.
 inline double thread_seconds() {
   std::timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);

@@ -6,13 +6,13 @@
 #include <algorithm>
 
 #include "exact/sphere_triangle/measures/limits.h"
-#include "fuzz/queries/images.h"
+#include "fuzz/queries/image_groups.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
 namespace {
 
-constexpr std::uint64_t batch_bases = 16;  // that are asked about at once
+constexpr std::uint64_t batch_bases = 16;  // bases that are asked about at once
 
 template <class Real>
 class AsymmetryBlock {
@@ -77,7 +77,7 @@ std::optional<Asymmetry> asymmetry_of(const Plan& plan, const Kernel& kernel, co
   const ImageGroup* group = image_group(source.name());
   if (!group || !kernel.has(precision)) return std::nullopt;
   const std::uint64_t bases = std::min(queries, asymmetry_queries) / group->size;
-  // As a unit of a run: somebody else's code is begun anew with each, and may hang in each.
+  // Blocks as long as a unit of a run: foreign code is begun anew for each, and may hang in each.
   const std::uint64_t block_bases = unit_size / group->size;
   std::vector<Asymmetry> blocks((bases + block_bases - 1) / block_bases);
   const auto count = [&](std::size_t block) {

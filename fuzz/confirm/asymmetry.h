@@ -1,28 +1,29 @@
-// Where a kernel says of an image of a query what it did not say of the query: fuzz/queries/images.h.
+// Asymmetries: answers of a kernel to images of a query (fuzz/queries/image_groups.h) that differ from its answer to
+// the query.
 #pragma once
 
 #include "fuzz/campaign/campaign.h"
 
 namespace axiscert {
 
-// An image, and the base that it is one of, by position.
+// An image and its base, by position.
 struct AsymmetryWitness {
   std::uint64_t base, image;
 };
 
 struct Asymmetry {
-  std::uint64_t images = 0;       // held against their base; both with an answer and within the kernel's limits
-  std::uint64_t verdicts = 0;     // of those, with another verdict
-  std::uint64_t comparisons = 0;  // with another comparison, by the base's names, whatever the verdict
+  std::uint64_t images = 0;       // compared with their base; both answered and within the kernel's limits
+  std::uint64_t verdicts = 0;     // images whose verdict differs
+  std::uint64_t comparisons = 0;  // images with a comparison that differs, by the base's names, whatever the verdict
   std::optional<AsymmetryWitness> first_verdict, first_comparison;
 };
 
-// A long run is not asked all over again: these are looked at, or as many as there are.
+// A long run is not repeated in full: this many queries are examined, or all if there are fewer.
 inline constexpr std::uint64_t asymmetry_queries = std::uint64_t{1} << 22;
 
-// Asks the kernel of a plan again about the first `queries` of a source, whole groups of images alone, on all cores; of
-// a plan with replies those are looked at. Nothing where the source makes no images, or the kernel does not exist in
-// the precision.
+// Asks the kernel of a plan again about the first `queries` of a source, complete groups of images only, on all cores;
+// for a plan with replies, those are examined instead. Empty if the source makes no images, or the kernel does not
+// exist in the precision.
 std::optional<Asymmetry> asymmetry_of(const Plan& plan, const Kernel& kernel, const Source& source, Precision precision,
                                       std::uint64_t queries);
 

@@ -3,7 +3,7 @@
 namespace axiscert {
 namespace {
 
-// That nothing was run, and what the program was said to be.
+// The statement that no kernel was run, and the claim made for the program.
 Json replies_json(const Plan& plan) {
   const auto given = [](const std::string& id) { return id.empty() ? Json(nullptr) : Json(id); };
   return {{"conforms_to", given(plan.claim.conforms_to)},
@@ -53,7 +53,7 @@ Json plan_json(const Plan& plan, const CampaignResult& result, const std::string
   json["tolerance"] = plan.tolerance_texts;
   json["require"] = require.empty() ? Json(nullptr) : Json(require);
   json["margin_queries"] = margin_queries;
-  // Without a time limit the trials say which units there were; an interrupted run did some of them.
+  // Without a time limit the trials determine the units; an interrupted run did only some of them.
   if (plan.replies) json["replies"] = replies_json(plan);
   json["units_done"] = plan.seconds || !result.complete ? units : Json(nullptr);
   return json;

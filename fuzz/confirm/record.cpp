@@ -8,7 +8,7 @@
 #include "fuzz/queries/address.h"
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/campaign/tally.h"
-#include "reports/wording/finding.h"
+#include "fuzz/confirm/finding_record.h"
 #include "fuzz/confirm/plan.h"
 #include "fuzz/confirm/witness.h"
 
@@ -21,13 +21,14 @@ Json link_counts(const LinkCounts& counts, std::size_t first, std::size_t last) 
   return json;
 }
 
-// A JSON number; text where binary64 cannot hold it.
+// A JSON number; text if binary64 cannot represent it.
 Json number(Decimal6 decimal) {
   const double value = decimal.value();
   return std::isfinite(value) ? Json(value) : Json(decimal.text());
 }
 
-// What axes and comparisons have in common. Nobody asked for a tolerance: `null`, not a count of zero failures.
+// The members that axes and comparisons have in common. `null`, not a count of zero failures, if no tolerance was
+// given.
 void put_signs(Json& json, const SignTally& tally, bool has_tolerance, Decimal6 max_error) {
   json["false_separation"] = tally.false_separation;
   json["missed_separation"] = tally.missed_separation;
@@ -35,7 +36,7 @@ void put_signs(Json& json, const SignTally& tally, bool has_tolerance, Decimal6 
   json["decisive"] = tally.decisive;
   json["tolerance_failures"] = has_tolerance ? Json(tally.tolerance_failures) : Json(nullptr);
   json["max_error_u"] = json["smallest_passing_tolerance"] = number(max_error);
-  // Flips are held against the kernel's own exact formulae: a specification fault is none.
+  // Flips are relative to the kernel's own exact formulae, so none is a specification fault.
   json["links"] = link_counts(tally.links, static_cast<std::size_t>(Link::rounding), link_count - 1);
 }
 
@@ -205,7 +206,7 @@ Json record_of(const Plan& plan, const CampaignResult& result, const std::string
         for (const CellResult& cell : result.cells) {
           if (cell.source != s || cell.precision != precision || cell.tallies[k].trials == 0) continue;
           const Tally& tally = cell.tallies[k];
-          // Of a run that was interrupted, it is not known which bases have all their images.
+          // After an interrupted run it is not known which bases have all their images.
           const auto asymmetry =
               result.complete ? asymmetry_of(plan, kernel, *plan.sources[s], precision, cell.queries) : std::nullopt;
           entry["families"][plan.sources[s]->name()] =

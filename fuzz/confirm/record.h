@@ -1,16 +1,16 @@
-// The record: the deterministic result of a run, and run.json, which holds what varies.
+// The record: the deterministic result of a run, and run.json, which holds everything that varies between runs.
 #pragma once
 
 #include <string>
 
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 
 inline constexpr const char* record_schema = "axiscert-record/1";
 
-// record.json: no clock, host, thread count, target or compiler in it. `require` is the level as given, or empty.
+// record.json: contains no clock, host, thread count, target or compiler. `require` is the level as given, or empty.
 // Makes the witnesses' queries again and examines each by all oracles.
 Json record_of(const Plan& plan, const CampaignResult& result, const std::string& require);
 
@@ -18,14 +18,14 @@ Json record_of(const Plan& plan, const CampaignResult& result, const std::string
 Json run_info(const Plan& plan, const CampaignResult& result, const std::string& target_asked,
               const std::string& started, double seconds);
 
-// A query as the query file has it: "a" to "p" as arrays of hex strings, "r".
+// A query as in the query file: "a" to "p" as arrays of hex strings, "r".
 template <class Real>
 void put_query(Json& into, const Query<Real>& q);
-// What a kernel shows: "verdict", and "comparisons" and "sides" where it does.
+// The data that a kernel exposes: "verdict", and "comparisons" and "sides" if it exposes them.
 Json exposures_json(const Kernel& kernel);
-// The limits that a kernel declares, null where it has none; null for each that it does not set.
+// The limits that a kernel declares; null if it has none, and null for each limit that it does not set.
 Json limits_json(const Limits& limits);
-// "verdict", ... as `check` and the witnesses list them.
+// Flips in the form in which `check` and the witnesses list them.
 Json flips_json(const Judgement& judgement);
 
 }  // namespace axiscert

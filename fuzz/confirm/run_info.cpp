@@ -11,8 +11,8 @@
 namespace axiscert {
 namespace {
 
-// By which step the queries of a cell were decided, and what each took. The time of a step is shared by all queries,
-// those that it never saw or passed on included.
+// The steps by which the queries of a cell were decided, and the time of each. The time of a step is divided by all
+// queries, including those that it never saw or passed on.
 Json steps_json(const Plan& plan, const CellResult& cell) {
   const StepCounts& steps = cell.steps;
   const auto by_step = [](const std::array<std::uint64_t, step_count>& counts) {
@@ -57,7 +57,7 @@ Json run_info(const Plan& plan, const CampaignResult& result, const std::string&
                {"versions",
                 {{"axiscert", AXISCERT_VERSION},
                  {"cgal", CGAL_STR(CGAL_VERSION)},
-                 // Which triangles a mesh file holds is for assimp to say.
+                 // assimp determines which triangles a mesh file contains.
                  {"assimp", fmt::format("{}.{}.{}", aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch())},
                  {"gmp", gmp_version},
                  {"mpfr", mpfr_get_version()},

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "fuzz/queries/address.h"
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 #include "fuzz/confirm/witness_sides.h"
 
 namespace axiscert {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/claims/examine.h"
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/confirm/record.h"
 
@@ -15,15 +15,15 @@ namespace axiscert {
 class WitnessWriter {
  public:
   explicit WitnessWriter(const Plan& plan) : plan_(plan) {}
-  // The deepest wrong verdicts of each kind and with each broken link; of each comparison a flip of each kind, a
-  // decisive one where there is one, and the largest error. A query that shows several things is stored once.
-  // Of an asymmetry the first image and its base.
+  // Adds the deepest wrong verdicts of each kind and with each broken link; for each comparison a flip of each kind, a
+  // decisive one if there is one, and the largest error; for an asymmetry the first image and its base. A query that
+  // shows several of these is stored once.
   void add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally,
            const std::optional<Asymmetry>& asymmetry);
   Json take() && { return std::move(witnesses_); }
 
  private:
-  // What a query shows, in the order found; and the comparisons whose largest error it is.
+  // The things that a query shows, in the order found, and the comparisons for which it has the largest error.
   struct Reasons {
     std::vector<std::string> texts;
     ComparisonBits largest_errors = 0;
@@ -33,7 +33,7 @@ class WitnessWriter {
   void write(const Kernel& kernel, const Source& source, const Shown& shown);
 
   const Plan& plan_;
-  std::optional<Examiner> examiner_;  // of the kernel that was added last
+  std::optional<Examiner> examiner_;  // for the kernel that was added last
   Json witnesses_ = Json::array();
 };
 

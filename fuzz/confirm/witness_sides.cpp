@@ -7,14 +7,14 @@
 #include <limits>
 
 #include "exact/sphere_triangle/measures/error_measure.h"
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 
 namespace axiscert {
 namespace {
 
 long bit_length(const mpz_class& x) { return sgn(x) == 0 ? 0 : static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2)); }
 
-// The value lhs / denominator or sqrt(lhs) / denominator, less `rhs` / denominator, to 17 significant digits. A dyadic
+// The value lhs / denominator or sqrt(lhs) / denominator, minus `rhs` / denominator, to 17 significant digits. A dyadic
 // value without a root is held exactly before it is printed, so it is rounded once. Elsewhere 64 bits are kept beyond
 // twice the operands' own: the difference of a root of b bits and a rational is zero or at least 2^-2b of them.
 std::string digits_of(const Rational& lhs, bool rooted, const Rational& rhs, const Rational& denominator) {
@@ -41,13 +41,13 @@ std::string digits_of(const Rational& lhs, bool rooted, const Rational& rhs, con
   return digits;
 }
 
-// 2^(e - p + 1) for 2^e <= |x| < 2^(e + 1), and not below the least subnormal number.
+// 2^(e - p + 1) for 2^e <= |x| < 2^(e + 1), and never below the least subnormal number.
 template <class Real>
 Rational unit_in_last_place(const Rational& x) {
   using Limits = std::numeric_limits<Real>;
   long exponent = Limits::min_exponent - 1;
   if (sgn(x) != 0) {
-    // 2^(bits - 1) < |x| < 2^(bits + 1): one comparison tells which half.
+    // 2^(bits - 1) < |x| < 2^(bits + 1): one comparison decides which half.
     const Rational magnitude = abs(x);
     const long bits = bit_length(magnitude.get_num()) - bit_length(magnitude.get_den());
     const Rational power =
@@ -59,7 +59,8 @@ Rational unit_in_last_place(const Rational& x) {
                       : Rational(mpz_class(1) << exponent);
 }
 
-// Where binary64 has not six digits left, as 1e-300: rounded up still, and nothing beside any ulp.
+// Below this, binary64 has fewer than six digits: the result is 1e-300, which is still rounded up and negligible beside
+// any ulp.
 constexpr double least_error = 1e-300;
 
 Json decimal(const Decimal6& d) {
@@ -68,7 +69,7 @@ Json decimal(const Decimal6& d) {
   return std::isfinite(value) ? Json(std::max(value, least_error)) : Json(d.text());
 }
 
-// Null where the computed side is not finite.
+// Null if the computed side is not finite.
 template <class Real>
 Json error_ulps(double computed, const Rational& exact_side) {
   if (!std::isfinite(computed)) return nullptr;

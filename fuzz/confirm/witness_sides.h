@@ -1,15 +1,15 @@
-// The two sides of a witness's comparisons: exact, computed, and how far apart.
+// The two sides of a witness's comparisons: exact, computed, and their difference.
 #pragma once
 
-#include "exact/judge/examine.h"
-#include "fuzz/files/json.h"
+#include "exact/sphere_triangle/claims/examine.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 
-// By comparison: the exact lhs, rhs and margin to 17 significant digits, the computed sides as hex-floats, the error of
-// each side in ulps of the exact one and that of their difference in u (rounded up). Of every comparison of an axis
-// with a flip, and of `largest_errors`; of all sixteen where a verdict is wrong without a flip. Null for a kernel that
-// claims no formulae with comparisons, and for a query without a truth.
+// For each comparison: the exact lhs, rhs and margin to 17 significant digits, the computed sides as hex-floats, the
+// error of each side in ulps of the exact one and that of their difference in u (rounded up). Includes every comparison
+// of an axis with a flip and those in `largest_errors`; all sixteen if a verdict is wrong without a flip. Null for a
+// kernel that claims no formulae with comparisons, and for a query without a truth.
 template <class Real>
 Json sides_json(const Query<Real>& q, const Kernel& kernel, const Examination& found, ComparisonBits largest_errors);
 

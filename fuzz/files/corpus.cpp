@@ -10,10 +10,10 @@
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/number_text.h"
 #include "fuzz/files/query_line.h"
-#include "fuzz/shrink/symmetry.h"
+#include "fuzz/files/symmetry.h"
 
 namespace axiscert {
 namespace {
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 4> kinds = {"address", "search", "report", "made"};
 constexpr std::array<std::string_view, 3> subjects = {"static", "sweep", "other"};
 
-// What is wrong with a provenance, and with which member.
+// The fault of a provenance, and the member at fault.
 struct Wrong {
   std::string field, what;
 };
@@ -37,13 +37,13 @@ std::optional<Wrong> fault(const Provenance& p) {
   }
   if (p.where.empty()) return Wrong{"where", "empty; an address, a command, or the report's URL belongs here"};
   if (p.kind == "report" && !is_one_of(subjects, p.about)) {
-    return Wrong{"about", fmt::format("'{}'; of a report, one of: {}", p.about, fmt::join(subjects, ", "))};
+    return Wrong{"about", fmt::format("'{}'; for a report, one of: {}", p.about, fmt::join(subjects, ", "))};
   }
-  if (p.kind != "report" && !p.about.empty()) return Wrong{"about", "only a report has it"};
+  if (p.kind != "report" && !p.about.empty()) return Wrong{"about", "only a report has this member"};
   return std::nullopt;
 }
 
-// Reads the members that a line of the corpus has beside its query.
+// Reads the members of a corpus line other than its query.
 class EntryReader {
  public:
   EntryReader(const json& line, const Place& place) : line_(line), place_(place) {}
@@ -104,7 +104,7 @@ class EntryReader {
   ComparisonBits bits(const json& from, const char* name) const {
     const std::string given = text(from, name);
     if (given.size() != comparison_count || given.find_first_not_of("01") != given.npos) {
-      place_.fail(name, fmt::format("'{}'; {} of 0 and 1 belong here", given, comparison_count));
+      place_.fail(name, fmt::format("'{}'; {} digits 0 or 1 belong here", given, comparison_count));
     }
     ComparisonBits out = 0;
     for (std::size_t i = 0; i < comparison_count; ++i) {
@@ -124,7 +124,7 @@ std::vector<std::string> corpus_files(const std::string& folder) {
     if (it->path().extension() == ".jsonl") paths.push_back(it->path().string());
   }
   if (problem) throw Error(fmt::format("{}: the corpus cannot be read: {}", folder, problem.message()));
-  if (paths.empty()) throw Error(fmt::format("{}: an empty corpus: it holds no *.jsonl", folder));
+  if (paths.empty()) throw Error(fmt::format("{}: an empty corpus: it contains no *.jsonl file", folder));
   std::sort(paths.begin(), paths.end());
   return paths;
 }
@@ -150,20 +150,20 @@ void read_file(const std::string& path, std::vector<CorpusEntry>& into) {
   }
 }
 
-// No two entries of one name, and none that is another's image.
+// Requires that no two entries have the same name and that none is an image of another.
 void require_distinct(const std::vector<CorpusEntry>& entries) {
   std::map<std::string, const CorpusEntry*> names, forms;
   for (const CorpusEntry& entry : entries) {
     const auto place = [](const CorpusEntry& e) { return fmt::format("{}:{}", e.file, e.stored.line); };
     const auto [named, is_new_name] = names.try_emplace(entry.stored.id, &entry);
     if (!is_new_name) {
-      throw Error(
-          fmt::format("{}: field 'id': '{}' is the name of {}", place(entry), entry.stored.id, place(*named->second)));
+      throw Error(fmt::format("{}: field 'id': '{}' is already the name of {}", place(entry), entry.stored.id,
+                              place(*named->second)));
     }
     const auto [formed, is_new_form] = forms.try_emplace(canonical_form(entry.stored), &entry);
     if (!is_new_form) {
-      throw Error(fmt::format("{}: '{}' is '{}' of {} by a symmetry of the test", place(entry), entry.stored.id,
-                              formed->second->stored.id, place(*formed->second)));
+      throw Error(fmt::format("{}: '{}' is equal to '{}' of {} up to a symmetry of the test", place(entry),
+                              entry.stored.id, formed->second->stored.id, place(*formed->second)));
     }
   }
 }

@@ -1,11 +1,11 @@
-// The corpus: queries that are kept because they were hard once, with where they came from and the exact answers.
+// The corpus: queries that are kept because they were hard once, with their origin and the exact answers.
 //
-// A folder of *.jsonl, each a query file whose lines have beside the query, named by its `id`:
-//   "provenance": {"kind": "address" | "search" | "report" | "made", "where": TEXT}; of a report also
-//                 "about": "static" | "sweep" | "other", what the report was about
-//   "note": TEXT, may be left out
+// A folder of *.jsonl, each a query file whose lines have, in addition to the query with its `id` as a name:
+//   "provenance": {"kind": "address" | "search" | "report" | "made", "where": TEXT}; for a report also
+//                 "about": "static" | "sweep" | "other", the subject of the report
+//   "note": TEXT, optional
 //   "expected": {"verdict", "touching", "squared_distance", "comparisons", "ties"}, as the `exact` of `axiscert check`;
-//               the last three null where the verdict is `invalid`
+//   the last three are null if the verdict is `invalid`
 #pragma once
 
 #include <optional>
@@ -20,19 +20,19 @@ struct Provenance {
   std::string kind, where, about;
 };
 
-// What exact arithmetic says of a query; the last three empty where the verdict is `invalid`.
+// The exact answers to a query; the last three are empty if the verdict is `invalid`.
 struct ExactAnswers {
   Verdict verdict = Verdict::invalid;
   bool touching = false;
   std::optional<Rational> squared_distance = {};
-  std::optional<ComparisonBits> comparisons = {}, ties = {};  // of the published formulae, strict
+  std::optional<ComparisonBits> comparisons = {}, ties = {};  // those of the published formulae, strict
   bool operator==(const ExactAnswers&) const = default;
 };
-// By CGAL, the exact formulae and MPFR. Throws OracleDisagreement.
+// Computed by CGAL, the exact formulae and MPFR. Throws OracleDisagreement.
 ExactAnswers exact_answers(const StoredQuery& stored);
 
 struct CorpusEntry {
-  StoredQuery stored;  // its id is the entry's name, its line that of its file
+  StoredQuery stored;  // its id is the entry's name, its line the line in its file
   Provenance provenance;
   std::string note;
   ExactAnswers expected;
@@ -40,19 +40,21 @@ struct CorpusEntry {
 };
 
 // Every entry, file by file in the order of their names. Throws Error that names file, line and field: a folder that
-// cannot be read or holds no entry, a name given twice, two entries that are one by the symmetries of the test.
+// cannot be read or has no entry, a name given twice, two entries that are equal up to a symmetry of the test.
 std::vector<CorpusEntry> read_corpus(const std::string& folder);
-// One line of a corpus file, without its end.
+// One line of a corpus file, without its line end.
 std::string corpus_line(const CorpusEntry& entry);
 // The entry that a query is a symmetric image of, if any.
 const CorpusEntry* find_image(const std::vector<CorpusEntry>& entries, const StoredQuery& stored);
-// "address", "search: ...", from "KIND:WHERE"; `about` is for reports alone. Throws Error that says what is right.
+// Parses KIND:WHERE, for instance "address:1:tangent:1:binary32:0:1234"; `about` is for reports only. Throws Error that
+// says what is right.
 Provenance parse_provenance(const std::string& text, const std::string& about);
 
-// share/axiscert/corpus beside an installed command, else the source tree's.
+// The folder share/axiscert/corpus beside an installed command, otherwise that of the source tree.
 std::string default_corpus_folder();
 
-// Its queries as a source named "corpus", its address "corpus-SHA256": of the queries' lines, one file after the other.
+// The corpus's queries as a source named "corpus". Its address is "corpus-SHA256", the hash of the queries' lines, one
+// file after the other.
 SourcePtr corpus_source(const std::string& folder);
 
 }  // namespace axiscert

@@ -1,4 +1,4 @@
-// Every entry of the corpus as a test of its own, and what a corpus that cannot be trusted says.
+// Every entry of the corpus as a test of its own, and the messages about a corpus that is not valid.
 #include "fuzz/files/corpus.h"
 
 #include <gtest/gtest.h>
@@ -14,12 +14,12 @@
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/files/query_testing.h"
-#include "fuzz/shrink/symmetry.h"
+#include "fuzz/files/symmetry.h"
 
 namespace axiscert {
 namespace {
 
-// Empty where the corpus cannot be read, which Corpus.CanBeRead then says.
+// Empty if the corpus cannot be read, which Corpus.CanBeRead then reports.
 std::vector<CorpusEntry> entries_or_none() {
   try {
     return read_corpus(SOURCE_FOLDER "/fuzz/corpus");
@@ -66,7 +66,7 @@ TEST_P(CorpusEntryTest, HasTheseExactAnswers) {
   if (expected.verdict == Verdict::invalid) return;
   std::visit(
       [&](const auto& q) {
-        // Each oracle by itself.
+        // Checks each oracle separately.
         const int order = expected.verdict == Verdict::separated ? 1 : expected.touching ? 0 : -1;
         EXPECT_EQ(distance_order(q), order) << "CGAL";
         const SecondOpinion mpfr = second_opinion(q);
@@ -86,7 +86,7 @@ TEST_P(CorpusEntryTest, IsWrittenAsItIsRead) {
   EXPECT_EQ(corpus_line(entry), line);
 }
 
-// A folder with one file of these lines.
+// A folder with one file that consists of these lines.
 class CorpusFolder {
  public:
   explicit CorpusFolder(const std::string& text) : path_(testing::TempDir() + "corpus-" + std::to_string(::getpid())) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 #include "fuzz/files/query_line.h"
 
 namespace axiscert {
@@ -26,7 +26,7 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   }
 }
 
-// The name of column i; beyond the last there is none.
+// The name of column i; empty beyond the last column.
 std::string_view column_name(const CsvHeader& header, std::size_t i) {
   if (header.has_id && i == 0) return "id";
   const std::size_t k = i - (header.has_id ? 1 : 0);

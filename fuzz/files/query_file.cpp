@@ -5,8 +5,8 @@
 #include <iostream>
 #include <sstream>
 
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/number_text.h"
 #include "fuzz/files/query_line.h"
 #include "kernel/base/error.h"
 
@@ -26,7 +26,8 @@ Query<Real> query_of(const std::array<NumberText, coordinate_count>& numbers, co
   return from_coordinates(values);
 }
 
-// The next line without its end, or none. A last line without an end is a line; nothing after the last end is not.
+// The next line without its end; empty if there is none. A last line without an end is a line; the empty rest after the
+// last end is not.
 std::optional<std::string_view> take_line(std::string_view& rest) {
   if (rest.empty()) return std::nullopt;
   const std::size_t end = rest.find('\n');
@@ -68,7 +69,7 @@ std::vector<StoredQuery> parse_queries(std::string_view bytes, std::string_view 
   while (const auto line = take_line(bytes)) {
     ++place.line;
     if (line->find_first_not_of(" \t") == line->npos) continue;
-    // The JSON parser takes a NUL for the end of its input.
+    // The JSON parser treats a NUL as the end of its input.
     if (line->find('\0') != line->npos) place.fail("", "a NUL byte; a query file is text (UTF-8)");
     if (first) {
       first = false;

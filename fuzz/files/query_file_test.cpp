@@ -34,7 +34,7 @@ std::string refusal(const std::string& text) {
   }
 }
 
-// One line that begins with `start` and holds `part`.
+// Expects a message of one line that begins with `start` and contains `part`.
 void expect_message(const std::string& message, const std::string& start, const std::string& part) {
   EXPECT_EQ(message.substr(0, start.size()), start);
   EXPECT_PRED_FORMAT2(testing::IsSubstring, part, message);
@@ -44,7 +44,7 @@ std::string place(int line, const std::string& field) {
   return fmt::format("f.jsonl:{}: ", line) + (field.empty() ? "" : "field '" + field + "': ");
 }
 
-// A line of JSON with one field's value replaced; an empty value leaves the field out.
+// A line of JSON with one field's value replaced; an empty value omits the field.
 std::string with(const std::string& field, const std::string& value) {
   std::string line = "{";
   for (const auto& [name, usual] :
@@ -87,7 +87,7 @@ TEST(QueryFile, AcceptsWhatIsHarmless) {
   EXPECT_EQ(parse("\xef\xbb\xbf" + good + "\r\n\r\n  \t\n" + good).size(), 2u);
   EXPECT_EQ(parse("\n" + with("id", "") + "\n")[0].id, "line-2");
   EXPECT_EQ(parse(good + "\n" + good + "\n")[1].line, 2u);
-  // A witness record's own fields, nested ones and repeated ones included.
+  // A witness record's own fields, including nested and repeated ones.
   std::string witness = good;
   witness.insert(1, R"("flips":[{"r":"x","a":[1,[2]]},[]],"kernel":{"r":{}},"kernel":null,"x":true,"n":-1.5,)");
   EXPECT_EQ(parse(witness).size(), 1u);

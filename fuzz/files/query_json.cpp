@@ -1,5 +1,5 @@
-// JSON Lines: nlohmann's lexer and grammar, with each number's own characters instead of the library's value of them,
-// which went through double.
+// JSON Lines by nlohmann's lexer and grammar, but with the characters of each number instead of the library's value,
+// which has gone through double.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "fuzz/queries/address.h"
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 #include "fuzz/files/query_line.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
 namespace {
 
-// An iterator that tells how far the parser has read.
+// An iterator that counts how far the parser has read.
 struct CountingIterator {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -40,7 +40,7 @@ struct CountingIterator {
   friend bool operator==(const CountingIterator& i, const CountingIterator& j) { return i.at == j.at; }
 };
 
-// What a value is, as a message says it.
+// The kinds of a value, as messages name them.
 enum class Kind { absent, null, boolean, number, string, array, object };
 constexpr std::array<std::string_view, 7> kind_names = {"missing",  "null",     "a boolean", "a number",
                                                         "a string", "an array", "an object"};
@@ -48,12 +48,12 @@ std::string_view name(Kind kind) { return kind_names[static_cast<std::size_t>(ki
 
 struct Value {
   Kind kind = Kind::absent;
-  std::string text;  // of a number its characters, of a string what it says
+  std::string text;  // for a number its characters, for a string its content
 };
 struct Field {
   std::string_view name;
   Value value;
-  std::vector<Value> elements;  // of an array
+  std::vector<Value> elements;  // elements of an array
 };
 
 class LineHandler : public nlohmann::json_sax<nlohmann::json> {
@@ -78,7 +78,7 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
   bool number_unsigned(number_unsigned_t) override { return scalar(Kind::number, number_token()); }
   bool number_float(number_float_t, const string_t&) override { return scalar(Kind::number, number_token()); }
   bool string(string_t& text) override { return scalar(Kind::string, text); }
-  bool binary(binary_t&) override { return true; }  // JSON text has none
+  bool binary(binary_t&) override { return true; }  // JSON text has no binary values
 
   bool start_object(std::size_t) override {
     if (depth_ > 0) scalar(Kind::object, {});
@@ -115,7 +115,7 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
         place_.fail(key_, overflow.what());
       }
     }
-    // "[json.exception.parse_error.101] parse error at line 1, column 17: WHAT": only WHAT is ours to show.
+    // "[json.exception.parse_error.101] parse error at line 1, column 17: WHAT": only WHAT is shown.
     std::string_view reason = what.what();
     if (const std::size_t column = reason.find("column "); column != reason.npos) {
       const std::size_t colon = reason.find(": ", column);
@@ -132,7 +132,7 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
     return fmt::format("; a line is one JSON object, or the file is CSV under the header [id,]{}", csv_columns);
   }
 
-  // The lexer has read one character past a number, unless the line ended.
+  // The lexer has read one character beyond a number, unless the line ended.
   std::string_view number_token() const {
     const auto belongs = [](char c) { return std::string_view("0123456789+-.eE").find(c) != std::string_view::npos; };
     std::size_t end = consumed_;
@@ -192,8 +192,8 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
   const Place& place_;
   std::size_t consumed_ = 0;
   std::size_t depth_ = 0;
-  std::string key_;           // of the outermost object, the last one read
-  Field* current_ = nullptr;  // of key_, where it is one of:
+  std::string key_;           // the last key read in the outermost object
+  Field* current_ = nullptr;  // the field of key_, if it is one of:
   std::array<Field, 7> fields_ = {{{"id", {}, {}},
                                    {"precision", {}, {}},
                                    {"a", {}, {}},

@@ -1,4 +1,4 @@
-// One line of a query file to one query: the two formats behind query_file.h.
+// One line of a query file as one query: the two formats behind query_file.h.
 #pragma once
 
 #include <array>
@@ -12,17 +12,17 @@ namespace axiscert {
 
 inline constexpr std::string_view csv_columns = "ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r";
 
-// Where a line is, for messages.
+// The position of a line, for messages.
 struct Place {
   std::string_view file;
   std::size_t line;
 
   std::string default_id() const;
-  // Throws Error; `field` may be empty where none is to blame.
+  // Throws Error; `field` is empty if no field is at fault.
   [[noreturn]] void fail(std::string_view field, std::string_view what) const;
 };
 
-// One of the thirteen numbers of a query as text, with what a message about it says first.
+// One of the thirteen numbers of a query as text, with the beginning of a message about it.
 struct NumberText {
   std::string field, element, text;
 };
@@ -34,7 +34,7 @@ StoredQuery query_of_json(std::string_view line, const Place& place);
 struct CsvHeader {
   bool has_id;
 };
-// None where the line does not begin like a CSV header; Error where it does and then goes wrong.
+// Empty if the line does not begin like a CSV header; throws Error if it does but is not a valid header.
 std::optional<CsvHeader> csv_header(std::string_view line, const Place& place);
 StoredQuery query_of_csv(std::string_view line, const CsvHeader& header, Precision precision, const Place& place);
 

@@ -1,4 +1,4 @@
-// A query file and the corpus as sources: their queries in their order, each under the precision it was written for.
+// A query file and the corpus as sources: their queries in order, separately for each precision.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,8 +6,8 @@
 #include <iostream>
 
 #include "fuzz/files/corpus.h"
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/sha256.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
 
@@ -28,7 +28,7 @@ std::uint64_t distinct_triangles(const std::vector<Query<Real>>& queries) {
 
 class QueryFileSource final : public Source {
  public:
-  // `kind` is "queries", or "corpus", of which there is one; the hash is that of `bytes`.
+  // `kind` is "queries", or "corpus", of which there is only one; the hash is that of `bytes`.
   QueryFileSource(const char* kind, const FileInfo& file, const std::string& bytes,
                   const std::vector<StoredQuery>& queries)
       : kind_(kind), file_(file) {
@@ -77,7 +77,7 @@ class QueryFileSource final : public Source {
   template <class Real>
   Query<Real> at(const std::vector<Query<Real>>& queries, std::uint64_t position) const {
     if (position < queries.size()) return queries[position];
-    throw Error(fmt::format("{}: there is no {} query at position {}; it holds {}", file_.name,
+    throw Error(fmt::format("{}: there is no {} query at position {}; the number of queries is {}", file_.name,
                             axiscert::name(precision_of<Real>), position, queries.size()));
   }
 

@@ -1,4 +1,4 @@
-// What a written line and a whole query file give back.
+// The queries read back from a written line and from a whole query file.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -16,7 +16,7 @@
 namespace axiscert {
 namespace {
 
-// A line whose radius and first coordinate are given.
+// A line with the given radius and first coordinate.
 std::string line(const std::string& precision, const std::string& r, const std::string& ax = "0") {
   return R"({"id":"ok","precision":")" + precision + R"(","a":[)" + ax +
          R"(,0,0],"b":[1,0,0],"c":[0,1,0],"p":[0,0,1],"r":)" + r + "}";

@@ -1,4 +1,4 @@
-// What the tests of query files share.
+// Code shared by the tests of query files.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 namespace axiscert {
 
-// The same thirteen numbers, signed zeros told apart; a NaN equals a NaN.
+// Expects the same thirteen numbers, with signed zeros distinguished; a NaN equals a NaN.
 template <class Real>
 void expect_same_bits(const Query<Real>& x, const Query<Real>& y) {
   const auto u = coordinates(x), v = coordinates(y);

@@ -1,4 +1,4 @@
-// A plan's queries in blocks, for threads to take one by one.
+// A plan's queries in blocks, which threads take one at a time.
 #pragma once
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/measures/condition_number.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
@@ -17,7 +17,7 @@ namespace {
 
 using ByComparison = std::array<std::uint64_t, comparison_count>;
 
-// Comparisons of one kernel's answer to one query, to be evaluated.
+// Comparisons of one kernel's answer to one query that are to be evaluated.
 struct Request {
   std::uint64_t position;
   ComparisonBits flips, others;
@@ -37,7 +37,7 @@ struct Findings {
 
 constexpr bool has_bit(ComparisonBits bits, std::size_t i) { return ((bits >> i) & 1u) != 0; }
 
-// Takes out of `flips` those whose count has reached the limit, and counts the rest.
+// Removes from `flips` those whose count has reached the limit, and counts the rest.
 ComparisonBits within_limit(ComparisonBits flips, std::uint64_t limit, ByComparison& taken) {
   for (std::size_t i = 0; i < comparison_count; ++i) {
     if (!has_bit(flips, i)) continue;
@@ -97,7 +97,7 @@ Findings search(const ConditionPlan& plan, const std::vector<Implementation<Real
   return found;
 }
 
-// One request, evaluated: what it adds to its cell.
+// One evaluated request: its contribution to its cell.
 struct Evaluated {
   std::array<ConditionCounts, comparison_count> comparisons;
   std::vector<Decimal6> flip_kappa_u;

@@ -1,4 +1,4 @@
-// Which flips of comparisons are the query's fault and which the formula's: by the condition of the exact comparison.
+// Attribution of flipped comparisons to the query or to the formula, by the condition of the exact comparison.
 #pragma once
 
 #include <array>
@@ -12,26 +12,26 @@
 namespace axiscert {
 
 struct ConditionPlan {
-  std::vector<const Kernel*> kernels;  // that show comparisons
+  std::vector<const Kernel*> kernels;  // all of which expose comparisons
   std::vector<SourcePtr> sources;
   Precision precision = Precision::binary32;
   std::uint64_t trials = 0, seed = 1;  // trials: of each source
-  std::uint64_t flip_limit = 0;        // flips evaluated of a kernel, source and comparison: the first by position
-  std::uint64_t sample = 0;  // queries of a source, evenly spaced, whose comparisons that did not flip are too
+  std::uint64_t flip_limit = 0;        // flips evaluated per kernel, source and comparison: the first by position
+  std::uint64_t sample = 0;  // queries per source, evenly spaced, whose comparisons that did not flip are evaluated too
 };
 
-// One comparison of a kernel on one source. A flip is the kernel's bit against that of its own formulae, exactly.
-// evaluated = ill_conditioned + unstable + undefined + not_decided.
+// One comparison of a kernel on one source. A flip is a difference between the kernel's bit and that of its own
+// formulae in exact arithmetic. evaluated = ill_conditioned + unstable + undefined + not_decided.
 struct ConditionCounts {
   std::uint64_t flips = 0, evaluated = 0;
   std::uint64_t ill_conditioned = 0;       // kappa u >= 1, ties included
-  std::uint64_t ties = 0;                  // of those, an exact margin of 0
-  std::uint64_t unstable = 0;              // kappa u < 1: the formula's fault
-  std::uint64_t range = 0;                 // of those, right with an unbounded exponent
+  std::uint64_t ties = 0;                  // ill-conditioned with an exact margin of 0
+  std::uint64_t unstable = 0;              // kappa u < 1: the formula is to blame
+  std::uint64_t range = 0;                 // unstable, but right with an unbounded exponent
   std::uint64_t undefined = 0;             // 0/0 in exact arithmetic
   std::uint64_t not_decided = 0;           // no derivative
-  std::optional<Measured> least_unstable;  // kappa u, range apart: the clearest evidence against the formula
-  std::uint64_t sampled = 0;               // comparisons that did not flip, with an exact margin other than 0
+  std::optional<Measured> least_unstable;  // kappa u, except for range: the clearest evidence against the formula
+  std::uint64_t sampled = 0;               // comparisons that did not flip, with a nonzero exact margin
   std::optional<Measured> greatest_right;  // kappa u of those
 
   void add(const ConditionCounts& other);
@@ -49,10 +49,10 @@ struct WrongVerdict {
 // One kernel on one source.
 struct ConditionCell {
   std::array<ConditionCounts, comparison_count> comparisons;
-  // Verdicts against the geometry.
+  // Wrong verdicts relative to the geometry.
   std::uint64_t false_separation = 0, false_contact = 0;
-  std::vector<double> depths;           // of those; sorted
-  std::optional<WrongVerdict> deepest;  // the first of them
+  std::vector<double> depths;           // depths of the wrong verdicts; sorted
+  std::optional<WrongVerdict> deepest;  // the first of the deepest
 
   ConditionCounts total() const;
   bool operator==(const ConditionCell&) const = default;
@@ -61,11 +61,12 @@ struct ConditionCell {
 struct ConditionResult {
   std::vector<std::uint64_t> invalid;               // queries left out, by source
   std::vector<std::vector<ConditionCell>> cells;    // by kernel, by source
-  std::vector<std::vector<Decimal6>> flip_kappa_u;  // by kernel: of each evaluated flip where it is finite; sorted
+  std::vector<std::vector<Decimal6>> flip_kappa_u;  // by kernel: kappa u of each evaluated flip if it is finite; sorted
   bool operator==(const ConditionResult&) const = default;
 };
 
-// The scalar form of each kernel, on all cores; the result depends on the plan alone. Throws OracleDisagreement.
+// Measures the scalar form of each kernel, on all cores; the result depends on the plan alone. Throws
+// OracleDisagreement.
 ConditionResult measure_condition(const ConditionPlan& plan);
 
 }  // namespace axiscert

@@ -1,4 +1,4 @@
-// Whose fault a flip is: on families where that is known, and for a planted fault.
+// The attribution of flips, on families where the cause is known, and for a planted fault.
 #include "fuzz/instruments/condition.h"
 
 #include <gtest/gtest.h>

@@ -62,7 +62,7 @@ void measure(const Implementation<Real>& kernel, const Query<Real>& q, const Rat
 
 template <class Real>
 BlockResult run(const CriticalRadiusPlan& plan, const QueryBlock& block) {
-  // Of each block its own: what somebody else's code does in one is no part of another.
+  // Each block begins its own kernels: the behaviour of foreign code in one block does not influence another.
   std::vector<Implementation<Real>> kernels;
   for (const Kernel* kernel : plan.kernels) kernels.push_back(kernel->on<Real>(scalar_target));
   BlockResult result{0, std::vector<CriticalRadii>(kernels.size())};

@@ -1,4 +1,5 @@
-// The critical radii of kernels over families: how far from the exact one, to which side, and whether they are one.
+// The critical radii of kernels over families: their distance from the exact one, its direction, and whether the
+// answers are monotone.
 #pragma once
 
 #include <map>
@@ -18,29 +19,29 @@ struct CriticalRadiusPlan {
   std::uint64_t trials = 0, seed = 1;  // trials: of each source
 };
 
-// The first reversal of a kernel on a source: two lines of a query file, that differ in r alone.
+// The first reversal of a kernel on a source: two lines of a query file that differ only in r.
 struct ReversalWitness {
   std::uint64_t position;
   std::string contact, separated;  // in order of r
   bool operator==(const ReversalWitness&) const = default;
 };
 
-// One kernel on one source. Errors are in ulps of the exact distance, from the exact critical radius, which is the
-// least float not below that distance; measured = right + early + late + unbounded.
+// One kernel on one source. Errors are in ulps of the exact distance and relative to the exact critical radius, which
+// is the least float not below that distance; measured = right + early + late + unbounded.
 struct CriticalRadii {
   std::uint64_t measured = 0;
   std::uint64_t right = 0;                   // the exact critical radius
   std::uint64_t early = 0;                   // contact for a radius below the distance: a phantom
   std::uint64_t late = 0;                    // separated for a radius not below it: missed
   std::uint64_t unbounded = 0;               // separated at the greatest finite radius
-  std::uint64_t unanswered = 0;              // not measured: a radius got no answer
+  std::uint64_t unanswered = 0;              // not measured: the kernel did not answer at some radius
   std::uint64_t reversals = 0;               // queries on which the answers are not monotone
-  std::map<Decimal6, std::uint64_t> errors;  // all but the unbounded ones, and how often
+  std::map<Decimal6, std::uint64_t> errors;  // all but the unbounded ones, with their counts
   std::optional<Measured> worst_early, worst_late;
   std::optional<ReversalWitness> first_reversal;
 
-  void merge(const CriticalRadii& later);  // of later positions
-  // The least error that `share` of those measured do not exceed; nothing where that is an unbounded one, or none was
+  void merge(const CriticalRadii& later);  // `later` is from later positions
+  // The least error that `share` of the measured ones do not exceed; empty if that is an unbounded one, or none was
   // measured.
   std::optional<Decimal6> quantile(double share) const;
   std::uint64_t within(const Decimal6& error) const;
@@ -53,7 +54,7 @@ struct CriticalRadiusResult {
   bool operator==(const CriticalRadiusResult&) const = default;
 };
 
-// The scalar form of each kernel, on all cores; the result depends on the plan alone.
+// Measures the scalar form of each kernel, on all cores; the result depends on the plan alone.
 CriticalRadiusResult measure_critical_radii(const CriticalRadiusPlan& plan);
 
 }  // namespace axiscert

@@ -1,4 +1,4 @@
-// Distributions of critical radii: kernels that are known to be monotone, and one planted that is not.
+// Distributions of critical radii: kernels known to be monotone, and a planted one that is not.
 #include "fuzz/instruments/critical_radius.h"
 
 #include <gtest/gtest.h>

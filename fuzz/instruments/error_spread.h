@@ -9,11 +9,11 @@
 
 namespace axiscert {
 
-// Errors of Kind::finite, in u. Merges in any order to the same figures.
+// Errors of Kind::finite, in u. The result of merging does not depend on the order.
 //
 // A quantile is a lower order statistic of the estimates upper(), which lie within 2^-39 of the errors: those are
-// counted in buckets [x, x (1 + 2^-10)] at most, and what is returned is the middle of the bucket that the statistic
-// falls in, within 2^-11 of it. So the memory does not grow with the number of queries.
+// counted in buckets [x, x (1 + 2^-10)] at most, and the result is the middle of the bucket that contains the
+// statistic, within 2^-11 of it. So the memory does not grow with the number of queries.
 class ErrorSpread {
  public:
   void add(const ComparisonError& error) {
@@ -36,7 +36,7 @@ class ErrorSpread {
 
   std::uint64_t count() const { return count_; }
   Decimal6 worst() const { return worst_; }  // rounded up
-  // The lower order statistic at `percent`; nothing without errors; infinite beyond binary64's range.
+  // The lower order statistic at `percent`; empty without errors; infinite beyond binary64's range.
   std::optional<double> quantile(unsigned percent) const {
     if (count_ == 0) return std::nullopt;
     // (count - 1) percent / 100, rounded down, without leaving 64 bits.
@@ -51,7 +51,7 @@ class ErrorSpread {
   bool operator==(const ErrorSpread&) const = default;
 
  private:
-  static constexpr unsigned dropped_bits = 52 - 10;  // of a binary64 number that is not negative
+  static constexpr unsigned dropped_bits = 52 - 10;  // dropped from a non-negative binary64 number
   static double middle(std::uint64_t bucket) {
     const double least = std::bit_cast<double>(bucket << dropped_bits);
     if (least == 0 || !std::isfinite(least)) return least;

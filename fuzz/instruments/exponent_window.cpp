@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t reference_count = 256;
 
-// |l - r| >= (l + r) / 32; both sides are not negative.
+// |l - r| >= (l + r) / 32; neither side may be negative.
 bool far_apart(const Ring& l, const Ring& r) {
   const Ring difference = (l - r) * Ring(32), sum = l + r;
   return difference >= sum || -difference >= sum;
@@ -34,7 +34,7 @@ QueryBatch<Real> scaled(const std::vector<Query<Real>>& queries, int exponent) {
   return batch;
 }
 
-// The axes that are as the unbounded exponent has them on every query of the batch.
+// The axes whose bits agree with the unbounded exponent on every query of the batch.
 template <class Real>
 AxisBits sound_axes(const Kernel& kernel, const Implementation<Real>& implementation, const QueryBatch<Real>& batch,
                     const std::vector<ComparisonBits>& expected) {
@@ -70,7 +70,8 @@ bool is_far_from_every_change(const Query<Real>& q) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3<Ring>&a = vertices[i], &b = vertices[(i + 1) % 3], &c = vertices[(i + 2) % 3];
     const Vec3<Ring> along = b - a, edge_normal = cross(a, b);
-    // Side comparisons: the angles at the vertex; and between the planes of the edge with the centre and of ABC.
+    // Side comparisons: the angles at the vertex; and the angle between the plane of ABC and the plane of the edge and
+    // the centre.
     if (!far_apart(dot(a, a), t.rr) || !far_apart(dot(edge_normal, edge_normal), t.rr * dot(along, along)) ||
         !far_from_right_angle(a, along) || !far_from_right_angle(a, c - a) ||
         !far_from_right_angle(edge_normal, normal)) {
@@ -95,8 +96,8 @@ std::vector<Query<Real>> window_queries() {
 template std::vector<Query<float>> window_queries<float>();
 template std::vector<Query<double>> window_queries<double>();
 
-// The family's numbers are multiples of u below 2: u 2^m must not be below the least subnormal number, 2 2^m not above
-// the greatest power of two.
+// The family's numbers are multiples of u below 2: u 2^m must not be below the least subnormal number, and 2 2^m must
+// not exceed the greatest power of two.
 ExponentWindow scanned_exponents(Precision precision) {
   if (precision == Precision::binary32)
     return {std::numeric_limits<float>::min_exponent, std::numeric_limits<float>::max_exponent - 1};
@@ -106,8 +107,8 @@ ExponentWindow scanned_exponents(Precision precision) {
 template <class Real>
 AxisWindows exponent_windows(const Kernel& kernel) {
   const std::vector<Query<Real>> queries = window_queries<Real>();
-  // Both sides of every comparison are homogeneous, of one degree, and an unbounded exponent rounds 2^k x as it rounds
-  // x: these bits hold at every scale.
+  // Both sides of every comparison are homogeneous, of one degree, and with an unbounded exponent rounding commutes
+  // with a scaling by 2^k: these bits hold at every scale.
   std::vector<ComparisonBits> expected;
   for (const Query<Real>& q : queries) {
     expected.push_back(*unbounded(kernel.formulae, kernel.arithmetic, kernel.strictness, q).bits);

@@ -1,4 +1,4 @@
-// How far a query may be scaled before a kernel's answers change: the range of its formulae.
+// The range of a kernel's formulae: how far a query may be scaled before the kernel's answers change.
 #pragma once
 
 #include <array>
@@ -9,18 +9,18 @@
 
 namespace axiscert {
 
-// Exponents m, both ends included, of the factor 2^m on every coordinate and the radius.
+// Exponents m, both ends included, of the factor 2^m for every coordinate and the radius.
 struct ExponentWindow {
   int low, high;
   int width() const { return high - low + 1; }
   bool operator==(const ExponentWindow&) const = default;
 };
 
-// Nothing where the axis differs at m = 0 already.
+// Empty for an axis that differs at m = 0 already.
 using AxisWindows = std::array<std::optional<ExponentWindow>, axis_count>;
 
-// All sixteen margins are at least 1/32 of their sides, the signs of the side comparisons taken as angles: cosines of
-// 1/32 at least. Exact.
+// Whether all sixteen margins are at least 1/32 of their sides, with the margins of side comparisons measured as
+// angles: cosines of at least 1/32. Exact.
 template <class Real>
 bool is_far_from_every_change(const Query<Real>& q);
 
@@ -28,12 +28,12 @@ bool is_far_from_every_change(const Query<Real>& q);
 template <class Real>
 std::vector<Query<Real>> window_queries();
 
-// The exponents by which the reference queries can be multiplied exactly: all that is scanned.
+// The exponents by which the reference queries can be scaled exactly: all exponents that are scanned.
 ExponentWindow scanned_exponents(Precision precision);
 
-// By axis, the greatest interval around 0 in which, on all reference queries, the comparison bits of the axis are those
-// that the same operations give with an unbounded exponent, and none of its sides is infinite or NaN. The kernel shows
-// its comparisons.
+// For each axis, the greatest interval around 0 in which, on all reference queries, the comparison bits of the axis are
+// those that the same operations give with an unbounded exponent, and none of its sides is infinite or NaN. The kernel
+// has to expose its comparisons.
 template <class Real>
 AxisWindows exponent_windows(const Kernel& kernel);
 

@@ -1,4 +1,4 @@
-// The least or the greatest of what an instrument measures, and where: whatever the order of merging, the same one.
+// The least or greatest measured value and its position: the same one in whatever order results are merged.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Measured {
   bool operator==(const Measured&) const = default;
 };
 
-// Of equal values the one at the earlier position stays.
+// Among equal values the one at the earlier position is kept.
 inline void keep_greatest(std::optional<Measured>& kept, const Measured& other) {
   if (!kept || other.value > kept->value || (other.value == kept->value && other.position < kept->position)) {
     kept = other;

@@ -1,4 +1,4 @@
-// Kernels with a fault planted in them, for the tests of the instruments.
+// Kernels with a planted fault, for the tests of the instruments.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace axiscert {
 
-// `published` with each answer to one comparison inverted; its verdicts are left alone.
+// `published` with every answer to one comparison inverted; its verdicts are unchanged.
 inline Kernel published_with_a_wrong_bit(Comparison which) {
   Kernel kernel = find_kernel("published");
   kernel.id = "wrong-bit";

@@ -11,7 +11,7 @@ namespace {
 template <class Real>
 struct Timed {
   Implementation<Real> implementation;
-  std::vector<double> ns;  // a query, by repetition
+  std::vector<double> ns;  // per query, one for each repetition
 
   void sort() { std::sort(ns.begin(), ns.end()); }
   double median() const { return ns[(ns.size() - 1) / 2]; }
@@ -19,7 +19,7 @@ struct Timed {
 
 template <class Real>
 double nanoseconds(const Implementation<Real>& kernel, const QueryColumns<Real>& batch, Verdict* out) {
-  if (kernel.timed) return kernel.timed(batch, out);  // what asking another process takes is not the kernel's
+  if (kernel.timed) return kernel.timed(batch, out);  // excludes the cost of communication with another process
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   kernel.verdicts(batch, out);
@@ -53,7 +53,7 @@ std::vector<KernelSpeed> measure_speed(const std::vector<const Kernel*>& kernels
       time(simd[k]);
     }
     if (repetition >= 0) continue;
-    for (auto* all : {&scalar, &simd}) {  // the first round only brings code and data in
+    for (auto* all : {&scalar, &simd}) {  // the first round only loads code and data into the caches
       for (Timed<Real>& timed : *all) timed.ns.clear();
     }
   }

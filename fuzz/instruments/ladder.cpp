@@ -10,7 +10,7 @@
 
 #include "exact/sphere_triangle/measures/error_measure.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/campaign.h"
@@ -19,7 +19,7 @@
 namespace axiscert {
 namespace {
 
-using Accuracies = std::vector<KernelAccuracy>;  // source by source, in each the kernels
+using Accuracies = std::vector<KernelAccuracy>;  // source by source, the kernels in each
 
 // A kernel on a block of queries.
 template <class Real>
@@ -43,7 +43,7 @@ void count_verdict(KernelAccuracy& into, const Truth& truth, Verdict verdict) {
   into.touching_flips += truth.touching;
 }
 
-// Of these flips, those that range alone explains: the reference has them too, an unbounded exponent has not.
+// Those of the flips that range alone explains: the reference has them too, but an unbounded exponent does not.
 template <class Real>
 ComparisonBits flips_by_range(ComparisonBits flips, const Kernel& kernel, ComparisonBits exact, const Query<Real>& q) {
   if (flips == 0) return 0;
@@ -85,7 +85,7 @@ void count_critical_radius(KernelAccuracy& into, const Implementation<Real>& ker
   else if (error) ++into.radius_unbounded;
 }
 
-// `into` are the kernels on the block's source.
+// `into` points to the kernels' results on the block's source.
 template <class Real>
 void judge_block(const LadderPlan& plan, const QueryBlock& block, KernelAccuracy* into) {
   QueryBatch<Real> batch(block.size);

@@ -6,7 +6,7 @@
 namespace axiscert {
 namespace {
 
-// The formulae that a set of formulae was rewritten from, the nearest first.
+// The formulae from which a set of formulae was rewritten, the nearest first.
 std::vector<Formulae> origins(Formulae formulae) {
   using enum Formulae;
   switch (formulae) {

@@ -1,4 +1,4 @@
-// From one form of the test to the next: what a rewriting changes, and which one costs most.
+// Steps from one form of the test to the next: the effect of each rewriting, and the most costly ones.
 #pragma once
 
 #include <string_view>
@@ -7,11 +7,11 @@
 
 namespace axiscert {
 
-// Axes that are rewritten alike.
+// Kinds of axes that are rewritten in the same way.
 enum class AxisKind : std::uint8_t { plane, vertex, edge };
 inline constexpr std::size_t axis_kind_count = 3;
 inline constexpr std::array<std::string_view, axis_kind_count> axis_kind_names = {"plane", "vertex", "edge"};
-// Which axes, and which comparisons of theirs.
+// The axes of a kind, and their comparisons.
 AxisBits axes_of_kind(AxisKind kind);
 ComparisonBits comparisons_of_kind(AxisKind kind);
 
@@ -22,22 +22,22 @@ std::optional<ExponentWindow> common_window(const AxisWindows& windows, AxisBits
 struct LadderStep {
   std::size_t from, to;
 };
-// Each kernel with the one that it was made from, where both are there: rung k from rung k - 1, the reduced forms from
-// ladder-9 or else published, a rung in another arithmetic from the rung.
+// Each kernel with the one from which it was made, if both are among the entries: rung k from rung k - 1, the reduced
+// forms from ladder-9 or otherwise published, a rung in another arithmetic from the rung.
 std::vector<LadderStep> ladder_steps(const std::vector<LadderEntry>& entries);
 
-// The step that makes a figure worst, of the steps that worsen it at all.
+// The step that worsens a figure most, among the steps that worsen it at all.
 struct CostliestSteps {
   std::optional<std::size_t> sign_errors;           // the greatest increase
-  std::optional<std::size_t> rounding_sign_errors;  // that, of those that are not by range
+  std::optional<std::size_t> rounding_sign_errors;  // the same, without sign errors by range
   std::optional<std::size_t> worst_error;           // the greatest factor
   std::optional<std::size_t> range;                 // the most octaves lost
 };
 CostliestSteps costliest_steps(const std::vector<LadderEntry>& entries, const std::vector<LadderStep>& steps,
                                AxisKind kind);
 
-// The positions of the entries than which none is both faster and wrong less often; the fastest first. All have
-// `speed`.
+// The positions of the entries for which no other entry is both faster and wrong less often; the fastest first. All
+// entries must have `speed`.
 std::vector<std::size_t> accuracy_speed_front(const std::vector<LadderEntry>& entries);
 
 }  // namespace axiscert

@@ -1,4 +1,5 @@
-// The ladder: a row is one kernel's and no other's; windows are those that are known; threads change nothing.
+// The ladder: a row contains the results of one kernel only; windows equal the known ones; the number of threads has no
+// influence.
 #include "exact/sphere_triangle/measures/error_measure.h"
 #include "fuzz/instruments/ladder.h"
 
@@ -38,7 +39,7 @@ TEST(Ladder, TheLastRungIsThePublishedTest) {
   }
 }
 
-// Planted: the radius comparison of edge BC has its left side off by 2^-10 of itself.
+// Planted: the left side of the radius comparison of edge BC has a relative error of 2^-10.
 template <class Real>
 Implementation<Real> off_on_one_edge() {
   auto published = scalar_implementation<Formulae::published, Strictness::strict, Real>();
@@ -70,7 +71,7 @@ TEST(Ladder, APlantedErrorShowsOnItsAxisAndNowhereElse) {
     EXPECT_GT(off.sign_errors(), sound.sign_errors());
     EXPECT_GT(off.errors.quantile(50), sound.errors.quantile(50));
   }
-  // 2^-10 of the left side is 2^14 u of it: between a half and the whole of that, of the sum of both sides.
+  // 2^-10 of the left side is 2^14 u of it: between a half and all of that, relative to the sum of both sides.
   const ComparisonAccuracy radius = entries[1].all.of(1u << static_cast<unsigned>(Comparison::edge_bc_radius));
   EXPECT_GT(radius.errors.worst().value(), 0x1p13);
   EXPECT_LT(radius.errors.worst().value(), 0x1p15);
@@ -116,7 +117,7 @@ TEST(ExponentWindow, EdgesLeaveBinary32FirstAndTheReducedOnesLater) {
   EXPECT_EQ(window_of("reduced", AxisKind::vertex), vertex);
 }
 
-// The bits of the unbounded evaluation hold at every scale: asked again there.
+// The bits of the unbounded evaluation hold at every scale: they are evaluated again there.
 TEST(ExponentWindow, TheUnboundedBitsDoNotDependOnTheScale) {
   const auto queries = window_queries<float>();
   ASSERT_EQ(queries.size(), 256u);

@@ -8,7 +8,7 @@
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/unbounded/at_precision.h"
-#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/claims/claim.h"
 #include "fuzz/campaign/campaign.h"
 
 namespace axiscert {
@@ -16,7 +16,7 @@ namespace {
 
 using enum ExponentRange;
 
-constexpr std::size_t block = 32;  // queries; a query costs milliseconds
+constexpr std::size_t block = 32;  // queries; a query takes milliseconds
 
 PrecisionTally empty_tally(const PrecisionPlan& plan) {
   PrecisionTally tally;
@@ -109,7 +109,7 @@ void merge(PrecisionStep& into, const PrecisionStep& other) {
   into.range += other.range;
 }
 
-// The least of the bits from which on `flips` counts none.
+// The least number of bits from which on `flips` counts none.
 template <class Flips>
 std::optional<int> sufficient(const PrecisionPlan& plan, const KernelPrecision& kernel, Flips&& flips) {
   std::optional<int> least;

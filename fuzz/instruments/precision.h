@@ -1,5 +1,5 @@
-// What precision costs: the formulae of several kernels at every number of bits, with and without a limit on exponents,
-// so that what rounding breaks is told from what range breaks.
+// The cost of precision: the formulae of several kernels at every number of bits, with and without a limit on
+// exponents, so that faults of rounding are distinguished from faults of range.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace axiscert {
 
-// `unlimited` exponents never end; `limited` ones are those of the plan's precision, with gradual underflow.
+// `unlimited` exponents are unbounded; `limited` ones are those of the plan's precision, with gradual underflow.
 enum class ExponentRange : std::uint8_t { unlimited, limited };
 inline constexpr std::array<std::string_view, 2> exponent_range_names = {"unlimited", "limited"};
 
@@ -21,14 +21,14 @@ struct PrecisionPlan {
   std::uint64_t trials = 0;  // queries per source
   std::vector<const Kernel*> kernels;
   std::vector<SourcePtr> sources;
-  Precision precision = Precision::binary32;  // of the queries, and of the limited exponents
+  Precision precision = Precision::binary32;  // precision of the queries, and of the limited exponents
   std::vector<int> bits;                      // ascending, each in [least_bits, greatest_bits]
 };
 
-// The precisions where no other list is asked for: closer where the published formats are.
+// The numbers of bits used if no list is given: more closely spaced near the published formats.
 std::vector<int> default_precision_bits();
 
-// Wrong verdicts, against the geometric truth.
+// Wrong verdicts, relative to the geometric truth.
 struct VerdictFlips {
   std::uint64_t false_separation = 0, false_contact = 0;
   std::uint64_t total() const { return false_separation + false_contact; }
@@ -38,40 +38,40 @@ struct VerdictFlips {
 // One kernel's formulae at one number of bits, in one exponent range.
 struct PrecisionCounts {
   VerdictFlips verdict;
-  std::array<std::uint64_t, comparison_count> comparisons{};  // that differ from the kernel's own exact ones
+  std::array<std::uint64_t, comparison_count> comparisons{};  // those that differ from the kernel's own exact ones
   bool operator==(const PrecisionCounts&) const = default;
 };
 
 struct PrecisionStep {
   std::array<PrecisionCounts, 2> ranges;  // by ExponentRange
-  // Verdicts that differ between exact arithmetic and unlimited exponents; between unlimited and limited ones.
+  // Verdicts that differ between exact arithmetic and unlimited exponents; and between unlimited and limited ones.
   std::uint64_t rounding = 0, range = 0;
   const PrecisionCounts& in(ExponentRange range_) const { return ranges[static_cast<std::size_t>(range_)]; }
   bool operator==(const PrecisionStep&) const = default;
 };
 
 struct KernelPrecision {
-  VerdictFlips exact;                // of the formulae in exact arithmetic: no number of bits mends these
-  std::vector<PrecisionStep> steps;  // by the plan's bits
+  VerdictFlips exact;                // flips of the formulae in exact arithmetic: no number of bits removes these
+  std::vector<PrecisionStep> steps;  // one per entry of the plan's bits
   void merge(const KernelPrecision& other);
   bool operator==(const KernelPrecision&) const = default;
 };
 
 // One source, or several together.
 struct PrecisionTally {
-  std::uint64_t queries = 0;             // valid ones
+  std::uint64_t queries = 0;             // valid queries only
   std::vector<KernelPrecision> kernels;  // in the plan's order
   void merge(const PrecisionTally& other);
   bool operator==(const PrecisionTally&) const = default;
 };
 
-// By source. Depends on the plan alone, not on threads. Throws Error for a kernel whose formulae are not evaluated in
-// plain arithmetic, OracleDisagreement, and HarnessFault where the precision's own bits and exponents do not give the
-// scalar reference's answer.
+// One tally per source. Depends on the plan alone, not on threads. Throws Error for a kernel whose formulae are not
+// evaluated in plain arithmetic, OracleDisagreement, and HarnessFault if evaluation with the precision's own bits and
+// exponents does not give the scalar reference's answer.
 std::vector<PrecisionTally> measure_precision(const PrecisionPlan& plan);
 PrecisionTally total(const std::vector<PrecisionTally>& tallies);
 
-// The least of the plan's bits from which on, with unlimited exponents, none of these occurs; nothing where one does at
+// The least of the plan's bits from which on, with unlimited exponents, none of these occurs; empty if one occurs at
 // the last:
 //   verdict           a wrong verdict, against the geometric truth
 //   own_verdict       a verdict other than that of the kernel's formulae in exact arithmetic

@@ -1,4 +1,4 @@
-// Evaluation at any precision: the scalar reference's bits where the formats agree, no flip where the bits suffice, and
+// Evaluation at any precision: the scalar reference's bits if the formats agree, no flip if there are enough bits, and
 // tallies that depend on the plan alone.
 #include "fuzz/instruments/precision.h"
 
@@ -23,7 +23,7 @@ TYPED_TEST_SUITE(AtPrecisionTest, Reals);
 
 constexpr std::array<Strictness, 3> strictnesses = {Strictness::strict, Strictness::nonstrict, Strictness::not_less};
 
-// Families in which most operations leave the range take more of the queries.
+// Families in which most operations leave the range get the greater number of queries.
 template <class Real, class Check>
 void for_each_family(std::uint64_t few, std::uint64_t many, Check&& check) {
   for (const Family* family : families()) {
@@ -69,7 +69,7 @@ TYPED_TEST(AtPrecisionTest, WhatIsLeftOutWouldRepeat) {
   });
 }
 
-// Planted: one bit less than the format has.
+// Planted: one bit fewer than the format has.
 TYPED_TEST(AtPrecisionTest, OneBitLessIsSeenOnTangent) {
   constexpr int digits = std::numeric_limits<TypeParam>::digits;
   int differences = 0, more_flips = 0;
@@ -87,7 +87,7 @@ TYPED_TEST(AtPrecisionTest, OneBitLessIsSeenOnTangent) {
   EXPECT_GT(more_flips, 10);
 }
 
-// The least b for which all coordinates and the radius are integers of b bits, once multiplied by a power of two.
+// The least b for which all coordinates and the radius are integers of b bits after multiplication by a power of two.
 template <class Real>
 int integer_bits(const Query<Real>& q) {
   int lowest = std::numeric_limits<int>::max(), highest = std::numeric_limits<int>::min();
@@ -122,7 +122,7 @@ void expect_no_flip_at_the_bit_length(const char* family, std::uint64_t queries)
   EXPECT_GT(comparisons_checked, 1000) << family;
 }
 
-// Large ties of binary64 need 6 * 53 + 19 bits, which are more than there are.
+// Large ties of binary64 need 6 * 53 + 19 bits, which is beyond the greatest supported number.
 TEST(AtPrecision, IntegersDoNotFlipAtTheRecordedBitLength) {
   expect_no_flip_at_the_bit_length<float>("lattice", 1000);
   expect_no_flip_at_the_bit_length<double>("lattice", 1000);

@@ -16,16 +16,16 @@
 namespace axiscert {
 namespace {
 
-// A block begins somebody else's process anew, as a unit of a run does.
+// A new foreign process is begun for each block, as for a unit of a run.
 constexpr std::size_t block_pixels = std::size_t{1} << 14, batch_pixels = 256, second_opinion_pixels = 4096;
 
-// What is known of one pixel's query, and what the kernel said of it.
+// The truth about one pixel's query, and the kernel's answer to it.
 struct Pixel {
-  Truth truth;  // of a valid query; without formulae
+  Truth truth;  // truth of a valid query; without formulae
   ComparisonBits exact, ties;
-  ComparisonBits certain;     // tells the sign of the published comparison
-  ComparisonBits all_exact;   // of the published comparisons, their sides not strict: the truth's
-  ComparisonBits not_finite;  // computed sides
+  ComparisonBits certain;     // comparisons for which the sign of the published one is certain
+  ComparisonBits all_exact;   // the published comparisons with non-strict sides: equal to the truth's
+  ComparisonBits not_finite;  // comparisons with a computed side that is not finite
   Outcome said;
   std::optional<Verdict> right;
 };
@@ -34,13 +34,13 @@ bool is_set(unsigned bits, std::size_t i) { return ((bits >> i) & 1u) != 0; }
 
 bool holds(AxisBits axes, std::size_t axis) { return is_set(axes, axis); }
 
-// Whether the certain comparisons settle the axis: they are all of it, or one of them fails.
+// Whether the certain comparisons settle the axis: all of its comparisons are certain, or a certain one fails.
 bool is_axis_settled(std::size_t axis, ComparisonBits bits, ComparisonBits certain) {
   const ComparisonBits all = axis_comparisons[axis];
   return (all & ~certain) == 0 || (all & certain & ~bits) != 0;
 }
 
-// An axis is certain to separate, or none is.
+// Settled if an axis is certain to separate, or if it is certain that none does.
 bool is_verdict_settled(ComparisonBits bits, ComparisonBits certain) {
   bool every_axis = true;
   for (std::size_t axis = 0; axis < axis_count; ++axis) {
@@ -51,11 +51,11 @@ bool is_verdict_settled(ComparisonBits bits, ComparisonBits certain) {
   return every_axis;
 }
 
-// What one picture shows of a pixel.
+// The content of one pixel of one picture.
 struct Shown {
   bool yes, tie, certain;
-  std::optional<bool> said;   // none: it gave no such answer
-  std::optional<bool> right;  // none: neither is wrong
+  std::optional<bool> said;   // empty: the kernel gave no such answer
+  std::optional<bool> right;  // empty: neither answer is wrong
   bool not_finite = false;
 };
 
@@ -108,7 +108,7 @@ PixelClass class_of(const Shown& s) {
   return s.certain ? PixelClass::no : PixelClass::no_uncertain;
 }
 
-// A picture that is being drawn: its classes, and whether the exact answer is yes.
+// A picture that is being drawn: its classes, and for each pixel whether the exact answer is yes.
 struct Canvas {
   std::vector<PixelClass> pixels;
   std::vector<char> yes;
@@ -128,7 +128,7 @@ class Drawing {
     has_bounds_ = std::any_of(bounds_.begin(), bounds_.end(), [](const auto& b) { return b.has_value(); });
   }
 
-  // The pixels from `first` to before `last`, row by row.
+  // Draws the pixels from `first` to before `last`, row by row.
   void draw(std::size_t first, std::size_t last) const {
     const Implementation<Real> kernel = plan_.kernel->on<Real>(plan_.target);
     Cascade<Real> cascade(filter_on<Real>(plan_.target));
@@ -143,7 +143,7 @@ class Drawing {
       const std::vector<DecidedSigns>& decided = cascade.decide(batch);
       for (std::size_t i = 0; i < batch.size(); ++i) {
         const Query<Real> q = batch[i];
-        if (!is_valid(q)) continue;  // no_query, as it was begun
+        if (!is_valid(q)) continue;  // remains no_query, as initialised
         check(at + i, decided[i], q);
         put(at + i, pixel(decided[i], reply, i, q));
       }
@@ -169,7 +169,7 @@ class Drawing {
             std::nullopt};
     p.right = right_verdict(p.truth, kernel.touching);
     if (!has_comparison_maps(kernel)) return p;
-    if (kind_of(kernel.formulae) == FormulaeKind::rung) {  // whose signs are the published ones on every query
+    if (kind_of(kernel.formulae) == FormulaeKind::rung) {  // rungs have the published signs on every query
       p.exact = signs.bits(kernel.strictness);
       p.ties = signs.ties;
     } else {
@@ -195,10 +195,10 @@ class Drawing {
       const double lhs = sides.lhs[k], rhs = sides.rhs[k];
       if (!std::isfinite(lhs) || !std::isfinite(rhs)) p.not_finite |= bit;
       if (!in_box || !bounds_[k]) continue;
-      // Rounding is monotone: a difference that rounds to more than a double is more than it.
+      // Rounding is monotone: if the rounded difference exceeds a double, so does the exact one.
       bool certain = std::fabs(lhs - rhs) > *bounds_[k];
       const bool is_wrong = is_set(*p.said.bits, k) != is_set(p.exact, k);
-      // The bound is of the sides that the kernel claims to compute, which somebody else's may not.
+      // The bound is for the sides that the kernel claims to compute; those of foreign code may be others.
       if (certain && is_wrong && !are_as_claimed(sides, q)) certain = false;
       p.certain = static_cast<ComparisonBits>(certain ? p.certain | bit : p.certain & ~bit);
       if (certain && is_wrong) {
@@ -219,13 +219,14 @@ class Drawing {
   const MapPlan& plan_;
   const Query<Real> witness_;
   std::vector<Canvas>& canvases_;
-  std::array<std::optional<double>, comparison_count> bounds_;  // of |computed lhs - rhs| where the sign may be wrong
+  // bound of |computed lhs - rhs| if the sign may be wrong
+  std::array<std::optional<double>, comparison_count> bounds_;
   bool has_bounds_ = false;
 };
 
-// Marks the pixels that are not yes and have a neighbour that is, left, right, above or below.
+// Marks the pixels that are not yes and have a neighbour to the left, right, above or below that is.
 void mark_boundary(Canvas& canvas, std::size_t columns, std::size_t rows) {
-  const auto is_yes = [&](std::size_t column, std::size_t row) {  // also where it wraps below 0
+  const auto is_yes = [&](std::size_t column, std::size_t row) {  // correct also if it wraps below 0
     return column < columns && row < rows && canvas.yes[row * columns + column] != 0;
   };
   for (std::size_t row = 0; row < rows; ++row) {

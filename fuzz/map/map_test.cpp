@@ -1,4 +1,4 @@
-// Maps: each pixel is the query it says it is, and shows what `check` says of it.
+// Maps: each pixel has the query that its position says, and the class that `check` gives for that query.
 #include "fuzz/map/map.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/claims/examine.h"
 #include "exact/numbers/rational.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/instruments/instruments_testing.h"
@@ -99,14 +99,14 @@ TEST(MapNumbers, AreNamedOrRefused) {
   EXPECT_THROW(exponent_plane(Query<float>{}, parse_numbers("a"), parse_numbers("r"), 4), Error);
 }
 
-// What a picture has to show of one query, by everything that `check` asks: CGAL and exact sides, no filter.
+// The class that a picture has to show for one query, by everything that `check` asks: CGAL and exact sides, no filter.
 template <class Real>
 class Checked {
  public:
   Checked(const Query<Real>& q, const Kernel& kernel) : is_valid_(is_valid(q)) {
     if (is_valid_) flips_ = Examiner(kernel, scalar_target).examine(q).judgement.flips();
   }
-  // None where the kernel is right.
+  // Empty if the kernel is right.
   std::optional<PixelClass> expected(const MapSubject& subject) const {
     if (!is_valid_) return PixelClass::no_query;
     for (const Flip& flip : flips_) {
@@ -122,7 +122,7 @@ class Checked {
   std::vector<Flip> flips_;
 };
 
-// Returns on how many pixels the kernel is wrong.
+// Returns the number of pixels on which the kernel is wrong.
 template <class Real>
 std::size_t expect_as_checked(const Kernel& kernel, const Query<Real>& witness, const Plane& plane) {
   const MapPlan plan{&kernel, resolve_target("auto"), stored(witness), plane,
@@ -161,7 +161,7 @@ TEST(MapsOfAVariant, AreHeldAgainstItsOwnFormulae) {
   expect_as_checked(find_kernel("first-publication"), q, ulp_plane(parse_numbers("a.x"), parse_numbers("r"), 8, 1));
 }
 
-// By the geometry alone: a sphere that touches the vertex A of a triangle far from it otherwise.
+// Expected from the geometry alone: a sphere that touches the vertex A of a triangle that is otherwise far from it.
 TEST(MapPictures, ShowTheBoundaryTiesAndTheWrongBit) {
   const Query<float> q = {{1, 0, 0}, {2, 1, 0}, {2, -1, 1}, {0, 0, 0}, 1};
   const Plane plane = ulp_plane(parse_numbers("a.x"), parse_numbers("r"), 8, 1);
@@ -186,7 +186,7 @@ TEST(MapPictures, ShowTheBoundaryTiesAndTheWrongBit) {
   }
 }
 
-// 2^11 is still in the range of binary32, degree 6; at 2^30 an edge's sides overflow and it separates no longer.
+// 2^11 is still within the range of binary32 at degree 6; at 2^30 an edge's sides overflow and it no longer separates.
 TEST(MapPictures, ShowWhereRangeEnds) {
   const Query<float> q = {{1, -1, 0}, {1, 1, 0.25}, {2, 0, 4}, {0, 0, 0}, 0.5};
   const MapPlan plan{&find_kernel("published"),

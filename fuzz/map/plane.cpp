@@ -30,7 +30,7 @@ int exponent_of(const Query<Real>& witness, const MovedNumbers& numbers) {
   for (std::size_t k = 0; k < coordinate_count; ++k) {
     if (((numbers.places >> k) & 1u) != 0) greatest = std::max(greatest, std::fabs(v[k]));
   }
-  if (greatest == 0) throw Error(fmt::format("{}: zero in this query, and so at every exponent", numbers.name));
+  if (greatest == 0) throw Error(fmt::format("{}: zero in this query, and so zero at every exponent", numbers.name));
   return std::ilogb(greatest);
 }
 
@@ -58,8 +58,8 @@ MovedNumbers parse_numbers(std::string_view name) {
   const std::size_t axis = name.size() == 3 && name[1] == '.' ? xyz.find(name[2]) : xyz.npos;
   if (point != points.npos && axis != xyz.npos) return {text, static_cast<std::uint16_t>(1u << (3 * point + axis))};
   throw Error(fmt::format(
-      "'{}': no numbers of a query; there are a.x, a.y, a.z, b.x ... p.z, r and, with --exponents, a, b, c, p, "
-      "triangle, scene",
+      "'{}' is not a name of numbers of a query; the names are a.x, a.y, a.z, b.x ... p.z, r and, with --exponents, a, "
+      "b, c, p, triangle, scene",
       name));
 }
 
@@ -87,7 +87,7 @@ Query<Real> query_at(const Plane& plane, const Query<Real>& witness, std::size_t
   auto v = coordinates(witness);
   for (std::size_t k = 0; k < coordinate_count; ++k) {
     const std::int64_t offset = (moves(plane.along, k) ? along : 0) + (moves(plane.across, k) ? across : 0);
-    if (offset == 0) continue;  // a witness's -0 stays what it is
+    if (offset == 0) continue;  // keeps the sign of a witness's -0
     v[k] = plane.kind == PlaneKind::ulps ? moved_by_ulps(v[k], offset) : std::ldexp(v[k], static_cast<int>(offset));
   }
   return from_coordinates(v);

@@ -1,4 +1,4 @@
-// A mesh as a source: the queries that a physics engine asks about a real mesh's triangles.
+// A mesh as a source: the queries that a physics engine makes for a real mesh's triangles.
 #pragma once
 
 #include "fuzz/meshes/mesh_import.h"
@@ -9,34 +9,34 @@ namespace axiscert {
 // Immutable once loaded.
 struct Mesh {
   std::vector<MeshTriangle> triangles;     // at least one; degenerate ones are kept
-  std::uint64_t degenerate_triangles = 0;  // zero area, exactly, as the file's binary32 coordinates stand
+  std::uint64_t degenerate_triangles = 0;  // zero area, exactly, with the file's binary32 coordinates
   std::uint64_t skipped_primitives = 0;    // points, lines, and triangles with a vertex that is not finite
-  double diagonal = 0;                     // of the bounding box
+  double diagonal = 0;                     // diagonal of the bounding box
 };
 
-// Throws Error with the path where the file cannot be read, is no mesh to assimp, or holds no triangle.
+// Throws Error with the path if the file cannot be read, is not a mesh according to assimp, or contains no triangle.
 Mesh load_mesh(const std::string& path, std::uint64_t file_size);
 
-// How the sphere lies. "Beside": P sees nothing of the triangle but that edge or vertex.
+// Positions of the sphere. "Beside": P lies where that edge or vertex is the nearest feature of the triangle.
 enum class Placement : std::uint8_t {
-  resting,       // above a point of the face, r the float nearest the exact distance, up to 4 ulps from it
+  resting,       // above a point of the face, r the float nearest to the exact distance, up to 4 ulps from it
   sinking,       // the same, r 0.1 to 50 % greater than the distance
   hovering,      // the same, r 0.1 to 50 % smaller
   edge_graze,    // beside an edge, r within 4 ulps of the distance
   vertex_graze,  // beside a vertex, r within 4 ulps of the distance
-  centre_on,     // P on a vertex, an edge or the face (but for P's own rounding), r tiny or zero
-  far,           // beyond reach, by up to 2^10 radii
+  centre_on,     // P on a vertex, an edge or the face (up to P's own rounding), r tiny or zero
+  far,           // out of reach, by up to 2^10 radii
 };
 inline constexpr std::uint64_t placement_count = 7;
 
-// Triangle `position % triangles`; placements in turn, over the triangles and again over the rounds: `triangles`
-// consecutive positions meet every triangle once and every placement, 7 `triangles` of them every pair.
+// Triangle `position % triangles`; placements take turns over the triangles and again over the rounds: `triangles`
+// consecutive positions include every triangle once and every placement, and 7 `triangles` of them include every pair.
 constexpr Placement placement_at(std::uint64_t position, std::uint64_t triangles) {
   return static_cast<Placement>((position % triangles + position / triangles) % placement_count);
 }
 
-// Distances and radii (but for the last two placements) are 2^-6 to 2^6 mean edges; where a triangle is one point, the
-// diagonal of the mesh's box counts as edge, and 1 where that is zero too. binary32: the file's own vertices.
+// Distances and radii (except for the last two placements) are 2^-6 to 2^6 mean edges; if a triangle is a single point,
+// the diagonal of the mesh's box replaces the edge, or 1 if that is zero too. binary32: the file's own vertices.
 // binary64: the mesh rotated by an integer quaternion and scaled by 2^-4 to 2^5, drawn anew for each position and
 // computed in binary64; the rounded vertices are the query's. Every number is finite.
 template <class Real>

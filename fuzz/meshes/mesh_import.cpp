@@ -25,13 +25,13 @@ namespace {
 static_assert(sizeof(ai_real) == sizeof(float), "assimp built for double would not give the vertices of the file");
 static_assert(sizeof(MeshTriangle) == 9 * sizeof(float));
 
-// What the child sends: a tag, then the count of skipped primitives and the triangles, or a message.
+// Messages of the child: a tag, followed by the number of skipped primitives and the triangles, or by an error message.
 constexpr char tag_mesh = 'm', tag_error = 'e';
 
 std::span<const aiFace> faces_of(const aiMesh& mesh) { return {mesh.mFaces, mesh.mFaces ? mesh.mNumFaces : 0}; }
 
-// The types of primitive that the faces are, whatever the importer wrote there: aiProcess_Triangulate aborts where
-// the two differ. Throws where a face names a vertex that the mesh does not have, which it would read.
+// The actual primitive types of the faces, whatever the importer recorded: aiProcess_Triangulate aborts if the two
+// differ. Throws if a face names a vertex that the mesh does not have, which assimp would read.
 unsigned primitive_types(const aiMesh& mesh) {
   unsigned types = 0;
   for (const aiFace& face : faces_of(mesh)) {
@@ -101,7 +101,7 @@ bool write_all(int to, const void* data, std::size_t size) {
   return true;
 }
 
-// Bytes of address space in use: the limit is for what comes on top, whatever a sanitizer has reserved.
+// Bytes of address space in use: the limit applies to further allocation, whatever a sanitizer has reserved.
 std::uint64_t address_space() {
   unsigned long pages = 0;
   if (std::FILE* statm = std::fopen("/proc/self/statm", "r")) {

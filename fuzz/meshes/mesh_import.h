@@ -1,4 +1,4 @@
-// The triangles of a mesh file, as assimp reads them.
+// The triangles of a mesh file, as read by assimp.
 #pragma once
 
 #include <array>
@@ -18,21 +18,22 @@ struct ImportedMesh {
   std::uint64_t skipped_primitives = 0;
 };
 
-// What assimp may use for one file, beyond what the caller uses already: far more than any mesh of that size needs.
+// The resources that assimp may use for one file, beyond those the caller uses already: far more than any mesh of that
+// size needs.
 struct ImportLimits {
-  std::uint64_t bytes;    // of address space
-  std::uint64_t seconds;  // of processor time
+  std::uint64_t bytes;    // address space
+  std::uint64_t seconds;  // processor time
 };
 constexpr ImportLimits limits_for(std::uint64_t file_size) {
   return {(std::uint64_t{4} << 30) + 256 * file_size, 10 + (file_size >> 20)};
 }
 
-// Every mesh of the scene in its own coordinates (no node transformations), polygons triangulated, vertices not joined
-// and degenerate triangles not removed. Which triangles a file holds is for the installed assimp to say.
+// Imports every mesh of the scene in its own coordinates (no node transformations), polygons triangulated, vertices not
+// joined and degenerate triangles not removed. The installed assimp determines which triangles a file contains.
 //
-// assimp runs in a process of its own: on a malformed file it may abort, ask for hundreds of gigabytes, print or never
-// end, and none of that may reach the caller. Throws Error with the path and assimp's own reason, or with how it ended.
-// Call it before starting threads.
+// assimp runs in a separate process: on a malformed file it may abort, request hundreds of gigabytes, print or never
+// end, and none of that may affect the caller. Throws Error with the path and assimp's own reason, or with the way in
+// which it ended. Call it before starting threads.
 ImportedMesh import_mesh(const std::string& path, const ImportLimits& limits);
 
 }  // namespace axiscert

@@ -1,6 +1,6 @@
-// Where the spheres of a mesh lie about its triangles, in lanes of binary64: one placement a vector, one triangle a
+// Placement of spheres about the triangles of a mesh, in lanes of binary64: one placement per vector, one triangle per
 // lane. Included once for each instruction set, by mesh_query.cpp.
-#include "fuzz/families/sphere_triangle/lane_shapes-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert {
@@ -15,14 +15,14 @@ constexpr std::size_t lanes = Random::lanes;
 AXISCERT_INLINE T number(double x) { return Random::constant(x); }
 AXISCERT_INLINE Point zero_point() { return {number(0), number(0), number(0)}; }
 
-// Any direction, denser towards the vertices of a cube than towards its faces, by 3 sqrt(3) at most.
+// Any direction, denser towards the vertices of a cube than towards its faces, by a factor of at most 3 sqrt(3).
 AXISCERT_INLINE Point direction(Random& random) {
   Point v = in_cube(random);
   v.x = select(hn::Eq(v.x.v, number(0).v), number(1), v.x);
   return at_unit_length(v);
 }
 
-// 2^low to 2^high, the exponent uniform and the significand uniform.
+// A number between 2^low and 2^high, with uniform exponent and uniform significand.
 AXISCERT_INLINE T magnitude(Random& random, int low, int high) {
   const auto exponent = random.below(static_cast<std::uint32_t>(high - low));
   const T significand = number(1) + random.unit();
@@ -30,7 +30,7 @@ AXISCERT_INLINE T magnitude(Random& random, int low, int high) {
   return significand * T{hn::BitCast(Random::D(), hn::ShiftLeft<52>(biased))};
 }
 
-// A rotation by an integer quaternion and a scale together: the columns are the images of the unit vectors.
+// A rotation by an integer quaternion combined with a scale: the columns are the images of the unit vectors.
 struct Placed {
   Point x, y, z;
   T scale;
@@ -52,11 +52,11 @@ AXISCERT_INLINE Placed drawn_placement(Random& random) {
           scale};
 }
 
-// A triangle and its sizes and directions, as good as binary64 has them: nothing below relies on their being exact.
+// A triangle and its sizes and directions, to the accuracy of binary64: nothing below relies on their being exact.
 struct Frame {
   LaneVertices<T> v;
   T edge;        // mean length, never zero
-  Point normal;  // unit; any direction where the triangle has none
+  Point normal;  // unit length; an arbitrary direction if the triangle has no area
 
   Frame(const LaneVertices<T>& vertices, const T& substitute, Random& random) : v(vertices) {
     const T zero = number(0);
@@ -68,7 +68,7 @@ struct Frame {
     normal = select(hn::Gt(size.v, zero.v), across / size, any);
   }
 
-  // In the plane, away from the triangle, at a right angle to the edge; zero where there is none.
+  // In the plane, away from the triangle, perpendicular to the edge; zero if there is no such direction.
   static Point outward(const Point& from, const Point& to, const Point& third) {
     const Point along = to - from, inner = third - from;
     const T square = dot(along, along);
@@ -80,7 +80,7 @@ struct Frame {
     const auto beyond = hn::Gt((s + t).v, one.v);
     return v[0] + ((v[1] - v[0]) * select(beyond, one - s, s) + (v[2] - v[0]) * select(beyond, one - t, t));
   }
-  // One of the vertices as the first, the others after it.
+  // The vertices rotated cyclically so that a random one is first.
   LaneVertices<T> turned(Random& random) const {
     const T i = random.integer(0, 2), one = number(1), two = number(2);
     const auto last = hn::Eq(i.v, two.v);
@@ -97,7 +97,7 @@ AXISCERT_INLINE Point edge_centre(const Frame& frame, Random& random, const T& h
   return foot + at_unit_length(Frame::outward(v[0], v[1], v[2]) * outwards + frame.normal * upwards) * height;
 }
 
-// Between the outward directions of the two edges that meet there P sees the vertex only.
+// Between the outward directions of the two edges that meet at the vertex, that vertex is the feature nearest to P.
 AXISCERT_INLINE Point vertex_centre(const Frame& frame, Random& random, const T& height) {
   const auto v = frame.turned(random);
   const T first = random.unit(), second = random.unit(), upwards = random.symmetric();
@@ -120,7 +120,7 @@ AXISCERT_INLINE Point centre_on(const Frame& frame, Random& random) {
   return select(hn::Lt(where.v, one.v), v[0], select(hn::Eq(where.v, one.v), beside, above));
 }
 
-// None, the least, at the distance and tiny: each as likely.
+// Zero, the least positive number, the distance itself or a tiny radius: all equally likely.
 template <class Real>
 AXISCERT_INLINE void give_tiny_radius(const Frame& frame, Random& random, LaneQuery<T>& q) {
   const T how = random.integer(0, 3), ulps = random.integer(-4, 4), tiny = frame.edge * magnitude(random, -26, -6);

@@ -1,8 +1,8 @@
-// Placing spheres about the triangles of a mesh, a vector of queries at a time that are placed alike. All of it in
-// binary64 with + - * / sqrt and powers of two, so that an address gives the same query everywhere; the query's own
-// precision enters with the last rounding.
+// Places spheres about the triangles of a mesh, one vector of queries with the same placement at a time. Everything is
+// in binary64 with + - * / sqrt and powers of two, so that an address gives the same query everywhere; the query's own
+// precision enters only with the last rounding.
 #include "fuzz/queries/boundary.h"
-#include "fuzz/queries/lanes.h"
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 #include "fuzz/meshes/mesh.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -19,8 +19,8 @@ namespace axiscert {
 
 inline constexpr std::size_t mesh_block_size = 512;
 
-// What is solved when the vertices and the centre of a block's queries stand: the radius is the distance, `ulps` floats
-// from it, times the factor; where that is 0 the radius stays.
+// The values to solve for when the vertices and the centre of a block's queries are known: the radius is the distance,
+// moved by `ulps` floats, times the factor; if the factor is 0 the radius remains as it is.
 struct MeshWishes {
   std::array<double, mesh_block_size> ulps, factor;
 };
@@ -32,8 +32,8 @@ HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
 namespace {
 
-// Queries that are placed alike: `count` of them, at most one a lane, at `first + index` each. Their triangles are
-// given.
+// Queries with the same placement: `count` of them, at most one per lane, at positions `first + index`. Their triangles
+// are given.
 template <class Real>
 void make_vector(const Mesh& mesh, const StreamName& name, Placement placement, std::uint64_t first,
                  const std::uint16_t* index, const std::uint64_t* triangle, std::size_t count,
@@ -78,7 +78,7 @@ void make_vector(const Mesh& mesh, const StreamName& name, Placement placement, 
   }
 }
 
-// A block's queries, those placed alike together.
+// A block's queries, with those of the same placement grouped together.
 template <class Real>
 void make_block(const Mesh& mesh, const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out,
                 MeshWishes& wishes) {

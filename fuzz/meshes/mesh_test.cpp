@@ -14,7 +14,7 @@
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/queries/boundary.h"
 #include "fuzz/queries/lane_testing.h"
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/sha256.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
 
@@ -23,7 +23,7 @@ namespace {
 
 std::string model(const std::string& path) { return std::string(TEST_MODELS) + "/" + path; }
 
-// A mesh file of the test's own, removed with it.
+// A mesh file written by the test and removed at its end.
 struct OwnMesh {
   std::string path;
   OwnMesh(const std::string& name, const std::string& text) : path(testing::TempDir() + "axiscert_" + name) {
@@ -41,7 +41,7 @@ std::string mesh_refusal(const std::string& path) {
   }
 }
 
-// One triangle with area, a needle whose vertices are collinear, a point thrice; then a line.
+// One triangle with area, a needle whose vertices are collinear, one point three times; then a line.
 const std::string degenerate_obj = "v 0 0 0\nv 3 0 0\nv 0 2 1\nv 1 1 1\nv 2 2 2\nf 1 2 3\nf 1 4 5\nf 2 2 2\nl 1 2\n";
 
 struct Expected {
@@ -89,7 +89,7 @@ TEST(Mesh, AFileWithoutTrianglesIsRefusedInOneLineThatNamesIt) {
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "12 faces", mesh_refusal(infinite));
 }
 
-// assimp asks for 16 GB for this file of 300 bytes, and aborts where it gets them.
+// assimp requests 16 GB for this file of 300 bytes, and aborts if it gets them.
 TEST(Mesh, AFileThatBreaksAssimpIsAnError) {
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "OutOfMemory.off: ", mesh_refusal(model("invalid/OutOfMemory.off")));
   EXPECT_EQ(mesh_refusal(model("invalid/OutOfMemory.off")).find("accepted"), std::string::npos);
@@ -125,13 +125,13 @@ TEST(Mesh, EveryModelLoadsOrIsRefusedAndNothingIsPrinted) {
   EXPECT_GE(refused, 20u);
 }
 
-// What each placement promises, judged by the exact oracles.
+// The property that each placement promises, checked by the exact oracles.
 template <class Real>
 void expect_placement(const Query<Real>& q, Placement placement) {
   const ExactTruth truth = exact_truth(q, false);
   ASSERT_NE(truth.verdict, Verdict::invalid);
   const double off = depth(q, squared_distance(q));
-  // 4 ulps and a half of r, over at least r; for a subnormal distance an ulp is more.
+  // 4.5 ulps of r, relative to a distance of at least r; for a subnormal distance an ulp is relatively more.
   const double graze = std::ldexp(9.0, -std::numeric_limits<Real>::digits);
   switch (placement) {
     case Placement::resting:
@@ -147,7 +147,7 @@ void expect_placement(const Query<Real>& q, Placement placement) {
       EXPECT_EQ(truth.verdict, Verdict::separated);
       break;
     case Placement::centre_on: {
-      // P's rounding and a few more: 16 ulps of the greatest coordinate.
+      // P's rounding and a margin: 16 ulps of the greatest coordinate.
       Real greatest = 0;
       for (const Real x : coordinates(q)) greatest = std::max(greatest, std::abs(x));
       EXPECT_LE(radius_at_distance(q), std::ldexp(greatest, 4 - std::numeric_limits<Real>::digits));

@@ -8,7 +8,7 @@
 #include <chrono>
 
 #include "exact/sphere_triangle/measures/depth.h"
-#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/claims/examine.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/unit.h"
 #include "kernel/base/error.h"
@@ -16,14 +16,14 @@
 namespace axiscert {
 namespace {
 
-// A batch of one family, and what is known of it. The truth is found when it is first asked for: few queries need it.
+// A batch of one family, and the truth known about it. The truth is found when it is first needed: few queries need it.
 template <class Real>
 struct Asked {
   const Family* family;
   QueryBatch<Real> batch{batch_size};
   std::vector<ComparisonBits> base;
   std::vector<Verdict> base_verdicts;
-  // By query: distance_order, or one of these. Threads that ask at once find the same.
+  // For each query: distance_order, or one of these. Threads that ask at the same time find the same.
   static constexpr signed char unknown = 2, invalid = 3;
   std::vector<std::atomic<signed char>> order = std::vector<std::atomic<signed char>>(batch_size);
 
@@ -49,7 +49,7 @@ class MutationRun {
     }
   }
 
-  // The queries of each family from `first` on, to every mutant that is not done.
+  // Asks every mutant that is not done the queries of each family from `first` on.
   std::uint64_t run_batch(std::uint64_t first) {
     const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(batch_size, plan_.trials - first));
     first_ = first;
@@ -115,7 +115,7 @@ class MutationRun {
     const Examination found = examine(q, kernel, answer);
     const auto require = [&](const Examination& examined, Link link) {
       if (examined.judgement.verdict_flip && (examined.judgement.verdict_links & link_bit(link)) != 0) return;
-      throw HarnessFault(fmt::format("{} is wrong on {} at {}, and the judge does not lay it on {}", mutant.id,
+      throw HarnessFault(fmt::format("{} is wrong on {} at {}, but the judge does not attribute that to {}", mutant.id,
                                      asked.family->name, first_ + i, link_names[static_cast<std::size_t>(link)]));
     };
     require(found, Link::implementation);
@@ -128,7 +128,7 @@ class MutationRun {
 
   const MutationPlan& plan_;
   std::vector<MutantResult*> results_;
-  mutants::Mutant base_;  // without a fault
+  mutants::Mutant base_;  // the base without a fault
   std::deque<Asked<Real>> asked_;
   std::uint64_t first_ = 0, exact_families_ = 0;
 };

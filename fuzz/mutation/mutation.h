@@ -1,4 +1,4 @@
-// Which mutants a run would catch, by which family and after how many queries: the score of the harness itself.
+// The score of the harness itself: which mutants a run would detect, by which family and after how many queries.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@
 namespace axiscert {
 
 struct MutationPlan {
-  std::vector<const mutants::Mutant*> mutants;  // of one base
+  std::vector<const mutants::Mutant*> mutants;  // all of one base
   std::string base;
   std::vector<const Family*> families;
   std::vector<Precision> precisions;
@@ -25,11 +25,11 @@ struct MutationPlan {
   int threads = 1;
 };
 
-// The first wrong verdict that a requirement of `logic` does not allow. Families are asked in turn, a batch of each.
+// The first wrong verdict that a requirement of `logic` does not allow. Families are asked in turn, one batch each.
 struct Catch {
   const Family* family;
-  std::uint64_t position;  // in the family
-  std::uint64_t queries;   // that were asked until then, it included, of all families
+  std::uint64_t position;  // position in the family
+  std::uint64_t queries;   // number asked up to and including this one, over all families
   FlipKind kind;
   double depth;
 };
@@ -37,12 +37,12 @@ struct Catch {
 struct MutantResult {
   const mutants::Mutant* mutant;
   Precision precision;
-  // It claims the bits of its base, so every wrong verdict that the base does not give is one of implementation.
+  // Claiming the bits of its base, so that every wrong verdict that the base does not give is one of implementation.
   std::optional<Catch> by_bits;
-  // It claims the formulae alone, as somebody's own kernel does: a wrong verdict counts where arithmetic is exact and
-  // the sphere does not touch. `queries` are those of such families.
+  // Claiming only the formulae, as a user's own kernel does: a wrong verdict counts if arithmetic is exact and the
+  // sphere does not touch. `queries` are those of such families.
   std::optional<Catch> by_formulae;
-  // Its comparison bits were the base's on all queries that it was asked.
+  // Whether its comparison bits equalled the base's on all queries asked.
   bool same_bits = true;
 };
 
@@ -51,24 +51,24 @@ struct MutationResult {
   bool complete = true;               // false: interrupted
 };
 
-// `interrupted` is polled, and `report` called, between batches. The result depends on the plan, and not on its
-// threads. Every catch is confirmed by all oracles. Throws OracleDisagreement, and HarnessFault where the judge does
-// not confirm.
+// `interrupted` is polled, and `report` called, between batches. The result depends on the plan, not on its threads.
+// Every catch is confirmed by all oracles. Throws OracleDisagreement, and HarnessFault if the judge does not confirm a
+// catch.
 MutationResult run_mutation(const MutationPlan& plan, const std::atomic<bool>& interrupted,
                             const std::function<void(const Progress&)>& report);
 
-// A kernel that is right and written otherwise, judged as a mutant is.
+// A correct kernel in another form, judged in the same way as a mutant.
 struct Control {
   std::string id;
-  bool claims_bits;  // of its own arithmetic; else the formulae alone
+  bool claims_bits;  // those of its own arithmetic; otherwise the formulae only
   Precision precision;
-  std::uint64_t queries = 0, flagged = 0;  // wrong verdicts that `logic` does not allow
+  std::uint64_t queries = 0, flagged = 0;  // flagged: wrong verdicts that `logic` does not allow
 };
 std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials, const std::atomic<bool>& interrupted);
 
-// Mutants that no query can tell from their base, each with the reason: fuzz/mutation/equivalent.txt. A line is NAME:
-// REASON. All of them answer their base's comparison bits, every one, which is what is checked beside that none is ever
-// caught.
+// Mutants that no query can distinguish from their base, each with the reason: fuzz/mutation/equivalent.txt. A line is
+// NAME: REASON. Each of them has the same comparison bits as its base on every query; the tests check that in addition
+// to checking that none is ever caught.
 using Equivalents = std::map<std::string, std::string>;
 const Equivalents& equivalent_mutants();
 // Throws Error that names the line and says what would be right.

@@ -1,10 +1,11 @@
-// Kernels that are right and written otherwise: what a harness that catches mutants must not catch.
+// Correct kernels in other forms, which a harness that detects mutants must not flag.
 #include "fuzz/mutation/mutation.h"
 
 namespace axiscert {
 namespace {
 
-// Right over the reals for every triangle, in their own order of operations; each arithmetic under the base beside.
+// Correct over the reals for every triangle, with their own order of operations; in addition each arithmetic under the
+// base.
 const std::vector<std::string> other_forms = {"nonstrict", "reduced-nonstrict", "reduced-shared-nonstrict",
                                               "packed-nonstrict", "minkowski"};
 
@@ -17,7 +18,7 @@ std::vector<Kernel> kernels_of(const std::string& base) {
   return kernels;
 }
 
-// The same answers from somebody who claims the formulae, and neither their order nor their rounding.
+// The same answers from a kernel that claims the formulae, but neither their order nor their rounding.
 Kernel claiming_formulae_alone(Kernel kernel) {
   kernel.is_reference = false;
   kernel.arithmetic = Arithmetic::plain;
@@ -40,7 +41,7 @@ std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials
   std::vector<Kernel> kernels = kernels_of(plan.base);
   const std::size_t by_bits = kernels.size();
   for (std::size_t k = 0; k < by_bits; ++k) {
-    // A method has no comparisons to claim; on its own kernel the scalar form is what it is.
+    // A method has no comparisons to claim; its scalar form is itself the reference.
     if (has_comparisons(kernels[k].formulae)) kernels.push_back(claiming_formulae_alone(kernels[k]));
   }
   Plan campaign;

@@ -17,7 +17,7 @@ Equivalents parse_equivalent_mutants(const std::string& text, const std::string&
       return Error(fmt::format("{}:{}: {}; a line is NAME: REASON, as in 'nonstrict~sign:3: squared at once'", file,
                                number, what));
     };
-    // A name has a colon, and no space behind it.
+    // A name contains a colon, but no colon followed by a space.
     const std::size_t end = line.find(": ");
     if (end == line.npos || end + 2 == line.size()) throw fault("no reason");
     const std::string name = line.substr(0, end);
@@ -26,7 +26,7 @@ Equivalents parse_equivalent_mutants(const std::string& text, const std::string&
     } catch (const Error& unknown) {
       throw fault(unknown.what());
     }
-    if (!all.emplace(name, line.substr(end + 2)).second) throw fault(fmt::format("'{}' a second time", name));
+    if (!all.emplace(name, line.substr(end + 2)).second) throw fault(fmt::format("'{}' appears twice", name));
   }
   return all;
 }

@@ -1,4 +1,4 @@
-// The mutants are what they say, and the harness catches them, but for those that are argued to be no fault.
+// The mutants have the faults that they name, and the harness detects them, except those argued to be equivalent.
 #include "fuzz/mutation/mutation.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 #include "fuzz/campaign/tally.h"
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert {
 namespace {
@@ -38,7 +39,7 @@ void expect_base_bits(std::string_view base) {
   mutants::Mutant none;
   none.id = base;
   for (const Family* family : families()) {
-    QueryBatch<Real> batch(100);  // no whole number of lanes
+    QueryBatch<Real> batch(100);  // not a multiple of the number of lanes
     batch.resize(100);
     family->fill(seed, 0, batch.mutable_columns());
     std::array<ComparisonBits, 100> bits;
@@ -69,7 +70,7 @@ TEST(Mutants, NamesAreStableAndEachIsFound) {
       EXPECT_EQ(find_kernel(m.id).id, m.id);
     }
   }
-  // What a reader has seen in a report stays what it was.
+  // Names that a reader has seen in a report keep their meaning.
   EXPECT_EQ(mutants::find_mutant("nonstrict~swap:21").where, "21: #17 - #20");
   EXPECT_EQ(mutants::find_mutant("nonstrict~sign:28").where, "28: #23 + #27");
   EXPECT_EQ(mutants::find_mutant("reduced-nonstrict~drop:edge_ab").where, "edge_ab");
@@ -78,7 +79,8 @@ TEST(Mutants, NamesAreStableAndEachIsFound) {
   EXPECT_THROW(find_kernel("nonstrict~nosuch:1"), Error);
 }
 
-// Every 29th of each base: all are caught, and those that round as the base does by its claim of formulae alone too.
+// Every 29th mutant of each base: all are caught; those that round as the base does are also caught by their claim of
+// formulae alone.
 TEST(Mutation, ASampleIsCaughtByBitsAndFaultsOfLogicByFormulaeAlone) {
   for (const std::string_view base : mutants::bases) {
     const MutationResult result = run(plan_of(base, every(base, 29), 4000));
@@ -114,7 +116,8 @@ TEST(Mutation, DoesNotDependOnThreads) {
   }
 }
 
-// A campaign over the same queries finds the fault at the same position: a catch is what `run --require logic` sees.
+// A campaign over the same queries finds the fault at the same position: a catch is a query that `run --require logic`
+// reports.
 TEST(Mutation, ACampaignCatchesItAtTheSameQuery) {
   for (const char* id : {"nonstrict~swap:21", "nonstrict~fma:41", "nonstrict~lane:3", "nonstrict~tail:8",
                          "reduced-nonstrict~strictness:plane.radius"}) {
@@ -159,7 +162,7 @@ struct ExactNumber {
   friend ExactNumber in_binary32(const ExactNumber& a) { return a; }
 };
 
-// The thirty-two sides, at a site.
+// The thirty-two sides with the fault at a site.
 template <class F>
 std::vector<Ring> exact_sides(const Query<double>& q, const mutants::OperationSite& operation) {
   using N = mutants::Mutated<ExactNumber>;
@@ -197,7 +200,7 @@ TEST(EquivalentMutants, HaveTheSidesOfTheirBaseInExactArithmetic) {
     return false;
   };
   for (const auto& [name, reason] : equivalent_mutants()) EXPECT_FALSE(differs(mutants::find_mutant(name))) << name;
-  // The check sees a fault that is one.
+  // The check detects a fault that is not equivalent.
   EXPECT_TRUE(differs(mutants::find_mutant("nonstrict~sign:27")));
 }
 
@@ -228,7 +231,7 @@ TEST(EquivalentMutants, AFileThatIsWrongIsRefusedWithItsLine) {
   EXPECT_NE(message("nonstrict~sign:28\n").find("list.txt:1: no reason"), std::string::npos);
   EXPECT_NE(message("#\nnonstrict~nosuch:28: why\n").find("list.txt:2: unknown mutant"), std::string::npos);
   const std::string twice = "nonstrict~sign:28: why\n";
-  EXPECT_NE(message(twice + twice).find("a second time"), std::string::npos);
+  EXPECT_NE(message(twice + twice).find("appears twice"), std::string::npos);
 }
 
 }  // namespace

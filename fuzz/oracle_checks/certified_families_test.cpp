@@ -1,11 +1,11 @@
-// The certified predicate over every family and a mesh, judged as any kernel is: on each instruction set, and with each
-// floating-point mode that a caller can have set. The conservative one against its promise, and the filters that are
-// proved never to be wrong against theirs.
+// The certified predicate over every family and a mesh, judged like any kernel: on each instruction set, and with each
+// floating-point mode that a caller can have set. The conservative one is checked against its promise, and so are the
+// filters that are proved never to be wrong.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "fuzz/campaign/unit.h"
-#include "kernel/called.h"
+#include "kernel/registry/called.h"
 #include "kernel/include/axiscert/certified.h"
 
 namespace axiscert {
@@ -19,7 +19,7 @@ std::vector<SourcePtr> all_sources() {
 }
 
 // Runs visit(tally, where) for each kernel and `size` queries of every source in both precisions. All kernels are asked
-// the same, whose truth costs more than most.
+// the same queries, since the truth costs more than most kernels.
 template <class Visit>
 void for_each_tally(const std::vector<std::string>& ids, std::uint64_t size, Visit&& visit) {
   Plan plan;
@@ -60,7 +60,7 @@ void expect_conservative(const std::vector<std::string>& ids, std::uint64_t size
   });
 }
 
-// They decline, and of ordinary queries few.
+// The filters may decline, but decline few ordinary queries.
 void expect_never_wrong(const std::vector<std::string>& ids, std::uint64_t size) {
   for_each_tally(ids, size, [&](const Tally& tally, const std::string& where) {
     EXPECT_EQ(tally.verdict.false_separation + tally.verdict.false_contact, 0u) << where;
@@ -79,7 +79,7 @@ std::vector<std::string> on_every_instruction_set(const std::vector<std::string>
   return ids;
 }
 
-// Each direction of rounding, flushed and not, but for the modes that are the default.
+// Each rounding direction, with and without flushing, except the default modes.
 std::vector<std::string> in_every_mode(const std::vector<std::string>& called) {
   std::vector<std::string> ids;
   for (const std::string& id : called) {

@@ -1,4 +1,4 @@
-// Bounds of a depth hold what exact arithmetic finds, for queries of every family, and say something where they should.
+// Bounds of a depth contain the exact value, for queries of every family, and are narrow where they should be.
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/queries/family_testing.h"
@@ -10,10 +10,10 @@ template <class Real>
 class DepthRanges : public testing::Test {};
 TYPED_TEST_SUITE(DepthRanges, Reals);
 
-// Families with centres on the triangle, where d and r are both near zero, with triangles that hardly have an area, or
-// with numbers of every size: the enclosure may be wide there.
+// Families with centres on the triangle, where d and r are both near zero, with triangles of almost no area, or with
+// numbers of every size: the enclosure may be wide for these.
 bool may_be_wide(std::string_view family) {
-  // In the last five slivers are a quarter of the bases, each shared by up to 48 queries.
+  // In the last five families slivers are a quarter of the bases, each shared by up to 48 queries.
   for (const std::string_view name :
        {"sliver", "on", "grid", "bits", "nonfinite", "orders", "axes", "inverted", "scaled", "translated"}) {
     if (family == name) return true;

@@ -1,4 +1,4 @@
-// What is known about the published test, each fact found again by exact computation.
+// Known facts about the published test, each established again by exact computation.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ Query<Real> scaled(const Query<Real>& q, int exponent) {
 
 AxisBits reference_axes(const Query<float>& q) { return axes_of(bits_of(reference_sides(q), Strictness::strict)); }
 
-// The exponents at which the axis separates a query that is separated by far, everything scaled together.
+// The exponents at which the axis separates a clearly separated query, with everything scaled together.
 std::pair<int, int> window(const Query<float>& q, Axis axis) {
   const auto separates = [&](int k) {
     return ((reference_axes(scaled(q, k)) >> static_cast<unsigned>(axis)) & 1u) != 0;
@@ -75,7 +75,7 @@ TEST(Facts, TheEdgeAxesNeedOnlyDegreeFour) {
   }
 }
 
-// cross(u, u) is zero when each product is rounded, and noise when one of the two is fused.
+// cross(u, u) is zero if each product is rounded, and noise if one of the two is fused.
 template <class Real>
 double deepest_missed_contact_when_contracted() {
   double deepest = 0;

@@ -1,4 +1,5 @@
-// Distances and depths by integers on what the families make: those of CGAL's exact distance, rounded by rationals.
+// Distances and depths by integers on the queries of the families, compared with CGAL's exact distance rounded by
+// rationals.
 #include "exact/sphere_triangle/measures/grid_distance.h"
 
 #include "exact/sphere_triangle/measures/depth.h"
@@ -30,7 +31,7 @@ TYPED_TEST(GridDistances, AreTheRoundedOnesOfEveryFamily) {
   }
 }
 
-// Spheres about a face, about each edge and each vertex, of every vertex order; the centre on them among these.
+// Spheres about a face, about each edge and each vertex, in every vertex order, including centres on these.
 TYPED_TEST(GridDistances, AreThoseOfEveryFeature) {
   for (const TypeParam height : {TypeParam(0), TypeParam(1), TypeParam(3)}) {
     for (int x = -2; x <= 6; ++x) {
@@ -62,7 +63,8 @@ TYPED_TEST(GridDistances, AreThoseOfTrianglesWithoutArea) {
   }
 }
 
-// |(3k, 4k, 0)| = 5k, an odd number of one bit more than the precision has: what lies beside it is not told from it.
+// |(3k, 4k, 0)| = 5k, an odd number of one bit more than the precision has: numbers close to it are not distinguished
+// from it.
 TYPED_TEST(GridDistances, SayNothingOfAMidpoint) {
   const TypeParam k = std::ldexp(TypeParam(1), std::numeric_limits<TypeParam>::digits - 2) + 1;
   const auto at = [](TypeParam x, TypeParam y) { return Query<TypeParam>{{x, y, 0}, {x, y, 0}, {x, y, 0}, {}, 1}; };

@@ -1,4 +1,4 @@
-// Signs by integers on what the families make: those of CGAL::Mpzf.
+// Signs by integers on the queries of the families, compared with those of CGAL::Mpzf.
 #include "exact/sphere_triangle/filters/grid_signs.h"
 
 #include "fuzz/queries/family_testing.h"

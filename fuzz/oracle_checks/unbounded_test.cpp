@@ -1,5 +1,5 @@
-// R-infinity of binary32 on the processor is MPFR's at 24 bits, where queries leave the range and where roundings
-// decide.
+// R-infinity of binary32 on the processor equals MPFR's at 24 bits, for queries that leave the range and for queries
+// that depend on roundings.
 #include "exact/sphere_triangle/unbounded/unbounded.h"
 
 #include <cmath>
@@ -15,7 +15,7 @@ constexpr Formulae on_processor[] = {Formulae::published,           Formulae::re
                                      Formulae::reduced_along,       Formulae::reduced_shared,
                                      Formulae::reduced_determinant, Formulae::ladder_9};
 
-// By both sides of each rung; ftz has the same R-infinity as plain arithmetic.
+// Compares both strictnesses of each rung; ftz has the same R-infinity as plain arithmetic.
 void expect_mpfr(const Query<float>& q, std::uint64_t i) {
   const Strictness strictness = i % 3 == 0 ? Strictness::nonstrict : Strictness::strict;
   const Formulae formulae = on_processor[i / 3 % std::size(on_processor)];
@@ -30,7 +30,8 @@ TEST(UnboundedBinary32, IsMpfrsOnFamilies) {
   }
 }
 
-// Where the proof that binary64's exponents suffice is used to the full: all of the greatest or of the least magnitude.
+// Numbers that are all of the greatest or all of the least magnitude use the range of binary64's exponents that the
+// proof needs in full.
 TEST(UnboundedBinary32, IsMpfrsAtTheEndsOfTheRange) {
   constexpr float greatest = std::numeric_limits<float>::max(), least = std::numeric_limits<float>::denorm_min();
   Stream random(5, name_hash("ends of the range"), 1, Precision::binary32, 0);

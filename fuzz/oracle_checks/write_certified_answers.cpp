@@ -1,7 +1,7 @@
-// write_certified_answers FILE SIZE CORPUS MESH...: queries of every family, of the corpus, of meshes and of integers
-// at the ends of the range, SIZE of each in each precision, with the oracle's word of each and what the conservative
-// kernel says here, which is the same on each instruction set. kernel/sphere_triangle/certified/tests/ asks them again
-// elsewhere.
+// write_certified_answers FILE SIZE CORPUS MESH...: writes queries of every family, of the corpus, of meshes and of
+// integers at the ends of the range, SIZE of each in each precision, with the oracle's answer to each and the answer of
+// the conservative kernel on this machine, which is the same on each instruction set.
+// kernel/sphere_triangle/certified/tests/ asks them again elsewhere.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace axiscert {
 namespace {
 
 constexpr std::uint64_t seed = 20101230;
-constexpr std::size_t largest_group = 299;  // more than a block of the library, and no whole number of vectors
+constexpr std::size_t largest_group = 299;  // more than a block of the library, and not a multiple of the vector size
 
 template <class Real>
 void judge_and_write(const std::string& name, std::size_t in_a_group, const std::vector<Query<Real>>& queries,
@@ -48,7 +48,7 @@ void judge_and_write(const std::string& name, std::size_t in_a_group, const std:
   if (!write(stored, file)) throw Error("the file cannot be written");
 }
 
-// The queries; and the triangles of some of them against the sphere of the first.
+// Writes the queries, and the triangles of some of them with the sphere of the first.
 template <class Real>
 void write_all(const std::string& name, const std::vector<Query<Real>>& queries, std::FILE* file) {
   judge_and_write(name, 1, queries, file);

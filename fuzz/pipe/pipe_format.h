@@ -1,5 +1,5 @@
-// The two byte streams of the pipe: queries to somebody's program, and its replies. docs/pipe.md is for who writes such
-// a program; this is the same in C++.
+// The two byte streams of the pipe: queries to a user's program, and its replies. docs/pipe.md is for authors of such
+// programs; this header states the same in C++.
 //
 //   query stream   header, then `count` query records
 //   reply stream   the same header unchanged, then `count` reply records
@@ -18,31 +18,31 @@ namespace axiscert::pipe {
 
 static_assert(std::endian::native == std::endian::little, "records are copied as they lie in memory");
 
-// The first 64 bytes of a header. The plan follows: JSON in UTF-8, filled up with spaces to `header_size`.
+// The first 64 bytes of a header. The plan follows: JSON in UTF-8, padded with spaces to `header_size`.
 struct Head {
   std::array<char, 8> magic;
   std::uint32_t version;
   std::uint32_t precision;                // 32: a record's numbers are floats; 64: doubles
-  std::uint64_t count;                    // of queries
-  std::uint32_t header_size;              // of head and plan, in bytes: a multiple of 64
-  std::uint32_t record_size;              // of a query record, in bytes: 52 or 104
-  std::array<std::byte, 32> plan_sha256;  // of the plan with its spaces
+  std::uint64_t count;                    // number of queries
+  std::uint32_t header_size;              // size of head and plan, in bytes: a multiple of 64
+  std::uint32_t record_size;              // size of a query record, in bytes: 52 or 104
+  std::array<std::byte, 32> plan_sha256;  // hash of the plan including its spaces
 };
 static_assert(sizeof(Head) == 64 && offsetof(Head, count) == 16 && offsetof(Head, plan_sha256) == 32);
 
 inline constexpr std::array<char, 8> magic = {'A', 'X', 'I', 'S', 'C', 'E', 'R', 'T'};
 inline constexpr std::uint32_t version = 1;
 inline constexpr std::uint32_t header_multiple = 64;
-inline constexpr std::uint32_t greatest_header = 1 << 20;  // a longer one is a corrupted size
+inline constexpr std::uint32_t greatest_header = 1 << 20;  // a greater size is taken for a corrupted one
 
 struct ReplyRecord {
   std::uint8_t verdict;  // contact 0, separated 1, undecided 2, invalid 3
   std::uint8_t flags;
-  ComparisonBits bits;  // bit i is comparison i; 0 where the flag is not set
+  ComparisonBits bits;  // bit i is comparison i; 0 if the flag is not set
 };
 static_assert(sizeof(ReplyRecord) == 4);
 
-inline constexpr std::uint8_t has_bits = 1;  // the one flag: `bits` is given
+inline constexpr std::uint8_t has_bits = 1;  // the only flag: `bits` is given
 
 constexpr std::uint32_t code_of(Precision precision) { return precision == Precision::binary32 ? 32 : 64; }
 constexpr std::uint32_t record_size_of(Precision precision) {

@@ -7,10 +7,10 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/number_text.h"
-#include "fuzz/files/sha256.h"
-#include "fuzz/files/whole_number.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/number_text.h"
+#include "fuzz/text/sha256.h"
+#include "fuzz/text/whole_number.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -18,16 +18,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A count of queries beyond this is no count: readers of JSON keep no more.
+// The greatest count of queries: JSON readers represent no greater integer.
 constexpr std::uint64_t greatest_count = (std::uint64_t{1} << 53) - 1;
 
-// FAMILY, or what a file is: its kind, its names and its bytes.
+// One part of the plan: a family, or a file with its kind, its names and its hash.
 Json part_json(const PipePlan::Part& part) {
   const auto file = part.source->file();
   Json json = {{"kind", file ? file->kind : "family"}, {"name", file ? file->name : part.source->name()}};
   if (file) {
     if (file->path == "-") {
-      throw Error("--queries -: what came from standard input cannot be read again by `axiscert judge`; give a file");
+      throw Error("--queries -: `axiscert judge` cannot read standard input again; give a file");
     }
     json["path"] = file->path;
     json["sha256"] = file->sha256;
@@ -39,7 +39,7 @@ Json part_json(const PipePlan::Part& part) {
 
 std::array<std::byte, 32> hash_of(std::string_view text) { return sha256(std::as_bytes(std::span(text))); }
 
-// Everything that can be wrong with one header, in the order in which it is read.
+// Detects everything that can be wrong with one header, in the order in which it is read.
 class Reader {
  public:
   Reader(std::istream& in, const std::string& name, const FilePlaces& places) : in_(in), name_(name), places_(places) {}
@@ -51,14 +51,14 @@ class Reader {
     try {
       plan = plan_of(Json::parse(text));
     } catch (const Json::exception& wrong) {
-      fail(fmt::format("the plan in the header is none that this axiscert writes: {}", wrong.what()));
+      fail(fmt::format("the plan in the header is not one that this axiscert writes: {}", wrong.what()));
     }
     const std::uint64_t count = plan.queries();
     if (head_.precision != pipe::code_of(plan.precision) || head_.record_size != pipe::record_size_of(plan.precision) ||
         head_.count != count) {
       fail(
           fmt::format("the header was changed: it says {} queries of {} bytes in binary{}, its plan {} of {} in {}; a "
-                      "program copies it as it is",
+                      "program has to copy it unchanged",
                       head_.count, head_.record_size, head_.precision, count, pipe::record_size_of(plan.precision),
                       axiscert::name(plan.precision)));
     }
@@ -87,7 +87,7 @@ class Reader {
     }
     if (head_.header_size <= sizeof head_ || head_.header_size > pipe::greatest_header ||
         head_.header_size % pipe::header_multiple != 0) {
-      fail(fmt::format("the header was changed: it cannot be {} bytes long; a program copies it as it is",
+      fail(fmt::format("the header was changed: it cannot be {} bytes long; a program has to copy it unchanged",
                        head_.header_size));
     }
   }
@@ -109,10 +109,10 @@ class Reader {
     const std::size_t got = read_block(in_, text, name_);
     if (got < text.size()) fail_truncated(sizeof head_ + got, head_.header_size);
     if (hash_of(text) != head_.plan_sha256) {
-      fail(
-          fmt::format("the header was changed: the SHA-256 of its plan is not the one it says; a program copies all {} "
-                      "bytes as they are",
-                      head_.header_size));
+      fail(fmt::format(
+          "the header was changed: the SHA-256 of its plan is not the one it states; a program has to copy all "
+          "{} bytes unchanged",
+          head_.header_size));
     }
     return text;
   }
@@ -120,7 +120,7 @@ class Reader {
   PipePlan plan_of(const Json& json) const {
     const auto version = json.at("axiscert").get<std::string>();
     if (version != AXISCERT_VERSION) {
-      fail(fmt::format("these queries were made by axiscert {}, this is {}: generate them again", shown(version),
+      fail(fmt::format("these queries were made by axiscert {}, and this is {}: generate them again", shown(version),
                        AXISCERT_VERSION));
     }
     PipePlan plan{whole<std::uint64_t>(json, "seed"), Precision::binary32, {}};
@@ -153,7 +153,7 @@ class Reader {
       return kind == "mesh" ? mesh_source(path) : query_file_source(path, precision);
     } catch (const Error& wrong) {
       if (kind == "family") fail(wrong.what());
-      fail(fmt::format("its queries come from a file. {}; --{} FILE says where it is now", wrong.what(), kind));
+      fail(fmt::format("its queries come from a file. {}; give its present path with --{} FILE", wrong.what(), kind));
     }
   }
 
@@ -166,11 +166,11 @@ class Reader {
                       version, source.name(), source.version()));
     }
     if (const auto file = source.file(); file && json.at("sha256") != file->sha256) {
-      fail(fmt::format("{} is not the file that the queries come from: its SHA-256 is {}, that was {}", file->path,
+      fail(fmt::format("{} is not the file that the queries come from: its SHA-256 is {}, not {}", file->path,
                        file->sha256, shown(json.at("sha256").get<std::string>())));
     }
     if (source.fixed_size(precision).value_or(part.queries) != part.queries) {
-      fail(fmt::format("{} holds {} queries in {}, the plan says {}", source.name(), *source.fixed_size(precision),
+      fail(fmt::format("{} has {} queries in {}, but the plan says {}", source.name(), *source.fixed_size(precision),
                        axiscert::name(precision), part.queries));
     }
   }

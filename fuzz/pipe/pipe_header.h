@@ -1,4 +1,4 @@
-// The header of the pipe's two streams, and the plan in it: enough to make the queries again.
+// The header of the pipe's two streams, and the plan in it, from which the queries can be made again.
 #pragma once
 
 #include <iosfwd>
@@ -20,14 +20,14 @@ struct PipePlan {
   Precision precision = Precision::binary32;
   std::vector<Part> parts;  // in the stream's order
 
-  // Of all parts. Throws Error where the stream cannot count them.
+  // The queries of all parts together. Throws Error if the stream cannot count them.
   std::uint64_t queries() const;
 };
 
-// The header's bytes. Throws Error where a source cannot be named in it: standard input, a path that is not UTF-8.
+// The header's bytes. Throws Error if the header cannot name a source: standard input, a path that is not UTF-8.
 std::string header_of(const PipePlan& plan);
 
-// Where files are now, by base name; a file that is not named here is where the plan says.
+// The present paths of files, by base name; a file that is not listed is at the path in the plan.
 using FilePlaces = std::map<std::string, std::string>;
 
 struct PipeHeader {
@@ -35,12 +35,13 @@ struct PipeHeader {
   std::uint32_t size;  // in bytes
 };
 
-// What a program printed where bytes were due: the text that they begin with, for a message. Empty where they do not.
+// The text with which the given bytes begin, for a message about a program that printed where bytes were expected.
+// Empty if they do not begin with text.
 std::string printed(std::string_view bytes);
 
-// Reads a header off the stream, and the sources that its plan names. Throws Error that begins with `name` where it is
-// not a header as header_of wrote it, or where its queries cannot be made again here: another version of axiscert or of
-// a generator, a file that is gone or was changed.
+// Reads a header from the stream, and the sources that its plan names. Throws Error that begins with `name` if it is
+// not a header as header_of wrote it, or if its queries cannot be made again here: another version of axiscert or of a
+// generator, or a file that is missing or was changed.
 PipeHeader read_header(std::istream& in, const std::string& name, const FilePlaces& places);
 
 }  // namespace axiscert

@@ -70,7 +70,7 @@ void write_queries(const PipePlan& plan, QueryEncoding encoding, int threads,
                    const std::function<void(std::string_view)>& write) {
   if (encoding == QueryEncoding::binary) write(header_of(plan));
   Blocks blocks(plan);
-  // Not thrown through the pipeline, which would not free what is under way in it.
+  // Not thrown through the pipeline, which would not free the blocks that are in progress.
   std::exception_ptr failed;
   std::atomic<bool> stopped = false;
   const auto next = [&](tbb::flow_control& flow) {

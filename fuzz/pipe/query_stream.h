@@ -1,4 +1,4 @@
-// Queries made in order and written as they are made: what `axiscert generate` does.
+// Queries made in order and written as they are made: the work of `axiscert generate`.
 #pragma once
 
 #include <functional>
@@ -10,11 +10,11 @@ namespace axiscert {
 
 enum class QueryEncoding : std::uint8_t {
   binary,     // the query stream of fuzz/pipe/pipe_format.h, header included
-  json_lines  // the query file of fuzz/files/query_file.h; the id is the address
+  json_lines  // the query file of fuzz/files/query_file.h; each id is the address
 };
 
-// Calls `write` from one thread at a time, in order. Holds some blocks of 4096 queries a thread, whatever the plan's
-// size. What `write` throws ends it and comes out.
+// Calls `write` from one thread at a time, in order. Keeps a few blocks of 4096 queries per thread in memory, whatever
+// the plan's size. An exception from `write` ends the stream and is passed on.
 void write_queries(const PipePlan& plan, QueryEncoding encoding, int threads,
                    const std::function<void(std::string_view)>& write);
 

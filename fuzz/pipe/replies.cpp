@@ -5,19 +5,19 @@
 #include <algorithm>
 #include <cstring>
 
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
 namespace {
 
-// What a message adds where the bytes are text.
+// A hint that is added to a message if the bytes are text.
 std::string text_hint(std::string_view bytes) {
   const std::string text = printed(bytes);
   return text.empty() ? "" : fmt::format("; it is text, \"{}\": did the program print to standard output?", text);
 }
 
-// What is wrong with a reply that is not like the first one, or like none.
+// The fault of a reply that differs in kind from the first one, or is not valid; empty if there is none.
 std::string fault(const pipe::ReplyRecord& reply, bool has_bits) {
   const auto bytes = std::bit_cast<std::array<char, sizeof reply>>(reply);
   if (reply.verdict > static_cast<std::uint8_t>(Verdict::invalid)) {
@@ -28,8 +28,8 @@ std::string fault(const pipe::ReplyRecord& reply, bool has_bits) {
     return fmt::format("flags {:#04x}; bit 0 says that comparison bits are given, the others are 0", reply.flags);
   }
   if ((reply.flags == pipe::has_bits) != has_bits) {
-    return has_bits ? "no comparison bits, where the replies before it have them; all have them or none"
-                    : "comparison bits, where the replies before it have none; all have them or none";
+    return has_bits ? "no comparison bits, but the replies before it have them; all replies must have them, or none"
+                    : "comparison bits, but the replies before it have none; all replies must have them, or none";
   }
   if (!has_bits && reply.bits != 0) {
     return fmt::format("comparison bits {:#06x} without the flag that says so (bit 0 of the second byte)", reply.bits);
@@ -54,7 +54,7 @@ ReplyStream read_replies(std::istream& in, const std::string& name, const FilePl
 
   std::array<char, 1 << 16> block;
   std::size_t got = 1;
-  // The count is only a claim: memory is taken for what came.
+  // The count is only a claim: memory is allocated for the bytes that arrive.
   while (stream.replies.size() < due && got != 0) {
     const std::uint64_t wanted = std::min<std::uint64_t>(block.size(), (due - stream.replies.size()) * size);
     got = read_block(in, std::span(block).first(wanted), name);
@@ -74,13 +74,13 @@ ReplyStream read_replies(std::istream& in, const std::string& name, const FilePl
   if (stream.replies.size() < due) fail(fmt::format("ends after {}", came()));
   const std::size_t extra = read_block(in, std::span(block).first(64), name);
   if (extra != 0) {
-    fail(fmt::format("goes on after {}{}", came(), text_hint({block.data(), extra})));
+    fail(fmt::format("continues after {}{}", came(), text_hint({block.data(), extra})));
   }
   return stream;
 }
 
 StoredReplies::StoredReplies(std::vector<ReplyStream> streams) : streams_(std::move(streams)) {
-  // The order in which they were given is nothing.
+  // The order in which the streams were given has no meaning.
   std::sort(streams_.begin(), streams_.end(),
             [](const ReplyStream& x, const ReplyStream& y) { return x.plan.precision < y.plan.precision; });
   const ReplyStream& first = streams_.front();
@@ -90,13 +90,13 @@ StoredReplies::StoredReplies(std::vector<ReplyStream> streams) : streams_(std::m
       throw Error(fmt::format("{} and {}: {}", first.name, stream.name, what));
     };
     if (stream.plan.precision == last) {
-      throw Error(fmt::format("{}: another stream in {}; give one a precision", stream.name, name(*last)));
+      throw Error(fmt::format("{}: a second stream in {}; give one stream per precision", stream.name, name(*last)));
     }
     last = stream.plan.precision;
     if (stream.plan.seed != first.plan.seed)
       differ(fmt::format("made with seeds {} and {}; give one seed", first.plan.seed, stream.plan.seed));
     if (stream.has_bits != first.has_bits)
-      differ("one gives comparison bits and the other none; all have them or none");
+      differ("one gives comparison bits and the other none; all replies must have them, or none");
     const pipe::ReplyRecord* next = stream.replies.data();
     for (const PipePlan::Part& part : stream.plan.parts) {
       parts_.push_back({shared(part.source, stream).get(), stream.plan.precision, next, part.queries});
@@ -105,7 +105,7 @@ StoredReplies::StoredReplies(std::vector<ReplyStream> streams) : streams_(std::m
   }
 }
 
-// The source that the record names: one, where the streams of both precisions have it.
+// The source that the record names: the same one if the streams of both precisions have it.
 SourcePtr StoredReplies::shared(const SourcePtr& source, const ReplyStream& stream) {
   const Precision precision = stream.plan.precision;
   for (const SourcePtr& other : sources_) {
@@ -113,8 +113,8 @@ SourcePtr StoredReplies::shared(const SourcePtr& source, const ReplyStream& stre
     const bool is_same = other->address_name() == source->address_name() && !find(*other, precision);
     if (is_same && other->fixed_size(precision) == source->fixed_size(precision)) return other;
     throw Error(
-        fmt::format("{}: {} stands there twice, or is another file or read otherwise than in the other stream; "
-                    "judge them apart",
+        fmt::format("{}: {} appears twice, or is another file or was read differently than in the other stream; "
+                    "judge the streams separately",
                     stream.name, source->name()));
   }
   return sources_.emplace_back(source);

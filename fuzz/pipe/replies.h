@@ -1,4 +1,4 @@
-// Replies of somebody's program to queries that it was sent, in place of running a kernel.
+// A user's program's replies to the queries that it was sent, used in place of running a kernel.
 #pragma once
 
 #include <iosfwd>
@@ -10,31 +10,32 @@
 
 namespace axiscert {
 
-// One reply stream, read and checked whole.
+// One reply stream, read and checked completely.
 struct ReplyStream {
-  std::string name;  // in messages
+  std::string name;  // used in messages
   PipePlan plan;
   bool has_bits = false;
   std::vector<pipe::ReplyRecord> replies;
 };
 
-// Throws Error that begins with `name` and says which reply is wrong and at which byte: nothing is half-read.
+// Throws Error that begins with `name` and says which reply is wrong and at which byte: a stream is never read
+// partially.
 ReplyStream read_replies(std::istream& in, const std::string& name, const FilePlaces& places);
 
-// The replies of one program, in each precision at most one stream. Immutable: any thread may ask at any time.
+// The replies of one program, with at most one stream in each precision. Immutable: any thread may ask at any time.
 class StoredReplies {
  public:
-  // Throws Error where the streams do not go together: two of one precision, another seed, comparison bits in some
-  // only, other files under one name.
+  // Throws Error if the streams do not fit together: two of one precision, different seeds, comparison bits in only
+  // some, different files under one name.
   explicit StoredReplies(std::vector<ReplyStream> streams);
 
   std::uint64_t seed() const { return streams_.front().plan.seed; }
   bool has_bits() const { return streams_.front().has_bits; }
   std::vector<Precision> precisions() const;
   const std::vector<SourcePtr>& sources() const { return sources_; }
-  // How many there are; 0 where the program was not asked.
+  // The number of replies; 0 if the program was not asked.
   std::uint64_t size(const Source& source, Precision precision) const;
-  // `source` is one of sources(), position < size.
+  // Precondition: `source` is one of sources(), position < size.
   Answer at(const Source& source, Precision precision, std::uint64_t position) const;
 
  private:
@@ -53,7 +54,7 @@ class StoredReplies {
   std::vector<Part> parts_;
 };
 
-// What the program is said to compute, as it was asked for; empty: nothing.
+// The formulae that the program is said to compute, as given on the command line; empty: none.
 struct ReplyClaim {
   std::string conforms_to, formulae;
 };

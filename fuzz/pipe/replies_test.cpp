@@ -1,4 +1,4 @@
-// The pipe's streams: what was written is read, and every fault of a reply stream is one clear message.
+// The pipe's streams: a written stream can be read, and every fault of a reply stream gives one clear message.
 #include "fuzz/pipe/replies.h"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "fuzz/pipe/query_stream.h"
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/sha256.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -51,7 +51,7 @@ void expect_refusal(const std::string& bytes, const std::string& part) {
   EXPECT_PRED_FORMAT2(testing::IsSubstring, part, reply_refusal(bytes));
 }
 
-// A header whose head says what `change` makes of it; the hash of the plan is right again.
+// A header whose head was modified by `change`; the hash of the plan is correct again.
 std::string changed_header(const std::function<void(pipe::Head&)>& change, const std::string& from = "",
                            const std::string& to = "") {
   std::string bytes = header_of(plan_of());
@@ -119,7 +119,7 @@ TEST(Replies, StreamsThatDoNotGoTogetherAreRefused) {
   const auto other = [](std::uint64_t seed, const std::vector<ReplyRecord>& replies) {
     return header_of(plan_of(Precision::binary64, seed)) + bytes_of(replies);
   };
-  EXPECT_PRED_FORMAT2(testing::IsSubstring, "another stream in binary32", both(stream, stream));
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "a second stream in binary32", both(stream, stream));
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "seeds 7 and 8", both(stream, other(8, good)));
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "comparison bits", both(stream, other(7, good_bits)));
 }
@@ -155,13 +155,14 @@ TEST(BadReplies, APlanThatCannotBeMadeHere) {
   const auto expect_plan = [](const std::string& from, const std::string& to, const std::string& part) {
     expect_refusal(changed_header(nothing, from, to) + bytes_of(good), part);
   };
-  expect_plan("{\"axis", "[\"axis", "none that this axiscert writes");
-  expect_plan("\"seed\":7", "\"seed\":x", "none that this axiscert writes");
+  expect_plan("{\"axis", "[\"axis", "not one that this axiscert writes");
+  expect_plan("\"seed\":7", "\"seed\":x", "not one that this axiscert writes");
   expect_plan("\"seed\":7", "\"seed\":1e30",
-              "in its plan 'seed': 1e+30 is no whole number from 0 to 18446744073709551615");
-  expect_plan("\"seed\":7", "\"seed\":-7", "in its plan 'seed': -7 is no whole number");
-  expect_plan("\"seed\":7", "\"see\x7f\xff\":7", "last read: '\"see?");  // no terminal is sent what it obeys
-  expect_plan("\"seed\":7", "\"sees\":7", "none that this axiscert writes");
+              "in its plan 'seed': 1e+30 is not a whole number from 0 to 18446744073709551615");
+  expect_plan("\"seed\":7", "\"seed\":-7", "in its plan 'seed': -7 is not a whole number");
+  // control characters must not reach the terminal
+  expect_plan("\"seed\":7", "\"see\x7f\xff\":7", "last read: '\"see?");
+  expect_plan("\"seed\":7", "\"sees\":7", "not one that this axiscert writes");
   expect_plan("\"axiscert\":\"" AXISCERT_VERSION, "\"axiscert\":\"0.0.9", "made by axiscert 0.0.9");
   expect_plan("\"version\":2", "\"version\":9", "version 9 of the generator general, which is at version 2");
   expect_plan("\"name\":\"general\"", "\"name\":\"special\"", "unknown family 'special'");
@@ -173,7 +174,7 @@ TEST(BadReplies, TooFewOrTooMany) {
   expect_refusal(header_of(plan_of()), "ends after 0 of 5 replies");
   expect_refusal(stream.substr(0, stream.size() - 4), "ends after 4 of 5 replies");
   expect_refusal(stream.substr(0, stream.size() - 1), "ends after 4 of 5 replies and 3 bytes of the next");
-  expect_refusal(stream + '\0', "goes on after 5 of 5 replies");
+  expect_refusal(stream + '\0', "continues after 5 of 5 replies");
   expect_refusal(stream + "done\n", "it is text, \"done");
 }
 
@@ -189,8 +190,8 @@ TEST(BadReplies, OneIsWrong) {
   expect_fault(good, 4, {255, 0, 0}, "verdict 255");
   expect_fault(good, 1, {0, 2, 0}, "flags 0x02");
   expect_fault(good, 1, {0, 0x81, 0}, "flags 0x81");
-  expect_fault(good, 3, {0, 1, 0}, "comparison bits, where the replies before it have none");
-  expect_fault(good_bits, 3, {0, 0, 0}, "no comparison bits, where");
+  expect_fault(good, 3, {0, 1, 0}, "comparison bits, but the replies before it have none");
+  expect_fault(good_bits, 3, {0, 0, 0}, "no comparison bits, but");
   expect_fault(good, 0, {0, 0, 5}, "comparison bits 0x0005 without the flag");
   expect_fault(good_bits, 0, {0, 1, 1}, "contact, but its comparison bits 0x0001 say separated");
   expect_fault(good_bits, 0, {1, 1, 2}, "separated, but its comparison bits 0x0002 say contact");
@@ -198,7 +199,7 @@ TEST(BadReplies, OneIsWrong) {
   expect_refusal(text, "it is text, \"warn\": did the program print");
 }
 
-// A count is only a claim: no memory is taken for what never comes.
+// A count is only a claim: no memory is allocated for bytes that never arrive.
 TEST(BadReplies, AnEnormousCountEndsWithTheStream) {
   PipePlan plan = plan_of();
   plan.parts[1].queries = (std::uint64_t{1} << 53) - 10;
@@ -241,7 +242,7 @@ TEST_F(RepliesToAFile, TheFileIsFoundAndKnown) {
   const std::string moved = write("elsewhere/q.csv", csv);
   EXPECT_EQ(read(stream, {{"q.csv", moved}}).replies.size(), 1u);
   std::filesystem::remove(path);
-  expect_refusal(stream, "--queries FILE says where it is now");
+  expect_refusal(stream, "give its present path with --queries FILE");
 }
 
 TEST_F(RepliesToAFile, APathThatIsNotUtf8IsRefused) {
@@ -258,7 +259,7 @@ TEST_F(RepliesToAFile, APathThatIsNotUtf8IsRefused) {
 // The bytes do not depend on threads, and are the queries' own.
 TEST(QueryStream, IsHeaderAndRecords) {
   PipePlan plan = plan_of(Precision::binary64);
-  plan.parts[0].queries = 4096 * 3 + 1;  // blocks and a ragged last one
+  plan.parts[0].queries = 4096 * 3 + 1;  // several blocks and a short last one
   std::string one, four;
   write_queries(plan, QueryEncoding::binary, 1, [&](std::string_view bytes) { one += bytes; });
   write_queries(plan, QueryEncoding::binary, 4, [&](std::string_view bytes) { four += bytes; });

@@ -1,4 +1,4 @@
-// An address: everything that is needed to make one query again, on any machine.
+// An address: all that is needed to make one query again, on any machine.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace axiscert {
 
-// As text: SEED:NAME:VERSION:PRECISION:UNIT:INDEX, for instance 1:tangent:1:binary32:0:1234. The name of a mesh or a
-// query file is mesh-SHA256 or queries-SHA256.
+// The text form is SEED:NAME:VERSION:PRECISION:UNIT:INDEX, for instance 1:tangent:1:binary32:0:1234. The name of a mesh
+// or a query file is mesh-SHA256 or queries-SHA256.
 struct Address {
   std::uint64_t seed;
   std::string name;
@@ -25,7 +25,7 @@ std::string text(const Address& address);
 Address address_of(const Source& source, std::uint64_t seed, Precision precision, std::uint64_t position);
 // Throws Error that says which field is wrong and shows the form.
 Address parse_address(std::string_view text);
-// Throws Error naming the precisions that exist.
+// Throws Error that lists the precisions that exist.
 Precision parse_precision(std::string_view text);
 
 }  // namespace axiscert

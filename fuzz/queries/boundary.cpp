@@ -48,7 +48,7 @@ Real exact_radius_on_boundary(const Query<Real>& q, Comparison which) {
 
 template <class Real>
 Real exact_radius_at_distance(const Query<Real>& q) {
-  // Several times faster than CGAL's, and a generator needs no independence; the tests hold the two against each other.
+  // Several times faster than CGAL's, and a generator needs no independence; the tests compare the two.
   const auto by_value = [](const Ring& x, const Ring& y) { return static_cast<int>(CGAL::compare(x, y)); };
   return root_of<Real>(walked_squared_distance(centred_as<Ring>(q, ring<Real>), Ring(0), Ring(1), by_value));
 }

@@ -1,4 +1,4 @@
-// Values on a boundary by filter are those of exact arithmetic to the bit, where the filter speaks, and it nearly
+// Values on a boundary by filter equal those of exact arithmetic to the bit if the filter gives a result, and it nearly
 // always does.
 #include "fuzz/queries/boundary.h"
 
@@ -20,7 +20,7 @@ template <class Real>
 class NearestRootsLong : public testing::Test {};
 TYPED_TEST_SUITE(NearestRootsLong, Reals);
 
-// How many of a family's answers were left to exact arithmetic.
+// The number of a family's values that the filters left to exact arithmetic.
 struct Silent {
   std::uint64_t distances = 0, radii = 0, coordinates = 0;
 };
@@ -30,7 +30,7 @@ bool same_bits(Real x, Real y) {
   return std::memcmp(&x, &y, sizeof x) == 0;
 }
 
-// Each family meets all seven radii, and all nine sides with all three coordinates, in turn.
+// The queries of each family include all seven radii, and all nine sides with all three coordinates, in turn.
 template <class Real>
 Silent compare_with_exact(const Family& family, std::uint64_t count) {
   Silent silent;
@@ -53,8 +53,9 @@ Silent compare_with_exact(const Family& family, std::uint64_t count) {
   return silent;
 }
 
-// The share in thousandths that may be left: of distances, radii and coordinates. Roots of zero, triangles without area
-// that show it in no edge, and, in binary64, hardly any area or numbers of every size are what is left.
+// The permitted share, in thousandths, of distances, radii and coordinates that may be left to exact arithmetic. These
+// are roots of zero, triangles without area that is not apparent from an edge and, in binary64, triangles of almost no
+// area or numbers of every size.
 struct Allowed {
   std::string_view family;
   std::uint64_t distances, radii, coordinates;
@@ -113,7 +114,7 @@ TYPED_TEST(NearestRoots, OfZeroAreSeenWhereTheNumbersShowThem) {
   EXPECT_EQ(nearest_tie_coordinate(repeated, Comparison::edge_bc_side_a, 1), TypeParam(5));
 }
 
-// The distance that critical radii are measured from, against CGAL's.
+// The distance relative to which critical radii are measured, compared with CGAL's.
 TYPED_TEST(NearestRoots, AreTheRoundedDistanceOfTheOracle) {
   for (const Family* family : families()) {
     for_each_query<TypeParam>(family->name, 300, [](const Query<TypeParam>& q, std::uint64_t) {
@@ -126,7 +127,7 @@ TYPED_TEST(NearestRoots, AreTheRoundedDistanceOfTheOracle) {
   }
 }
 
-// Roots on a rounding midpoint: no enclosure excludes it, and the exact one goes to the even neighbour.
+// Roots on a rounding midpoint: no enclosure excludes the midpoint, and the exact root goes to the even neighbour.
 TYPED_TEST(NearestRoots, OnAMidpointAreLeftToExactArithmetic) {
   const TypeParam half = std::numeric_limits<TypeParam>::epsilon() / 2;
   const Query<TypeParam> q{{1, -3, -3}, {1, 5, -3}, {1, 0, 5}, {-half, 0, 0}, 0};  // d = 1 + eps / 2

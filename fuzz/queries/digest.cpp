@@ -5,7 +5,7 @@
 #include <bit>
 #include <vector>
 
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/sha256.h"
 
 namespace axiscert {
 namespace {

@@ -1,4 +1,4 @@
-// Digests that pin a family down to the bit: the same on every machine, with every compiler.
+// Digests that determine a family to the bit: the same on every machine, with every compiler.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace axiscert {
 // in order, little-endian.
 std::string family_digest(const Family& family, Precision precision);
 
-// One line, without its end: family, version, precision, digest. The committed file
-// fuzz/families/sphere_triangle/digests.txt has one for each family and precision, in the order of the registry.
+// One line, without its line end: family, version, precision, digest. The committed file
+// fuzz/families/sphere_triangle/digests.txt has one line for each family and precision, in the order of the registry.
 std::string digest_line(const Family& family, Precision precision);
 
 }  // namespace axiscert

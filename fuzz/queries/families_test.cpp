@@ -1,5 +1,5 @@
-// What holds for every family: the registry, the same bytes everywhere, oracles that agree; and that the families which
-// are about sizes reach the sizes they claim.
+// Properties of every family: the registry, the same bytes everywhere, oracles that agree; and that the families about
+// sizes reach the sizes they claim.
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -71,7 +71,8 @@ TYPED_TEST(EveryFamily, GivesAnAddressOneQueryAndAnotherSeedAnother) {
   }
 }
 
-// CGAL and the exact formulae agree; exact_truth throws where they do not. All but one family are valid throughout.
+// CGAL and the exact formulae agree; exact_truth throws if they do not. The queries of all families but one are valid
+// throughout.
 TYPED_TEST(EveryFamily, IsAcceptedByTheOracles) {
   for (const Family* family : families()) {
     for_each_query<TypeParam>(family->name, 2000, [&](const Query<TypeParam>& q, std::uint64_t position) {
@@ -81,7 +82,7 @@ TYPED_TEST(EveryFamily, IsAcceptedByTheOracles) {
   }
 }
 
-// The generators solve with formulae of their own: held against the oracle's distance.
+// The generators solve with formulae of their own, which are compared here with the oracle's distance.
 TYPED_TEST(EveryFamily, RadiusAtDistanceIsTheOraclesDistance) {
   for (const Family* family : families()) {
     for_each_query<TypeParam>(family->name, 400, [&](const Query<TypeParam>& q, std::uint64_t) {
@@ -111,7 +112,7 @@ TYPED_TEST(FamilySizes, FarIsADecadeInTurnFromTheOrigin) {
   });
 }
 
-// Every exponent that a coordinate below one can take, from nothing left to just finite; and clear of tangency.
+// Every exponent that a coordinate below one can take, from complete underflow to just finite; and clear of tangency.
 TYPED_TEST(FamilySizes, ScaleSweepsTheExponentsAndStaysClear) {
   using Limits = std::numeric_limits<TypeParam>;
   const int least = Limits::min_exponent - Limits::digits, greatest_exponent = Limits::max_exponent - 1;

@@ -13,14 +13,15 @@ namespace axiscert {
 
 class Stream;
 
-// How a family makes its queries: one at a time from a stream, or a batch of them at once, in lanes.
+// The way in which a family makes its queries: one at a time from a stream, or a batch of them at once, in lanes.
 template <class Real>
 class Maker {
  public:
-  // `position` counts the queries of the family: what is asked "in turn" goes by it; the rest comes from the stream.
+  // `position` counts the queries of the family and determines everything that is done "in turn"; the rest comes from
+  // the stream.
   using One = Query<Real> (*)(Stream& random, std::uint64_t position);
-  // The queries at `first` and after it, as many as the columns have. Which query is made at a position depends on
-  // nothing else: not on where the batch begins, on the instruction set or on the compiler.
+  // Makes the queries from position `first` on, as many as the columns have. The query at a position depends on nothing
+  // else: not on the start of the batch, the instruction set or the compiler.
   using Batch = void (*)(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out);
 
   constexpr Maker(One one) : one_(one) {}
@@ -35,9 +36,9 @@ class Maker {
 struct Family {
   std::string_view name;
   std::string_view purpose;  // one line
-  // Raised whenever the same address would make another query; the committed digests fail until it is.
+  // Has to be raised whenever the same address would make another query; the committed digests fail until it is.
   int version;
-  // The precision's arithmetic is exact on every query: no rounding to blame.
+  // Whether the precision's arithmetic is exact on every query, so that rounding cannot be to blame.
   bool exact_arithmetic;
   Maker<float> binary32;
   Maker<double> binary64;
@@ -55,7 +56,7 @@ struct Family {
 };
 
 std::span<const Family* const> families();
-// Throws Error naming the families that exist.
+// Throws Error that lists the families that exist.
 const Family& find_family(std::string_view name);
 
 }  // namespace axiscert

@@ -1,4 +1,4 @@
-// The families whose queries are solved onto a boundary are there, and make the published kernel flip where they claim.
+// The families whose queries are solved onto a boundary lie on it, and make the published kernel flip where they claim.
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/queries/boundary.h"
 #include "fuzz/queries/family_testing.h"
@@ -61,7 +61,7 @@ TYPED_TEST(FamilyBoundaries, SeamCentreIsWithinFourUlpOfASideBoundary) {
   });
 }
 
-// 2^18 queries at most, as a run makes them; a few ten thousand suffice.
+// At most 2^18 queries, as in a run; a few tens of thousands are enough.
 TYPED_TEST(FamilyBoundaries, SeamFlipsEverySideDecisively) {
   const Family& family = find_family("seam");
   ComparisonBits flipped = 0;

@@ -1,4 +1,4 @@
-// The families that are about shapes and exactness make what they claim, by exact arithmetic.
+// The families about shapes and exactness have the properties they claim, checked by exact arithmetic.
 #include <cfenv>
 #include <cmath>
 #include <map>
@@ -19,7 +19,7 @@ TYPED_TEST_SUITE(FamilyShapes, Reals);
 
 template <class Real>
 struct EdgeLengths {
-  double shortest, longest, height;  // the height over the longest edge
+  double shortest, longest, height;  // height: that over the longest edge
 };
 template <class Real>
 EdgeLengths<Real> edge_lengths(const Query<Real>& q) {
@@ -58,7 +58,7 @@ TYPED_TEST(FamilyShapes, NeedleReachesEveryRatio) {
   for (const auto& [halvings, count] : reached) EXPECT_GE(count, 3) << "2^-" << halvings;
 }
 
-// Rounding makes published binary32 miss contacts by a third of the scene and more.
+// Because of rounding, published binary32 misses contacts by a third of the scene and more.
 TEST(Sliver, MissesContactsDeeply) {
   double deepest = 0;
   for_each_query<float>("sliver", 8000, [&](const Query<float>& q, std::uint64_t) {
@@ -99,7 +99,7 @@ TYPED_TEST(FamilyShapes, RepeatedRepeatsEachPairInTurn) {
   });
 }
 
-// A zero-area fault of the strict formulae is a phantom contact, always.
+// A zero-area fault of the strict formulae is always a phantom contact.
 TYPED_TEST(FamilyShapes, ZeroAreaShowsTheSpecificationFault) {
   for (const char* family : {"collinear", "repeated"}) {
     std::size_t faults = 0;

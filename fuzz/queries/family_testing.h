@@ -1,11 +1,11 @@
-// What the tests of the families share: queries in order, the first one that fails named with its numbers.
+// Code shared by the tests of the families: queries in order, with the first failing one described by its numbers.
 #pragma once
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/claims/claim.h"
 #include "fuzz/queries/family.h"
 
 namespace axiscert {
@@ -14,7 +14,7 @@ using Reals = testing::Types<float, double>;
 
 inline bool has(ComparisonBits bits, Comparison which) { return ((bits >> static_cast<unsigned>(which)) & 1u) != 0; }
 
-// The published kernel, as the scalar reference computes it.
+// The judgement of the published kernel as the scalar reference computes it.
 template <class Real>
 Judgement judge_published(const Query<Real>& q) {
   const ExactTruth truth = exact_truth(q, false);
@@ -22,7 +22,7 @@ Judgement judge_published(const Query<Real>& q) {
   return judge(truth, chain, chain.rounded->reference);
 }
 
-// Calls check(query, position) for the first `count` positions at seed 1, and stops at the first that fails.
+// Calls check(query, position) for the first `count` positions at seed 1, and stops at the first failure.
 template <class Real, class Check>
 void for_each_query(std::string_view family_name, std::uint64_t count, Check&& check) {
   const Family& family = find_family(family_name);

@@ -1,5 +1,5 @@
-// A batch of queries is the queries of its positions: wherever it begins and however long it is, on every instruction
-// set.
+// A batch of queries equals the queries of its positions, wherever it begins and whatever its length, on every
+// instruction set.
 #include <cstring>
 
 #include "fuzz/queries/family_testing.h"
@@ -29,7 +29,7 @@ TEST(Fill, MeetsEveryInstructionSetOfTheKernels) {
   }
 }
 
-// 64 is the block of the families in lanes: its edges are crossed from both sides.
+// 64 is the block size of the families in lanes: its edges are crossed from both sides.
 TYPED_TEST(Fill, IsMakeAtEveryOffsetAndCountOnEveryInstructionSet) {
   constexpr std::size_t most = 150;
   for (const Family* family : families()) {

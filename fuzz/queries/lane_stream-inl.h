@@ -1,10 +1,11 @@
-// Stream over Highway vectors: lane i draws what Stream draws at position first + i, bit for bit, on every instruction
-// set. Draws are in lockstep, so that how many there are cannot depend on what a lane holds. For the instruction set
-// that foreach_target is at; the including file has included fuzz/queries/lanes.h and then defined AXISCERT_PER_TARGET.
+// Stream over Highway vectors: lane i draws the same numbers as Stream at position first + i, bit for bit, on every
+// instruction set. Draws are in lockstep, so that their number cannot depend on the content of a lane. Compiled for the
+// current instruction set of foreach_target; the including file has to include
+// fuzz/families/sphere_triangle/parts/lanes.h and then define AXISCERT_PER_TARGET.
 #include "kernel/base/geometry.h"
 #include "kernel/sphere_triangle/forms/simd-inl.h"
 
-// g++ -O2 leaves even a loop of ten alone.
+// g++ -O2 does not unroll even a loop of ten iterations.
 #undef AXISCERT_UNROLL
 #ifdef __clang__
 #define AXISCERT_UNROLL _Pragma("clang loop unroll(full)")
@@ -17,8 +18,8 @@ namespace axiscert {
 namespace HWY_NAMESPACE {
 
 #if HWY_TARGET != HWY_SCALAR
-// Philox4x32-10 in the low halves of 64-bit lanes. The high halves hold anything: a product reads low halves only, and
-// what else they reach are high halves.
+// Philox4x32-10 in the low halves of 64-bit lanes. The high halves are unspecified: a product reads only low halves,
+// and other operations carry high halves only into high halves.
 template <class W64>
 struct PhiloxWords {
   W64 w0, w1, w2, w3;
@@ -48,19 +49,19 @@ class LaneStream {
   using D = hn::ScalableTag<Real>;
   using T = LanesOf<D>;
   using DW = hn::RebindToUnsigned<D>;
-  using W = hn::Vec<DW>;  // words: in binary64 the low half of each lane, the high half zero
+  using W = hn::Vec<DW>;  // words: in binary64 the low half of each lane, with a high half of zero
   using M = hn::Mask<D>;
   static constexpr std::size_t lanes = hn::MaxLanes(D());
 
-#if HWY_TARGET == HWY_SCALAR  // one lane, which is no half of a wider one
+#if HWY_TARGET == HWY_SCALAR  // one lane, which is not half of a wider one
   LaneStream(const StreamName& name, std::uint64_t first) : stream_(name, first) {}
   LaneStream(const StreamName& name, const std::uint64_t* positions) : stream_(name, *positions) {}
 
   W word() { return hn::Set(DW(), stream_.word()); }
-  // n at most 2^32 - 1, in each lane its own.
+  // n is at most 2^32 - 1 and may differ from lane to lane.
   W below(W n) { return hn::Set(DW(), static_cast<hn::TFromD<DW>>(stream_.below(hn::GetLane(n)))); }
 #else
-  // Lane i at position first + i.
+  // Lane i is at position first + i.
   LaneStream(const StreamName& name, std::uint64_t first) : name_(name) {
     const hn::ScalableTag<std::uint64_t> d64;
     const auto lane = hn::Iota(d64, 0), start = hn::Set(d64, first);
@@ -71,7 +72,7 @@ class LaneStream {
       position_[1] = hn::Add(position_[0], hn::Set(d64, 1));
     }
   }
-  // Lane i at positions[i].
+  // Lane i is at positions[i].
   LaneStream(const StreamName& name, const std::uint64_t* positions) : name_(name) {
     constexpr std::size_t each = 8 / sizeof(Real);
     for (std::size_t k = 0; k < each; ++k) {
@@ -85,7 +86,7 @@ class LaneStream {
     if (used_ == held) refill();
     return words_[used_++];
   }
-  // n at most 2^32 - 1, in each lane its own.
+  // n is at most 2^32 - 1 and may differ from lane to lane.
   W below(W n) {
     const hn::ScalableTag<std::uint32_t> d32;
     const hn::ScalableTag<std::uint64_t> d64;
@@ -101,12 +102,12 @@ class LaneStream {
   }
 #endif
   W below(std::uint32_t n) { return below(hn::Set(DW(), n)); }
-  // A word as a number, of at most 24 (52) bits: exact.
+  // A word of at most 24 (52) bits as a number: exact.
   static T number(W word) {
     if constexpr (sizeof(Real) == 4) {
       return {hn::ConvertTo(D(), hn::BitCast(hn::RebindToSigned<D>(), word))};
     } else {
-      const T two_to_52 = T{hn::Set(D(), 0x1p52)};  // its last bit counts ones: the word's bits lie below
+      const T two_to_52 = T{hn::Set(D(), 0x1p52)};  // the unit of its last bit is one: the word's bits go there
       return T{hn::BitCast(D(), hn::Or(word, hn::BitCast(DW(), two_to_52.v)))} - two_to_52;
     }
   }
@@ -119,7 +120,7 @@ class LaneStream {
     const W top = hn::Set(DW(), 0x80000000u);
     return hn::RebindMask(D(), hn::TestBit(word(), top));
   }
-  // 1 where coin() is true, else -1.
+  // 1 if coin() is true, else -1.
   T sign() {
     const M positive = coin();
     return {hn::IfThenElse(positive, constant(1).v, constant(-1).v)};
@@ -144,7 +145,7 @@ class LaneStream {
   }
 
  private:
-  // 53 bits, as two exact parts: their sum is exact as well.
+  // 53 bits from two exact parts, whose sum is exact as well.
   static T significand(W high, W low) {
     return number(high) * constant(Real(0x1p-32)) + number(hn::ShiftRight<11>(low)) * constant(Real(0x1p-53));
   }
@@ -152,7 +153,8 @@ class LaneStream {
 #if HWY_TARGET == HWY_SCALAR
   Stream stream_;
 #else
-  static constexpr unsigned blocks = 2, held = 4 * blocks;  // two at once: a block alone waits for its own products
+  // two at once: a single block would wait for its own products
+  static constexpr unsigned blocks = 2, held = 4 * blocks;
 
   HWY_NOINLINE void refill() {
     const hn::ScalableTag<std::uint32_t> d32;
@@ -189,7 +191,7 @@ class LaneStream {
   }
 
   StreamName name_;
-  hn::Vec<hn::ScalableTag<std::uint64_t>> position_[2];  // binary32: of the even and of the odd lanes
+  hn::Vec<hn::ScalableTag<std::uint64_t>> position_[2];  // binary32: for the even and for the odd lanes
   std::uint32_t block_ = 0;
   unsigned used_ = held;
   W words_[held];

@@ -1,8 +1,8 @@
-// Philox in lanes gives Random123's known answers, and every lane of a LaneStream draws what a Stream draws: on each
-// instruction set that this machine has.
+// Philox in lanes gives Random123's known answers, and every lane of a LaneStream draws the same numbers as a Stream,
+// on each instruction set of this machine.
 #include <gtest/gtest.h>
 
-#include "fuzz/queries/lanes.h"
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/queries/lane_stream_test.cpp"
@@ -16,7 +16,7 @@
 #define AXISCERT_LANE_STREAM_TEST_H
 namespace axiscert {
 using FourWords = std::array<std::uint32_t, 4>;
-// What each lane of a LaneStream drew, in the order of drawn(): [draw][lane].
+// The numbers drawn by each lane of a LaneStream, in the order of drawn(): [draw][lane].
 template <class Real>
 using Drawn = std::vector<std::vector<double>>;
 inline constexpr int rounds = 40;
@@ -52,7 +52,7 @@ void drawn(const StreamName& name, std::uint64_t first, Drawn<Real>& out) {
     hn::Store(x.v, typename Random::D(), each);
     out.emplace_back(each, each + Random::lanes);
   };
-  const auto n = hn::Iota(typename Random::DW(), 1);  // its own in each lane
+  const auto n = hn::Iota(typename Random::DW(), 1);  // a different n in each lane
   for (int i = 0; i < rounds; ++i) {
     keep(random.unit());
     keep(random.symmetric());
@@ -96,7 +96,7 @@ TEST(LaneStream, PhiloxGivesTheKnownAnswers) {  // kat_vectors of Random123, the
 
 template <class Real>
 void expect_lanes_draw_what_streams_draw() {
-  // The low word of the position carries over within a vector in the second and the last.
+  // In the second and the last of these, the low word of the position carries over within a vector.
   for (const std::uint64_t first : {std::uint64_t{0}, std::uint64_t{0xfffffffb}, std::uint64_t{0x123456789abcdef}}) {
     const StreamName name(0xfedcba9876543210, name_hash("lane_stream_test"), 3, precision_of<Real>);
     for_each_instruction_set([&](const std::string& target) {

@@ -1,16 +1,16 @@
-// Asking for the same thing on each instruction set.
+// Runs the same test on each instruction set.
 #pragma once
 
 #include <string>
 
-#include "fuzz/queries/lanes.h"
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #include "hwy/targets.h"
 
 namespace axiscert {
 
-// Calls body(name) with each of the compiled instruction sets that this machine has as Highway's choice, HWY_SCALAR
-// among them, and leaves the choice as it was. Not while other threads generate.
+// Calls body(name) with Highway's choice set to each of the compiled instruction sets that this machine has, including
+// HWY_SCALAR, and restores the choice. Must not run while other threads generate.
 template <class Body>
 void for_each_instruction_set(Body&& body) {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {

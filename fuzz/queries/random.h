@@ -10,8 +10,8 @@
 
 namespace axiscert {
 
-// The random numbers of one query. Every function advances the stream; integers and exact scalings only, so the values
-// are the same on every machine. Words are of 32 bits; after 2^22 of them the stream repeats.
+// The random numbers of one query. Every function advances the stream; only integers and exact scalings are used, so
+// the values are the same on every machine. Words have 32 bits; after 2^22 of them the stream repeats.
 class Stream {
  public:
   // `position` is unit * 2^16 + index.
@@ -30,13 +30,13 @@ class Stream {
     }
     return block_[used_++];
   }
-  // Two words, the first the high one.
+  // Two words, the high one first.
   std::uint64_t bits() {
     const std::uint64_t high = word();
     return high << 32 | word();
   }
-  // Uniform in [0, n), n > 0: the high part of a product with one word where n <= 2^32, else with two. No value's
-  // probability differs from 1 / n by more than 2^-32 (2^-64): part of the definition.
+  // Uniform in [0, n), n > 0: the high part of a product with one word if n <= 2^32, otherwise with two. No value's
+  // probability differs from 1 / n by more than 2^-32 (2^-64); this is part of the definition.
   std::uint64_t below(std::uint64_t n) {
     if (n <= std::uint64_t{1} << 32) return (word() * n) >> 32;
     return static_cast<std::uint64_t>((static_cast<unsigned __int128>(bits()) * n) >> 64);

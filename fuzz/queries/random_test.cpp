@@ -14,7 +14,7 @@ namespace {
 using Counter = r123::Philox4x32::ctr_type;
 using Key = r123::Philox4x32::key_type;
 
-// kat_vectors of Random123, the lines "philox4x32 10".
+// From kat_vectors of Random123, the lines "philox4x32 10".
 struct KnownAnswer {
   Counter counter;
   Key key;
@@ -55,7 +55,7 @@ TEST(Random, NoTwoFamiliesShareAStream) {
   }
 }
 
-// The definitions, held against the words of an equal stream.
+// The definitions, compared with the words of an equal stream.
 TEST(Random, NumbersAreTheBitsTheyAreSaidToBe) {
   for (std::uint64_t position = 0; position < 1000; ++position) {
     const auto stream = [&] { return Stream(20260101, 7, 1, Precision::binary32, position); };

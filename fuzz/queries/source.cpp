@@ -1,6 +1,6 @@
 #include "fuzz/queries/source.h"
 
-#include "fuzz/queries/images.h"
+#include "fuzz/queries/image_groups.h"
 
 namespace axiscert {
 namespace {

@@ -1,4 +1,4 @@
-// What the random numbers of one generator are keyed by: the seed, its name, version and precision.
+// The key of the random numbers of one generator: the seed, its name, version and precision.
 #pragma once
 
 #include <cstdint>
@@ -8,22 +8,23 @@
 
 namespace axiscert {
 
-// FNV-1a, 64 bits: names a generator.
+// FNV-1a, 64 bits: identifies a generator.
 constexpr std::uint64_t name_hash(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
   return hash;
 }
 
-// What the streams of one generator share. Philox is a bijection of its counter for each key, so that two addresses of
-// one seed share no block unless their counters are equal. The key is the seed, low word first; the counter's words are
+// The part of the Philox key and counter that the streams of one generator share. Philox is a bijection of its counter
+// for each key, so that two addresses of one seed share no block unless their counters are equal. The key is the seed,
+// low word first; the counter's words are
 //   0  position, low                    1  position, high
 //   2  the halves of the name's hash, exclusive or      3  block number | version << 20 | precision << 31
-// Names that give the same word 2 would give the same numbers: a test holds the families' words apart. A mesh is named
-// by the SHA-256 of its file, and meets another's word by chance, once in 2^32, to no harm.
+// Names that give the same word 2 would give the same numbers: a test checks that the families' words differ. A mesh is
+// named by the SHA-256 of its file, and has the same word as another by chance, once in 2^32, which does no harm.
 struct StreamName {
   std::uint64_t seed;
-  std::uint32_t generator, kind;  // words 2 and 3, of block 0
+  std::uint32_t generator, kind;  // words 2 and 3, for block 0
 
   // `hash` is name_hash of the generator's name; versions are below 2^11.
   constexpr StreamName(std::uint64_t seed_of_run, std::uint64_t hash, int version, Precision precision)

@@ -1,4 +1,4 @@
-// Prints what belongs into fuzz/families/sphere_triangle/digests.txt: run it after raising a family's version.
+// Prints the content of fuzz/families/sphere_triangle/digests.txt: run it after raising a family's version.
 #include <fmt/format.h>
 
 #include "fuzz/queries/digest.h"

@@ -15,7 +15,7 @@
 namespace axiscert {
 namespace {
 
-// |a - sqrt(s)| for s >= 0 as |a^2 - s| / (a + sqrt(s)) where a is positive: nothing cancels after a rounding.
+// |a - sqrt(s)| for s >= 0 as |a^2 - s| / (a + sqrt(s)) if a is positive: no cancellation follows a rounding.
 Rational distance_to_root(const Rational& a, const Rational& s) {
   constexpr mp_bitcnt_t bits = 256;
   const mpf_class root = sqrt(mpf_class(s, bits)), at(a, bits);
@@ -64,7 +64,7 @@ std::optional<SideErrors> Confirmer<Real>::errors(const Query<Real>& q) {
   if (kernel_.exposes != Exposure::sides || !has_comparisons(kernel_.formulae) || !is_valid(q)) return std::nullopt;
   const Reply<Real> reply = ask(implementation_, q);
   if (!reply.has_bits || reply.verdicts[0] == Verdict::unanswered) return std::nullopt;
-  // Every oracle agrees about the query; then the kernel's own formulae.
+  // Every oracle agrees about the query; the kernel's own formulae follow.
   const ExactTruth truth = exact_truth(q, true);
   Claims<Real> claims(q, *truth.formula);
   const FormulaTruth& own = *claims.sides(kernel_.formulae);

@@ -1,4 +1,4 @@
-// What is confirmed of a query, held against the formulae written out in GMP rationals.
+// The confirmed values of a query, compared with the formulae written out in GMP rationals.
 #include "fuzz/search/confirm.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Vector at(const Vector& u, const Rational& s, const Vector& v, const Rational& t
   return {u[0] * s + v[0] * t, u[1] * s + v[1] * t, u[2] * s + v[2] * t};
 }
 
-// l - r of plane.radius, vertex_a.radius, vertex_a.side_b, edge_ab.radius and edge_ab.side_c, as the article has them.
+// l - r of plane.radius, vertex_a.radius, vertex_a.side_b, edge_ab.radius and edge_ab.side_c, as in the article.
 std::array<std::pair<Comparison, Rational>, 5> margins(const Query<float>& q) {
   const auto vector = [](const Vec3<float>& v) { return Vector{exact(v.x), exact(v.y), exact(v.z)}; };
   const Vector p = vector(q.p), a = minus(vector(q.a), p), b = minus(vector(q.b), p), c = minus(vector(q.c), p);
@@ -77,7 +77,7 @@ TEST(Confirm, NothingBeyondTheBoxIsAnErrorOfIt) {
   EXPECT_TRUE(confirmer.value({Goal::relative_error}, q)) << "which has no box";
 }
 
-// The guide may be as wrong as it likes without harm to what is reported; but it would guide badly.
+// The guide may be arbitrarily wrong without harm to the reported values; but then it would guide badly.
 TEST(Confirm, TheGuideIsNearTheTruth) {
   const Kernel& kernel = find_kernel("published");
   const auto near = [&]<class Real>(Real) {
@@ -93,7 +93,7 @@ TEST(Confirm, TheGuideIsNearTheTruth) {
     }
     std::vector<double> scores;
     for (const Aim& aim : aims_of(kernel, {})) {
-      if (aim.goal == Goal::critical_radius) continue;  // estimated to a fraction of an ulp
+      if (aim.goal == Goal::critical_radius) continue;  // estimated only to a fraction of an ulp
       QueryBatch<Real> solved = batch;
       evaluator.evaluate(aim, solved, scores);
       for (std::size_t i = 0; i < batch.size(); ++i) {
@@ -111,7 +111,8 @@ TEST(Confirm, TheGuideIsNearTheTruth) {
 }
 
 TEST(Confirm, RangeIsLeftAtTheExponentsOfTheFormulae) {
-  // |A|^2 = 3/4: 3/4 2^128 is finite in binary32, 3/4 2^130 is not. Downwards it is 0 in the end, as r^2 is before.
+  // |A|^2 = 3/4: 3/4 2^128 is finite in binary32, 3/4 2^130 is not. Downwards it becomes 0 in the end, as r^2 does
+  // earlier.
   const Query<float> q{{0.5f, 0.5f, 0.5f}, {-0.5f, 0.5f, 0.25f}, {0.75f, -0.5f, 0.25f}, {0, 0, 0}, 0.5f};
   ASSERT_TRUE(has_good_shape(q));
   QueryBatch<float> one(1);

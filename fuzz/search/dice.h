@@ -1,6 +1,6 @@
-// The random numbers of a search, which takes a dozen for every query that it tries: SplitMix64 (Steele, Lea and Flood,
-// "Fast splittable pseudorandom number generators", 2014), an order of magnitude faster than the counter-based stream
-// that it is seeded from, and as little dependent on the machine.
+// The random numbers of a search, which uses about a dozen for every query that it tries: SplitMix64 (Steele, Lea and
+// Flood, "Fast splittable pseudorandom number generators", 2014). It is an order of magnitude faster than the
+// counter-based stream that seeds it, and equally independent of the machine.
 #pragma once
 
 #include <limits>
@@ -20,7 +20,7 @@ class Dice {
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     return z ^ (z >> 31);
   }
-  // Below n, which is at most 2^32.
+  // Uniform below n, which is at most 2^32.
   std::uint64_t below(std::uint64_t n) { return ((bits() >> 32) * n) >> 32; }
   std::int64_t integer(std::int64_t low, std::int64_t high) {
     return low + static_cast<std::int64_t>(static_cast<std::uint64_t>(

@@ -11,6 +11,7 @@
 #include "fuzz/search/range.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/forms/simd.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert {
 namespace {
@@ -40,7 +41,7 @@ WideMargin margin_in(Comparison which, const Query<double>& q, Convert&& convert
   return wide_margin(sides.lhs[k], sides.rhs[k]);
 }
 
-// Of a binary64 query: rings in twice binary64, forms with roots or divisions by MPFR.
+// The margin for a binary64 query: rings in twice binary64, forms with roots or divisions by MPFR.
 template <Formulae formulae>
 WideMargin twice_wide(Comparison which, const Query<double>& q) {
   using F = FormulaeType<formulae>;
@@ -67,9 +68,9 @@ double difference(double l, double r, const WideMargin& margin) {
   return std::fabs((computed.value - margin.high) + (computed.error - margin.low));
 }
 
-// Estimates of relative errors are good up to here. With T the greatest of the numbers that cancelled, an error is
-// about u T, and the estimate of the sides errs by u^2 T or a little more: sides of 2^-40 u T are still known to many
-// digits.
+// Estimates of relative errors are accurate up to this ratio. With T the greatest of the numbers that cancelled, an
+// error is about u T, and the estimate of the sides errs by u^2 T or slightly more: sides of 2^-40 u T are still known
+// to many digits.
 constexpr double greatest_ratio = 0x1p40;
 
 double score_of(const Aim& aim, double difference, double size, int digits) {

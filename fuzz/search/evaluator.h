@@ -1,4 +1,4 @@
-// The estimates that guide a search: of every query of a batch, how much it shows of what is looked for.
+// The estimates that guide a search: for every query of a batch, how much of the aim it shows.
 #pragma once
 
 #include "fuzz/search/goal.h"
@@ -6,20 +6,20 @@
 
 namespace axiscert {
 
-// Estimates by about twice the precision that the kernel has, not by exact arithmetic: they choose which queries are
-// kept, and what is reported of those is computed again, exactly. The same on every machine: sums, products, quotients
-// and roots alone. Borrows the kernel.
+// Estimates in about twice the kernel's precision, not in exact arithmetic: they decide which queries are kept, and the
+// reported values of those are computed again, exactly. The same on every machine: only sums, products, quotients and
+// roots. Keeps a reference to the kernel.
 template <class Real>
 class Evaluator {
  public:
   Evaluator(const Kernel& kernel, std::string_view target);
 
-  // Writes the score of each query, not negative; 0 where there is nothing. For the goals about verdicts it solves each
+  // Writes the score of each query, not negative; 0 if it shows nothing. For the goals about verdicts it solves each
   // query's radius.
   void evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores);
 
-  // What vanishes where a comparison loses its scale, in binary64: l of a radius comparison, l - r of a side
-  // comparison. Guides Newton's steps.
+  // The quantity that vanishes where a comparison loses its scale, in binary64: l for a radius comparison, l - r for a
+  // side comparison. Guides Newton's steps.
   double vanishing(Comparison which, const Query<Real>& q) const;
 
  private:
@@ -29,7 +29,7 @@ class Evaluator {
 
   const Kernel& kernel_;
   Implementation<Real> implementation_;
-  Implementation<double> wide_;  // of the formulae, for binary32; empty where there is none in lanes
+  Implementation<double> wide_;  // the formulae in binary64, for binary32; empty if there is no lane form
   Reply<Real> reply_;
   QueryBatch<double> widened_{0};
   Answers<double> wide_answers_;

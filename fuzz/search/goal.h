@@ -1,4 +1,4 @@
-// What a search looks for: the worst of one kernel in one respect.
+// The aim of a search: the worst query for one kernel in one respect.
 #pragma once
 
 #include <string>
@@ -9,21 +9,19 @@
 namespace axiscert {
 
 enum class Goal : std::uint8_t {
-  // |(l^ - r^) - (l - r)| in u, where every coordinate of A - P, B - P and C - P lies in [-1, 1] and r in [0, 1], P
-  // free,
-  // the rounding of the translation included: what a proved bound is about.
+  // |(l^ - r^) - (l - r)| in u, if every coordinate of A - P, B - P and C - P lies in [-1, 1] and r in [0, 1], with P
+  // free and the rounding of the translation included: the quantity that a proved bound limits.
   error,
-  // The same over |l| + |r|, as the record has it. It has no bound where both sides vanish.
+  // The same over |l| + |r|, as in the record. It is unbounded where both sides vanish.
   relative_error,
-  // Of queries of a good shape (fuzz/search/range.h): the exponent m of the first 2^m, up or down, by which such a
-  // query
-  // of size 1/2 to 1 is to be multiplied for the comparison to leave the range.
+  // For queries of a good shape (fuzz/search/range.h): the exponent m of the first factor 2^m, up or down, at which
+  // such a query of size 1/2 to 1 makes the comparison leave the range.
   overflow,
   underflow,
   // Depth of a wrong verdict; the radius is the kernel's own critical radius, or the float below it.
   missed_contact,
   phantom_contact,
-  // Its critical radius against the exact distance, in ulps of that.
+  // The kernel's critical radius relative to the exact distance, in ulps of the latter.
   critical_radius,
 };
 inline constexpr std::array<std::string_view, 7> goal_names = {
@@ -33,15 +31,15 @@ constexpr bool is_about_range(Goal goal) { return goal == Goal::overflow || goal
 
 struct Aim {
   Goal goal;
-  Comparison which = Comparison::plane_radius;  // of the goals about a comparison
+  Comparison which = Comparison::plane_radius;  // for the goals about a comparison
   bool operator==(const Aim&) const = default;
 };
 
 // "error plane.radius", "missed_contact".
 std::string name(const Aim& aim);
 
-// What there is to look for in a kernel: comparisons where it shows their sides and claims formulae, in `only` where
-// that is not empty; verdicts where `only` is.
+// The aims that a search can have for a kernel: comparisons if it exposes their sides and claims formulae, restricted
+// to `only` unless that is empty; verdicts only if `only` is empty.
 std::vector<Aim> aims_of(const Kernel& kernel, const std::vector<Comparison>& only);
 
 }  // namespace axiscert

@@ -8,11 +8,11 @@
 namespace axiscert {
 namespace {
 
-// The last part of an island's evaluations, in which only single numbers move, by a few ulps.
+// The last part, 1 / polish_share, of an island's evaluations, in which only single numbers change, by a few ulps.
 constexpr std::uint64_t polish_share = 8;
 
-// Moves one number to where the comparison's scale vanishes, by one of Newton's steps, which is exact where the margin
-// is affine in the number; then by a few ulps.
+// Moves one number to where the comparison's scale vanishes, by one Newton step, which is exact if the margin is affine
+// in the number; then by a few ulps.
 template <class Real>
 void step_to_cancellation(const Evaluator<Real>& evaluator, Comparison which, Dice& random, Query<Real>& q) {
   auto v = coordinates(q);
@@ -84,7 +84,7 @@ std::vector<ScoredQuery<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim,
     for (std::size_t w = 0; w < found.size(); ++w) {
       const auto first = scores.begin() + static_cast<std::ptrdiff_t>(w * children);
       const auto best = std::max_element(first, first + children);
-      // An equal one is taken as well: plateaus are crossed.
+      // An equal score is accepted as well, so that plateaus are crossed.
       if (*best >= found[w].score) found[w] = {batch[static_cast<std::size_t>(best - scores.begin())], *best};
     }
   }

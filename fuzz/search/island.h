@@ -1,4 +1,5 @@
-// One island of a search: a few queries that climb side by side, blend with each other, and are polished in the end.
+// One island of a search: a few queries that climb side by side, are blended with each other, and are refined at the
+// end.
 #pragma once
 
 #include "fuzz/search/dice.h"
@@ -6,17 +7,17 @@
 
 namespace axiscert {
 
-// A query and what it is estimated to show.
+// A query and its estimated score.
 template <class Real>
 struct ScoredQuery {
   Query<Real> query;
   double score = 0;
 };
 
-inline constexpr std::size_t walkers = 8, children = 8;  // that climb, and of each in a generation
+inline constexpr std::size_t walkers = 8, children = 8;  // walkers climb; children of each per generation
 
-// Climbs from the best of `starts`, at most walkers * children of them, with `evaluations` of queries, and returns what
-// each walker found, best first. Depends on its arguments alone.
+// Climbs from the best of `starts`, at most walkers * children of them, with `evaluations` evaluations of queries, and
+// returns the best query of each walker, best first. Depends on its arguments alone.
 template <class Real>
 std::vector<ScoredQuery<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim, Dice& random,
                                      const std::vector<Query<Real>>& starts, std::uint64_t evaluations);

@@ -14,16 +14,16 @@ template <class Real>
 using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
 template <class Real>
 constexpr int digits = std::numeric_limits<Real>::digits;
-// Of a coordinate from the origin: beyond, no two numbers are as little as 1 apart.
+// The greatest distance of a coordinate from the origin: beyond it adjacent numbers are more than 1 apart.
 template <class Real>
 constexpr Real farthest = static_cast<Real>(std::uint64_t{1} << digits<Real>);
 constexpr std::size_t radius_place = coordinate_count - 1;
 
-// One of the vertices' coordinates that lie along the same axis, or the centre's: 3 v + axis, v = 3 for P.
+// The place of a coordinate of a vertex or, with v = 3, of the centre: 3 v + axis.
 constexpr std::size_t place_of(std::size_t vertex, std::size_t axis) { return 3 * vertex + axis; }
 
-// In (-1, 1), down to 2^-n in size. The exponent is drawn first: of a call's arguments no order is promised, and what a
-// seed makes is the same from every compiler.
+// In (-1, 1), down to 2^-n in magnitude. The exponent is drawn first: the order in which arguments are evaluated is not
+// specified, and a seed has to give the same result with every compiler.
 template <class Real>
 Real fine_number(Dice& random, int n) {
   const auto exponent = -static_cast<int>(random.below(static_cast<std::uint64_t>(n)));
@@ -44,7 +44,7 @@ Real random_number(Dice& random) {
   }
 }
 
-// The lowest bits of x, as many as a random number says, made anew.
+// Replaces a random number of the lowest bits of x by random ones.
 template <class Real>
 Real with_random_tail(Dice& random, Real x) {
   const auto mask = (Bits<Real>(1) << (1 + random.below(digits<Real> - 1))) - 1;
@@ -52,8 +52,8 @@ Real with_random_tail(Dice& random, Real x) {
   return std::bit_cast<Real>(static_cast<Bits<Real>>((std::bit_cast<Bits<Real>>(x) & ~mask) | (noise & mask)));
 }
 
-// A new coordinate of the centre along one axis, and the vertices with it: the translated coordinates stay about as
-// they are, their roundings do not.
+// A new coordinate of the centre along one axis, with the vertices moved along: the translated coordinates remain about
+// the same, their roundings do not.
 template <class Real>
 void move_centre(Dice& random, std::array<Real, coordinate_count>& v) {
   const auto axis = static_cast<std::size_t>(random.below(3));
@@ -83,7 +83,7 @@ void swap_vertices(std::array<Real, coordinate_count>& v, std::size_t a, std::si
   for (std::size_t axis = 0; axis < 3; ++axis) std::swap(v[place_of(a, axis)], v[place_of(b, axis)]);
 }
 
-// One number by ulps, by its tail, its exponent or its sign; or another number in its place.
+// Changes one number by ulps, or in its tail, exponent or sign; or replaces it.
 template <class Real>
 void move_number(Dice& random, std::array<Real, coordinate_count>& v) {
   const auto place = static_cast<std::size_t>(random.below(coordinate_count));
@@ -136,7 +136,7 @@ bool is_in_box(const Query<Real>& q) {
 
 template <class Real>
 Real moved_by_ulps(Real x, std::int64_t ulps) {
-  // Floats in order as integers in order: a negative number's bits count downwards.
+  // Floats as integers in the same order: the bits of a negative number count downwards.
   const auto bits = std::bit_cast<Bits<Real>>(x);
   constexpr auto sign = Bits<Real>(1) << (sizeof(Real) * 8 - 1);
   auto order = static_cast<std::int64_t>(bits & ~sign);
@@ -158,7 +158,7 @@ void settle(Query<Real>& q) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       Real& x = v[place_of(vertex, axis)];
       const Real p = v[place_of(3, axis)];
-      // Rounding is monotone: a difference that rounds to less than 1 is less than 1.
+      // Rounding is monotone: if the rounded difference is less than 1, so is the exact one.
       if (std::fabs(x - p) >= 1 && !is_within_one(x, p)) {
         x = p + (x > p ? Real(1) : Real(-1));
         while (!is_within_one(x, p)) x = std::nextafter(x, p);
@@ -185,7 +185,7 @@ void move(Dice& random, Query<Real>& q, const Query<Real>& other) {
     case 1:
       move_centre(random, v);
       break;
-    case 2: {  // every tail
+    case 2: {  // all tails
       const auto count = 1 + random.below(4);
       for (std::uint64_t i = 0; i < count; ++i) {
         Real& x = v[index(coordinate_count)];
@@ -193,7 +193,7 @@ void move(Dice& random, Query<Real>& q, const Query<Real>& other) {
       }
       break;
     }
-    case 3:  // a whole point of the other, or one axis of it
+    case 3:  // a whole point of the other query, or one axis of it
       if (random.coin()) {
         const std::size_t vertex = index(3);
         for (std::size_t axis = 0; axis < 3; ++axis) v[place_of(vertex, axis)] = o[place_of(vertex, axis)];

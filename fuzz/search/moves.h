@@ -1,4 +1,4 @@
-// How a search goes from one query to the next. Integers, sums, products and quotients alone: the same everywhere.
+// The moves of a search from one query to the next. Only integers, sums, products and quotients: the same everywhere.
 #pragma once
 
 #include "fuzz/search/dice.h"
@@ -6,7 +6,7 @@
 
 namespace axiscert {
 
-// The real number a - p is at most 1 in magnitude, exactly.
+// Whether the real number a - p is at most 1 in magnitude, exactly.
 template <class Real>
 bool is_within_one(Real a, Real p);
 // Whether a query is in the box of Goal::error: every coordinate of A - P, B - P, C - P in [-1, 1], exactly, and r
@@ -16,17 +16,17 @@ bool is_in_box(const Query<Real>& q);
 
 // Brings a query into the box of Goal::error: |coordinates of A - P, B - P, C - P| <= 1 exactly, 0 <= r <= 1, every
 // number finite, the greatest of these at least 1/2 unless all are zero or P is too far away for that. Coordinates
-// beyond the box are put on its boundary; a smaller scene is scaled by a power of two.
+// beyond the box are moved to its boundary; a smaller scene is scaled by a power of two.
 template <class Real>
 void settle(Query<Real>& q);
 
-// One random move: numbers by ulps, random low bits, exponents, signs; numbers copied, swapped or made anew; the whole
-// scene moved under a new centre, with the translated vertices as they are; vertices, axes of the box, blends with
+// One random move: numbers changed by ulps, random low bits, exponents, signs; numbers copied, swapped or replaced; the
+// whole scene moved to a new centre, with the translated vertices unchanged; vertices, axes of the box, blends with
 // `other`. The result is not settled.
 template <class Real>
 void move(Dice& random, Query<Real>& q, const Query<Real>& other);
 
-// Steps of `ulps` of one number, the least significant bits of what a search has found; negative numbers downwards.
+// Moves one number by `ulps` steps, for refining the least significant bits of a result; negative steps go downwards.
 template <class Real>
 Real moved_by_ulps(Real x, std::int64_t ulps);
 

@@ -1,4 +1,4 @@
-// The moves of a search: what settles is in the box, exactly, and steps are those of the floats.
+// The moves of a search: settled queries are in the box, exactly, and steps are those of the floats.
 #include "fuzz/search/moves.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ Dice dice(std::uint64_t position) {
   return Dice(stream);
 }
 
-// By GMP: |a - p| <= 1.
+// Computed by GMP: |a - p| <= 1.
 template <class Real>
 bool in_box(const Query<Real>& q) {
   const auto v = coordinates(q);
@@ -38,7 +38,7 @@ TYPED_TEST(Moves, WhatIsWithinOneIsSoExactly) {
   Dice random = dice(0);
   int beyond = 0;
   for (int i = 0; i < 20000; ++i) {
-    // About the boundary, and with a centre that may be far below an ulp of 1.
+    // Near the boundary, and with a centre that may be far below an ulp of 1.
     const auto exponent = -static_cast<int>(random.below(70));
     const Real p = std::ldexp(random.template symmetric<Real>(), exponent);
     const Real a = moved_by_ulps(Real(p + (random.coin() ? Real(1) : Real(-1))), random.integer(-2, 2));

@@ -1,4 +1,4 @@
-// The best queries that are known for one aim.
+// The best known queries for one aim.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace axiscert {
 
-// The greatest few of distinct exact values, greatest first; of queries with the same value, mirror images mostly, one.
-// What it holds depends on what was put in, not on the order.
+// The queries with the greatest few distinct exact values, greatest first; only one of several queries with the same
+// value, which are mostly mirror images. The content depends on the queries that were inserted, not on their order.
 template <class Real>
 class Pool {
  public:

@@ -1,4 +1,4 @@
-// What is proved of the errors that a search looks for.
+// The proved bounds of the errors that a search maximises.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace axiscert {
 
-// A bound on Goal::error of a kernel's comparison, in u, that a checker accepted (docs/bounds.md); nothing while it is
-// open. Every attained error has to be at most that: a greater one refutes the proof or its reading. Both precisions
-// have the same bound in u. It is of kernels that claim to give the recorded programs' bits.
+// A bound on Goal::error of a kernel's comparison, in u, that a checker accepted (docs/bounds.md); empty as long as it
+// is open. Every attained error has to be at most that: a greater one would refute the proof or its interpretation.
+// Both precisions have the same bound in u. It applies to kernels that claim to give the recorded programs' bits.
 inline std::optional<Decimal6> proved_error(const Kernel& kernel, Precision /*precision*/, Comparison which) {
   const bool published = kernel.formulae == Formulae::published, reduced = kernel.formulae == Formulae::reduced;
   const bool plain = kernel.arithmetic == Arithmetic::plain, fma = kernel.arithmetic == Arithmetic::fma;

@@ -1,4 +1,5 @@
-// What is proved against what a search attains: a greater error would refute the proof, or how it is read.
+// Proved bounds compared with the errors that a search attains: a greater error would refute the proof or its
+// interpretation.
 #include "fuzz/search/proved.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ TEST(Proved, NowhereDoesASearchExceedIt) {
   }
 }
 
-// Other forms, and arithmetics that round otherwise, have other errors.
+// Other forms, and arithmetics that round differently, have other errors.
 TEST(Proved, OnlyOfTheProgramsThatWereRecorded) {
   for (const char* id : {"reduced-along", "published+kahan", "ladder-0", "published+up"}) {
     EXPECT_FALSE(proved_error(find_kernel(id), Precision::binary32, Comparison::plane_radius)) << id;

@@ -8,10 +8,10 @@
 
 namespace axiscert {
 
-// Range alone can be to blame for what such a query gets: it is far from every change of sign
+// Whether range alone can be to blame for a query's result: the query is far from every change of sign
 // (fuzz/instruments/exponent_window.h), its radius is at least 1/8 of its greatest translated coordinate, and so is,
-// for each vertex and each edge, the greatest of its coordinates. Without that the least scale would be no property of
-// the formulae: an edge may be as short as one likes beside the rest.
+// for each vertex and each edge, the greatest of its coordinates. Without that the least scale would not be a property
+// of the formulae: an edge can be arbitrarily short compared with the rest.
 template <class Real>
 bool has_good_shape(const Query<Real>& q);
 
@@ -19,15 +19,15 @@ bool has_good_shape(const Query<Real>& q);
 template <class Real>
 Query<Real> at_scale(const Query<Real>& q, int exponent);
 
-// Of each query the exponent m nearest to 0, m > 0 for Goal::overflow and m < 0 for Goal::underflow, at which the
-// comparison's bit is not that of m = 0, or a side is not finite. Both sides of a comparison are homogeneous: over
-// unbounded exponents its bit is the same at every scale. Nothing where no such m is scanned or 2^m q loses bits
-// before, and for a query that has no good shape. The kernel shows its sides.
+// For each query the exponent m nearest to 0, m > 0 for Goal::overflow and m < 0 for Goal::underflow, at which the
+// comparison's bit differs from that at m = 0, or a side is not finite. Both sides of a comparison are homogeneous:
+// with unbounded exponents its bit is the same at every scale. Empty if no such m is scanned or 2^m q loses bits
+// before, and for a query without a good shape. The kernel has to expose its sides.
 template <class Real>
 std::vector<std::optional<int>> range_left(const Implementation<Real>& kernel, const Aim& aim,
                                            const QueryBatch<Real>& batch);
 
-// Greater for an exponent nearer to 0, positive; and the exponent of a score.
+// A positive score, greater for an exponent nearer to 0; and the exponent of a score.
 double range_score(Goal goal, Precision precision, int exponent);
 int range_exponent(Goal goal, Precision precision, double score);
 

@@ -18,9 +18,9 @@
 namespace axiscert {
 namespace {
 
-// The islands of an aim in every epoch, and the evaluations of each. Errors of vertex comparisons are soon as great as
-// they get; those of edges profit from each other; the plane's stands alone. An estimate for a verdict takes thirty
-// questions to the kernel, one for range a hundred and exact signs; range is also soon exhausted.
+// The number of islands of an aim in every epoch, and the evaluations of each. Errors of vertex comparisons soon reach
+// their maximum; those of edges profit from each other; the plane's has no such partner. An estimate for a verdict
+// takes thirty questions to the kernel, one for range a hundred and exact signs; range is also soon exhausted.
 struct Share {
   std::size_t islands;
   std::uint64_t evaluations;
@@ -36,12 +36,12 @@ constexpr Share share_of(const Aim& aim) {
   return {1, 1 << 14};
 }
 
-// One island: which aim it serves, and how long it climbs.
+// One island: the aim it serves, and how long it climbs.
 struct Slot {
   std::size_t aim;
   std::uint64_t evaluations;
 };
-// The islands of an epoch, the aims in turn.
+// The islands of an epoch, with the aims in turn.
 std::vector<Slot> slots_of(const std::vector<Aim>& aims) {
   std::vector<Slot> slots;
   for (std::size_t round = 0; round < most_islands; ++round) {
@@ -53,20 +53,20 @@ std::vector<Slot> slots_of(const std::vector<Aim>& aims) {
   return slots;
 }
 
-// Epochs without a gain of a thousandth after which a lineage is given up; and of how many new ones one begins with the
-// best of all so far, which blends them, the others with nothing.
+// patience: the number of epochs without a gain of a thousandth after which a lineage is abandoned. blending: one in
+// this many new lineages begins with the best of all so far, which blends them; the others begin with nothing.
 constexpr std::uint64_t patience = 4, blending = 3;
 constexpr double least_gain = 1.001;
 
-// Queries of families of which an island that starts with them takes the best.
+// The number of queries drawn from families, of which an island that starts with them takes the best.
 constexpr std::size_t drawn = walkers * children;
 
-// What is known for one aim.
+// The queries known for one aim.
 template <class Real>
 struct Known {
-  Pool<Real> lineage;  // what islands start from; does not change during an epoch
-  Pool<Real> fresh;    // what the islands of the epoch under way have found
-  Pool<Real> best;     // of all lineages
+  Pool<Real> lineage;  // the lineage from which islands start; constant during an epoch
+  Pool<Real> fresh;    // queries found by the islands of the current epoch
+  Pool<Real> best;     // best of all lineages
   std::uint64_t stalled = 0, restarts = 0;
 
   void end_epoch() {
@@ -89,7 +89,7 @@ class Search {
 
   explicit Search(const SearchPlan& plan)
       : plan_(plan), aims_(aims_of(*plan.kernel, plan.comparisons)), slots_(slots_of(aims_)) {
-    if (aims_.empty()) throw Error(fmt::format("kernel {} shows nothing of these comparisons", plan.kernel->id));
+    if (aims_.empty()) throw Error(fmt::format("kernel {} exposes none of these comparisons", plan.kernel->id));
     known_.resize(aims_.size());
   }
 
@@ -125,7 +125,7 @@ class Search {
     for (const StoredQuery& stored : queries) {
       const auto q = std::get<Query<Real>>(stored.query);
       const auto value = confirmer.value(aim, q);
-      if (!value) throw Error(fmt::format("the state to resume from: '{}' does not show that", stored.id));
+      if (!value) throw Error(fmt::format("the state to resume from: '{}' cannot be confirmed", stored.id));
       pool.put({*value, q});
     }
     return pool;
@@ -137,8 +137,8 @@ class Search {
            (plan_.evaluations && evaluations_ >= *plan_.evaluations);
   }
 
-  // What is left of the epoch under way. Islands are handed out in order, and each that was begun is finished: those
-  // that are done are always the first.
+  // Runs the rest of the current epoch. Islands are handed out in order, and each that was begun is finished: the
+  // finished ones are always the first.
   void run_epoch(const std::atomic<bool>& interrupted, const std::function<void(const SearchProgress&)>& report) {
     std::mutex mutex;
     bool failed = false;
@@ -171,7 +171,7 @@ class Search {
     share(known_);
   }
 
-  // Reads the lineages alone.
+  // Reads only the lineages.
   std::vector<Entry> run_island(std::uint64_t island) const {
     const Slot& slot = slots_[island % slots_.size()];
     const Aim& aim = aims_[slot.aim];
@@ -188,7 +188,7 @@ class Search {
     return found;
   }
 
-  // Of every four islands, one starts from families, the others from the lineage.
+  // On average one island in four starts from families, the others from the lineage.
   std::vector<Query<Real>> starts(std::size_t aim, Dice& random) const {
     const auto& lineage = known_[aim].lineage.entries();
     const bool anew = lineage.empty() || random.below(4) == 0;
@@ -205,7 +205,7 @@ class Search {
     return all;
   }
 
-  // The best of every comparison is tried on each other one, in all six orders of the vertices.
+  // Tries the best queries of every comparison on each other one, in all six orders of the vertices.
   void share(std::vector<Known<Real>>& known) const {
     Evaluator<Real> evaluator(*plan_.kernel, plan_.target);
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);

@@ -1,4 +1,5 @@
-// The search: islands that climb toward the worst of a kernel, on all cores, and what they found, confirmed exactly.
+// The search: islands that climb toward the worst queries for a kernel, on all cores, and their results, confirmed
+// exactly.
 #pragma once
 
 #include <atomic>
@@ -18,23 +19,24 @@ namespace axiscert {
 struct SearchPlan {
   const Kernel* kernel;
   Precision precision = Precision::binary32;
-  std::vector<Comparison> comparisons;  // none: all, and the verdict
+  std::vector<Comparison> comparisons;  // empty: all, and the verdict
   std::vector<SourcePtr> sources;       // families that islands start from
   std::uint64_t seed = 1;
-  // Stops at the first island with which there are so many, earlier runs included, or after a time, this run's alone.
+  // Stops at the first island that reaches this total, including earlier runs, or after this time, counting this run
+  // only.
   std::optional<std::uint64_t> evaluations;
   std::optional<double> seconds;
   std::string target;  // resolved
   int threads = 1;
 };
 
-// What was found for one aim. Its query shows it when asked again: the scene where range fails is scaled already.
+// The result for one aim. Its query shows it when asked again: for a goal of range, the scene is already scaled.
 struct Find {
   Aim aim;
-  Decimal6 value;  // of range: not read
+  Decimal6 value;  // not used for a goal of range
   StoredQuery witness;
-  LinkBits links = 0;      // of a wrong verdict
-  int range_exponent = 0;  // of range: m
+  LinkBits links = 0;      // for a wrong verdict
+  int range_exponent = 0;  // for a goal of range: m
   bool operator==(const Find& other) const {
     return aim == other.aim && value == other.value && query_line(witness) == query_line(other.witness) &&
            links == other.links && range_exponent == other.range_exponent;
@@ -45,8 +47,8 @@ struct SearchResult {
   bool complete = true;  // false: interrupted
   std::uint64_t evaluations = 0;
   std::vector<Aim> aims;
-  std::vector<Find> finds;  // in the order of the aims; none for an aim of which nothing was found
-  std::string state;        // from which a later run goes on
+  std::vector<Find> finds;  // in the order of the aims; an aim without a result is left out
+  std::string state;        // from which a later run continues
 };
 
 struct SearchProgress {
@@ -54,10 +56,10 @@ struct SearchProgress {
   double seconds;
 };
 
-// Goes on from `state`, of the same plan but for its length, or begins. The result depends on the plan, and on the
-// number of evaluations reached: not on threads, target, nor on where a run was stopped and resumed. `interrupted` is
-// polled between islands; `report` is called from one thread at a time. Throws Error where the state is of another
-// plan, and OracleDisagreement.
+// Continues from `state`, whose plan has to be the same except for its length, or begins anew. The result depends on
+// the plan and on the number of evaluations reached, not on threads, target, or where a run was stopped and resumed.
+// `interrupted` is polled between islands; `report` is called from one thread at a time. Throws Error if the state is
+// of another plan, and OracleDisagreement.
 SearchResult search(const SearchPlan& plan, const std::optional<std::string>& state,
                     const std::atomic<bool>& interrupted, const std::function<void(const SearchProgress&)>& report);
 

@@ -1,10 +1,10 @@
-// The search as a whole: the same on any number of threads and however often it is resumed, and as good as it has to
-// be.
+// The search as a whole: the same on any number of threads and however often it is resumed, and as effective as
+// required.
 #include "fuzz/search/search.h"
 
 #include <gtest/gtest.h>
 
-#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/claims/examine.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/search/confirm.h"
 #include "kernel/base/error.h"
@@ -35,7 +35,7 @@ const Find* find(const SearchResult& result, const Aim& aim) {
 }
 
 const std::vector<Comparison> two = {Comparison::vertex_a_radius, Comparison::edge_bc_side_a};
-constexpr std::uint64_t epochs = 1'200'000;  // of `two`: a little more than two epochs
+constexpr std::uint64_t epochs = 1'200'000;  // for `two`: slightly more than two epochs
 
 TEST(Search, DoesNotDependOnThreadsOrTarget) {
   SearchPlan plan = plan_of("published", two, epochs);
@@ -48,8 +48,8 @@ TEST(Search, DoesNotDependOnThreadsOrTarget) {
   EXPECT_EQ(alone.state, together.state);
 }
 
-// Stopped at the first island, amid an epoch, where nothing is left to do, at the end of an epoch, and after one; of
-// the vertex alone there are ten epochs, in which lineages are given up.
+// Stopped at the first island, within an epoch, where nothing is left to do, at the end of an epoch, and after one; for
+// the vertex alone there are ten epochs, in which lineages are abandoned.
 TEST(Search, GoesOnWhereItWasStopped) {
   for (const auto& comparisons : {two, std::vector<Comparison>{Comparison::vertex_a_radius}}) {
     const std::uint64_t last = comparisons.size() == 2 ? epochs : 750'000;
@@ -102,7 +102,7 @@ TEST(Search, EveryWitnessShowsWhatIsSaidOfIt) {
   for (const Find& find : result.finds) {
     const auto q = std::get<Query<float>>(find.witness.query);
     if (is_about_range(find.aim.goal)) {
-      // Of the query as it is stored, scaled already.
+      // For the query as stored, already scaled.
       const Examination found = confirmer.examine(q);
       const auto k = static_cast<std::size_t>(find.aim.which);
       const Sides<float> sides = reference_sides(q);
@@ -146,13 +146,13 @@ TEST(Search, AStateOfAnotherPlanIsRefused) {
   SearchPlan seeded = plan;
   seeded.seed = 7;
   refused(seeded, state, "seed 1, this search 7");
-  refused(plan, "", "no state");
-  refused(plan, "{}\n", "no state");
-  refused(plan, "no json\n" + state, "no state");
+  refused(plan, "", "not the state of a search");
+  refused(plan, "{}\n", "not the state of a search");
+  refused(plan, "no json\n" + state, "not the state of a search");
   refused(plan, state.substr(0, state.size() - 20), "resume");
   std::string wrong = state;
   wrong.replace(wrong.find("\"fresh error"), 12, "\"fresh horror");
-  refused(plan, wrong, "none of this search");
+  refused(plan, wrong, "does not belong to this search");
 }
 
 // The figures that a minute on two cores has to reach, for a fixed number of evaluations.

@@ -11,10 +11,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Raised whenever the same plan would find something else.
+// Has to be raised whenever the same plan would give a different result.
 constexpr int search_version = 1;
 
-// What has to be the same for a search to go on.
+// The part of the plan that has to be the same for a search to continue.
 Json plan_json(const SearchPlan& plan) {
   Json sources = Json::array(), comparison_names = Json::array();
   for (const SourcePtr& source : plan.sources)
@@ -29,7 +29,7 @@ Json plan_json(const SearchPlan& plan) {
           {"families", sources}};
 }
 
-// The pools of an aim, as ids begin.
+// The pools of an aim, and the beginnings of the ids of their queries.
 struct Kind {
   std::string_view prefix;
   std::vector<StoredQuery> StoredPools::*queries;
@@ -63,7 +63,7 @@ SearchState parse_state(std::string_view text, const SearchPlan& plan, const std
   const std::size_t end = text.find('\n');
   const Json header = Json::parse(text.substr(0, end), nullptr, false);
   if (end == text.npos || !header.is_object() || !header.contains("schema")) {
-    throw Error("the state to resume from is no state of a search");
+    throw Error("the state to resume from is not the state of a search");
   }
   const Json expected = plan_json(plan);
   for (const auto& [key, value] : expected.items()) {
@@ -72,7 +72,7 @@ SearchState parse_state(std::string_view text, const SearchPlan& plan, const std
                             header.contains(key) ? header[key].dump() : "missing", value.dump()));
   }
   const auto number = [&](const Json& value, const char* key) {
-    if (!value.is_number_unsigned()) throw Error(fmt::format("the state to resume from has no number of {}", key));
+    if (!value.is_number_unsigned()) throw Error(fmt::format("the state to resume from has no number '{}'", key));
     return value.get<std::uint64_t>();
   };
   const auto count = [&](const char* key) { return number(header.value(key, Json()), key); };
@@ -95,7 +95,7 @@ SearchState parse_state(std::string_view text, const SearchPlan& plan, const std
         found = true;
       }
     }
-    if (!found) throw Error(fmt::format("the state to resume from: '{}' is none of this search", stored.id));
+    if (!found) throw Error(fmt::format("the state to resume from: '{}' does not belong to this search", stored.id));
   }
   return state;
 }

@@ -1,4 +1,4 @@
-// How large a query is, to a reader: what shrinking makes less of.
+// The size of a query to a reader, which shrinking reduces.
 #pragma once
 
 #include <compare>
@@ -8,22 +8,22 @@
 
 namespace axiscert {
 
-// Compared from the first member to the last. All are natural numbers, so nothing can be made smaller for ever.
+// Compared from the first member to the last. All are natural numbers, so a sequence of decreasing sizes is finite.
 struct QuerySize {
-  int nonzero = 0;     // numbers that are not zero, P's too: a sphere at the origin has three fewer
-  int bits = 0;        // significant bits of all of them: from the first bit that is set to the last
-  int exponents = 0;   // |exponent of the first bit|, all of them together
-  int magnitudes = 0;  // different absolute values other than zero
-  int negatives = 0;   // sign bits, a zero's too
-  int places = 0;      // the positions of the numbers that are not zero, ax at 0 to r at 12, together
+  int nonzero = 0;     // numbers that are not zero, including P's: a sphere at the origin has three fewer
+  int bits = 0;        // significant bits of all of them: from the first set bit to the last
+  int exponents = 0;   // the sum of |exponent of the first bit|
+  int magnitudes = 0;  // different nonzero absolute values
+  int negatives = 0;   // sign bits, including those of zeros
+  int places = 0;      // the sum of the positions of the numbers that are not zero, ax at 0 to r at 12
   auto operator<=>(const QuerySize&) const = default;
 };
 
-// Of a query with finite numbers.
+// The size of a query with finite numbers.
 template <class Real>
 QuerySize size_of(const Query<Real>& q);
 
-// A finite number other than zero as +-digits 2^exponent, digits odd.
+// A finite nonzero number as +-digits 2^exponent with odd digits.
 struct BinaryDigits {
   std::uint64_t digits;
   int exponent;

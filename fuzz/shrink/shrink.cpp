@@ -11,9 +11,8 @@ namespace axiscert {
 
 namespace {
 
-// Where no single move is left, so many made of several and of small changes that may mend them are tried before
-// the end: what they are follows from this seed
-// and the number of the attempt alone.
+// When no single move helps, this many attempts are made with several moves and with small changes that may repair
+// their effect. The attempts are determined by this seed and their number alone.
 constexpr std::uint64_t seed = 1, attempts = 400000, most_moves = 6, most_nudges = 6;
 
 template <class Real>
@@ -29,19 +28,19 @@ class Walk {
   Shrunk<Real> run() && {
     do singly();
     while (out_.complete && several());
-    exact_truth(out_.query, true);  // MPFR has its say on what is handed out
+    exact_truth(out_.query, true);  // MPFR checks the result before it is returned
     return std::move(out_);
   }
 
  private:
-  // Until a round of all moves in which none is taken.
+  // Applies single moves until a round of all moves accepts none.
   void singly() {
     for (std::size_t k = 0, in_vain = 0; in_vain < moves_.size() && out_.complete; k = (k + 1) % moves_.size()) {
       in_vain = taken(moved(out_.query, moves_[k])) ? 0 : in_vain + 1;
     }
   }
 
-  // Whether one was taken.
+  // Returns whether a combination was accepted.
   bool several() {
     for (std::uint64_t n = 0; n < attempts && out_.complete; ++n) {
       Stream random(seed, name_hash("shrink"), 1, precision_of<Real>, n);

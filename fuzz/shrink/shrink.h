@@ -1,4 +1,4 @@
-// A smaller query on which a kernel is wrong in the same way and no less badly.
+// A smaller query on which a kernel is wrong in the same way and no less severely.
 #pragma once
 
 #include "fuzz/shrink/query_size.h"
@@ -10,16 +10,15 @@ template <class Real>
 struct Shrunk {
   Query<Real> query;
   Severity before, after;
-  std::vector<QuerySize> sizes;   // of the query given, then after each step that was taken: strictly decreasing
+  std::vector<QuerySize> sizes;   // size of the given query, then after each accepted step: strictly decreasing
   std::uint64_t evaluations = 0;  // smaller queries that the kernel was asked about
-  bool complete = true;           // no step makes it smaller; else the limit was reached
+  bool complete = true;           // no step makes it smaller; otherwise the limit was reached
 };
 
-// Walks over all ways to change one thing (fuzz/shrink/shrink_moves.h), takes each that makes the query smaller by
-// QuerySize and keeps the symptom, with a severity that is not below that of the query given, and ends after a round in
-// which none did. It ends always, since no size can be made smaller for ever; `limit` bounds the time that it takes.
-// Throws Error where the query given does not show the symptom; HarnessFault where the oracles take back what they
-// said.
+// Tries all ways to change one thing (fuzz/shrink/shrink_moves.h) and accepts each that makes the query smaller by
+// QuerySize and keeps the symptom with a severity not below that of the given query; ends after a round in which none
+// does. It always ends, since sizes cannot decrease for ever; `limit` bounds the time. Throws Error if the given query
+// does not show the symptom; HarnessFault if the oracles contradict their earlier answer.
 template <class Real>
 Shrunk<Real> shrink(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
                     std::uint64_t limit);

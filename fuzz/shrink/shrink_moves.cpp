@@ -16,7 +16,7 @@ constexpr int points = 4, axes = 3, numbers = static_cast<int>(coordinate_count)
 template <class Real>
 using Numbers = std::array<Real, coordinate_count>;
 
-// x to `bits` significant bits; nothing where it has no more.
+// x rounded to `bits` significant bits; empty if it has no more than that.
 template <class Real>
 std::optional<Real> rounded(Real x, int bits, bool away_from_zero) {
   if (x == 0) return std::nullopt;
@@ -27,7 +27,7 @@ std::optional<Real> rounded(Real x, int bits, bool away_from_zero) {
   return std::copysign(static_cast<Real>(std::ldexp(static_cast<double>(kept), exponent + surplus)), x);
 }
 
-// A unit of x's last significant bit.
+// The unit of x's last significant bit.
 template <class Real>
 Real last_unit(Real x) {
   return x == 0 ? Real(0) : std::ldexp(Real(1), binary_digits(x).exponent);

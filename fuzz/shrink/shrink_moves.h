@@ -1,4 +1,4 @@
-// The steps that a query is shrunk by. None has to keep anything: the walk measures what each one did.
+// The steps by which a query is shrunk. A step need not preserve anything: the walk measures its effect.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 namespace axiscert {
 
 enum class MoveKind : std::uint8_t {
-  translate,     // all points by minus point i, along axis j or, j = 3, all three
+  translate,     // all points by minus point i, along axis j or, for j = 3, along all three
   zero,          // numbers i and j (which may be the same)
   flatten,       // coordinate i of all points is zero
   round_all,     // all numbers to i significant bits, to nearest
@@ -18,8 +18,8 @@ enum class MoveKind : std::uint8_t {
                  // its side or, where j < 0, on the other one
   copy,          // number i becomes number j
   copy_negated,  // number i becomes minus number j
-  scale_all,     // by the power of two that brings number i to [1, 2)
-  scale_point,   // point i by 2^j, the centre of the sphere staying where it is
+  scale_all,     // all numbers by the power of two that brings number i to [1, 2)
+  scale_point,   // point i by 2^j, with the centre of the sphere unchanged
   scale_axis,    // coordinate i of all points by 2^j
   centre,        // number i to [1, 2) by a power of two
   scale,         // number i by 2^j
@@ -40,12 +40,12 @@ struct Move {
   int i, j;
 };
 
-// Those that can make a query smaller, from the largest to the smallest.
+// The moves that can make a query smaller, from the largest to the smallest.
 template <class Real>
 std::vector<Move> moves();
-// Those that mend what another one broke.
+// The moves that repair the effect of another one.
 std::vector<Move> nudges();
-// Nothing where it has no meaning (rounding to more bits than there are) or leaves the range of a valid query.
+// Empty if the move has no meaning (rounding to more bits than there are) or the result is not a valid query.
 template <class Real>
 std::optional<Query<Real>> moved(const Query<Real>& q, const Move& move);
 

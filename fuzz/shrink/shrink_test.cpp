@@ -1,4 +1,4 @@
-// Shrinking: each step is smaller, it ends, and what comes out is wrong in the same way and no less.
+// Shrinking: each step is smaller, it ends, and the result is wrong in the same way and no less severely.
 #include "fuzz/shrink/shrink.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t seed = 5;
 
-// |d - r| / s at 4000 bits, from the rationals: none of depth.cpp's decisions.
+// |d - r| / s at 4000 bits, from the rationals: independent of the decisions in depth.cpp.
 class WideDepth {
  public:
   explicit WideDepth(const ExactDepth& x) {
@@ -36,7 +36,7 @@ class WideDepth {
   ~WideDepth() { mpfr_clear(value_); }
   WideDepth(const WideDepth&) = delete;
   WideDepth& operator=(const WideDepth&) = delete;
-  // 0 where they agree to 3900 bits.
+  // 0 if they agree to 3900 bits.
   int order(const WideDepth& other) const {
     return mpfr_eq(value_, other.value_, 3900) != 0 ? 0 : mpfr_cmp(value_, other.value_);
   }
@@ -56,7 +56,7 @@ TEST(DepthOrder, AgreesWithMpfr) {
   for (std::uint64_t n = 0; n < 60; ++n) {
     const auto q = family.make<float>(seed, n);
     depths.push_back(depth_of(q));
-    auto v = coordinates(q);  // eight times as large: just as deep
+    auto v = coordinates(q);  // eight times as large: equally deep
     for (float& x : v) x *= 8;
     depths.push_back(depth_of(from_coordinates(v)));
   }
@@ -79,7 +79,7 @@ TEST(QuerySize, CountsWhatAReaderSees) {
   EXPECT_LT(size_of(Query<float>{}), size_of(q));
 }
 
-// Whether the query shows it, by everything that `check` asks, without the code under test.
+// Whether the query shows the symptom, by everything that `check` asks, without the code under test.
 template <class Real>
 bool shows(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel) {
   Examiner examiner(kernel, scalar_target);

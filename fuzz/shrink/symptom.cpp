@@ -13,7 +13,7 @@
 namespace axiscert {
 namespace {
 
-// (lhs - rhs) / (|lhs| + |rhs|), or of the squares with their signs; 0/0 and what is undefined is 0.
+// (lhs - rhs) / (|lhs| + |rhs|), or the same with the signed squares; 0/0 and undefined values give 0.
 Rational relative_margin(const ExactComparison& sides) {
   if (sides.undefined) return 0;
   Rational lhs = rational(sides.lhs), rhs = rational(sides.rhs);
@@ -22,7 +22,7 @@ Rational relative_margin(const ExactComparison& sides) {
   return sgn(scale) == 0 ? Rational(0) : Rational((lhs - rhs) / scale);
 }
 
-// An axis separates by all of its comparisons: the least margin decides.
+// An axis separates if all of its comparisons hold: the least margin decides.
 Rational axis_margin(const FormulaTruth& own, Axis axis) {
   Rational least = 1;
   for (std::size_t k = 0; k < comparison_count; ++k) {
@@ -35,7 +35,7 @@ Severity of_margin(const Rational& margin) {
   return {Rational(abs(margin)), fmt::format("relative margin {:.6g}", std::abs(margin.get_d()))};
 }
 
-// What the kernel has to answer for the symptom to be there: cheap to see, before anything exact is asked.
+// Whether the kernel's answer permits the symptom: cheap to check before anything exact is computed.
 bool can_show(const Symptom& symptom, const Answer& answer) {
   if (answer.verdict == Verdict::unanswered) return false;
   if (symptom.level == Level::verdict) {
@@ -102,7 +102,7 @@ bool is_no_less(const Severity& now, const Severity& then) {
   if (const auto* depth = std::get_if<ExactDepth>(&now.exact))
     return compare(*depth, std::get<ExactDepth>(then.exact)) >= 0;
   if (const auto* margin = std::get_if<Rational>(&now.exact)) return *margin >= std::get<Rational>(then.exact);
-  // Rounding up is monotone: of two numbers, the one that comes to more is more.
+  // Rounding up is monotone: the number with the greater rounded value is the greater one.
   return std::get<Decimal6>(now.exact) > std::get<Decimal6>(then.exact);
 }
 

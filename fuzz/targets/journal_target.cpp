@@ -1,14 +1,14 @@
-// The journal: what was appended is read again; of a file that was damaged, what is read is what was appended, in its
-// order, up to some entry, or it is refused by Error. And what stands in it: stretches, tallies and costs.
+// The journal: appended contents are read again; from a damaged file either a beginning of the appended contents is
+// read, in their order, or it is refused by Error. The target also checks the contents: stretches, tallies and costs.
 //
-// Input: byte 0 chooses a damage, bytes 1 and 2 say where; then entries, each a length of one byte and its content.
+// Input: byte 0 chooses a damage, bytes 1 and 2 its position; then entries, each a length of one byte and its content.
 #include <fmt/format.h>
 
 #include <cstring>
 #include <fstream>
 #include <vector>
 
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "fuzz/campaign/parts/gathered.h"
 #include "fuzz/campaign/parts/journal.h"
 #include "fuzz/targets/target.h"
@@ -50,7 +50,7 @@ std::string damaged(std::string bytes, Damage damage, std::size_t at) {
   return bytes;
 }
 
-// A journal whose reader visits these contents, and no others.
+// Checks that a journal gives these contents, or a beginning of them, and no others.
 void check_file(const std::string& bytes, const std::string& digest, const std::vector<std::string>& appended,
                 bool is_whole) {
   const MemoryFile file(bytes);
@@ -58,25 +58,24 @@ void check_file(const std::string& bytes, const std::string& digest, const std::
   JournalEnd end;
   const bool is_read =
       accepts([&] { end = read_journal(file.path(), digest, [&](std::string_view one) { read.emplace_back(one); }); });
-  if (is_whole && (!is_read || read != appended || end.torn != 0))
-    fault("a journal that was written is not read again");
+  if (is_whole && (!is_read || read != appended || end.torn != 0)) fault("a journal that was written cannot be read");
   if (read.size() > appended.size() || !std::equal(read.begin(), read.end(), appended.begin())) {
-    fault(fmt::format("entry {} of a damaged journal is read, and is none that was appended there", read.size()));
+    fault(fmt::format("entry {} read from a damaged journal is not the one appended there", read.size()));
   }
   if (is_read && end.whole + end.torn > bytes.size()) fault("a journal has more bytes than its file");
 }
 
-// Bytes as an entry, and its parts: Error, or what is written of it is read to the same.
+// Reads bytes as an entry, and as its parts: either Error, or writing and reading the result gives the same.
 void check_content(std::string_view content) {
   std::optional<Entry> entry;
   if (accepts([&] { entry = finished_in(content); }) && entry) {
     if (encode(decode_entry(encode(*entry))) != encode(*entry))
-      fault("a stretch is written, read and written to another");
+      fault("a stretch changes when it is written, read and written again");
     for (const std::string& tally : entry->tallies) {
       std::optional<Tally> read;
       if (!accepts([&] { read = decode_tally(tally); })) continue;
       const std::string again = encode(*read);
-      if (encode(decode_tally(again)) != again) fault("a tally is written, read and written to another");
+      if (encode(decode_tally(again)) != again) fault("a tally changes when it is written, read and written again");
     }
     accepts([&] { encode(decode_costs(entry->costs)); });
   }

@@ -150,7 +150,7 @@ std::string moved_json(std::string_view text, JsonMove move, Dice& dice) {
       break;
   }
   std::string changed = document.dump(-1, ' ', false, Json::error_handler_t::replace);
-  // As text: so deep a value would take as deep a recursion to write.
+  // The nesting is made as text: writing so deep a value would take as deep a recursion.
   if (const std::size_t at = changed.find('"' + std::string(placeholder) + '"'); levels > 0 && at != changed.npos) {
     changed.replace(at, std::string_view(placeholder).size() + 2, std::string(levels, '[') + std::string(levels, ']'));
   }

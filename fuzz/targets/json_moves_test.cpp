@@ -1,4 +1,5 @@
-// The moves of JSON inputs: each does what it says, from the dice alone, and leaves what is no JSON as it was.
+// The moves of JSON inputs: each makes the change that it describes, determined by the dice alone, and leaves text that
+// is not JSON as it was.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -13,7 +13,7 @@ Dice dice_of(unsigned seed) {
   return Dice(stream);
 }
 
-// Replaces text[begin, end) of the data; libFuzzer's own change where nothing comes of it.
+// Replaces text[begin, end) of the data; makes libFuzzer's own change if that has no effect.
 std::size_t mutate_part(std::uint8_t* data, std::size_t size, std::size_t room, std::size_t begin, std::size_t end,
                         Dice& dice) {
   if (dice.coin()) return LLVMFuzzerMutate(data, size, room);

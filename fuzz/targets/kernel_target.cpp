@@ -1,12 +1,11 @@
-// The kernel target: every oracle on one query, in both precisions, and some kernels beside them. What a published
-// kernel gets wrong is what the target is guided to; it ends where the harness is at fault, or a kernel that is never
-// to be.
+// The kernel target: every oracle on one query, in both precisions, and some kernels beside them. Faults of a published
+// kernel guide the target; it ends where the harness is at fault, or a kernel that must never be.
 #include <fmt/format.h>
 
 #include <map>
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/judge/claim.h"
+#include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/filters/decided_check.h"
@@ -29,7 +28,7 @@ using namespace axiscert::fuzzing;
 constexpr std::size_t most_kernels = 64;
 constexpr std::size_t verdict_counter_count = 2 * most_kernels * 3 * link_count;
 
-// Cleared by libFuzzer before each input; what is not zero after it is a feature of the input.
+// Cleared by libFuzzer before each input; each counter that is not zero afterwards is a feature of the input.
 __attribute__((section("__libfuzzer_extra_counters")))
 std::uint8_t features[margin_counter_count + verdict_counter_count];
 
@@ -42,7 +41,7 @@ class Look {
   void at(const Kernel& chosen) {
     truth_ = decided();
     if (!truth_->formula) {
-      // Not to be answered, but to be lived through.
+      // The answers to an invalid query are not checked; the kernels only have to return.
       for (const Kernel* kernel : {&chosen, &find_kernel("certified")}) answer_of(*kernel, available_targets().front());
       return;
     }
@@ -66,7 +65,7 @@ class Look {
     }
   }
 
-  // Every way of deciding the sixteen signs, those too that a cheaper one would have spared.
+  // Checks every way of deciding the sixteen signs, including those that a cheaper one would have made unnecessary.
   void check_signs() const {
     const Signs expected{truth_->formula->strict, truth_->formula->ties};
     const auto check = [&](std::string_view way, const std::optional<Signs>& found) {
@@ -95,8 +94,8 @@ class Look {
     const Rational squared = squared_distance(q_);
     const Real exact_one = nearest_sqrt<Real>(squared), found = rounded_distance(q_);
     if (found != exact_one) {
-      fail(fmt::format("the distance {} is said to round to {}", fmt::format("{:a}", exact_one),
-                       fmt::format("{:a}", found)));
+      fail(
+          fmt::format("the distance {} was rounded to {}", fmt::format("{:a}", exact_one), fmt::format("{:a}", found)));
     }
     const DepthRange range = depth_range(q_);
     depth_ = depth(q_, squared);
@@ -129,7 +128,7 @@ class Look {
     return ask(implementation, q_).outcome(0);
   }
 
-  // The kernel against what it claims, level by level, and the two evaluations of each level against each other.
+  // Checks the kernel against its claims, level by level, and the two evaluations of each level against each other.
   void check_claims(const Kernel& kernel) const {
     std::optional<Reference> chain, again;
     try {
@@ -141,12 +140,14 @@ class Look {
     if (chain && chain->rounded) {
       if (chain->rounded->range_free != again->rounded->range_free ||
           chain->rounded->reference != again->rounded->reference) {
-        fail(fmt::format("{}: an unbounded exponent, or the scalar reference, by two ways to two answers", kernel.id));
+        fail(fmt::format(
+            "{}: two evaluations with an unbounded exponent, or of the scalar reference, give different answers",
+            kernel.id));
       }
     }
     const bool is_always_right = kernel.strictness == Strictness::nonstrict || kernel.formulae == Formulae::minkowski;
     if (chain && is_always_right && chain->exact.verdict != truth_->verdict) {
-      fail(fmt::format("{} says {} in exact arithmetic, the truth is {}", kernel.id, name(chain->exact.verdict),
+      fail(fmt::format("{} answers {} in exact arithmetic, the truth is {}", kernel.id, name(chain->exact.verdict),
                        name(truth_->verdict)));
     }
     for (const std::string& target : available_targets()) {
@@ -176,15 +177,16 @@ class Look {
   void check_certified(const std::string& target) const {
     const Verdict exact_one = answer_of(find_kernel("certified"), target).verdict;
     if (exact_one != truth_->verdict) {
-      fail(fmt::format("certified on {} says {}, the truth is {}", target, name(exact_one), name(truth_->verdict)));
+      fail(fmt::format("certified on {} answers {}, the truth is {}", target, name(exact_one), name(truth_->verdict)));
     }
     const Verdict careful = answer_of(find_kernel("conservative"), target).verdict;
     const double promised = sizeof(Real) == sizeof(float) ? AXISCERT_PHANTOM_DEPTH_F32 : AXISCERT_PHANTOM_DEPTH_F64;
     const bool is_phantom = careful == Verdict::contact && truth_->verdict == Verdict::separated;
     if (careful != truth_->verdict && (!is_phantom || depth_ > promised)) {
-      fail(fmt::format(
-          "conservative on {} says {}, the truth is {} by a depth of {}; promised is no missed contact, and {}", target,
-          name(careful), name(truth_->verdict), depth_, promised));
+      fail(
+          fmt::format("conservative on {} answers {}, the truth is {} by a depth of {}; the promise is no missed "
+                      "contact, and a depth of at most {}",
+                      target, name(careful), name(truth_->verdict), depth_, promised));
     }
   }
 

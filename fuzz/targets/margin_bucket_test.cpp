@@ -1,4 +1,4 @@
-// The feedback of the kernel target: which bucket a margin is in, and that no two cases share a counter.
+// The feedback of the kernel target: the bucket of a margin, and that no two cases share a counter.
 #include "fuzz/targets/margin_bucket.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-// Mesh files: assimp reads them in a process of its own, and whatever becomes of that one, the file is refused by Error
-// or gives triangles, of which every query is finite.
+// Mesh files: assimp reads them in a process of its own. Whatever happens to that process, the file is refused by Error
+// or gives triangles of which every query is finite.
 //
-// Input: byte 0 chooses the format, by the file's name; then the file. No coverage comes back from the other process:
-// an input is new by what the file turned out to be, a message or a number of triangles.
+// Input: byte 0 chooses the format, by the file's name; then the file. No coverage comes back from the other process,
+// so an input counts as new by its result: a message, or a number of triangles.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -30,7 +30,7 @@ __attribute__((section("__libfuzzer_extra_counters"))) std::uint8_t outcomes[out
 
 void see(std::string_view outcome) { outcomes[name_hash(outcome) % outcome_count] = 1; }
 
-// A message without what is in it of this file: its numbers and quotations.
+// A message without the parts that depend on the file: numbers and quotations.
 std::string kind_of(std::string_view message) {
   std::string kind;
   for (const char c : message.substr(message.find(": ") + 1)) {
@@ -46,11 +46,11 @@ void check_queries(const Source& source) {
   source.fill(1, 0, batch.capacity(), batch);
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (!is_valid(batch[i]))
-      fault(fmt::format("query {} in {} of a mesh that was read is not valid", i, name(precision_of<Real>)));
+      fault(fmt::format("query {} in {} of a mesh that was accepted is not valid", i, name(precision_of<Real>)));
   }
 }
 
-// Its own folder, which a file may name others in, and find none.
+// A folder of its own, so that files which the mesh names are not found.
 struct Folder {
   std::filesystem::path path =
       std::filesystem::temp_directory_path() / fmt::format("axiscert_mesh_target_{}", getpid());
@@ -66,7 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string path = folder.path / fmt::format("fuzzed.{}", formats[data[0] % formats.size()]);
   std::ofstream(path, std::ios::binary) << text_of(data + 1, size - 1);
   try {
-    // assimp may take all the time that it is given, so a little; what came within it comes again.
+    // assimp may use all the time that it is given, so it gets little; a file that was read within it is read again.
     import_mesh(path, {std::uint64_t{1} << 30, 1});
     const SourcePtr source = mesh_source(path);
     const FileInfo file = *source->file();

@@ -1,17 +1,17 @@
-// The pipe's reply stream: header, plan and replies. Refused by Error that names the stream; or read, and then the
-// plan's own header is read to the same plan, and every reply is where it was.
+// The pipe's reply stream: header, plan and replies. It is either refused by Error that names the stream, or read; then
+// the plan's own header is read to the same plan, and every reply is at its position.
 //
-// Input: the plan's JSON, a zero byte, the replies. Lengths, counts and hashes are made from those, or nothing would
-// ever come past them. An input that begins like a header is taken as it stands.
+// Input: the plan's JSON, a zero byte, the replies. Lengths, counts and hashes are computed from those, because
+// otherwise no input would pass their checks. An input that begins like a header is taken as it is.
 #include <fmt/format.h>
 
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "fuzz/pipe/replies.h"
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/sha256.h"
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
 
@@ -26,7 +26,7 @@ constexpr std::string_view given_file =
     R"({"id":"ok","precision":"binary32","a":[0,0,0],"b":[1,0,0],"c":[0,1,0],"p":[0,0,1],"r":0.5})"
     "\n";
 
-// A plan's `path` is opened, whatever it names: of files that are not the target's it is to open none.
+// A plan's `path` is opened, whatever it names; the target must not open files other than its own.
 bool names_only_the_given_file(const std::string& plan) {
   const Json json = Json::parse(plan, nullptr, false);
   if (!json.is_object() || !json.contains("sources") || !json["sources"].is_structured()) return true;
@@ -82,14 +82,13 @@ void check(const std::string& stream, const FilePlaces& places) {
   if (!accepts([&] { again = header_of(read.plan); })) fault("the header of a plan that was read cannot be written");
   std::istringstream in(again);
   PipeHeader header;
-  if (!accepts([&] { header = read_header(in, "written", places); }))
-    fault("a header that was written is not read again");
-  if (header_of(header.plan) != again) fault("a header was written, read and written again to another");
+  if (!accepts([&] { header = read_header(in, "written", places); })) fault("a header that was written cannot be read");
+  if (header_of(header.plan) != again) fault("a header changes when it is written, read and written again");
 
   const std::vector<pipe::ReplyRecord> replies = read.replies;
   std::vector<ReplyStream> streams;
   streams.push_back(std::move(read));
-  if (!accepts([&] { StoredReplies(std::vector(streams)); })) return;  // one source twice
+  if (!accepts([&] { StoredReplies(std::vector(streams)); })) return;  // a source appears twice
   const StoredReplies stored(std::move(streams));
   std::size_t next = 0;
   for (const PipePlan::Part& part : header.plan.parts) {
@@ -99,7 +98,7 @@ void check(const std::string& stream, const FilePlaces& places) {
         if (one->name() == part.source->name()) source = one.get();
       }
       const Answer answer = stored.at(*source, header.plan.precision, i);
-      if (static_cast<std::uint8_t>(answer.verdict) != replies[next].verdict) fault("a reply is not where it was");
+      if (static_cast<std::uint8_t>(answer.verdict) != replies[next].verdict) fault("a reply is not at its position");
     }
   }
 }
@@ -110,7 +109,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view input = text_of(data, size);
   const bool is_whole = input.starts_with(std::string_view(pipe::magic.data(), pipe::magic.size()));
   const std::string stream = is_whole ? std::string(input) : stream_of(input);
-  // libFuzzer keeps no input for which this is -1.
+  // libFuzzer discards an input for which this returns -1.
   if (is_whole ? input.find("path") != input.npos
                : !names_only_the_given_file(std::string(input.substr(0, input.find('\0'))))) {
     return -1;
@@ -120,7 +119,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return 0;
 }
 
-// The plan by its structure, up to the zero byte; the replies by their bytes.
+// Changes the plan by its structure, up to the zero byte; the replies by their bytes.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t room, unsigned seed) {
   return mutate_json_until(data, size, room, seed, '\0');
 }

@@ -1,4 +1,4 @@
-// The same of CSV. Bytes alone change it: a comma and a digit are all the structure that it has.
+// The query file target for CSV. It is changed only by bytes: commas and digits are all the structure that it has.
 #include "fuzz/targets/query_round_trip.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-// Query files: accepted and written again, they are the same queries; or refused by Error.
+// Query files: either accepted, and the same queries when written and read again; or refused by Error.
 #include <bit>
 
 #include "fuzz/files/query_file.h"
@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return 0;
 }
 
-// JSON by its structure, a line at a time; every other time by its bytes.
+// Changes JSON by its structure, a line at a time; every other time by its bytes.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t room, unsigned seed) {
   return axiscert::fuzzing::mutate_json_line(data, size, room, seed);
 }

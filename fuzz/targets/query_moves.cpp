@@ -22,7 +22,7 @@ Dice dice_of(std::uint32_t seed) {
   return Dice(stream);
 }
 
-// Of finite numbers; it may go over to infinity or past zero.
+// A neighbour of a finite number, which may be infinite or beyond zero; any other number is unchanged.
 template <class Real>
 Real neighbour(Dice& dice, Real x) {
   if (!std::isfinite(x)) return x;
@@ -34,7 +34,7 @@ template <class Real>
 Real special(Dice& dice) {
   using Limits = std::numeric_limits<Real>;
   const Real greatest_subnormal = Limits::min() - Limits::denorm_min();
-  // Not finite ones seldom: their truth is `invalid`, and there is little behind them.
+  // Infinity and NaN are rare: the truth of such queries is `invalid`, which exercises little code.
   const std::array<Real, 9> usual = {
       Real(0),
       Limits::denorm_min(),
@@ -112,7 +112,7 @@ void swap(Dice& dice, Numbers<Real>& v) {
 template <class Real>
 void to_tie(Dice& dice, Numbers<Real>& v) {
   Query<Real> q = from_coordinates(v);
-  q.r = 0;  // the radius is not read, but it has to be valid
+  q.r = 0;  // the radius is not used, but it has to be valid
   if (!is_valid(q)) return;
   const auto which = static_cast<Comparison>(dice.below(comparison_count));
   std::size_t place = radius_place;

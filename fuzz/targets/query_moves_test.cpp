@@ -1,4 +1,4 @@
-// The moves of the kernel target: what they promise of numbers, bytes and seeds.
+// The moves of the kernel target: their promises about numbers, bytes and seeds.
 #include "fuzz/targets/query_moves.h"
 
 #include <gtest/gtest.h>
@@ -59,10 +59,10 @@ TEST(QueryMoves, DependOnTheSeedAlone) {
     EXPECT_EQ(bytes_of(one), bytes_of(two)) << "seed " << s;
     found.insert(bytes_of(one));
   }
-  EXPECT_GT(found.size(), 150u) << "seeds that make the same of a query";
+  EXPECT_GT(found.size(), 150u) << "different seeds make the same query";
 }
 
-// How many of the thirteen numbers a move leaves with their bits.
+// The number of coordinates whose bits a move leaves unchanged.
 template <class Real>
 std::size_t kept(const FuzzedQuery& before, const FuzzedQuery& after) {
   const auto x = coordinates(std::get<Query<Real>>(before.query)), y = coordinates(std::get<Query<Real>>(after.query));
@@ -118,7 +118,8 @@ TYPED_TEST(QueryMoveTest, SpecialNumbersAreAllReached) {
 }
 
 TYPED_TEST(QueryMoveTest, TiesBringTheSphereToWhereItTouches) {
-  // The plane z = 0, and the centre 2 above it: the tie of plane.radius, and the distance, is at r = 2.
+  // The triangle is in the plane z = 0, with the centre 2 above it: both the tie of plane.radius and the distance are
+  // at r = 2.
   const auto flat = from_coordinates<TypeParam>({-9, -9, 0, 9, -9, 0, 0, 9, 0, 0, 0, 2, 7});
   int touching = 0;
   for (std::uint64_t position = 0; position < 400; ++position) {
@@ -131,7 +132,7 @@ TYPED_TEST(QueryMoveTest, TiesBringTheSphereToWhereItTouches) {
 }
 
 TEST(QueryMoves, TakeNumbersOfEveryKind) {
-  std::vector<std::uint8_t> bytes(greatest_size, 0xff);  // NaNs, and what their neighbours would be
+  std::vector<std::uint8_t> bytes(greatest_size, 0xff);  // NaNs
   for (const int fill : {0x00, 0x7f, 0x80, 0xff}) {
     for (const int wide : {0, 1}) {
       std::fill(bytes.begin(), bytes.end(), static_cast<std::uint8_t>(fill));

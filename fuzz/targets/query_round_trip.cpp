@@ -30,25 +30,25 @@ bool is_same_query(const StoredQuery& x, const StoredQuery& y) {
       x.query);
 }
 
-// In either precision, which only a CSV file has from here.
+// Checks the bytes with either precision, which only a CSV file takes from here.
 void check(std::string_view bytes, Precision csv_precision) {
   std::vector<StoredQuery> queries;
   if (!accepts([&] { queries = parse_queries(bytes, "fuzzed", csv_precision); })) return;
   std::string lines;
   for (const StoredQuery& stored : queries) {
     if (stored.query.index() != static_cast<std::size_t>(stored.precision)) {
-      fault(fmt::format("line {} says {} and holds the other precision", stored.line, name(stored.precision)));
+      fault(fmt::format("line {} says {} but has a query of the other precision", stored.line, name(stored.precision)));
     }
     lines += query_line(stored) + "\n";
   }
   std::vector<StoredQuery> again;
   const bool is_read = accepts([&] { again = parse_queries(lines, "written", Precision::binary32); });
   if (!is_read || again.size() != queries.size())
-    fault("what was written of a query file is not read again:\n" + lines);
+    fault("the lines written from a query file cannot be read:\n" + lines);
   for (std::size_t i = 0; i < queries.size(); ++i) {
     const StoredQuery named{again[i].id, queries[i].precision, queries[i].query, 0};
     if (!is_same_query(queries[i], again[i]) || query_line(named) != query_line(again[i])) {
-      fault(fmt::format("query {} of the file was read, written and read again to another:\n{}\n{}", i + 1,
+      fault(fmt::format("query {} of the file changes when it is read, written and read again:\n{}\n{}", i + 1,
                         query_line(queries[i]), query_line(again[i])));
     }
   }

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes the inputs that the fuzz targets begin from, out of what stands in the tree as text.
+"""Writes the inputs from which the fuzz targets begin, made from text files of the tree.
 
     seeds.py SOURCE_FOLDER OUT
 
-OUT/TARGET/* are the inputs, OUT/TARGET.list names them all, with commas, for libFuzzer's -seed_inputs=@FILE.
-The same bytes from the same tree.
+OUT/TARGET/* are the inputs; OUT/TARGET.list names them all, separated by commas, for libFuzzer's -seed_inputs=@FILE.
+The same tree gives the same bytes.
 """
 
 import hashlib
@@ -26,12 +26,12 @@ def number(text):
 
 
 def texts_of(query):
-    """The thirteen numbers, as the file has them, in the order of every column."""
+    """The thirteen numbers, spelled as in the file, in the order of every column."""
     return [x for point in POINTS for x in query[point]] + [query["r"]]
 
 
 def kernel_seed(query, kernel):
-    """fuzz/targets/fuzzed_query.h says what the bytes are."""
+    """The bytes of an input of the kernel target, as described in fuzz/targets/fuzzed_query.h."""
     is_wide = query["precision"] == "binary64"
     return struct.pack("<BB13" + ("d" if is_wide else "f"), is_wide, kernel, *map(number, texts_of(query)))
 
@@ -41,7 +41,7 @@ def plan_text(plan):
 
 
 def seeds(source):
-    """By target, the inputs."""
+    """The inputs by target."""
     files = sorted((source / "fuzz/corpus").glob("*.jsonl")) + sorted((source / "examples").rglob("*.jsonl"))
     lines = [line for file in files for line in file.read_text().splitlines() if line.strip()]
     queries = [json.loads(line) for line in lines]
@@ -99,10 +99,10 @@ def seeds(source):
     result["plan"] = [plan_text(one).encode() for one in plans]
 
     record = json.loads((source / "reports/testdata/record.json").read_text())
-    for kernel in record["kernels"]:  # a smaller one: fewer cells, no less kinds of members
+    for kernel in record["kernels"]:  # a smaller record: fewer cells, but all kinds of members
         kernel["families"] = dict(list(kernel["families"].items())[:1])
     record["kernels"], record["witnesses"] = record["kernels"][:1], record["witnesses"][:2]
-    # Deeper than a recursion stands.
+    # Deeper than any recursion survives.
     deep = b'{"schema":' + b"[" * 500000 + b"]" * 500000 + b"}"
     result["plan"].append(deep)
     result["record"] = [

@@ -1,4 +1,4 @@
-// What the fuzz targets share: how a fault is told, and what a parser may do with bad input.
+// Common parts of the fuzz targets: reporting a fault, and the ways in which a parser may treat bad input.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@ namespace axiscert::fuzzing {
 // Prints to standard error and aborts: libFuzzer then keeps the input.
 [[noreturn]] void fault(std::string_view what);
 
-// What a message of Error is held to: it says something, in one line without control characters.
+// Checks a message of Error: it must not be empty, and has to be one line without control characters.
 void check_message(std::string_view message);
 
-// Whether a parser accepts. Error is the one way to refuse; anything else that is thrown ends the target.
+// Whether a parser accepts its input. It may refuse only by Error; any other exception ends the target.
 template <class Parse>
 bool accepts(Parse&& parse) {
   try {
@@ -27,7 +27,7 @@ bool accepts(Parse&& parse) {
   }
 }
 
-// Bytes as a file, for what reads a path: in memory, gone with the object.
+// Bytes as a file in memory, for functions that read a path; it exists as long as the object.
 class MemoryFile {
  public:
   explicit MemoryFile(std::string_view bytes);

@@ -1,4 +1,4 @@
-// Every arithmetic that can be put under a set of formulae, one line each.
+// The arithmetics that can be put under a set of formulae, one line each.
 #pragma once
 
 #include "kernel/arithmetic/error_free.h"
@@ -31,20 +31,20 @@ namespace axiscert {
 
 namespace arithmetic {
 
-// What an arithmetic is, and what holds of most.
+// The members of an arithmetic, with the values that most of them have.
 struct Plain {
   template <class Base>
   using Number = Base;
-  template <class Base>  // the same over a base whose exponent never ends
+  template <class Base>  // the same over a base with an unbounded exponent
   using Unbounded = Base;
-  template <class Real>  // what `Number` is built on for queries in Real
+  template <class Real>  // the base of `Number` for queries in Real
   using BaseOf = Real;
-  static constexpr Rounding rounding = Rounding::nearest;            // the processor's
-  static constexpr Rounding unbounded_rounding = Rounding::nearest;  // that of Unbounded's base
+  static constexpr Rounding rounding = Rounding::nearest;            // the processor's mode
+  static constexpr Rounding unbounded_rounding = Rounding::nearest;  // the mode of Unbounded's base
   static constexpr bool flush = false;
   static constexpr bool prescaled = false;
   static constexpr bool in_binary32 = true, in_binary64 = true;
-  static constexpr bool exposes_sides = true;  // they fit the query's precision and the formulae's scale
+  static constexpr bool exposes_sides = true;  // the sides fit the query's precision and the formulae's scale
   // Results without range faults raise neither the overflow nor the underflow flag.
   static constexpr bool flags_tell_range = true;
 };

@@ -8,7 +8,7 @@ namespace axiscert::arithmetic {
 
 template <class Base>
 struct WithError {
-  Base value, error;  // the exact result is their sum, unless an exponent limit was met
+  Base value, error;  // the exact result is value + error, unless an exponent limit was met
 };
 
 template <class Base>
@@ -23,7 +23,7 @@ WithError<Base> two_product(const Base& a, const Base& b) {
   return {product, fused(a, b, -product)};
 }
 
-// Dot and cross products as if in twice the precision, then rounded: Dot2.
+// Dot and cross products as if in twice the precision, then rounded (algorithm Dot2).
 template <class Base>
 struct Compensated : Number<Compensated<Base>, Base> {
   using Number<Compensated, Base>::Number;
@@ -42,8 +42,9 @@ struct Compensated : Number<Compensated<Base>, Base> {
   }
 };
 
-// Keeps the error of the translation to the sphere's centre, and carries it to first order through what follows, which
-// itself is rounded as ever: shows what the translation alone costs.
+// Keeps the rounding error of the translation to the sphere's centre and carries it to first order through the
+// operations that follow, which are rounded as usual. The difference from plain arithmetic shows the cost of the
+// translation alone.
 template <class Base>
 struct ExactTranslation {
   Base value, lost;

@@ -5,8 +5,9 @@
 
 namespace axiscert::arithmetic {
 
-// dot = fma(z, z', fma(y, y', x x')), cross.x = fma(y, z', -(z y')): three, and twice three, roundings fewer. A cross
-// product of a vector with itself need not vanish: one of its two products is rounded and the other is not.
+// dot = fma(z, z', fma(y, y', x x')), cross.x = fma(y, z', -(z y')): three roundings in a dot product instead of five,
+// two in each component of a cross product instead of three. A cross product of a vector with itself need not vanish:
+// one of its two products is rounded and the other is not.
 template <class Base>
 struct Fused : Number<Fused<Base>, Base> {
   using Number<Fused, Base>::Number;
@@ -20,8 +21,8 @@ struct Fused : Number<Fused<Base>, Base> {
   }
 };
 
-// a b + c d with an error of 1.5 ulp: W. Kahan's algorithm (analysed by Jeannerod, Louvet and Muller, Math. Comp.
-// 2013).
+// a b + c d with an error of at most 1.5 ulp: W. Kahan's algorithm (analysed by Jeannerod, Louvet and Muller, Math.
+// Comp. 2013).
 template <class Base>
 Base kahan_sum(const Base& a, const Base& b, const Base& c, const Base& d) {
   const Base product = c * d;
@@ -29,7 +30,8 @@ Base kahan_sum(const Base& a, const Base& b, const Base& c, const Base& d) {
   return fused(a, b, product) + lost;
 }
 
-// The cross product by Kahan's difference of two products; the dot product as his sum of the first two, then one fma.
+// The cross product by Kahan's difference of two products; the dot product as Kahan's sum of the first two products,
+// then one fma.
 template <class Base>
 struct Kahan : Number<Kahan<Base>, Base> {
   using Number<Kahan, Base>::Number;

@@ -9,17 +9,18 @@
 
 namespace axiscert::arithmetic {
 
-// Single precision of the Cell's synergistic processor: results are chopped; what would be subnormal is zero; exponent
-// 255 is a number like the others; beyond the greatest, (2 - 2^-23) 2^128, results stay there; no infinity, no NaN, no
-// negative zero. Source: Synergistic Processor Unit Instruction Set Architecture, "Single precision (extended-range
-// mode)". Division and root, estimates refined in software there, are the chopped exact ones here; x/0 is the greatest,
-// and 0/0 is 0, as 0 times the greatest.
-// Held in a double: 24 significant bits, exponents from -126 to 128.
+// Single precision of the Cell's synergistic processor. Results are chopped; a result that would be subnormal is zero;
+// exponent 255 is an ordinary exponent; results beyond the greatest number, (2 - 2^-23) 2^128, saturate to it; there is
+// no infinity, no NaN and no negative zero. Source: Synergistic Processor Unit Instruction Set Architecture, "Single
+// precision (extended-range mode)". On that machine division and square root are estimates refined in software; here
+// they are the exact results, chopped. x/0 is the greatest number with the sign of x, and 0/0 is 0, as 0 times the
+// greatest number is.
+// The value is kept in a double: 24 significant bits, exponents from -126 to 128.
 class Spu {
  public:
   Spu() = default;
   explicit Spu(float x) : value_(decoded(x)) {}
-  // Beyond binary32's greatest number, infinity stands for what binary32 cannot hold.
+  // A value beyond binary32's greatest number becomes infinity, because binary32 cannot represent it.
   explicit operator float() const { return static_cast<float>(value_); }
 
   friend Spu operator+(const Spu& a, const Spu& b) {
@@ -27,7 +28,9 @@ class Spu {
     return chopped(sum, (a.value_ - (sum - of_b)) + (b.value_ - of_b));
   }
   friend Spu operator-(const Spu& a, const Spu& b) { return a + chopped(-b.value_, 0); }
-  friend Spu operator*(const Spu& a, const Spu& b) { return chopped(a.value_ * b.value_, 0); }  // 48 bits: exact
+  friend Spu operator*(const Spu& a, const Spu& b) {
+    return chopped(a.value_ * b.value_, 0);
+  }  // 48 bits: the product is exact
   friend Spu operator/(const Spu& a, const Spu& b) {
     if (b.value_ == 0) return chopped(a.value_ == 0 ? 0 : std::copysign(greatest, a.value_), 0);
     const double quotient = a.value_ / b.value_;
@@ -44,11 +47,12 @@ class Spu {
  private:
   static constexpr double greatest = 0x1.fffffep+128, least = 0x1p-126;
 
-  // Toward zero from the exact value near + rest; only the sign of the rest is read.
+  // The exact value near + rest, rounded toward zero; only the sign of `rest` is read.
   static Spu chopped(double near, double rest) {
     constexpr std::uint64_t below_binary32 = (std::uint64_t{1} << 29) - 1;
     auto bits = std::bit_cast<std::uint64_t>(near);
-    // Rounding to double reached a binary32 number from beyond: the exact value is on the near side of it.
+    // Rounding to double went away from zero and reached a binary32 number: the exact value is nearer to zero, and
+    // chopping it gives a smaller number.
     if ((bits & below_binary32) == 0 && near != 0 && (near > 0) != (rest > 0) && rest != 0) --bits;
     double value = std::bit_cast<double>(bits & ~below_binary32);
     if (std::fabs(value) < least) value = 0;
@@ -68,8 +72,8 @@ class Spu {
   double value_ = 0;
 };
 
-// Large-world practice: vertices and centre in the wide type, their difference taken there and rounded, the test in the
-// narrow type. A radius, too, is rounded.
+// The practice in large worlds: vertices and centre are in the wide type, their difference is taken there and rounded,
+// and the test runs in the narrow type. The radius is rounded too.
 template <class Wide, class Narrow>
 struct LargeWorld {
   Wide value;

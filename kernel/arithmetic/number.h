@@ -1,5 +1,5 @@
-// What the arithmetics are made of: a number type around a base, which is float, double, or an MPFR value with the same
-// precision and an exponent that never ends. One rounding an operation of the base, all of them visible here.
+// The parts of the arithmetics: a number type around a base, which is float, double, or an MPFR value with the same
+// precision and an unbounded exponent. Each operation rounds once, in the base, and all of them are visible here.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ using portable::Vec3;
 inline float fused(float a, float b, float c) { return std::fma(a, b, c); }
 inline double fused(double a, double b, double c) { return std::fma(a, b, c); }
 
-// The base's own operations. `Self` derives from it and replaces what it does otherwise.
+// The base's own operations. `Self` derives from this class and replaces the operations in which it differs.
 template <class Self, class Base>
 struct Number {
   Base value;
@@ -38,7 +38,7 @@ struct Number {
   friend bool operator>=(const Self& a, const Self& b) { return a.value >= b.value; }
 };
 
-// A cross product from a function for a b - c d.
+// A cross product from a function that computes a b - c d.
 template <class Self, class Difference>
 Vec3<Self> cross_of(const Vec3<Self>& u, const Vec3<Self>& v, Difference&& difference_of_products) {
   return {difference_of_products(u.y, v.z, u.z, v.y), difference_of_products(u.z, v.x, u.x, v.z),

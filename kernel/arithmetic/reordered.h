@@ -6,7 +6,7 @@
 namespace axiscert::arithmetic {
 
 // The two products of a dot product that are added first; the published order is x + y. Addition commutes, so these
-// three are all the orders there are.
+// three are all the orders.
 enum class FirstPair { y_and_z, x_and_z };
 
 template <class Base, FirstPair first>
@@ -18,7 +18,7 @@ struct DotOrder : Number<DotOrder<Base, first>, Base> {
   }
 };
 
-// rr (e e) for (rr e) e.
+// rr (e e) in place of (rr e) e.
 template <class Base>
 struct SquareFirst : Number<SquareFirst<Base>, Base> {
   using Number<SquareFirst, Base>::Number;

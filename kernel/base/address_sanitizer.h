@@ -1,4 +1,5 @@
-// Whether AddressSanitizer instruments this code, which g++ and clang say each in their own way.
+// Defines AXISCERT_ADDRESS_SANITIZER where AddressSanitizer instruments this code; g++ and clang announce that
+// differently.
 #pragma once
 
 #if defined(__SANITIZE_ADDRESS__)

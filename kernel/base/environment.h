@@ -12,9 +12,9 @@ namespace axiscert {
 
 enum class Rounding : std::uint8_t { nearest, upward, downward, toward_zero };
 
-// Sets a rounding mode and, where asked, that subnormal results and operands become zero (FTZ and DAZ); restores both.
-// Code in its scope must keep its operations there: call a function that reads its operands from memory and writes its
-// results there, compiled with -frounding-math.
+// Sets a rounding mode and, if `flush`, makes subnormal results and operands zero (FTZ and DAZ); restores both. Code in
+// its scope must keep its operations there: call a function that reads its operands from memory and writes its results
+// there, compiled with -frounding-math.
 class FloatingEnvironment {
  public:
   FloatingEnvironment(Rounding rounding, bool flush) : rounding_(std::fegetround()), control_(control()) {
@@ -32,7 +32,7 @@ class FloatingEnvironment {
   FloatingEnvironment(const FloatingEnvironment&) = delete;
   FloatingEnvironment& operator=(const FloatingEnvironment&) = delete;
 
-  // The register that holds the modes, as it stands.
+  // The present value of the register that holds the modes.
 #if defined(__SSE2__)
   static std::uint64_t control() { return _mm_getcsr(); }
 #elif defined(__aarch64__)
@@ -48,7 +48,7 @@ class FloatingEnvironment {
   static constexpr std::uint64_t flush_bits = 0x8040;  // FTZ, DAZ
   static void set_control(std::uint64_t bits) { _mm_setcsr(static_cast<unsigned>(bits)); }
 #elif defined(__aarch64__)
-  static constexpr std::uint64_t flush_bits = std::uint64_t{1} << 24;  // FZ: both
+  static constexpr std::uint64_t flush_bits = std::uint64_t{1} << 24;  // FZ: results and operands
   static void set_control(std::uint64_t bits) { asm volatile("msr fpcr, %0" ::"r"(bits)); }
 #else
 #error "how this processor flushes subnormal numbers to zero is not known here"

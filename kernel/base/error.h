@@ -1,4 +1,4 @@
-// The two errors a tool throws, caught once in main.
+// The two kinds of error that are thrown; each is caught once, in main.
 #pragma once
 
 #include <stdexcept>
@@ -8,13 +8,13 @@
 
 namespace axiscert {
 
-// Bad usage or input: exit 2. The message says what was given, where, and what would be right; as a plain line, for it
-// quotes what may come from anywhere.
+// Bad usage or input: exit 2. The message says what was given, where, and what would be right. It is made a plain line,
+// because it may quote text of any origin.
 struct Error : std::runtime_error {
   explicit Error(const std::string& message) : std::runtime_error(plain_line(message)) {}
 };
 
-// The harness caught itself wrong (oracles that differ, a contracted build): exit 3.
+// The harness found a fault of its own (oracles that differ, a contracted build): exit 3.
 struct HarnessFault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

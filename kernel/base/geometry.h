@@ -1,13 +1,13 @@
 // Vectors, their products and the problem that every formula starts from, over any number type with + - *.
 //
-// Operation order, part of the contract of every kernel that does not say otherwise:
+// The order of operations, part of the contract of every kernel that does not say otherwise:
 //   dot = (x x' + y y') + z z',   cross.x = y z' - z y' (cyclic),   rr e e = (rr e) e.
-// A number type may replace these by static members `dot`, `cross`, `times_square` and `translated` of its own: that is
-// how an arithmetic (fused, compensated, another order) is put under an unchanged formula.
+// A number type may replace these by static members `dot`, `cross`, `times_square` and `translated`; that is how an
+// arithmetic (fused, compensated, another order) is put under an unchanged formula.
 //
-// Included once by ordinary code, and again by each simd_*.cpp, which defines AXISCERT_PER_TARGET, for each of
-// Highway's instruction sets: the functions must carry that set's target attribute to be inlined. Hence no guard in
-// that case, and a namespace by target.
+// This file is included once by ordinary code, and again by each simd_*.cpp, which defines AXISCERT_PER_TARGET, for
+// each of Highway's instruction sets: the functions must carry that set's target attribute to be inlined. Hence it has
+// no include guard in that case, and a namespace for each target.
 #if defined(AXISCERT_PER_TARGET) || !defined(AXISCERT_KERNEL_GEOMETRY_H)
 #define AXISCERT_KERNEL_GEOMETRY_H
 
@@ -40,7 +40,7 @@ AXISCERT_INLINE Vec3<T> cross(const Vec3<T>& u, const Vec3<T>& v) {
   else return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
-// rr e e.
+// rr e^2, as (rr e) e.
 template <class T>
 AXISCERT_INLINE T times_square(const T& rr, const T& e) {
   if constexpr (requires { T::times_square(rr, e); }) return T::times_square(rr, e);
@@ -77,8 +77,8 @@ AXISCERT_INLINE Centred<T> centred(const Problem<T>& q) {
 }
 
 #ifndef AXISCERT_PER_TARGET
-// Root and absolute value by name, for the forms of the derivation that still have them. Other number types bring their
-// own, found beside the type.
+// Square root and absolute value by name, for the forms of the derivation that still need them. Other number types
+// define their own, which are found by argument-dependent lookup.
 AXISCERT_INLINE float square_root(float x) { return std::sqrt(x); }
 AXISCERT_INLINE double square_root(double x) { return std::sqrt(x); }
 AXISCERT_INLINE float magnitude(float x) { return std::fabs(x); }

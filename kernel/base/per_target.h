@@ -1,5 +1,5 @@
-// The namespace and attributes of code that is compiled once, or once for each of Highway's instruction sets where
-// AXISCERT_PER_TARGET is defined. No guard: the macros follow that definition.
+// The namespace and attributes of code that is compiled once or, where AXISCERT_PER_TARGET is defined, once for each of
+// Highway's instruction sets. There is no include guard, because the macros depend on that definition.
 #undef AXISCERT_TARGET
 #undef AXISCERT_BEFORE_NAMESPACE
 #undef AXISCERT_AFTER_NAMESPACE

@@ -1,4 +1,4 @@
-// Text from somewhere else as a message may quote it.
+// Text of foreign origin in a form that a message may quote.
 #pragma once
 
 #include <string>
@@ -6,7 +6,8 @@
 
 namespace axiscert {
 
-// One line without control characters, which a terminal would obey: a question mark stands for each.
+// The text with each control character, which a terminal would obey, replaced by a question mark. The result is one
+// line.
 inline std::string plain_line(std::string_view text) {
   std::string line(text);
   for (char& c : line) {

@@ -8,7 +8,7 @@ namespace axiscert {
 
 class Stopwatch {
  public:
-  // Since the last lap, or the construction.
+  // The time since the last lap, or since the construction, in nanoseconds.
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     return std::chrono::duration<double, std::nano>(now - std::exchange(last_, now)).count();

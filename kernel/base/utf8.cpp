@@ -7,13 +7,14 @@
 namespace axiscert {
 namespace {
 
-// How many bytes the character that the text begins with takes; 0 where it begins with none.
+// Number of bytes in the character at the beginning of the text, which must not be empty; 0 if the text does not begin
+// with a well-formed character.
 std::size_t character_size(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(0);
   if (first < 0x80) return 1;
   const std::size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  // 0xc0 and 0xc1 could only begin an overlong form, 0xf5 and above what is beyond U+10FFFF.
+  // 0xc0 and 0xc1 could only begin an overlong form, 0xf5 and above only a code point beyond U+10FFFF.
   if (first < 0xc2 || first > 0xf4 || text.size() < size) return 0;
   for (std::size_t i = 1; i < size; ++i) {
     if ((byte(i) & 0xc0) != 0x80) return 0;

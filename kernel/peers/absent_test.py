@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""A peer whose package is absent is said loudly when the build is configured, and listed for the command to say NOT CHECKED.
+"""A peer whose package is absent is reported with a warning when the build is configured, and listed so that axiscert
+can say NOT CHECKED.
 
 absent_test.py CMAKE CXX_COMPILER [unittest arguments]
 """
@@ -21,7 +22,7 @@ class Absent(unittest.TestCase):
         self.build = Path(folder.name)
         self.peers = self.build / "peers"
         self.peers.mkdir()
-        (self.peers / "ode.so").touch()  # of a build while the package was there
+        (self.peers / "ode.so").touch()  # left by a build made while the package was installed
 
     def configured(self, *options):
         done = subprocess.run(

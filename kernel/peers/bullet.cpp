@@ -1,4 +1,4 @@
-// Bullet in float, as most games build it. What it does and gets wrong: bullet_detector.h.
+// Bullet in float, as most games build it. Its behaviour and faults are described in bullet_detector.h.
 #include "kernel/peers/bullet_detector.h"
 
 namespace axiscert::peer {

@@ -1,8 +1,10 @@
-// Bullet's sphere against a triangle, in whichever number type Bullet was built: SphereTriangleDetector::collide. Known
-// for Bullet 3.24; a float64 build exports the same symbols, so each flavour is a plug-in of its own.
+// Bullet's sphere against a triangle, in whichever number type Bullet was built: SphereTriangleDetector::collide. The
+// description applies to Bullet 3.24; a float64 build exports the same symbols, so each number type is a plug-in of its
+// own.
 //
-// It skips a triangle whose normal (a cross product, not yet divided) is shorter than SIMD_EPSILON, 1.19e-7 or 2.2e-16:
-// every degenerate triangle, and every triangle of a small scene, has no contacts. Tracker: bullet3 935, 940, 1623.
+// It skips a triangle whose normal (a cross product, before division by its length) is shorter than SIMD_EPSILON,
+// 1.19e-7 or 2.2e-16: every degenerate triangle, and every triangle of a small scene, has no contacts. Tracker: bullet3
+// 935, 940, 1623.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/SphereTriangleDetector.h>
@@ -17,7 +19,7 @@ inline btVector3 bullet_vector(const Vec3<btScalar>& v) { return {v.x, v.y, v.z}
 
 struct BulletDetector {
   using Real = btScalar;
-  // Contact iff distance < radius, each time it is asked.
+  // Contact iff distance < radius, on every query.
   static constexpr axiscert_touching touching = AXISCERT_TOUCHING_IS_SEPARATED;
 
   int operator()(const Query<btScalar>& q) const {

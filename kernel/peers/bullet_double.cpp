@@ -1,4 +1,4 @@
-// Bullet in double (BT_USE_DOUBLE_PRECISION). What it does and gets wrong: bullet_detector.h.
+// Bullet in double (BT_USE_DOUBLE_PRECISION). Its behaviour and faults are described in bullet_detector.h.
 #include "kernel/peers/bullet_detector.h"
 
 namespace axiscert::peer {

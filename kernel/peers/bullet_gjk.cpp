@@ -1,6 +1,6 @@
-// Bullet's general convex test in float: btGjkPairDetector over btVoronoiSimplexSolver, EPA for the depth where it
-// penetrates. Known for Bullet 3.24. Its thresholds are lengths: scenes of 1e-5 and smaller are contacts, whatever the
-// distance.
+// Bullet's general convex test in float: btGjkPairDetector over btVoronoiSimplexSolver, with EPA for the depth of a
+// penetration. The description applies to Bullet 3.24. Its thresholds are lengths: in scenes of size 1e-5 and smaller
+// every query is a contact, whatever the distance.
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
@@ -19,11 +19,12 @@ btVector3 vector(const Vec3<float>& v) { return {v.x, v.y, v.z}; }
 struct BulletGjk {
   using Real = float;
 
-  // All of it anew: the detector begins at the separating axis of its last query, the solver with its last simplex.
+  // All objects are new for each query: the detector would begin at the separating axis of its last query, the solver
+  // with its last simplex.
   int operator()(const Query<float>& q) const {
     btSphereShape sphere(q.r);
     btTriangleShape triangle(vector(q.a), vector(q.b), vector(q.c));
-    triangle.setMargin(0);  // as thick as it is; the sphere's margin is its radius
+    triangle.setMargin(0);  // the triangle has no thickness; the sphere's margin is its radius
     btVoronoiSimplexSolver simplex;
     btGjkEpaPenetrationDepthSolver depth;
     btGjkPairDetector detector(&sphere, &triangle, &simplex, &depth);
@@ -33,7 +34,7 @@ struct BulletGjk {
     input.m_transformB.setIdentity();
     btPointCollector nearest;
     detector.getClosestPoints(input, nearest, nullptr);
-    // No result is what Bullet gives beyond the greatest distance asked for, and where it finds no valid direction.
+    // Bullet gives no result beyond the greatest distance asked for, and where it finds no valid direction.
     if (!nearest.m_hasResult) return AXISCERT_SEPARATED;
     return verdict_within(nearest.m_distance, 0.0F);
   }
@@ -42,7 +43,7 @@ struct BulletGjk {
 }  // namespace
 }  // namespace axiscert::peer
 
-// It gives a signed distance, of which 0 says touching: contact.
+// The detector gives a signed distance; 0, which is touching, counts as contact.
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::kernel<axiscert::peer::BulletGjk>(
       index,

@@ -1,7 +1,7 @@
-// CGAL's exact predicate in its inexact-constructions kernel: Compare_squared_distance_3 of EPICK. Known for CGAL 5.5;
-// no wrong answer is known. It is not independent of the geometric truth, which is CGAL too.
+// CGAL's exact predicate in its inexact-constructions kernel: Compare_squared_distance_3 of EPICK. The description
+// applies to CGAL 5.5; no wrong answer is known. It is not independent of the geometric truth, which is CGAL too.
 //
-// The four-argument form, distance against distance: the three-argument one takes r r, which rounds in double.
+// The four-argument form compares two distances; the three-argument form takes r r, which rounds in double.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/squared_distance_3.h>
 

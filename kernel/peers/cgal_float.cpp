@@ -1,4 +1,4 @@
-// CGAL over float. What it does and gets wrong: cgal_inexact.h.
+// CGAL over float. Its behaviour and faults are described in cgal_inexact.h.
 #include "kernel/peers/cgal_inexact.h"
 
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {

@@ -1,8 +1,9 @@
-// CGAL without its exactness: squared_distance(point, triangle) over Simple_cartesian of a floating-point type,
-// compared with r r in that type. Known for CGAL 5.5. Not a use that CGAL advises, and a common one.
+// CGAL without exactness: squared_distance(point, triangle) over Simple_cartesian of a floating-point type, compared
+// with r r in that type. The description applies to CGAL 5.5. CGAL does not advise this use, but it is common.
 //
-// Degree 6 over degree 4, rounded at each operation: in float it overflows and underflows, in double it is right on
-// most binary32 queries, but not on all: docs/league.md has ones. Tracker: cgal 5680, 6359, 7147, 8146.
+// The distance is a quotient of degree 6 over degree 4, rounded at each operation: in float it overflows and
+// underflows; in double it is right on most binary32 queries, but not on all: docs/league.md has examples. Tracker:
+// cgal 5680, 6359, 7147, 8146.
 #pragma once
 
 #include <CGAL/Simple_cartesian.h>
@@ -15,7 +16,7 @@ namespace axiscert::peer {
 template <class Number>
 struct CgalInexact {
   using Real = Number;
-  // The comparison is ours, so distance <= radius is contact.
+  // The comparison is made here, so distance <= radius is contact.
   static constexpr axiscert_touching touching = AXISCERT_TOUCHING_IS_CONTACT;
 
   int operator()(const Query<Number>& q) const {

@@ -1,5 +1,5 @@
-// What each library is known to get wrong, by the shape of the fault: when one of these changes, so does
-// docs/league.md. cgal-epick is right on every query here.
+// The known faults of each library, by kind: a change to one of these requires a change to docs/league.md. cgal-epick
+// is right on every query here.
 #include <csignal>
 
 #include "kernel/peers/peers_testing.h"
@@ -13,7 +13,7 @@ struct Asked {
   char truth;
 };
 
-// `peer` gives `letter` to the query, which is wrong, and CGAL's exact predicate the truth.
+// Checks that `peer` answers `letter`, which is wrong, and that CGAL's exact predicate answers the truth.
 template <class Real>
 void expect_wrong(const char* peer, const Asked<Real>& asked, char letter) {
   EXPECT_NE(letter, asked.truth);
@@ -34,8 +34,8 @@ Query<Real> scaled(const Query<Real>& q, Real factor) {
 
 template <class Real>
 std::vector<Asked<Real>> degenerate_contacts() {
-  return {{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, Real{0.5}, 0}, 1}, 'c'},   // in a line
-          {{{1, 0, 0}, {1, 0, 0}, {5, 0, 0}, {3, Real{0.5}, 0}, 1}, 'c'},   // two vertices the same
+  return {{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, Real{0.5}, 0}, 1}, 'c'},   // three vertices on a line
+          {{{1, 0, 0}, {1, 0, 0}, {5, 0, 0}, {3, Real{0.5}, 0}, 1}, 'c'},   // two equal vertices
           {{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, Real{0.5}, 0}, 1}, 'c'}};  // a point
 }
 
@@ -75,7 +75,7 @@ TEST(FclGjkFaults, AnEllipsoidOfRadiusZeroNeverHits) {
   expect_wrong<double>("fcl-gjk", {sphere(1.0, 1.0, 0.0, 0.0), 'c'}, 's');
 }
 
-// Found by the family of random bit patterns.
+// A query found by the family of random bit patterns.
 TEST(FclGjkFaults, ItDoesNotComeBackFromSomeQueries) {
   const Query<double> scattered = {{-0x1.1c97dp+27, 0x1.730ed8p-62, 0x1.719ea6p-2},
                                    {0x1.eda724p+80, 0x1.2b5842p+105, -0x1.b9d094p+58},
@@ -94,7 +94,7 @@ TEST(LibccdFaults, GjkHasPhantomContactsInSmallScenes) {
   expect_wrong<double>("libccd-gjk", {scaled(sphere(1.0, 1.0, 1.5, 1.0), 0x1p-20), 's'}, 'c');
 }
 
-// By 2^-16, against an mpr_tolerance of 1e-4.
+// The contact is 2^-16 deep, against an mpr_tolerance of 1e-4.
 TEST(LibccdFaults, MprMissesShallowContacts) {
   expect_wrong<double>("libccd-mpr", {sphere(-3.0, -4.0, 0.0, 5 + 0x1p-16), 'c'}, 's');
 }
@@ -105,14 +105,14 @@ TEST(LibccdFaults, MprDoesNotComeBackFromSomeQueries) {
   EXPECT_EQ(ask<double>("cgal-epick", {on_the_triangle}).bytes, "c");
 }
 
-// Overflow: of the numerator alone, and a little further on of both.
+// Overflow: of the numerator alone, and at a larger size of numerator and denominator.
 TEST(CgalFloatFaults, LargeScenesAreMissedAndLargerOnesNaN) {
   const Query<float> deep = sphere(1.0f, 1.0f, 0.5f, 1.0f);
   expect_wrong<float>("cgal-float", {scaled(deep, 1e9f), 'c'}, 's');
   expect_wrong<float>("cgal-float", {scaled(deep, 0x1p30f), 'c'}, 'i');
 }
 
-// Underflow: r r to 0 and the distance with it, then 0/0.
+// Underflow: r r and the distance become 0, and at a smaller size the distance is 0/0.
 TEST(CgalFloatFaults, SmallScenesAreContactsAndSmallerOnesNaN) {
   const Query<float> apart = sphere(1.0f, 1.0f, 3.0f, 1.0f);
   expect_wrong<float>("cgal-float", {scaled(apart, 0x1p-30f), 's'}, 'c');

@@ -1,4 +1,4 @@
-// FCL in double, as it is used by default. What it does and gets wrong: fcl_detector.h.
+// FCL in double, its default. Its behaviour and faults are described in fcl_detector.h.
 #include "kernel/peers/fcl_detector.h"
 
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {

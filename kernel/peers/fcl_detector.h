@@ -1,10 +1,10 @@
-// FCL's sphere against a triangle, over float or double: detail::sphereTriangleIntersect, which both its narrow-phase
-// solvers call for spheres. Known for FCL 0.7.0.
+// FCL's sphere against a triangle, over float or double: detail::sphereTriangleIntersect, which both of its
+// narrow-phase solvers call for spheres. The description applies to FCL 0.7.0.
 //
-// A triangle without a normal has distance 0 from everything and holds every point: each degenerate one "hits", at any
-// distance (fcl 29 is of this kind). The machine epsilon of the number type is added to the radius, as a
-// length: 2.2e-16 metres mean nothing in a large scene and everything in a small one. A NaN inside, as from overflow,
-// says separated.
+// A triangle without a normal has distance 0 from every plane and contains every point: each degenerate triangle
+// "hits", at any distance (fcl 29 is of this kind). The machine epsilon of the number type is added to the radius as a
+// length: 2.2e-16 metres mean nothing in a large scene and everything in a small one. Where a NaN occurs inside, for
+// instance after an overflow, the answer is separated.
 #pragma once
 
 #include <fcl/narrowphase/detail/primitive_shape_algorithm/sphere_triangle.h>

@@ -1,4 +1,4 @@
-// FCL's templates over float. What they do and get wrong: fcl_detector.h.
+// FCL's templates over float. Their behaviour and faults are described in fcl_detector.h.
 #include "kernel/peers/fcl_detector.h"
 
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {

@@ -1,10 +1,10 @@
-// FCL's general convex test in double, GJKSolver_libccd::shapeTriangleIntersect, as it stands for a shape without a
-// test of its own: a sphere would get fcl_detector.h, an ellipsoid of three equal radii gets this. Known for FCL 0.7.0
-// over libccd 2.1.
+// FCL's general convex test in double, GJKSolver_libccd::shapeTriangleIntersect, as used for a shape without a test of
+// its own: a sphere would be sent to the test of fcl_detector.h; an ellipsoid of three equal radii is sent to this one.
+// The description applies to FCL 0.7.0 over libccd 2.1.
 //
-// Asked for a yes or no, FCL calls libccd's MPR here, whatever the solver's name says; so it may never
-// answer; its tolerance is smaller than libccd's own. An ellipsoid of radius 0 has 0/0 for a support point and never
-// hits. Tracker: fcl 375, 527, 569.
+// For a yes-or-no question FCL calls libccd's MPR here, whatever the solver's name says; so it may never return, and
+// its tolerance is smaller than libccd's own. The support point of an ellipsoid of radius 0 is 0/0, and it never hits.
+// Tracker: fcl 375, 527, 569.
 #include <fcl/narrowphase/detail/gjk_solver_libccd.h>
 
 #include "kernel/peers/fcl_detector.h"
@@ -26,7 +26,7 @@ struct FclGjk {
 }  // namespace
 }  // namespace axiscert::peer
 
-// As for libccd's MPR.
+// Touching is either, as in libccd's MPR.
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::kernel<axiscert::peer::FclGjk>(
       index, {"fcl-gjk", "FCL's GJKSolver_libccd on an ellipsoid of equal radii, double", AXISCERT_TOUCHING_IS_EITHER,

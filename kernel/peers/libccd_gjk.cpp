@@ -1,6 +1,6 @@
-// libccd's GJK in double: ccdGJKIntersect. DBL_EPSILON is its zero for lengths, areas and volumes alike. A search
-// direction that is zero says no, so shallow contacts (of 1e-9, say) are missed; an origin at distance zero from the
-// simplex says yes, so scenes of 1e-5 and smaller have phantom contacts.
+// libccd's GJK in double: ccdGJKIntersect. It takes DBL_EPSILON as zero for lengths, areas and volumes alike. A search
+// direction of length zero gives no contact, so shallow contacts (of depth 1e-9, say) are missed; an origin at distance
+// zero from the simplex gives contact, so scenes of size 1e-5 and smaller have phantom contacts.
 #include "kernel/peers/libccd_shapes.h"
 
 namespace axiscert::peer {
@@ -18,7 +18,8 @@ struct LibccdGjk {
 }  // namespace
 }  // namespace axiscert::peer
 
-// The origin on a face of the simplex is contact there, a direction of length 0 is not: which is met first decides.
+// The origin on a face of the simplex gives contact, a search direction of length 0 does not; whichever is met first
+// decides.
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::kernel<axiscert::peer::LibccdGjk>(
       index, {"libccd-gjk", "libccd's ccdGJKIntersect, double", AXISCERT_TOUCHING_IS_EITHER, AXISCERT_SOURCE});

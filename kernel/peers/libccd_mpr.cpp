@@ -1,6 +1,6 @@
-// libccd's MPR in double: ccdMPRIntersect. It gives up where a step gains less than mpr_tolerance, 1e-4 as a length:
-// most shallower contacts are missed. Its loops ignore max_iterations, and on some queries (centre on the triangle,
-// radius 0) they never end: that is left to the time limit of whoever runs this.
+// libccd's MPR in double: ccdMPRIntersect. It stops where a step gains less than mpr_tolerance, 1e-4 as a length: most
+// shallower contacts are missed. Its loops ignore max_iterations, and on some queries (centre on the triangle, radius
+// 0) they never end: the process that runs this needs a time limit.
 #include "kernel/peers/libccd_shapes.h"
 
 namespace axiscert::peer {
@@ -18,7 +18,7 @@ struct LibccdMpr {
 }  // namespace
 }  // namespace axiscert::peer
 
-// While it looks for a portal the origin on its surface is outside, once it has one it is inside.
+// While the algorithm looks for a portal, an origin on its surface counts as outside; once it has a portal, as inside.
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::kernel<axiscert::peer::LibccdMpr>(
       index, {"libccd-mpr", "libccd's ccdMPRIntersect, double", AXISCERT_TOUCHING_IS_EITHER, AXISCERT_SOURCE});

@@ -1,5 +1,5 @@
-// A sphere and a triangle for libccd's algorithms, which see a shape through its support function and its centre.
-// Known for libccd 2.1 in double (Debian's build).
+// A sphere and a triangle for libccd's algorithms, which know a shape only by its support function and its centre. The
+// description applies to libccd 2.1 in double (Debian's build).
 #pragma once
 
 #include <ccd/ccd.h>
@@ -44,7 +44,7 @@ inline void triangle_support(const void* query, const ccd_vec3_t* direction, ccd
   }
 }
 
-// Both shapes are the query itself. 500 iterations: libccd's own default is without end.
+// The object of both shapes is the query itself. At most 500 iterations: libccd's own default is unlimited.
 inline ccd_t sphere_and_triangle() {
   ccd_t ccd;
   CCD_INIT(&ccd);

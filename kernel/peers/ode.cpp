@@ -1,10 +1,10 @@
-// ODE's sphere against a triangle mesh of this one triangle, in double (Debian's build): dCollide. Known for ODE 0.16.2
-// with OPCODE.
+// ODE's sphere against a triangle mesh of this one triangle, in double (Debian's build): dCollide. The description
+// applies to ODE 0.16.2 with OPCODE.
 //
-// A mesh is one-sided, so the triangle is in it in both windings. Candidates are found in float, the contact in double,
-// so contacts shallower than float tells are missed. It skips a triangle without a normal: every degenerate one is
-// missed. A centre exactly on the triangle is a contact whose depth is NaN (a direction of length 0 is divided by its
-// length): `invalid` here.
+// A mesh is one-sided, so it contains the triangle in both windings. Candidates are found in float and the contact in
+// double, so contacts shallower than float's resolution are missed. ODE skips a triangle without a normal, so contacts
+// with degenerate triangles are missed. A centre exactly on the triangle is a contact whose depth is NaN (a direction
+// of length 0 is divided by its length); here that is `invalid`.
 #include <ode/ode.h>
 
 #include "kernel/peers/peer.h"
@@ -25,7 +25,7 @@ class Ode {
 
   int operator()(const Query<double>& q) const {
     if (!is_ready_) return AXISCERT_UNDECIDED;
-    // The mesh points to these.
+    // The mesh keeps pointers to these arrays.
     const double vertices[3][3] = {{q.a.x, q.a.y, q.a.z}, {q.b.x, q.b.y, q.b.z}, {q.c.x, q.c.y, q.c.z}};
     constexpr dTriIndex windings[6] = {0, 1, 2, 0, 2, 1};
     const dTriMeshDataID data = dGeomTriMeshDataCreate();
@@ -52,7 +52,7 @@ class Ode {
 }  // namespace
 }  // namespace axiscert::peer
 
-// The contact is taken at distance <= radius.
+// Contact iff distance <= radius.
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::kernel<axiscert::peer::Ode>(
       index, {"ode", "ODE's dCollide of a sphere and a triangle mesh, both windings, double",

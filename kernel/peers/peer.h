@@ -1,11 +1,12 @@
-// What the plug-ins around production libraries share: a batch for a function of one query, and what no library is
-// asked.
+// Shared parts of the plug-ins around production libraries: a loop over a batch for a function of one query, and the
+// check for invalid queries, which no library is given.
 //
-// One policy on NaN for all: a query that is none (a coordinate that is not finite, a negative radius) is `invalid`,
-// said before the library is called, since several loop or abort on NaN; and so is a distance or depth that comes back
-// as NaN. What a library makes of a NaN inside, while it hands out a plain yes or no, is its answer.
+// One policy on NaN applies to all: an invalid query (a coordinate that is not finite, or a negative radius) is
+// `invalid`, decided before the library is called, since several libraries loop or abort on NaN; a distance or depth
+// that comes back as NaN is `invalid` too. If a NaN occurs inside a library that returns a plain yes or no, its return
+// value is its answer.
 //
-// A peer is a type with a number type, `Real`, and `int operator()(const Query<Real>&)`, which gives an
+// A peer is a type with a number type `Real` and `int operator()(const Query<Real>&)`, which returns an
 // axiscert_verdict. It lives for one batch, and keeps nothing from query to query.
 #pragma once
 
@@ -18,7 +19,7 @@
 namespace axiscert::peer {
 
 struct Description {
-  const char* name;  // the file's, without .so
+  const char* name;  // the name of the file without .so
   const char* summary;
   axiscert_touching touching;
   const char* source;
@@ -26,13 +27,13 @@ struct Description {
 
 constexpr int verdict_of(bool contact) { return contact ? AXISCERT_CONTACT : AXISCERT_SEPARATED; }
 
-// Of a library that gives a distance: contact where it is at most `reach`.
+// The verdict of a library that gives a distance: contact where it is at most `reach`.
 template <std::floating_point Real>
 int verdict_within(Real distance, Real reach) {
   return std::isnan(distance) ? AXISCERT_INVALID : verdict_of(distance <= reach);
 }
 
-// Answers to queries in `Input`, which are exact in the peer's own number type.
+// Answers a batch of queries in `Input`, whose numbers are exact in the peer's own number type.
 template <class Peer, std::floating_point Input>
 void run(const axiscert_batch* batch, const axiscert_answers* answers) {
   Peer peer;
@@ -69,7 +70,7 @@ constexpr axiscert_kernel kernel_in(const Description& says) {
           .limits = nullptr};
 }
 
-// For axiscert_plugin: binary32, and of a library that computes in double also binary64.
+// The kernels for axiscert_plugin: binary32, and binary64 too if the library computes in double.
 template <class Peer>
 const axiscert_kernel* kernel(std::uint32_t index, const Description& says) {
   static const axiscert_kernel binary32 = kernel_in<Peer, float>(says);

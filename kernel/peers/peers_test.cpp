@@ -1,5 +1,5 @@
-// What every peer has to do: say what it is, answer what is beyond doubt, refuse what is no query, and keep nothing
-// from one query to the next. What each library gets wrong is in faults_test.cpp.
+// Requirements on every peer: it describes itself, answers clear queries rightly, refuses invalid ones, and keeps
+// nothing from one query to the next. The faults of each library are in faults_test.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ constexpr Expected expected[] = {
 
 class Peer : public testing::TestWithParam<Expected> {
  protected:
-  // The peer's letters for the queries, in both precisions where it has them.
+  // Checks the peer's letters for the queries, in both precisions if it has both.
   static void expect(const std::vector<Query<float>>& queries, const std::string& letters) {
     const Reply narrow = ask(GetParam().name, queries);
     EXPECT_EQ(narrow.signal, 0);
@@ -44,7 +44,7 @@ class Peer : public testing::TestWithParam<Expected> {
   }
 };
 
-// PEER_NAMES: those that are built, spaces between.
+// PEER_NAMES: the names of the peers that are built, separated by spaces.
 std::vector<std::string> built_names() {
   std::istringstream all(PEER_NAMES);
   return {std::istream_iterator<std::string>(all), {}};
@@ -95,8 +95,8 @@ TEST_P(Peer, AnswersWhatIsBeyondDoubtInEveryVertexOrder) {
       sphere(1, 1, 0.5f, 1),      sphere(1, 1, -0.5f, 1),    // the face, from both sides
       sphere(2, -0.5f, 0, 1),     sphere(2.5f, 2.5f, 0, 1),  // edges
       sphere(-0.3f, -0.4f, 0, 1),                            // a vertex
-      sphere(1, 1, 0.25f, 100),                              // all of the triangle inside the sphere
-      sphere(1, 1, 0.01f, 0.1f),                             // all of the sphere's section inside the triangle
+      sphere(1, 1, 0.25f, 100),                              // the whole triangle inside the sphere
+      sphere(1, 1, 0.01f, 0.1f),                             // the sphere's whole section inside the triangle
   };
   const Query<float> separations[] = {sphere(1, 1, 3, 1),    sphere(1, 1, -3, 1),  sphere(2, -2, 0, 1),
                                       sphere(3, 3, 1, 1),    sphere(-3, -4, 0, 4), sphere(9, 0, 0, 4),
@@ -134,7 +134,8 @@ TEST_P(Peer, WhatIsNoQueryIsInvalid) {
   expect(queries, std::string(queries.size(), 'i'));
 }
 
-// Distances that every precision holds exactly. A peer that promises nothing shows here that it does both.
+// Distances that every precision represents exactly. A peer that makes no promise about touching must give both answers
+// here.
 TEST_P(Peer, TouchingIsWhatItSays) {
   std::vector<Query<float>> touching = {sphere(1, 1, 1, 1),  sphere(1, 1, 4, 4),   sphere(2, -1, 0, 1),
                                         sphere(2, -4, 0, 4), sphere(-3, -4, 0, 5), sphere(9, 0, 0, 5)};
@@ -152,7 +153,7 @@ TEST_P(Peer, AnAnswerDependsOnItsQueryAlone) {
   const Query<float> mixed[] = {
       sphere(1, 1, 0.5f, 1),
       sphere(1, 1, 3, 1),
-      {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0.5f, 0}, 1},  // three vertices in a line
+      {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0.5f, 0}, 1},  // three vertices on a line
       {{1e-9f, 0, 0}, {0, 1e-9f, 0}, {0, 0, 1e-9f}, {0, 0, 0}, 1e-9f},
       sphere(1, 1, std::numeric_limits<float>::infinity(), 1),
       {{5e8f, 0, 0}, {0, 5e8f, 0}, {0, 0, 5e8f}, {0, 0, 0}, 1e8f},
@@ -161,7 +162,7 @@ TEST_P(Peer, AnAnswerDependsOnItsQueryAlone) {
   };
   std::string alone;
   for (const Query<float>& q : mixed) alone += ask<float>(GetParam().name, {q}).bytes;
-  // Every one after every other.
+  // Each query after each other query.
   std::vector<Query<float>> queries;
   std::string letters;
   for (std::size_t i = 0; i < std::size(mixed); ++i) {

@@ -1,5 +1,5 @@
-// What the tests of peers share: asking one in a process of its own. Two libraries of one name in two number types
-// export the same symbols, some of them unique in a process; and one of them does not come back from every query.
+// Shared parts of the tests of peers: asking one in its own process. Two builds of a library in different number types
+// export the same symbols, some of them unique in a process; and some libraries never return from certain queries.
 #pragma once
 
 #include <dlfcn.h>
@@ -18,14 +18,14 @@
 
 namespace axiscert::peer {
 
-// What `body` wrote and how its process ended: 0, or the signal that ended it.
+// The text that `body` returned, and how its process ended: 0, or the signal that ended it.
 struct Reply {
   std::string bytes;
   int signal = 0;
 };
 
-// Runs body(plugin, write) with the plug-in's axiscert_plugin loaded. A body that takes 2 s of processor time is ended
-// by SIGXCPU. They stand in the folder of the build.
+// Runs body(plugin) with the plug-in's function axiscert_plugin, loaded from the folder peers/ of the build. A body
+// that takes 2 s of processor time is ended by SIGXCPU.
 using AxiscertPlugin = const axiscert_kernel*(std::uint32_t);
 inline Reply in_peer(const std::string& name, const std::function<std::string(AxiscertPlugin*)>& body) {
   const std::string path = BUILD_FOLDER "/peers/" + name + ".so";
@@ -58,7 +58,7 @@ inline Reply in_peer(const std::string& name, const std::function<std::string(Ax
   return reply;
 }
 
-// Its verdicts on a batch: a letter each, 'c'ontact, 's'eparated, 'u'ndecided, 'i'nvalid; '-' alone where it has no
+// A peer's verdicts on a batch, one letter each: 'c'ontact, 's'eparated, 'u'ndecided, 'i'nvalid; only '-' if it has no
 // kernel of that precision.
 template <class Real>
 Reply ask(const std::string& name, const std::vector<Query<Real>>& queries) {

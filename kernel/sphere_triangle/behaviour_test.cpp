@@ -18,8 +18,8 @@ using testing_support::answer, testing_support::behaviours, testing_support::Beh
 template <class Real>
 using Queries = std::vector<Query<Real>>;
 
-// A right triangle in z = 0; every distance below is an integer or, in the comments, a root, and every operation of
-// every kernel on these numbers is exact but for the roots.
+// A right triangle in z = 0. Every distance below is an integer or, in the comments, a square root, and every operation
+// of every kernel on these numbers is exact except the roots.
 template <class Real>
 Query<Real> sphere_at(Vec3<Real> p, Real r) {
   return {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, p, r};
@@ -43,12 +43,12 @@ Queries<Real> overlaps() {
 template <class Real>
 Queries<Real> contacts() {
   Queries<Real> all = overlaps<Real>();
-  all.push_back(sphere_at<Real>({1, 1, 0}, 100));  // the triangle wholly inside
+  all.push_back(sphere_at<Real>({1, 1, 0}, 100));  // the whole triangle inside
   all.push_back(sphere_at<Real>({1, 1, 0}, 0));    // a point on the face
   all.push_back(sphere_at<Real>({1, 1, 2}, 2));    // touching the face
   all.push_back(sphere_at<Real>({1, -2, 0}, 2));   // touching an edge
   all.push_back(sphere_at<Real>({-3, -4, 0}, 5));  // touching a vertex with a right angle
-  all.push_back(sphere_at<Real>({7, -4, 0}, 5));   // and one without
+  all.push_back(sphere_at<Real>({7, -4, 0}, 5));   // touching a vertex without a right angle
   return all;
 }
 
@@ -58,8 +58,9 @@ Query<Real> sphere_at_origin(Vec3<Real> a, Vec3<Real> b, Vec3<Real> c, Real r) {
 }
 template <class Real>
 Queries<Real> repeated(Real r) {
-  return {sphere_at_origin<Real>({2, 0, 0}, {2, 0, 0}, {3, 0, 0}, r),     // nearest at the pair, at distance 2
-          sphere_at_origin<Real>({-2, 3, 0}, {-2, 3, 0}, {2, 3, 0}, r)};  // nearest within, at 3
+  return {sphere_at_origin<Real>({2, 0, 0}, {2, 0, 0}, {3, 0, 0}, r),     // nearest at the repeated vertex, at distance
+                                                                          // 2
+          sphere_at_origin<Real>({-2, 3, 0}, {-2, 3, 0}, {2, 3, 0}, r)};  // nearest between the vertices, at distance 3
 }
 template <class Real>
 Queries<Real> collinear(Real r) {
@@ -71,7 +72,7 @@ Queries<Real> point(Real r) {
   return {sphere_at_origin<Real>({3, 0, 0}, {3, 0, 0}, {3, 0, 0}, r)};
 }
 
-// The clear separations, with one coordinate in turn, from the `first` to before the `last`, replaced.
+// The clear separations with each coordinate from `first` to before `last` replaced in turn.
 template <class Real>
 Queries<Real> with(std::initializer_list<Real> values, std::size_t first, std::size_t last) {
   Queries<Real> all;
@@ -87,11 +88,11 @@ Queries<Real> with(std::initializer_list<Real> values, std::size_t first, std::s
   return all;
 }
 
-// What the kernel says to all of them in all vertex orders on all of its targets.
+// The kernel's answers to all queries in all vertex orders on all of its targets.
 struct Heard {
   int contacts = 0, separations = 0, invalid = 0, undecided = 0;
   bool all(Verdict v) const { return never_other(v) && (v == Verdict::undecided || undecided == 0); }
-  // That, or undecided.
+  // Each answer is `v` or undecided.
   bool never_other(Verdict v) const {
     return (v == Verdict::contact || contacts == 0) && (v == Verdict::separated || separations == 0) &&
            (v == Verdict::invalid || invalid == 0);
@@ -145,7 +146,7 @@ TYPED_TEST(BehaviourTest, TrianglesWithArea) {
                                                                                                         : Says::wrong;
     EXPECT_EQ(name(says), name(expected.area)) << kernel.id;
     if (says != Says::declines) continue;
-    // What is far from the boundary is decided.
+    // A query far from the boundary is decided.
     EXPECT_TRUE(apart.all(Verdict::separated)) << kernel.id;
     EXPECT_TRUE(ask(kernel, overlaps<TypeParam>()).all(Verdict::contact)) << kernel.id;
   }
@@ -183,7 +184,7 @@ TYPED_TEST(BehaviourTest, CoordinatesThatAreNoNumbers) {
   }
 }
 
-// Squaring forgets the sign of r.
+// Squaring discards the sign of r.
 TYPED_TEST(BehaviourTest, NegativeRadii) {
   Queries<TypeParam> queries = {overlaps<TypeParam>()[0], overlaps<TypeParam>()[1]};
   for (Query<TypeParam>& q : queries) q.r = -q.r;

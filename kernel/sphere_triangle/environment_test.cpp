@@ -1,5 +1,5 @@
-// Rounding modes and flushing: what they do to a kernel, against directed rounding in software, and that no kernel
-// leaves them behind.
+// Rounding modes and flushing: their effect on a kernel, compared with directed rounding in software, and that no
+// kernel leaves them changed.
 #include "kernel/base/environment.h"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ namespace {
 
 using testing_support::answer, testing_support::random_query, testing_support::sides_in;
 
-// A float whose operations round in a direction, by way of double: every result of `double` comes with the sign of what
-// it lost.
+// A float whose operations round in a given direction, computed in double: every result in double comes with the sign
+// of its rounding error.
 template <Rounding direction>
 struct Directed {
   float value;
@@ -95,7 +95,7 @@ TEST(FlushToZero, SubnormalNumbersBecomeZero) {
   EXPECT_EQ(answer(find_kernel("published+ftz"), wide).verdict, Verdict::contact);
 }
 
-// Both the C library's view and, where there is one, the register itself, without its status flags.
+// The rounding mode that the C library reports and, with SSE2, the control register itself without its status flags.
 struct Modes {
   int rounding = std::fegetround();
 #if defined(__SSE2__)
@@ -146,7 +146,7 @@ TEST(Environment, AScopeRestoresWhatItsCallerHadSet) {
   }
   EXPECT_EQ(outside, Modes());
 #if defined(__SSE2__)
-  // A caller with one of the two flush bits keeps that one.
+  // A caller that has set one of the two flush bits keeps only that one.
   const unsigned flush_results = 0x8000;
   _mm_setcsr(_mm_getcsr() | flush_results);
   const Modes half;
@@ -157,7 +157,7 @@ TEST(Environment, AScopeRestoresWhatItsCallerHadSet) {
 #endif
 }
 
-// The status flags are how the range of a reference is told: a scope leaves them raised.
+// The status flags tell whether a reference stayed in range, so a scope leaves them raised.
 TEST(Environment, FlagsRaisedInAScopeStayRaised) {
   std::feclearexcept(FE_ALL_EXCEPT);
   const float huge = 0x1p100f;

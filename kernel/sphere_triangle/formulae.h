@@ -46,8 +46,8 @@ AXISCERT_INLINE void vertex_comparisons(const DotProducts<T>& dots, const T& rr,
 // edge.radius    the line AB is outside the sphere           degree 6; A = B: 0 > 0, never separates
 // edge.side      C is beyond the plane along AB, normal Q    degree 6; Q: foot of P on line AB, scaled by |AB|^2;
 //                C on line AB: 0 > 0
-// The strict test is right over the reals for every triangle with area; on zero-area triangles the zero sides above
-// make it invent contacts, and `>=` in the nine side comparisons mends that.
+// Over the reals the strict test is right for every triangle with area; on zero-area triangles the zero sides above
+// make it invent contacts, which `>=` in the nine side comparisons avoids.
 template <class T, class Emit>
 AXISCERT_INLINE void published_comparisons(const Centred<T>& query, const T& zero, Emit&& emit) {
   using enum Comparison;

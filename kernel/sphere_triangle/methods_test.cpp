@@ -1,4 +1,4 @@
-// The other methods: the points and regions they pass through, by hand.
+// The other methods: the points and regions on their way, compared with hand computations.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ TEST(ClosestPoint, ARepeatedVertexGivesNoNumber) {
   EXPECT_TRUE(std::isnan(methods::ClosestPoint::closest(centred, 0.0).x));
   EXPECT_EQ(answer(find_kernel("closest-point"), q).verdict, Verdict::contact);
   const Query<double> turned{q.a, q.c, q.b, q.p, q.r};
-  EXPECT_EQ(answer(find_kernel("closest-point"), turned).verdict, Verdict::separated) << "A = C is no such case";
+  EXPECT_EQ(answer(find_kernel("closest-point"), turned).verdict, Verdict::separated) << "A = C is not such a case";
 }
 
 TEST(Segments, ClosestPointOfASegmentIsClampedToItsEnds) {
@@ -60,7 +60,7 @@ TEST(Segments, ClosestPointOfASegmentIsClampedToItsEnds) {
   EXPECT_EQ(closest({3, 2, 0}, {3, 2, 0}), (Point{3, 2, 0})) << "no division by zero";
 }
 
-// Seven comparisons do the work: the vertices' are never set, and the sixteen names stay those of the published test.
+// Seven comparisons decide: those of the vertices never hold, and the sixteen names stay those of the published test.
 TEST(Segments, VertexComparisonsNeverHold) {
   const Outcome found = answer<double>(find_kernel("segments"), {{3, 4, 0}, {7, 4, 0}, {3, 8, 0}, {0, 0, 0}, 1});
   EXPECT_EQ(found.verdict, Verdict::separated);
@@ -68,7 +68,8 @@ TEST(Segments, VertexComparisonsNeverHold) {
   EXPECT_NE(axes_of(*found.bits) & 0b1110000, 0);
 }
 
-// One feature of the inflated triangle is enough: for each, a centre inside that one alone.
+// The centre in one part of the inflated triangle is enough for contact: for each part, a centre inside that part
+// alone.
 TEST(Minkowski, EachOfTheSevenVolumesCoversItsOwn) {
   const auto verdict = [](Vec3<double> p) {
     const Query<double> original{{0, 0, 0}, {16, 0, 0}, {0, 16, 0}, p, 1};

@@ -1,4 +1,5 @@
-// The rungs of the derivation: their sides by hand, the last one beside the published test, and the packed form's NaN.
+// The rungs of the derivation: their sides against hand computations, the last rung against the published test, and NaN
+// in the packed form.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -91,7 +92,7 @@ TYPED_TEST(RungsTest, TheEdgesAreSquaredScaledUndividedCentredAndReduced) {
   }
 }
 
-// The slips, where they stand: QC = C e + Q and ac = B.B.
+// Each slip changes the comparisons in which it occurs: QC = C e + Q and ac = B.B.
 TYPED_TEST(RungsTest, TheSlipsChangeTheirOwnComparisonsOnly) {
   const Query<TypeParam> q{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, -3, 0}, 2};
   const auto published = sides_in(find_kernel("published"), q);

@@ -1,4 +1,4 @@
-// What the kernel tests share: a query in every vertex order, and a kernel's answer to one query.
+// Shared parts of the kernel tests: a query in every vertex order, and a kernel's answer to one query.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 namespace axiscert::testing_support {
 
-// Calls body(query, order), order "abc", "acb", ...: the same sphere and the same triangle, its vertices renamed.
+// Calls body(query, order) for each order "abc", "acb", ...: the same sphere and triangle with the vertices renamed.
 template <class Real, class Body>
 void for_each_vertex_order(const Query<Real>& q, Body&& body) {
   const Vec3<Real> vertices[] = {q.a, q.b, q.c};
@@ -20,7 +20,7 @@ void for_each_vertex_order(const Query<Real>& q, Body&& body) {
   }
 }
 
-// A kernel's verdict and, where it exposes them, its comparison bits, which have to make that verdict.
+// A kernel's verdict and, if it exposes them, its comparison bits; checks that the bits make that verdict.
 template <class Real>
 Outcome answer(const Kernel& kernel, const Query<Real>& q, std::string_view target = scalar_target) {
   const Outcome found = ask(kernel.on<Real>(target), q).outcome(0);

@@ -1,4 +1,4 @@
-// Random queries of the tests, and equality to the bit.
+// Random queries for tests, and equality to the bit.
 #pragma once
 
 #include <bit>
@@ -14,13 +14,14 @@ namespace axiscert::testing_support {
 template <class Real>
 using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
 
-// NaN payloads are not part of the contract: which operand's payload survives depends on operand order.
+// Equal to the bit, or both NaN. NaN payloads are not part of the contract: which operand's payload survives depends on
+// the order of the operands.
 template <class Real>
 bool same(Real a, Real b) {
   return std::bit_cast<Bits<Real>>(a) == std::bit_cast<Bits<Real>>(b) || (a != a && b != b);
 }
 
-// Thirteen numbers in [-1, 1), or of any bits.
+// Thirteen numbers in [-1, 1), or with arbitrary bits.
 template <class Real>
 Query<Real> random_query(std::mt19937_64& random, bool any_bits) {
   std::array<Real, coordinate_count> v;
@@ -32,7 +33,7 @@ Query<Real> random_query(std::mt19937_64& random, bool any_bits) {
   return from_coordinates(v);
 }
 
-// Integers from -3 to 3 times 2^exponent, repeated vertices and centres on vertices among them: ties are common.
+// Integers from -3 to 3 times 2^exponent, with repeated vertices and centres on vertices among them: ties are common.
 template <class Real>
 Query<Real> coarse_query(std::mt19937_64& random, int exponent) {
   std::array<Real, coordinate_count> v;
@@ -45,7 +46,8 @@ Query<Real> coarse_query(std::mt19937_64& random, int exponent) {
   return q;
 }
 
-// Few-bit numbers, one of them sometimes of another size: ties, repeated vertices, collinear ones, and every last step.
+// Numbers of few bits, sometimes with one of another magnitude: ties, repeated and collinear vertices, and queries that
+// reach each of the last steps.
 template <class Real>
 Query<Real> coarse_query_of_any_size(std::mt19937_64& random) {
   using Limits = std::numeric_limits<Real>;

@@ -1,4 +1,5 @@
-// What every registered kernel answers to hand-worked queries, one row each. docs/kernels.md shows the same rows.
+// The expected answers of every registered kernel to hand-worked queries, one row per kernel. docs/kernels.md shows the
+// same rows.
 #pragma once
 
 #include <array>
@@ -8,28 +9,28 @@ namespace axiscert::testing_support {
 
 enum class Says {
   right,      // the truth, every time
-  wrong,      // somewhere not
-  contact,    // always
-  separated,  // always
-  invalid,    // always
-  undecided,  // always
+  wrong,      // not the truth in some case
+  contact,    // in every case
+  separated,  // in every case
+  invalid,    // in every case
+  undecided,  // in every case
   declines,   // the truth or undecided
   varies,     // with the query or the order of its vertices
 };
 inline constexpr std::array<std::string_view, 8> says_names = {"right",   "wrong",     "contact",  "separated",
                                                                "invalid", "undecided", "declines", "varies"};
 
-// From `repeated` to `infinite_centre` the sphere is clear of the triangle, or was before a coordinate was replaced.
+// From `repeated` to `infinite_centre` the sphere is clear of the triangle, or was so before a coordinate was replaced.
 struct Behaviour {
   std::string_view kernel;
   Says area;             // a triangle with area: clear of each feature, overlapping, touching
   Says repeated;         // two vertices equal, the sphere clear of the segment
-  Says collinear;        // three on a line, its foot between them
+  Says collinear;        // three vertices on a line, the foot of the centre between them
   Says point;            // all three equal
   Says nan;              // one coordinate of one vertex is NaN
   Says infinite;         // one coordinate of one vertex is infinite
-  Says infinite_centre;  // one coordinate of the centre is
-  Says negative_radius;  // -1, for a sphere that overlaps edge or face at radius 1
+  Says infinite_centre;  // one coordinate of the centre is infinite
+  Says negative_radius;  // radius -1, for a sphere that overlaps an edge or the face at radius 1
 };
 
 inline constexpr auto behaviours = [] {

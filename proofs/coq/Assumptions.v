@@ -1,4 +1,4 @@
-(* What each main theorem rests on, printed; Assumptions.expected is what it has to print. *)
+(* Prints the assumptions of each main theorem; Assumptions.expected has the text that it has to print. *)
 From Axiscert Require Import Exact Reduced RecordedIsSat7 RecordedIsProgram Expression Run Windows Thresholds Filter Filters
   Margins CertifiedStep CoarseFloat ConservativeStep PhantomStep Exported Decides.
 

@@ -10,7 +10,7 @@ Section Caps.
   Lemma abs_product a b c d : Rabs a <= c -> Rabs b <= d -> Rabs (a * b) <= c * d.
   Proof. intros. rewrite Rabs_mult. apply Rmult_le_compat; auto using Rabs_pos. Qed.
 
-  (* Three numbers of an interval of length 2 m have distances that sum to 4 m at most. *)
+  (* The distances between three numbers of an interval of length 2 m sum to at most 4 m. *)
   Lemma around a1 a2 a3 b1 b2 b3 : Rabs a1 <= m -> Rabs a2 <= m -> Rabs a3 <= m ->
     Rabs b1 <= m -> Rabs b2 <= m -> Rabs b3 <= m ->
     Rabs (a1 * (b2 - b3) + a2 * (b3 - b1) + a3 * (b1 - b2)) <= 4 * (m * m).
@@ -26,7 +26,7 @@ Section Caps.
     pose proof (Rmult_le_compat_l m _ _ m0 perimeter). lra.
   Qed.
 
-  (* A component of V. *)
+  (* A bound of a component of V. *)
   Lemma normal_cap a1 a2 b1 b2 c1 c2 : Rabs a1 <= m -> Rabs a2 <= m -> Rabs b1 <= m -> Rabs b2 <= m ->
     Rabs c1 <= m -> Rabs c2 <= m ->
     Rabs ((b1 - a1) * (c2 - a2) - (b2 - a2) * (c1 - a1)) <= 4 * (m * m).
@@ -35,7 +35,7 @@ Section Caps.
       with (a1 * (b2 - c2) + b1 * (c2 - a2) + c1 * (a2 - b2)) by ring. apply around; assumption.
   Qed.
 
-  (* The components of a cross product have absolute values that sum to 4 m^2 at most. *)
+  (* The absolute values of the components of a cross product sum to at most 4 m^2. *)
   Lemma cross_sum b1 b2 b3 c1 c2 c3 : Rabs b1 <= m -> Rabs b2 <= m -> Rabs b3 <= m ->
     Rabs c1 <= m -> Rabs c2 <= m -> Rabs c3 <= m ->
     Rabs (b2 * c3 - b3 * c2) + Rabs (b3 * c1 - b1 * c3) + Rabs (b1 * c2 - b2 * c1) <= 4 * (m * m).
@@ -82,7 +82,7 @@ Section Caps.
     apply Rplus_le_compat; apply abs_product; assumption.
   Qed.
 
-  (* A component of Q: u2 (a1 u2 - u1 a2) + u3 (a1 u3 - u1 a3), u = b - a, a x u = a x b. *)
+  (* A bound of a component of Q: u2 (a1 u2 - u1 a2) + u3 (a1 u3 - u1 a3), u = b - a, a x u = a x b. *)
   Lemma foot_cap a1 a2 a3 b1 b2 b3 : Rabs a1 <= m -> Rabs a2 <= m -> Rabs a3 <= m ->
     Rabs b1 <= m -> Rabs b2 <= m -> Rabs b3 <= m ->
     Rabs ((b2 - a2) * (a1 * b2 - b1 * a2) + (b3 - a3) * (a1 * b3 - b1 * a3)) <= 8 * (m * (m * m)).

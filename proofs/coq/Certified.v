@@ -1,5 +1,6 @@
-(* The thresholds of the certified predicate's coarse step (kernel/sphere_triangle/certified): each margin, as computed, is within the computed
-   threshold of its degree of the exact one. Over any rounding with |rnd x - x| <= u |x| + eta, fused or not.
+(* The thresholds of the certified predicate's coarse step (kernel/sphere_triangle/certified): the difference of each
+   margin, as computed, and the exact margin is within the computed threshold of its degree. This holds for any rounding
+   with |rnd x - x| <= u |x| + eta, with fused multiply-add or without.
 
    S = |A|^2 + |B|^2 + |C|^2 + r^2 and E = |AB|^2 + |BC|^2 + |CA|^2. *)
 From Coq Require Import Reals Lra Psatz.
@@ -7,7 +8,7 @@ From Flocq Require Import Core.
 From Axiscert Require Import Vectors Lanes.
 Open Scope R_scope.
 
-(* The constants, exported: multiples of u. *)
+(* The exported constants, as multiples of u. *)
 Definition coarse_degree_2 : R := 20.1875.
 Definition coarse_degree_4 : R := 11.15625.
 Definition coarse_degree_6 : R := 5.84375.
@@ -90,7 +91,7 @@ Section Coarse.
   Local Notation small := (small u u_range).
   Local Notation smaller := (smaller u u_range).
 
-  (* s = sqrt S gives the scale of each degree. What underflow adds is below kappa of each. *)
+  (* s = sqrt S gives the scale of each degree. Underflow adds less than kappa of that scale. *)
   Variable s : R.
   Hypothesis s0 : 0 < s.
   Definition kappa := u / 1000000000000000000.
@@ -110,7 +111,7 @@ Section Coarse.
       pose proof (Rmult_le_compat_l _ _ _ ltac:(eassumption) ltac:(eassumption) : s ^ k * s ^ (6 - k) <= s ^ k * 1). lra.
   Qed.
 
-  (* A value of degree n, exact x, computed X, |x| <= z: the error is at most k u z, and c kappa s^n of underflow. *)
+  (* A value of degree n, exact x, computed X, |x| <= z: the error is at most k u z, plus c kappa s^n of underflow. *)
   Definition approx (k c : R) (n : nat) (z x X : R) :=
     0 <= k <= 32 /\ 0 <= c <= 1000 /\ 0 <= z <= 4 * s ^ n /\ Rabs x <= z /\ Rabs (X - x) <= k * u * z + c * kappa * s ^ n.
   Definition approx_vec (k c : R) (n : nat) (z : R) (x X : vec) :=
@@ -118,7 +119,7 @@ Section Coarse.
 
   Lemma power_nonneg n : 0 <= s ^ n. Proof. apply pow_le. lra. Qed.
 
-  (* The error of a product, of two numbers or two vectors. *)
+  (* The error of a product of two numbers or two vectors. *)
   Lemma product_size k c n z k' c' n' z' :
     0 <= k <= 32 -> 0 <= c <= 1000 -> 0 <= z <= 4 * s ^ n -> 0 <= k' <= 32 -> 0 <= c' <= 1000 -> 0 <= z' <= 4 * s ^ n' ->
     (k * u * z + c * kappa * s ^ n) * z' + z * (k' * u * z' + c' * kappa * s ^ n') +
@@ -166,7 +167,7 @@ Section Coarse.
       + apply Rmult_le_compat_r; [eapply Rle_trans; [apply Rabs_pos | exact off'] | assumption].
   Qed.
 
-  (* Rounded. *)
+  (* An approximation after rounding. *)
   Lemma approx_rounded k c n z x Y X : (2 <= n <= 6)%nat -> 0 <= k <= 30 -> 0 <= c <= 990 -> 0 <= z <= 4 * s ^ n ->
     Rabs x <= z -> Rabs (Y - x) <= k * u * z + c * kappa * s ^ n -> rounds Y X -> approx (k + 1.001) (c + 2) n z x X.
   Proof.
@@ -314,7 +315,7 @@ Section Coarse.
       pose proof (difference_within _ _ _ _ _ _ _ _ _ _ _ _ range HX rounded H) as total. lra.
   Qed.
 
-  (* A query: the vertices, the sphere's centre in the origin. *)
+  (* A query: the vertices, with the sphere's centre at the origin. *)
   Variables (a b c : vec) (r : R).
   Let ab := sub b a.
   Let bc := sub c b.
@@ -353,7 +354,7 @@ Section Coarse.
     cbn [pow] in *. rewrite !Rmult_1_r in *. lra.
   Qed.
 
-  (* What is computed first. *)
+  (* The values computed first. *)
   Variables A B C AB BC CA : vec.
   Variables aa bb cc rr e1 e2 e3 : R.
   Hypothesis leaf_a : leaf_of a A.
@@ -457,7 +458,7 @@ Section Coarse.
     assert (0 <= floored) as fl by (unfold floored, E; lra). pose proof (small _ fl). unfold approx. unfold floored, E in *. repeat split; lra.
   Qed.
 
-  (* The thresholds, from below. *)
+  (* The thresholds, bounded from below. *)
   Variables T2 SE T4 SEE T6 : R.
   Hypothesis threshold_2 : rounds (coarse_degree_2 * u * Sc) T2.
   Hypothesis product_4 : rounds (Sc * Ec) SE.
@@ -580,7 +581,7 @@ Section Coarse.
     apply (Rmult_le_compat_l u) in size, twice; try lra. pose proof (small S ltac:(lra)). lra.
   Qed.
 
-  (* Degree 4. x is a vertex, y the edge that leaves it. *)
+  (* Degree 4. x is a vertex, y the edge that begins there. *)
   Lemma lengths x y : dot x x + dot (add x y) (add x y) <= S -> 0 <= norm x * norm y <= 1.21 * s ^ 2.
   Proof.
     intros size. pose proof (norm_nonneg x) as x0. pose proof (norm_nonneg y). pose proof (norm_nonneg (add x y)) as t0.

@@ -1,10 +1,11 @@
-(* The certified predicate's coarse step as a program, in binary32 and binary64: what it says is so. *)
+(* The certified predicate's coarse step as a program, in binary32 and binary64: its answers are right. *)
 From Coq Require Import Reals ZArith Lra Psatz.
 From Flocq Require Import Core.
 From Axiscert Require Import Vectors Sat7 Exact Reduced Expression Format Lanes Certified.
 Open Scope R_scope.
 
-(* Over any rounding, of a query's own numbers: kernel/sphere_triangle/certified/coarse_step-inl.h in the same order. *)
+(* The program over any rounding, from a query's own numbers: the operations of
+   kernel/sphere_triangle/certified/coarse_step-inl.h in the same order. *)
 Section Program.
   Variable rnd : R -> R.
   Variable fused : bool.
@@ -61,7 +62,7 @@ Section Program.
     end.
 End Program.
 
-(* The exact margins: of the reduced form, the vertices' sides twice. *)
+(* The exact margins of the reduced form; those of the vertices' sides are doubled. *)
 Definition exact_margin (a b c p : vec) (r : R) (K : comparison) : R :=
   let sides := reduced (sub a p) (sub b p) (sub c p) (r * r) K in
   match K with
@@ -98,7 +99,7 @@ Lemma add_edge A B : add A (sub B A) = B. Proof. vec_ring. Qed.
 Lemma dot_turned A B : dot (sub A B) (sub A B) = dot (sub B A) (sub B A). Proof. vec_ring. Qed.
 Lemma dot_edge A B : dot A (sub B A) = dot A B - dot A A. Proof. vec_ring. Qed.
 
-(* Of numbers of a format. *)
+(* Vectors of numbers of a format. *)
 Definition in_format (prec emin : Z) (v : vec) :=
   generic_format radix2 (FLT_exp emin prec) (cx v) /\ generic_format radix2 (FLT_exp emin prec) (cy v) /\
   generic_format radix2 (FLT_exp emin prec) (cz v).
@@ -276,7 +277,7 @@ Section Format.
   Qed.
 End Format.
 
-(* A format, and the least S that is looked at. *)
+(* The statement for a format and the least S of the step's range. *)
 Definition coarse_never_lies (prec emin least : Z) : Prop := forall fused a b c p r,
   in_format prec emin a -> in_format prec emin b -> in_format prec emin c -> in_format prec emin p -> 0 <= r ->
   let rnd := round radix2 (FLT_exp emin prec) ZnearestE in
@@ -313,7 +314,7 @@ Proof.
   - apply (coarse_contact prec emin p20 (bpow radix2 least) l0 tiny_2 tiny_6 fused a b c p r (conj fa (conj fb (conj fc fp))) large r0).
 Qed.
 
-(* binary32 and binary64; what overflows is not in it. *)
+(* binary32 and binary64; overflow is not covered here. *)
 Theorem coarse_never_lies32 : coarse_never_lies 24 (-149) (-21).
 Proof. apply coarse_instance; lia. Qed.
 Theorem coarse_never_lies64 : coarse_never_lies 53 (-1074) (-300).

@@ -1,5 +1,6 @@
-(* The certified predicate's coarse step over IEEE-754 numbers, to the bit: where S, as computed, is in its range, nothing overflows,
-   so that the step is the program of CertifiedStep.v; and what it says is so, whatever the thirteen numbers are. *)
+(* The certified predicate's coarse step over IEEE-754 numbers, to the bit: where S, as computed, is in its range,
+   nothing overflows, so that the step is the program of CertifiedStep.v, and its answers are right, whatever the
+   thirteen numbers are. *)
 From Coq Require Import Reals ZArith Bool List Lra Lia Psatz.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Expression Format Run Filter Certified CertifiedStep Sizes.
@@ -115,7 +116,7 @@ Section Float.
   Qed.
   Lemma in_format_real v : in_format (real_vec v).
   Proof. repeat split; apply generic_format_B2R. Qed.
-  (* An edge is at most twice that long. *)
+  (* An edge is at most twice as long. *)
   Lemma edge_sized v w : finite_vec v -> finite_vec w ->
     sized_vec 1 1.001 (float_sub v p) (rounded_sub nearest (real_vec v) (real_vec p)) ->
     sized_vec 1 1.001 (float_sub w p) (rounded_sub nearest (real_vec w) (real_vec p)) ->
@@ -199,7 +200,7 @@ Section Float.
       rewrite Bleb_correct in r0 by auto. revert r0. case Rle_bool_spec; [intros; assumption | discriminate].
   Qed.
 
-  (* So every number of the step is as if exponents had no end above. *)
+  (* So every number of the step is the same as with exponents that have no upper limit. *)
   Theorem step_is_program K :
     let margin := coarse_margin nearest fused (real_vec a) (real_vec b) (real_vec c) (real_vec p) (B2R r) K in
     let threshold := coarse_threshold nearest fused (Expression.u prec) (real_vec a) (real_vec b) (real_vec c) (real_vec p) (B2R r) K in
@@ -305,8 +306,8 @@ Section Float.
   Qed.
 End Float.
 
-(* Whatever the thirteen numbers are, not finite ones included; S from 2^least to 2^(2 half). There is no division, so what is
-   finite had nothing on the way to it that overflowed. *)
+(* The statement for any thirteen numbers, including ones that are not finite; S from 2^least to 2^(2 half). There is no
+   division, so a finite result means that nothing overflowed on the way to it. *)
 Definition float_coarse_never_lies (prec emax least half : Z) (prec_gt_0_ : Prec_gt_0 prec) (prec_lt_emax_ : Prec_lt_emax prec emax) : Prop
   :=
   forall fused (a b c p : float_vec prec emax) (r : binary_float prec emax),

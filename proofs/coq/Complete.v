@@ -1,13 +1,13 @@
-(* Completeness: where the triangle is clear of the sphere, some axis separates; and so the test is exact. No topology and
-   no minimiser: some feature of the triangle is `good`, by signs of polynomials alone, and a good feature names a point of
-   the triangle, at which `clear` is the radius comparison. *)
+(* Completeness: where the triangle is clear of the sphere, some axis separates; hence the test is exact. The proof
+   needs no topology and no minimiser: some feature of the triangle is `good`, by signs of polynomials alone, and a good
+   feature gives a point of the triangle at which `clear` is the radius comparison. *)
 From Coq Require Import Reals Lra Psatz.
 From Axiscert Require Import Vectors Sat7 Sound.
 Open Scope R_scope.
 
 Definition s (X Y : vec) := dot X Y - dot X X.
 Definition g (X Y Z : vec) := dot (sub Y X) (sub Z X).
-(* The un-normalised barycentric coordinate of Z for the foot of the origin on the plane. *)
+(* The barycentric coordinate of Z, without normalisation, for the foot of the origin on the plane. *)
 Definition lam (X Y Z : vec) := s X Y * g X Y Z - length2 X Y * s X Z.
 
 Ltac expand := unfold lam, g, s, from_foot, foot, length2, offset, normal; vec_ring.
@@ -53,7 +53,8 @@ Definition good_feature A B C :=
   good_face A B C \/ good_vertex A B C \/ good_vertex B C A \/ good_vertex C A B \/
   good_edge A B C \/ good_edge B C A \/ good_edge C A B.
 
-(* The hard step: the origin is outside AB, beyond A, and not in A's own region: then the region is of CA or of C. *)
+(* The hard step: the origin is outside AB, beyond A, and not in A's own region; then it is in the region of CA or of
+   C. *)
 Lemma beyond_an_end A B C : has_area A B C -> lam A B C < 0 -> 0 < s A B -> s A C <= 0 ->
   good_edge C A B \/ good_vertex C A B.
 Proof.
@@ -139,7 +140,7 @@ Proof.
   first [ left; lra | right; left; lra | right; right; left; lra ].
 Qed.
 
-(* What a good feature says of its axis. *)
+(* The comparisons of the axis of a good feature hold. *)
 Lemma face_complete A B C rr : has_area A B C -> good_face A B C -> clear A B C rr -> strict (plane_sides A B C rr).
 Proof.
   intros area (a & b & c) far. pose proof (lam_total A B C) as total. unfold has_area in area.
@@ -209,7 +210,7 @@ Proof.
   intros flat (ab & ba & e) far. split; [apply (edge_complete A B C); assumption |].
   unfold edge_side_sides; cbn [fst]. rewrite side_lam.
   enough (lam A B C = 0) as -> by lra. rewrite lam_normal.
-  unfold has_area in flat. pose proof (dot_self_nonneg (normal A B C)). 
+  unfold has_area in flat. pose proof (dot_self_nonneg (normal A B C)).
   pose proof (cauchy_schwarz (cross A B) (normal A B C)) as bound.
   replace (dot (normal A B C) (normal A B C)) with 0 in bound by lra. rewrite Rmult_0_r in bound. nra.
 Qed.

@@ -1,13 +1,15 @@
-(* The conservative test of the certified predicate (kernel/sphere_triangle/certified/conservative_step-inl.h) never misses a contact: where one of
-   its four axes passes, the triangle is separated. Over any rounding with |rnd x - x| <= u |x| + eta.
+(* The conservative test of the certified predicate (kernel/sphere_triangle/certified/conservative_step-inl.h) never
+   misses a contact: where one of its four axes passes, the triangle is separated. This holds for any rounding with |rnd
+   x - x| <= u |x| + eta.
 
-   A, B, C are the translated vertices as computed, a, b, c the exact ones; W is the greatest of A.A, B.B, C.C, r r, as computed. *)
+   A, B, C are the translated vertices as computed, a, b, c the exact ones; W is the greatest of A.A, B.B, C.C, r r, as
+   computed. *)
 From Coq Require Import Reals Lra Psatz.
 From Flocq Require Import Core.
 From Axiscert Require Import Vectors Lanes Certified.
 Open Scope R_scope.
 
-(* The constants: multiples of u W. *)
+(* The constants, as multiples of u W. *)
 Definition conservative_error : R := 10.
 Definition conservative_square_error : R := 19.125.
 
@@ -19,7 +21,7 @@ Lemma dot_opposite v w : dot (scale v (-1)) w = - dot v w. Proof. vec_ring. Qed.
 Lemma norm_opposite v : norm (scale v (-1)) = norm v. Proof. unfold norm. f_equal. vec_ring. Qed.
 Lemma norm_turned v w : norm (sub v w) = norm (sub w v). Proof. unfold norm. f_equal. vec_ring. Qed.
 Lemma add_difference v w : add w (sub v w) = v. Proof. vec_ring. Qed.
-(* The point of an edge. *)
+(* A point of an edge. *)
 Definition between (X Y : vec) (s : R) := add (scale X (1 - s)) (scale Y s).
 Lemma dot_between X Y s Z : dot (between X Y s) Z = dot X Z + s * (dot Y Z - dot X Z).
 Proof. unfold between. vec_ring. Qed.
@@ -107,7 +109,7 @@ Section Conservative.
     apply (Rmult_le_compat_l u) in size; lra.
   Qed.
 
-  (* A vector beyond which all computed vertices lie, by the radius and what the translation was off. *)
+  (* A vector beyond which all computed vertices lie, by more than the radius and the error of the translation. *)
   Lemma leaf_off x X : leaf_of x X -> norm X <= 1.00001 * w -> norm (sub X x) <= 1.003 * (u * w).
   Proof.
     intros leaf size. pose proof (norm_nonneg x) as x0.
@@ -140,7 +142,7 @@ Section Conservative.
     rewrite <- norm_square. apply Rmult_le_0_lt_compat; assumption.
   Qed.
 
-  (* The square of the radius with what is added to it. *)
+  (* The square of the radius with the error that is added to it. *)
   Variables square_error Rc : R.
   Hypothesis computed_square_error : rounds (conservative_square_error * u * W) square_error.
   Hypothesis computed_R : rounds (rr + square_error) Rc.
@@ -157,7 +159,7 @@ Section Conservative.
     assert (Rabs (rr + square_error) <= 1.0001 * W) as total by (apply Rabs_le; lra). apply (Rmult_le_compat_l u) in total; [| lra]. lra.
   Qed.
 
-  (* p + s (q - p) as it is computed. *)
+  (* p + s (q - p) as computed. *)
   Lemma mixed k s p q P Q D F T : 0 <= k <= 14 -> 0 <= s <= 1 -> Rabs p <= 1.00001 * W -> Rabs q <= 1.00001 * W ->
     Rabs (P - p) <= k * (u * W) -> Rabs (Q - q) <= k * (u * W) -> rounds (Q - P) D -> rounds (s * D) F -> rounds (P + F) T ->
     Rabs (p + s * (q - p)) <= 1.00001 * W /\ Rabs (T - (p + s * (q - p))) <= (k + 5.01) * (u * W).
@@ -189,7 +191,7 @@ Section Conservative.
     eapply Rle_trans; [apply Rabs_triang |]. lra.
   Qed.
 
-  (* The edge from X to Y, whatever s between 0 and 1: n = (1 - s) X + s Y. *)
+  (* The axis of the edge from X to Y, for any s between 0 and 1: n = (1 - s) X + s Y. *)
   Variable error : R.
   Hypothesis computed_error : rounds (conservative_error * u * W) error.
   Hypothesis underflow_4 : eta <= / 100000 * (u * W * (u * W)).
@@ -221,7 +223,7 @@ Section Conservative.
     destruct (mixed 8.012 s _ _ at_x at_y _ _ _ ltac:(lra) s01 sx sy ltac:(lra) ltac:(lra) Hd4 Hf4 Hn) as [sn on].
     rewrite <- dot_between_first in ox, sx. rewrite <- dot_between in oy, sy, oz, sz.
     rewrite <- dot_between_first, <- dot_between, <- dot_between_itself in on, sn. fold n in ox, sx, oy, sy, oz, sz, on, sn.
-    (* m is at most the least of n.X. *)
+    (* m is at most the least n.X. *)
     pose proof computed_error as He. unfold Lanes.rounds, conservative_error in He. rewrite (Rabs_pos_eq (_ * u * W)) in He by lra.
     apply Rabs_le_inv in He, sx, sy, sz, ox, oy, oz.
     assert (Rabs (least - error) <= 1.02 * W) as sm by (apply Rabs_le; destruct one as [-> | [-> | ->]]; lra).
@@ -278,8 +280,8 @@ Section Conservative.
     apply Rsqr_incrst_0; [exact squares | | lra]. apply Rmult_le_pos; [unfold h; lra | apply norm_nonneg].
   Qed.
 
-  (* The plane's axis, whatever vector was stored, where it is not too short. *)
-  Lemma plane_axis n at_a at_b at_c square m mm rs : 
+  (* The plane's axis, for any stored vector that is not too short. *)
+  Lemma plane_axis n at_a at_b at_c square m mm rs :
     computed_dot A n at_a -> computed_dot B n at_b -> computed_dot C n at_c -> computed_dot n n square ->
     (m <= at_a /\ m <= at_b /\ m <= at_c \/ m <= - at_a /\ m <= - at_b /\ m <= - at_c) ->
     eta <= / 1000000 * (u * dot n n) -> eta <= / 1000000 * (u * W * dot n n) ->

@@ -1,10 +1,11 @@
-(* The conservative test as a program, in binary32 and binary64: it never says separated of a contact. *)
+(* The conservative test as a program, in binary32 and binary64: it never answers separated where there is a contact. *)
 From Coq Require Import Reals ZArith Lra Psatz.
 From Flocq Require Import Core.
 From Axiscert Require Import Vectors Exact Expression Format Lanes Certified CertifiedStep Conservative.
 Open Scope R_scope.
 
-(* Over any rounding, of a query's own numbers: kernel/sphere_triangle/certified/conservative_step-inl.h in the same order, never fused. *)
+(* The program over any rounding, from a query's own numbers: the operations of
+   kernel/sphere_triangle/certified/conservative_step-inl.h in the same order, never fused. *)
 Section Program.
   Variable rnd : R -> R.
   Variables (u least_square : R) (a b c p : vec) (r : R).
@@ -23,7 +24,7 @@ Section Program.
   Let error := rnd (conservative_error * u * conservative_W).
   Let square_error := rnd (conservative_square_error * u * conservative_W).
   Let passes (m square : R) := 0 < m /\ rnd (rnd (rr + square_error) * square) < rnd (m * m).
-  (* How far from X to Y, along an edge as computed, the point nearest the centre lies. *)
+  (* The position, from X to Y along an edge as computed, of the point nearest to the centre. *)
   Definition conservative_share (X along : vec) :=
     let e := product along along in
     Rmin (Rmax (if Rlt_dec 0 e then rnd (- product X along / e) else 0) 0) 1.
@@ -33,7 +34,7 @@ Section Program.
     let at_x := mix s xx xy in
     let at_y := mix s xy yy in
     passes (rnd (Rmin (Rmin at_x at_y) (mix s xz yz) - error)) (rnd (mix s at_x at_y + square_error)).
-  (* V by the power of two below 1 / W. *)
+  (* V scaled by the power of two below 1 / W. *)
   Definition conservative_normal :=
     let V := rounded_cross rnd false (rounded_sub rnd A C) (rounded_sub rnd B A) in
     let k := bpow radix2 (1 - mag radix2 conservative_W) in
@@ -80,7 +81,7 @@ Section Format.
   Proof. split; [apply bpow_gt_0 | apply (u_small prec prec20)]. Qed.
   Lemma W_positive : 0 < W.
   Proof. pose proof (bpow_gt_0 radix2 least). lra. Qed.
-  (* eta is below the power of two that a product is at least. *)
+  (* eta is below the least power of two that a product can reach. *)
   Lemma eta_below k e x : (emin - 1 <= k + e)%Z -> bpow radix2 e <= x -> eta <= bpow radix2 k * x.
   Proof.
     intros low large. rewrite eta_power. apply Rle_trans with (bpow radix2 (k + e)); [apply bpow_le; assumption |].
@@ -119,7 +120,7 @@ Section Format.
   Let leaf v : in_format v -> leaf_of u (sub v p) (rounded_sub rnd v p).
   Proof. intros fv. apply (leaf_difference prec emin prec20); [assumption | apply formats]. Qed.
 
-  (* An edge's axis and the plane's, whichever vertices come first. *)
+  (* The axes of an edge and of the plane, for any order of the vertices. *)
   Lemma edge_passes X Y Z along : let product := rounded_dot rnd false in let A := rounded_sub rnd a p in
     let B := rounded_sub rnd b p in let C := rounded_sub rnd c p in vertex A B C X -> vertex A B C Y -> vertex A B C Z ->
     (forall T, vertex A B C T -> T = X \/ T = Y \/ T = Z) ->
@@ -185,14 +186,14 @@ Section Format.
   Qed.
 End Format.
 
-(* A format, the least W and the least square of the scaled normal that are looked at. *)
+(* The statement for a format, the least W and the least square of the scaled normal of the test's range. *)
 Definition conservative_never_misses (prec emin least least_normal : Z) : Prop := forall a b c p r,
   in_format prec emin a -> in_format prec emin b -> in_format prec emin c -> in_format prec emin p -> 0 <= r ->
   let rnd := round radix2 (FLT_exp emin prec) ZnearestE in
   bpow radix2 least <= conservative_W rnd a b c p r ->
   conservative_separated rnd (u prec) (bpow radix2 least_normal) a b c p r -> separated a b c p r.
 
-(* binary32 and binary64; what overflows is not in it. *)
+(* binary32 and binary64; overflow is not covered here. *)
 Theorem conservative_never_misses32 : conservative_never_misses 24 (-149) (-42) (-60).
 Proof. intros a b c p r fa fb fc fp r0 rnd large says. apply (conservative_sound 24 (-149) (-42) (-60)); try lia; try tauto; lra. Qed.
 Theorem conservative_never_misses64 : conservative_never_misses 53 (-1074) (-400) (-120).

@@ -1,5 +1,5 @@
-(* The filters and the certified predicate's coarse step do decide: two queries, evaluated to the bit; and their answers at the edges
-   of their domain. *)
+(* The filters and the certified predicate's coarse step do decide some queries: two queries, evaluated to the bit; and
+   their answers at the edges of their domain. *)
 From Coq Require Import ZArith.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Filter Filters CoarseFloat.
@@ -31,7 +31,7 @@ Theorem filters_decide :
   all_filters answer_separated answer_contact answer_undecided answer_undecided answer_undecided answer_undecided.
 Proof. intros fused; destruct fused; vm_compute; repeat split. Qed.
 
-(* separated, contact; then what it says of the tangent sphere and of radii that are no radii. *)
+(* The answers for separated and contact; then for the tangent sphere and for invalid radii. *)
 Definition coarse_steps (far near neither : bool * bool) : Prop :=
   forall fused,
   let step32 r := let q := above 24 128 _ _ r in

@@ -28,7 +28,7 @@ Proof.
     f_equal; nra.
 Qed.
 
-(* Where it says `separated`, it is, for every triangle. *)
+(* Where the strict test answers `separated`, the triangle is separated, for every triangle. *)
 Theorem sat7_strict_sound A B C P r : 0 <= r ->
   sat7_strict (sub A P) (sub B P) (sub C P) (r * r) -> separated A B C P r.
 Proof. intros r0 H. apply separated_iff_clear; [assumption |]. revert H. apply sound_strict, square_nonneg. Qed.
@@ -45,7 +45,7 @@ Theorem strict_wrong_for_repeated_vertex :
   let A := Vec 2 0 0 in let C := Vec 3 0 0 in clear A A C 1 /\ ~ sat7_strict A A C 1.
 Proof. cbv zeta. split; [is_clear | no_axis_separates]. Qed.
 
-(* Three points of a line, (2,-1,0), (2,1,0), (2,2,0), r = 1. *)
+(* Three points on a line, (2,-1,0), (2,1,0), (2,2,0), r = 1: a phantom contact. *)
 Theorem strict_wrong_for_collinear :
   let A := Vec 2 (-1) 0 in let B := Vec 2 1 0 in let C := Vec 2 2 0 in clear A B C 1 /\ ~ sat7_strict A B C 1.
 Proof. cbv zeta. split; [is_clear | no_axis_separates]. Qed.

@@ -1,15 +1,15 @@
-(* A language of straight-line programs over + - * and fused multiply-add, and a bound of the rounding error of any of
+(* A language of straight-line programs over + - * and fused multiply-add, and a bound of the rounding error of each of
    them, computed by integers and proved once, by induction, for every precision and every arithmetic that rounds with
    |rnd x - x| <= u |x| + eta.
 
-   A value of degree k is compared with m^k, where m bounds the translated coordinates and the radius: so the bound is free
-   of scale. Errors are counted in units of u / 1024, u = 2^-p, and rounded up to whole ones. Underflow costs one unit an
-   operation, inside a window of m in which eta <= unit m^k for each degree that occurs. *)
+   A value of degree k is compared with m^k, where m bounds the translated coordinates and the radius, so the bound does
+   not depend on scale. Errors are counted in units of u / 1024, u = 2^-p, and rounded up to whole units. Underflow
+   costs one unit per operation, inside a window of m in which eta <= unit m^k for each degree that occurs. *)
 From Coq Require Import Reals ZArith List Lra Lia Psatz.
 From Flocq Require Import Core.
 Open Scope R_scope.
 
-(* What a program starts from: the nine translated coordinates, the radius, and m itself. *)
+(* The inputs of a program: the nine translated coordinates, the radius, and m itself. *)
 Inductive leaf := ax | ay | az | bx | by_ | bz | cx_ | cy_ | cz_ | radius | magnitude.
 
 Inductive expression :=
@@ -20,7 +20,7 @@ Inductive expression :=
   | Sub (a b : expression)
   | Mul (a b : expression)
   | Fma (a b c : expression)  (* a b + c, rounded once *)
-  | Cap (c : Z) (a : expression).  (* a, of which it is known that exactly |a| <= c m^degree *)
+  | Cap (c : Z) (a : expression).  (* a, whose exact value is known to satisfy |a| <= c m^degree *)
 
 Fixpoint exact (x : leaf -> R) (e : expression) : R :=
   match e with
@@ -62,13 +62,13 @@ Definition greatest_error : Z := 2 ^ 30.
 (* exact: |x| <= size m^degree; computed: |X - x| <= error unit m^degree. *)
 Record bounds := Bounds { size : Z; error : Z; of_degree : nat }.
 
-(* The leaves but the coordinates are exact; each coordinate has the error of its subtraction. *)
+(* The leaves other than coordinates are exact; each coordinate has the error of its subtraction. *)
 Definition leaf_error (l : leaf) : Z := match l with radius | magnitude => 0 | _ => 1024 end.
 
 Section Bound.
   Variable p : Z.  (* the precision in bits *)
 
-  (* A value with these bounds, rounded; `cap` is what else is known of its size. *)
+  (* A value with these bounds, rounded; `cap` is a further bound of its size. *)
   Definition round_bounds (cap : option Z) (b : bounds) : option bounds :=
     let size := match cap with Some c => Z.min c (size b) | None => size b end in
     let error := error b + 1024 * size + (error b / 2 ^ p + 1) + 1 in
@@ -102,7 +102,7 @@ Section Bound.
 End Bound.
 Close Scope Z_scope.
 
-(* What the caps of a program claim of the exact values. *)
+(* The claims of a program's caps about the exact values. *)
 Fixpoint caps_hold (x : leaf -> R) (m : R) (e : expression) : Prop :=
   match e with
   | Leaf _ | Zero _ => True
@@ -112,7 +112,7 @@ Fixpoint caps_hold (x : leaf -> R) (m : R) (e : expression) : Prop :=
   | Cap c a => Rabs (exact x a) <= IZR c * m ^ degree a /\ caps_hold x m a
   end.
 
-(* So that sums and products of integers stay as they are written. *)
+(* Keeps sums and products of integers as they are written. *)
 Local Arguments Z.mul : simpl never.
 Local Arguments Z.add : simpl never.
 Local Arguments Z.div : simpl never.
@@ -181,7 +181,7 @@ Section Sound.
     replace (- c - - e) with (- (c - e)) by ring. rewrite Rabs_Ropp. assumption.
   Qed.
 
-  (* All of `within` but the bound of the degree, which a product has to be tested for. *)
+  (* All of `within` except the bound of the degree, which has to be tested for a product. *)
   Lemma product_within a b ea ca eb cb : (of_degree a + of_degree b <= greatest_degree)%nat ->
     within a ea ca -> within b eb cb -> within (product_bounds p a b) (ea * eb) (ca * cb).
   Proof.

@@ -1,5 +1,6 @@
-(* A filter over IEEE-754 numbers that never lies, for any format and any programs of the sixteen comparisons: it computes both
-   sides as the kernel does, and takes lhs > rhs for certain where lhs - rhs, as computed, exceeds n u m^k, as computed. *)
+(* A filter over IEEE-754 numbers that is never wrong, for any format and any programs of the sixteen comparisons: it
+   computes both sides as the kernel does, and takes lhs > rhs as certain where lhs - rhs, as computed, exceeds n u m^k,
+   as computed. *)
 From Coq Require Import Reals ZArith Bool List Lra Lia Psatz.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Sat7 Recorded Sides RecordedIsSat7 Expression RecordedIsProgram Format Run.
@@ -25,7 +26,7 @@ Definition power (k : nat) : expression :=
   let m2 := Mul (Leaf magnitude) (Leaf magnitude) in
   match k with 2%nat => m2 | 4%nat => Mul m2 m2 | _ => Mul (Mul m2 m2) m2 end.
 
-(* That n u m^k covers the error of a comparison's sides; decided by computation. *)
+(* n u m^k covers the error of a comparison's sides; this is decided by computation. *)
 Definition covered (p : Z) (sides : expression * expression) (n : Z) : bool :=
   let (l, r) := sides in
   let k := degree l in
@@ -86,8 +87,8 @@ Section Filter.
     Bmult mode_NE (coefficient K) (values q (power (degree (fst (program K))))).
   Definition margin (q : float_query) (K : comparison) : float :=
     Bminus mode_NE (values q (fst (program K))) (values q (snd (program K))).
-  (* The numbers that are compared. Without division an infinity or a NaN stays one, so where they are finite everything
-     that was computed on the way to them is. *)
+  (* The numbers that are compared. Without division an infinity or a NaN stays one, so where they are finite, every
+     number computed on the way to them is finite. *)
   Definition compared_at (q : float_query) (K : comparison) : list float :=
     [values q (fst (program K)); values q (snd (program K)); margin q K; limit q K].
   Definition compared (q : float_query) (x : float) : Prop := exists K, In x (compared_at q K).
@@ -100,7 +101,7 @@ Section Filter.
     else if negb (some_axis_b (fun K => negb (certainly_less q K))) then answer_contact
     else answer_undecided.
 
-  (* What is asked of the programs, the thresholds and the window. *)
+  (* The conditions on the programs, the thresholds and the window. *)
   Hypothesis all_covered : forall K, covered prec (program K) (threshold K) = true.
   Hypothesis caps : forall x m K, 0 <= m -> (forall l, Rabs (x l) <= m) ->
     caps_hold x m (fst (program K)) /\ caps_hold x m (snd (program K)).
@@ -153,7 +154,7 @@ Section Filter.
       cbv zeta. repeat split; auto; try lra. intros l' [<- | inl]; [lra | apply c, inl].
   Qed.
 
-  (* What `inside` says. *)
+  (* The meaning of `inside`. *)
   Lemma inside_spec q : inside q = true ->
     is_finite (greatest q) = true /\ B2R lo <= B2R (greatest q) <= B2R hi /\ 0 <= B2R (fr q) <= B2R (greatest q) /\
     (forall l, is_finite (float_leaf q (greatest q) l) = true) /\
@@ -252,7 +253,8 @@ Section Filter.
   Lemma power_rounded rnd x k : rounded rnd x (power k) = rounded rnd (fun _ => x magnitude) (power k).
   Proof. unfold power. repeat (destruct k as [| k]; try reflexivity). Qed.
 
-  (* The heart: what is compared is finite, and a computed margin beyond the limit has the sign of the exact one. *)
+  (* The main step: the compared numbers are finite, and a computed margin beyond the limit has the sign of the exact
+     one. *)
   Theorem certain q K : inside q = true ->
     let sides := exact_sides (exact_leaves (real_query q) (B2R (greatest q))) (program K) in
     (forall x, In x (compared_at q K) -> is_finite x = true) /\

@@ -1,7 +1,7 @@
-(* The filter theorem for binary32 and binary64, of the published formulae and the reduced, plain and fused: whatever the
-   thirteen numbers of a query are, NaN and infinities included, the answer `separated` means that every point of the triangle
-   is farther from P than r, and `contact` that some point is not; and an answer other than `undecided` that every number
-   compared was finite: nothing overflowed, nothing was NaN. *)
+(* The filter theorem for binary32 and binary64, for the published and the reduced formulae, plain and fused: whatever
+   the thirteen numbers of a query are, NaN and infinities included, the answer `separated` means that every point of
+   the triangle is farther from P than r, `contact` that some point is not, and an answer other than `undecided` that
+   every number compared was finite: nothing overflowed, nothing was NaN. *)
 From Coq Require Import Reals ZArith Lia Lra.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Sat7 Sides RecordedIsSat7 Expression Programs Caps Format RecordedIsProgram Run Filter
@@ -20,7 +20,7 @@ Proof.
   cbn [pow]. rewrite IH, <- bpow_plus. f_equal. lia.
 Qed.
 
-(* Windows of m in powers of two, in which no program of degree 6 at most over- or underflows. *)
+(* Windows of m in powers of two, in which no program of degree at most 6 over- or underflows. *)
 Lemma low_window prec emax e k : (k <= greatest_degree)%nat -> (e <= 0)%Z ->
   (3 - emax - prec - 1 <= - (prec + 10) + e * 6)%Z ->
   half_least (3 - emax - prec) <= unit_of_error prec * bpow radix2 e ^ k.
@@ -102,7 +102,7 @@ Definition reduced_filter32 (fused : bool) :=
 Definition reduced_filter64 (fused : bool) :=
   filter 53 1024 _ _ (reduced_program fused) reduced_threshold least_binary64 greatest_binary64.
 
-(* The numbers that each of them compares. *)
+(* The numbers that each filter compares. *)
 Definition published_compared32 (fused : bool) := compared 24 128 _ _ (published_program fused) published_threshold.
 Definition published_compared64 (fused : bool) := compared 53 1024 _ _ (published_program fused) published_threshold.
 Definition reduced_compared32 (fused : bool) := compared 24 128 _ _ (reduced_program fused) reduced_threshold.

@@ -1,5 +1,5 @@
-(* Rounding to nearest, ties to even, in a format with gradual underflow meets what Expression.v asks of an arithmetic, and
-   a filter's threshold, scaled by a power of m and computed in that format, is large enough. *)
+(* Rounding to nearest, ties to even, in a format with gradual underflow satisfies the conditions of Expression.v on an
+   arithmetic, and a filter's threshold, scaled by a power of m and computed in that format, is large enough. *)
 From Coq Require Import Reals ZArith Lra Lia Psatz.
 From Flocq Require Import Core Relative Plus_error.
 From Axiscert Require Import Expression.
@@ -56,7 +56,7 @@ Section Format.
   Lemma rnd_format x : generic_format radix2 fexp x -> rnd x = x.
   Proof. apply round_generic, valid_rnd_N. Qed.
 
-  (* A rounded value beyond a number of the format was beyond it before. *)
+  (* A rounded value beyond a number of the format was beyond it before rounding. *)
   Lemma beyond x t : generic_format radix2 fexp t -> t < rnd x -> t < x.
   Proof. intros Ft more. destruct (Rlt_le_dec t x) as [| less]; [assumption |].
     apply rnd_monotone in less. rewrite (rnd_format t Ft) in less. lra. Qed.
@@ -65,8 +65,8 @@ Section Format.
     apply rnd_monotone in more. rewrite (rnd_format t Ft) in more. lra. Qed.
 End Format.
 
-(* The threshold of an error of E units: n u m^k, n a whole number that leaves room for the rounding of m^k and of the
-   product, for m being a bound of the rounded coordinates and not of the exact ones, and for underflow. *)
+(* The threshold for an error of E units is n u m^k, where the whole number n leaves room for the rounding of m^k and of
+   the product, for m being a bound of the rounded coordinates instead of the exact ones, and for underflow. *)
 Definition threshold_covers (n E : Z) : bool :=
   ((0 <=? E) && (0 <=? n) && (n * 2 ^ 10 + E + 2 ^ 15 <=? 2 ^ 15 * (n * 2 ^ 10 - E)))%Z%bool.
 

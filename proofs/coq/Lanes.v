@@ -1,5 +1,5 @@
-(* The arithmetic of one query a lane: computed values as any numbers that meet the bound of their operations, so that an
-   operation may be an IEEE-754 one, a fused one or one on pairs of floats. *)
+(* The arithmetic of one query per lane: computed values are any numbers within the bounds of their operations, so that
+   an operation may be an IEEE-754 one, a fused one or one on pairs of floats. *)
 From Coq Require Import Reals Lra Psatz.
 From Axiscert Require Import Vectors.
 Open Scope R_scope.
@@ -9,7 +9,7 @@ Section Lanes.
   Hypothesis u_range : 0 <= u <= / 1048576.
   Hypothesis eta_nonneg : 0 <= eta.
 
-  (* X is x rounded; eta is what underflow may add. *)
+  (* X is x rounded; eta bounds the error that underflow may add. *)
   Definition rounds (x X : R) := Rabs (X - x) <= u * Rabs x + eta.
 
   (* A leaf: a difference of two of the query's numbers, which does not underflow. *)
@@ -31,7 +31,7 @@ Section Lanes.
 
   Definition sizes (X Y : vec) := Rabs (cx X * cx Y) + Rabs (cy X * cy Y) + Rabs (cz X * cz Y).
 
-  (* The error of a sum x + y where x was off by e. *)
+  (* The error of a sum x + y where x had the error e. *)
   Lemma rounds_off e y x Y : Rabs (y - x) <= e -> rounds y Y -> Rabs (Y - x) <= e * (1 + u) + u * Rabs x + eta.
   Proof.
     unfold rounds. intros off round.
@@ -67,7 +67,7 @@ Section Lanes.
   Lemma smaller t : 0 <= t -> 0 <= u * u * t <= u * t / 1048576.
   Proof. intros t0. pose proof (small t t0) as [a _]. pose proof (small _ a). lra. Qed.
 
-  (* Three roundings for each product, and no more than six underflows. *)
+  (* Three roundings for each product, and at most six underflows. *)
   Lemma dot_error X Y D : computed_dot X Y D -> Rabs (D - dot X Y) <= 3.001 * u * sizes X Y + 6 * eta.
   Proof.
     intros (p & s & Hp & Hs & HD). unfold dot, sizes.
@@ -119,7 +119,7 @@ Section Lanes.
     nra.
   Qed.
 
-  (* Two leaves: their product. *)
+  (* The product of two leaves. *)
   Lemma leaf_product a b A B : Rabs (A - a) <= u * Rabs a -> Rabs (B - b) <= u * Rabs b ->
     Rabs (A * B - a * b) <= 2.001 * u * Rabs (a * b) /\ Rabs (A * B) <= 1.001 * Rabs (a * b).
   Proof.

@@ -1,14 +1,15 @@
-(* The bounds beside the margins of exact/sphere_triangle/filters/margins-inl.h: each is proved to exceed its margin's error by a thirty-second
-   part, which is left for the rounding of the bound itself.
+(* The bounds beside the margins of exact/sphere_triangle/filters/margins-inl.h: each is proved to exceed its margin's
+   error by a thirty-second part, which is left for the rounding of the bound itself.
 
-   u is the relative error of an operation: 2^-53 of doubles, 2^-103 of their pairs. Nothing underflows: a rounding has no other
-   error here. Lower case is exact, upper case computed; A, B, ... are leaves, N and V cross products of leaves. *)
+   u is the relative error of an operation: 2^-53 for doubles, 2^-103 for their pairs. Nothing underflows: a rounding
+   has no other error here. Lower case is exact, upper case computed; A, B, ... are leaves, N and V cross products of
+   leaves. *)
 From Coq Require Import Reals Lra Psatz.
 From Flocq Require Import Core.
 From Axiscert Require Import Vectors Lanes.
 Open Scope R_scope.
 
-(* The constants, exported. Multiples of a unit, which is u and a sixteenth of it: *)
+(* The exported constants. Multiples of a unit, which is u and a sixteenth of it: *)
 Definition unit_factor : R := 1.0625.
 Definition vertex_radius_units : R := 6.
 Definition vertex_side_units : R := 15.
@@ -20,7 +21,7 @@ Definition edge_square_units : R := 4.
 Definition edge_rhs_units : R := 8.
 Definition edge_side_units : R := 3.
 Definition edge_length_units : R := 6.
-(* And factors: of one, two and three errors of a component. *)
+(* Factors: of one, two and three errors of a component. *)
 Definition once : R := 1.0625.
 Definition once_offset : R := 1.125.
 Definition twice : R := 2.125.
@@ -29,7 +30,7 @@ Definition thrice : R := 3.2.
 
 Definition greatest_component (v : vec) := Rmax (Rmax (Rabs (cx v)) (Rabs (cy v))) (Rabs (cz v)).
 Definition total (v : vec) := Rabs (cx v) + Rabs (cy v) + Rabs (cz v).
-(* What the bound has left for its own rounding. *)
+(* The share of the bound that is kept after its own rounding. *)
 Definition kept : R := 31 / 32.
 
 Section Margins.
@@ -44,7 +45,7 @@ Section Margins.
   Local Notation small := (small u u_range).
   Local Notation smaller := (smaller u u_range).
 
-  (* Errors relative to what was computed. *)
+  (* Errors relative to the computed value. *)
   Lemma rounded_back x X : rounds x X -> Rabs (x - X) <= 1.001 * u * Rabs X.
   Proof.
     unfold Lanes.rounds. intros H. rewrite Rplus_0_r in H.
@@ -125,7 +126,7 @@ Section Margins.
     lra.
   Qed.
 
-  (* Each component is off by e at most. *)
+  (* Each component has an error of at most e. *)
   Definition off_by (e : R) (v V : vec) := Rabs (cx v - cx V) <= e /\ Rabs (cy v - cy V) <= e /\ Rabs (cz v - cz V) <= e.
 
   Lemma leaf_difference a b c d A B C D E x y : Rabs (a - A) <= 1.001 * u * Rabs A -> Rabs (b - B) <= 1.001 * u * Rabs B ->
@@ -179,7 +180,7 @@ Section Margins.
     unfold total. pose proof (Rmult_le_pos _ _ (greatest_nonneg A) w0). lra.
   Qed.
 
-  (* A square, computed from what was computed. *)
+  (* A square, bounded from its computed value. *)
   Lemma square_back N nn : computed_dot N N nn -> 0 <= nn /\ Rabs (nn - dot N N) <= 3.01 * u * nn.
   Proof.
     intros H. apply dot_error in H; [| lra | lra]. rewrite sizes_square in H. pose proof (dot_self_nonneg N) as s0.
@@ -225,7 +226,7 @@ Section Margins.
     lra.
   Qed.
 
-  (* The error of a cross product's components, as the bound has it: nu of N, omega of V. *)
+  (* The error of a cross product's components, as in the bound: nu for N, omega for V. *)
   Definition component_error (A B : vec) := units normal_units * (greatest_component A * greatest_component B).
   Lemma component_error_nonneg A B : 0 <= component_error A B.
   Proof.
@@ -242,7 +243,7 @@ Section Margins.
     repeat split; eapply Rle_trans; eassumption.
   Qed.
 
-  (* V = CA x AB. Where B = C it is taken to be zero, and omega as well. *)
+  (* V = CA x AB. Where B = C it is taken as zero, and so is omega. *)
   Definition computed_normal (ca ab CA AB V : vec) (omega : R) : Prop :=
     leaf_of ca CA /\ leaf_of ab AB /\
     (computed_cross CA AB V /\ omega = component_error CA AB \/
@@ -264,7 +265,7 @@ Section Margins.
     assert (0 <= e * e) by nra. lra.
   Qed.
 
-  (* r^2 e, both computed, e off by X and three roundings, or by five. *)
+  (* r^2 e, both computed, where e has the error X and that of three roundings, or of five. *)
   Lemma product_back k x rr RR e E X : 0 <= k <= 6 -> 0 <= x -> 0 <= RR -> 0 <= E -> Rabs (RR - rr) <= 1.001 * u * RR ->
     Rabs (E - e) <= k * u * E + x -> rounds (RR * E) X ->
     0 <= X /\ Rabs (X - rr * e) <= (k + 2.01) * u * X + 1.001 * (RR * x).

@@ -1,5 +1,5 @@
-(* The point of an edge that is nearest the origin: what it says of the triangle's vertices, and how near to it the conservative test
-   comes that computes it. *)
+(* The point of an edge that is nearest to the origin: what it implies for the triangle's vertices, and how near to it
+   the point is that the conservative test computes. *)
 From Coq Require Import Reals Lra Psatz.
 From Flocq Require Import Core.
 From Axiscert Require Import Vectors Sat7 Complete Lanes Certified Conservative.
@@ -10,7 +10,7 @@ Lemma clamp_range x : 0 <= clamp x <= 1.
 Proof. unfold clamp, Rmin, Rmax. repeat destruct Rle_dec; lra. Qed.
 Lemma clamp_cases x : (clamp x = 0 /\ x <= 0) \/ (clamp x = 1 /\ 1 <= x) \/ clamp x = x.
 Proof. unfold clamp, Rmin, Rmax. repeat destruct Rle_dec; lra. Qed.
-(* A relative error matters no more than at 1. *)
+(* A relative error matters at most as much as at 1. *)
 Lemma clamp_near x a k e : 0 <= k <= 1 -> 0 <= e -> Rabs (x - a) <= k * Rabs a + e -> Rabs (clamp x - clamp a) <= k + e.
 Proof.
   intros k0 e0 H. apply Rabs_le_inv in H. destruct (Rle_lt_dec a 0) as [a0 | a0];
@@ -54,8 +54,8 @@ Proof.
   rewrite star_first, star_second. set (f := dot _ (sub Y X)) in *. destruct cases as [(c & f0) | [(c & f0) | f0]]; nra.
 Qed.
 
-(* The third vertex is no nearer along star where the nearest feature is X, or the edge; and not much nearer where the triangle is thin
-   and XY its longest edge. *)
+(* Along star, the third vertex is no nearer where the nearest feature is X or the edge, and not much nearer where the
+   triangle is thin and XY is its longest edge. *)
 Lemma star_vertex X Y Z : good_vertex X Y Z -> dot (star X Y) (star X Y) <= dot (star X Y) Z.
 Proof.
   intros (sy & sz). unfold s in *. assert (dot X (sub Y X) = dot X Y - dot X X) as h by vec_ring.
@@ -120,7 +120,7 @@ Proof.
     assert (p * dot (star X Y) (star X Y) <= p * dot (star X Y) Y) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
 
-(* As computed. *)
+(* The point as computed. *)
 Section Computed.
   Variables u eta w : R.
   Hypothesis u_range : 0 < u <= / 1048576.
@@ -158,7 +158,7 @@ Section Computed.
     rewrite size. destruct (Rle_lt_dec l (20 * (u * w))) as [short | long].
     { pose proof (clamp_range at_). pose proof (best_range X Y). assert (Rabs (clamp at_ - best X Y) <= 1) by (apply Rabs_le; lra).
       apply Rle_trans with (1 * l); [apply Rmult_le_compat_r; assumption | lra]. }
-    (* e, l^2 and d. *)
+    (* Bounds of e, l^2 and d. *)
     assert (0 < l) as l1 by lra. assert (0 < l * l) as ll0 by (apply Rmult_lt_0_compat; assumption).
     assert (400 * (u * w * (u * w)) <= l * l) as ee.
     { replace (400 * (u * w * (u * w))) with (20 * (u * w) * (20 * (u * w))) by ring. apply Rmult_le_compat; lra. }
@@ -196,7 +196,7 @@ Section Computed.
       eapply Rle_trans; [apply Rabs_triang |]. lra. }
     pose proof (small (l * l) ltac:(lra)) as ull. apply Rabs_le_inv in oe. assert (0 < e) as e0 by lra. specialize (Hat e0).
     unfold best. fold a. rewrite <- ll. destruct Rlt_dec as [_ |]; [| lra].
-    (* at against g / l^2. *)
+    (* The error of `at` compared with g / l^2. *)
     set (x := - dot X a / (l * l)). set (z := u * w / l). assert (0 < z) as z0 by (apply Rmult_lt_0_compat;
       [assumption | apply Rinv_0_lt_compat; assumption]).
     assert (z * l = u * w) as zl by (unfold z; field; lra).

@@ -1,5 +1,6 @@
-(* How deep a phantom contact of the conservative test may be (kernel/sphere_triangle/certified/conservative_step-inl.h): where every point of the
-   triangle is farther from the centre than r by 19.9 sqrt u L, some axis passes. Over any rounding with |rnd x - x| <= u |x| + eta.
+(* A bound of the depth of phantom contacts of the conservative test
+   (kernel/sphere_triangle/certified/conservative_step-inl.h): where every point of the triangle is farther from the
+   centre than r by 19.9 sqrt u L, some axis passes. This holds for any rounding with |rnd x - x| <= u |x| + eta.
 
    A, B, C are the translated vertices as computed; t^2 = u W. *)
 From Coq Require Import Reals Lra Psatz.
@@ -84,7 +85,7 @@ Section Phantom.
     assert (Rabs (rr + square_error) <= 1.001 * W) as whole by (apply Rabs_le; lra). apply (Rmult_le_compat_l u) in whole; [| lra].
     apply Rabs_le_inv in H'. lra.
   Qed.
-  (* Rounding m^2 and R q leaves m^2 beyond. *)
+  (* After the rounding of m^2 and R q, m^2 is still beyond. *)
   Lemma passes_rounded m q mm rs : 0 <= q -> Rc * q * (1 + 3 * u) + t * t * (t * t) <= m * m ->
     rounds (m * m) mm -> rounds (Rc * q) rs -> rs < mm.
   Proof.
@@ -97,8 +98,8 @@ Section Phantom.
     pose proof (small _ Rq). pose proof (smaller u u_weak _ Rq). pose proof (small (u * W * (u * W)) ltac:(lra)). lra.
   Qed.
 
-  (* An edge from X to Y whose nearest point, star, was found to 30 u W: it passes where the third vertex is not nearer than star along
-     star, or by 3 t only. *)
+  (* An edge from X to Y whose nearest point, star, was found to within 30 u W: it passes where the third vertex is not
+     nearer than star along star, or nearer by at most 3 t. *)
   Lemma edge_deep X Y Z xx xy yy xz yz s d1 f1 at_x d2 f2 at_y d3 f3 at_z d4 f4 nn least m square mm rs star :
     vertex A B C X -> vertex A B C Y -> vertex A B C Z -> 0 <= s <= 1 ->
     computed_dot X X xx -> computed_dot X Y xy -> computed_dot Y Y yy -> computed_dot X Z xz -> computed_dot Y Z yz ->
@@ -131,7 +132,7 @@ Section Phantom.
     rewrite <- dot_between_first in ox, sx. rewrite <- dot_between in oy, sy, oz, sz.
     rewrite <- dot_between_first, <- dot_between, <- dot_between_itself in on, sn. fold n in ox, sx, oy, sy, oz, sz, on, sn.
     set (nu := norm star) in *. assert (nu * nu = dot star star) as nn2 by apply norm_square. rewrite <- nn2 in sX, sY, sZ.
-    (* The products with n for those with star. *)
+    (* The products with n in terms of those with star. *)
     assert (near : forall T, vertex A B C T -> dot star T - 30.001 * (u * W) <= dot n T).
     { intros T HT. apply sizes_known in HT as [_ HT]. fold w in HT. pose proof (dot_norm T (sub n star)) as change.
     apply Rabs_le_inv in change.

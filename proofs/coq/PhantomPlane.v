@@ -1,5 +1,5 @@
-(* The plane's axis of the conservative test: it passes where the triangle is not thin and its plane is farther from the centre than r by
-   19.9 sqrt u L. The rest, and the names, are in Phantom.v. *)
+(* The plane's axis of the conservative test: it passes where the triangle is not thin and its plane is farther from the
+   centre than r by 19.9 sqrt u L. The other axes and the names are in Phantom.v. *)
 From Coq Require Import Reals Lra Psatz.
 From Flocq Require Import Core.
 From Axiscert Require Import Vectors Sat7 Lanes Certified Conservative Phantom.
@@ -146,7 +146,7 @@ Section Plane.
       fold Vn K N0 in tri'. lra. }
     assert (G * K <= / 1000 * K) as GKs by (apply Rmult_le_compat_r; lra).
     assert (8.9 * u <= N0) as N0u by lra. assert (0 < N0) as N00 by lra.
-    (* rho is no more than w. *)
+    (* rho is at most w. *)
     assert (rho <= 1.00001 * w) as rhow.
     { pose proof (dot_norm A V) as long. fold Vn in long, high. apply Rmult_le_reg_r with Vn; [assumption |].
       assert (norm A * Vn <= 1.00001 * w * Vn) by (apply Rmult_le_compat_r; lra). lra. }

@@ -1,4 +1,4 @@
-(* The conservative test in binary32 and binary64: its phantom contacts are no deeper than 20 sqrt u M. *)
+(* The conservative test in binary32 and binary64: its phantom contacts are at most 20 sqrt u M deep. *)
 From Coq Require Import Reals ZArith Lra Psatz.
 From Flocq Require Import Core.
 From Axiscert Require Import Vectors Sat7 Complete Expression Format Lanes Certified CertifiedStep Conservative ConservativeStep Nearest
@@ -65,7 +65,7 @@ Section Format.
     repeat split; apply generic_format_round; auto using valid_rnd_N.
   Qed.
 
-  (* What underflows is far below powers of u. *)
+  (* Underflow is far below powers of u. *)
   Lemma u3 : bpow radix2 (- 3 * prec) = u * u * u.
   Proof. unfold u, Expression.u. rewrite <- !bpow_plus. f_equal. lia. Qed.
   Lemma small_factor x : 0 <= x -> bpow radix2 (-20) * x <= / 1000000 * x.
@@ -93,7 +93,7 @@ Section Format.
   Let rr_near : r * r <= 1.00001 * W /\ Rabs (rnd (r * r) - r * r) <= 1.0001 * (u * W).
   Proof. apply (radius_size u eta urange r _ _ _ _ W r_nonneg (rounds_to _) greatest W0 tiny_2). Qed.
 
-  (* Every point of the triangle as computed is that far. *)
+  (* Every point of the triangle as computed is at that distance or farther. *)
   Hypothesis far : forall x y z, 0 <= x -> 0 <= y -> 0 <= z -> x + y + z = 1 -> r + 19.9 * t <= norm (combination x y z A B C).
 
   Lemma edge_says X Y Z : vertex A B C X -> vertex A B C Y -> vertex A B C Z -> in_format X -> in_format Y ->
@@ -204,7 +204,7 @@ Section Format.
     { intros H. right; right; left. pose proof (edge_says C A B vC vA vB fC fA sCA H) as E. cbv zeta in E.
     rewrite (rounded_dot_swapped rnd C B) in E. exact E. }
     pose proof (Rmult_le_pos _ t n1 ltac:(lra)). pose proof (Rmult_le_pos _ t n2 ltac:(lra)). pose proof (Rmult_le_pos _ t n3 ltac:(lra)).
-    (* Thick: by the nearest feature. *)
+    (* A thick triangle: by the nearest feature. *)
     assert (thick : forall longest, length2 A B <= longest -> length2 C A <= longest ->
       9 * (t * t) * longest < dot (normal A B C) (normal A B C) -> conservative_separated rnd u (bpow radix2 least_normal) a b c p r).
     { intros longest lab lca more. pose proof (length2_nonneg A B).
@@ -220,7 +220,7 @@ Section Format.
     pose proof (length2_swap A B) as ab. pose proof (length2_swap B C) as bc. pose proof (length2_swap C A) as ca.
     assert (normal B C A = normal A B C /\ normal C A B = normal A B C) as [nb nc] by (split; unfold normal; clear; destruct A, B, C;
       unfold cross, sub; cbn; f_equal; ring).
-    (* Thin: by the longest edge. *)
+    (* A thin triangle: by the longest edge. *)
     assert (cases : forall X Y Z, length2 X Z <= length2 X Y -> length2 Y Z <= length2 X Y -> normal X Y Z = normal A B C ->
       length2 A B <= length2 X Y -> length2 C A <= length2 X Y ->
       (dot (star X Y) (star X Y) - 3 * (norm (star X Y) * t) <= dot (star X Y) Z ->
@@ -238,8 +238,8 @@ Section Format.
   Qed.
 End Format.
 
-(* A format, the least W and the least square of the scaled normal that are looked at: from what no point of the triangle is as near as
-   r + 20 sqrt u M, it is called separated. *)
+(* The statement for a format, the least W and the least square of the scaled normal of the test's range: a triangle
+   none of whose points is as near as r + 20 sqrt u M is answered separated. *)
 Definition conservative_phantoms_shallow (prec emin least least_normal : Z) : Prop := forall a b c p r,
   in_format prec emin a -> in_format prec emin b -> in_format prec emin c -> in_format prec emin p -> 0 <= r ->
   let rnd := round radix2 (FLT_exp emin prec) ZnearestE in
@@ -275,7 +275,7 @@ Proof.
     - eapply Rle_trans; [| apply Rmax_r]. apply Rmax_r. }
   assert (0 <= M) as M0 by lra. assert (0 <= M * M) as MM by (apply Rmult_le_pos; assumption).
   pose proof (small u ltac:(lra) _ MM) as uMM. pose proof (small u ltac:(lra) _ M0) as uM.
-  (* W is no more than M^2, but for roundings. *)
+  (* W is at most M^2, except for roundings. *)
   assert (square : forall v, in_format prec emin v -> norm (sub v p) <= M ->
     rounded_dot rnd false (rounded_sub rnd v p) (rounded_sub rnd v p) <= 1.00001 * (M * M) + 6 * eta).
   { intros v fv long. pose proof (leaf_norm u _ _ ltac:(lra) (leaf v fv)) as off. set (X := rounded_sub rnd v p) in *.
@@ -295,7 +295,7 @@ Proof.
   pose proof (small u ltac:(lra) W ltac:(lra)) as uW.
   assert (w <= 1.0001 * M) as wM.
   { apply Rsqr_incr_0_var; [| lra]. unfold Rsqr. rewrite ww. lra. }
-  (* Every point was moved by u w. *)
+  (* Every point was moved by at most 1.003 u w. *)
   assert (moved : forall v, in_format prec emin v -> vertex A B C (rounded_sub rnd v p) ->
     norm (sub (sub v p) (rounded_sub rnd v p)) <= 1.003 * (u * w)).
   { intros v fv HX. rewrite norm_turned. apply (leaf_off u (conj u0 u1) W W0 _ _ (leaf v fv)).

@@ -1,6 +1,6 @@
-(* The programs of the sixteen comparisons in the language of Expression.v, plain and with fused multiply-adds, with caps on
-   quantities whose exact size is less than the sum of their terms' sizes. RecordedIsProgram.v proves that they are what was
-   recorded from the kernel. *)
+(* The programs of the sixteen comparisons in the language of Expression.v, plain and with fused multiply-adds, with
+   caps on quantities whose exact size is less than the sum of their terms' sizes. RecordedIsProgram.v proves that they
+   are the programs recorded from the kernel. *)
 From Coq Require Import Reals ZArith Lra Psatz.
 From Axiscert Require Import Vectors Expression.
 Open Scope R_scope.

@@ -5,12 +5,13 @@ Open Scope R_scope.
    change where every coordinate moves by at most h within it.
 
    A, B, C are (x1, y1, z1), (x2, y2, z2), (x3, y3, z3). The theorems are about first components and the edge AB; the
-   others follow by renaming, and RangesClaimed.v, which write_proofs makes, says of each quantity of the program which. *)
+   others follow by renaming, and RangesClaimed.v, which write_proofs makes, states which theorem applies to each
+   quantity of the program. *)
 
 Definition unit (x : R) : Prop := -1 <= x <= 1.
 Definition near (h x x' : R) : Prop := -h <= x' - x <= h.
 
-(* A function that is affine in a variable is greatest at an end of its interval; so is a convex square. *)
+(* A function that is affine in a variable is greatest at an end of the variable's interval; so is a convex square. *)
 Lemma at_an_end : forall (f : R -> R) (M x : R),
   (forall t, 2 * f t = (f 1 + f (-1)) + (f 1 - f (-1)) * t) ->
   unit x -> f 1 <= M -> f (-1) <= M -> f x <= M.
@@ -110,7 +111,7 @@ Proof.
   lra.
 Qed.
 
-(* The components of a cross product against signs are a determinant. *)
+(* The components of a cross product multiplied by signs form a determinant. *)
 Lemma N_sum : forall x1 y1 z1 x2 y2 z2,
   unit x1 -> unit y1 -> unit z1 -> unit x2 -> unit y2 -> unit z2 ->
   Rabs (y1 * z2 - z1 * y2) + Rabs (z1 * x2 - x1 * z2) + Rabs (x1 * y2 - y1 * x2) <= 400 / 100.
@@ -247,7 +248,7 @@ Lemma Q_sum : forall x1 y1 z1 x2 y2 z2,
   Rabs (Q x1 y1 z1 x2 y2 z2) + Rabs (Q y1 z1 x1 y2 z2 x2) + Rabs (Q z1 x1 y1 z2 x2 y2) <= 1386 / 100.
 Proof. intros. apply sum_of_square. apply Q_square; assumption. Qed.
 
-(* Hoelder's inequality: what a script's `cut` is. *)
+(* Hoelder's inequality, which is the `cut` of a script. *)
 Lemma hoelder : forall D S x y z dx dy dz, 0 <= D -> Rabs x + Rabs y + Rabs z <= S ->
   Rabs dx <= D -> Rabs dy <= D -> Rabs dz <= D -> Rabs (x * dx + y * dy + z * dz) <= S * D.
 Proof.
@@ -268,7 +269,7 @@ Ltac convex v :=
 Definition QC x1 y1 z1 x2 y2 z2 x3 : R :=
   x3 * ((x2 - x1) * (x2 - x1) + (y2 - y1) * (y2 - y1) + (z2 - z1) * (z2 - z1)) - Q x1 y1 z1 x2 y2 z2.
 
-(* With C's coordinate at 1, the part of QC of another coordinate is convex in both its variables. *)
+(* With C's coordinate at 1, the part of QC from another coordinate is convex in both its variables. *)
 Lemma QC_part : forall x1 x2 s t, unit x1 -> unit x2 -> unit s -> unit t ->
   -4 <= (1 - x1) * ((t - s) * (t - s)) + (x2 - x1) * ((t - s) * s) <= 2 * (2 - x1 - x2).
 Proof.

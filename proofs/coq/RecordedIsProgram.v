@@ -1,10 +1,10 @@
-(* The programs of Programs.v, rounded, are what was recorded from the kernel, operation by operation; and over the reals
-   they are its exact values. *)
+(* The programs of Programs.v, rounded, are the programs recorded from the kernel, operation by operation; and over the
+   reals they have its exact values. *)
 From Coq Require Import Reals.
 From Axiscert Require Import Vectors Expression Programs Recorded Sides.
 Open Scope R_scope.
 
-(* The leaves of a query: its translated coordinates, each rounded by `rnd`, its radius, and the bound m of them. *)
+(* The leaves of a query: its translated coordinates, each rounded by `rnd`, its radius, and the bound m of these. *)
 Definition leaves (rnd : R -> R) (q : query) (m : R) (l : leaf) : R :=
   match l with
   | ax => rnd (cx (vertex_a q) - cx (centre q))

@@ -1,5 +1,5 @@
-(* The expressions recorded from kernel/sphere_triangle/formulae.h and kernel/sphere_triangle/rungs/reduced.h are those of Sat7.v: a changed formula breaks
-   the proof. And so the theorems hold of what was recorded. *)
+(* The expressions recorded from kernel/sphere_triangle/formulae.h and kernel/sphere_triangle/rungs/reduced.h are those
+   of Sat7.v: a changed formula breaks the proof. So the theorems hold for the recorded formulae. *)
 From Coq Require Import Reals.
 From Axiscert Require Import Vectors Sat7 Exact Reduced Recorded Sides.
 Open Scope R_scope.
@@ -18,7 +18,7 @@ Theorem recorded_reduced_is_sat7 : forall q K, recorded_reduced_exact q K =
           (query_radius q * query_radius q) K.
 Proof. same_polynomials. Qed.
 
-(* What a query asks. *)
+(* The question of a query. *)
 Definition query_separated (q : query) := separated (vertex_a q) (vertex_b q) (vertex_c q) (centre q) (query_radius q).
 
 Theorem recorded_published_exact_right q : 0 <= query_radius q ->

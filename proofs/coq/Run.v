@@ -53,7 +53,7 @@ Section Run.
     rewrite Rlt_bool_true in H by exact small. tauto.
   Qed.
 
-  (* A difference that is finite had finite operands, and is the rounded one. *)
+  (* If a difference is finite, its operands were finite, and it is the rounded difference. *)
   Lemma minus_finite (a b : float) : is_finite (Bminus mode_NE a b) = true ->
     is_finite a = true /\ is_finite b = true /\ B2R (Bminus mode_NE a b) = nearest (B2R a - B2R b).
   Proof.
@@ -100,7 +100,7 @@ Section Run.
       - apply IHe.
     Qed.
 
-    (* What the bound says of the rounded value, and that this is below the overflow threshold. *)
+    (* The bound implies this for the rounded value, and that it is below the overflow threshold. *)
     Lemma computed_within e cap b : bound prec cap e = Some b ->
       (match cap with Some z => Rabs (exact x e) <= IZR z * m ^ degree e | None => True end) ->
       caps_hold x m e -> within prec m b (exact x e) (rounded nearest X e).

@@ -1,5 +1,6 @@
-(* The seven-axis test over the reals, with the sphere's centre at the origin: what kernel/sphere_triangle/formulae.h computes, stated by
-   hand. RecordedIsSat7.v proves that the expressions recorded from that file are these. *)
+(* The seven-axis test over the reals, with the sphere's centre at the origin: the formulae of
+   kernel/sphere_triangle/formulae.h, stated by hand. RecordedIsSat7.v proves that the expressions recorded from that
+   file are these. *)
 From Coq Require Import Reals.
 From Axiscert Require Import Vectors.
 Open Scope R_scope.
@@ -8,7 +9,7 @@ Definition normal (A B C : vec) := cross (sub B A) (sub C A).
 Definition offset (A B C : vec) := dot A (normal A B C).
 Definition length2 (A B : vec) := dot (sub B A) (sub B A).
 
-(* The foot of the origin on the line AB, scaled by |AB|^2; and C seen from there. *)
+(* The foot of the origin on the line AB, scaled by |AB|^2; and the vector from there to C. *)
 Definition foot (A B : vec) := sub (scale A (length2 A B)) (scale (sub B A) (dot A B - dot A A)).
 Definition from_foot (A B C : vec) := sub (scale C (length2 A B)) (foot A B).
 
@@ -56,7 +57,8 @@ Definition reduced (A B C : vec) (rr : R) (K : comparison) : R * R :=
   | _ => published A B C rr K
   end.
 
-(* The published test has strict comparisons; the one that is right for every triangle has >= in the side ones. *)
+(* The published test has strict comparisons; the one that is right for every triangle has >= in the side
+   comparisons. *)
 Definition strict (sides : R * R) := fst sides > snd sides.
 Definition nonstrict (K : comparison) (sides : R * R) :=
   if is_side K then fst sides >= snd sides else fst sides > snd sides.

@@ -1,4 +1,4 @@
-(* The recorded sides (Recorded.v) by comparison: what a proof about all sixteen needs in place of sixteen names. *)
+(* The recorded sides (Recorded.v) by comparison, for proofs about all sixteen. *)
 From Coq Require Import Reals.
 From Axiscert Require Import Vectors Recorded.
 Open Scope R_scope.

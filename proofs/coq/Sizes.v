@@ -1,5 +1,5 @@
-(* Vector operations over IEEE-754 numbers, to the bit: a result that is finite had finite operands; and what is at most k h^n, with
-   h a power of two and k h^6 far below the overflow threshold, does not overflow. *)
+(* Vector operations over IEEE-754 numbers, to the bit: if a result is finite, its operands were finite; and a result of
+   at most k h^n, with h a power of two and k h^6 far below the overflow threshold, does not overflow. *)
 From Coq Require Import Reals ZArith Bool Lra Lia Psatz.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Expression Format Run Filter CertifiedStep.
@@ -14,7 +14,7 @@ Section Sizes.
   Notation nearest := (nearest prec emax).
   Notation real_vec := (real_vec prec emax).
 
-  (* In the order of CertifiedStep.v, fused or not. *)
+  (* The operations in the order of CertifiedStep.v, fused or not. *)
   Variable fused : bool.
   Definition float_sub (v w : float_vec) := FloatVec prec emax
     (Bminus mode_NE (fx _ _ v) (fx _ _ w)) (Bminus mode_NE (fy _ _ v) (fy _ _ w)) (Bminus mode_NE (fz _ _ v) (fz _ _ w)).
@@ -30,7 +30,7 @@ Section Sizes.
   (* n 2^e. *)
   Definition constant (n e : Z) : float := binary_normalize prec emax _ _ mode_NE n e false.
 
-  (* What is finite had finite operands, and is the rounded result. *)
+  (* If a sum is finite, its operands were finite, and it is the rounded sum. *)
   Lemma plus_finite (x y : float) : is_finite (Bplus mode_NE x y) = true ->
     is_finite x = true /\ is_finite y = true /\ B2R (Bplus mode_NE x y) = nearest (B2R x + B2R y).
   Proof.
@@ -197,7 +197,7 @@ Section Sizes.
         [apply Rle_refl | lra]] | eassumption | eassumption | lra]).
   Qed.
 
-  (* What S says of the numbers that it is made of. *)
+  (* Bounds that S implies for the numbers from which it is computed. *)
   Lemma rounded_format x : generic_format radix2 (FLT_exp emin prec) (nearest x).
   Proof. apply generic_format_round; [apply FLT_exp_valid; exact prec_gt_0_ | apply valid_rnd_N]. Qed.
   Lemma step_above x y : generic_format radix2 (FLT_exp emin prec) x -> 0 <= y -> x <= nearest (x + y).

@@ -1,5 +1,6 @@
-(* What each main theorem says, and the definitions that it says it in, printed; Statements.expected is what they have to
-   be. A proof is checked by Coq, a statement only by being read: so one that becomes weaker is not to pass unread. *)
+(* Prints the statement of each main theorem and the definitions that it uses; Statements.expected has the text that it
+   has to print. Coq checks a proof, but a statement can only be checked by reading it, so a statement that becomes
+   weaker must not go unread. *)
 From Coq Require Import Reals ZArith List.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Sat7 Exact Reduced Sides RecordedIsSat7 RecordedIsProgram Expression Programs Format Run

@@ -1,6 +1,7 @@
-(* The filter's thresholds, exported: a comparison lhs > rhs is certain where |lhs - rhs|, as computed, exceeds n u m^degree, as
-   computed; u = 2^-24 or 2^-53, m the greatest magnitude of a translated coordinate or the radius. The same whole numbers n
-   serve both precisions, with fused multiply-adds or without. `covered` decides by computation that they are large enough. *)
+(* The filter's thresholds, which are exported: a comparison lhs > rhs is certain where |lhs - rhs|, as computed,
+   exceeds n u m^degree, as computed; u = 2^-24 or 2^-53, m the greatest magnitude of a translated coordinate or the
+   radius. The same whole numbers n serve both precisions, with fused multiply-adds or without. `covered` decides by
+   computation that they are large enough. *)
 From Coq Require Import ZArith List.
 From Axiscert Require Import Vectors Expression Programs Filter.
 Import ListNotations.
@@ -31,14 +32,14 @@ Proof. destruct fused, K; vm_compute; reflexivity. Qed.
 Theorem reduced_covered_binary64 fused K : covered 53 (reduced_program fused K) (reduced_threshold K) = true.
 Proof. destruct fused, K; vm_compute; reflexivity. Qed.
 
-(* Of the plain programs in binary32 they are the least that `covered` accepts. *)
+(* For the plain programs in binary32 they are the least that `covered` accepts. *)
 Theorem published_threshold_least K : covered 24 (published_program false K) (published_threshold K - 1) = false.
 Proof. destruct K; vm_compute; reflexivity. Qed.
 Theorem reduced_threshold_least K : covered 24 (reduced_program false K) (reduced_threshold K - 1) = false.
 Proof. destruct K; vm_compute; reflexivity. Qed.
 
-(* The bounds themselves, in binary32: the error of lhs - rhs before the last subtraction in units of u / 1024, and the degree,
-   for one comparison of each kind. *)
+(* The bounds themselves, in binary32, for one comparison of each kind: the error of lhs - rhs before the last
+   subtraction in units of u / 1024, and the degree. *)
 Definition one_of_each := [plane_radius; vertex_a_radius; vertex_a_side_b; edge_ab_radius; edge_ab_side_c].
 Definition errors (program : comparison -> expression * expression) := map (fun K => margin_error 24 (program K)) one_of_each.
 Theorem published_errors :

@@ -1,5 +1,5 @@
-(* Vectors of three reals, and the names of the test: the sixteen comparisons, the seven axes that they form, and what a
-   user asks, which is whether the sphere and the triangle have a point in common. *)
+(* Vectors of three reals, and the names of the test: the sixteen comparisons, the seven axes that they form, and the
+   user's question, whether the sphere and the triangle have a point in common. *)
 From Coq Require Import Reals Lra.
 Open Scope R_scope.
 
@@ -29,12 +29,12 @@ Proof. vec_ring. Qed.
 Lemma cauchy_schwarz u v : dot u v * dot u v <= dot u u * dot v v.
 Proof. pose proof (lagrange u v); pose proof (dot_self_nonneg (cross u v)); lra. Qed.
 
-(* The point of barycentric coordinates u, v, w. *)
+(* The point with barycentric coordinates u, v, w. *)
 Definition combination (u v w : R) (A B C : vec) := add (add (scale A u) (scale B v)) (scale C w).
 Definition in_triangle (X A B C : vec) :=
   exists u v w, 0 <= u /\ 0 <= v /\ 0 <= w /\ u + v + w = 1 /\ X = combination u v w A B C.
 
-(* What a user asks: every point of the closed triangle is farther from P than r. *)
+(* The user's question: every point of the closed triangle is farther from P than r. *)
 Definition separated (A B C P : vec) (r : R) := forall X, in_triangle X A B C -> r < distance P X.
 
 (* The same with P at the origin and the radius squared. *)
@@ -63,7 +63,7 @@ Proof.
     + apply far; assumption.
 Qed.
 
-(* In the order of the kernels' bits. *)
+(* The comparisons in the order of the kernels' bits. *)
 Inductive comparison :=
   | plane_radius
   | vertex_a_radius | vertex_a_side_b | vertex_a_side_c

@@ -1,15 +1,16 @@
-(* In which window of exponents nothing over- or underflows, by comparison.
+(* The window of exponents in which nothing over- or underflows, by comparison.
 
-   A query lies on the grid g where every translated coordinate and the radius is a whole multiple of 2^g. Then a value of
-   degree k is a multiple of 2^(k g), rounded or not, and where k g is no less than the least exponent emin of the format, no
-   operation underflows: each gives the very number that it gives with an unbounded exponent. Where all of them are at most 2^h
-   in magnitude, a value of degree k is at most size 2^(k h), and where that is below 2^emax, nothing overflows. *)
+   A query lies on the grid g where every translated coordinate and the radius is a whole multiple of 2^g. Then a value
+   of degree k is a multiple of 2^(k g), rounded or not, and where k g is no less than the least exponent emin of the
+   format, no operation underflows: each gives the same number as with an unbounded exponent. Where all numbers are at
+   most 2^h in magnitude, a value of degree k is at most size 2^(k h), and where that is below 2^emax, nothing
+   overflows. *)
 From Coq Require Import Reals ZArith Lra Lia Psatz.
 From Flocq Require Import Core BinarySingleNaN Relative.
 From Axiscert Require Import Vectors Expression Programs Caps Run.
 Open Scope R_scope.
 
-(* Degree at most k at every step, and sums of equal degrees. *)
+(* The degree is at most k at every step, and sums are of equal degrees. *)
 Fixpoint even_degrees (k : nat) (e : expression) : bool :=
   (degree e <=? k)%nat &&
   match e with
@@ -77,7 +78,7 @@ Section Window.
     - rewrite bpow_plus. change (bpow radix2 1) with 2. lra.
   Qed.
 
-  (* What a query's numbers are. *)
+  (* The numbers of a query. *)
   Variables (k : nat) (g h : Z).
   Hypothesis least : (emin <= Z.of_nat k * g)%Z.
   Variable floats : leaf -> float.
@@ -214,7 +215,7 @@ End Window.
 Definition in_window {prec emax} (g h : Z) (floats : leaf -> binary_float prec emax) : Prop := forall l,
   is_finite (floats l) = true /\ on_grid g (B2R (floats l)) /\ Rabs (B2R (floats l)) <= bpow radix2 h.
 
-(* No operation of an expression over- or underflows: each gives what it gives with an unbounded exponent. *)
+(* No operation of an expression over- or underflows: each gives the same result as with an unbounded exponent. *)
 Definition as_unbounded {prec emax} (Hp : Prec_gt_0 prec) (He : Prec_lt_emax prec emax)
   (floats : leaf -> binary_float prec emax) (e : expression) : Prop :=
   is_finite (run prec emax Hp He floats e) = true /\

@@ -1,6 +1,6 @@
 (* The window of exponents of each comparison, in binary32 and binary64, plain and fused: the grid may be as fine as
-   least_grid of its degree, the size as great as below. Inside it the kernel's sides are those of an unbounded exponent.
-   One step beyond either end there are queries that over- or underflow (windows.jsonl). *)
+   least_grid of its degree, the size as great as stated below. Inside it the kernel's sides are those of an unbounded
+   exponent. One step beyond either end there are queries that over- or underflow (windows.jsonl). *)
 From Coq Require Import Reals ZArith Lra Lia.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Expression Programs Caps Run Window.
@@ -44,8 +44,9 @@ Definition reduced_greatest64 (K : comparison) : Z :=
   | _ => published_greatest64 K
   end.
 
-(* The published edge.side, Q.QC: by the sizes of its terms a sum of 480 m^6, and 256 m^6 is where binary32 ends at 2^20. But by
-   Cauchy and Schwarz no part of the sum exceeds |Q| |QC|, which is at most 8 (12 sqrt 3 + 8) m^6. *)
+(* The published edge.side, Q.QC: by the sizes of its terms it is a sum of 480 m^6, and binary32 ends at 256 m^6 for
+   2^20. But by the Cauchy-Schwarz inequality no part of the sum exceeds |Q| |QC|, which is at most 8 (12 sqrt 3 + 8)
+   m^6. *)
 Section Side.
   Variables a1 a2 a3 b1 b2 b3 c1 c2 c3 : R.
   Definition side_e := (b1 - a1) * (b1 - a1) + (b2 - a2) * (b2 - a2) + (b3 - a3) * (b3 - a3).
@@ -131,7 +132,7 @@ Proof.
     rewrite Rabs_mult, (Rabs_pos_eq _ m6). pose proof (Rmult_le_compat_l _ _ _ m6 three). lra.
 Qed.
 
-(* The sides with these caps: the same programs, whose operations and values know nothing of caps. *)
+(* The sides with these caps: the programs are the same, and their operations and values do not depend on caps. *)
 Definition capped_sum (fused : bool) (v w : triple) :=
   if fused then Cap 231 (Fma (ez v) (ez w) (Cap 231 (Fma (ey v) (ey w) (Mul (ex v) (ex w)))))
   else Cap 231 (Add (Cap 231 (Add (Mul (ex v) (ex w)) (Mul (ey v) (ey w)))) (Mul (ez v) (ez w))).

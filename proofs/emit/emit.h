@@ -1,4 +1,4 @@
-// What the recorder is for: one file a language, made from the formulae and committed beside the proofs.
+// The files made from the recorded formulae, one or more for each language, committed beside the proofs.
 #pragma once
 
 #include <map>
@@ -6,7 +6,7 @@
 
 namespace axiscert::proofs {
 
-// By path under proofs/.
+// Texts by path under proofs/.
 using Files = std::map<std::string, std::string>;
 
 Files coq_files();
@@ -14,10 +14,10 @@ Files gappa_files();
 Files range_files();
 Files fpcore_files();
 Files latex_files();
-// kernel/sphere_triangle/proved_bounds.h, its path seen from proofs/.
+// kernel/sphere_triangle/proved_bounds.h, by its path relative to proofs/.
 Files header_files();
 
-// All of them.
+// All of these files.
 Files proof_files();
 
 }  // namespace axiscert::proofs

@@ -1,5 +1,5 @@
-// The sides of every comparison as FPCores (FPBench's FPCore 2.0), in the kernel's operation order: what its tools and
-// others' (Herbie, Daisy, FPTaylor through its converters) read. The domain is the scaled one, as a precondition.
+// The sides of every comparison as FPCores (FPBench's FPCore 2.0), in the kernel's operation order, for FPBench's tools
+// and others (Herbie, Daisy, FPTaylor through its converters). The scaled domain is the precondition.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -41,7 +41,7 @@ Text prefix(const Step& step, const std::vector<Text>& operands) {
   return {};
 }
 
-// Of the coordinates that these inputs translate, and of the radius.
+// The precondition on the coordinates that these inputs translate, and on the radius.
 std::string precondition(const std::vector<std::string>& inputs) {
   std::string text = "(and";
   for (const std::string& input : inputs) {

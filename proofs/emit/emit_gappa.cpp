@@ -1,13 +1,14 @@
-// One Gappa script a comparison, set of formulae, contraction, precision and domain: a bound on the error of lhs - rhs.
+// One Gappa script for each comparison, set of formulae, contraction, precision and domain: a bound on the error of lhs
+// - rhs.
 //
-// Three programs stand in a script: the computed one (a_x, V_x, ...); on the scaled domain the exact one on the
-// computed translated vertices (FV_x, ...); and the exact one on the exact translated vertices (Ma_x, MV_x, ...).
-// Rounding is the first against the second, translation the second against the third. `a ~ Ma` tells Gappa what to
-// compare.
+// A script contains three programs: the computed one (a_x, V_x, ...); on the scaled domain the exact one on the
+// computed translated vertices (FV_x, ...); and the exact one on the exact translated vertices (Ma_x, MV_x, ...). The
+// first differs from the second by rounding, the second from the third by translation. `a ~ Ma` tells Gappa which
+// quantities to compare.
 //
-// Hypotheses, all from Ranges.v: ranges of exact quantities, and how much they change with the vertices. A `cut` is
-// Hoelder's inequality: where each |v_i - Mv_i| <= D and |Mw_x| + |Mw_y| + |Mw_z| <= S, the sum of Mw_i (v_i - Mv_i) is
-// at most D S. The script proves D first, then uses the cut.
+// The hypotheses are all from Ranges.v: ranges of exact quantities, and how much they change with the vertices. A `cut`
+// is Hoelder's inequality: where each |v_i - Mv_i| <= D and |Mw_x| + |Mw_y| + |Mw_z| <= S, the sum of Mw_i (v_i - Mv_i)
+// is at most D S. The script proves D first, then uses the cut.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +36,7 @@ bool is_translated(const std::string& name) {
   return name.size() == 3 && name[0] >= 'a' && name[0] <= 'c' && name[1] == '_';
 }
 
-// A program's definitions and its two sides, each a name or "0".
+// A program's definitions and its two sides; each side is a name or "0".
 struct Written {
   std::string prefix;
   std::vector<Definition> definitions;
@@ -46,7 +47,7 @@ struct Written {
   }
 };
 
-// A sum of products of two vectors of the program, whose error is taken by a cut.
+// A sum of products of two vectors of the program, whose error is bounded by a cut.
 struct Dot {
   std::string_view v, w;
   bool is_lhs;
@@ -131,7 +132,7 @@ class Script {
     return result;
   }
 
-  // The error's first order by either vector, and the exact product of the computed vectors.
+  // The first-order error due to either vector, and the exact product of the computed vectors.
   std::string dot_definitions() const {
     const auto sum = [&](auto&& term) {
       return setting_.contraction == Contraction::fma
@@ -199,7 +200,8 @@ class Script {
     const std::string goal = proved == 0 ? error() + " in ?" : fmt::format("|{}| <= {}", error(), sixteenths(proved));
     if (!dot_) return "  " + goal;
     const auto& [v, w, is_lhs] = *dot_;
-    // Only the error of w is cut: weights v are the ones that sum to less than three times their greatest.
+    // Only the error of w is bounded by a cut: the weights v are those that sum to less than three times their
+    // greatest.
     const int step = vector_bound(setting_, w);
     if (step == 0) return fmt::format("  {0}_x - M{0}_x in ? /\\ {0}_y - M{0}_y in ? /\\ {0}_z - M{0}_z in ?", w);
     std::string steps;

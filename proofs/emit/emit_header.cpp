@@ -1,4 +1,4 @@
-// The bounds as a header of kernel/, for what relies on them.
+// The bounds as a header in kernel/, for code that relies on them.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -21,7 +21,7 @@ Files header_files() {
     }
   }
   return {
-      {"../../kernel/sphere_triangle/proved_bounds.h",
+      {"../kernel/sphere_triangle/proved_bounds.h",
        fmt::format(
            R"(// Proved bounds on |(computed lhs - computed rhs) - (lhs - rhs)|, in u/16. Written by write_proofs: do not edit.
 #pragma once

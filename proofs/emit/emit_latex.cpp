@@ -1,4 +1,5 @@
-// The comparisons over the reals as LaTeX, for a paper: one body a set of formulae, to be \input where amsmath is used.
+// The comparisons over the reals as LaTeX, for a paper: one body for each set of formulae, to be \input where amsmath
+// is loaded.
 #include <fmt/format.h>
 
 #include <cctype>

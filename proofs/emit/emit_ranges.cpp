@@ -24,7 +24,7 @@ Open Scope R_scope.
    Each quantity of the recorded program that a Gappa script of the scaled domain has a range for, and the range. *)
 )";
 
-// The coordinates, spelled as the scripts spell them; with a mark, those of a second triangle.
+// The coordinates, spelled as in the scripts; with a mark, those of a second triangle.
 std::vector<std::string> coordinates(const std::string& mark) {
   std::vector<std::string> all;
   for (const char vertex : {'a', 'b', 'c'}) {
@@ -33,7 +33,7 @@ std::vector<std::string> coordinates(const std::string& mark) {
   return all;
 }
 
-// The first of an edge's ends: 0 for AB, 1 for BC, 2 for CA, and for what belongs to no edge.
+// The index of the first vertex of an edge: 0 for AB, 1 for BC, 2 for CA, and 0 for a quantity that belongs to no edge.
 int first_vertex(std::string_view quantity) {
   constexpr std::string_view numbers = "123", opposites = "CAB";
   const char last = quantity.back();
@@ -53,7 +53,7 @@ std::string arguments(const Range& range, int component, const std::string& mark
   return text;
 }
 
-// All six coordinates of an edge's ends: what a lemma about a sum takes.
+// All six coordinates of an edge's ends, which a lemma about a sum takes.
 std::string sum_arguments(const Range& range) {
   Range all = range;
   all.arguments = "x0 y0 z0 x1 y1 z1";
@@ -80,7 +80,7 @@ std::string definition(const Program& program, const std::string& quantity) {
 
 std::string number(std::string_view dyadic) { return dyadic == "0.75" ? "3 / 4" : std::string(dyadic); }
 
-// From the lemma, by arithmetic that knows polynomials.
+// The proof from the lemma, by arithmetic on polynomials.
 std::string proof(const std::string& lemma, const std::string& quantity) {
   return fmt::format(
       "Proof.\n  intros. assert (L := {}). unfold exact_{}; cbv zeta.\n"

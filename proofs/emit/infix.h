@@ -1,4 +1,4 @@
-// A recorded program as text with infix operators, as Coq, Gappa and LaTeX write it.
+// A recorded program as text with infix operators, in the notation of Coq, Gappa or LaTeX.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace axiscert::proofs {
 
-// How a step is written, given its operands' texts and how tightly each binds.
+// A step as text, and how tightly the text binds.
 struct Text {
   std::string text;
   int binding;  // 1 sum, 2 product, 3 anything that needs no parentheses
@@ -17,7 +17,7 @@ struct Text {
 
 struct Notation {
   std::string times = " * ";
-  // Around every rounded operation; empty: exact.
+  // Written around every rounded operation; empty for exact operations.
   std::string round;
   // How a name is written where it is defined and used.
   std::function<std::string(const std::string&)> name = [](const std::string& n) { return n; };

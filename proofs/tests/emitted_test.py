@@ -1,7 +1,9 @@
-"""emitted_test.py PRINT_SIDES FOLDER SUITE: the FPCores and the LaTeX that write_proofs made, read by somebody else.
+"""emitted_test.py PRINT_SIDES FOLDER SUITE: an independent reader checks the FPCores and the LaTeX that write_proofs
+made.
 
-FPCore  every file is in the grammar of FPCore 2.0; evaluated with fractions, rounded by hand, every core gives the bits of the
-        kernel's side; faults planted in the text are refused or seen
+FPCore  every file is in the grammar of FPCore 2.0; evaluated with fractions and rounded by hand, every core gives
+the bits of
+        the kernel's side; faults planted in the text are refused or detected
 LaTeX   every row reads back as the exact value of the side"""
 import os
 import random
@@ -24,7 +26,8 @@ def read(path):
 
 
 def number(random_source, precision):
-    """One of the format: small integers, uniform ones, and exponents that make degree 6 underflow in binary32."""
+    """A number of the format: a small integer, a uniform one, or one with an exponent that makes degree 6 underflow in
+    binary32."""
     kind = random_source.randrange(4)
     if kind == 0:
         x = float(random_source.randint(-3, 3))
@@ -40,7 +43,7 @@ def queries(precision, count, seed):
 
 
 def kernel_sides(print_sides, kernel, precision, asked):
-    """Of each query the sides by name, as the kernel computes them."""
+    """The sides of each query by name, as the kernel computes them."""
     lines = "".join(" ".join(x.hex() for x in q) + "\n" for q in asked)
     done = subprocess.run([print_sides, kernel, precision], input=lines, capture_output=True, text=True, check=True)
     return [dict(zip(SIDES, map(float.fromhex, line.split()))) for line in done.stdout.splitlines()]
@@ -51,7 +54,7 @@ def values_of(query):
 
 
 def differing(cores, form, precision, asked, computed):
-    """The cores that give another value than the kernel's side; the sign of a zero is not looked at."""
+    """The cores whose value differs from the kernel's side; the sign of a zero is ignored."""
     found = set()
     for query, sides in zip(asked, computed):
         for core in cores:
@@ -61,19 +64,19 @@ def differing(cores, form, precision, asked, computed):
     return found
 
 
-FAULTS = {  # of a text that is right: what is replaced once, and what the reader then says
+FAULTS = {  # in a right text: what is replaced once, and what the reader then says
     "a symbol that is not bound": ("[d (", "[d_ (", "'d' is not bound"),
     "an operand too few": ("(- Ax Px)]", "(* Ax)]", "with 1 operands"),
     "a binding in parentheses": ("[a_x (- Ax Px)]", "(a_x (- Ax Px))", "[symbol expression]"),
     "another rounding": (":round nearestEven", ":round nearest", ":round nearest"),
     "another precision": (":precision binary32", ":precision float", ":precision float"),
-    "a precondition that is no boolean": (":pre (and", ":pre (+", "not in the language"),
+    "a precondition that is not a boolean": (":pre (and", ":pre (+", "not in the language"),
     "a parenthesis too few": ("    (* d d))", "    (* d d)", "is missing"),
     "an operation of no language": ("(* d d)", "(square d d)", "not in the language"),
 }
 
 
-# What the grammar has, and what it has not, beside what is emitted.
+# Texts inside and outside the grammar, besides those that are emitted.
 GRAMMATICAL = ["(FPCore () 1)", "(FPCore f (x) :cite () :pre (< 0 x 1) (sqrt x))", "(FPCore (x) (let ([a 1/2] [a* .5e-3]) (* a a*)))",
                "(FPCore (x) (if (not (isnan x)) (pow x 2) 0x1.8p-3))", "(FPCore (x) :pre (>= x) (let ([b (< x 1)]) (if b x E)))",
                '(FPCore (x) :name "a \\"b\\"" ; (\n :example ([x 1]) (- x))']
@@ -124,7 +127,7 @@ def check_fpcore(print_sides, folder):
             assert says in str(malformed), f"{fault}: {malformed}"
         else:
             raise AssertionError(f"{fault} is accepted")
-    # What is in the grammar and computes something else.
+    # Texts that are in the grammar but compute something else.
     asked = queries("binary32", count, seed)
     computed = kernel_sides(print_sides, "published", "binary32", asked)
     for old, new in (("(* d d)", "(* d a_x)"), ("[AB_x (- b_x a_x)]", "[AB_x (- a_x b_x)]")):
@@ -138,7 +141,7 @@ NAME = re.compile(r"(?:\\mathit\{([A-Za-z]+)\}|([A-Za-z]))(?:_\{(\d*),?([xyz]?)\
 
 
 def arithmetic_of(latex):
-    """A formula of the LaTeX as a Python expression: names back to those of the recorder."""
+    """A formula of the LaTeX as a Python expression, with the names of the recorder."""
     def name(found):
         letters, index, component = found[1] or found[2], found[3] or "", found[4] or ""
         return f"{letters}{index}{'_' if component else ''}{component}"

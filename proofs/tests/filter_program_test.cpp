@@ -20,7 +20,7 @@ namespace {
 using testing_support::Bits, testing_support::random_query;
 using Thresholds = std::array<filter::Threshold, comparison_count>;
 
-// The certified predicate's steps take their constants from what is proved, but for this one.
+// The certified predicate's steps take their constants from what is proved, except this one.
 static_assert(certified::least_relative_triangle == 1.0 / 1048576);
 
 struct FilterUnderTest {
@@ -33,7 +33,7 @@ constexpr std::array<FilterUnderTest, 2> filters = {{
     {"certified-filter-published", Form::published, &filter::published_thresholds},
 }};
 
-// Filter.v: `run`, over numbers of the hardware.
+// `run` of Filter.v, over hardware numbers.
 template <class Real>
 void run(const Program& program, const Query<Real>& q, std::vector<Real>& values) {
   values.clear();
@@ -66,7 +66,7 @@ void run(const Program& program, const Query<Real>& q, std::vector<Real>& values
   }
 }
 
-// Filter.v: `greatest`, `inside`, `certainly_greater`, `certainly_less` and `filter`, in their words.
+// `greatest`, `inside`, `certainly_greater`, `certainly_less` and `filter` of Filter.v, literally.
 template <class Real>
 class FilterProgram {
  public:
@@ -112,7 +112,7 @@ class FilterProgram {
   std::vector<Real> values_;
 };
 
-// Numbers by their place among the numbers of the format, so that a walk from one to another can be halved.
+// The position of a number among the numbers of the format, so that the way from one number to another can be halved.
 template <class Real>
 std::int64_t place(Real x) {
   const auto bits = static_cast<std::int64_t>(std::bit_cast<Bits<Real>>(std::fabs(x)));
@@ -124,8 +124,8 @@ Real at_place(std::int64_t i) {
   return i < 0 ? -size : size;
 }
 
-// Where the answer turns, as one coordinate goes from its value in q to `to`: the queries on both sides, an ulp apart.
-// There the answer hangs on the last bit of what is compared.
+// Appends the queries, an ulp apart, between which the answer changes as one coordinate goes from its value in q to
+// `to`. There the answer depends on the last bit of the values that are compared.
 template <class Real, class Answer>
 void append_turn(const Query<Real>& q, std::size_t coordinate, Real to, Answer&& answer, QueryBatch<Real>& found) {
   auto v = coordinates(q);
@@ -150,7 +150,7 @@ class FilterKernels : public testing::Test {
   static constexpr std::uint64_t seed = 20261122;
   std::mt19937_64 random{seed};
 
-  // In [-1, 1), a third each with a repeated vertex or with a centre that shares a coordinate with each vertex.
+  // A query in [-1, 1); a third have a repeated vertex, and a third a centre that shares a coordinate with each vertex.
   Query<Real> ordinary() {
     Query<Real> q = random_query<Real>(random, false);
     q.r = std::fabs(q.r);
@@ -163,7 +163,7 @@ class FilterKernels : public testing::Test {
     for (Real& x : v) x = std::ldexp(x, exponent);
     return from_coordinates(v);
   }
-  // Queries of every kind: ordinary, at and beyond the ends of the window, of any bits.
+  // Queries of every kind: ordinary, at and beyond the ends of the window, with arbitrary bits.
   QueryBatch<Real> queries(std::size_t count) {
     constexpr int end = sizeof(Real) == 4 ? 19 : 168;
     QueryBatch<Real> all(count);
@@ -173,7 +173,7 @@ class FilterKernels : public testing::Test {
     }
     return all;
   }
-  // Where the program's answer turns, by each coordinate in turn.
+  // Queries at which the program's answer changes, by each coordinate in turn.
   QueryBatch<Real> turns(FilterProgram<Real>& program, std::size_t count) {
     QueryBatch<Real> all(2 * count);
     for (std::size_t i = 0; all.size() < 2 * count; ++i) {
@@ -210,13 +210,13 @@ TYPED_TEST(FilterKernels, AnswerAsTheRecordedProgramOfTheTheorem) {
   SCOPED_TRACE(testing::Message() << "seed " << this->seed);
   for (const FilterUnderTest& filter : filters) {
     FilterProgram<TypeParam> program(filter.form, *filter.thresholds);
-    expect_the_program(filter, program, this->queries(40'001));  // no multiple of any vector
+    expect_the_program(filter, program, this->queries(40'001));  // not a multiple of any vector length
     expect_the_program(filter, program, this->turns(program, 4'000));
   }
 }
 
-// The turns hang on the last bit: a threshold greater by one is seen, of each kind of comparison. (Not of each
-// comparison: where a vertex axis is at its boundary an edge axis mostly separates, too.)
+// These queries depend on the last bit: a threshold greater by one shows, for each kind of comparison. (Not for each
+// comparison: where a vertex axis is at its boundary, an edge axis mostly separates too.)
 TYPED_TEST(FilterKernels, WouldShowAThresholdThatIsOffByOne) {
   SCOPED_TRACE(testing::Message() << "seed " << this->seed);
   for (const FilterUnderTest& filter : filters) {

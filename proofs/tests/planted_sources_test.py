@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""planted_sources_test.py CXX PROOFS_LIBRARY [unittest arguments]: a fault in the sources that the proofs begin from, a formula
-or a claimed figure, goes through the recorder and is refused at the file that says so.
+"""planted_sources_test.py CXX PROOFS_LIBRARY [unittest arguments]: a fault in a source of the proofs, a formula or a
+claimed figure, passes through the recorder and is refused at the file that states it.
 
-Each fault is one token of a source, in a copy that the compiler finds first. The recorder built from it writes its own proofs:
-`--check` says at once that the committed ones are not current; and where somebody would write them again, the checker refuses
-them at the file named."""
+Each fault is one token of a source, in a copy that the compiler finds first. The recorder built from it writes its
+own proofs. `--check` reports at once that the committed ones are not current; and if somebody wrote them again, the
+checker would refuse them at the file named."""
 import os
 import pathlib
 import re
@@ -37,28 +37,28 @@ class PlantedSources(unittest.TestCase):
         (overlay / source).parent.mkdir(parents=True)
         (overlay / source).write_text(text.replace(old, new))
         planted = overlay / unit if source == unit else ROOT / unit
-        # The unit's own definitions go before those of the library.
+        # The unit's own definitions take precedence over those of the library.
         subprocess.run([CXX, "-std=c++20", "-O0", "-ffp-contract=off", "-I", overlay, "-I", ROOT, planted,
                         PROOFS / "write_proofs.cpp", LIBRARY, "-lfmt", "-o", self.work / "write_proofs"], check=True)
         return self.work / "write_proofs"
 
     def stale(self, writer):
-        """The committed files that are not what this recorder writes."""
+        """The committed files that differ from those that this recorder writes."""
         done = subprocess.run([writer, "--check", PROOFS], capture_output=True, text=True)
         self.assertEqual(done.returncode, 1, done.stderr)
         return {os.path.basename(line.split(": not what")[0]) for line in done.stderr.splitlines()}
 
     def written(self, writer):
-        made = self.work / "tree" / "exact" / "proofs"
+        made = self.work / "tree" / "proofs"
         made.mkdir(parents=True)
-        (self.work / "tree" / "kernel").mkdir()
+        (self.work / "tree" / "kernel" / "sphere_triangle").mkdir(parents=True)
         subprocess.run([writer, made], check=True, stdout=subprocess.DEVNULL)
         return made
 
     def refused_by_coq(self, made, target):
-        """The file at which the theory built with this Recorded.v stops, on the way to `target`."""
+        """The file at which the build of the theory with this Recorded.v stops, on the way to `target`."""
         theory = self.work / "coq"
-        shutil.copytree(COQ_BUILD, theory)  # with times: only what depends on Recorded.v is built again
+        shutil.copytree(COQ_BUILD, theory)  # with times, so that only what depends on Recorded.v is built again
         (theory / "Recorded.v").write_bytes((made / "coq" / "Recorded.v").read_bytes())
         result = subprocess.run(["make", "--no-print-directory", target + "o"], cwd=theory, text=True, capture_output=True)
         self.assertNotEqual(result.returncode, 0, "the theory accepts it")
@@ -81,7 +81,7 @@ class PlantedSources(unittest.TestCase):
                      "RecordedIsSat7.v")
 
     def test_another_order_of_operations(self):
-        """The same over the reals: it is the program of the rounding proofs that is another."""
+        """Over the reals the formula is the same; the program of the rounding proofs differs."""
         self.formula("kernel/base/geometry.h", "(u.x * v.x + u.y * v.y) + u.z * v.z", "u.x * v.x + (u.y * v.y + u.z * v.z)",
                      "RecordedIsProgram.v")
 

@@ -19,7 +19,7 @@ def scripts(pattern):
 
 
 def accepted(text, seconds=600):
-    """Whether Gappa proves a script; a script that it cannot read is an error of the test."""
+    """Whether Gappa proves a script. A script that it cannot read is an error of the test."""
     run = subprocess.run(["gappa"], input=text, capture_output=True, text=True, timeout=seconds)
     assert "syntax error" not in run.stderr, run.stderr
     return run.returncode == 0
@@ -31,7 +31,8 @@ def read(path):
 
 
 def proved(text):
-    """Gappa's search depends on where its memory lies: of one script of 176 about every seventh run fails, after minutes."""
+    """Whether Gappa proves a script, in several attempts: its search depends on memory addresses, and on one script of
+    176 about every seventh run fails, after minutes."""
     for seconds in (60, 60, 60, 600):
         try:
             if accepted(text, seconds):
@@ -49,10 +50,10 @@ def require(paths):
 
 def current():
     subprocess.run([write_proofs, "--check", folder], check=True)
-    # A file that nothing generates proves nothing about the formulae.
+    # A file that is not generated proves nothing about the formulae.
     with tempfile.TemporaryDirectory() as fresh:
-        made = os.path.join(fresh, "exact", "proofs")
-        os.makedirs(os.path.join(fresh, "kernel"))
+        made = os.path.join(fresh, "proofs")
+        os.makedirs(os.path.join(fresh, "kernel", "sphere_triangle"))
         os.makedirs(made)
         subprocess.run([write_proofs, made], check=True, stdout=subprocess.DEVNULL)
         for kind in ("gappa", "fpcore", "latex"):
@@ -60,7 +61,7 @@ def current():
                 for name in names:
                     path = os.path.relpath(os.path.join(where, name), folder)
                     assert os.path.exists(os.path.join(made, path)), f"{path}: nothing writes it"
-        # A changed formula, or any changed byte, is seen.
+        # A changed formula, or any changed byte, is detected.
         path = os.path.join(made, "coq", "Recorded.v")
         with open(path, "a") as file:
             file.write("\n")
@@ -68,7 +69,8 @@ def current():
 
 
 def planted():
-    """Each fault at one place of a script that is accepted without it: the shortest, since Gappa searches long in vain."""
+    """Plants each fault in one place of a script that is accepted without it: the shortest, since a vain search of
+    Gappa takes long."""
     path = scripts(r"binary32/scaled/published_plain_vertex_a_radius")[0]
     text = read(path)
     assert accepted(text), path
@@ -101,12 +103,12 @@ def ranges():
             file.writelines(f"Print Assumptions {name}.\n" for name in names)
         run = subprocess.run(["coqc", "-Q", ".", "Axiscert", "Assumptions.v"], cwd=work, check=True, capture_output=True,
                              text=True)
-        # Those of Coq's Reals, no others.
+        # The axioms of Coq's Reals, and no others.
         axioms = set(re.findall(r"^(\S+) :", run.stdout, re.M)) - {"Axioms"}
         known = {"ClassicalDedekindReals.sig_forall_dec", "ClassicalDedekindReals.sig_not_dec",
                  "FunctionalExtensionality.functional_extensionality_dep", "Classical_Prop.classic"}
         assert axioms <= known, axioms - known
-        # A range too narrow.
+        # A range that is too narrow.
         narrow = claimed.replace("-4 <= exact_V_x", "-3 <= exact_V_x")
         assert narrow != claimed
         with open(os.path.join(work, "RangesClaimed.v"), "w") as file:
@@ -133,7 +135,7 @@ def certificates(pattern):
     "AllScripts": lambda: require(scripts("")),
     "Ranges": ranges,
     "Certificates": lambda: certificates(r"binary32/scaled/(published_plain_vertex_a_(radius|side_b)|reduced_plain_edge_ab_radius)\.g$"),
-    # One of each kind.
+    # One certificate of each kind.
     "AllCertificates": lambda: certificates(
         r"binary32/scaled/(published_plain_(plane_radius|edge_ab_\w+)|reduced_plain_edge_ab_side_c)\.g$"),
 }[suite]()

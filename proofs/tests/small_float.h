@@ -1,5 +1,5 @@
-// A binary floating-point number of a few bits, gradual underflow included: every operation rounded to nearest, ties to
-// even. Its exponents have no upper end.
+// A binary floating-point number of a few bits, with gradual underflow: every operation is rounded to nearest, ties to
+// even. Its exponents have no upper limit.
 #pragma once
 
 #include <algorithm>
@@ -7,9 +7,10 @@
 
 namespace axiscert::proofs {
 
-// `Digits` significant bits, the leading one included; `LeastExponent` that of the last place of the least number. As
-// binary32: 24, -149. Held in a double, where a sum or a product of two such numbers is exact before it is rounded:
-// products have 2 Digits bits; sums have at most 53, by which exponents may be apart here.
+// `Digits` is the number of significant bits, the leading one included; `LeastExponent` is the exponent of the least
+// number's last place. binary32 has 24 and -149. The number is kept in a double, in which a sum or a product of two
+// such numbers is exact before it is rounded: products have 2 Digits bits; sums have at most 53, because exponents are
+// not farther apart here.
 template <int Digits, int LeastExponent>
 class SmallFloat {
  public:

@@ -1,9 +1,10 @@
-// Every query of a reduced space, in formats of a few bits: the computed sides against the exact ones, and against the
-// error bound of the format; and the three answers of a filter made of the bound, none of them certain and wrong.
+// Every query of a reduced space, in formats of a few bits: the computed sides are compared with the exact ones and
+// with the error bound of the format, and none of the three answers of a filter made from the bound is certain and
+// wrong.
 //
-// P is the origin, so that nothing is translated; every coordinate is a number of the format in [-1, 1], r one in [0,
-// 1]. Symmetry: negating one coordinate of A, B and C negates both factors of every product of that coordinate, or one
-// factor in each term of a cross product's component. Sums keep their order, and rounding to nearest is odd, so that
+// P is the origin, so that nothing is translated; every coordinate is a number of the format in [-1, 1], and r one in
+// [0, 1]. Symmetry: negating one coordinate of A, B and C negates both factors of every product of that coordinate, or
+// one factor in each term of a cross product's component. Sums keep their order, and rounding to nearest is odd, so
 // every side keeps its bits: A's coordinates are taken >= 0.
 #include <gtest/gtest.h>
 
@@ -21,10 +22,10 @@ namespace {
 
 struct Count {
   std::uint64_t queries = 0, inexact = 0, flips = 0, certain = 0;
-  double most = 0;  // of an error over its bound
+  double most = 0;  // the greatest ratio of an error to its bound
 };
 
-// The numbers of the format in [0, 1], and with their negatives.
+// The numbers of the format in [0, 1], with their negatives if `negative`.
 std::vector<double> numbers(int digits, int least_exponent, bool negative) {
   std::vector<double> all;
   const double last = std::ldexp(1.0, least_exponent);
@@ -40,7 +41,8 @@ std::vector<double> numbers(int digits, int least_exponent, bool negative) {
 template <class F, int Digits, int LeastExponent>
 void compare(const Query<double>& query, const std::array<double, comparison_count>& bounds, Count& count) {
   using Number = SmallFloat<Digits, LeastExponent>;
-  // Coordinates and radii are multiples of 2^LeastExponent; sides of their sixth power, below 2^10: binary64 is exact.
+  // Coordinates and radii are multiples of 2^LeastExponent, and sides are of degree six at most and below 2^10:
+  // binary64 is exact.
   static_assert(-6 * LeastExponent + 10 <= 53);
   const auto exact = sides_of<F>(problem_as<double>(query, [](double x) { return x; }));
   const auto computed = sides_of<F>(problem_as<Number>(query, [](double x) { return Number(x); }));
@@ -52,14 +54,15 @@ void compare(const Query<double>& query, const std::array<double, comparison_cou
     count.flips += (found > 0) != (margin > 0);
     count.most = std::max(count.most, error / bounds[k]);
     ASSERT_LE(error, bounds[k]) << comparisons[k].name;
-    // Certain answers.
+    // The filter's certain answers.
     count.certain += std::fabs(found) > bounds[k];
     ASSERT_FALSE(found > bounds[k] && margin <= 0) << comparisons[k].name;
     ASSERT_FALSE(found < -bounds[k] && margin >= 0) << comparisons[k].name;
   }
 }
 
-// The coordinates of A (not negative, by symmetry), of B and C but C's z, and of that; the radii.
+// Choices for the coordinates of A (not negative, by symmetry), for those of B and C except C's z, and for C's z; and
+// for the radius.
 struct Space {
   std::vector<double> a, others, last, radii;
 };
@@ -70,7 +73,7 @@ Count exhaust(Form form, const Space& space) {
   const auto bounds = forward_error(record(form, Contraction::plain), Digits, LeastExponent);
   Count count;
   Query<double> q{};
-  // Nine nested loops as one counter, its digits from A's x to C's z.
+  // Nine nested loops as one counter, whose digits run from A's x to C's z.
   std::array<std::size_t, 9> at{};
   const auto choices = [&](std::size_t i) -> const std::vector<double>& {
     return i < 3 ? space.a : i < 8 ? space.others : space.last;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""thresholds_test.py: the exported headers of kernel/sphere_triangle/certified_filter and coq/Exported.v are what the Coq theory states, and a figure
-changed in any of these files is seen, at the right one."""
+"""thresholds_test.py: the exported headers of kernel/sphere_triangle/certified_filter and coq/Exported.v have the
+figures of the Coq theory, and a changed figure in any of these files is reported for the right one."""
 import pathlib
 import shutil
 import subprocess

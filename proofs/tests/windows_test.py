@@ -1,5 +1,5 @@
-"""windows_test.py PRINT_SIDES: the table and the queries are what windows.py makes; the kernels, plain and fused, give the sides
-of an unbounded exponent on every query inside the window, and not on those one step beyond its ends."""
+"""windows_test.py PRINT_SIDES: the table and the queries are what windows.py makes; the kernels, plain and fused, give
+the sides of an unbounded exponent on every query inside the window, and do not on those one step beyond its ends."""
 import json
 import pathlib
 import random
@@ -45,7 +45,7 @@ def replay():
 
 
 def within(source, g, h):
-    """A multiple of 2^g of at most 2^h and at most 24 significant bits: at either end, or anywhere."""
+    """A multiple of 2^g, at most 2^h and of at most 24 significant bits: at either end of the range, or anywhere."""
     kind = source.randrange(4)
     low = g if kind == 0 else source.randint(g, h - 23)
     n = source.randint(-3, 3) if kind < 2 else source.randint(-2 ** 23, 2 ** 23)
@@ -53,7 +53,7 @@ def within(source, g, h):
 
 
 def inside(seed):
-    """Random queries of each window, both ends among them."""
+    """Checks random queries of each window, both ends among them; returns the number of sides checked."""
     source, greatest, count = random.Random(seed), windows.proved_greatest(), 0
     for form in FORMS:
         for precision in ("binary32", "binary64"):

@@ -1,5 +1,5 @@
-// Runs in the page: every text whose colour on its background is below WCAG 2.1 AA, 4.5, or 3 for large text; once a
-// pair of colours. Text in pictures, which is not of HTML's colours, is left to the eye.
+// Runs in the page: finds every text whose contrast with its background is below WCAG 2.1 AA, 4.5, or 3 for large text;
+// each pair of colours once. Text in pictures, which has no HTML colours, is left to the eye.
 export function contrast_faults() {
   const parse = (text) => {
     const numbers = text.match(/[0-9.]+/g)?.map(Number) ?? [0, 0, 0, 0];

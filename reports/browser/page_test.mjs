@@ -1,4 +1,4 @@
-// report.html in Debian's Chromium, from disk and without a network: node page_test.mjs AXISCERT TESTDATA WORK
+// Tests report.html in Debian's Chromium, from disk and without a network: node page_test.mjs AXISCERT TESTDATA WORK
 //   AXISCERT  the command; TESTDATA  reports/testdata; WORK  a folder of the build tree, for runs, npm's packages, screenshots
 // Every test opens pages that the command rendered; the run's seed is in the plan below.
 import assert from 'node:assert/strict';
@@ -15,7 +15,8 @@ import {contrast_faults} from './contrast.mjs';
 const [axiscert, testdata, work] = process.argv.slice(2).map((given) => path.resolve(given));
 const here = path.dirname(new URL(import.meta.url).pathname);
 
-// npm's packages of package-lock.json, in the build tree. Where they cannot be had the tests fail: nothing is skipped.
+// Installs the packages of package-lock.json in the build tree. Where they are not available the tests fail: nothing is
+// skipped.
 function browser_driver() {
   const packages = path.join(work, 'npm');
   fs.mkdirSync(packages, {recursive: true});
@@ -48,7 +49,7 @@ function folder(name) {
 
 function render(into) { execFileSync(axiscert, ['report', into], {stdio: ['ignore', 'ignore', 'inherit']}); }
 
-// A real run: two kernels, families that break every link but the implementation's.
+// A real run: three kernels, and families that break every link but the implementation's.
 const plan = ['--kernel', 'published', '--kernel', 'nonstrict', '--kernel', 'published+fma', '--precision', 'binary32',
               '--trials', '2000', '--seed', '8', '--tolerance', '50', '--require', 'logic'];
 const families = ['general', 'tangent', 'sliver', 'repeated', 'scale', 'nonfinite'].flatMap((name) => ['--family', name]);
@@ -60,14 +61,14 @@ before(async () => {
   real = folder('real');
   const run = spawnSync(axiscert, ['run', ...plan, ...families, '--out', real], {encoding: 'utf8'});
   assert.equal(run.status, 1, `the run has wrong verdicts by specification, so exits 1: ${run.stderr}`);
-  // A container's root has no user namespaces for the sandbox; what is opened is our own file.
+  // A container's root has no user namespaces for the sandbox; the page that is opened is our own file.
   const args = process.getuid() === 0 ? ['--no-sandbox'] : [];
   browser = await chromium.launch({executablePath: chromium_path(), args, headless: true});
 });
 
 after(async () => { await browser?.close(); });
 
-// A page without a network that fails its test on any error, message of error, or request beyond the file.
+// Opens a page without a network; the test fails on any error, error message, or request other than for the file.
 async function opened(into, options = {}) {
   const context = await browser.newContext({viewport: {width: 1440, height: 900}, ...options});
   await context.setOffline(true);
@@ -128,7 +129,7 @@ test('sorts a table by pointer and by keyboard', async () => {
   await close();
 });
 
-// What the heat table shows for a comparison and family, in full.
+// The full text of the heat table's cell for a comparison and a family.
 const heat_words = (page, name, place) => page.locator('#heat-tables table').first().locator('tr', {hasText: name})
   .locator('td').nth(place).evaluate((cell) => (cell.querySelector('button') ?? cell).title);
 
@@ -335,7 +336,8 @@ test('shows names from plug-ins, meshes and queries as text', async () => {
   await close();
 });
 
-// What other commands leave in a run's folder, in the forms that attachments.h names, with names that would be markup.
+// Writes the files that other commands leave in a run's folder, in the forms that attachments.h describes, with names
+// that would be markup.
 function attach(into) {
   const write = (file, value) => fs.writeFileSync(path.join(into, file), typeof value === 'string' ? value : JSON.stringify(value));
   const png = Buffer.from('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==', 'base64');
@@ -418,7 +420,7 @@ for (const scheme of ['light', 'dark']) {
     const into = path.join(work, `report-${scheme}.png`);
     await page.screenshot({path: into, fullPage: true});
     assert.ok(fs.statSync(into).size > 50000);
-    // Nothing sticks out sideways on a wide screen or on a narrow one.
+    // Nothing extends beyond the sides of a wide or of a narrow screen.
     for (const width of [1440, 420]) {
       await page.setViewportSize({width, height: 800});
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${width} wide`);
@@ -431,7 +433,7 @@ test('reaches everything by keyboard', async () => {
   const {page, close} = await opened(real);
   await page.keyboard.press('Tab');
   assert.equal(await page.evaluate(() => document.activeElement.className), 'skip');
-  // Whatever answers a click is an element that a keyboard reaches, and has a name to be read out.
+  // Every element that answers a click is reached by the keyboard and has a name that can be read out.
   const nameless = await page.$$eval('button, a, select, summary, input, [tabindex="0"]', (all) => all.filter((node) =>
     !(node.textContent.trim() || node.getAttribute('aria-label') || node.labels?.[0]?.innerText || node.hidden || node.closest('[hidden]'))).map((node) => node.outerHTML.slice(0, 120)));
   assert.deepEqual(nameless, []);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/sha256.h"
 
 namespace axiscert {
 namespace {
@@ -82,7 +82,7 @@ std::vector<Cell> cells_of(const Json& record) {
 std::string fingerprint(const Json& key) { return short_hash(key.dump()); }
 
 Json queries_of(const Json& plan, const std::string& family, const std::string& precision) {
-  // Of a run that was stopped by time or by hand, how many queries there were is no matter of its plan.
+  // The number of queries of a run that was stopped by time or by hand does not follow from its plan.
   if (!plan["units_done"].is_null() || !plan["trials"].contains(family) ||
       !plan["trials"][family].contains(precision)) {
     return nullptr;

@@ -11,8 +11,8 @@
 namespace axiscert {
 namespace {
 
-// The counts of both as independent trials: queries that share a triangle count as one, and a count shrinks with them.
-// A fraction that is left is rounded towards the other rate, which never makes an alarm.
+// The counts of both cells as independent trials: queries that share a triangle count as one, and the count of failures
+// is scaled down with them. A remaining fraction is rounded towards the other cell's rate, which never causes an alarm.
 std::pair<Proportion, Proportion> independent(const Cell& x, const Cell& y) {
   const auto scaled = [](const Cell& cell, bool up) {
     const std::uint64_t n = cell.of.trials, m = cell.independent;
@@ -26,7 +26,7 @@ std::pair<Proportion, Proportion> independent(const Cell& x, const Cell& y) {
   const bool x_is_lower = cross(x.of, y.of) < cross(y.of, x.of);
   std::pair both = {scaled(x, x_is_lower), scaled(y, !x_is_lower)};
   const auto left = cross(both.first, both.second), right = cross(both.second, both.first);
-  if (x_is_lower ? left >= right : left <= right) both.second = both.first;  // nothing is left of the difference
+  if (x_is_lower ? left >= right : left <= right) both.second = both.first;  // scaling left no difference
   return both;
 }
 
@@ -46,13 +46,13 @@ class Comparer {
       const auto match = in_after.extract(cell.key());
       if (!match.empty()) add(std::move(cell), std::move(match.mapped()));
       else if (cell.kind == Cell::Kind::finding) add_finding(std::move(cell), false);
-      else note_absent(cell, "is in OLD alone");
+      else note_absent(cell, "is only in OLD");
     }
-    // Findings have no cell where there is none.
+    // A record has a cell for a finding only where there was one.
     for (Cell& cell : cells_of(after_)) {
       if (in_after.count(cell.key()) == 0) continue;
       if (cell.kind == Cell::Kind::finding) add_finding(std::move(cell), true);
-      else note_absent(cell, "is in NEW alone");
+      else note_absent(cell, "is only in NEW");
     }
     correct();
     for (ComparedCell& cell : result_.cells) {
@@ -65,7 +65,7 @@ class Comparer {
   }
 
  private:
-  // A kernel or family that is missing is said once, not once a cell. A family's verdict comes first.
+  // Reports a missing kernel or family once, not once for each cell. A family's verdict comes first.
   void note_absent(const Cell& cell, const std::string& why) {
     const std::string family = fmt::format("{} {} on {}", cell.kernel, cell.precision, cell.family);
     if (cell.place == "verdict" || cell.kind == Cell::Kind::finding) absent_.emplace(family, why);
@@ -77,12 +77,12 @@ class Comparer {
     Cell none = cell;
     none.figure = 0;
     ComparedCell compared{is_new ? none : cell, is_new ? cell : none};
-    // Chance explains no finding. A kernel that NEW did not run at all has not been mended.
+    // Chance cannot explain a finding. A kernel that NEW did not run at all has not been mended.
     const auto has_kernel = [&](const Json& record) {
       const Json& kernels = record["plan"]["kernels"];
       return std::find(kernels.begin(), kernels.end(), cell.kernel) != kernels.end();
     };
-    if (!is_new && !has_kernel(after_)) return note_absent(cell, "is in OLD alone");
+    if (!is_new && !has_kernel(after_)) return note_absent(cell, "is only in OLD");
     compared.change = is_new ? Change::fresh : Change::fixed;
     result_.cells.push_back(std::move(compared));
   }
@@ -99,7 +99,7 @@ class Comparer {
 
   void add(Cell before, Cell after) {
     if (before.member == "tolerance_failures" && tolerance_of(before_, before) != tolerance_of(after_, after)) {
-      return note_absent(before, "was counted with another tolerance");
+      return note_absent(before, "was counted with a different tolerance");
     }
     ComparedCell compared{std::move(before), std::move(after)};
     compared.same_queries = has_same_queries(compared.before);

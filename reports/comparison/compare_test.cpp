@@ -1,4 +1,4 @@
-// Two records held against each other, on a stored one and on what is changed in it.
+// Comparison of records: a stored one with itself and with changed copies.
 #include "reports/comparison/compare.h"
 
 #include "reports/comparison/show.h"
@@ -10,7 +10,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// The stored record, and the same as if drawn from another seed.
+// The stored record as if it had been drawn from another seed.
 Json other_seed() {
   Json record = stored_record();
   record["plan"]["seed"] = 2;
@@ -36,7 +36,7 @@ TEST(Compare, ARunWithItselfDoesNotDiffer) {
   EXPECT_EQ(answer(same), "no change");
   EXPECT_EQ(same.tested, 0u);
   EXPECT_TRUE(same.not_compared.empty());
-  // With another seed the same counts are no evidence of anything, and maxima none at all.
+  // With another seed, equal counts are not evidence of a change, and maxima never are.
   EXPECT_EQ(answer(compare_records(record, other_seed(), {})), "no change");
 }
 
@@ -64,7 +64,7 @@ TEST(Compare, OnOtherQueriesOnlyWhatChanceDoesNotExplain) {
   const Json before = stored_record();
   Json after = other_seed();
   Json& verdict = tangent_counts(after)["verdict"];
-  verdict["false_separation"] = 55;            // of 995, where 40 were: chance
+  verdict["false_separation"] = 55;            // among 995, where OLD has 40: explained by chance
   verdict["deepest_false_separation"] = 0.99;  // a maximum
   tangent_counts(after)["comparisons"]["plane.radius"]["max_error_u"] = 1e9;
   EXPECT_EQ(compare_records(before, after, {}).alarms(), 0u);
@@ -76,7 +76,7 @@ TEST(Compare, OnOtherQueriesOnlyWhatChanceDoesNotExplain) {
   EXPECT_GT(found.tested, 50u);
 }
 
-// 3000 queries of a mesh of 12 triangles are 12 draws: a third of them wrong is no certain change.
+// 3000 queries on a mesh of 12 triangles are 12 independent draws: a third of them wrong is not a certain change.
 TEST(Compare, QueriesThatShareATriangleAreOne) {
   const Json before = stored_record();
   Json after = other_seed();

@@ -7,10 +7,10 @@
 #include <map>
 #include <memory>
 
-#include "exact/judge/examine.h"
+#include "exact/sphere_triangle/claims/examine.h"
 #include "fuzz/files/query_line.h"
 #include "kernel/base/error.h"
-#include "reports/wording/finding.h"
+#include "fuzz/confirm/finding_record.h"
 #include "fuzz/confirm/record.h"
 #include "reports/wording/reproduce.h"
 
@@ -36,7 +36,7 @@ std::string flips_text(const Json& flips) {
   return texts.empty() ? "no flip" : fmt::format("{}", fmt::join(texts, "; "));
 }
 
-// One kernel of the record, begun once; why it cannot be asked, where it cannot.
+// One kernel of the record, started once; where that is not possible, `absent` says why.
 struct Asked {
   std::unique_ptr<Examiner> examiner;
   const Kernel* kernel = nullptr;

@@ -1,4 +1,4 @@
-// Known witnesses, asked again: of the kernels of this build, by all oracles.
+// Known witnesses, evaluated again by the kernels of this build and by all oracles.
 #pragma once
 
 #include <array>
@@ -7,16 +7,16 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 
 enum class ReplayOutcome {
   as_before,    // the same flips, with the same broken links
   mended,       // flips before, none now
-  changed,      // other flips than before
+  changed,      // flips other than before
   wrong_now,    // the verdict was right, and is wrong now
-  not_replayed  // no such kernel here, a plug-in that nobody vouched for, or answers that came through a pipe
+  not_replayed  // this build lacks the kernel, the plug-in is not trusted, or the answers came through a pipe
 };
 inline constexpr std::array<std::string_view, 5> replay_names = {"as before", "mended", "changed", "wrong now",
                                                                  "not replayed"};
@@ -24,12 +24,12 @@ inline constexpr std::array<std::string_view, 5> replay_names = {"as before", "m
 struct Replayed {
   std::string id, kernel, precision, family;
   ReplayOutcome outcome;
-  std::string note;  // why it was not replayed; or the flips now
+  std::string note;  // why it was not replayed; otherwise the flips now
   bool is_alarm() const { return outcome == ReplayOutcome::wrong_now; }
 };
 
-// Every witness of the record, in its order. A plug-in is loaded where `trusted` has its id, "plugin:PATH", and nowhere
-// else: a record that came by mail must not choose what code runs here. Throws OracleDisagreement.
+// Evaluates every witness of the record, in its order. A plug-in is loaded only where `trusted` has its id,
+// "plugin:PATH": a record that came by mail must not choose what code runs here. Throws OracleDisagreement.
 std::vector<Replayed> replay_witnesses(const Json& record, std::string_view target,
                                        const std::set<std::string>& trusted = {});
 

@@ -1,4 +1,4 @@
-// Runs that differ in chance alone, and runs that do not: how often compare says that one is worse.
+// How often compare calls a run worse: among runs that differ in chance alone, and among runs that do not.
 #include <gtest/gtest.h>
 
 #include "kernel/kernel.h"
@@ -27,7 +27,7 @@ Json run(const Sample& sample, const std::string& kernel, std::uint64_t seed) {
   return record_of(plan, run_campaign(plan, never, [](const Progress&) {}), "");
 }
 
-// The kernel of a record under the name of another, as a new version of it would be.
+// The record with its kernel renamed, as a new version of that other kernel would give it.
 Json renamed(Json record, const std::string& id) {
   record["plan"]["kernels"][0] = id;
   for (const char* list : {"kernels", "witnesses"}) {
@@ -36,7 +36,7 @@ Json renamed(Json record, const std::string& id) {
   return record;
 }
 
-// Pairs of seeds 2i + 1 and 2i + 2 with an alarm.
+// Number of pairs of seeds 2i + 1 and 2i + 2 with an alarm.
 int alarms(const Sample& sample, std::uint64_t pairs) {
   int found = 0;
   for (std::uint64_t i = 0; i < pairs; ++i) {
@@ -51,12 +51,12 @@ int alarms(const Sample& sample, std::uint64_t pairs) {
   return found;
 }
 
-// At most 5 % of 20 are 1.
+// At most 5 % of 20 pairs: 1 pair.
 TEST(CompareSeeds, TwentyPairsOfSeedsGiveAtMostOneAlarm) {
   EXPECT_LE(alarms({{"sliver", "repeated"}, 96, {Precision::binary32}}, 20), 1);
 }
 
-// The same test has to see what is there: sides that are strict invent contacts.
+// The same test has to detect a real difference: strict sides invent contacts.
 TEST(CompareSeeds, AnotherKernelIsSeenAcrossSeeds) {
   const Sample sample{{"repeated"}, 512, {Precision::binary32}};
   const Json before = run(sample, "nonstrict", 1), after = renamed(run(sample, "published", 2), "nonstrict");
@@ -91,7 +91,7 @@ TEST(CompareSeeds, KnownWitnessesOfAnotherKernelDoNot) {
   EXPECT_NE(absent.at(0).note, "");
 }
 
-// The file does not exist: who tried to load it would say so.
+// The file does not exist: the note of a replay that tried to load it says so.
 TEST(CompareSeeds, APluginThatARecordNamesIsLoadedForWhoNamesItAlone) {
   const std::string id = "plugin:/no such.so";
   const Json record = renamed(run({{"repeated"}, 64, {Precision::binary32}}, "published", 1), id);

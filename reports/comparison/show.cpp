@@ -8,7 +8,7 @@
 #include <map>
 
 #include "kernel/base/utf8.h"
-#include "reports/formats/markdown_text.h"
+#include "reports/wording/markdown_text.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"
 
@@ -17,12 +17,12 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-// "12 of 65,536: 110 to 320 per million"; a maximum or a count of findings as it is.
+// "12 of 65,536: 110 to 320 per million"; a maximum or a count of findings is shown as it is.
 std::string figure_text(const Cell& cell) {
   if (cell.kind == Cell::Kind::finding) return thousands(cell.count());
   if (cell.kind == Cell::Kind::maximum) return error_amount(cell.figure);
   const std::uint64_t n = cell.independent, all = cell.of.trials;
-  // Limits by independent queries: a count shrinks with them.
+  // The limits are those of the independent queries: the count is scaled down with them.
   const double share = all == 0 ? 0 : static_cast<double>(n) / static_cast<double>(all);
   const auto scaled = [&](bool up) {
     const double k = static_cast<double>(cell.of.failures) * share;
@@ -70,10 +70,11 @@ InstrumentTable kernels_table(const RunComparison& comparison) {
   return table;
 }
 
-// What was said of OLD's witnesses, what is wrong now first; those that do as they did are only counted.
+// The outcomes for OLD's witnesses, those that are wrong now first; witnesses that behave as before are only counted.
 InstrumentTable replay_table(const RunComparison& comparison) {
-  InstrumentTable table{
-      "Witnesses of OLD, asked again of the kernels here", {"witness", "kernel", "precision", "family", "now", ""}, {}};
+  InstrumentTable table{"Witnesses of OLD, evaluated again by the kernels here",
+                        {"witness", "kernel", "precision", "family", "now", ""},
+                        {}};
   for (const bool alarms : {true, false}) {
     for (const Replayed& r : comparison.replayed) {
       if (r.outcome == ReplayOutcome::as_before || r.is_alarm() != alarms) continue;
@@ -106,7 +107,7 @@ std::vector<const Json*> new_witnesses(const ComparedRuns& runs, const RunCompar
 
 InstrumentTable witness_table(const ComparedRuns& runs, const RunComparison& comparison) {
   InstrumentTable table{
-      "Witnesses of NEW that show it", {"witness", "kernel", "exact", "computed", "shown again by"}, {}};
+      "Witnesses of NEW that show it", {"witness", "kernel", "exact", "computed", "reproduced by"}, {}};
   for (const Json* w : new_witnesses(runs, comparison)) {
     table.rows.push_back(
         {(*w)["id"], (*w)["kernel"], (*w)["truth"], (*w)["computed"], replay_command(*w, runs.after["plan"])});
@@ -132,10 +133,11 @@ std::vector<std::string> notes(const ComparedRuns& runs, const RunComparison& co
     for (const auto& [outcome, n] : by_outcome) {
       parts.push_back(fmt::format("{} {}", thousands(n), replay_names[static_cast<std::size_t>(outcome)]));
     }
-    notes.push_back(fmt::format("Witnesses of OLD, asked again here: {}.", fmt::join(parts, ", ")));
+    notes.push_back(fmt::format("Witnesses of OLD, evaluated again here: {}.", fmt::join(parts, ", ")));
   }
   notes.push_back(fmt::format(
-      "{} cells. {} were counted over the same queries: any difference is one. {} were counted over different ones: "
+      "{} cells. {} were counted over the same queries, where any difference counts. {} were counted over different "
+      "queries: "
       "Fisher's exact test, two-sided, queries that share a triangle counted as one, and Holm's correction over these "
       "cells; two runs that differ in chance alone give an alarm in at most {:.0f} % of cases. Maxima are compared on "
       "the "

@@ -1,4 +1,4 @@
-// A comparison as people and programs read it.
+// The presentation of a comparison, for people and for programs.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 
 namespace axiscert {
 
-// The two records and their folders as they were given, in whatever bytes.
+// The two records, and the paths of their folders as they were given, in whatever bytes.
 struct ComparedRuns {
   const Json& before;
   const Json& after;
   std::string before_name, after_name;
 };
 
-// "worse: 3 alarms (1 new, 2 worse)", "no change", "better: ...".
+// "worse: 1 new, 2 worse", "no change" or "better: ...".
 std::string answer(const RunComparison& comparison);
 
 // For the terminal (instrument_text) and for a page (instrument_page).
 InstrumentReport comparison_report(const ComparedRuns& runs, const RunComparison& comparison);
-// For a pull request: at most 1 MiB, and it says what it left out.
+// For a pull request: at most 1 MiB, with a statement of what was left out.
 std::string comparison_markdown(const ComparedRuns& runs, const RunComparison& comparison);
 // Conforms to comparison.schema.json. Cells that are zero in both are counted, not listed.
 Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison);

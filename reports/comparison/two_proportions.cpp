@@ -10,8 +10,8 @@
 namespace axiscert {
 namespace {
 
-// log(n!) to 192 bits. For n < 2^64 it is below 2^70, so the nine of a hypergeometric probability and their sum have
-// together an error below 10 * 2^(70 - 192) < 2^-118 in the logarithm.
+// log(n!) to 192 bits. For n < 2^64 it is below 2^70, so the nine logarithms of a hypergeometric probability and their
+// sum together have an error below 10 * 2^(70 - 192) < 2^-118 in the logarithm.
 class LogFactorials {
  public:
   LogFactorials() { mpfr_inits2(192, sum_, term_, nullptr); }
@@ -26,7 +26,7 @@ class LogFactorials {
     if (sign > 0) mpfr_add(sum_, sum_, term_, MPFR_RNDN);
     else mpfr_sub(sum_, sum_, term_, MPFR_RNDN);
   }
-  // exp of the sum, rounded up; at least 2^-1000, so that terms that underflow beneath it, 2^-1075 wrong each, are
+  // exp of the sum, rounded up; at least 2^-1000, so that smaller terms, each wrong by up to 2^-1075 by underflow, are
   // together below 2^-53 of it.
   double exp() {
     mpfr_exp(term_, sum_, MPFR_RNDU);
@@ -37,7 +37,7 @@ class LogFactorials {
   mpfr_t sum_, term_;
 };
 
-// Of K failures among N trials, how probable is it that exactly x fall among n of them?
+// The probability that, with `failures` failures among `trials` trials, exactly x of them fall among n of the trials.
 double hypergeometric(std::uint64_t x, std::uint64_t n, std::uint64_t failures, std::uint64_t trials) {
   static thread_local LogFactorials log;
   log.start();
@@ -46,15 +46,16 @@ double hypergeometric(std::uint64_t x, std::uint64_t n, std::uint64_t failures, 
   return log.exp();
 }
 
-// P(at most x of the failures fall among n), for x below the mode, where each term is smaller than the one above it and
-// by a growing factor. Summed until what is left, at most term * ratio / (1 - ratio), is no more than 2^-60 of the sum,
-// or after 2^22 terms, and then it is added: an upper bound wherever it stops. A term is a product of up to 2^22 ratios
-// with four roundings each, all integers here being below 2^53, and the sum has as many additions: together below 5 *
-// 2^22 * 2^-53 < 2.4e-9 of the sum. The factor at the end is above that.
+// P(at most x of the failures fall among n), for x below the mode, where each term is smaller than the one above it by
+// a growing factor. The sum stops when the remainder, at most term * ratio / (1 - ratio), is no more than 2^-60 of the
+// sum, or after 2^22 terms; the remainder is then added, so the result is an upper bound wherever the sum stops. A term
+// is a product of up to 2^22 ratios with four roundings each (all integers here are below 2^53), and the sum has as
+// many additions: together their error is below 5 * 2^22 * 2^-53 < 2.4e-9 of the sum. The factor at the end is larger
+// than that.
 double lower_tail(std::uint64_t x, std::uint64_t n, std::uint64_t failures, std::uint64_t trials) {
   const std::uint64_t others = trials - failures;
   double term = hypergeometric(x, n, failures, trials), sum = term;
-  // The fewest that can fall there: all others fall there first.
+  // The least number of failures that can fall there: all successes fall there first.
   const std::uint64_t least = n > others ? n - others : 0;
   for (std::uint64_t steps = 0; x > least; --x) {
     const double ratio = static_cast<double>(x) * static_cast<double>(others - n + x) /
@@ -76,7 +77,7 @@ double lower_tail(std::uint64_t x, std::uint64_t n, std::uint64_t failures, std:
 double fisher_two_sided(Proportion x, Proportion y) {
   const std::uint64_t failures = x.failures + y.failures, trials = x.trials + y.trials;
   if (failures == 0 || failures == trials || x.trials == 0 || y.trials == 0) return 1;
-  // The side with the smaller rate has the small tail; by products that 128 bits hold.
+  // The side with the smaller rate has the small tail; the comparison is by products that 128 bits hold.
   const auto cross = [](const Proportion& u, const Proportion& v) {
     return static_cast<unsigned __int128>(u.failures) * v.trials;
   };

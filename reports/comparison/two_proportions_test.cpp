@@ -1,4 +1,4 @@
-// The tests of proportions against exact rationals, and against their definitions.
+// Fisher's and Holm's tests and the limits of rates, against exact rationals and against their definitions.
 #include "reports/comparison/two_proportions.h"
 
 #include <gmpxx.h>
@@ -16,7 +16,7 @@ mpz_class choose(std::uint64_t n, std::uint64_t k) {
   return result;
 }
 
-// Twice the smaller tail, by whole numbers.
+// Twice the smaller tail, computed in integers.
 double exact_fisher(Proportion x, Proportion y) {
   const std::uint64_t failures = x.failures + y.failures, trials = x.trials + y.trials;
   mpz_class low = 0, high = 0;
@@ -61,7 +61,7 @@ TEST(TwoProportions, LargeTablesToo) {
 }
 
 TEST(TwoProportions, CountsOfAWholeCampaign) {
-  // Two of 2^20 trials: with three failures all on one side, 2 * 2^-3.
+  // Twice 2^20 trials: three failures fall all on one side with the probability 2 * 2^-3.
   EXPECT_NEAR(fisher_two_sided({0, 1 << 20}, {3, 1 << 20}), 0.25, 1e-5);
   EXPECT_LT(fisher_two_sided({100'000, 1'000'000'000}, {102'000, 1'000'000'000}), 1e-5);
   EXPECT_GT(fisher_two_sided({100'000, 1'000'000'000}, {100'300, 1'000'000'000}), 0.4);
@@ -77,7 +77,7 @@ TEST(TwoProportions, HolmMultipliesTheSmallestByAllAndNeverDescends) {
   EXPECT_TRUE(holm({}).empty());
 }
 
-// The definition: at each limit, what was seen or more is as probable as 2.5 %.
+// By definition, at each limit the observed count or a more extreme one has the probability 2.5 %.
 TEST(TwoProportions, LimitsAreClopperAndPearsons) {
   const auto at_least = [](std::uint64_t k, std::uint64_t n, double p) {
     double sum = 0;

@@ -1,4 +1,4 @@
-// The report formats: a new one is a file that defines a Format and a line in render.cpp.
+// The report formats. A new one is a file that defines a Format, and a line in render.cpp.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 namespace axiscert {
 
 struct Format {
-  const char* file;                   // in the run's folder
-  std::string (*render)(const Run&);  // of a run that read_run accepted
+  const char* file;                   // its name in the run's folder
+  std::string (*render)(const Run&);  // takes a run that read_run accepted
 };
 
 }  // namespace axiscert

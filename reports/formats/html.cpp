@@ -1,11 +1,11 @@
-// report.html: one file that needs nothing else. The page's own text is under page/; this fills in the data.
+// report.html: one file that needs nothing else. The page's own text is under page/; this file fills in the data.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
 
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 #include "kernel/names.h"
 #include "reports/run_folder/attachments.h"
 #include "reports/page/embedded.h"
@@ -20,13 +20,13 @@
 namespace axiscert {
 namespace {
 
-// The file's size, which has to open from disk at once and go by mail: below it the page stays, by showing fewer
-// witnesses and linking the images of maps that find no room.
+// Limit on the file's size, so that it opens from disk at once and can go by mail. The page stays below it by showing
+// fewer witnesses and by linking the images of maps that do not fit.
 constexpr std::size_t page_bytes = 2'900'000;
 constexpr std::size_t image_bytes = 1'000'000;
 constexpr std::size_t page_witnesses = 2000;
 
-// What the schema says of each counter: the page's column notes.
+// The schema's description of each counter: the page's column notes.
 Json notes() {
   const Json schema = Json::parse(embedded::record_schema_json);
   Json notes;
@@ -56,7 +56,7 @@ Json witness_card(const Json& witness, const Json& plan) {
   return card;
 }
 
-// The members that the page shows, and no other.
+// The throughput with only the members that the page shows.
 Json throughput(const Json& info) {
   Json rows = Json::array();
   if (!info.contains("throughput")) return rows;
@@ -113,7 +113,7 @@ Json requirement_data(const Json& record) {
   return data;
 }
 
-// The deepest, and of each kernel, precision, family and place of a flip one that shows it, as far as `limit` goes.
+// The deepest witnesses, and for each kernel, precision, family and place of a flip one that shows it, up to `limit`.
 std::vector<const Json*> shown_witnesses(const Json& record, std::size_t limit) {
   std::vector<const Json*> chosen = worst_witnesses(record, limit / 2);
   std::set<const Json*> taken(chosen.begin(), chosen.end());
@@ -157,7 +157,7 @@ Json cards(const Json& record, std::size_t limit) {
   return data;
 }
 
-// The steps that decided the queries, as run.json has them, without what the page does not show.
+// The steps that decided the queries, from run.json, without the members that the page does not show.
 Json steps(const Json& info) {
   Json rows = Json::array();
   for (const Json& given : info.is_null() ? Json::array() : info.value("steps", Json::array())) {
@@ -175,7 +175,7 @@ Json page_data(const Run& run) {
   const Json& record = run.record;
   Json data = {{"complete", record["complete"]}, {"plan", record["plan"]}, {"requirement", requirement_data(record)},
                {"links", Json::object()},        {"notes", notes()},       {"kernels", Json::array()}};
-  data["plan"].erase("seed");  // 64 bits: a number in a page holds 53; the facts have it as text
+  data["plan"].erase("seed");  // 64 bits, while a number in a page holds 53; the facts have it as text
   for (std::size_t i = 0; i < link_count; ++i) data["links"][std::string(link_names[i])] = link_meanings[i];
   for (const Json& kernel : record["kernels"]) data["kernels"].push_back(kernel_data(kernel));
   data["findings"] = findings_data(record);
@@ -191,7 +191,7 @@ Json page_data(const Run& run) {
   return data;
 }
 
-// Each may use those before it.
+// In an order in which each may use those before it.
 std::string scripts() {
   using namespace embedded;
   const std::string_view all[] = {chart_min_js, chart_js,     table_js,   answer_js,   heat_js,
@@ -211,7 +211,7 @@ std::string render_html(const Run& run) {
   for (std::size_t limit = page_witnesses;;) {
     std::string witnesses = packed(cards(run.record, limit).dump());
     if (witnesses.size() <= room || limit == 0) return with(std::move(witnesses));
-    // As many as would fit if all were as large, and at least one fewer.
+    // As many as would fit if all had the same size, and at least one fewer.
     limit = std::min(limit - 1, limit * room / witnesses.size());
   }
 }

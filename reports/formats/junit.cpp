@@ -1,8 +1,8 @@
-// junit.xml, as the schema of Ant's JUnit task has it: one suite a kernel and precision, for CI systems. A case a
-// family for the verdict, failed where the run's requirement is not met there; a case a finding, always failed; a case
-// a family and comparison, failed where an error exceeds its tolerance. A case fails, too, where it is worse than the
-// ratchet accepts, and is skipped, which says NOT CHECKED, where nothing was asked of it. What the ratchet says of
-// other than these cases stands in a suite of its own.
+// junit.xml, by the schema of Ant's JUnit task, for CI systems: one suite for each kernel and precision. Its cases: one
+// for the verdict of each family, failed where the run's requirement is not met there; one for each finding, always
+// failed; one for each family and comparison, failed where an error exceeds its tolerance. A case also fails where it
+// is worse than the ratchet accepts, and is skipped, with the text NOT CHECKED, where nothing was required of it. The
+// ratchet's failures that belong to none of these cases have a suite of their own.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace axiscert {
 namespace {
 
-// For text and attributes. XML 1.0 has no way to write most control characters, U+FFFE or U+FFFF.
+// Escapes text for elements and attributes. XML 1.0 has no way to write most control characters, U+FFFE or U+FFFF.
 std::string xml(const std::string& text) {
   std::string escaped;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -39,8 +39,8 @@ struct Suite {
   std::string name, cases = {}, figures = {};
   int tests = 0, failures = 0, skipped = 0;
 
-  // `outcome`: a failure or skipped element, or empty. The counts go to the suite's output, a line a case: the schema
-  // of Ant knows none of a case.
+  // `outcome`: a failure or skipped element, or empty. The counts go to the suite's output, a line for each case: Ant's
+  // schema has no output of a single case.
   void add(const std::string& test, const std::string& outcome, const Json& counts) {
     ++tests;
     failures += outcome.starts_with("<failure");
@@ -59,13 +59,13 @@ std::string skipped(const std::string& why) {
   return fmt::format("<skipped message=\"{}\"/>", xml("NOT CHECKED: " + why));
 }
 
-// Whether a failure of ratchet.json is about a case: a family's verdict or comparison.
+// Whether a failure of ratchet.json is about this case: a family's verdict or comparison.
 bool is_about_case(const Json& failure, const Json& kernel, const std::string& family, const std::string& place) {
   return failure["kernel"] == kernel["id"] && failure["precision"] == kernel["precision"] &&
          failure["family"] == family && failure["cell"].get<std::string>().starts_with(place + ".");
 }
 
-// Of a run that was held to a ratchet: the case's failures, empty where there is none.
+// The ratchet's failures for a case of a run with --ratchet; empty where there are none.
 std::string ratchet_outcome(const Json& held, const Json& kernel, const std::string& family, const std::string& place) {
   std::string detail;
   for (const Json& failure : held["failures"]) {
@@ -76,7 +76,7 @@ std::string ratchet_outcome(const Json& held, const Json& kernel, const std::str
 
 std::string verdict_outcome(const Json& require, const std::vector<Failure>& failures, const Json& kernel,
                             const std::string& family) {
-  if (require.is_null()) return skipped("no requirement was asked (--require)");
+  if (require.is_null()) return skipped("no requirement was given (--require)");
   std::string detail;
   for (const Failure& f : failures) {
     if (f.family == family && f.is_of(kernel)) detail += f.text() + "\n";
@@ -89,7 +89,7 @@ std::string verdict_outcome(const Json& require, const std::vector<Failure>& fai
 
 std::string tolerance_outcome(const Json& tally, const Json& tolerance) {
   if (tally.is_null()) return skipped("the kernel does not show its comparisons");
-  if (tolerance.is_null()) return skipped("no tolerance was asked for it (--tolerance)");
+  if (tolerance.is_null()) return skipped("no tolerance was given for it (--tolerance)");
   if (tally["tolerance_failures"].is_null()) return skipped("the kernel does not show its sides");
   if (tally["tolerance_failures"] == 0) return "";
   const std::string message =
@@ -99,8 +99,8 @@ std::string tolerance_outcome(const Json& tally, const Json& tolerance) {
   return failure("tolerance", message, message);
 }
 
-// A case's outcome with what the ratchet says of it: Ant's schema has room for one failure a case. What was asked in no
-// other way was asked by the ratchet.
+// A case's outcome together with the ratchet's: Ant's schema allows one failure for each case. A case of which nothing
+// else was required was still checked by the ratchet.
 std::string with_ratchet(const Json& held, const Json& kernel, const std::string& family, const std::string& place,
                          const std::string& outcome) {
   if (held.is_null()) return outcome;
@@ -119,7 +119,7 @@ void add_finding(Suite& suite, const Json& finding, const Json& plan) {
   suite.add(family + " " + finding["kind"].get<std::string>(), failure("finding", text, text + replay), finding);
 }
 
-// A kernel that could not be loaded.
+// The suite of a kernel that could not be loaded.
 Suite suite_of_findings(const Run& run, const std::string& kernel) {
   Suite suite{kernel};
   for (const Json& finding : run.record["findings"]) {
@@ -137,7 +137,7 @@ Suite suite_of(const Run& run, const Json& kernel, const std::vector<Failure>& f
   for (const Json& name : plan["families"]) {
     const std::string family = name;
     if (!kernel["families"].contains(family)) {
-      suite.add(family + " verdict", skipped("no query of this family was asked"), Json::object());
+      suite.add(family + " verdict", skipped("no query of this family was run"), Json::object());
       continue;
     }
     const Json& result = kernel["families"][family];
@@ -156,13 +156,13 @@ Suite suite_of(const Run& run, const Json& kernel, const std::vector<Failure>& f
     }
   }
   if (!run.record["complete"].get<bool>()) {
-    const std::string message = "the run was interrupted: what is here is about the queries that were asked";
+    const std::string message = "the run was interrupted; the results cover only the queries that were run";
     suite.add("complete", failure("interrupted", message, message), Json::object());
   }
   return suite;
 }
 
-// What the ratchet says of cells that have no case: findings, and kernels that were not judged.
+// The ratchet's failures of cells that have no case: findings, and kernels that were not judged.
 Suite suite_of_ratchet(const Run& run) {
   Suite suite{"ratchet"};
   const auto has_case = [&](const Json& failure) {
@@ -187,11 +187,11 @@ Suite suite_of_ratchet(const Run& run) {
   return suite;
 }
 
-// When the run began, in UTC, as the schema has it: without a zone. A record alone does not know.
+// Start of the run in UTC, in the schema's form, which has no zone. A record alone does not contain it.
 std::string started(const Json& info) {
   return info.is_null() ? "1970-01-01T00:00:00" : info["started"].get<std::string>().substr(0, 19);
 }
-// Kernels share their run: the first suite has its seconds.
+// Kernels share their run, so the first suite has its seconds.
 std::string seconds(const Json& info) {
   return info.is_null() ? "0" : fmt::format("{:.3f}", info["seconds"].get<double>());
 }
@@ -216,7 +216,7 @@ std::string render_junit(const Run& run) {
         id == 0 ? seconds(run.info) : "0", suite.cases, xml(suite.figures));
     ++id;
   }
-  // Ant's schema has no totals: each suite has its own.
+  // Ant's schema has no totals: each suite has its own counts.
   return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n{}</testsuites>\n", suites);
 }
 

@@ -1,4 +1,4 @@
-// report.md: the short report, for a pull request or a terminal. Stays under 1 MiB and says what it left out.
+// report.md: the short report, for a pull request or a terminal. It stays under 1 MiB and says what it left out.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -6,7 +6,7 @@
 
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
-#include "reports/formats/markdown_text.h"
+#include "reports/wording/markdown_text.h"
 #include "reports/wording/reproduce.h"
 #include "reports/gates/requirement.h"
 #include "reports/wording/summary.h"
@@ -21,7 +21,7 @@ std::string depth(const Json& value) { return amount(value.get<double>(), 4); }
 std::string optional_amount(const Json& value) { return value.is_null() ? "none" : amount(value.get<double>(), 4); }
 std::uint64_t number(const Json& value) { return value.get<std::uint64_t>(); }
 
-// "rounding 12, range 3", or "none".
+// The broken links with their counts, as in "rounding 12, range 3"; "none" where there are none.
 std::string links(const Json& counts) {
   std::vector<std::string> broken;
   for (const auto& [link, n] : counts.items()) {
@@ -40,7 +40,7 @@ class MarkdownReport {
   std::string text() const {
     std::string text = "# axiscert report\n";
     if (!record_["complete"].get<bool>()) {
-      text += "\n> **INCOMPLETE**: the run was interrupted. What follows is about the queries that were asked.\n";
+      text += "\n> **INCOMPLETE**: the run was interrupted. The figures below cover only the queries that were run.\n";
     }
     return text + ratchet() + findings() + summary() + families() + outside() + asymmetries() + signs("axes", "axis") +
            signs("comparisons", "comparison") + broken_links() + witnesses() + critical_radius() + reproduce();
@@ -48,7 +48,7 @@ class MarkdownReport {
 
  private:
   std::string requirement_of(const Json& kernel) const {
-    if (plan_["require"].is_null()) return "none asked";
+    if (plan_["require"].is_null()) return "none given";
     const bool is_met =
         std::none_of(failures_.begin(), failures_.end(), [&](const Failure& failure) { return failure.is_of(kernel); });
     if (is_met && kernel["families"].empty()) return "not checked";
@@ -59,8 +59,8 @@ class MarkdownReport {
     if (run_.ratchet.is_null()) return "";
     Section section("Ratchet");
     const Json& failures = run_.ratchet["failures"];
-    section.line(fmt::format("Held to {}: {}", plain(run_.ratchet["file"]),
-                             failures.empty() ? "nothing is worse than accepted." : "**it does not hold**."));
+    section.line(fmt::format("Compared with {}: {}", plain(run_.ratchet["file"]),
+                             failures.empty() ? "nothing is worse than accepted." : "**the ratchet is not met**."));
     section.line("");
     for (const Json& failure : failures) section.line("- " + plain(failure["text"], 2000));
     for (const Json& better : run_.ratchet["better"]) section.line("- better: " + plain(better, 2000));
@@ -70,7 +70,7 @@ class MarkdownReport {
   std::string findings() const {
     if (record_["findings"].empty()) return "";
     Section section("Findings");
-    section.line("What plug-ins did wrong beside their answers. No requirement is met by a kernel with a finding.");
+    section.line("Faults of plug-ins other than wrong answers. A kernel with a finding meets no requirement.");
     for (const std::string& kernel : not_judged(record_)) {
       section.line(fmt::format("\n**{} was not judged**: it could not be loaded.", plain(kernel)));
     }
@@ -110,7 +110,7 @@ class MarkdownReport {
     }
     for (const Json& kernel : record_["kernels"]) {
       if (kernel["touching"] == name(Touching::contact) && kernel["limits"].is_null()) continue;
-      section.line(fmt::format("\n{} {} says of itself: {}; limits: {}.", plain(kernel["id"]),
+      section.line(fmt::format("\n{} {} declares: {}; limits: {}.", plain(kernel["id"]),
                                kernel["precision"].get<std::string>(), touching_text(kernel), limits_text(kernel)));
     }
     section.line(
@@ -120,7 +120,7 @@ class MarkdownReport {
     if (!plan_["require"].is_null()) {
       section.line(fmt::format("\nRequirement `{}`: {}. {}\n", plan_["require"].get<std::string>(),
                                parse_requirement(plan_["require"]).sentence(),
-                               failures_.empty() ? "Nothing above falls short of it." : "Not met:"));
+                               failures_.empty() ? "It is met." : "Not met:"));
       for (const Failure& failure : failures_) section.line("- " + plain_failure(failure));
     }
     return section.text();
@@ -164,7 +164,7 @@ class MarkdownReport {
   std::string outside() const {
     Section section("Outside the limits");
     section.line(
-        "Valid queries outside what a kernel promises: counted here and nowhere else, and no requirement reads "
+        "Valid queries outside the limits that a kernel declares: counted here and nowhere else; no requirement covers "
         "them.\n");
     bool any = false;
     section.head(
@@ -182,7 +182,9 @@ class MarkdownReport {
 
   std::string asymmetries() const {
     Section section("Asymmetry");
-    section.line("Of an exact image of a query, another answer than of the query: no exact answer differs.\n");
+    section.line(
+        "Exact images of a query to which the kernel gave another answer than to the query; no exact answer "
+        "differs.\n");
     bool any = false;
     section.head({"kernel", "precision", "family", "first image with another verdict", "images", "other verdicts",
                   "other comparisons"},
@@ -236,7 +238,7 @@ class MarkdownReport {
     return section.text();
   }
 
-  // Links without a first query left out.
+  // The links that have a first query.
   static Json first_of(const Json& first_by_link) {
     Json found = Json::object();
     for (const auto& [link, position] : first_by_link.items()) {
@@ -284,7 +286,8 @@ class MarkdownReport {
   std::string critical_radius() const {
     Section section("Critical radius error");
     section.line(
-        "Of the smallest radius for which the kernel says contact, in ulps of the exact distance; unbounded: contact "
+        "Error of the smallest radius for which the kernel says contact, in ulps of the exact distance; unbounded: "
+        "contact "
         "for no finite radius.\n");
     section.head({"kernel", "precision", "family", "sampled", "median", "largest", "unbounded", "no answer"}, 3);
     const auto row = [&](std::vector<std::string> cells, const Json& radius) {
@@ -304,8 +307,9 @@ class MarkdownReport {
   std::string reproduce() const {
     Section section("How to reproduce");
     const std::string command = run_command(plan_);
-    section.add(command.empty() ? "The trials depended on the time the run had; record.json lists the units done.\n"
-                                : code_block(command));
+    section.add(command.empty()
+                    ? "The number of trials depended on the time available; record.json lists the units done.\n"
+                    : code_block(command));
     section.line("");
     for (const auto& [label, value] : plan_facts(run_))
       section.line(fmt::format("- {}: {}", plain(label), plain(value, 2000)));

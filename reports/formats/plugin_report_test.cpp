@@ -15,7 +15,7 @@ using testing::Not;
 
 const std::string evil = "<b>|`]]>&\"";
 
-// Each batch of 1024: no answer to the fourth query, and a write beside an array at the first.
+// In each batch of 1024: no answer to the fourth query, and a write next to an array at the first.
 void misbehaves(const Query<double>&, std::size_t i, Verdict& verdict, std::vector<Finding>& findings) {
   if (i == 0) findings.push_back({FindingKind::out_of_bounds, i, "wrote beside lhs, " + evil});
   if (i != 3) return;
@@ -58,7 +58,7 @@ std::vector<std::string> unmet_texts(const Json& record, const std::string& leve
 
 TEST(PluginRecord, HasEachFindingWithItsFirstQuery) {
   const Json record = plugin_record(), findings = record["findings"];
-  ASSERT_EQ(findings.size(), 5u);  // two on each family, and one of loading
+  ASSERT_EQ(findings.size(), 5u);  // two on each family, and one made in loading
   EXPECT_EQ(findings[0]["kind"], "crash");
   EXPECT_EQ(findings[0]["family"], "general");
   EXPECT_EQ(findings[0]["count"], 2);
@@ -132,8 +132,8 @@ TEST(PluginRequirement, WhatIsOutsideTheLimitsIsNoRequirement) {
   EXPECT_GT(record["kernels"][0]["families"]["scale"]["verdict"]["outside_limits"]["unanswered"], 0);
 }
 
-// Right formulae in another order, or fused: what they round is no fault of logic. A slip in them is one, and so is a
-// wrong answer where nothing rounds.
+// Right formulae in another order, or fused: what they round is not a fault of logic. A slip in them is one, and so is
+// a wrong answer where nothing rounds.
 TEST(PluginRequirement, LogicOfFormulaeInAnOrderOfTheirOwn) {
   const std::vector<std::string> families = {"tangent", "sliver", "lattice", "scale"};
   const Kernel fused = supervised_kernel("fused", no_fault, "reduced-nonstrict+fma");
@@ -161,7 +161,7 @@ TEST(PluginRequirement, LogicOfFormulaeInAnOrderOfTheirOwn) {
   const Kernel another = supervised_kernel("touching", touching_wrong, "reduced-nonstrict");
   const Json record = record_with({&another}, {"lattice"}, 1000);
   EXPECT_GT(record["kernels"][0]["families"]["lattice"]["verdict"]["touching_flips"], 0);
-  EXPECT_TRUE(unmet(record, "logic").empty()) << "touching apart";
+  EXPECT_TRUE(unmet(record, "logic").empty()) << "touching spheres are not counted";
 }
 
 TEST(PluginReports, FindingsStandFirstWithTheirReplay) {
@@ -200,7 +200,7 @@ TEST(PluginReports, ThePageHasThemAsData) {
   EXPECT_THAT(data["findings"][0]["command"].get<std::string>(), HasSubstr("--kernel plugin:mine.so"));
   EXPECT_EQ(data["findings"][2]["command"], "");
   EXPECT_EQ(data["not_judged"], Json::array({"plugin:gone.so"}));
-  EXPECT_EQ(data["kernels"][1]["touching_text"], "of a touching sphere it may say either");
+  EXPECT_EQ(data["kernels"][1]["touching_text"], "a touching sphere may be called either");
   EXPECT_GT(data["kernels"][1]["all"]["verdict"]["outside_limits"]["trials"], 0);
   EXPECT_FALSE(data["kernels"][0]["all"]["verdict"].contains("first_by_link"));
 }

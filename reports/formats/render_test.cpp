@@ -1,4 +1,4 @@
-// What the reports say, and that no name in a record becomes markup.
+// The contents of the reports; no name in a record may become markup.
 #include "reports/formats/test_run.h"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <random>
 
 #include "reports/page/embedded.h"
-#include "reports/formats/markdown_text.h"
+#include "reports/wording/markdown_text.h"
 #include "reports/gates/requirement.h"
 
 namespace axiscert {
@@ -61,7 +61,7 @@ TEST(Html, NamesInTheDataAreInert) {
   EXPECT_EQ(page_data(html)["kernels"][1]["id"], evil);
 }
 
-// page_test.mjs counts what a browser asks for; this says where it would come from.
+// page_test.mjs counts a browser's requests; this test looks for what could cause one.
 TEST(Html, AsksNothingOfTheNetwork) {
   const TestFolder folder(stored_record());
   render_reports(folder.path());
@@ -141,7 +141,7 @@ TEST(Html, StaysUnderThreeMegabytesWithTenThousandWitnesses) {
   EXPECT_THAT(folder.read("report.md"), HasSubstr("10 of " + std::to_string(count + 5)));
 }
 
-// A cell of the heat table leads to a witness, so each place of a flip keeps one, however deep the others are.
+// A cell of the heat table links to a witness, so each place of a flip keeps one, however deep the others are.
 TEST(Html, KeepsAWitnessOfEachPlaceOfAFlip) {
   Json record = stored_record();
   const Json deep = record["witnesses"][0];
@@ -194,7 +194,7 @@ TEST(Markdown, EscapesNames) {
   EXPECT_THAT(text, Not(HasSubstr("a|b")));
 }
 
-// What a forge reads in a comment: mentions, issues, addresses, formulae, links, emphasis.
+// Texts that a forge would interpret in a comment: mentions, issues, addresses, formulae, links, emphasis.
 TEST(Markdown, NamesMentionAndLinkNothing) {
   EXPECT_EQ(plain("@octocat"), "@<!-- -->octocat");
   EXPECT_EQ(plain("org/repo#12"), "org/repo#<!-- -->12");
@@ -254,7 +254,8 @@ TEST(Junit, FailsWhereTheRequirementOrATolerancePasses) {
   render_reports(folder.path());
   const std::string text = folder.read("junit.xml");
   // published: tangent's verdict and plane.radius; skipped: fifteen comparisons without a tolerance on three families.
-  // <script>: lattice's verdict; skipped: its comparisons, which it does not show, and its mesh, which it did not meet.
+  // <script>: lattice's verdict; skipped: its comparisons, which it does not show, and its mesh, on which it was not
+  // run.
   EXPECT_THAT(text, HasSubstr("tests=\"51\" failures=\"2\" errors=\"0\" skipped=\"45\""));
   EXPECT_THAT(text, HasSubstr("tests=\"35\" failures=\"1\" errors=\"0\" skipped=\"33\""));
   EXPECT_THAT(text, HasSubstr("name=\"tangent plane.radius\""));
@@ -279,7 +280,7 @@ TEST(Junit, EscapesNamesAndControlCharacters) {
   EXPECT_EQ(text.find('\x01'), text.npos);
 }
 
-// Code scanning shows a message as text, and a viewer may not: it is JSON either way, and comes back as it was.
+// Code scanning shows a message as text, another viewer may not: it is JSON either way, and reads back unchanged.
 TEST(Sarif, NamesComeBackAndResultsStandAtTheirWitness) {
   const std::string evil = "</script><script>alert(1)</script>\"\n";
   const TestFolder folder(named(evil));
@@ -289,7 +290,7 @@ TEST(Sarif, NamesComeBackAndResultsStandAtTheirWitness) {
   for (const Json& result : log["runs"][0]["results"]) {
     const Json& place = result["locations"][0];
     is_named |= place["logicalLocations"][0]["fullyQualifiedName"].get<std::string>().starts_with(evil + "/binary32/");
-    if (result["message"]["text"].get<std::string>().find("Shown again by") == std::string::npos) continue;
+    if (result["message"]["text"].get<std::string>().find("Reproduced by") == std::string::npos) continue;
     const std::size_t line = place["physicalLocation"]["region"]["startLine"];
     ASSERT_LE(line, record["witnesses"].size());
     EXPECT_NE(place["logicalLocations"][0]["fullyQualifiedName"].get<std::string>().find(
@@ -299,7 +300,7 @@ TEST(Sarif, NamesComeBackAndResultsStandAtTheirWitness) {
   EXPECT_TRUE(is_named);
 }
 
-// In plain text SARIF's viewers make links of [text](target) and fill in {0}.
+// In plain text SARIF's viewers turn [text](target) into a link and fill in {0}.
 TEST(Sarif, NamesAreNoLinks) {
   const TestFolder folder(named("[x](https://a.example){0}\\"));
   render_reports(folder.path());

@@ -1,7 +1,7 @@
-// report.sarif: SARIF 2.1.0, for code scanning. A result a cell with something wrong in it: kernel, precision, family,
-// and the verdict or comparison. Its fingerprint is the cell's and so the same in every run, whatever the count; its
-// place is the line of its deepest witness in witnesses.jsonl. What is worse than the ratchet accepts is a result of
-// its own, an error, at the same place.
+// report.sarif: SARIF 2.1.0, for code scanning. One result for each cell with something wrong in it: kernel, precision,
+// family, and the verdict or comparison. Its fingerprint is that of the cell, and so the same in every run, whatever
+// the count; its location is the line of the cell's deepest witness in witnesses.jsonl. A cell that is worse than the
+// ratchet accepts has one more result, an error, at the same location.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,12 +17,12 @@ namespace axiscert {
 namespace {
 
 struct Rule {
-  const char *id, *member;  // what a cell's member is for the rule to be about it
+  const char *id, *member;  // `member`: the cell's member that the rule is about
   bool of_verdict;
   const char *level, *sentence;
 };
 
-// A wrong comparison under a right verdict is a note: nobody's contact was lost by it.
+// A wrong comparison under a right verdict is a note: no contact was lost by it.
 constexpr Rule rules[] = {
     {"missed-contact", "false_separation", true, "error", "The kernel says separated where there is contact."},
     {"phantom-contact", "false_contact", true, "warning", "The kernel says contact where there is none."},
@@ -33,12 +33,12 @@ constexpr Rule rules[] = {
      "A comparison holds that does not hold in exact arithmetic, by the kernel's own formulae."},
     {"missed-separation", "missed_separation", false, "note",
      "A comparison does not hold that holds in exact arithmetic, by the kernel's own formulae."},
-    {"tolerance", "tolerance_failures", false, "error", "A comparison's error is above the tolerance asked for it."},
+    {"tolerance", "tolerance_failures", false, "error", "A comparison's error is above the tolerance given for it."},
 };
 constexpr Rule ratchet_rule = {
     "worse-than-accepted", "", false, "error",
     "A figure is worse than the ratchet accepts, its waiver has expired, or it was not checked."};
-constexpr Rule finding_rule = {"plug-in", "", false, "error", "A plug-in did what a kernel must not."};
+constexpr Rule finding_rule = {"plug-in", "", false, "error", "A plug-in violated the rules for kernels."};
 
 const Rule* rule_of(const Cell& cell) {
   if (cell.kind == Cell::Kind::finding) return &finding_rule;
@@ -89,7 +89,7 @@ class Log {
     std::string message = fmt::format("{}: {} of {} queries. {}", where, thousands(cell.count()),
                                       thousands(cell.of.trials), rule.sentence);
     if (cell.kind == Cell::Kind::finding) message = finding_message(cell);
-    if (worst != nullptr) message += " Shown again by: " + replay_command(*worst, record_["plan"]);
+    if (worst != nullptr) message += " Reproduced by: " + replay_command(*worst, record_["plan"]);
     const bool is_unmet = std::any_of(failures_.begin(), failures_.end(), [&](const Failure& failure) {
       return cell.place == "verdict" && failure.kernel == cell.kernel && failure.precision == cell.precision &&
              failure.family == cell.family;
@@ -116,7 +116,7 @@ class Log {
             {"partialFingerprints", {{"axiscertRatchet/v1", failure["fingerprint"]}}}};
   }
 
-  // The line of a witness in witnesses.jsonl, or its first where there is none; and the cell's name.
+  // The line of the witness in witnesses.jsonl, or the first line where there is no witness; and the cell's name.
   Json place_of(const Json& key, const Json* witness) const {
     std::size_t line = 1;
     for (const Json& other : record_["witnesses"]) {
@@ -131,7 +131,7 @@ class Log {
                        {"fullyQualifiedName", fmt::format("{}/{}/{}/{}", part(0), part(1), part(2), part(3))}}})}};
   }
 
-  // In a message's text SARIF reads [text](target) as a link and {0} as a place to fill in: none is meant here.
+  // SARIF reads [text](target) in a message as a link and {0} as a placeholder: neither is meant here.
   static std::string message_text(const std::string& text) {
     std::string escaped;
     for (const char c : text) {

@@ -1,4 +1,4 @@
-"""The sides of a run's witnesses, computed again by Python's rationals from the article's formulae.
+"""Recomputes the sides of a run's witnesses from the article's formulae in Python's rationals.
 
     sides_test.py AXISCERT
 """
@@ -28,7 +28,7 @@ def cross(u, v): return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u
 
 
 def published(witness):
-    """The article's last block of pseudocode: (lhs, rhs) by comparison."""
+    """The two sides (lhs, rhs) of each comparison, by the article's last block of pseudocode."""
     a, b, c, p = ([number(x) for x in witness[point]] for point in "abcp")
     rr = number(witness["r"]) ** 2
     a, b, c = sub(a, p), sub(b, p), sub(c, p)
@@ -46,7 +46,7 @@ def published(witness):
 
 
 def digits17(x):
-    """x, dyadic, to 17 significant digits, to nearest: its decimal expansion ends, so that it is rounded once."""
+    """x, a dyadic rational, rounded to nearest with 17 significant digits; its decimal expansion ends, so it is rounded once."""
     shift = x.denominator.bit_length() - 1
     with decimal.localcontext() as wide:
         wide.prec, wide.Emax, wide.Emin = 40000, decimal.MAX_EMAX, decimal.MIN_EMIN
@@ -67,7 +67,7 @@ def ulp(x, precision):
 
 
 def is_rounded_up(stored, exact):
-    """`stored`, of six significant digits, is the least such number not below `exact`."""
+    """Whether `stored` is the least number of six significant digits that is not below `exact`."""
     stored = decimal.Decimal(str(stored))
     if exact == 0:
         return stored == 0

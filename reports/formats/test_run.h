@@ -1,4 +1,4 @@
-// For tests: the stored record, and run folders that vanish.
+// For tests: the stored record, and run folders that are removed afterwards.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@
 #include <string>
 
 #include "kernel/base/error.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 #include "reports/formats/render.h"
 
 namespace axiscert {
@@ -30,7 +30,7 @@ inline std::string text_of(const std::filesystem::path& path) {
 // shows only verdicts, with flips on both of its families. Tolerance for plane.radius, requirement `logic`.
 inline Json stored_record() { return Json::parse(text_of(SOURCE_FOLDER "/reports/testdata/record.json")); }
 inline Json stored_run_info() { return Json::parse(text_of(SOURCE_FOLDER "/reports/testdata/run.json")); }
-// What it says of `published` on `tangent`.
+// The counts of `published` on `tangent`.
 inline Json& tangent_counts(Json& record) { return record["kernels"][0]["families"]["tangent"]; }
 
 class TestFolder {
@@ -50,7 +50,7 @@ class TestFolder {
   }
   std::string read(const std::string& file) const { return text_of(path_ / file); }
 
-  // The message of the Error that rendering ends in; empty where it succeeds.
+  // The message of the Error that rendering throws; empty where it succeeds.
   std::string rendering_error() const {
     try {
       render_reports(path_);
@@ -64,7 +64,7 @@ class TestFolder {
   std::filesystem::path path_;
 };
 
-// One part of a page's data, read back as a browser does.
+// One part of a page's data, decoded as a browser does it.
 inline Json page_part(const std::string& html, const std::string& id) {
   const std::string open = "<script type=\"text/plain\" id=\"" + id + "\">";
   const std::size_t begin = html.find(open) + open.size();
@@ -76,7 +76,7 @@ inline Json page_part(const std::string& html, const std::string& id) {
   std::string json(1 << 20, '\0');
   for (;; json.resize(2 * json.size())) {
     uLongf length = json.size();
-    // The bytes of base64's padding lie behind the end that zlib finds for itself.
+    // The bytes of base64's padding come after the end, which zlib finds by itself.
     const int outcome = uncompress(reinterpret_cast<Bytef*>(json.data()), &length,
                                    reinterpret_cast<const Bytef*>(deflated.data()), static_cast<uLong>(size));
     if (outcome == Z_BUF_ERROR && json.size() < std::size_t{1} << 30) continue;
@@ -86,7 +86,7 @@ inline Json page_part(const std::string& html, const std::string& id) {
   }
 }
 
-// All of it, as the page's scripts have it.
+// The whole data of a page, as its scripts have it.
 inline Json page_data(const std::string& html) {
   Json data = page_part(html, "data");
   data["witnesses"] = page_part(html, "witness-data");

@@ -68,7 +68,7 @@ std::vector<std::string> words_of(std::string_view text, const Line& line) {
     while (end < text.size() && text[end] != '"') end += text[end] == '\\' ? 2 : 1;
     const Json value = end < text.size() ? Json::parse(text.substr(at, end + 1 - at), nullptr, false) : Json();
     if (!value.is_string())
-      line.fail("a quotation mark opens what is no JSON string: \"...\", with \\\" and \\\\ inside");
+      line.fail("a quotation mark does not open a JSON string: \"...\", with \\\" and \\\\ inside");
     words.push_back(value);
     at = end + 1;
   }
@@ -89,7 +89,7 @@ bool is_date(const std::string& text) {
 
 RatchetEntry entry_of(const std::vector<std::string>& words, const Line& line) {
   if (words.size() != 9) {
-    line.fail(fmt::format("{} words, and a line has nine: {}; words with spaces stand in \"...\"", words.size(), form));
+    line.fail(fmt::format("{} words, but a line has nine: {}; put words with spaces in \"...\"", words.size(), form));
   }
   RatchetEntry entry{Json::array({words[1], words[2], words[3], words[4]}),
                      Json::parse(words[5], nullptr, false),
@@ -103,13 +103,14 @@ RatchetEntry entry_of(const std::vector<std::string>& words, const Line& line) {
                           name_of(entry.key), own));
   }
   if (!entry.figure.is_number() || entry.figure < 0) {
-    line.fail(fmt::format("FIGURE '{}' is no number from 0 on", words[5]));
+    line.fail(fmt::format("FIGURE '{}' is not a number >= 0", words[5]));
   }
   if (entry.expiry != "never" && !is_date(entry.expiry)) {
     line.fail(fmt::format("EXPIRY '{}' is neither a day, YYYY-MM-DD, nor never", entry.expiry));
   }
-  if (entry.owner.empty() || entry.owner == "OWNER") line.fail("OWNER is not filled in: who answers for this");
-  if (entry.reason.empty() || entry.reason == "REASON") line.fail("REASON is not filled in: why this is accepted");
+  if (entry.owner.empty() || entry.owner == "OWNER")
+    line.fail("OWNER is not filled in: name who is responsible for this");
+  if (entry.reason.empty() || entry.reason == "REASON") line.fail("REASON is not filled in: say why this is accepted");
   return entry;
 }
 
@@ -129,7 +130,7 @@ Ratchet parse_ratchet(std::string_view text, const std::string& name) {
     if (words.empty()) continue;
     if (ratchet.plan.empty()) {
       if (words[0] != schema || words.size() != 2) {
-        line.fail(fmt::format("begins with '{}', a ratchet with '{} PLAN'; a run writes one as ratchet.txt",
+        line.fail(fmt::format("begins with '{}', but a ratchet begins with '{} PLAN'; a run writes one as ratchet.txt",
                               words[0].substr(0, 80), schema));
       }
       ratchet.plan = words[1];
@@ -137,7 +138,7 @@ Ratchet parse_ratchet(std::string_view text, const std::string& name) {
     }
     RatchetEntry entry = entry_of(words, line);
     const auto [at_entry, is_new] = ratchet.entries.emplace(words[0], std::move(entry));
-    if (!is_new) line.fail(fmt::format("{} stands there twice, first in line {}", words[0], at_entry->second.line));
+    if (!is_new) line.fail(fmt::format("{} appears twice, first in line {}", words[0], at_entry->second.line));
   }
   if (ratchet.plan.empty()) throw Error(fmt::format("{}: empty; a run writes a ratchet as ratchet.txt", name));
   return ratchet;
@@ -148,8 +149,8 @@ Ratchet read_ratchet(const std::string& path) {
   std::ostringstream text;
   if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
   if (!in.is_open() || in.bad()) {
-    throw Error(fmt::format("{}: cannot be read: {}; a run without --ratchet writes one to begin with, ratchet.txt",
-                            path, std::strerror(errno)));
+    throw Error(fmt::format("{}: cannot be read: {}; a run without --ratchet writes a first one as ratchet.txt", path,
+                            std::strerror(errno)));
   }
   return parse_ratchet(text.view(), as_utf8(path));
 }
@@ -157,10 +158,10 @@ Ratchet read_ratchet(const std::string& path) {
 void require_plan(const Ratchet& ratchet, const Json& plan) {
   const std::string given = plan_fingerprint(plan);
   if (given == ratchet.plan) return;
-  throw Error(
-      fmt::format("{}: is of plan {}, this run of {}: other families, trials, seed, files, precisions or tolerances, "
-                  "whose figures are not comparable; run without --ratchet and review its ratchet.txt anew",
-                  ratchet.name, ratchet.plan, given.empty() ? "none that can be made again" : given));
+  throw Error(fmt::format(
+      "{}: belongs to plan {}, this run to {}: different families, trials, seed, files, precisions or tolerances, "
+      "so the figures are not comparable; run without --ratchet and review the new ratchet.txt",
+      ratchet.name, ratchet.plan, given.empty() ? "one that cannot be repeated" : given));
 }
 
 RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, const std::string& today) {
@@ -204,7 +205,7 @@ RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, const st
   for (const auto& [id, entry] : ratchet.entries) {
     if (met.count(id) != 0) continue;
     check_expiry(entry);
-    // A finding in loading is of no precision: nothing was judged because of it, or it is gone.
+    // A finding made in loading has no precision: nothing was judged because of it, or it is gone.
     const bool of_loading = entry.key[1] == "";
     const auto& kernels = record["plan"]["kernels"];
     if (of_loading ? std::find(kernels.begin(), kernels.end(), entry.key[0]) == kernels.end()
@@ -237,7 +238,8 @@ Json outcome_json(const Ratchet& ratchet, const RatchetOutcome& outcome) {
 
 std::string ratchet_text(const Json& record) {
   const std::string plan = plan_fingerprint(record["plan"]);
-  if (plan.empty()) return "# This run depended on the time that it had: no ratchet can hold another to it.\n";
+  if (plan.empty())
+    return "# The queries of this run depended on the time available: no other run can be compared with it.\n";
   std::string text = head(plan);
   for (const Cell& cell : cells_of(record)) {
     if (is_held(cell)) text += open_line(cell) + "\n";

@@ -1,13 +1,14 @@
-// The ratchet: a reviewed text file of what is wrong and accepted, a line a cell. A run may get better, never worse.
+// The ratchet: a reviewed text file of the errors that are accepted, one line for each cell. A run may get better,
+// never worse.
 //
 //   axiscert-ratchet/1 PLAN
 //   FINGERPRINT KERNEL PRECISION FAMILY CELL FIGURE EXPIRY OWNER REASON
 //
-// PLAN is plan_fingerprint(): figures of other queries are not compared. A word that holds spaces or quotes is a JSON
-// string. CELL is a name of cells_of(), FIGURE its count, or its depth where it is a maximum; a cell without a line is
-// accepted at zero. Counts, findings and depths are held; errors in u are not, since a --tolerance makes a count of
-// them. EXPIRY is the last day of the waiver, YYYY-MM-DD in UTC, or `never`. Empty lines and lines that begin with #
-// are comments.
+// PLAN is plan_fingerprint(): figures over other queries are not compared. A word that contains spaces or quotes is a
+// JSON string. CELL is a name of cells_of(), FIGURE its count, or its depth where it is a maximum; a cell without a
+// line is accepted at zero. Counts, findings and depths are checked; errors in u are not, since --tolerance makes a
+// count of them. EXPIRY is the last day of the waiver, YYYY-MM-DD in UTC, or `never`. Empty lines and lines that begin
+// with # are comments.
 #pragma once
 
 #include <map>
@@ -15,12 +16,12 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 
 struct RatchetEntry {
-  Json key;  // of the cell
+  Json key;  // that of the cell
   Json figure;
   std::string expiry, owner, reason;
   std::size_t line = 0;
@@ -35,27 +36,28 @@ struct Ratchet {
 Ratchet parse_ratchet(std::string_view text, const std::string& name);
 Ratchet read_ratchet(const std::string& path);
 
-// Throws Error where a plan, as a record has it, is another than the ratchet's, or none that can be made again.
+// Throws Error where a record's `plan` is not the ratchet's, or cannot be repeated.
 void require_plan(const Ratchet& ratchet, const Json& plan);
 
 struct RatchetFailure {
-  Json key;          // of the cell
-  std::string text;  // names it, says what is wrong, and gives the line that would accept it
+  Json key;          // that of the cell
+  std::string text;  // names the cell, says what is wrong, and gives the line that would accept it
 };
 struct RatchetOutcome {
   std::vector<RatchetFailure> failures;  // worse, expired, or not checked
-  std::vector<std::string> better;       // each with the line that takes the place of the old one
-  std::string accepted;                  // the file that would accept the record: what is worse waits for its words
+  std::vector<std::string> better;       // each with the line that replaces the old one
+  std::string accepted;  // the file that would accept the record; EXPIRY, OWNER and REASON are left to fill in where it
+                         // is worse
 };
-// `today` as YYYY-MM-DD. Throws Error as require_plan does.
+// Compares a record with the ratchet; `today` is YYYY-MM-DD. Throws Error as require_plan does.
 RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, const std::string& today);
 
-// What the reports of a run tell of it, ratchet.json in its folder: conforms to ratchet.schema.json.
+// The outcome for the reports of a run, ratchet.json in its folder: conforms to ratchet.schema.json.
 inline constexpr const char* ratchet_outcome_file = "ratchet.json";
 Json outcome_json(const Ratchet& ratchet, const RatchetOutcome& outcome);
 
-// The file that accepts the record as it is, with EXPIRY, OWNER and REASON left to be filled in; a comment alone where
-// the record depended on time.
+// The file that accepts the record as it is, with EXPIRY, OWNER and REASON left to fill in; only a comment where the
+// record depended on time.
 std::string ratchet_text(const Json& record);
 
 }  // namespace axiscert

@@ -1,4 +1,4 @@
-// The ratchet: it reads what it wrote, refuses what nobody would review, and lets nothing get worse.
+// The ratchet reads what it wrote, refuses what nobody has reviewed, and lets nothing get worse.
 #include "reports/gates/ratchet.h"
 
 #include "reports/formats/test_run.h"
@@ -19,7 +19,7 @@ std::string replaced(std::string text, const std::string& old, const std::string
   return text;
 }
 
-// The stored record's, reviewed.
+// The stored record's ratchet, reviewed.
 std::string reviewed(const std::string& expiry = "never") {
   return replaced(ratchet_text(stored_record()), " EXPIRY OWNER REASON\n", " " + expiry + " mk \"rounds, see docs\"\n");
 }
@@ -59,7 +59,7 @@ TEST(Ratchet, WorseIsNamedWithTheLineThatWouldAcceptIt) {
                   HasSubstr("edge_bc.side_a.missed_separation: 2, accepted is 0; to accept it: ")));
   EXPECT_THAT(outcome.failures[2].text,
               HasSubstr("published binary32 tangent edge_bc.side_a.missed_separation 2 EXPIRY"));
-  // What nobody has reviewed is not accepted by copying it.
+  // Copying an unreviewed line does not accept it.
   EXPECT_THAT(error_of(outcome.accepted), HasSubstr("EXPIRY"));
 }
 
@@ -101,7 +101,7 @@ TEST(Ratchet, AnotherPlanIsRefused) {
   }
 }
 
-// The stored record with one comparison worse than accepted, and what the ratchet says of it.
+// The stored record with one comparison worse than accepted, and the ratchet's outcome.
 void write_held(const TestFolder& folder) {
   Json record = stored_record();
   Json& comparison = tangent_counts(record)["comparisons"]["edge_bc.side_a"];
@@ -122,7 +122,7 @@ TEST(Ratchet, EveryFormatTellsOfIt) {
   EXPECT_THAT(of_case, HasSubstr("<failure type=\"ratchet\""));
   EXPECT_THAT(of_case, HasSubstr(worse));
   EXPECT_EQ(occurrences(junit, worse), 1u);
-  // Held to the ratchet and no worse: checked, where nothing else asked.
+  // Compared with the ratchet and not worse: counts as checked where nothing else was required.
   EXPECT_THAT(junit, HasSubstr("name=\"tangent edge_ab.side_c\" time=\"0\"/>"));
   EXPECT_THAT(folder.read("report.md"), HasSubstr("edge_bc.side_a.missed_separation: 2, accepted is 0"));
   EXPECT_THAT(folder.read("ratchet.txt"), HasSubstr(" never mk \"rounds, see docs\"\n"));
@@ -142,7 +142,7 @@ TEST(Ratchet, AFailureWithoutACaseHasASuiteOfItsOwn) {
   Json record = stored_record();
   record["kernels"].erase(1);
   const TestFolder folder(record);
-  // A record without a kernel of its plan is none: what was held is told beside the whole one.
+  // A record that lacks a kernel of its plan is not valid: this outcome is written next to the complete record.
   const Ratchet ratchet = parse_ratchet(reviewed(), "r.txt");
   folder.write("ratchet.json", outcome_json(ratchet, hold_against(ratchet, record, today)).dump());
   folder.write("record.json", stored_record().dump());
@@ -158,7 +158,7 @@ TEST(Ratchet, AnOutcomeOfAnotherPlanOrFormIsRefused) {
   write_held(folder);
   const std::string good = folder.read("ratchet.json");
   for (const auto& [old, with, says] : {std::array{"held/1", "held/2", "axiscert-held/2"},
-                                        {"\"plan\":\"", "\"plan\":\"f", "is of another plan"},
+                                        {"\"plan\":\"", "\"plan\":\"f", "belongs to another plan"},
                                         {"\"better\"", "\"bitter\"", "/bitter"}}) {
     folder.write("ratchet.json", replaced(good, old, with));
     EXPECT_THAT(folder.rendering_error(), testing::AllOf(HasSubstr("ratchet.json"), HasSubstr(says)));
@@ -198,7 +198,7 @@ TEST(Ratchet, BadLinesAreNamed) {
               HasSubstr("FIGURE '-40'"));
   EXPECT_THAT(error_of(replaced(good, "tangent verdict.false_separation", "general verdict.false_separation")),
               HasSubstr("is not that of published binary32 on general"));
-  EXPECT_THAT(error_of(good + good.substr(good.find('\n') + 1)), HasSubstr("stands there twice"));
+  EXPECT_THAT(error_of(good + good.substr(good.find('\n') + 1)), HasSubstr("appears twice"));
 }
 
 }  // namespace

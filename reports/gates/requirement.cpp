@@ -34,7 +34,7 @@ class Search {
   }
 
  private:
-  static bool nothing(const Json&) { return false; }  // such an answer is no flip
+  static bool nothing(const Json&) { return false; }  // such an answer is not a flip
 
   void add_finding(const Json& finding) {
     const auto text = [&](const char* member) {
@@ -78,32 +78,33 @@ class Search {
     const bool exact_arithmetic = result["exact_arithmetic"].get<bool>();
     const auto number = [&](const char* member) { return verdict[member].get<std::uint64_t>(); };
     if (reference.is_null()) {
-      // No formulae to compare with: on exact arithmetic a wrong verdict is wrong logic. A method of its own may still
-      // round there, and at a touching sphere any rounding shows.
+      // Without formulae to compare with, a wrong verdict in exact arithmetic is wrong logic. A method of the kernel's
+      // own may still round there, and for a touching sphere any rounding shows.
       if (!exact_arithmetic) return;
       const std::uint64_t wrong = number("false_separation") + number("false_contact");
       add(
-          wrong - number("touching_flips"), "wrong verdicts in exact arithmetic, touching apart",
+          wrong - number("touching_flips"), "wrong verdicts in exact arithmetic, touching spheres not counted",
           [](const Json&) { return true; }, false);
       return;
     }
     for (const Link link : links) add_link(link, verdict["links"], 0);
-    // Formulae in an order of operations of its own: where these round, an unattributed difference may be rounding, and
-    // is no fault of logic. In exact arithmetic it is one.
+    // Formulae evaluated in an order of operations of the kernel's own: where they round, an unattributed difference
+    // may be rounding and is not a fault of logic. In exact arithmetic it is one.
     if (!reference.get<bool>() && exact_arithmetic) {
       const std::string name(link_names[static_cast<std::size_t>(Link::unattributed)]);
       add_link(Link::unattributed, verdict["links"], verdict["touching_links"][name].get<std::uint64_t>());
     }
   }
 
-  // `apart`: how many of them are touching queries that do not count.
+  // `apart`: the number of them that are touching queries, which do not count.
   void add_link(Link link, const Json& links, std::uint64_t apart) {
     const std::string name(link_names[static_cast<std::size_t>(link)]);
     const bool in_exact_arithmetic = link == Link::unattributed;
     add(
         links[name].get<std::uint64_t>() - apart,
-        in_exact_arithmetic ? "wrong verdicts in exact arithmetic that its formulae do not give, touching apart"
-                            : fmt::format("wrong verdicts with a broken {} link", name),
+        in_exact_arithmetic
+            ? "wrong verdicts in exact arithmetic that its formulae do not give, touching spheres not counted"
+            : fmt::format("wrong verdicts with a broken {} link", name),
         [name](const Json& flip) {
           return std::find(flip["links"].begin(), flip["links"].end(), name) != flip["links"].end();
         },
@@ -139,7 +140,7 @@ std::string Requirement::sentence() const {
   const std::string verdicts_only =
       "for a kernel that claims no formulae, or evaluates them in its own way: none in exact arithmetic that its "
       "formulae "
-      "do not give, touching apart";
+      "do not give, touching spheres not counted";
   const std::string always = "; no finding, and an answer to every query within its limits";
   switch (level) {
     case RequirementLevel::logic:

@@ -1,11 +1,11 @@
-// What --require asks of a run, and where a record falls short of it.
+// The levels of --require, and where a record falls short of one.
 #pragma once
 
 #include <limits>
 #include <string>
 #include <vector>
 
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 
@@ -15,25 +15,26 @@ struct Requirement {
   RequirementLevel level;
   double deepest = std::numeric_limits<double>::infinity();  // conservative: the deepest phantom contact allowed
 
-  std::string sentence() const;  // what it asks, for a report
+  std::string sentence() const;  // states the requirement, for a report
 };
 
-// "logic", "range", "exact", "conservative" or "conservative=D". Throws Error that lists them.
+// Parses "logic", "range", "exact", "conservative" or "conservative=D". Throws Error that lists them.
 Requirement parse_requirement(const std::string& text);
 
-// Where one kernel falls short.
+// One way in which a kernel falls short.
 struct Failure {
   std::string kernel, precision, family;  // precision and family are empty for a kernel that could not be loaded
-  std::uint64_t count;                    // of wrong verdicts, or of what `what` names
-  std::string what;                       // "missed contacts"
+  std::uint64_t count;                    // number of wrong verdicts, or of the cases that `what` names
+  std::string what;                       // for example "missed contacts"
   std::string witness;                    // the deepest one that shows it; empty where none was stored
 
-  bool is_of(const Json& kernel) const;  // an entry of the record's "kernels"
+  bool is_of(const Json& kernel) const;  // whether it is about this entry of the record's "kernels"
   std::string text() const;
 };
 
-// Empty where the record meets the level. No level is met by a kernel with a finding, or with a query within its limits
-// that it did not answer; none reads what happens outside these. Throws Error as parse_requirement does.
+// The failures of a record at a level; empty where it meets the level. A kernel with a finding, or with a query within
+// its limits that it did not answer, meets no level; queries outside the limits do not count at any. Throws Error as
+// parse_requirement does.
 std::vector<Failure> unmet(const Json& record, const std::string& level);
 
 }  // namespace axiscert

@@ -1,4 +1,4 @@
-// What each level of --require lets pass.
+// Records that each level of --require accepts and refuses.
 #include "reports/gates/requirement.h"
 #include "reports/formats/test_run.h"
 
@@ -38,10 +38,11 @@ TEST(Requirement, RangeAsksForNoRangeLinkEither) {
 TEST(Requirement, LogicJudgesAKernelOfVerdictsByExactArithmeticTouchingApart) {
   Json record = stored_record();
   record["kernels"].erase(0);
-  // 4 + 1 wrong verdicts on `lattice`, 3 of them touching; `tangent` rounds and does not count. The deeper of its
-  // witnesses that do not touch.
-  EXPECT_EQ(texts(record, "logic"), (std::vector<std::string>{"<script> binary32 on lattice: wrong verdicts in exact "
-                                                              "arithmetic, touching apart: 2 (witness w5)"}));
+  // 4 + 1 wrong verdicts on `lattice`, 3 of them touching; `tangent` rounds and does not count. The witness is the
+  // deeper of those that do not touch.
+  EXPECT_EQ(texts(record, "logic"),
+            (std::vector<std::string>{"<script> binary32 on lattice: wrong verdicts in exact "
+                                      "arithmetic, touching spheres not counted: 2 (witness w5)"}));
   record["kernels"][0]["families"]["lattice"]["verdict"]["touching_flips"] = 5;
   EXPECT_TRUE(unmet(record, "logic").empty());
 }

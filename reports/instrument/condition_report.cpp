@@ -1,4 +1,5 @@
-// `axiscert condition`: whose fault the flips are, by kernel, family and comparison.
+// `axiscert condition`: whether flips come from the query's condition or from the formula, by kernel, family and
+// comparison.
 #include "reports/instrument/condition_report.h"
 
 #include <fmt/format.h>
@@ -18,8 +19,8 @@ class ConditionReport {
 
   InstrumentReport report(const std::string& command) const {
     return {"condition",
-            fmt::format("Whose fault a flip is, {}, {} queries of each family", name(plan_.precision),
-                        thousands(plan_.trials)),
+            fmt::format("Flips caused by the query's condition and by the formula, {}, {} queries of each family",
+                        name(plan_.precision), thousands(plan_.trials)),
             command,
             notes(),
             {by_family(), by_comparison(), wrong_verdicts()},
@@ -44,17 +45,19 @@ class ConditionReport {
             "exact "
             "arithmetic. kappa = sum |x_i dm/dx_i| / |m| over the query's thirteen numbers, m = lhs - rhs; u = 2^-{}. "
             "Ill-conditioned: kappa u >= 1, the rounding of the query alone may turn the sign (to first order), and a "
-            "tie, m = 0, always. Unstable: kappa u < 1, the formula's own fault; range: of those, right if the "
+            "tie, m = 0, always. Unstable: kappa u < 1, the formula is the cause; range: those of them that would be "
+            "right if the "
             "exponent "
             "were unbounded. Undefined: 0/0 in exact arithmetic, there is no m. Not decided: m has no derivative.",
             digits()),
-        fmt::format("Which side of 1 kappa u lies on is decided exactly; its figures have six digits. Evaluated are "
-                    "the first {} "
-                    "flips by position of each kernel, family and comparison, and up to {} queries a family, evenly "
-                    "spaced, for "
-                    "the comparisons that did not flip. The least kappa u of an unstable flip leaves range faults out.",
-                    thousands(plan_.flip_limit), thousands(plan_.sample)),
-        "Of wrong verdicts, held against the geometry, the depth in u: how far the centre has to move for the answer "
+        fmt::format(
+            "Whether kappa u is below 1 is decided exactly; its figures have six digits. The instrument evaluates "
+            "the first {} "
+            "flips by position of each kernel, family and comparison, and up to {} queries a family, evenly "
+            "spaced, for "
+            "the comparisons that did not flip. The least kappa u of an unstable flip leaves range faults out.",
+            thousands(plan_.flip_limit), thousands(plan_.sample)),
+        "For verdicts that differ from the geometry, the depth in u: how far the centre has to move for the answer "
         "to "
         "be right, relative to the greatest of |A-P|, |B-P|, |C-P| and r. The median is the lower one.",
         "Ill-conditioned excuses a formula; it does not say that no formula does better. kappa is relative to the "
@@ -92,7 +95,7 @@ class ConditionReport {
     return table;
   }
 
-  // One comparison of a kernel over the families, and the family that its least unstable flip is in.
+  // The sum of one comparison of a kernel over the families, and the family that has its least unstable flip.
   std::pair<ConditionCounts, std::size_t> over_families(std::size_t k, std::size_t comparison) const {
     ConditionCounts sum;
     std::optional<Measured> least;
@@ -152,7 +155,7 @@ class ConditionReport {
 
   static double median(const Cell& cell) { return cell.depths[(cell.depths.size() - 1) / 2]; }
 
-  // At powers of two, between 2^-40 and 2^40.
+  // Evaluated at powers of two between 2^-40 and 2^40.
   InstrumentPlot distribution() const {
     InstrumentPlot plot{"Condition of the evaluated flips: unstable below 1, ill-conditioned from 1",
                         "kappa u",

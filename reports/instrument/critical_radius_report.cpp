@@ -1,4 +1,4 @@
-// `axiscert critical-radius`: how far from the distance each kernel's answer changes.
+// `axiscert critical-radius`: the error of the radius at which each kernel's answer changes.
 #include "reports/instrument/critical_radius_report.h"
 
 #include <fmt/format.h>
@@ -138,7 +138,7 @@ class CriticalRadiusReport {
     return table;
   }
 
-  // At powers of two up to the greatest error, 2^64 at most.
+  // Evaluated at powers of two up to the greatest error, at most 2^64.
   InstrumentPlot distribution() const {
     InstrumentPlot plot{"Error of the critical radius, over these families",
                         "error in ulps of the exact distance",

@@ -1,4 +1,4 @@
-// How the instruments write the figures that several of them have.
+// The format of figures that several instruments show.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "fuzz/queries/address.h"
 #include "fuzz/instruments/extreme.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -17,13 +17,13 @@ inline Json number_json(const Decimal6& decimal) {
   const double value = decimal.value();
   return std::isfinite(value) ? Json(value) : Json(decimal.text());
 }
-// To four significant digits.
+// The number to four significant digits.
 inline std::string shown(const Decimal6& decimal) {
   const double value = decimal.value();
   return std::isfinite(value) ? amount(value, 4) : decimal.text();
 }
 
-// Where the queries of an instrument come from, for addresses.
+// The origin of an instrument's queries, for their addresses.
 struct QueryOrigin {
   std::uint64_t seed;
   Precision precision;

@@ -1,5 +1,5 @@
-// What a measuring subcommand (`ladder`, `precision`, ...) shows: tables, plots and notes, for the terminal and for a
-// page, beside the same figures as JSON.
+// The report of a measuring subcommand (`ladder`, `precision`, ...): tables, plots and notes, for the terminal and for
+// a page, and the same figures as JSON.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "reports/wording/aligned_table.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 
-// A cell is text that is ready to read; numbers are aligned right.
+// A cell is text that is ready to read; numbers are right-aligned.
 struct InstrumentTable {
   std::string caption;
   std::vector<std::string> columns;
@@ -20,8 +20,8 @@ struct InstrumentTable {
 
 struct InstrumentSeries {
   std::string name;
-  std::vector<std::pair<double, double>> points;  // finite; none at or below 0 on a logarithmic axis
-  std::vector<std::string> labels;                // one a point, or none
+  std::vector<std::pair<double, double>> points;  // finite; all above 0 on a logarithmic axis
+  std::vector<std::string> labels;                // one for each point, or none
 };
 
 struct InstrumentPlot {
@@ -30,13 +30,13 @@ struct InstrumentPlot {
   Kind kind = Kind::line;
   bool x_log = false, y_log = false;
   std::vector<InstrumentSeries> series;
-  std::vector<std::string> x_names{};  // of x = 0, 1, ... where x counts named things; else empty
+  std::vector<std::string> x_names{};  // names of x = 0, 1, ... where x counts named things; else empty
 };
 
 struct InstrumentReport {
-  std::string name;  // of the subcommand
+  std::string name;  // that of the subcommand
   std::string title;
-  std::string command;             // that makes it again
+  std::string command;             // produces the report again
   std::vector<std::string> notes;  // what was measured, in which units, and what it does not cover; one paragraph each
   std::vector<InstrumentTable> tables;
   std::vector<InstrumentPlot> plots;

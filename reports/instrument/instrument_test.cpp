@@ -1,4 +1,4 @@
-// An instrument's text and page.
+// The text and the page of an instrument's report.
 #include "reports/instrument/instrument.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(InstrumentPage, KeepsWhatItIsGivenAsText) {
   EXPECT_EQ(page.find("<title>A <title>"), std::string::npos);
   EXPECT_NE(page.find("<h1>A &lt;title&gt; &amp; more</h1>"), std::string::npos);
   EXPECT_NE(page.find("<th>/*JS*/</th><td class=\"n\">-12.25</td>"), std::string::npos);
-  EXPECT_NE(page.find("drawPlots();"), std::string::npos) << "the script stands in its own place";
+  EXPECT_NE(page.find("drawPlots();"), std::string::npos) << "the script is in its own place";
 }
 
 TEST(InstrumentPage, NeedsNothingFromANetwork) {

@@ -6,7 +6,7 @@
 namespace axiscert {
 namespace {
 
-// As in a record: text where binary64 cannot hold it.
+// As in a record: the text of the number where binary64 cannot hold it.
 Json number(Decimal6 decimal) {
   const double value = decimal.value();
   return std::isfinite(value) ? Json(value) : Json(decimal.text());

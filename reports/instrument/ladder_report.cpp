@@ -102,7 +102,8 @@ InstrumentTable families_table(const LadderPlan& plan, const Entries& entries) {
   return table;
 }
 
-// One row a step and kind of axis whose figures it changes: a step rewrites one kind, and leaves the others alone.
+// One row for each step and kind of axis whose figures the step changes: a step rewrites one kind and leaves the others
+// alone.
 InstrumentTable steps_table(const LadderPlan& plan, const Entries& entries, const std::vector<LadderStep>& steps) {
   InstrumentTable table{
       "Steps: from one form to the next, over all families; the kinds of axes whose figures change",
@@ -165,7 +166,7 @@ InstrumentTable front_table(const Entries& entries) {
   return table;
 }
 
-// By position in the list of kernels: the defaults put rung k at k.
+// x is the position in the list of kernels: with the default kernels, rung k is at k.
 template <class Figure>
 InstrumentSeries by_kernel(std::string series_name, const Entries& entries, Figure&& figure) {
   InstrumentSeries series{std::move(series_name), {}, {}};
@@ -251,7 +252,7 @@ std::vector<std::string> notes(const LadderPlan& plan, const Entries& entries) {
                   scanned.low, scanned.high),
       fmt::format("The critical radius is found for every {}th of a source's first {} queries.", critical_radius_stride,
                   critical_radius_queries),
-      "The figures are of these queries and bound nothing."};
+      "The figures hold for these queries only and are not bounds."};
   if (plan.speed) {
     all.push_back(fmt::format(
         "ns: verdicts of {} distinct general queries, one thread, median of {} repetitions. Every kernel is timed in "

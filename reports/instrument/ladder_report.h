@@ -6,10 +6,10 @@
 
 namespace axiscert {
 
-// Tables, plots, notes and the figures as JSON. `command` makes it again.
+// Tables, plots, notes and the figures as JSON. `command` produces the report again.
 InstrumentReport ladder_report(const LadderPlan& plan, const std::vector<LadderEntry>& entries,
                                const std::string& command);
-// The figures alone; every time is in the member "speed", which is not there where none was taken.
+// The figures alone; all times are in the member "speed", which is absent where none were taken.
 Json ladder_json(const LadderPlan& plan, const std::vector<LadderEntry>& entries);
 
 }  // namespace axiscert

@@ -19,19 +19,19 @@ std::uint64_t other_findings(const Tally& tally) {
   for (const FindingTally& finding : tally.findings) all += finding.count;
   return all - count_of(tally, FindingKind::crash) - count_of(tally, FindingKind::hang);
 }
-// Queries with a truth, to which the kernel gave an answer.
+// Number of queries that have a truth and to which the kernel gave an answer.
 std::uint64_t answered(const Tally& tally) {
   return tally.trials - tally.invalid - tally.verdict.unanswered - tally.verdict.outside_limits.trials;
 }
 
-// Three digits: 57, 1.31k, 999k.
+// The rate with three digits: 57, 1.31k, 999k.
 std::string per_million(std::uint64_t count, std::uint64_t of) {
   const double rate = 1e6 * static_cast<double>(count) / static_cast<double>(of);
   return rate < 999.5 ? fmt::format("{:.3g}", rate) : fmt::format("{:.3g}k", rate / 1000);
 }
 
-// "missed/phantom", and what else came instead of a verdict: n for `invalid`, u for no answer, of which there are
-// counts.
+// The rates "missed/phantom", followed by outcomes other than a verdict: n and the rate of `invalid`, u and the number
+// of missing answers.
 std::string family_cell(const Tally& tally) {
   const std::uint64_t of = answered(tally);
   std::string cell = "none";
@@ -79,13 +79,13 @@ class LeagueReport {
     std::vector<std::string> all = {
         "By family: missed/phantom, the contacts that are missed and those that are invented, for a million queries "
         "that were answered. n: answers `invalid`, for a million. u: queries without an answer, since the library "
-        "crashed or hung at them or did so too often in their unit to be asked again.",
-        "Touching is judged by what each says that it means; where it makes no promise, neither answer is wrong.",
-        "Deepest: of a wrong verdict, |d - r| / max(|A-P|, |B-P|, |C-P|, r). Critical radius: of every 256th of a "
+        "crashed or hung on them, or did so too often in their unit to be called again.",
+        "Touching is judged by the convention that each declares; where it declares none, neither answer is wrong.",
+        "Deepest: |d - r| / max(|A-P|, |B-P|, |C-P|, r) of a wrong verdict. Critical radius: for every 256th of a "
         "source's first 2^24 queries the smallest radius that is called a contact, its error in ulps of the exact "
         "distance. Time: verdicts alone on one core, median over repetitions of 2^17 distinct queries of family "
-        "`general`, in the library's own process and without what asking it there takes.",
-        "Zero wrong verdicts hold for these queries only: at most 3 in as many as were asked, at 95 %."};
+        "`general`, in the library's own process, without the cost of communicating with it.",
+        "Zero wrong verdicts hold for these queries only: at most 3 in as many queries, at 95 %."};
     all.insert(all.end(), league_.not_checked.begin(), league_.not_checked.end());
     return all;
   }
@@ -148,7 +148,7 @@ class LeagueReport {
     const auto found = league_.nanoseconds.find({precision, k});
     return found == league_.nanoseconds.end() ? std::nullopt : std::optional(found->second);
   }
-  // Nothing where it does not compete.
+  // Empty where it does not compete.
   std::optional<double> time_of_certified(Precision precision) const {
     for (std::size_t k = 0; k < league_.contenders; ++k) {
       if (plan_.kernels[k]->id == "certified") return time(k, precision);
@@ -156,7 +156,7 @@ class LeagueReport {
     return std::nullopt;
   }
 
-  // Each claims the bits of the published test, so that its own fault is told from rounding and range.
+  // Each claims the bits of the published test, so that its own fault is distinguished from rounding and range.
   static std::optional<std::uint64_t> caught(const Tally& tally) {
     return tally.verdict.first_by_link[static_cast<std::size_t>(Link::implementation)];
   }

@@ -10,10 +10,10 @@ namespace axiscert {
 
 struct League {
   Plan plan;
-  std::size_t contenders = 0;  // so many of the plan's kernels compete; the others have a fault planted in them
-  // Nanoseconds a query, by precision and place in the plan; none where none was taken.
+  std::size_t contenders = 0;  // the first so many of the plan's kernels compete; the others have a planted fault
+  // Nanoseconds for each query, by precision and position in the plan; absent where no time was taken.
   std::map<std::pair<Precision, std::size_t>, double> nanoseconds;
-  std::vector<std::string> not_checked;  // a sentence each
+  std::vector<std::string> not_checked;  // one sentence each
 };
 
 InstrumentReport league_report(const League& league, const CampaignResult& result, const std::string& command);

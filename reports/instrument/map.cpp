@@ -29,7 +29,7 @@ Json side_json(const PlaneSide& side) {
   return {{"numbers", side.numbers.name}, {"pixels", side.pixels}, {"origin", side.origin()}, {"step", side.step}};
 }
 
-// Only what one map may be called: it begins the names of files.
+// The characters allowed in the name of a map, which begins the names of its files.
 constexpr std::string_view name_letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
 
 std::string picture_file(const std::string& map, const MapSubject& subject) {
@@ -38,20 +38,20 @@ std::string picture_file(const std::string& map, const MapSubject& subject) {
 
 }  // namespace
 
-// Wrong signs in the two colours of Okabe and Ito's palette that are told apart best with any colour vision, and in
-// greyscale; yes light, no darker; the band in yellow of the same two lightnesses.
+// Wrong signs have the two colours of Okabe and Ito's palette that are easiest to tell apart with any colour vision and
+// in greyscale; yes is light, no is darker; the band is yellow with the same two lightnesses.
 const std::array<LegendEntry, pixel_class_count>& map_legend() {
   using enum PixelClass;
   static constexpr std::array<LegendEntry, pixel_class_count> legend = {{
       {no_query, {0x6e, 0x6e, 0x6e}, "no query: a number is not finite, or the radius is below zero"},
-      {false_separation, {0xd5, 0x5e, 0x00}, "the kernel says yes wrongly; of a verdict: a missed contact"},
-      {missed_separation, {0x00, 0x72, 0xb2}, "the kernel says no wrongly; of a verdict: a phantom contact"},
+      {false_separation, {0xd5, 0x5e, 0x00}, "the kernel wrongly says yes; for a verdict: a missed contact"},
+      {missed_separation, {0x00, 0x72, 0xb2}, "the kernel wrongly says no; for a verdict: a phantom contact"},
       {declined, {0xcc, 0x79, 0xa7}, "the kernel says neither yes nor no"},
       {not_finite, {0x00, 0x9e, 0x73}, "right, though a computed side is not finite"},
-      {tie, {0x00, 0x00, 0x00}, "exactly on the boundary; of a verdict: the sphere touches"},
-      {boundary, {0x40, 0x40, 0x40}, "no, beside a pixel that is yes: the exact boundary runs between them"},
-      {yes_uncertain, {0xfd, 0xf0, 0xa8}, "yes (holds, separates), where the bound does not tell"},
-      {no_uncertain, {0xd8, 0xc0, 0x60}, "no, where the bound does not tell"},
+      {tie, {0x00, 0x00, 0x00}, "exactly on the boundary; for a verdict: the sphere touches"},
+      {boundary, {0x40, 0x40, 0x40}, "no, next to a pixel that is yes: the exact boundary runs between them"},
+      {yes_uncertain, {0xfd, 0xf0, 0xa8}, "yes (holds, separates), where the bound does not determine the sign"},
+      {no_uncertain, {0xd8, 0xc0, 0x60}, "no, where the bound does not determine the sign"},
       {yes, {0xff, 0xff, 0xff}, "yes: the comparison holds, the axis separates, the sphere and the triangle are apart"},
       {no, {0xc8, 0xc8, 0xc8}, "no"},
   }};
@@ -61,7 +61,7 @@ const std::array<LegendEntry, pixel_class_count>& map_legend() {
 Json map_json(const std::string& map_name, const MapPlan& plan, const std::vector<MapPicture>& pictures,
               const std::string& command) {
   if (map_name.empty() || map_name.find_first_not_of(name_letters) != map_name.npos) {
-    throw Error(fmt::format("--name {}: a name of letters, digits, _ and - belongs here", map_name));
+    throw Error(fmt::format("--name {}: a name may contain only letters, digits, _ and -", map_name));
   }
   Json map = {{"name", map_name},
               {"command", command},
@@ -95,7 +95,7 @@ std::map<std::string, std::string> map_files(const Json& map, const MapPlan& pla
   }
   Json maps = Json::array();
   if (!index.empty()) {
-    Json given = Json::value_t::discarded;  // what is no JSON, for the schema to refuse
+    Json given = Json::value_t::discarded;  // stays so where the index is not JSON, for the schema to refuse
     try {
       given = parsed_json(index);
     } catch (const Json::exception&) {

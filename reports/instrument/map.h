@@ -1,36 +1,36 @@
-// Maps as files: pictures, and an index that says what they show. docs/map.md has the format.
+// Maps as files: pictures, and an index that describes them. docs/map.md has the format.
 #pragma once
 
 #include <map>
 #include <string>
 
 #include "fuzz/map/map.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 #include "reports/page/png.h"
 
 namespace axiscert {
 
 inline constexpr std::string_view map_index_file = "index.json";
 
-// What a class is drawn in, and what that means.
+// The colour of a class of pixels, and its meaning.
 struct LegendEntry {
   PixelClass pixel;
   Colour colour;
   std::string_view meaning;
 };
-// In the order of the classes.
+// The legend in the order of the classes.
 const std::array<LegendEntry, pixel_class_count>& map_legend();
 
-// One map of the index: the plane, the witness, the counts of every picture.
+// The index entry of one map: the plane, the witness, the counts of every picture.
 Json map_json(const std::string& name, const MapPlan& plan, const std::vector<MapPicture>& pictures,
               const std::string& command);
 
-// The pictures, and the index with this map in it: in the place of one of its name, beside those of `index`, the text
-// of the index that is there, empty where there is none. Throws Error where that is no index of maps.
+// The pictures, and the index with this map in it: it replaces a map of the same name and joins the other maps of
+// `index`, the text of the existing index, empty where there is none. Throws Error where that is not an index of maps.
 std::map<std::string, std::string> map_files(const Json& map, const MapPlan& plan,
                                              const std::vector<MapPicture>& pictures, const std::string& index);
 
-// The counts as a table for the terminal, and what the colours mean.
+// The counts as a table for the terminal, and the meaning of the colours.
 std::string map_text(const Json& map);
 
 }  // namespace axiscert

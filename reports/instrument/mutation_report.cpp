@@ -1,4 +1,4 @@
-// `axiscert mutate`: what of the faults planted in a kernel the harness catches, and how soon.
+// `axiscert mutate`: which of the faults planted in a kernel the harness catches, and how soon.
 #include "reports/instrument/mutation_report.h"
 
 #include <fmt/format.h>
@@ -6,20 +6,21 @@
 #include <algorithm>
 
 #include "fuzz/queries/address.h"
-#include "reports/formats/markdown_text.h"
+#include "reports/wording/markdown_text.h"
 
 namespace axiscert {
 namespace {
 
 constexpr std::uint64_t soon = 10'000;  // queries
 
-// Why nothing tells it from its base; null where something should.
+// The argument that nothing distinguishes the mutant from its base; null where something should.
 const std::string* equivalence_of(const MutantResult& r) {
   const auto found = equivalent_mutants().find(r.mutant->id);
   return found == equivalent_mutants().end() ? nullptr : &found->second;
 }
 
-// Of the mutants that something tells from their base.
+// Counts of mutants; those not equivalent to their base are counted as caught, caught soon, or caught by formulae
+// alone.
 struct Score {
   std::uint64_t mutants = 0, equivalent = 0, caught = 0, soon = 0, by_formulae = 0;
   std::vector<std::uint64_t> queries;
@@ -36,7 +37,7 @@ struct Score {
     soon += r.by_bits->queries <= axiscert::soon;
     queries.push_back(r.by_bits->queries);
   }
-  // At least half of the mutants that are not equivalent are caught by then.
+  // Number of queries after which at least half of the mutants that are not equivalent are caught.
   std::optional<std::uint64_t> median() const {
     const std::uint64_t all = mutants - equivalent;
     if (all == 0 || caught * 2 < all) return std::nullopt;
@@ -80,13 +81,13 @@ class MutationReport {
                     result_.complete ? "" : " (interrupted)"),
         command,
         {"A mutant is the kernel with one fault. It is caught by the first wrong verdict with a broken "
-         "implementation link; `queries` counts all that were asked until then, of all families in "
+         "implementation link; `queries` counts all queries up to then, of all families in "
          "turn, 251 of each. Every catch is confirmed by all oracles.",
          "Formulae alone: the same mutant where it claims the formulae and not their bits, as a kernel "
-         "of one's own may: caught by a wrong verdict where arithmetic is exact, touching apart. A fault "
-         "that only rounds otherwise is none there.",
-         "Equivalent: argued in fuzz/mutation/equivalent.txt that no query tells it from the kernel; "
-         "looked at over as many queries as the others."},
+         "of one's own may: caught by a wrong verdict where arithmetic is exact, touching spheres not counted. A fault "
+         "that only changes rounding is not a fault there.",
+         "Equivalent: fuzz/mutation/equivalent.txt argues that no query distinguishes it from the kernel; "
+         "it was run on as many queries as the others."},
         {scores(), by_fault(), by_family(), not_caught(), controls()},
         {},
         data(command)};
@@ -165,7 +166,7 @@ class MutationReport {
   }
 
   InstrumentTable controls() const {
-    InstrumentTable table{"Kernels that are right and written otherwise",
+    InstrumentTable table{"Correct kernels that are written in another way",
                           {"kernel", "precision", "claims", "queries", "wrong verdicts against `logic`"},
                           {}};
     for (const Control& c : controls_) {
@@ -265,10 +266,10 @@ std::vector<std::string> mutation_faults(const MutationResult& result, const std
     if (!equivalent) continue;
     const auto add = [&](const char* what) {
       faults.push_back(
-          fmt::format("{} {}: fuzz/mutation/equivalent.txt argues that nothing tells it from its base, and {}",
+          fmt::format("{} {}: fuzz/mutation/equivalent.txt argues that nothing distinguishes it from its base, but {}",
                       r.mutant->id, name(r.precision), what));
     };
-    if (r.by_bits) add("a query does");
+    if (r.by_bits) add("a query does so");
     else if (!r.same_bits) add("its comparisons differ");
   }
   for (const Control& c : controls) {

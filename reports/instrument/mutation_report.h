@@ -8,10 +8,10 @@ namespace axiscert {
 
 inline constexpr const char* mutation_schema = "axiscert-mutation/1";
 
-// What is wrong with the harness or with an argument; empty if nothing is.
+// Faults of the harness, or of an argument for equivalence; empty if there are none.
 std::vector<std::string> mutation_faults(const MutationResult& result, const std::vector<Control>& controls);
 
-// `whole`: with a row for each mutant.
+// `whole`: include a row for each mutant.
 InstrumentReport mutation_report(const MutationPlan& plan, const MutationResult& result,
                                  const std::vector<Control>& controls, const std::string& command, bool whole);
 std::string instrument_markdown(const InstrumentReport& report);

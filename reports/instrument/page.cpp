@@ -27,7 +27,7 @@ std::string table_html(const InstrumentTable& table) {
   return html + "</tbody></table></div></section>\n";
 }
 
-// The figures of a plot, for a reader without a picture of it.
+// The figures of a plot, for a reader who does not see the plot.
 std::string figures_html(const InstrumentPlot& plot) {
   std::string html = fmt::format(
       "<details><summary>The figures</summary><table><thead><tr><th>series</th><th>{}</th>"

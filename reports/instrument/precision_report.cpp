@@ -72,7 +72,8 @@ InstrumentTable verdict_table(const PrecisionPlan& plan, const PrecisionTally& a
   return table;
 }
 
-// What the precision's own number of bits breaks, against what its exponents break. `step` is where that is.
+// Verdicts changed by the precision's own number of bits, next to those changed by its exponents. `step` is the
+// position of that number of bits in the plan.
 InstrumentTable separation_table(const PrecisionPlan& plan, const PrecisionTally& all, std::size_t step) {
   InstrumentTable table{fmt::format("Rounding apart from range, at the {} bits of {}; per million", plan.bits[step],
                                     name(plan.precision)),
@@ -243,7 +244,7 @@ std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& 
                   "the formulae is rounded to nearest even at the number of bits (MPFR). Kernels by their formulae: "
                   "arithmetic is scalar and plain, and nothing is fused.",
                   thousands(all.queries), name(plan.precision), families),
-      fmt::format("Unlimited exponents: what is wrong comes from rounding or from the formulae. Exponents of {}: with "
+      fmt::format("Unlimited exponents: errors come from rounding or from the formulae. Exponents of {}: with "
                   "gradual underflow at that number of bits, so that {} bits are the scalar reference itself, which is "
                   "checked on every query.",
                   name(plan.precision), own_digits(plan)),

@@ -6,7 +6,7 @@
 
 namespace axiscert {
 
-// `tallies` by source; `command` makes them again.
+// `tallies` by source; `command` produces them again.
 InstrumentReport precision_report(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies,
                                   const std::string& command);
 

@@ -1,4 +1,4 @@
-// `axiscert search`: the worst that a search found in a kernel, beside what is proved.
+// `axiscert search`: the worst that a search found in a kernel, next to what is proved.
 #include "reports/instrument/search_report.h"
 
 #include <fmt/format.h>
@@ -34,7 +34,8 @@ class SearchReport {
         "at least 1/8 of the greatest.",
         "A depth is in units of the scene, the error of the critical radius in ulps of the exact distance. Every "
         "witness was "
-        "confirmed by exact arithmetic. All of these are lower bounds of the worst: a search proves nothing of what it "
+        "confirmed by exact arithmetic. All of these are lower bounds of the worst: a search proves nothing about what "
+        "it "
         "does not find."};
     if (InstrumentTable table = comparison_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
     if (InstrumentTable table = verdict_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
@@ -49,7 +50,7 @@ class SearchReport {
     }
     return nullptr;
   }
-  // The comparisons that were looked at, in their order.
+  // The comparisons that were searched, in their order.
   std::vector<Comparison> comparisons_asked() const {
     std::vector<Comparison> all;
     for (const Aim& aim : result_.aims) {

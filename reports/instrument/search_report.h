@@ -9,7 +9,7 @@ namespace axiscert {
 inline constexpr const char* search_schema = "axiscert-search/1";
 
 InstrumentReport search_report(const SearchPlan& plan, const SearchResult& result, const std::string& command);
-// The witnesses as a query file, one a find.
+// The witnesses as a query file, one for each find.
 std::string search_witnesses(const SearchResult& result);
 
 }  // namespace axiscert

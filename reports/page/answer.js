@@ -1,4 +1,4 @@
-// The answer, before anything else: what was run, how often it is wrong, how deep, by which link, and what stands behind
+// The answer, before anything else: what was run, how often it is wrong, how deep, by which link, and the evidence for
 // each comparison.
 
 function failures_of(data, entry) {
@@ -7,7 +7,7 @@ function failures_of(data, entry) {
 }
 
 function status_chip(data, failures, ran) {
-  if (!data.requirement) return chip('no requirement asked');
+  if (!data.requirement) return chip('no requirement given');
   const level = data.requirement.level;
   if (failures.length > 0) return chip(`requirement ${level}: not met`, 'bad');
   if (!ran) return chip(`requirement ${level}: not checked`, 'warn');
@@ -40,7 +40,7 @@ function link_chips(counts) {
   return el('span', 'chips', ...broken.map(([link, n]) => chip(`${link} ${count(n)}`, `link-${link}`)));
 }
 
-// The witness card that is in the page, or the name alone.
+// A link to the witness's card where the page has it, otherwise its name.
 function witness_link(data, id) {
   if (!data.witnesses.cards.some((witness) => witness.id === id)) return el('span', 'name', id);
   const link = el('a', 'name', id);
@@ -64,7 +64,7 @@ function metric(data, entry, label, member, alarm) {
             el('strong', '', number), el('small', '', limit), depth);
 }
 
-// One sentence a broken link: how often, where most, and how soon it shows.
+// One sentence for each broken link: how often, where most often, and how soon it shows.
 function link_sentences(data, entry) {
   const list = el('ul', 'sentences');
   for (const [link, n] of Object.entries(entry.all.verdict.links)) {
@@ -88,14 +88,15 @@ function link_sentences(data, entry) {
 const badge_meanings = {
   proved: 'a checker accepted a bound on its error',
   exhaustive: 'every query of a reduced space was tried',
-  searched: 'its worst was hunted for, and confirmed exactly',
-  open: 'these queries alone speak of it',
+  searched: 'a search looked for its worst error, which was confirmed exactly',
+  open: 'only these queries give evidence about it',
 };
 const badge_kinds = {proved: 'good', exhaustive: 'good', searched: 'note', open: ''};
 
-// What speaks of a comparison of a kernel entry, the strongest first.
+// The evidence about a comparison of a kernel entry, the strongest first.
 function bound_of(data, entry, name) {
-  // A bound holds for the kernel that it names, and for those with the same formulae, arithmetic and order of operations.
+  // A bound holds for the kernel that it names, and for kernels with the same formulae, arithmetic and order of
+  // operations.
   const own = (row) => row.name === name && (row.precision === null || row.precision === entry.precision) &&
     (row.formulae === entry.id ||
      (entry.reference && row.formulae === entry.formulae && (row.arithmetic ?? 'plain') === entry.arithmetic));
@@ -140,11 +141,11 @@ function largest_error(total) {
   return `${error_amount(tally.max_error_u)} u, ${name}`;
 }
 
-// A kernel of the plan that could not be loaded.
+// The card of a kernel of the plan that could not be loaded.
 function not_judged_card(data, id) {
   const why = data.findings.filter((finding) => finding.kernel === id);
   return el('article', 'card', el('h3', '', el('span', 'name', id)), el('p', 'status', chip('not judged', 'bad')),
-            el('p', 'lead', 'It could not be loaded, so nothing of it was judged.'),
+            el('p', 'lead', 'It could not be loaded, so it was not judged.'),
             el('ul', 'failures', ...why.map((finding) => el('li', '', `${finding.kind}: ${finding.detail}`))));
 }
 
@@ -156,19 +157,19 @@ function more_facts(entry) {
   fact('undecided', count(total.verdict.undecided));
   fact('invalid answers', count(total.verdict.invalid));
   fact('without an answer', count(total.verdict.unanswered));
-  fact('says of itself', entry.touching_text);
+  fact('declares', entry.touching_text);
   fact('limits', entry.limits_text);
   const outside = total.verdict.outside_limits;
   if (outside !== null) {
     fact('outside its limits', `${count(outside.trials)} queries, ` +
-         `${count(outside.false_separation + outside.false_contact)} wrong, counted apart`);
+         `${count(outside.false_separation + outside.false_contact)} wrong, counted separately`);
   }
   fact('wrong on touching', count(total.verdict.touching_flips));
   fact('tolerance failures', tolerance_fact(total));
   fact('largest error', largest_error(total));
   fact('critical radius', radius.largest_ulps === null ? 'not sampled'
        : `median ${amount(radius.median_ulps, 3)}, largest ${amount(radius.largest_ulps, 3)} ulps`);
-  return el('details', '', el('summary', 'label', 'More of it'), facts);
+  return el('details', '', el('summary', 'label', 'More about it'), facts);
 }
 
 function answer_card(data, entry) {
@@ -207,7 +208,7 @@ function show_answer(data) {
   document.getElementById('status').append(status_chip(data, data.requirement?.failures ?? [], any));
   if (!data.complete) {
     document.getElementById('banner').append(el('p', 'banner warn', el('strong', '', 'Incomplete. '),
-      'The run was interrupted before its plan was done: what follows is about the queries that were asked.'));
+      'The run was interrupted before its plan was done: the figures below cover only the queries that were run.'));
   }
   if (data.requirement) {
     const {level, sentence} = data.requirement;

@@ -1,4 +1,4 @@
-// League, mutants, the matrix of arithmetics, filter statistics, and where the raw data lie.
+// League, mutants, the matrix of arithmetics, filter statistics, and the list of raw files.
 
 function show_league(data) {
   const place = document.getElementById('league');
@@ -39,14 +39,14 @@ function show_mutation(data) {
     return;
   }
   const is_equivalent = (row) => Boolean(row.equivalent);
-  // One sentence a precision: a mutant is another kernel in each.
+  // One sentence for each precision: in another precision a mutant is another kernel.
   const score = (rows) => {
     const real = rows.filter((row) => !is_equivalent(row));
     const caught = real.filter((row) => row.caught === true);
-    return `${count(caught.length)} of ${count(real.length)} mutants caught; ${count(rows.length - real.length)} equivalent ones apart.`;
+    return `${count(caught.length)} of ${count(real.length)} mutants caught; ${count(rows.length - real.length)} equivalent ones are not counted.`;
   };
   const precisions = [...new Set(mutation.mutants.map((row) => plain(row.precision)))];
-  if (mutation.complete === false) place.append(el('p', '', chip('INCOMPLETE', 'warn'), ' It was interrupted: mutants that were not asked yet count as not caught.'));
+  if (mutation.complete === false) place.append(el('p', '', chip('INCOMPLETE', 'warn'), ' It was interrupted: mutants that were not run yet count as not caught.'));
   place.append(...precisions.map((precision) => el('p', 'lead', precision === '' ? '' : `${precision}: `,
     score(mutation.mutants.filter((row) => plain(row.precision) === precision)))), table('Mutants', [
     column.text('mutant', (row) => plain(row.name), {cell: (th, value) => th.append(el('span', 'name', value))}),
@@ -60,16 +60,16 @@ function show_mutation(data) {
       td.append(value);
     }})], mutation.mutants));
   if (mutation.controls.length === 0) {
-    place.append(el('p', 'empty', 'No controls in mutation.json: whether right kernels pass was not checked with it.'));
+    place.append(el('p', 'empty', 'No controls in mutation.json: it did not check whether correct kernels pass.'));
     return;
   }
-  place.append(table('Controls: right kernels, written otherwise, of which none may be flagged', [
+  place.append(table('Controls: correct kernels written in another way, none of which may be flagged', [
     column.text('kernel', (row) => plain(row.kernel), {cell: (th, value) => th.append(el('span', 'name', value))}),
     column.text('precision', (row) => plain(row.precision)), column.text('claims', (row) => plain(row.claims)),
     column.count('queries', (row) => row.queries), column.count('flagged', (row) => row.flagged, {alarm: 'bad'})], mutation.controls));
 }
 
-// What an arithmetic is, by its name in `axiscert kernels`.
+// The contraction or rounding of an arithmetic, by its name in `axiscert kernels`.
 const contracted = {fma: 'dot and cross products', kahan: 'Kahan\'s products'};
 const roundings = {up: 'toward +∞', down: 'toward −∞', chop: 'toward zero', spu: 'toward zero, flushed'};
 
@@ -99,16 +99,16 @@ function show_matrix(data) {
                          run(' --kernel published --kernel published+up --kernel published+down --kernel published+chop')));
   }
   place.append(not_run(`One instruction set ran: ${target}. A kernel that equals its scalar reference has the same record on every ` +
-    'other; --target asks for one, and compare says whether they differ.', run(` --kernel ${shell_word(data.plan.kernels[0])} --target SSE4`)));
+    'other; --target chooses one, and compare shows whether they differ.', run(` --kernel ${shell_word(data.plan.kernels[0])} --target SSE4`)));
 }
 
-// The record's files hold what the page cannot: all of it.
+// The record's files hold everything, including what the page has no room for.
 const file_meanings = {
   'record.json': 'every count and every witness; the same bytes from the same plan',
-  'run.json': 'what varies: times, machine, target, versions, filter steps',
-  'witnesses.jsonl': 'every witness as a query file', 'report.md': 'the same in short', 'junit.xml': 'for CI',
-  'report.sarif': 'for code scanning', 'ratchet.txt': 'what a ratchet would accept of this run',
-  'ratchet.json': 'what the run was held to', 'witnesses-shrunk.jsonl': 'the witnesses made smaller',
+  'run.json': 'everything that varies: times, machine, target, versions, filter steps',
+  'witnesses.jsonl': 'every witness as a query file', 'report.md': 'a short version of this page', 'junit.xml': 'for CI',
+  'report.sarif': 'for code scanning', 'ratchet.txt': 'the ratchet that would accept this run',
+  'ratchet.json': 'the ratchet that the run was compared with, and the outcome', 'witnesses-shrunk.jsonl': 'the witnesses made smaller',
   'proofs.json': 'bounds and their checkers', 'search.json': 'the worst that a search found', 'ladder.json': 'each form of the test',
   'precision.json': 'wrong verdicts against bits', 'league.json': 'libraries and kernels', 'mutation.json': 'mutants',
   'maps/index.json': 'maps around witnesses',

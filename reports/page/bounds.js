@@ -1,12 +1,12 @@
 // Errors on a logarithmic scale: what this run saw, what a search attained, what is proved.
 
-// Where an error stands on a scale of powers of ten, in per cent.
+// The position of an error on a scale of powers of ten, in per cent.
 function log_scale(errors) {
   const magnitudes = errors.filter((error) => error !== null && error !== 0).map(magnitude);
   const low = Math.floor(Math.min(0, ...magnitudes));
   const high = Math.max(low + 3, Math.ceil(Math.max(...magnitudes, 1)));
-  // A few overflowed sides reach 10^600: the scale ends at 10^20, where no digit of a sign is left, and a bar that goes
-  // beyond says so.
+  // A few overflowed sides reach 10^600: the scale ends at 10^20, where no digit of a sign is left, and a bar that
+  // extends beyond shows it.
   const end = Math.min(high, 20);
   const at = (error) => Math.min(100, Math.max(0, 100 * (magnitude(error) - low) / (end - low)));
   return {low, end, at, beyond: (error) => magnitude(error) > end};
@@ -23,7 +23,7 @@ function log_ticks({low, end}) {
   return ticks;
 }
 
-// From `attained` to `proved`; open on the right where nothing is proved.
+// A bar from `attained` to `proved`; open on the right where nothing is proved.
 function log_bar(scale, attained, proved) {
   const bar = el('div', 'logbar');
   bar.setAttribute('aria-hidden', 'true');
@@ -58,7 +58,7 @@ function bounds_table(data, entry) {
   const observed = log_scale(rows.map((row) => row.observed));
   const hunted = log_scale(rows.flatMap((row) => [row.attained, row.proved]));
   const has_hunt = rows.some((row) => row.attained !== null || row.proved !== null);
-  const head = el('tr', '', el('th', '', 'comparison'), el('th', '', 'stands on'), el('th', 'n', 'observed here, u'),
+  const head = el('tr', '', el('th', '', 'comparison'), el('th', '', 'evidence'), el('th', 'n', 'observed here, u'),
                   el('th', 'wide', 'relative to |lhs| + |rhs|', log_ticks(observed)));
   if (has_hunt) {
     head.append(el('th', 'n', 'attained, u'), el('th', 'n', 'proved, u'), el('th', 'n', 'ratio'),
@@ -83,7 +83,7 @@ function bounds_table(data, entry) {
   return scroll;
 }
 
-// That something was not run, and the command that does it.
+// States that something was not run, with the command that runs it.
 function not_run(what, text) {
   return el('div', 'not-run', el('p', '', chip('NOT RUN', 'warn'), ` ${what}`), command(text));
 }
@@ -102,7 +102,7 @@ function show_bounds(data) {
     missing.replaceChildren();
     const {search, proofs} = data.attached;
     if (search?.kernel !== entry.id || search?.precision !== entry.precision) {
-      missing.append(not_run(`Nobody hunted for the worst errors of ${entry_name(entry)}: it fills "attained".`,
+      missing.append(not_run(`No search for the worst errors of ${entry_name(entry)} in this folder. It fills "attained".`,
         `axiscert search --kernel ${shell_word(entry.id)} --precision ${entry.precision} --out DIR`));
     }
     if (proofs === null) {

@@ -2,7 +2,7 @@
 // Chart.js in the page's own colours.
 
 const scheme_colours = {
-  // Eight that stay apart for colour-blind readers, at 3:1 or more on the panel; a second round is dashed.
+  // Eight that stay distinct for colour-blind readers, at 3:1 or more on the panel; a second round is dashed.
   light: ['#0a58b0', '#b3540e', '#14632d', '#a8201a', '#6d3fb0', '#00707a', '#8a6d00', '#7a3b62'],
   dark: ['#7fb6f8', '#f5a860', '#77d394', '#ff9a91', '#c3a3f5', '#5fd0d8', '#e6c94f', '#eaa0cc'],
 };
@@ -15,7 +15,7 @@ function chart_colours() {
           series: scheme_colours[dark_scheme.matches ? 'dark' : 'light']};
 }
 
-// Powers of ten alone where there are many.
+// Labels only powers of ten where there are many.
 function logarithmic_tick(...given) {
   if (Math.log10(this.max / this.min) < 4) return Chart.Ticks.formatters.logarithmic.apply(this, given);
   const exponent = Math.log10(given[0]);
@@ -23,7 +23,7 @@ function logarithmic_tick(...given) {
   return given[0] < 1e-3 || given[0] >= 1e5 ? `1e${Math.round(exponent)}` : String(given[0]);
 }
 
-// One axis of a plot, from `min` where it is given; `names` stand for the whole numbers from 0.
+// One axis of a plot, starting at `min` where it is given; `names` are the labels of the whole numbers from 0.
 function chart_scale(label, log, names, min) {
   const {text, line} = chart_colours();
   return {

@@ -1,4 +1,4 @@
-// The text files built into the library, by file name: embed.cmake writes their definitions.
+// The text files built into the library, named by file; embed.cmake writes their definitions.
 #pragma once
 
 #include <string_view>

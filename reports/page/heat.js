@@ -1,6 +1,6 @@
-// Heat tables: comparisons and axes against families. A cell leads to its witnesses.
+// Heat tables: comparisons and axes against families. A cell links to its witnesses.
 
-const heat_steps = [1e-5, 1e-4, 1e-3, 1e-2, 1e-1];  // shares of the queries; a deeper shade at each
+const heat_steps = [1e-5, 1e-4, 1e-3, 1e-2, 1e-1];  // shares of the queries; the shade deepens at each
 
 function heat_level(n, of) {
   if (n === 0 || of === 0) return 0;
@@ -12,7 +12,7 @@ function short_count(n) {
   return String(n);
 }
 
-// The record counts weight and kind each on its own, not their cross: choosing one sets the other to all.
+// The record counts weight and kind separately, not their combinations: choosing one sets the other to all.
 const heat_figures = [
   ['sign errors', (tally) => tally.false_separation + tally.missed_separation, {}],
   ['decisive', (tally) => tally.decisive, {weight: 'decisive'}],
@@ -22,7 +22,7 @@ const heat_figures = [
   ['tolerance failures', (tally) => tally.tolerance_failures, {tolerance: true}],
 ];
 
-// Radio buttons in a row: one of `options`; `change` is called with its index.
+// A row of radio buttons, one for each of `options`; `change` is called with the index of the chosen one.
 function toggle(label, options, change) {
   const group = el('fieldset', 'toggle', el('legend', '', label));
   const name = `toggle-${document.querySelectorAll('.toggle').length}-${label}`;

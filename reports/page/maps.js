@@ -1,6 +1,6 @@
 // Maps around witnesses, where `axiscert map` left them in the run's folder.
 
-// What another command wrote, as text whatever its shape.
+// Text written by another command, whatever its shape.
 function plain(value) {
   if (value === null || value === undefined) return '';
   if (Array.isArray(value)) return value.map(plain).join(', ');
@@ -8,12 +8,12 @@ function plain(value) {
   return typeof value === 'number' ? amount(value) : String(value);
 }
 
-// The classes of pixels that a picture has, with how many.
+// The classes of pixels that a picture has, with their numbers.
 function map_legend(legend, counts) {
   const present = legend.filter((entry) => counts === null || counts[entry.class] > 0);
   return el('ul', 'map-legend', ...present.map((entry) => {
     const swatch = el('span', 'swatch');
-    // Only what is a colour in hexadecimal becomes a style.
+    // Only a hexadecimal colour becomes a style.
     if (/^#[0-9a-f]{6}$/i.test(plain(entry.colour))) swatch.style.background = entry.colour;
     return el('li', '', swatch, ` ${plain(entry.meaning)}`,
               counts === null ? null : el('span', 'zero', ` ${plain(counts[entry.class])}`));
@@ -29,7 +29,7 @@ function picture_figure(legend, map, picture) {
   const link = el('a', 'name', picture.file);
   link.href = picture.file.split('/').map(encodeURIComponent).join('/');
   const image = picture.image === null
-    ? el('p', 'empty', `Left out of this file for its size, ${count(picture.bytes)} bytes; it lies beside it.`) : el('img');
+    ? el('p', 'empty', `Left out of this file for its size, ${count(picture.bytes)} bytes; it is a file next to this one.`) : el('img');
   if (picture.image !== null) {
     image.src = picture.image;
     image.alt = `${plain(picture.name)} of ${plain(map.kernel)} around ${plain(map.witness?.id ?? map.name)}: ` +
@@ -42,7 +42,7 @@ function picture_figure(legend, map, picture) {
 
 function map_figure(data, legend, map) {
   const place = el('div');
-  // Where the kernel is wrong comes first; of those, the verdict.
+  // Pictures in which the kernel is wrong come first; among those, the verdict.
   const wrong = (picture) => (picture.counts?.false_separation ?? 0) + (picture.counts?.missed_separation ?? 0);
   const pictures = [...map.pictures].sort((x, y) => (wrong(y) > 0) - (wrong(x) > 0));
   const show = (index) => place.replaceChildren(picture_figure(legend, map, pictures[index]));

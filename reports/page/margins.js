@@ -1,8 +1,9 @@
-// How far from zero the exact margins were, a histogram a comparison, with the band in which errors reach them.
+// How far from zero the exact margins were: a histogram for each comparison, with the band in which errors reach them.
 
 const margin_digits = {binary32: 24, binary64: 53};  // no margin exceeds its scale: 1/u
 
-// Bins from `tie`, at the left, by powers of two up to the precision's; those below every histogram's least left out.
+// Bins from `tie`, at the left, by powers of two up to the precision's; those below the least of every histogram are
+// left out.
 function margin_bins(rows, precision) {
   const exponents = rows.flatMap((row) => [...Object.keys(row.margins.right), ...Object.keys(row.margins.wrong)])
     .filter((key) => key !== 'tie').map(Number);
@@ -12,10 +13,10 @@ function margin_bins(rows, precision) {
 
 function sum(counts) { return Object.values(counts).reduce((x, y) => x + y, 0); }
 
-// The largest error that this run saw of the comparison, in u; null where the kernel shows no sides.
+// The largest error that this run saw in the comparison, in u; null where the kernel shows no sides.
 function margin_band(entry, row) { return entry.exposes.includes('sides') ? row.max_error_u : null; }
 
-// Of the wrong signs, those whose margin is surely above the band: a side that was not finite, or no side at all.
+// The number of wrong signs whose margin is certainly above the band: a side was not finite, or there was none.
 function beyond_band(row, band) {
   if (band === null) return 0;
   const reach = band === 0 ? -Infinity : magnitude(band) / Math.log10(2);
@@ -31,7 +32,7 @@ function margin_words(row, band) {
     (band === null ? '; shows no sides' : `; largest error ${error_amount(band)} u`);
 }
 
-// Heights by the logarithm: one query is seen beside thousands.
+// Heights are logarithmic, so that one query is visible next to thousands.
 function margin_histogram(entry, row, bins, most) {
   const band = margin_band(entry, row);
   const plot = el('div', 'histogram');
@@ -63,7 +64,7 @@ function margin_histogram(entry, row, bins, most) {
   }
   const ticks = el('div', 'ticks');
   bins.forEach((key, i) => {
-    // Beside the tie's there is no room for another.
+    // Next to the tie's label there is no room for another.
     if (key !== 'tie' && (i < 4 || Number(key) % (bins.length > 40 ? 16 : 8) !== 0)) return;
     const tick = el('span', '', ...(key === 'tie' ? ['0'] : ['2', el('sup', '', key)]));
     tick.style.left = `${100 * (key === 'tie' ? 0.5 : i) / bins.length}%`;
@@ -90,7 +91,7 @@ function show_margins(data) {
   const place = document.getElementById('margins');
   const shown = data.kernels.filter(has_margins);
   if (shown.length === 0) {
-    place.append(el('p', 'empty', 'Not counted: no kernel here shows its comparisons, or the record is of a version that did not count them.'));
+    place.append(el('p', 'empty', 'Not counted: no kernel here shows its comparisons, or the record was made by a version that did not count them.'));
     return;
   }
   const controls = document.getElementById('margins-controls');
@@ -109,7 +110,7 @@ function show_margins(data) {
     draw(entry.all);
   });
   document.getElementById('margins-lead').append(
-    `Of the first ${count(data.plan.margin_queries)} queries of each family.`);
+    `Counted over the first ${count(data.plan.margin_queries)} queries of each family.`);
   controls.append(kernels, families());
   draw(entry.all);
 }

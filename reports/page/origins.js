@@ -1,4 +1,4 @@
-// Where errors come from: broken links by family; what each form of the test costs; flips against precision.
+// Where errors come from: broken links by family; the cost of each form of the test; flips against precision.
 
 function origins_table(entry) {
   const rows = Object.entries(entry.families).map(([family, result]) => ({family, result}));
@@ -10,7 +10,7 @@ function origins_table(entry) {
     column.text('share of each link', wrong, {numeric: true, left: true, cell: (td, value, row) => {
       const bar = links_bar(row.result.verdict.links);
       td.classList.add('wide');
-      // Length by the logarithm: one wrong verdict is a twentieth, the most of any family the whole.
+      // The length is logarithmic: one wrong verdict gives a twentieth, the largest number of any family the whole.
       if (bar) {
         bar.style.width = `${5 + 95 * Math.log1p(value) / Math.log1p(most)}%`;
         td.append(bar);
@@ -36,8 +36,8 @@ function plot(canvas, datasets, x, y) {
   });
 }
 
-// Writes each point's label beside it where its dataset is `labelled`, as long as it covers no other: on paper nothing
-// hovers, and the table has them all.
+// Writes the label of each point next to it where its dataset is `labelled` and the label covers no other: on paper
+// there is no hovering, and the table has all labels.
 const point_labels = {
   id: 'point_labels',
   afterDatasetsDraw(chart) {
@@ -70,7 +70,7 @@ function plot_box(label, draw) {
   return {box: el('div', 'plot', canvas), redraw};
 }
 
-// Those that no other beats in both.
+// The points that no other point beats in both.
 function front_of(points) {
   return points.filter((p) => !points.some((q) => q !== p && q.x <= p.x && q.y <= p.y && (q.x < p.x || q.y < p.y)));
 }

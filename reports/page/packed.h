@@ -1,4 +1,4 @@
-// Bytes made small, as text that HTML leaves alone.
+// Compression of bytes to text that is safe in HTML.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 namespace axiscert {
 
 std::string base64(std::string_view bytes);
-// zlib's format (RFC 1950) in base64: what a browser's DecompressionStream('deflate') reads. Throws Error.
+// zlib's format (RFC 1950) in base64, which a browser's DecompressionStream('deflate') reads. Throws Error.
 std::string packed(std::string_view bytes);
 
 }  // namespace axiscert

@@ -6,7 +6,7 @@
 
 namespace axiscert {
 
-// The characters that are replaced occur in strings only.
+// The characters that are replaced occur only in strings.
 std::string inert_json(const Json& data) {
   std::string text;
   const std::string json = data.dump();

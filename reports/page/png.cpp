@@ -24,7 +24,7 @@ std::string indexed_png(std::size_t columns, std::span<const std::uint8_t> pixel
                             image.message));
   };
   png_alloc_size_t size = 0;
-  write(nullptr, size);  // how many bytes it takes
+  write(nullptr, size);  // finds how many bytes it takes
   std::string bytes(size, '\0');
   write(bytes.data(), size);
   bytes.resize(size);

@@ -1,4 +1,4 @@
-// Pictures of few colours as PNG.
+// Pictures with few colours as PNG.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@ struct Colour {
   std::uint8_t red, green, blue;
 };
 
-// The bytes of a PNG file: `columns` pixels a row, the uppermost row first, each an index into the palette of at most
-// 256.
+// The bytes of a PNG file: `columns` pixels in each row, the uppermost row first; each pixel is an index into the
+// palette of at most 256 colours.
 std::string indexed_png(std::size_t columns, std::span<const std::uint8_t> pixels, std::span<const Colour> palette);
 
 }  // namespace axiscert

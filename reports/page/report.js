@@ -1,7 +1,7 @@
 // Findings, the reproduction, and the start.
 
 function finding_card(data, finding) {
-  const where = finding.family === null ? 'in loading'
+  const where = finding.family === null ? 'while loading'
     : el('span', '', 'on ', el('span', 'name', finding.family), finding.count === 1 ? ', once' : `, ${count(finding.count)} times`);
   const kind = chip(finding.kind, 'bad');
   kind.title = data.notes.finding.kind;
@@ -24,7 +24,7 @@ function show_findings(data) {
 function show_reproduction(data) {
   const {plan} = data;
   document.getElementById('run-command').append(data.command !== '' ? command(data.command)
-    : el('p', 'lead', 'The trials depended on the time the run had; the table below has the units done.'));
+    : el('p', 'lead', 'The number of trials depended on the time available; the table below has the units done.'));
   for (const [label, value] of data.facts) {
     document.getElementById('facts').append(el('dt', '', label), el('dd', '', value));
   }
@@ -58,7 +58,7 @@ function show_reproduction(data) {
   ], data.throughput));
 }
 
-// What this folder could hold and does not.
+// The parts that this folder could hold and does not.
 function missing_parts(data) {
   const {proofs, search, maps, ladder, precision, league, mutation} = data.attached;
   const sentence = (part, what, text) => (part === null ? [`${what}: not run here (${text}).`] : []);
@@ -70,7 +70,7 @@ function missing_parts(data) {
           ...(counts_margins ? [] : ['Distribution of margins: no kernel here shows comparisons, or an earlier version ran it.'])];
 }
 
-// The data as the page holds them: deflated, in base64.
+// The data as the page holds them: compressed, in base64.
 async function unpacked(text) {
   const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
@@ -84,7 +84,7 @@ async function show_report() {
     data.witnesses = await unpacked(document.getElementById('witness-data').textContent.trim());
   } catch (problem) {
     document.getElementById('banner').append(el('p', 'banner bad', 'This page cannot read its own data: the file was cut off or ' +
-      `edited, or the browser is older than 2023 (${problem.message}). report.md beside it says the same in short.`));
+      `edited, or the browser is older than 2023 (${problem.message}). report.md next to it is a short version.`));
     return;
   }
   data.not_checked.push(...missing_parts(data));

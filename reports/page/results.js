@@ -1,6 +1,6 @@
 // Tables of all counts. A kernel entry is one kernel in one precision.
 
-// One row a family of each of these kernel entries.
+// One row for each family of each of these kernel entries.
 function family_rows(entries) {
   return entries.flatMap((entry) =>
     Object.entries(entry.families).map(([family, result]) => ({entry, family, result})));
@@ -80,7 +80,7 @@ function radius_table(data, entries) {
   ], rows, (row) => (row.total ? 'total' : ''));
 }
 
-// Of one kernel entry, or of all.
+// For one kernel entry, or for all.
 function show_families(data) {
   const {kernels} = data;
   if (kernels.length === 0) return;

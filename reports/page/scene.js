@@ -1,8 +1,8 @@
-// The sphere and the triangle of a witness, drawn to be turned by pointer or arrow keys. For the eye only: binary64, after
-// scaling; what is true of the query is said beside it, exactly.
+// The sphere and the triangle of a witness, which pointer or arrow keys turn. The drawing is only for the eye:
+// binary64, after scaling; the exact facts about the query are stated next to it.
 
-// A C hex-float as the double that it is; NaN for what is no finite number. The power of two goes in by halves: neither
-// overflows nor underflows where the result does not.
+// The double that equals a C hex-float; NaN for text that is not a finite number. The power of two is applied in
+// halves: neither overflows or underflows where the result does not.
 function parse_hex(text) {
   const parts = /^(-?)0x([0-9a-f]+)(?:[.]([0-9a-f]*))?p([-+]?[0-9]+)$/i.exec(text);
   if (!parts) return NaN;
@@ -22,7 +22,8 @@ const vec = {
   size: (u) => Math.hypot(...u),
 };
 
-// The point of the triangle nearest to the origin, and the feature that it lies on: `face`, or one or two of the vertices.
+// The point of the triangle nearest to the origin, and the feature on which it lies: `face`, or one or two of the
+// vertices.
 function closest_point([a, b, c]) {
   const n = vec.cross(vec.sub(b, a), vec.sub(c, a));
   const nn = vec.dot(n, n);
@@ -40,14 +41,14 @@ function closest_point([a, b, c]) {
   return {...nearest, feature: nearest.vertices.length === 1 ? 'vertex' : 'edge'};
 }
 
-// Translated to the centre and scaled so that the greatest of |A-P|, |B-P|, |C-P|, r is 1; null where a number is not
-// finite or all are zero.
+// The query translated to the centre and scaled so that the greatest of |A-P|, |B-P|, |C-P|, r is 1; null where a
+// number is not finite or all are zero.
 function scene_of(witness) {
   const points = ['a', 'b', 'c', 'p'].map((member) => witness[member].map(parse_hex));
   const r = parse_hex(witness.r);
   const greatest = Math.max(...points.flat().map(Math.abs), Math.abs(r));
   if (!(greatest < Infinity)) return null;
-  // First to a magnitude of 1, by a power of two: differences of the largest numbers overflow otherwise.
+  // First scaled to a magnitude of 1, by a power of two: otherwise differences of the largest numbers overflow.
   const shrink = (x) => (greatest === 0 ? 0 : (x / 2 ** Math.trunc(Math.log2(greatest) / 2)) /
                          2 ** (Math.trunc(Math.log2(greatest)) - Math.trunc(Math.log2(greatest) / 2)));
   const [a, b, c, p] = points.map((point) => point.map(shrink));
@@ -107,13 +108,13 @@ class SceneView {
     this.draw();
   }
 
-  // Beyond 10^9 a pixel is less than binary64 tells apart.
+  // Beyond 10^9 a pixel is smaller than binary64 resolves.
   zoom(factor) {
     this.extent = Math.min(4, Math.max(1e-9, this.extent / factor));
     this.draw();
   }
 
-  // At the whole, at the triangle, or at the gap between the sphere and the nearest point.
+  // Looks at the whole, at the triangle, or at the gap between the sphere and the nearest point.
   look(at) {
     const {triangle, r, closest} = this.scene;
     const distance = vec.size(closest.point);
@@ -129,7 +130,7 @@ class SceneView {
     this.draw();
   }
 
-  // To the screen: x right, y down, z towards the eye.
+  // Projection to the screen: x right, y down, z towards the eye.
   project(point) {
     const [x, y, z] = vec.sub(point, this.middle);
     const [s, c] = [Math.sin(this.yaw), Math.cos(this.yaw)];
@@ -139,7 +140,7 @@ class SceneView {
     return [view_size / 2 + scale * u, view_size / 2 - scale * (cp * y - sp * w), sp * y + cp * w];
   }
 
-  // Near the middle only: far ends are cut off before the renderer's single precision loses them.
+  // Only near the middle: far ends are cut off before the renderer's single precision loses them.
   path(points) {
     const far = 1e5;
     return points.map((point) => this.project(point).slice(0, 2).map((x) => Math.max(-far, Math.min(far, x)).toFixed(2)).join(','))
@@ -153,7 +154,7 @@ class SceneView {
     return label;
   }
 
-  // Points that fall on each other share a label: "A=B" where they are equal, "A,B" where one hides the other.
+  // Points that coincide on the screen share a label: "A=B" where they are equal, "A,B" where one hides the other.
   labels() {
     const groups = [];
     [[0, 0, 0], ...this.scene.triangle].forEach((point, i) => {
@@ -193,9 +194,9 @@ function feature_words({closest, r}) {
   const name = closest.feature === 'face' ? 'the face' : `${closest.feature} ${letters}`;
   const distance = vec.size(closest.point);
   const gap = distance - r;
-  return `Nearest feature: ${name}. Of the greatest of |A−P|, |B−P|, |C−P| and r: distance ${amount(distance, 4)}, ` +
+  return `Nearest feature: ${name}. As a share of the greatest of |A−P|, |B−P|, |C−P| and r: distance ${amount(distance, 4)}, ` +
     `radius ${amount(r, 4)}, ${gap > 0 ? 'gap' : 'overlap'} about ${amount(Math.abs(gap), 3)}. ` +
-    'Drawn in binary64; the truth beside it is exact.';
+    'Drawn in binary64; the truth next to it is exact.';
 }
 
 function scene_figure(witness) {

@@ -1,5 +1,5 @@
-// A witness as code to paste. Names from a record stand in comments only, on one line: no line break, and no backslash that
-// would continue it.
+// A witness as code to paste. Names from a record appear only in comments, on one line: no line break, and no backslash
+// that would continue it.
 
 function one_line(text) { return text.replace(/[\u0000-\u001f\u007f\u2028\u2029\\]/g, ' ').replace(/\*\//g, '* /').replace(/\?\?/g, '? ?'); }
 
@@ -22,7 +22,7 @@ function cpp_test(witness) {
   const touching = witness.touching ? ' The distance is exactly r.' : '';
   return [
     `// ${origin(witness)}.`,
-    `// Exact: ${one_line(witness.truth)}; that kernel: ${one_line(witness.computed)}.${touching} Replace in_contact by your own.`,
+    `// Exact: ${one_line(witness.truth)}; that kernel: ${one_line(witness.computed)}.${touching} Replace in_contact by your own function.`,
     `TEST(SphereTriangle, Witness_${name}) {`, ...lines,
     `  const ${type} r = ${c_number(witness.r, witness.precision)};`,
     witness.truth === 'invalid' ? '  EXPECT_TRUE(is_refused(a, b, c, p, r));  // an input is not finite, or the radius negative'

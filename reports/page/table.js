@@ -1,4 +1,4 @@
-// Elements, numbers and tables. All text goes in by textContent: nothing in the data becomes markup.
+// Elements, numbers and tables. All text is set through textContent: nothing in the data becomes markup.
 
 function el(tag, className, ...children) {
   const node = document.createElement(tag);
@@ -9,7 +9,7 @@ function el(tag, className, ...children) {
 
 function count(n) { return n.toLocaleString('en-US'); }
 
-// As stored, or rounded to `digits` significant digits.
+// The number as stored, or rounded to `digits` significant digits.
 function amount(x, digits) {
   const value = digits ? Number(x.toPrecision(digits)) : x;
   if (value !== 0 && (value < 1e-3 || value >= 1e15)) return value.toExponential();
@@ -27,7 +27,7 @@ function magnitude(error) {
   return Number(exponent) + Math.log10(Number(mantissa));
 }
 
-// "0 (< 11.4 per million, 95 %)": `family` brings its trials, its truth and its limit for zero failures.
+// "0 (< 11.4 per million, 95 %)": `family` contains its trials, its truth and its limit for zero failures.
 function rate(n, family) {
   if (n > 0) {
     const valid = family.trials - family.truth.invalid - (family.verdict.outside_limits?.trials ?? 0);
@@ -44,8 +44,8 @@ function breakable(name) {
   return node;
 }
 
-// Columns. `get` takes a row to its value, `key` that to the number that sorts it; `cell` fills the cell. `alarm`:
-// more than zero is bad news. `left`: numbers sort it, but it is read as text.
+// Columns. `get` maps a row to its value, `key` that value to the number by which it is sorted; `cell` fills the cell.
+// `alarm`: a number above zero is bad news. `left`: sorted as a number, but aligned as text.
 const column = {
   text: (label, get, more) => ({label, get, cell: (td, value) => td.append(value), ...more}),
   count: (label, get, more) => ({label, get, numeric: true, ...more, cell: (td, value) => {
@@ -94,7 +94,7 @@ function header_rows(columns, sort) {
   return columns.some((c) => c.group) ? [groups, names] : [names];
 }
 
-// A table whose header cells sort it: the largest numbers first, then the smallest; texts the other way round.
+// A table whose header cells sort it: numbers largest first, then smallest first; texts the other way round.
 function table(caption, columns, rows, row_class) {
   const body = el('tbody');
   const fill = (ordered) => {
@@ -127,7 +127,7 @@ function table(caption, columns, rows, row_class) {
   return scroll;
 }
 
-// A labelled choice; `change` is called with the index of what was chosen.
+// A labelled choice; `change` is called with the index of the chosen option.
 function choice(label, options, change) {
   const select = el('select');
   options.forEach((text) => select.append(el('option', '', text)));
@@ -150,8 +150,8 @@ function copy_button(text) {
   return button;
 }
 
-// As a word of a shell's command: in quotes where it is not plain, as reports/wording/reproduce.cpp has it. A page's text is
-// Unicode, so bytes need no other form; control characters have their numbers.
+// A word of a shell's command, quoted where it is not plain, like shell_word in reports/wording/reproduce.cpp. A page's
+// text is Unicode, so bytes need no other form; control characters are written as numbers.
 function shell_word(text) {
   if (/^[A-Za-z0-9_.\/:=,-]+$/.test(text)) return text;
   if (!/[\u0000-\u001f\u007f]/.test(text)) return `'${text.replaceAll("'", "'\\''")}'`;

@@ -15,7 +15,7 @@ function inputs_table(witness) {
   return el('div', 'scroll', el('table', 'inputs', el('caption', '', 'Inputs, hex and decimal'), body));
 }
 
-// The sixteen bits under their names, exact over computed.
+// The sixteen bits under their names, exact above computed.
 function bits_table(witness, names) {
   if (witness.exact_comparisons === null || witness.computed_comparisons === null) {
     return el('p', 'empty', 'Comparisons: not exposed, or none on an invalid query.');
@@ -43,7 +43,7 @@ function bits_table(witness, names) {
     marks.append(el('td', 'bit', witness.exact_comparisons[i] === witness.computed_comparisons[i] ? '' : '≠'));
   });
   return el('div', 'scroll', el('table', 'bits', el('caption', '', 'Comparisons: the kernel\'s own formulae in exact ' +
-    'arithmetic, and what it computed'), el('thead', '', axes, kinds), el('tbody', '', ...lines, marks)));
+    'arithmetic, and as computed'), el('thead', '', axes, kinds), el('tbody', '', ...lines, marks)));
 }
 
 function computed_side(text) {
@@ -53,10 +53,10 @@ function computed_side(text) {
 
 function error_text(error) { return error === null ? 'none' : error_amount(error); }
 
-// Exact and computed sides of the comparisons that matter here.
+// Exact and computed sides of the comparisons that matter for this witness.
 function sides_table(witness) {
   if (witness.sides === undefined) return el('p', 'empty', 'Sides: this record was made by a version that did not keep them.');
-  if (witness.sides === null) return el('p', 'empty', 'Sides: none, on an invalid query or of a kernel without formulae of its own.');
+  if (witness.sides === null) return el('p', 'empty', 'Sides: none, because the query is invalid or the kernel has no formulae of its own.');
   const rows = Object.entries(witness.sides);
   if (rows.length === 0) return el('p', 'empty', 'Sides: no comparison differs here.');
   const hidden = 'not shown';
@@ -81,7 +81,7 @@ function sides_table(witness) {
 }
 
 function flips_table(witness) {
-  if (witness.flips.length === 0) return el('p', 'empty', 'No flip: kept for an extreme.');
+  if (witness.flips.length === 0) return el('p', 'empty', 'No flip: kept as an extreme.');
   const body = el('tbody', '', ...witness.flips.map((flip) => el('tr', '',
     el('td', '', flip.level), el('td', '', el('span', 'name', flip.name)), el('td', '', flip.kind),
     el('td', '', flip.level === 'verdict' ? '' : flip.decisive ? 'decisive' : 'masked'),
@@ -103,7 +103,7 @@ function witness_body(witness, names) {
   return el('div', 'body',
     el('div', 'columns', scene_figure(witness), el('div', 'stack', facts, inputs_table(witness))),
     sides_table(witness), bits_table(witness, names), flips_table(witness),
-    el('p', 'label', 'Make it again and judge it'), command(witness.command), snippets(witness));
+    el('p', 'label', 'Reproduce it and judge it'), command(witness.command), snippets(witness));
 }
 
 function witness_card(witness, names) {
@@ -135,7 +135,7 @@ function shows(witness, {kernel, family, place, weight, kind, verdict}) {
 
 const witness_page = 40;  // cards made at a time
 
-// Set by show_witnesses: shows those that a filter lets through.
+// Set by show_witnesses: shows the witnesses that pass a filter.
 let choose_witnesses = () => {};
 
 function show_witnesses(data) {
@@ -145,7 +145,7 @@ function show_witnesses(data) {
   document.getElementById('witnesses-count').textContent = total === 0 ? 'None were kept.'
     : `${count(cards.length)} of ${count(total)} are in this file, deepest first. ` +
       (left_out > 0 ? `${count(left_out)} are left out for its size: the deepest of each kernel, family and kind stay, and one for each ` +
-        'place of a flip. ' : '') + `witnesses.jsonl beside it has all ${count(total)}, as a query file.`;
+        'place of a flip. ' : '') + `witnesses.jsonl next to it has all ${count(total)}, as a query file.`;
   const list = document.getElementById('witnesses-list');
   const said = document.getElementById('witnesses-shown');
   const more = document.getElementById('witnesses-more');
@@ -183,7 +183,7 @@ function show_witnesses(data) {
   };
   for (const [key, label] of Object.entries(labels)) {
     selects[key] = choice(label, ['all', ...options[key].map((value) => words(key, value))], (index) => {
-      const {weight, kind, ...rest} = filter;  // a cell's own, gone with the next choice
+      const {weight, kind, ...rest} = filter;  // belongs to one cell; dropped with the next choice
       filter = {...rest, [key]: index === 0 ? '' : options[key][index - 1]};
       refresh();
     });
@@ -202,13 +202,13 @@ function show_witnesses(data) {
     }
   };
   refresh();
-  // A link to a witness opens it, whatever is filtered.
+  // A link to a witness opens it, whatever the filter.
   const open = () => {
     let id = location.hash.slice(1);
     try {
       id = decodeURIComponent(id);
     } catch {
-      return;  // not a link of ours
+      return;  // not a link to a witness
     }
     const place = cards.findIndex((witness) => `witness-${witness.id}` === id);
     if (place < 0) return;

@@ -18,7 +18,7 @@ Error bad_form(const Path& file, const std::string& what) {
   return Error(fmt::format("{}: {}; write it again with the command that made it, or remove it", file.string(), what));
 }
 
-// The first of these members that is there, or null.
+// The first of these members that exists, or null.
 Json first_of(const Json& from, std::initializer_list<const char*> members) {
   for (const char* member : members) {
     if (from.contains(member)) return from[member];
@@ -26,7 +26,7 @@ Json first_of(const Json& from, std::initializer_list<const char*> members) {
   return nullptr;
 }
 
-// The array of objects that a file is, or holds under one of these names.
+// The array of objects that a file is, or that it holds under one of these names.
 const Json& rows_of(const Path& file, const Json& whole, std::initializer_list<const char*> members) {
   const Json* rows = whole.is_array() ? &whole : nullptr;
   for (const char* member : members) {
@@ -34,7 +34,8 @@ const Json& rows_of(const Path& file, const Json& whole, std::initializer_list<c
   }
   if (!rows || !rows->is_array()) throw bad_form(file, fmt::format("has no array \"{}\"", *members.begin()));
   for (const Json& row : *rows) {
-    if (!row.is_object()) throw bad_form(file, fmt::format("\"{}\" holds what is no object", *members.begin()));
+    if (!row.is_object())
+      throw bad_form(file, fmt::format("\"{}\" has an element that is not an object", *members.begin()));
   }
   return *rows;
 }
@@ -53,11 +54,11 @@ std::string bytes_of(const Path& file) {
   return bytes.str();
 }
 
-// A picture's name as that of a file in maps/, and of nothing elsewhere.
+// A picture's path in maps/; its name may be only that of a file there.
 std::string picture_file(const Path& index, const Json& picture) {
   const std::string name = picture.value("file", "");
   if (name.empty() || name.find_first_of("/\\") != name.npos || name.starts_with('.'))
-    throw bad_form(index, fmt::format("\"{}\" is no name of a file in maps/", name));
+    throw bad_form(index, fmt::format("\"{}\" is not the name of a file in maps/", name));
   return "maps/" + name;
 }
 
@@ -94,7 +95,7 @@ Json proofs(const Path& file) {
   Json data = {{"comparisons", Json::array()},
                {"checkers", whole.is_object() ? first_of(whole, {"checkers", "versions"}) : Json()}};
   for (const Json& row : rows_of(file, whole, {"comparisons", "bounds", "proofs"})) {
-    // The bars are of the scaled domain, that of `axiscert search`.
+    // The bars show the scaled domain, that of `axiscert search`.
     if (const Json domain = first_of(row, {"domain"}); !domain.is_null() && domain != "scaled") continue;
     data["comparisons"].push_back({{"name", first_of(row, {"name", "comparison"})},
                                    {"formulae", first_of(row, {"formulae", "kernel"})},
@@ -113,7 +114,8 @@ Json mutation(const Path& file) {
   Json data = whole.is_object() ? picked(whole, {"command", "kernel", "complete"}) : Json::object();
   data["mutants"] = data["controls"] = Json::array();
   for (const Json& row : rows_of(file, whole, {"mutants"})) {
-    // Where and when it was caught, or null; or whether it was, with the rest beside.
+    // The family and the number of queries at which it was caught, or null; or whether it was caught, with the rest
+    // next to it.
     const Json caught = first_of(row, {"caught"});
     const Json& catch_of = caught.is_object() ? caught : row;
     data["mutants"].push_back({{"name", first_of(row, {"id", "name"})},
@@ -235,7 +237,7 @@ Json raw_files(const std::filesystem::path& folder) {
     }
   };
   add({"record.json", "run.json"}, false);
-  // Together with the page that points to them.
+  // These are written together with the page that points to them.
   add({"witnesses.jsonl", "report.md", "junit.xml", "report.sarif", "ratchet.txt"}, true);
   add({"witnesses-shrunk.jsonl", "ratchet.json", "proofs.json", "search.json", "ladder.json", "precision.json",
        "league.json", "mutation.json", "maps/index.json"},

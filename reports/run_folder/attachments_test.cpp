@@ -1,4 +1,4 @@
-// What lies beside a record: shown where it has the form that is read, one clear error where it has not.
+// Files next to a record: shown where they have the form that is read, one clear error where they do not.
 #include "reports/run_folder/attachments.h"
 
 #include "reports/formats/test_run.h"
@@ -53,7 +53,7 @@ TEST(Attachments, APictureOutsideItsFolderIsRefused) {
   std::filesystem::create_directory(folder.path() / "maps");
   for (const char* file : {"../record.json", "/etc/hostname", "a\\b", ".hidden", ""}) {
     folder.write("maps/index.json", map_index({{"verdict", file}}).dump());
-    EXPECT_THAT(folder.rendering_error(), AllOf(HasSubstr("index.json"), HasSubstr("no name of a file in maps/")))
+    EXPECT_THAT(folder.rendering_error(), AllOf(HasSubstr("index.json"), HasSubstr("not the name of a file in maps/")))
         << file;
   }
   folder.write("maps/index.json", map_index({{"verdict", "missing.png"}}).dump());

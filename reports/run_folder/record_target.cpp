@@ -1,5 +1,5 @@
-// Records: record.json and run.json as a report reads them. Refused by Error; or accepted, and then every format
-// renders it or says by Error why not.
+// Fuzzes records: record.json and run.json as a report reads them. They are refused with an Error; or accepted, and
+// then every format renders them or says in an Error why not.
 #include <fmt/format.h>
 
 #include "fuzz/targets/json_mutator.h"
@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!accepts([&] { run.record = read_json(file.path()); })) return 0;
   accepts([&] { check_run_info(run.record, "run.json"); });
   if (!accepts([&] { check_record(run.record, "record.json"); })) return 0;
-  run.folder = "/nonexistent";  // and so without attachments
+  run.folder = "/nonexistent";  // a folder without attachments
   for (const Format* format :
        {&html_format, &junit_format, &markdown_format, &ratchet_format, &sarif_format, &witnesses_format}) {
     accepts([&] {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/names.h"
 #include "reports/comparison/cells.h"
@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* advice = "run it again, or restore the file as it was written";
 
-// What the schema cannot say: sums, and names that refer to each other.
+// Conditions that the schema cannot express: sums, and names that refer to each other.
 class RecordCheck {
  public:
   RecordCheck(const Json& record, const std::string& name) : record_(record), name_(name) {}
@@ -34,19 +34,19 @@ class RecordCheck {
     for (const Json& kernel : record_["kernels"]) {
       const Json entry = Json::array({kernel["id"], kernel["precision"]});
       const std::string where = fmt::format("kernel {} in {}", entry[0].dump(), kernel["precision"].get<std::string>());
-      require(entries.insert(entry).second, where, "stands there twice");
+      require(entries.insert(entry).second, where, "appears twice");
       for (const auto& [family, result] : kernel["families"].items()) {
         require(families.count(family) != 0, where, fmt::format("family {} is not in the plan", Json(family).dump()));
         cells.insert(Json::array({kernel["id"], kernel["precision"], family}));
         check_counts(kernel, result, fmt::format("{}, family {}", where, Json(family).dump()));
       }
       require(kernel["reference"].is_null() == kernel["formulae"].is_null(), where,
-              "a reference is one of formulae: both are null or neither");
+              "formulae and reference go together: both are null, or neither");
     }
     check_findings(cells);
     for (const Json& witness : record_["witnesses"]) {
       const std::string where = fmt::format("witness {}", witness["id"].dump());
-      require(ids.insert(witness["id"]).second, where, "stands there twice");
+      require(ids.insert(witness["id"]).second, where, "appears twice");
       check_numbers(witness, where);
       require(cells.count(Json::array({witness["kernel"], witness["precision"], witness["family"]})) != 0, where,
               "its kernel, precision and family are not in the record");
@@ -73,7 +73,7 @@ class RecordCheck {
         explained.insert(finding["kernel"]);
         continue;
       }
-      require(kinds.insert(kind).second, where, "stands there twice");
+      require(kinds.insert(kind).second, where, "appears twice");
       require(finding["count"] != 0, where, "a count of zero");
       require(cells.count(Json::array({kind[0], kind[1], kind[2]})) != 0, where,
               "its kernel, precision and family are not in the record");
@@ -83,14 +83,14 @@ class RecordCheck {
     for (const Json& kernel : record_["kernels"]) judged.insert(kernel["id"]);
     for (const Json& id : planned) {
       require(judged.count(id) + explained.count(id) != 0, fmt::format("kernel {}", id.dump()),
-              "is in the plan alone, and no finding of loading says why");
+              "is only in the plan, and no finding of loading says why");
     }
     for (const Json& id : explained) {
       require(planned.count(id) != 0, fmt::format("kernel {}", id.dump()), "has a finding and is not in the plan");
     }
   }
 
-  // What a kernel is held to where the sphere touches decides which verdicts can be wrong there.
+  // The kernel's convention for touching spheres decides which verdicts can be wrong there.
   void check_verdict(const Json& kernel, const Json& family, const std::string& where) const {
     const auto number = [](const Json& count) { return count.get<std::uint64_t>(); };
     const Json &truth = family["truth"], &verdict = family["verdict"], &outside = verdict["outside_limits"];
@@ -129,9 +129,9 @@ class RecordCheck {
       const std::uint64_t apart = link == "implementation" ? 0 : of_touching;
       require(first.is_null() == (apart == number(count)), where,
               fmt::format("first_by_link and links do not agree on {}", link));
-      // What was interrupted may have judged queries from anywhere in the plan.
+      // An interrupted run may have judged queries from anywhere in the plan.
       require(first.is_null() || (first != 0 && (!is_complete || number(first) <= number(family["trials"]))), where,
-              fmt::format("first_by_link of {} is no query of the family", link));
+              fmt::format("first_by_link of {} is not a query of the family", link));
     }
   }
 
@@ -192,7 +192,7 @@ Json read_json(const std::filesystem::path& path) {
   try {
     return parsed_json(text.view());
   } catch (const Json::exception& problem) {
-    // "[json.exception.parse_error.101] parse error at line 3, column 7: ...": the bracket says nothing to a user.
+    // "[json.exception.parse_error.101] parse error at line 3, column 7: ...": the bracket means nothing to a user.
     std::string what = problem.what();
     if (const auto end = what.find("] "); end != what.npos) what.erase(0, end + 2);
     throw Error(fmt::format("{}: not JSON, cut off or edited: {} (byte {} is its end)", path.string(), what,
@@ -212,7 +212,7 @@ Run read_run(const std::filesystem::path& folder) {
     run.ratchet = read_json(held);
     check_schema(Json::parse(embedded::ratchet_schema_json), run.ratchet, held.string(), advice);
     if (run.ratchet["plan"] != plan_fingerprint(run.record["plan"]))
-      throw Error(fmt::format("{}: is of another plan than the record beside it; remove it", held.string()));
+      throw Error(fmt::format("{}: belongs to another plan than the record next to it; remove it", held.string()));
   }
   if (std::filesystem::exists(info, ignored)) {
     run.info = read_json(info);
@@ -226,7 +226,7 @@ void write_files(const std::filesystem::path& folder, const std::map<std::string
     std::filesystem::path path, target;
     ~Part() {
       std::error_code ignored;
-      std::filesystem::remove(path, ignored);  // after the rename there is nothing left of it
+      std::filesystem::remove(path, ignored);  // after the rename the file no longer exists
     }
   };
   std::vector<Part> parts;

@@ -1,27 +1,27 @@
-// A run's folder, read and checked: all that a report knows.
+// A run's folder, read and checked: the only input of a report.
 #pragma once
 
 #include <filesystem>
 #include <map>
 #include <string>
 
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 
 struct Run {
   Json record;                   // conforms to record.schema.json
   Json info;                     // conforms to run.schema.json; null where the folder has no run.json
-  Json ratchet;                  // conforms to ratchet.schema.json; null where the run was held to none
-  std::filesystem::path folder;  // which may hold what other commands wrote beside them
+  Json ratchet;                  // conforms to ratchet.schema.json; null where the run was not compared with one
+  std::filesystem::path folder;  // may hold what other commands wrote next to these files
 };
 
-// A JSON file. Throws Error where it cannot be read or is none.
+// Reads a JSON file. Throws Error where it cannot be read or is not JSON.
 Json read_json(const std::filesystem::path& path);
-// Throws Error naming the file and what would be right: no record, not JSON, another schema, a member that the schema
-// does not allow, counts that contradict each other.
+// Throws Error that names the file and says what would be right: no record, not JSON, another schema, a member that the
+// schema does not allow, counts that contradict each other.
 Run read_run(const std::filesystem::path& folder);
-// The same of values already in memory; the names are those that an Error shows.
+// The same checks for values already in memory; the names are those that an Error shows.
 void check_record(const Json& record, const std::string& name);
 void check_run_info(const Json& info, const std::string& name);
 

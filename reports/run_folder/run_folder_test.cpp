@@ -1,4 +1,4 @@
-// What is read: a run's own files, and no others.
+// Which files are read: a run's own, and no others.
 #include <functional>
 
 #include "reports/run_folder/run_folder.h"
@@ -9,7 +9,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Renders good reports, spoils record.json, renders again: one clear line, and every report as it was.
+// Renders good reports, spoils record.json, renders again: the result is one clear line, with every report as it was.
 std::string error_after(const std::string& spoiled) {
   const TestFolder folder(stored_record());
   render_reports(folder.path());
@@ -61,7 +61,7 @@ TEST(RunFolder, CutOffRecordIsRefusedWithItsLine) {
   EXPECT_THAT(error_after(text + "}"), HasSubstr("line "));
 }
 
-// Which every function on such a value calls itself for.
+// Every function on such a value would recurse once for each bracket.
 TEST(RunFolder, RecordOfBracketsIsRefused) {
   constexpr std::size_t levels = 300000;
   const std::string brackets = std::string(levels, '[') + std::string(levels, ']');

@@ -7,7 +7,7 @@
 #include <regex>
 #include <stdexcept>
 
-#include "fuzz/files/number_text.h"
+#include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -57,7 +57,7 @@ class Checker {
     if (keyword == "const") return value == rule ? Fault() : wrong(where, value, "is not " + rule.dump());
     if (keyword == "enum") {
       const bool found = std::find(rule.begin(), rule.end(), value) != rule.end();
-      return found ? Fault() : wrong(where, value, "is none of " + rule.dump());
+      return found ? Fault() : wrong(where, value, "is not one of " + rule.dump());
     }
     if (keyword == "anyOf") return check_any(rule, value, where);
     if (keyword == "minimum" || keyword == "maximum") {
@@ -86,7 +86,7 @@ class Checker {
       if (is_type(value, type.get<std::string>())) return std::nullopt;
     }
     return wrong(where, value,
-                 rule.is_array() ? "is none of " + rule.dump() : "is not of type " + rule.get<std::string>());
+                 rule.is_array() ? "is not one of " + rule.dump() : "is not of type " + rule.get<std::string>());
   }
 
   Fault check_any(const Json& rule, const Json& value, const std::string& where) {
@@ -98,8 +98,8 @@ class Checker {
     return last;
   }
 
-  // Length is judged in bytes, at least as strict as in characters. A text over its limit never reaches the regular
-  // expression, whose depth of recursion grows with the text.
+  // The length is counted in bytes, which is at least as strict as in characters. A text over its limit never reaches
+  // the regular expression, whose depth of recursion grows with the text.
   Fault check_text(const std::string& keyword, const Json& rule, const Json& schema, const Json& value,
                    const std::string& where) {
     const auto& text = value.get_ref<const std::string&>();
@@ -146,7 +146,7 @@ class Checker {
         if (Fault fault = check(rule, value[i], place)) return fault;
       } else if (std::find(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(i), value[i]) !=
                  value.begin() + static_cast<std::ptrdiff_t>(i)) {
-        return wrong(place, value[i], "stands there twice");
+        return wrong(place, value[i], "appears twice");
       }
     }
     return std::nullopt;
@@ -168,11 +168,11 @@ void check_schema(const Json& schema, const Json& value, const std::string& name
     throw Error(fmt::format("{}: has no \"schema\": \"{}\", which axiscert writes; {}", name, expected, advice));
   }
   if (value["schema"] != expected) {
-    throw Error(fmt::format("{}: its schema is {}, this axiscert reads \"{}\"; use the axiscert that wrote it", name,
-                            shown(value["schema"].dump()), expected));
+    throw Error(fmt::format("{}: its schema is {}, but this axiscert reads \"{}\"; use the axiscert that wrote it",
+                            name, shown(value["schema"].dump()), expected));
   }
   if (const auto fault = schema_fault(schema, value)) {
-    throw Error(fmt::format("{}: not as {} has it: {}; {}", name, expected, *fault, advice));
+    throw Error(fmt::format("{}: does not conform to {}: {}; {}", name, expected, *fault, advice));
   }
 }
 

@@ -1,20 +1,20 @@
-// Checks a JSON value against the JSON Schemas of this folder.
+// Checks a JSON value against the JSON Schemas of reports/schemas.
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 
-// No C++ validator is packaged for Debian; the tests hold this one and python3-jsonschema to the same files.
-// The first fault, with the place as a JSON pointer: "/kernels/0/id: 7 is not a string". Knows the keywords that the
-// schemas here use, and throws std::logic_error for any other: a schema never asks for more than is checked.
+// Finds the first fault, with its place as a JSON pointer: "/kernels/0/id: 7 is not a string". Debian packages no C++
+// validator; the tests compare this one with python3-jsonschema on the same files. Knows the keywords that the schemas
+// here use, and throws std::logic_error for any other: a schema never requires more than is checked.
 std::optional<std::string> schema_fault(const Json& schema, const Json& value);
 
-// Throws Error where the value is not of the one "schema" that `schema` describes, or not as it has it. The text names
-// the file, says what would be right, and ends with `advice`: what to do about a file that is damaged.
+// Throws Error where the value's "schema" is not the one that `schema` describes, or where the value does not conform
+// to it. The text names the file, says what would be right, and ends with `advice`: what to do about a damaged file.
 void check_schema(const Json& schema, const Json& value, const std::string& name, const std::string& advice);
 
 }  // namespace axiscert

@@ -17,7 +17,8 @@
 namespace axiscert {
 namespace {
 
-// Bytes that no report can hold as they are, by their numbers: what bash, zsh and ksh read, and POSIX from 2024 on.
+// Bytes that no report can hold unchanged, written as numbers: a form that bash, zsh and ksh read, and POSIX from 2024
+// on.
 std::string quoted_bytes(const std::string& text) {
   std::string word = "$'";
   for (const unsigned char c : text) {
@@ -36,7 +37,7 @@ std::string quoted(const std::string& text) {
   return word + "'";
 }
 
-// A family's name as the option that brings it in: a mesh is "mesh/FILE", a query file "queries/FILE", the corpus
+// The option that brings in a family, by its name: a mesh is "mesh/FILE", a query file "queries/FILE", the corpus
 // "corpus".
 std::string source_option(const std::string& family) {
   if (family == "corpus") return " --corpus";
@@ -49,7 +50,7 @@ std::string source_option(const std::string& family) {
 
 bool is_file(const std::string& family) { return family.starts_with("mesh/") || family.starts_with("queries/"); }
 
-// The one count of all generated families, if there is one: the value of --trials.
+// The common number of queries of all generated families, if there is one: the value of --trials.
 std::optional<std::uint64_t> common_trials(const Json& plan) {
   std::set<std::uint64_t> counts;
   for (const auto& [family, by_precision] : plan["trials"].items()) {
@@ -59,7 +60,7 @@ std::optional<std::uint64_t> common_trials(const Json& plan) {
   return counts.size() == 1 ? std::optional(*counts.begin()) : std::nullopt;
 }
 
-// Where every comparison has a tolerance, the most frequent one for all of them, then the exceptions.
+// Where every comparison has a tolerance, the most frequent one is given for all of them, followed by the exceptions.
 std::string tolerance_options(const Json& tolerances) {
   std::map<std::string, std::size_t> uses;
   for (const Json& tolerance : tolerances) ++uses[tolerance];
@@ -117,7 +118,7 @@ std::string judge_command(const Json& plan) {
   return command;
 }
 
-// One stream a precision; through files where there are two.
+// One stream for each precision; through files where there are two.
 std::string pipe_command(const Json& plan) {
   const bool has_two = plan["precisions"].size() == 2;
   std::string command, files;
@@ -183,7 +184,7 @@ std::vector<std::pair<std::string, std::string>> plan_facts(const Run& run) {
   add("threads", info, "threads", [](const Json& n) { return n.dump(); });
   if (info.contains("machine")) add("processor", info["machine"], "cpu", word);
   if (info.contains("target")) {
-    add("target asked for", info["target"], "asked", word);
+    add("target requested", info["target"], "asked", word);
     add("target that ran", info["target"], "dispatched", word);
   }
   add("compiler", info, "compiler", word);
@@ -205,7 +206,7 @@ std::vector<std::pair<std::string, std::string>> plan_facts(const Run& run) {
 
 std::vector<std::string> not_checked(const Json& record) {
   const Json& plan = record["plan"];
-  std::vector<std::string> open = {"Proofs: a run observes, it proves nothing of a kernel."};
+  std::vector<std::string> open = {"Proofs: a run observes; it proves nothing about a kernel."};
   if (plan["tolerance"].empty()) {
     open.push_back("Tolerance: none was given (--tolerance), so no comparison's error failed or passed.");
   } else if (plan["tolerance"].size() < comparison_count) {
@@ -213,13 +214,12 @@ std::vector<std::string> not_checked(const Json& record) {
         fmt::format("Tolerance: given for {} of the {} comparisons.", plan["tolerance"].size(), comparison_count));
   }
   if (plan.contains("replies")) {
-    open.push_back(
-        "Errors of the sides, and critical radii: nothing was run here, replies were judged, which have neither.");
+    open.push_back("Errors of the sides, and critical radii: replies were judged here, which contain neither.");
   }
   if (plan["require"].is_null())
-    open.push_back("Requirement: none was asked (--require), so nothing here failed or passed.");
+    open.push_back("Requirement: none was given (--require), so nothing here failed or passed.");
   for (const std::string& id : not_judged(record)) {
-    open.push_back(fmt::format("{}: it could not be loaded, so nothing of it was judged. Its findings say why.", id));
+    open.push_back(fmt::format("{}: it could not be loaded, so it was not judged. Its findings say why.", id));
   }
   for (const Json& kernel : record["kernels"]) {
     const std::string who =
@@ -233,8 +233,9 @@ std::vector<std::string> not_checked(const Json& record) {
       if (!counted.is_null()) outside += counted["trials"].get<std::uint64_t>();
     }
     if (outside != 0) {
-      open.push_back(fmt::format("{} queries outside the limits that {} declares: counted apart, and no requirement.",
-                                 thousands(outside), who));
+      open.push_back(
+          fmt::format("{} queries outside the limits that {} declares: counted separately, outside of any requirement.",
+                      thousands(outside), who));
     }
     std::vector<std::string> missing;
     for (const Json& family : plan["families"]) {

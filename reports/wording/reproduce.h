@@ -1,4 +1,4 @@
-// How a run, and each of its witnesses, is made again; and what it did not check.
+// The commands that repeat a run, or one of its witnesses; and what the run did not check.
 #pragma once
 
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace axiscert {
 
-// As a word of a shell's command: in quotes where it is not plain.
+// The text as a word of a shell's command: quoted where it is not plain.
 std::string shell_word(const std::string& text);
 
-// Shell commands. A name that a shell would read otherwise is quoted. Where replies were judged, PROGRAM stands for
-// what gave them.
+// Shell commands. A name that a shell would interpret is quoted. Where replies were judged, PROGRAM stands for the
+// program that gave them.
 std::string replay_command(const Json& witness, const Json& plan);
-std::string compare_command(const std::string& before, const std::string& after);  // of two folders
-std::string run_command(const Json& plan);  // empty where the plan depended on the time it had
+std::string compare_command(const std::string& before, const std::string& after);  // of two folders' records
+std::string run_command(const Json& plan);  // empty where the plan depended on the time available
 
-// Label and value: the plan's, then those of run.json where there is one.
+// Labels and values: those of the plan, then those of run.json where there is one.
 std::vector<std::pair<std::string, std::string>> plan_facts(const Run& run);
 
-// Sentences, each on one thing that this run leaves open.
+// Sentences, each about one thing that this run leaves open.
 std::vector<std::string> not_checked(const Json& record);
 
 }  // namespace axiscert

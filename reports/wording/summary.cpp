@@ -16,7 +16,7 @@ namespace {
 const std::set<std::string, std::less<>> maxima = {"deepest",     "deepest_false_separation",   "deepest_false_contact",
                                                    "max_error_u", "smallest_passing_tolerance", "largest_ulps"};
 
-// Six digits of the text of a number too large for binary64 survive the logarithm.
+// The six digits of a text of a number too large for binary64 are kept by the logarithm.
 double magnitude(const Json& number) {
   if (number.is_number()) return std::log10(number.get<double>());
   const auto& text = number.get_ref<const std::string&>();
@@ -42,7 +42,7 @@ void merge(Json& total, const Json& part, const std::string& name) {
   }
 }
 
-// Those that can count as a failure: valid, and within the kernel's limits.
+// Number of queries that can count as a failure: valid, and within the kernel's limits.
 std::uint64_t valid_queries(const Json& family) {
   const Json& outside = family["verdict"]["outside_limits"];
   return family["trials"].get<std::uint64_t>() - family["truth"]["invalid"].get<std::uint64_t>() -
@@ -56,7 +56,7 @@ const std::array<std::string_view, link_count> link_meanings = {
     "Rounding each operation to the precision changed the answer, exponents unlimited.",
     "Overflow or underflow changed the answer: with unlimited exponents it would not have.",
     "The kernel differs from the scalar reference of its own formulae and order of operations.",
-    "The kernel has no reference to be held against: which link its own arithmetic breaks between the exact formulae, "
+    "The kernel has no reference to compare it with: which link its own arithmetic breaks between the exact formulae, "
     "or "
     "the truth where it claims none, and its answer is not known."};
 
@@ -69,8 +69,8 @@ Json all_families(const Json& kernel) {
   Json total;
   for (Json family : kernel["families"]) {
     family["critical_radius"].erase("median_ulps");
-    family["verdict"].erase("first_by_link");  // places in a family do not add up
-    family.erase("asymmetry");                 // of a few families alone
+    family["verdict"].erase("first_by_link");  // places in a family cannot be added up
+    family.erase("asymmetry");                 // exists for a few families only
     merge(total, family, "");
   }
   if (total.is_null()) return Json::object();
@@ -116,7 +116,7 @@ std::string error_amount(const Json& error) {
 
 std::string touching_text(const Json& kernel) {
   if (kernel["touching"] == name(Touching::separated)) return "a touching sphere is separated";
-  if (kernel["touching"] == name(Touching::either)) return "of a touching sphere it may say either";
+  if (kernel["touching"] == name(Touching::either)) return "a touching sphere may be called either";
   return "a touching sphere is in contact";
 }
 

@@ -1,4 +1,4 @@
-// What several formats say of a record in the same way.
+// Statements about a record that several formats make in the same way.
 #pragma once
 
 #include <cstdint>
@@ -7,26 +7,26 @@
 #include <vector>
 
 #include "exact/judge/judge.h"
-#include "fuzz/files/json.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 
-// What a broken link means, in one sentence; by Link.
+// The meaning of a broken link, in one sentence; indexed by Link.
 extern const std::array<std::string_view, link_count> link_meanings;
 
-// Orders figures of a record: numbers, and the texts of numbers too large for binary64.
+// Orders figures of a record: numbers, and texts of numbers too large for binary64.
 bool is_less(const Json& x, const Json& y);
 
-// The families of a record's kernel as one: counts added, maxima kept, null where every one is null. The median of the
-// critical radius is the kernel's own. An object without members where no family ran.
+// The families of a record's kernel combined: counts added, maxima kept, null where every one is null. The median of
+// the critical radius is the kernel's own. An object without members where no family ran.
 Json all_families(const Json& kernel);
 
-// Zero failures in a family, or in all of them: the 95 % upper limit of their rate, per million queries of this
-// generator, 1e6 (1 - 0.05^(1/N)) for N base triangles. Negative where no valid query was asked.
+// For zero failures in a family, or in all of them: the 95 % upper limit of their rate, per million queries of this
+// generator, 1e6 (1 - 0.05^(1/N)) for N base triangles. Negative where no valid query was run.
 double zero_limit_per_million(const Json& family);
 double per_million(std::uint64_t count, const Json& family);
 
-// "0 (< 11.4 per million, 95 %)", "12 (45.8 per million)"; "not checked" where no valid query was asked.
+// "0 (< 11.4 per million, 95 %)", "12 (45.8 per million)"; "not checked" where no valid query was run.
 std::string with_rate(std::uint64_t count, const Json& family);
 
 std::string thousands(std::uint64_t count);        // "1,234,567"
@@ -34,12 +34,12 @@ std::string amount(double value, int digits = 6);  // significant digits, thousa
 // An error in u as the record has it: a number, or its text where binary64 cannot hold it.
 std::string error_amount(const Json& error);
 
-// What a kernel entry says of touching spheres, and within what it promises to be right.
+// The kernel entry's convention for touching spheres, and the limits within which it promises to be right.
 std::string touching_text(const Json& kernel);
 std::string limits_text(const Json& kernel);
 
-// The deepest of each kernel, precision, family and kind of wrong verdict, then the second of each, up to `limit`, so
-// that one family of deep faults does not hide the others. Deepest first, those without a depth last.
+// The deepest witness of each kernel, precision, family and kind of wrong verdict, then the second of each, up to
+// `limit`, so that one family of deep faults does not hide the others. Deepest first; those without a depth come last.
 std::vector<const Json*> worst_witnesses(const Json& record, std::size_t limit);
 
 }  // namespace axiscert

@@ -1,4 +1,4 @@
-// The numbers of the certified predicate's exact step against GMP: integers, balanced digits and balls.
+// The numbers of the certified predicate's exact step compared with GMP: integers, balanced digits and balls.
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
@@ -23,10 +23,10 @@ mpz_class power_of_two(int exponent) {
   mpz_class x = 1;
   return x << exponent;
 }
-// In units of the least double.
+// The value of x in units of the least double.
 mpz_class in_units(double x) { return mpz_class(mpq_class(x) * power_of_two(1074)); }
 
-// Any bits; few of these at any exponent; the ends of the range.
+// A double of arbitrary bits, of few bits at any exponent, or at the ends of the range.
 double any_double(std::mt19937_64& random) {
   switch (random() % 4) {
     case 0: {
@@ -75,7 +75,7 @@ Vector<mpz_class> cross(const Vector<mpz_class>& u, const Vector<mpz_class>& v) 
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
-// The values that a margin of degree 6 is made of: of the greatest degree, from the greatest numbers.
+// The values from which a margin of degree 6 is made: of the greatest degree, from the greatest numbers.
 TEST(BalancedDigits, AreTheIntegersOfGmp) {
   std::mt19937_64 random(seed);
   for (int i = 0; i < 4'000; ++i) {
@@ -126,7 +126,7 @@ void expect_holds(const Ball& ball, const mpq_class& exact) {
   EXPECT_TRUE(!ball.is_at_most_zero() || exact <= 0);
 }
 
-// Sums, differences and products of what there is so far.
+// Sums, differences and products of the balls made so far.
 TEST(Ball, HoldsTheExactValue) {
   std::mt19937_64 random(seed);
   int certain = 0, all = 0;
@@ -168,7 +168,7 @@ TEST(Ball, IsAsNarrowAsItsBitsAllow) {
   EXPECT_TRUE((wide * wide - Ball(Dyadic(0x1p1000)) * wide * Ball(Dyadic(0.999999999999999))).is_positive());
 }
 
-// Products of any sizes, negative ones too.
+// An integer of any size, to be multiplied; negative ones occur too.
 template <std::size_t words>
 Integer<words> any_integer(std::mt19937_64& random) {
   Integer<words> x{};

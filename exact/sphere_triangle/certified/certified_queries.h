@@ -25,9 +25,10 @@ Query<Real> tangent_query(std::mt19937_64& random) {
   return q;
 }
 
-// Integers whose margins are zero, or far smaller than what they are the difference of and yet not small: a centre on
-// the plane or on an edge, with a sphere of any size or of none; or a sphere that touches an edge, or misses by less
-// than a 2^100th of its radius. Of some, what is zero is a few of the least number there is instead.
+// Queries of integers whose margins are zero, or are far smaller than the terms of which they are the difference but
+// not negligible: a centre on the plane or on an edge, with a sphere of any size or of radius 0; or a sphere that
+// touches an edge, or misses it by less than 2^-100 of its radius. In some queries small multiples of the least number
+// replace zeros.
 template <class Real>
 Query<Real> integer_query(std::mt19937_64& random) {
   const int bits = static_cast<int>(4 + random() % (random() % 2 ? std::numeric_limits<Real>::digits - 6 : 4));
@@ -49,7 +50,7 @@ Query<Real> integer_query(std::mt19937_64& random) {
   std::array<std::size_t, 3> axes = {0, 1, 2};
   std::shuffle(axes.begin(), axes.end(), random);
   const int exponent = static_cast<int>(random() % 21) + (sizeof(Real) == 8 && random() % 4 == 0 ? 60 : -10);
-  // A centre on the plane or on an edge stays there where the axes are scaled.
+  // A centre on the plane or on an edge remains there when the axes are scaled.
   std::array<int, 3> scale = {exponent, exponent, exponent};
   if (random() % 4 == 0) scale[random() % 3] -= static_cast<int>(random() % 60);
   const auto real = [&](const Vec3<std::int64_t>& v) {
@@ -60,11 +61,11 @@ Query<Real> integer_query(std::mt19937_64& random) {
   std::array<Vec3<Real>, 3> v = {real(a), real(b), real(c)};
   std::rotate(v.begin(), v.begin() + random() % 3, v.end());
   Query<Real> q = {v[0], v[1], v[2], real(p), std::ldexp(static_cast<Real>(r), exponent)};
-  // Of no common unit that the others are few of.
+  // Some centres have no common unit with the other numbers in which all of them are small integers.
   if (random() % 4 == 0) q.p = q.p * std::ldexp(Real(1), -static_cast<int>(random() % 90));
   if (random() % 4 == 0) q.r = std::nextafter(q.r, std::numeric_limits<Real>::infinity());
   if (random() % 4 != 0) return q;
-  // Of the least numbers there are.
+  // Multiples of the least number there is, in place of some zeros.
   auto all = coordinates(q);
   for (std::size_t k = 0; k < 12; ++k) {
     if (all[k] == 0 && random() % 2 == 0)
@@ -84,8 +85,9 @@ inline std::int64_t inverse(std::int64_t x, std::int64_t m) {
   return a == 1 ? (u % m + m) % m : 0;
 }
 
-// A centre as near to the plane of its triangle as a point of integers may be that is not on it, and a radius that this
-// is, but for what it is rounded by, or near: far below the units that the other numbers are few of.
+// A centre as near to the plane of its triangle as a point of integers can be without lying on it, and a radius equal
+// to that distance except for rounding, or close to it: far below the unit in which the other numbers are small
+// integers.
 template <class Real>
 Query<Real> plane_query(std::mt19937_64& random) {
   const int bits = sizeof(Real) == 4 ? 20 : 28;

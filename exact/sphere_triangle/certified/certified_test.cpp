@@ -1,5 +1,5 @@
-// The certified predicate against CGAL's distance: on every instruction set, in every floating-point mode, through
-// every shape of the interface; and how far the conservative one may be off.
+// The certified predicate compared with CGAL's distance, on every instruction set, in every floating-point mode and
+// through every form of the interface; and the bounds on how far the conservative one may be off.
 #include "kernel/include/axiscert/certified.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ constexpr std::uint64_t seed = 20101230;
 template <class Real>
 struct Judged {
   std::vector<Query<Real>> queries;
-  std::vector<int> order;  // of distance and r; 2: invalid
+  std::vector<int> order;  // order of distance and r; 2: invalid
 
   static const Judged& all() {
     static const Judged judged = [] {
@@ -117,12 +117,12 @@ TYPED_TEST(CertifiedTest, OnePairIsTheSame) {
   }
 }
 
-// One sphere against all of the triangles: by columns, by a list of a mesh's and by a range of them, the same verdicts,
-// bits and hits, for sizes around the block's.
+// One sphere against all of the triangles: given by columns, by a list of a mesh's triangles and by a range of them,
+// the same verdicts, bits and hits, for sizes around the block's.
 TYPED_TEST(CertifiedTest, EveryShapeGivesTheSameAnswers) {
   using Real = TypeParam;
   std::mt19937_64 random(seed);
-  std::vector<Real> vertices;  // four numbers a vertex: the fourth is the caller's own
+  std::vector<Real> vertices;  // four numbers per vertex: the fourth belongs to the caller
   for (int i = 0; i < 200; ++i) {
     const auto q = random_query<Real>(random, false);
     vertices.insert(vertices.end(), {q.a.x, q.a.y, q.a.z, std::numeric_limits<Real>::quiet_NaN()});
@@ -188,8 +188,8 @@ TYPED_TEST(CertifiedTest, EveryShapeGivesTheSameAnswers) {
   }
 }
 
-// Chunks of triangles beyond each face of the sphere's box, or at it, or that reach across; and spheres and vertices
-// that are no numbers.
+// Chunks of triangles beyond each face of the sphere's box, at the face, or across it; and spheres and vertices with
+// coordinates that are not numbers.
 TYPED_TEST(CertifiedTest, OneSphereAndTrianglesBeyondItsBox) {
   using Real = TypeParam;
   constexpr std::size_t chunk = 64, triangles = 16 * chunk;
@@ -198,7 +198,7 @@ TYPED_TEST(CertifiedTest, OneSphereAndTrianglesBeyondItsBox) {
   std::array<std::vector<Real>, 9> storage;
   for (std::size_t t = 0; t < triangles; ++t) {
     const auto v = coordinates(random_query<Real>(random, false));
-    const std::size_t face = t / chunk % 8;  // the last two: across
+    const std::size_t face = t / chunk % 8;  // 6 and 7: no face, the triangles reach across the box
     for (std::size_t k = 0; k < 9; ++k) {
       const Real side = face % 2 ? Real(-1) : Real(1), beyond = t < triangles / 2 ? Real(4) : Real(0.25);
       const bool is_axis = k % 3 == face / 2, is_touching = k < 3 && t % 4 == 0;

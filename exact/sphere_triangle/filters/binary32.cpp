@@ -1,9 +1,9 @@
-// The filter of binary32 queries on every instruction set.
+// The filter for binary32 queries on every instruction set.
 #include "exact/sphere_triangle/filters/lane_filter.h"
 #include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 
-#define HWY_COMPILE_ALL_ATTAINABLE  // `--target` must reach each
+#define HWY_COMPILE_ALL_ATTAINABLE  // `--target` must be able to select each
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "exact/sphere_triangle/filters/binary32.cpp"
 #include "hwy/foreach_target.h"

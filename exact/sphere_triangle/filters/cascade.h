@@ -1,4 +1,4 @@
-// The steps by which the signs of a query are decided, cheapest first; each is certain or passes the query on.
+// The steps that decide the signs of a query, cheapest first; each step either is certain or passes the query on.
 #pragma once
 
 #include <array>
@@ -12,20 +12,20 @@ enum class Step : std::uint8_t {
   lanes,     // the SIMD filter
   grid,      // integers of a few words (exact/sphere_triangle/filters/grid_signs.h)
   wide,      // doubles with bounds and exponents of their own (exact/sphere_triangle/filters/wide_margins.h)
-  integers,  // of any size (exact/sphere_triangle/filters/grid_signs.h): every valid query that gets there
-  exact,     // arbitrary precision and CGAL: a query that is no valid one, and all where no filter is used
+  integers,  // integers of any size (exact/sphere_triangle/filters/grid_signs.h): every valid query that gets this far
+  exact,     // arbitrary precision and CGAL: invalid queries, and all queries if no filter is used
 };
 inline constexpr std::size_t step_count = 5;
 inline constexpr std::array<std::string_view, step_count> step_names = {"lanes", "grid", "wide", "integers", "exact"};
 
 struct DecidedSigns {
-  Signs signs;  // not where the step is `exact`
+  Signs signs;  // not set if the step is `exact`
   Step step = Step::exact;
-  bool is_close = false;  // a close call of the lanes, to be looked at again
+  bool is_close = false;  // a close call in the lanes, to be examined again
   ComparisonBits certain_in_lanes = 0;
 };
 
-// Kept from one batch to the next, it allocates nothing.
+// Allocates nothing if it is kept from one batch to the next.
 template <class Real>
 class Cascade {
  public:
@@ -37,7 +37,7 @@ class Cascade {
   double nanoseconds(Step step) const { return nanoseconds_[static_cast<std::size_t>(step)]; }
 
  private:
-  // Of each valid query that no step has decided yet.
+  // Calls signs_of for each valid query that no step has decided yet.
   template <class SignsOf>
   void try_left(const QueryBatch<Real>& batch, Step step, SignsOf&& signs_of);
 

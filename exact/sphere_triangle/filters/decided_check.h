@@ -1,4 +1,4 @@
-// What the filters decided, held against exact arithmetic: the sample by which a fault of a filter is found.
+// The sample that detects faults of the filters: their decisions compared with exact arithmetic.
 #pragma once
 
 #include "exact/sphere_triangle/filters/cascade.h"
@@ -6,11 +6,11 @@
 
 namespace axiscert {
 
-// Every so many of the queries that integers of any size decide are decided by CGAL as well: few queries, and the
-// hardest.
+// One in this many of the queries that integers of any size decide is decided by CGAL as well: these queries are few,
+// and the hardest.
 inline constexpr std::uint64_t integer_check_stride = 64;
 
-// `truth` is that of a valid query. Throws OracleDisagreement where the signs differ, or what follows from them.
+// `truth` is that of a valid query. Throws OracleDisagreement if the signs, or the conclusions drawn from them, differ.
 template <class Real>
 void require_same(const DecidedSigns& decided, const ExactTruth& truth, const Query<Real>& q);
 

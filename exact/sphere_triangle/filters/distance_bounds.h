@@ -1,20 +1,22 @@
-// Bounds of the distance from the origin to a triangle, in enclosed numbers. What cannot be told is a wide bound, never
-// a wrong one.
+// Bounds of the distance from the origin to a triangle, in enclosed numbers. An undecided case gives a wide bound,
+// never a wrong one.
 #pragma once
 
 #include "exact/sphere_triangle/filters/nearest_feature.h"
 
 namespace axiscert {
 
-// The distance to the triangle, from that to the plane of a feature, its line or itself, and by how much the feature
-// could fail to be the nearest. Certain for any triangle and any feature; narrow for the right one.
+// The distance to the triangle, from the distance to the feature's plane, line or vertex and a bound on how far the
+// feature could be from being the nearest. Certain for any triangle and any feature; narrow for the right one.
 //
-// face    d is at least that to the plane. The foot has the barycentric coordinates inward_i / V^2. Let n be the sum of
-//         the negative ones, unsigned; moving them to zero and dividing by 1 + n gives a point of the triangle that is
-//         n |x - y| from the foot for two points x, y of the triangle: d^2 <= h^2 + n^2 L^2, L the longest edge.
+// face    d is at least the distance to the plane. The foot has the barycentric coordinates inward_i / V^2. Let n be
+//         the sum of the negative ones, unsigned; moving them to zero and dividing by 1 + n gives a point of the
+//         triangle that is n |x - y| from the foot for two points x, y of the triangle: d^2 <= h^2 + n^2 L^2, L the
+//         longest edge.
 // edge    With c the foot on the line, c.x is least over the triangle at an end of the edge, c^2, or at the third
 //         vertex, c^2 - m / e^2, m = inward: d >= (c^2 - max(0, m) / e^2) / |c|, and d^2 e^2 >= c^2 e^2 - 2 max(0, m).
-//         Where v_i . e > 0 the foot lies before vertex i: |v_i|^2 e^2 = c^2 e^2 + (v_i . e)^2; so at the other end.
+//         Where v_i . e > 0 the foot lies before vertex i: |v_i|^2 e^2 = c^2 e^2 + (v_i . e)^2; likewise at the other
+//         end.
 // vertex  d <= |v|, and d >= min over the vertices x of v.x / |v|: d^2 >= v^2 - 2 max(0, -v.(x - v)).
 template <class T>
 EnclosedSquare<T> face_bounds(const EnclosedTriangle<T>& t, const EnclosedVector<T>& normal) {
@@ -27,8 +29,8 @@ EnclosedSquare<T> face_bounds(const EnclosedTriangle<T>& t, const EnclosedVector
     longest2 = std::max(longest2, dot(edge, edge).high());
   }
   if (outside == 0) return square;
-  // n is rounded up to 2^-300 at least, so that neither n nor n L is lost to underflow; where the whole is, 2^-1022
-  // makes up for it.
+  // n is rounded up to 2^-300 at least, so that neither n nor n L is lost to underflow; if their product underflows,
+  // 2^-1022 makes up for it.
   const Enclosed<double> divisor = as_double(square.divisor);
   const double n = outside / divisor.low() * more + 0x1p-300;
   const double span = n * std::sqrt(longest2) * more;
@@ -63,15 +65,15 @@ EnclosedSquare<T> vertex_bounds(const EnclosedTriangle<T>& t, std::size_t i) {
   return square;
 }
 
-// How wide the bounds are, for choosing among them; infinite where nothing bounds the distance.
+// The relative width of the bounds, for choosing among them; infinite if nothing bounds the distance.
 template <class T>
 double relative_width(const EnclosedSquare<T>& square) {
   const bool bounded = as_double(square.divisor).low() > 0 && leading(square.numerator.value) > 0;
   return bounded ? (square.below + square.above) / leading(square.numerator.value) : HUGE_VAL;
 }
 
-// Where the likely feature may not be the nearest, being so near to the border of its region that doubles do not tell,
-// that beyond the border is tried as well: the plane for an edge, an edge for a vertex.
+// The likely feature may not be the nearest if it is so near to the border of its region that doubles do not decide.
+// Then the feature beyond the border is tried as well: the plane for an edge, an edge for a vertex.
 template <class T>
 EnclosedSquare<T> bounds_near_a_border(const EnclosedTriangle<T>& t) {
   const EnclosedVector<T> normal = enclosed_normal(t);

@@ -1,5 +1,5 @@
 // Squared distances as quotients of enclosed numbers: to the lines, the plane and the vertices of a triangle, and
-// bounds of the distance to the triangle itself. No division, no root; what cannot be told is a wide bound, never a
+// bounds of the distance to the triangle itself. No division, no root; an undecided case gives a wide bound, never a
 // wrong one.
 #pragma once
 
@@ -16,18 +16,18 @@ namespace axiscert {
 constexpr std::size_t next_vertex(std::size_t i) { return i == 2 ? 0 : i + 1; }
 constexpr std::size_t previous_vertex(std::size_t i) { return i == 0 ? 2 : i - 1; }
 
-// A triangle with the sphere's centre at the origin, all of it times 2^exponent. Edge i runs from vertex i to the next,
-// formed from the given coordinates and not from the vertices here: that of two equal vertices is an exact zero.
+// A triangle with the sphere's centre at the origin, scaled by 2^exponent. Edge i runs from vertex i to the next and is
+// formed from the given coordinates, not from the vertices here: the edge between two equal vertices is an exact zero.
 template <class T>
 struct EnclosedTriangle {
   std::array<EnclosedVector<T>, 3> vertex, edge;
   int exponent = 0;
-  double scaling_error = 0;  // of every number once scaled: less than the least double, where one lost bits
+  double scaling_error = 0;  // error of every number after scaling: less than the least double, if any lost bits
 };
 
 using Doubled = DoubleDouble<double>;
 
-// u - v, both within `error` of what they stand for.
+// u - v, both within `error` of their exact values.
 template <class T>
 AXISCERT_INLINE T difference_as(double u, double v) {
   if constexpr (std::is_same_v<T, Doubled>) {
@@ -57,14 +57,15 @@ AXISCERT_INLINE EnclosedTriangle<T> enclosed_triangle(const Query<double>& q, do
           error};
 }
 
-// In double: of binary32 numbers only. They and their differences are multiples of 2^-149 below 2^129; what is made of
-// them here has degree 6 at most, so it is below 2^800 and, where it is not zero, at least 2^-894.
+// The triangle in double, for binary32 numbers only. They and their differences are multiples of 2^-149 below 2^129;
+// the numbers made from them here have degree 6 at most, so each is below 2^800 and, if it is not zero, at least
+// 2^-894.
 inline EnclosedTriangle<double> enclosed_triangle_of(const Query<float>& q) {
   return enclosed_triangle<double>(widened(q));
 }
 
-// In double-double: of any numbers. They are scaled where the greatest is not within [2^-100, 2^100], so that degree 6
-// stays below 2^650, and 2^-890, the underflow of a product, is far below what matters. Scaling down may lose bits of
+// The triangle in double-double, for any numbers. They are scaled if the greatest is not within [2^-100, 2^100], so
+// that degree 6 stays below 2^650, and 2^-890, the underflow of a product, is negligible. Scaling down may lose bits of
 // the small ones.
 template <class Real>
 EnclosedTriangle<Doubled> doubled_triangle_of(const Query<Real>& query) {
@@ -76,7 +77,7 @@ EnclosedTriangle<Doubled> doubled_triangle_of(const Query<Real>& query) {
     return enclosed_triangle<Doubled>(q);
   }
   const int exponent = -std::ilogb(greatest);
-  // One product rounds as ldexp would; 2^1074 takes two, both exact.
+  // One product rounds as ldexp would; 2^1074 needs two, both exact.
   const double factor = std::ldexp(1.0, std::min(exponent, 1000)), rest = std::ldexp(1.0, std::max(exponent - 1000, 0));
   for (double& x : numbers) x = x * factor * rest;
   auto triangle = enclosed_triangle<Doubled>(from_coordinates(numbers), exponent < 0 ? 0x1p-1074 : 0);
@@ -93,15 +94,15 @@ AXISCERT_INLINE bool has_zero_edge(const EnclosedTriangle<T>& t) {
   return is_zero(t.edge[0]) || is_zero(t.edge[1]) || is_zero(t.edge[2]);
 }
 
-// x where it is positive, and a NaN where it is one.
+// x if it is positive, NaN if it is NaN, else 0.
 AXISCERT_INLINE double positive_part(double x) { return x <= 0 ? 0 : x; }
 
-// Of numbers that are not negative: x / y bounded, whatever of the quotient underflows.
+// Bounds of x / y for non-negative numbers, even if the quotient underflows.
 AXISCERT_INLINE double quotient_low(double x, double y) { return positive_part(x / y * less - 0x1p-1022); }
 AXISCERT_INLINE double quotient_high(double x, double y) { return x / y * more + 0x1p-1022; }
 
-// The square of a distance times the divisor lies in [numerator - below, numerator + above]. Says nothing unless the
-// divisor is certainly positive.
+// The square of a distance times the divisor lies in [numerator - below, numerator + above]. Gives no information
+// unless the divisor is certainly positive.
 template <class T>
 struct EnclosedSquare {
   Enclosed<T> numerator, divisor;
@@ -116,13 +117,13 @@ AXISCERT_INLINE EnclosedVector<T> enclosed_normal(const EnclosedTriangle<T>& t) 
   return cross(t.edge[next_vertex(longest)], t.edge[previous_vertex(longest)]);
 }
 
-// The vertex of edge i, or of the plane, that is nearer to the origin: products with it err least.
+// The vertex of edge i, or of the plane, that is nearer to the origin: products with it have the smaller error.
 template <class T>
 AXISCERT_INLINE std::size_t nearer_vertex(const EnclosedTriangle<T>& t, std::size_t i, std::size_t j) {
   return t.vertex[i].size <= t.vertex[j].size ? i : j;
 }
 
-// To the plane: (v . V)^2 / V^2. A triangle without area has the divisor zero.
+// The square of the distance to the plane: (v . V)^2 / V^2. A triangle without area has the divisor zero.
 template <class T>
 AXISCERT_INLINE EnclosedSquare<T> plane_square(const EnclosedTriangle<T>& t, const EnclosedVector<T>& normal) {
   const Enclosed<T> height = dot(t.vertex[nearer_vertex(t, nearer_vertex(t, 0, 1), 2)], normal);
@@ -137,14 +138,16 @@ AXISCERT_INLINE EnclosedSquare<T> vertex_square(const EnclosedTriangle<T>& t, st
   return {dot(t.vertex[i], t.vertex[i]), {one, 0}};
 }
 
-// To the line through edge i: |v x e|^2 / e^2. An edge between equal vertices has the divisor zero.
+// The square of the distance to the line through edge i: |v x e|^2 / e^2. An edge between equal vertices has the
+// divisor zero.
 template <class T>
 AXISCERT_INLINE EnclosedSquare<T> line_square(const EnclosedTriangle<T>& t, std::size_t i) {
   const auto moment = cross(t.vertex[nearer_vertex(t, i, next_vertex(i))], t.edge[i]);
   return {dot(moment, moment), dot(t.edge[i], t.edge[i])};
 }
 
-// Where the plane's foot lies to edge i, times |V|^2: positive within the triangle. (v_i x v_i+1) . V.
+// The signed position of the foot on the plane relative to edge i, times |V|^2: positive within the triangle. (v_i x
+// v_i+1) . V.
 template <class T>
 AXISCERT_INLINE Enclosed<T> inward(const EnclosedTriangle<T>& t, std::size_t i, const EnclosedVector<T>& normal) {
   return dot(cross(t.vertex[i], t.edge[i]), normal);

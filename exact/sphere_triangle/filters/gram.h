@@ -1,5 +1,5 @@
-// What all sixteen comparisons and the distance are made of: the dot products of the vertices relative to the centre,
-// and the cofactors and the determinant of their matrix. Over any integers.
+// The quantities from which all sixteen comparisons and the distance are computed: the dot products of the vertices
+// relative to the centre, and the cofactors and the determinant of their matrix. Over any integer type.
 //
 // A, B, C are relative to the centre, N1 = A x B, N2 = B x C, N3 = C x A, and V = N1 + N2 + N3. By Binet and Cauchy, (a
 // x b).(c x d) = (a.c)(b.d) - (a.d)(b.c): the dot products of N1, N2, N3 are cofactors of the matrix of the six dot
@@ -10,7 +10,7 @@
 // - degree 2: |a.b| <= 3 M^2, e = (aa + bb) - 2 ab <= 12 M^2, so with a sign 2n + 5 bits;
 // - degree 4: N.N <= 9 M^4, N.V <= 27 M^4, |V|^2 <= 81 M^4, rr e <= 12 M^4, |N|^2 - rr e <= 12 M^4: 4n + 8 bits;
 // - degree 6: d^2 <= 27 M^6 by partial sums <= 81 M^6, rr |V|^2 <= 81 M^6, and so their difference: 6n + 8 bits.
-// A product of two numbers is exact in the sum of their words, whatever they are.
+// A product of two numbers is always exact in the sum of their words.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@
 
 namespace axiscert {
 
-// Whether numbers of n bits, sign apart, leave nothing beyond `words` words at degree 2, and twice and three times as
-// many at degrees 4 and 6.
+// Whether numbers of n bits plus sign need at most `words` words at degree 2, and at most twice and three times as many
+// at degrees 4 and 6.
 constexpr bool fits_in_words(int n, int words) {
   return 2 * n + 5 <= 64 * words && 4 * n + 8 <= 128 * words && 6 * n + 8 <= 192 * words;
 }
@@ -41,7 +41,7 @@ struct FixedWords {
     else return Degree2(Coordinate(x) * Coordinate(y));
   }
 };
-// ... and of as many as it takes, `words` at most for a coordinate.
+// ... and of as many as needed, at most `words` for a coordinate.
 template <std::size_t words>
 struct UpToWords {
   using Given = LimbInteger<words>;
@@ -51,7 +51,7 @@ struct UpToWords {
   static Degree2 product(const Given& x, const Given& y) { return x * y; }
 };
 
-// A, B, C relative to the centre, and r.
+// A, B, C relative to the centre, then r.
 template <class Integer>
 using Centred = std::array<Integer, 10>;
 

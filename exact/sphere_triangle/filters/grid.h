@@ -13,7 +13,7 @@
 
 namespace axiscert {
 
-// The numbers without their signs as they are stored, which orders them by magnitude.
+// The stored bits of a number without its sign; they are ordered by magnitude.
 template <class Real>
 using Magnitude = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
 template <class Real>
@@ -21,7 +21,7 @@ AXISCERT_WORDS_INLINE inline Magnitude<Real> magnitude(Real x) {
   return std::bit_cast<Magnitude<Real>>(x) & (~Magnitude<Real>{0} >> 1);
 }
 
-// The exponent of a magnitude's last place, 2^exponent, and how many of these it is.
+// The exponent of a magnitude's last place, 2^exponent, and the magnitude as a multiple of that place.
 template <class Real>
 AXISCERT_WORDS_INLINE inline int unit_exponent(Magnitude<Real> magnitude) {
   using Limits = std::numeric_limits<Real>;
@@ -46,8 +46,8 @@ int least_set_bit(const std::array<Real, coordinate_count>& numbers) {
   return least == none ? 0 : least;
 }
 
-// Integers that hold any query of a precision: its numbers are multiples of the least one, below 2^max_exponent, and
-// their differences below twice that.
+// The bits of integers that hold any query of a precision: its numbers are multiples of the least one, below
+// 2^max_exponent, and their differences are below twice that.
 template <class Real>
 constexpr int most_bits = std::numeric_limits<Real>::max_exponent + 1 -
                           (std::numeric_limits<Real>::min_exponent - std::numeric_limits<Real>::digits);

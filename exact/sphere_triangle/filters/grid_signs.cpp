@@ -1,5 +1,5 @@
-// Why the signs are the published ones. All sixteen comparisons depend on the six dot products of A, B, C and on rr
-// alone (exact/sphere_triangle/filters/gram.h).
+// Proof that the signs are the published ones. All sixteen comparisons depend on the six dot products of A, B, C and on
+// rr alone (exact/sphere_triangle/filters/gram.h).
 //
 // vertex.*      as published
 // plane.radius  as published: d^2 > rr |V|^2
@@ -7,8 +7,8 @@
 //               no sign changes where e > 0. Where e = 0, A = B and N1 = 0: 0 and 0, a tie, in both pairs.
 // edge.side     0 > N1.V. The published lhs is -e (N1.V): the same where e > 0; where e = 0, N1 = 0, and both tie.
 //
-// kernel/sphere_triangle/rungs/reduced.h has the last two as formulae. Each comparison is homogeneous, so that a power
-// of two common to all differences and the radius changes no sign.
+// kernel/sphere_triangle/rungs/reduced.h implements the last two. Each comparison is homogeneous, so that a power of
+// two common to all differences and the radius changes no sign.
 #include "exact/sphere_triangle/filters/grid_signs.h"
 
 #include <cmath>
@@ -56,7 +56,7 @@ Signs signs_in(const Centred<typename Numbers::Given>& q) {
 template <class Integer>
 struct Grid {
   Centred<Integer> centred;  // in units of 2^unit
-  int bits = 0;              // of the greatest magnitude
+  int bits = 0;              // bits of the greatest magnitude
   int unit = 0;
 };
 
@@ -74,7 +74,8 @@ int trailing_zeros(UInt128 x) {
 // 2^e, a normal number.
 double power_of_two(int e) { return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52); }
 
-// An integer below 2^(bits of Integer - 2): in two words, its multiple of 2^63 and the rest, both of which are exact.
+// An integer below 2^(bits of Integer - 2): if two words are needed, its multiple of 2^63 and the remainder, both of
+// which are exact.
 template <class Integer>
 Integer integer_from(double x) {
   const auto whole = [](double y) { return static_cast<std::int64_t>(y); };
@@ -86,10 +87,11 @@ Integer integer_from(double x) {
   }
 }
 
-// In units of 2^unit: the numbers are multiples of it, and below 2^(bits of Integer - 2) of it, so that differences do
-// not overflow. A number that is not zero is in [2^unit, 2^(unit + 126)), and unit in [-1074, 1023]; so both halves of
-// the scaling give numbers between 2^-537 and 2^639, where no binary64 loses a bit. What powers of two the differences
-// have in common is then taken out: they may have fewer bits than the numbers that they were made of.
+// The query in units of 2^unit: the numbers are multiples of the unit, and below 2^(bits of Integer - 2) units, so that
+// differences do not overflow. A number that is not zero is in [2^unit, 2^(unit + 126)), and unit in [-1074, 1023]; so
+// both halves of the scaling give numbers between 2^-537 and 2^639, where no binary64 loses a bit. Powers of two that
+// all differences have in common are then divided out: the differences may have fewer bits than the numbers they were
+// made from.
 template <class Integer, class Real>
 Grid<Integer> grid(const std::array<Real, coordinate_count>& numbers, int unit) {
   using Unsigned = std::conditional_t<sizeof(Integer) == 8, std::uint64_t, UInt128>;
@@ -112,12 +114,12 @@ Grid<Integer> grid(const std::array<Real, coordinate_count>& numbers, int unit) 
   return result;
 }
 
-// Calls with_grid(grid) with the narrowest integers that hold the numbers, or returns nothing.
+// Calls with_grid(grid) with the narrowest integers that hold the numbers, or returns an empty value if none do.
 template <class Real, class WithGrid>
 auto on_grid(const Query<Real>& q, WithGrid&& with_grid) -> decltype(with_grid(Grid<std::int64_t>{})) {
   constexpr int digits = std::numeric_limits<Real>::digits;
   const auto numbers = coordinates(q);
-  Magnitude<Real> greatest = 0, least = ~Magnitude<Real>{0};  // least: of those that are not zero, less 1
+  Magnitude<Real> greatest = 0, least = ~Magnitude<Real>{0};  // least: of those that are not zero, minus 1
   words::for_each_index<coordinate_count>([&](auto i) AXISCERT_WORDS_INLINE {
     const Magnitude<Real> stored = magnitude(numbers[i]);
     greatest = std::max(greatest, stored);
@@ -153,11 +155,12 @@ std::optional<Signs> signs_of(const Grid<Int128>& grid) {
   return std::nullopt;
 }
 
-// The signs of a query whose radius is positive, but so small that nothing else comes near it: those with the radius 0,
-// where ties of a radius comparison are none unless its other side is zero as well. With differences of n bits at most
-// in units of 2^k, the lhs of a radius comparison in the forms above is an integer, A.A, |N|^2 or d^2, and its rhs is
-// rr times 1, e <= 12 2^(2n) or |V|^2 <= 81 2^(4n). So for r < 2^-(2n + 4) units the rhs is below 1: less than any lhs
-// but zero. Meshes have spheres of the least radius that there is.
+// The signs of a query whose radius is positive, but so small that it cannot change a comparison between nonzero
+// numbers: the signs are those with the radius 0, except that a tie of a radius comparison at radius 0 remains a tie
+// only if its other side is zero as well. With differences of at most n bits in units of 2^k, the lhs of a radius
+// comparison in the forms above is an integer, A.A, |N|^2 or d^2, and its rhs is rr times 1, e <= 12 2^(2n) or |V|^2 <=
+// 81 2^(4n). So for r < 2^-(2n + 4) units the rhs is below 1: less than any lhs but zero. Mesh queries include spheres
+// with the least positive radius.
 template <class Real>
 std::optional<Signs> signs_at_tiny_radius(const Query<Real>& q) {
   if (q.r == 0) return std::nullopt;

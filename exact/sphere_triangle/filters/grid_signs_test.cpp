@@ -1,5 +1,5 @@
-// Signs by integers beside those of CGAL::Mpzf: on every query of small lattices, at the limits of every width, and
-// however far apart the numbers lie.
+// Signs by integers compared with those of CGAL::Mpzf: on every query of small lattices, at the limits of every width,
+// and for numbers however far apart.
 #include "exact/sphere_triangle/filters/grid_signs.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,8 @@ TYPED_TEST(GridSigns, AreExactOnEveryTriangleOfASmallLattice) {
   EXPECT_EQ(failed, 0xffff);
 }
 
-// The greatest magnitudes of each width with a 1 among them, so that no power of two comes out; and one bit more.
+// The greatest magnitudes of each width together with a 1, so that no power of two can be divided out; and one bit
+// more.
 TYPED_TEST(GridSigns, AreExactAtTheLimitOfEveryWidth) {
   constexpr int seed = 81, digits = std::numeric_limits<TypeParam>::digits;
   std::mt19937_64 random(seed);
@@ -78,7 +79,7 @@ TYPED_TEST(GridSigns, AreExactAtTheLimitOfEveryWidth) {
         x[4] = 1;
         x[9] = TypeParam(i % 2);
         const auto q = from_coordinates(x);
-        // Away from a centre at 1 are the same bits, or one more.
+        // With the centre at 1 the differences have the same number of bits or one more.
         const int found_bits = bits_on_grid(q).value();
         ASSERT_TRUE(found_bits == bits || found_bits == bits + 1) << bits << " bits, seed " << seed;
         ASSERT_TRUE(agrees(q)) << "seed " << seed;
@@ -87,8 +88,8 @@ TYPED_TEST(GridSigns, AreExactAtTheLimitOfEveryWidth) {
   }
 }
 
-// Lattices of every size and at every scale of the precision; radii at the distance of a vertex or an edge where there
-// is one.
+// Lattices of every size and at every scale of the precision; radii equal to the distance of a vertex or an edge if
+// that is a number of the precision.
 TYPED_TEST(GridSigns, AreExactAtEverySizeAndScale) {
   constexpr int seed = 82, digits = std::numeric_limits<TypeParam>::digits;
   using Limits = std::numeric_limits<TypeParam>;
@@ -116,7 +117,7 @@ TYPED_TEST(GridSigns, AreExactAtEverySizeAndScale) {
   for (int words = 1; words <= most_grid_words + 1; ++words) EXPECT_GT(by_words[words], 1000) << words;
 }
 
-// 2^126 is the widest that numbers of a few words are apart, and zeros, of either sign, are apart from nothing.
+// 2^126 is the widest range of numbers that fits a few words; zeros, of either sign, do not count.
 TYPED_TEST(GridSigns, AreExactWhereTheNumbersAreJustTooFarApart) {
   const auto wide = [](int exponent) {
     const auto x = std::ldexp(TypeParam(1), -exponent), zero = TypeParam(0);
@@ -132,7 +133,7 @@ TYPED_TEST(GridSigns, AreExactWhereTheNumbersAreJustTooFarApart) {
 }
 
 // The least and the greatest numbers of the precision, with ones and zeros: every number, every difference and every
-// degree at its greatest size. Repeated vertices and ties are among them.
+// degree at its greatest size. Repeated vertices and ties occur.
 TYPED_TEST(GridSigns, AreExactAtBothEndsOfThePrecision) {
   constexpr int seed = 83;
   using Limits = std::numeric_limits<TypeParam>;
@@ -150,7 +151,7 @@ TYPED_TEST(GridSigns, AreExactAtBothEndsOfThePrecision) {
       Query<TypeParam>{{most, most, most}, {most, -most, least}, {-most, least, most}, {-most, -most, -most}, most}));
 }
 
-// The least radius beside coordinates of any size, on lattices with ties in every comparison; and other small ones.
+// The least radius with coordinates of any size, on lattices with ties in every comparison; and other small radii.
 TYPED_TEST(GridSigns, AreExactAtTinyRadii) {
   constexpr int seed = 85;
   std::mt19937_64 random(seed);
@@ -165,7 +166,7 @@ TYPED_TEST(GridSigns, AreExactAtTinyRadii) {
 }
 
 // A radius below the unit of the other numbers that is not tiny: the line through (2^k, 1, 0) and (-3 2^k, -2, 0)
-// passes at 1/4 from the centre; the same in another plane, and in a triangle that is great both ways.
+// passes at 1/4 from the centre; the same in another plane, and in a triangle that is large in both directions.
 TYPED_TEST(GridSigns, AreExactAtRadiiBelowTheUnitThatAreNotTiny) {
   for (int k = 60; k <= 120; ++k) {
     const TypeParam far = std::ldexp(TypeParam(1), k), quarter = TypeParam(0.25);
@@ -179,7 +180,7 @@ TYPED_TEST(GridSigns, AreExactAtRadiiBelowTheUnitThatAreNotTiny) {
   }
 }
 
-// Any bit patterns of finite numbers.
+// Arbitrary bit patterns of finite numbers.
 TYPED_TEST(GridSigns, AreExactOnRandomBits) {
   constexpr int seed = 84;
   std::mt19937_64 random(seed);

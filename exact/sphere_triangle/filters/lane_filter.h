@@ -1,5 +1,5 @@
-// The first step of the judge, over SIMD lanes: what is certain about a batch without exact arithmetic. Each answer is
-// certain or missing; docs/error_model.md has the derivation of the bounds.
+// The first step of the judge, over SIMD lanes: the conclusions about a batch that need no exact arithmetic. Each
+// answer is certain or missing; docs/error_model.md derives the bounds.
 #pragma once
 
 #include <string_view>
@@ -10,40 +10,37 @@
 
 namespace axiscert {
 
-// What the filter found out about the signs of one query.
+// The filter's conclusions about the signs of one query.
 struct FilteredSigns {
   Signs signs;
-  ComparisonBits certain = 0;  // at which `signs` hold; all sixteen or the query is left to the next step
-  bool is_valid = false;       // finite, r >= 0
-  bool is_close = false;       // certain, some margin within 2^10 times its bound; looked for in one query of sixteen
+  // the comparisons for which `signs` hold; if not all sixteen, the next step decides the query
+  ComparisonBits certain = 0;
+  bool is_valid = false;  // finite, r >= 0
+  // all signs certain, some margin within 2^10 times its bound; checked in one query of sixteen
+  bool is_close = false;
   bool is_decided() const { return is_valid && certain == 0xffff; }
 };
 
-// Queries in blocks of eight; of sixteen blocks the last is looked at for close calls.
+// Queries come in blocks of eight; the last of each sixteen blocks is checked for close calls.
 inline constexpr std::size_t close_call_block = 8, close_call_stride = 16;
 
 // One comparison of one query whose error may be greater than its threshold: lower <= error <= upper, in u. The upper
-// one is infinite where the scale may be zero, and both where a computed side is not finite.
+// bound is infinite if the scale may be zero, and both are if a computed side is not finite.
 struct SuspectError {
   std::size_t query, comparison;
   double lower, upper;
 };
 
-// Which errors are certainly no greater than a threshold. `judge_suspect` is called for every other one and returns the
-// threshold of that comparison from there on.
-struct ErrorScreen {
-  std::array<double, comparison_count> thresholds;  // in u
-  void* context;
-  double (*judge_suspect)(void* context, const SuspectError& suspect);
-};
+// By comparison, in u.
+using ErrorThresholds = std::array<double, comparison_count>;
 
-// Faults to plant in it, which the cross-checks have to catch.
+// Planted faults of the filter, which the cross-checks have to detect.
 enum class FilterFault : std::uint8_t {
   none,
-  small_bound,         // 2^-12 of what it has to be
-  no_underflow_guard,  // binary64 whatever its exponents
-  swapped_sign,        // of edge_bc.side_a
-  rounding_mode,       // upwards, as something may have left it
+  small_bound,         // bounds 2^-12 of their right size
+  no_underflow_guard,  // binary64 accepted whatever its exponents
+  swapped_sign,        // the sign of edge_bc.side_a
+  rounding_mode,       // rounding upwards, a mode that other code may have left set
 };
 inline constexpr std::size_t filter_fault_count = 5;
 inline constexpr std::array<std::string_view, filter_fault_count> filter_fault_names = {
@@ -54,15 +51,17 @@ template <class Real>
 struct Filter {
   // `out` holds batch.size entries.
   void (*signs_with_fault)(const QueryColumns<Real>& batch, FilterFault fault, FilteredSigns* out);
-  // The errors of the computed sides of published formulae or of a reduced form.
-  void (*errors)(const QueryColumns<Real>& batch, const Answers<Real>& computed, bool reduced, ErrorScreen& screen);
+  // Appends every error of the computed sides, of the published formulae or of a reduced form, that is not certainly
+  // within its threshold.
+  void (*errors)(const QueryColumns<Real>& batch, const Answers<Real>& computed, bool reduced,
+                 const ErrorThresholds& thresholds, std::vector<SuspectError>& suspects);
   FilterFault planted = FilterFault::none;
 
   void signs(const QueryColumns<Real>& batch, FilteredSigns* out) const { signs_with_fault(batch, planted, out); }
 };
 
-// `target` is one of simd_targets(), or `scalar`, which has the best of them. What is certain is true on each; how much
-// is may differ.
+// `target` is one of simd_targets(), or `scalar`, which selects the best of them. Conclusions are true on each target;
+// how many there are may differ.
 template <class Real>
 Filter<Real> filter_on(std::string_view target, FilterFault fault = FilterFault::none);
 template <>

@@ -1,4 +1,5 @@
-// The filter against exact arithmetic: whatever it calls certain is so, on every instruction set; and it calls enough.
+// The filter compared with exact arithmetic: whatever it calls certain is true, on every instruction set; and it
+// decides enough.
 #include "exact/sphere_triangle/filters/lane_filter.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,8 @@ QueryBatch<Real> mixed_batch(std::uint64_t seed, std::size_t count) {
   return batch;
 }
 
-// Without anything odd, so that whole vectors take the plain pass; at sizes up to both ends of binary64's range.
+// A batch without unusual queries, so that whole vectors take the plain pass; with sizes up to both ends of binary64's
+// range.
 template <class Real>
 QueryBatch<Real> ordinary_batch(std::uint64_t seed, std::size_t count) {
   std::mt19937_64 random(seed);
@@ -48,7 +50,7 @@ class FilterTest : public testing::Test {};
 using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(FilterTest, Reals);
 
-// Compares on every target; the shares of valid queries that are decided, and how many have ties.
+// Compares signs on every target and checks the share of valid queries that are decided and the number with ties.
 template <class Real>
 void expect_exact(const QueryBatch<Real>& batch, double least_decided, std::size_t least_ties) {
   std::vector<Signs> exact(batch.size());
@@ -87,8 +89,8 @@ TYPED_TEST(FilterTest, WhatThePlainPassCallsCertainIsExact) {
   expect_exact(ordinary_batch<TypeParam>(seed, 240 * 64 + 5), 0.8, 0);
 }
 
-// Errors of the published sides as computed, against exact ones: no query that is passed over exceeds the threshold,
-// and the intervals of the others contain the exact error.
+// Errors of the published sides as computed, compared with exact ones: no query that passes the screen exceeds the
+// threshold, and the intervals of the others contain the exact error.
 TYPED_TEST(FilterTest, ErrorsArePassedOverRightly) {
   constexpr std::uint64_t seed = 7;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -100,12 +102,10 @@ TYPED_TEST(FilterTest, ErrorsArePassedOverRightly) {
     kernel.on<TypeParam>(simd_targets().front()).explain(batch.columns(), computed);
     for (const std::string& target : simd_targets()) {
       std::vector<SuspectError> suspects;
-      ErrorScreen screen{{}, &suspects, [](void* context, const SuspectError& suspect) {
-                           static_cast<std::vector<SuspectError>*>(context)->push_back(suspect);
-                           return 4.0;
-                         }};
-      screen.thresholds.fill(4);
-      filter_on<TypeParam>(target).errors(batch.columns(), computed, id == std::string_view("reduced"), screen);
+      ErrorThresholds thresholds;
+      thresholds.fill(4);
+      filter_on<TypeParam>(target).errors(batch.columns(), computed, id == std::string_view("reduced"), thresholds,
+                                          suspects);
       std::vector<std::array<const SuspectError*, comparison_count>> by_query(batch.size());
       for (const SuspectError& suspect : suspects) by_query[suspect.query][suspect.comparison] = &suspect;
       std::size_t passed = 0;

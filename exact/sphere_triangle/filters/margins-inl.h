@@ -1,8 +1,8 @@
 // The sixteen margins with bounds of their errors, over the number types of numbers-inl.h. No guard: included once for
 // each of Highway's instruction sets.
 //
-// The derivation. U is the number type's unit, hats are computed values. A leaf, one of the six vectors A - P, B - P,
-// C - P, B - A, C - B, A - C, is a difference of two inputs: (1 + U) of the exact one in each component, whatever the
+// The derivation. U is the number type's unit, hats are computed values. A leaf, one of the six vectors A - P, B - P, C
+// - P, B - A, C - B, A - C, is a difference of two inputs: (1 + U) of the exact one in each component, whatever the
 // exponents. |x|o is the greatest component of a leaf, |x|1 the sum of the three. To first order in U,
 // clang-format off
 //   x.y          two leaves, a product, two sums   |error| <= 5 U sum |x_i y_i| <= 15 U |x|o |y|o;  of x.x 5 U x.x
@@ -19,16 +19,16 @@
 // is a multiple of 2^(-149 k), rounding keeps it one, and no value has a degree above 6: zero or at least 2^-894, below
 // 2^800. The smallest product in a bound, rr 3 omega^2, is at least 2^-298 (2^-50 2^-298)^2 = 2^-994. Nothing
 // underflows, nothing overflows.
-// binary64, in doubles or in pairs: a lane counts where |A|o, |B|o, |C|o, |AB|o, |BC|o, |CA|o and r are each zero or in
-// [2^-100, 2^100]. Then no value leaves 2^620. A product errs by an additional 2^-1070 at most where it, or its low
-// part, underflows, and the term of a bound that belongs to it is 2^-800 or more, or zero together with a leaf, and
-// then all its products are exact zeros: such errors are below 2^-200 of the bound, and inside its sixteenth.
+// binary64, in doubles or in pairs: a lane counts if |A|o, |B|o, |C|o, |AB|o, |BC|o, |CA|o and r are each zero or in
+// [2^-100, 2^100]. Then no value leaves 2^620. A product errs by an additional 2^-1070 at most if it, or its low part,
+// underflows. The corresponding term of a bound is 2^-800 or more, or it is zero together with a leaf, all of whose
+// products are exact zeros: such errors are below 2^-200 of the bound, and inside its sixteenth.
 //
-// The constants are MarginBounds, of proofs/coq/Margins.v: there each bound is proved to exceed its margin's
-// error by a thirty-second part, where each operation errs by U relatively; that thirty-second is the bound's own
-// rounding. That nothing underflows, and the bounds of the scales, are what is said here.
+// The constants are MarginBounds of proofs/coq/Margins.v, which proves that each bound exceeds its margin's error by a
+// thirty-second part if each operation has a relative error of at most U; that thirty-second covers the bound's own
+// rounding. The absence of underflow and the bounds of the scales are argued here only.
 //
-// So a margin that exceeds its bound has the sign of the exact one; and where the bound is zero all of its operands are
+// So a margin that exceeds its bound has the sign of the exact one; and if the bound is zero, all of its operands are
 // exact zeros, the margin is exact, and a tie is certain.
 #include "kernel/sphere_triangle/certified_filter/margin_bounds.h"
 
@@ -65,10 +65,10 @@ struct Margin {
   V bound, scale, scale_bound;
 };
 
-// Whose sides the scale is of; the signs are the same.
+// The form whose sides the scale measures; the signs are the same in both.
 enum class EdgeForm { published, reduced };
 
-// The multiples of U, a sixteenth greater; and sums and products of bounds.
+// Multiples of U, each a sixteenth greater; and sums and products of bounds.
 template <class T>
 AXISCERT_INLINE V units(double n) {
   return hn::Set(D(), n * T::unit * MarginBounds::unit_factor);
@@ -78,7 +78,7 @@ AXISCERT_INLINE V plus(V x, V y) { return hn::Add(x, y); }
 AXISCERT_INLINE V times_plus(V x, V y, V z) { return hn::MulAdd(x, y, z); }
 AXISCERT_INLINE V constant(double x) { return hn::Set(D(), x); }
 
-// Emits all sixteen, in no promised order, as emit(which, margin).
+// Emits all sixteen margins, in no promised order, as emit(which, margin).
 template <EdgeForm form, class T>
 struct Margins {
   Leaf<T> a, b, c, ab, bc, ca;
@@ -95,7 +95,7 @@ struct Margins {
         rr(T::of(q.r) * T::of(q.r)),
         r(q.r) {}
 
-  // binary64's range: each zero or in [2^-100, 2^100].
+  // Within binary64's range: each zero or in [2^-100, 2^100].
   AXISCERT_INLINE M in_range() const {
     const V least = constant(0x1p-100), greatest = constant(0x1p100), zero = hn::Zero(D());
     const auto good = [&](V x)
@@ -104,8 +104,8 @@ struct Margins {
                    hn::And(hn::And(good(bc.norm), good(ca.norm)), good(r)));
   }
 
-  // Finite, r >= 0, where no square overflows: x 0 is no zero for a number that is not finite, and |A|^2 is none if a
-  // coordinate of A is none.
+  // Finite, r >= 0, provided that no square overflows: x * 0 is not 0 if x is not finite, and |A|^2 is not finite if a
+  // coordinate of A is not.
   AXISCERT_INLINE M is_valid() const {
     const V zero = hn::Zero(D());
     const V sum = hn::Add(hn::Add(dot(a.v, a.v).leading(), dot(b.v, b.v).leading()),
@@ -138,7 +138,7 @@ struct Margins {
   }
 
  private:
-  // The scale is summed in doubles, from leading ones.
+  // The scale is summed in doubles, from the leading parts.
   AXISCERT_INLINE static V scale_bound(V bound, V scale) { return plus(bound, times(constant(0x1p-48), scale)); }
 
   // |A|^2 - rr:  5 U |A|^2 + U rr, and U of the difference.
@@ -156,7 +156,7 @@ struct Margins {
     const V bound = times(units<T>(MarginBounds::vertex_side_units), times(from.norm, along.norm));
     const V square = aa.leading();
     const V scale = plus(hn::Abs(plus(square, margin.leading())), square);
-    // The first sum rounds relative to its larger operand, which the square's own 2^-48 and the bound's cover.
+    // The first sum rounds relative to its larger operand; the 2^-48 of the square and the bound cover that.
     const V error = plus(plus(bound, times(units<T>(10), square)),
                          times(constant(0x1p-48), plus(square, hn::Abs(margin.leading()))));
     emit(which, Margin<T>{margin, bound, scale, scale_bound(error, scale)});

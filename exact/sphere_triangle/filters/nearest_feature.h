@@ -1,5 +1,5 @@
-// The feature of a triangle that is nearest to the origin, told in doubles: for certain, or as a guess. Features are
-// numbered as the axes are: 0 the face, 1 + i vertex i, 4 + i edge i.
+// The feature of a triangle that is nearest to the origin, determined in doubles: with certainty, or as a guess.
+// Features are numbered as the axes are: 0 the face, 1 + i vertex i, 4 + i edge i.
 #pragma once
 
 #include <array>
@@ -12,19 +12,19 @@ namespace axiscert {
 
 inline constexpr std::size_t unclear_feature = axis_count;
 
-// Nearest is vertex i if v.e_i >= 0 and v.e_i-1 <= 0; edge i if the foot on its line lies within and the plane's foot
-// not inside, m_i <= 0 with m_i = (v_i x e_i).V; the face if m_i >= 0 for all i. Each is told by a double that is
-// farther from zero than its error, with u = 2^-53 and |.| a vector's sum of magnitudes. A double here is within u of
-// the number that it leads.
+// The nearest feature is vertex i if v.e_i >= 0 and v.e_i-1 <= 0; edge i if the foot on its line lies within and the
+// plane's foot is not inside, m_i <= 0 with m_i = (v_i x e_i).V; the face if m_i >= 0 for all i. Each sign is certain
+// if the double is farther from zero than its error, with u = 2^-53 and |.| a vector's sum of magnitudes. A double here
+// is within u of the number that it leads.
 // clang-format off
-//   v.e   2u from its numbers, 3u from three products and two sums: 5.01 u |v| |e|; 6u with what the bound loses.
+//   v.e   2u from its numbers, 3u from three products and two sums: 5.01 u |v| |e|; 6u with the bound's own rounding.
 //   V, M  V = a x b, M_i = v_i x e_i: 2u from the numbers, u from the products and u from the difference, so components
 //         that are off by 4.01 u |a| |b| in sum.
 //   m     3.01 u from products and sums, 4.01 u from each of V and M: 11.1 u |v| |e| |a| |b|; 12u.
 // clang-format on
-// Where products underflow, by 2^-1074, or scaling lost bits, by 2^-1073, at most four of the other numbers, all below
-// 2^102, multiply that: below 2^-900 and 2^-700, which is added. An edge that is exactly zero makes its v.e and all m
-// so.
+// Underflow of products adds 2^-1074, and bits lost in scaling add 2^-1073; at most four of the other numbers, all
+// below 2^102, multiply these errors: the results, below 2^-900 and 2^-700, are added. An edge that is exactly zero
+// makes its v.e and all m so.
 template <class T>
 AXISCERT_INLINE std::size_t certain_feature(const EnclosedTriangle<T>& t) {
   std::array<Vec3<double>, 3> v, edge;
@@ -66,7 +66,7 @@ AXISCERT_INLINE std::size_t certain_feature(const EnclosedTriangle<T>& t) {
   return inside ? 0 : unclear_feature;
 }
 
-// The one that seems nearest.
+// The feature that seems nearest.
 template <class T>
 std::size_t likely_feature(const EnclosedTriangle<T>& t, const EnclosedVector<T>& enclosed_normal) {
   const Vec3<double> normal = leading(enclosed_normal.value);

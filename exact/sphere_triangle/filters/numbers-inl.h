@@ -1,12 +1,12 @@
-// The filter's number types over Highway vectors, one query a lane: a double, and a pair of doubles. No guard: included
-// once for each of Highway's instruction sets.
+// The filter's number types over Highway vectors, one query per lane: a double, and a pair of doubles. No guard:
+// included once for each of Highway's instruction sets.
 //
 // Each operation returns the exact result times 1 + delta, |delta| <= unit, while nothing under- or overflows:
 //   double  2^-53, one rounding;
 //   pair    2^-103: the sum is Dekker's accurate one, 3 u^2 + O(u^3) (Joldes, Muller, Popescu 2017, algorithm 6); the
 //           product 5 u^2 (Muller, Rideau 2022, of algorithm 10 there), u = 2^-53; with Dekker's splitting in place of
 //           a fused operation the product of two doubles is exact as well.
-// `difference` takes a double from a double: one rounding, and none in the pair.
+// `difference` subtracts a double from a double: one rounding, and none in the pair.
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert {
@@ -33,13 +33,13 @@ struct DoubleLanes {
   AXISCERT_INLINE friend DoubleLanes operator*(const DoubleLanes& a, const DoubleLanes& b) {
     return {hn::Mul(a.v, b.v)};
   }
-  // Fused where the instruction set can. A cross product is not: it has to be zero where it is one of x and -x.
+  // Fused if the instruction set can. A cross product is not fused: it has to be zero for one of x and -x.
   AXISCERT_INLINE static DoubleLanes dot(const Vec3<DoubleLanes>& a, const Vec3<DoubleLanes>& b) {
     return {hn::MulAdd(a.z.v, b.z.v, hn::MulAdd(a.y.v, b.y.v, hn::Mul(a.x.v, b.x.v)))};
   }
 };
 
-// hi + lo, hi the double nearest to it.
+// hi + lo, hi the double nearest to the sum.
 struct PairLanes {
   static constexpr double unit = 0x1p-103;
   V hi, lo;
@@ -57,7 +57,7 @@ struct PairLanes {
     const V sum = hn::Add(x, y);
     return {sum, hn::Sub(y, hn::Sub(sum, x))};
   }
-  // Exact, within the range that exact/sphere_triangle/filters/margins-inl.h asks for.
+  // Exact, within the range that exact/sphere_triangle/filters/margins-inl.h requires.
   AXISCERT_INLINE static PairLanes two_product(V x, V y) {
     const V product = hn::Mul(x, y);
 #if HWY_NATIVE_FMA

@@ -1,5 +1,5 @@
-// The two passes over a batch: the signs, and the errors of computed sides. No guard: included once for each of
-// Highway's instruction sets.
+// The two passes over a batch: signs, and errors of computed sides. No guard: included once for each of Highway's
+// instruction sets.
 #include <bit>
 #include <cstring>
 #include <limits>
@@ -29,7 +29,7 @@ AXISCERT_INLINE RawQuery load_query(const QueryColumns<Real>& batch, std::size_t
           lanes(12)};
 }
 
-// Finite, r >= 0: x 0 is no zero for a number that is not finite.
+// Finite, r >= 0: x * 0 is not 0 if x is not finite.
 AXISCERT_INLINE M is_valid(const RawQuery& q) {
   const V zero = hn::Zero(D());
   V sum = hn::Mul(q.r, zero);
@@ -39,7 +39,7 @@ AXISCERT_INLINE M is_valid(const RawQuery& q) {
   return hn::And(hn::Eq(sum, zero), hn::Ge(q.r, zero));
 }
 
-// Per lane one 64-bit word: strict in bits 0 to 15, ties from 16, certain from 32, valid 48, close 56: the layout of
+// One 64-bit word per lane: strict in bits 0 to 15, ties from 16, certain from 32, valid 48, close 56: the layout of
 // FilteredSigns.
 inline constexpr int ties_at = 16, certain_at = 32, valid_at = 48, close_at = 56;
 
@@ -47,11 +47,11 @@ AXISCERT_INLINE V word(M mask, std::uint64_t bits) {
   return hn::IfThenElseZero(mask, hn::BitCast(D(), hn::Set(hn::RebindToUnsigned<D>(), bits)));
 }
 
-// Which signs are certain, of all sixteen, and what they are.
+// Records which of all sixteen signs are certain, and their values.
 template <class T>
 struct SignSink {
   FilterFault fault;
-  V words, nearest;  // nearest: the least |margin| - 2^10 bound of what is certain and no tie
+  V words, nearest;  // nearest: the least |margin| - 2^10 bound of certain signs that are not ties
 
   AXISCERT_INLINE explicit SignSink(FilterFault planted) : fault(planted), words(hn::Zero(D())), nearest(constant(1)) {}
   AXISCERT_INLINE void operator()(Comparison which, const Margin<T>& margin) {
@@ -88,7 +88,7 @@ HWY_NOINLINE void signs_of_vector(const QueryColumns<Real>& batch, std::size_t a
   hn::StoreU(hn::BitCast(hn::RebindToUnsigned<D>(), words), hn::RebindToUnsigned<D>(), out);
 }
 
-// The same of a vector whose signs are all certain in doubles and no ties: what most are.
+// The same for a vector whose signs are all certain in doubles and not ties, as in most vectors.
 template <bool planted>
 struct PlainSignSink {
   FilterFault fault;
@@ -106,7 +106,7 @@ struct PlainSignSink {
   }
 };
 
-// Whether it is such a vector; `out` holds nothing of use if not.
+// Returns whether the vector is such a one; if not, `out` is unspecified.
 template <bool planted, class Real>
 AXISCERT_INLINE bool plain_signs_of_vector(const QueryColumns<Real>& batch, std::size_t at, FilterFault fault,
                                            std::uint64_t* out) {
@@ -122,7 +122,7 @@ AXISCERT_INLINE bool plain_signs_of_vector(const QueryColumns<Real>& batch, std:
   return hn::AllTrue(D(), good);
 }
 
-// The words are the bytes of what they say.
+// Each word has the bytes of a FilteredSigns.
 static_assert(sizeof(FilteredSigns) == sizeof(std::uint64_t) && std::endian::native == std::endian::little);
 
 template <class Real>
@@ -130,7 +130,7 @@ void filter_signs(const QueryColumns<Real>& batch, FilterFault fault, FilteredSi
   std::uint64_t words[lane_count];
   std::size_t i = 0;
   for (; i + lane_count <= batch.size; i += lane_count) {
-    // Not the first block: every 4096th query begins a batch, and is to check the plain pass too.
+    // Not the first block: every 4096th query begins a batch, and has to check the plain pass too.
     const bool wants_close = i / close_call_block % close_call_stride == close_call_stride - 1;
     const bool is_plain =
         !wants_close && (fault == FilterFault::none ? plain_signs_of_vector<false>(batch, i, fault, words)
@@ -145,13 +145,14 @@ void filter_signs(const QueryColumns<Real>& batch, FilterFault fault, FilteredSi
   });
 }
 
-// |(l^ - r^) - margin| / (u scale), as an interval, against a threshold.
+// The interval of |(l^ - r^) - margin| / (u scale), compared with a threshold.
 template <class Real, class T>
 struct ErrorSink {
   static constexpr double u = std::numeric_limits<Real>::epsilon() / 2;
   const Answers<Real>& computed;
-  std::size_t at, first, count;  // in `computed`; the first lane's number in the batch; lanes that are queries
-  ErrorScreen& screen;
+  std::size_t at, first, count;  // in `computed`; index of the first lane in the batch; number of lanes in use
+  const ErrorThresholds& thresholds;
+  std::vector<SuspectError>& suspects;
   M in_range;
 
   AXISCERT_INLINE void operator()(Comparison which, const Margin<T>& margin) {
@@ -159,12 +160,12 @@ struct ErrorSink {
     const V lhs = load_double(computed.lhs[k].data() + at), rhs = load_double(computed.rhs[k].data() + at);
     const T difference = T::difference(lhs, rhs);
     const V distance = hn::Abs((difference - margin.value).leading());
-    // The difference of the sides rounds, and the distance, once each.
+    // Two roundings: the difference of the sides, and the distance.
     const V bound =
         plus(margin.bound, plus(times(units<T>(1), hn::Abs(difference.leading())), times(constant(0x1p-52), distance)));
     const V least_scale = hn::Sub(margin.scale, margin.scale_bound);
-    const V allowed = times(constant(screen.thresholds[k] * u), least_scale);
-    // What is allowed may overflow, and an infinite side must not pass for it.
+    const V allowed = times(constant(thresholds[k] * u), least_scale);
+    // The allowed error may overflow, and an infinite side must not pass because of that.
     const M finite = hn::Lt(distance, constant(std::numeric_limits<double>::infinity()));
     const M fine = hn::And(hn::And(hn::Le(plus(distance, bound), allowed), finite), in_range);
     if (hn::AllTrue(D(), fine)) [[likely]]
@@ -186,7 +187,7 @@ struct ErrorSink {
     for (std::size_t lane = 0; lane < count; ++lane) {
       if ((passed[0] >> lane) & 1u) continue;
       SuspectError suspect{first + lane, k, 0, infinity};
-      // Some ten roundings: a relative 2^-40 covers them.
+      // About ten roundings, which a relative 2^-40 covers.
       const double least = scales[lane] - scale_bounds[lane];
       if (((ranged[0] >> lane) & 1u) && least > 0) {
         suspect.upper = (distances[lane] + bounds[lane]) / least / u * (1 + 0x1p-40);
@@ -194,7 +195,7 @@ struct ErrorSink {
         suspect.lower = low > 0 ? low : 0;
       }
       if (!(suspect.upper <= infinity)) suspect.upper = infinity;
-      screen.thresholds[k] = screen.judge_suspect(screen.context, suspect);
+      suspects.push_back(suspect);
     }
   }
 };
@@ -205,8 +206,8 @@ struct ErrorSink {
 //   t scale >= t (scale^ - scale_bound), and where t <= 1, t scale_bound <= bound + (10 U + 2^-46) t scale^
 //   (margins-inl.h)
 // so that distance^ + 2 bound <= (t (1 - 2^-40) - 2^6 U) scale^ is enough: 2^-40 and 2^6 cover the products of small
-// terms and the roundings of this very comparison. A side that is not finite makes distance^ infinite or no number; a
-// scale of zero asks for a distance of zero.
+// terms and the roundings of this very comparison. A side that is not finite makes distance^ infinite or NaN; a scale
+// of zero requires a distance of zero.
 template <class Real, class T>
 struct WithinSink {
   const Answers<Real>& computed;
@@ -225,11 +226,11 @@ struct WithinSink {
 
 // The multiples of the scale that WithinSink compares with.
 template <class Real, class T>
-std::array<double, comparison_count> allowed_by(const ErrorScreen& screen) {
+std::array<double, comparison_count> allowed_by(const ErrorThresholds& thresholds) {
   constexpr double u = std::numeric_limits<Real>::epsilon() / 2;
   std::array<double, comparison_count> allowed;
   for (std::size_t k = 0; k < comparison_count; ++k) {
-    allowed[k] = std::min(screen.thresholds[k] * u, 1.0) * (1 - 0x1p-40) - 0x1p6 * T::unit;
+    allowed[k] = std::min(thresholds[k] * u, 1.0) * (1 - 0x1p-40) - 0x1p6 * T::unit;
   }
   return allowed;
 }
@@ -247,23 +248,24 @@ AXISCERT_INLINE bool are_errors_within(const QueryColumns<Real>& batch, std::siz
 
 template <EdgeForm form, class Real>
 HWY_NOINLINE void errors_of_vector(const QueryColumns<Real>& batch, std::size_t at, const Answers<Real>& computed,
-                                   std::size_t computed_at, std::size_t first, std::size_t count, ErrorScreen& screen) {
+                                   std::size_t computed_at, std::size_t first, std::size_t count,
+                                   const ErrorThresholds& thresholds, std::vector<SuspectError>& suspects) {
   using T = FilterNumber<Real>;
   const Margins<form, T> margins(load_query(batch, at));
   M in_range = hn::Eq(hn::Zero(D()), hn::Zero(D()));
   if constexpr (sizeof(Real) == 8) in_range = margins.in_range();
-  ErrorSink<Real, T> sink{computed, computed_at, first, count, screen, in_range};
+  ErrorSink<Real, T> sink{computed, computed_at, first, count, thresholds, suspects, in_range};
   margins.emit_all(sink);
 }
 
 template <EdgeForm form, class Real>
-void filter_errors(const QueryColumns<Real>& batch, const Answers<Real>& computed, ErrorScreen& screen) {
-  auto allowed = allowed_by<Real, FilterNumber<Real>>(screen);
+void filter_errors(const QueryColumns<Real>& batch, const Answers<Real>& computed, const ErrorThresholds& thresholds,
+                   std::vector<SuspectError>& suspects) {
+  const auto allowed = allowed_by<Real, FilterNumber<Real>>(thresholds);
   std::size_t i = 0;
   for (; i + lane_count <= batch.size; i += lane_count) {
     if (are_errors_within<form>(batch, i, computed, allowed)) continue;
-    errors_of_vector<form>(batch, i, computed, i, i, lane_count, screen);
-    allowed = allowed_by<Real, FilterNumber<Real>>(screen);
+    errors_of_vector<form>(batch, i, computed, i, i, lane_count, thresholds, suspects);
   }
   if (i == batch.size) return;
   with_padded_tail<Real, lane_count>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
@@ -273,16 +275,16 @@ void filter_errors(const QueryColumns<Real>& batch, const Answers<Real>& compute
       std::copy_n(computed.lhs[k].begin() + static_cast<std::ptrdiff_t>(i), tail.size, padded.lhs[k].begin());
       std::copy_n(computed.rhs[k].begin() + static_cast<std::ptrdiff_t>(i), tail.size, padded.rhs[k].begin());
     }
-    errors_of_vector<form>(tail, 0, padded, 0, i, tail.size, screen);
+    errors_of_vector<form>(tail, 0, padded, 0, i, tail.size, thresholds, suspects);
   });
 }
 
 template <class Real>
 Filter<Real> filter_of() {
   const auto errors = [](const QueryColumns<Real>& batch, const Answers<Real>& computed, bool reduced,
-                         ErrorScreen& screen) {
-    if (reduced) filter_errors<EdgeForm::reduced>(batch, computed, screen);
-    else filter_errors<EdgeForm::published>(batch, computed, screen);
+                         const ErrorThresholds& thresholds, std::vector<SuspectError>& suspects) {
+    if (reduced) filter_errors<EdgeForm::reduced>(batch, computed, thresholds, suspects);
+    else filter_errors<EdgeForm::published>(batch, computed, thresholds, suspects);
   };
   return {filter_signs<Real>, errors};
 }

@@ -1,4 +1,4 @@
-// The sixteen exact signs of a query, and what follows from them by the theorem.
+// The sixteen exact signs of a query, and the conclusions that the theorem draws from them.
 #pragma once
 
 #include <initializer_list>
@@ -7,7 +7,8 @@
 
 namespace axiscert {
 
-// Of the published comparisons in exact arithmetic: lhs > rhs, and lhs == rhs. Bit i is comparison i; none is in both.
+// Signs of the published comparisons in exact arithmetic: lhs > rhs, and lhs == rhs. Bit i is comparison i; no bit is
+// set in both.
 struct Signs {
   ComparisonBits strict = 0, ties = 0;
   bool operator==(const Signs&) const = default;
@@ -20,12 +21,12 @@ struct Signs {
 // Non-strict sides decide every triangle, degenerate ones included.
 inline Verdict verdict_of(const Signs& signs) { return verdict_of(axes_of(signs.bits(Strictness::nonstrict))); }
 
-// The axes whose normal is the zero vector, which separate nothing: the plane's where the area is zero, an edge's where
-// its ends are one point.
+// The axes whose normal is the zero vector and which therefore never separate: the plane's where the area is zero, an
+// edge's where its ends are one point.
 //   A = B iff a.b = a.a and a.b = b.b, since then |A - B|^2 = 0.
 //   The three N_i . V are the sides of the edges but for a factor -e_i, and V = N_1 + N_2 + N_3. If all three are ties,
 //   each N_i . V = 0 (where e_i = 0, N_i = 0), so V . V = 0; and V = 0 makes them ties.
-// A vertex at P needs no such care: its radius comparison 0 > r^2 is a tie where r = 0 alone.
+// A vertex at P needs no such care: its radius comparison 0 > r^2 is a tie only for r = 0.
 inline AxisBits axes_without_normal(const Signs& signs) {
   const auto all = [&](std::initializer_list<Comparison> which) {
     for (const Comparison c : which) {
@@ -44,8 +45,8 @@ inline AxisBits axes_without_normal(const Signs& signs) {
 }
 
 // Comparisons whose exact sides are both zero, in the published form and in the reduced ones: the radius of an axis
-// without a normal, and an edge's side that is a tie, one of whose sides is the constant zero. Not all such
-// comparisons.
+// without a normal, and an edge's side that is a tie, one of whose sides is the constant zero. Other comparisons with
+// two zero sides exist and are not reported.
 inline ComparisonBits both_sides_zero(const Signs& signs) {
   using enum Comparison;
   const auto bit = [](Comparison c) { return static_cast<ComparisonBits>(1u << static_cast<unsigned>(c)); };
@@ -58,11 +59,11 @@ inline ComparisonBits both_sides_zero(const Signs& signs) {
   return zero;
 }
 
-// Whether the distance is exactly r, from the signs at r. For r = 0 that is contact. Else it is contact together with
-// an axis that has a normal, whose sides hold or are ties and whose radius comparison is one:
-//   such an axis has all of the triangle at distance r or farther;
-//   and if the distance is r, every r' < r is separated, by one axis for infinitely many r' that tend to r. Its sides
-//   do not depend on r', lhs > r'^2 (...) holds for these r', so its normal is not zero, and in the limit lhs >= rhs.
+// Whether the distance is exactly r, from the signs at r. For r = 0 that is contact. For r > 0 it is contact together
+// with an axis that has a normal, whose sides hold or are ties and whose radius comparison is a tie: such an axis has
+// all of the triangle at distance r or farther. Conversely, if the distance is r, every r' < r is separated, by one
+// axis for infinitely many r' that tend to r. Its sides do not depend on r', lhs > r'^2 (...) holds for these r', so
+// its normal is not zero, and in the limit lhs >= rhs.
 inline bool is_touching(const Signs& signs, bool radius_is_zero) {
   if (verdict_of(signs) != Verdict::contact) return false;
   if (radius_is_zero) return true;

@@ -5,7 +5,8 @@
 
 namespace axiscert {
 
-// The nine of the vertices, which the published formulae and all reduced forms have alike.
+// Whether a comparison is one of the nine of the vertices, which are the same in the published formulae and in all
+// reduced forms.
 constexpr bool is_of_vertex(std::size_t comparison) {
   return comparison >= static_cast<std::size_t>(Comparison::vertex_a_radius) &&
          comparison <= static_cast<std::size_t>(Comparison::vertex_c_side_b);
@@ -16,7 +17,7 @@ class VertexSides {
   // `comparison` is one of the nine.
   template <class Real>
   VertexSides(const Query<Real>& q, std::size_t comparison) {
-    // Of each vertex: its radius, and the sides of the two others in their order.
+    // For each vertex: its radius, and the sides of the two others in their order.
     const std::size_t of = (comparison - static_cast<std::size_t>(Comparison::vertex_a_radius)) / 3;
     const std::size_t place = (comparison - static_cast<std::size_t>(Comparison::vertex_a_radius)) % 3;
     const std::array<const Vec3<Real>*, 3> vertices = {&q.a, &q.b, &q.c};

@@ -13,14 +13,15 @@ Vector difference(const Vec3<double>& u, const Vec3<double>& v) {
 WideEnclosed narrowest(const WideEnclosed& a, const WideEnclosed& b, const WideEnclosed& c) {
   return WideEnclosed::narrower(WideEnclosed::narrower(a, b), c);
 }
-// Functions of their own: a call is little beside so many operations.
+// Separate functions: the cost of a call is small beside that of so many operations.
 [[gnu::noinline]] Vector cross_product(const Vector& u, const Vector& v) { return cross(u, v); }
 [[gnu::noinline]] WideEnclosed dot_product(const Vector& u, const Vector& v) { return dot(u, v); }
 Vector narrowest(const Vector& a, const Vector& b, const Vector& c) {
   return {narrowest(a.x, b.x, c.x), narrowest(a.y, b.y, c.y), narrowest(a.z, b.z, c.z)};
 }
 
-// x 2^exponent, which is a quotient of one rounding and may be no double: rounded away from what it bounds.
+// x 2^exponent, where x is a quotient with one rounding and the result may not be representable: rounded away from the
+// quantity that it bounds.
 double bound_above(double x, int exponent) {
   return std::ldexp(x, std::clamp(exponent, -3000, 3000)) * (1 + 0x1p-50) + std::numeric_limits<double>::denorm_min();
 }
@@ -31,11 +32,11 @@ double bound_below(double x, int exponent) {
 
 }  // namespace
 
-// Evaluated in the reduced form, whose signs are the published ones (exact/sphere_triangle/filters/grid_signs.cpp).
-// Where the thirteen numbers have thirteen sizes, one of them is nearly all of a difference, and two differences that
-// share it cancel in one form of a product and not in another:
+// Evaluated in the reduced form, whose signs are the published ones (exact/sphere_triangle/filters/grid_signs.cpp). If
+// the thirteen numbers have thirteen magnitudes, one of them dominates a difference, and two differences that share it
+// cancel in one form of a product and not in another:
 //   V = AB x BC = BC x CA = CA x AB,  N of an edge from X to Y = X x XY = Y x XY = X x Y,  d = A.V = B.V = C.V.
-// Over the reals the forms are equal; each component is taken from the form whose error is the least.
+// Over the reals the forms are equal; each component is taken from the form with the least error.
 WideMargins::WideMargins(const Query<double>& q) {
   using enum Comparison;
   const std::array<Vector, 3> vertex = {difference(q.a, q.p), difference(q.b, q.p), difference(q.c, q.p)};

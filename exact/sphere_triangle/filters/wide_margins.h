@@ -1,5 +1,5 @@
-// The sixteen margins of a query of any finite numbers, enclosed: signs and errors that need neither a range nor exact
-// arithmetic, where double the roundings of binary64 leave them certain.
+// The sixteen margins of a query of any finite numbers, enclosed: they give signs and errors without any limit on the
+// range and without exact arithmetic, whenever binary64 rounding leaves them certain.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,20 @@
 
 namespace axiscert {
 
-// Whose sides an error is relative to. The signs are the same.
+// The form whose sides an error is relative to. The signs are the same in both.
 enum class EdgeSides : std::uint8_t { published, reduced };
 
-// Of a valid query. Never allocates; the processor has to round to nearest, subnormals included.
+// The margins of a valid query. Never allocates; the processor has to round to nearest, with subnormals enabled.
 class WideMargins {
  public:
   explicit WideMargins(const Query<double>& q);
 
-  // All sixteen, where all are certain.
+  // All sixteen signs if all are certain; else empty.
   std::optional<Signs> signs() const;
 
   // Certain bounds of the error of a comparison's computed sides, which are finite, in units of 2^-digits
-  // (exact/sphere_triangle/measures/error_measure.h). Where the scale may be 0, `upper` is infinite and
-  // `exponent_above` the greatest int; where no double is as great, `upper` alone.
+  // (exact/sphere_triangle/measures/error_measure.h). If the scale may be 0, `upper` is infinite and `exponent_above`
+  // the greatest int; if no double is great enough, only `upper` is infinite.
   struct ErrorRange {
     double lower, upper;
     int exponent_above;  // the error is below 2^exponent_above
@@ -33,8 +33,8 @@ class WideMargins {
  private:
   struct Margin {
     WideEnclosed difference;  // lhs - rhs
-    WideEnclosed lhs, rhs;    // not negative, but for the lhs of a side; of edge.side the rhs is 0
-    int edge = -1;            // in the reduced form: published sides are its squared length times these
+    WideEnclosed lhs, rhs;    // not negative, except the lhs of a side; the rhs of edge.side is 0
+    int edge = -1;            // in the reduced form: published sides are these times the squared length of this edge
   };
   std::array<Margin, comparison_count> margins_;
   std::array<WideEnclosed, 3> edge_squares_;  // AB, BC, CA

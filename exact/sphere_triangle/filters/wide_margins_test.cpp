@@ -1,4 +1,5 @@
-// Enclosures without a range: what they call certain is so, for numbers of any exponents; and they decide enough.
+// Enclosures without a limit on the range: whatever they call certain is true, for numbers of any exponents; and they
+// decide enough.
 #include "exact/sphere_triangle/filters/wide_margins.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,8 @@ double operand(std::mt19937_64& random) {
   return std::ldexp(significand, static_cast<int>(random() % 2098) - 1137);
 }
 
-// Sums, differences and products up to degree 6 of numbers of far and of near sizes, each beside the rational.
+// Sums, differences and products up to degree 6 of numbers of very different and of similar sizes, each compared with
+// its rational value.
 TEST(WideEnclosed, EnclosesTheRational) {
   constexpr int seed = 31;
   std::mt19937_64 random(seed);
@@ -44,7 +46,7 @@ TEST(WideEnclosed, EnclosesTheRational) {
       const auto [u, exact_u] = known[a];
       const auto [v, exact_v] = known[b];
       if (random() % 2 == 0 && degrees[a] + degrees[b] <= 6) {
-        // Put to [1, 2) again, as the factors of a product of sums are.
+        // Rescaled to [1, 2), as the factors of a product of sums are.
         known.emplace_back(u * v + WideEnclosed(), exact_u * exact_v);
         degrees.push_back(degrees[a] + degrees[b]);
       } else {
@@ -69,7 +71,7 @@ TEST(WideEnclosed, EnclosesTheRational) {
   EXPECT_GT(zero, 10);
 }
 
-// Any bits; one size, at any power of two; and vertices or centre repeated.
+// Queries of arbitrary bits; of one size, at any power of two; and with vertices or the centre repeated.
 template <class Real>
 Query<Real> wide_query(std::mt19937_64& random, int kind) {
   using Limits = std::numeric_limits<Real>;

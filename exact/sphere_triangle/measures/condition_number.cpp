@@ -8,11 +8,12 @@
 #include <optional>
 
 #include "exact/sphere_triangle/measures/dual.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 // Nothing here rounds before the decision. For ring formulae the margin and its partials are polynomials, and Mpzf is
-// exact over all of them at any exponent. The early forms divide and take one root, of which Surd is closed under the
-// formulae's operations; so it is under their derivatives, since (sqrt s)' = s' sqrt(s) / (2 s) has the root of s
-// itself, and (a / b)' = (a' - (a / b) b') / b meets that root only beside itself. Hence margin and sum are
+// exact over all of them at any exponent. The early forms divide and take one root, and Surd is closed under these
+// operations; it is closed under their derivatives as well, since (sqrt s)' = s' sqrt(s) / (2 s) has the root of s
+// itself, and (a / b)' = (a' - (a / b) b') / b meets that root only together with itself. Hence margin and sum are
 // c sqrt(k) + d with one k and rational c, d, and the sign of such a number is decided by squares.
 
 namespace axiscert {
@@ -39,7 +40,7 @@ Condition condition_of(const Dual<Ring>& lhs, const Dual<Ring>& rhs, const RingC
   return {Condition::Kind::finite, kappa_u >= 1, scaled_quotient(exact_sum, exact_margin, digits)};
 }
 
-// of_root sqrt(k) + rest, for a k >= 0 that is known beside it.
+// of_root sqrt(k) + rest, for a k >= 0 that is stored elsewhere.
 struct RootSum {
   Rational of_root, rest;
 };
@@ -48,7 +49,7 @@ RootSum operator+(const RootSum& a, const RootSum& b) { return {a.of_root + b.of
 RootSum operator-(const RootSum& a, const RootSum& b) { return {a.of_root - b.of_root, a.rest - b.rest}; }
 RootSum operator*(const RootSum& a, const Rational& s) { return {a.of_root * s, a.rest * s}; }
 
-// By signs, then by squares.
+// Compares signs first, then squares.
 int sign(const RootSum& x, const Rational& k) {
   const int root_sign = sgn(k) == 0 ? 0 : sgn(x.of_root), rest_sign = sgn(x.rest);
   if (root_sign == 0 || rest_sign == 0 || root_sign == rest_sign) return root_sign != 0 ? root_sign : rest_sign;
@@ -73,10 +74,10 @@ Rational approximately(const RootSum& x, const Rational& k) {
   return opposite ? Rational(abs(root_square - x.rest * x.rest) / result) : result;
 }
 
-// Surds as RootSums over one radicand, which the first irrational one fixes.
+// Surds as RootSums over one radicand, which the first irrational Surd determines.
 class CommonRoot {
  public:
-  // Nothing where the number is undefined, or has another root than the ones before.
+  // Empty if the number is undefined, or has a root other than the previous ones.
   std::optional<RootSum> operator()(const Surd& x) {
     if (x.is_undefined()) return std::nullopt;
     Rational value = rational(x.numerator()) / rational(x.denominator());
@@ -101,7 +102,7 @@ Condition condition_of(const Dual<Surd>& lhs, const Dual<Surd>& rhs, const RingC
   if (sign(signed_margin, common.radicand()) == 0) return {Kind::infinite, true, {}};
   RootSum sum;
   for (std::size_t i = 0; i < coordinate_count; ++i) {
-    if (x[i].is_zero()) continue;  // no relative change moves it
+    if (x[i].is_zero()) continue;  // no relative change affects it
     const auto of_l = common(lhs.partials[i]), of_r = common(rhs.partials[i]);
     if (!of_l || !of_r) return {Kind::not_decided, false, {}};
     sum = sum + absolute((*of_l - *of_r) * rational(x[i]), common.radicand());

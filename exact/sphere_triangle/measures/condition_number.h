@@ -1,4 +1,4 @@
-// How ill-conditioned a comparison is on one query: whether the question or the formula is to blame for a wrong answer.
+// The condition of a comparison on one query: whether the question or the formula is to blame for a wrong answer.
 #pragma once
 
 #include <array>
@@ -9,24 +9,25 @@
 namespace axiscert {
 
 // kappa = sum |x_i dm/dx_i| / |m| over the query's thirteen numbers x_i, with m = lhs - rhs of the exact formulae. To
-// first order, changing each number by the relative amount u changes m by kappa u |m| at most: where kappa u >= 1, the
-// rounding of the input alone may turn the sign, and no formula of that precision can be blamed. m is homogeneous in
+// first order, changing each number by the relative amount u changes m by kappa u |m| at most: if kappa u >= 1, the
+// rounding of the input alone may change the sign, and no formula of that precision can be blamed. m is homogeneous in
 // the query, so that kappa is never less than m's degree (Euler).
 struct Condition {
   enum class Kind : std::uint8_t {
     finite,
     infinite,     // m = 0: ill-conditioned by definition
-    undefined,    // 0/0 in exact arithmetic: no m
+    undefined,    // 0/0 in exact arithmetic: m does not exist
     not_decided,  // m has no derivative here: the root of a distance that is 0
   };
   Kind kind = Kind::not_decided;
   bool ill_conditioned = false;  // kappa u >= 1, decided exactly
-  // Of Kind::finite, to six digits: rounded up from the exact value, or, where a root is in it, from 128 bits of it.
+  // The product kappa u of Kind::finite, to six digits: rounded up from the exact value, or, if a root occurs in it,
+  // from 128 bits of it.
   Decimal6 kappa_u;
 };
 
-// Of the comparisons in `wanted`; the others are left at `not_decided`. `formulae` have comparisons, q is valid; u is
-// that of Real.
+// The conditions of the comparisons in `wanted`; the others are left at `not_decided`. Requires that `formulae` have
+// comparisons and that q is valid; u is that of Real.
 template <class Real>
 std::array<Condition, comparison_count> conditions(Formulae formulae, const Query<Real>& q, ComparisonBits wanted);
 

@@ -1,4 +1,5 @@
-// Conditions of comparisons against hand values, finite differences and MPFR at a precision that rounds nothing.
+// Conditions of comparisons against values computed by hand, finite differences, and MPFR at a precision that rounds
+// nothing.
 #include "exact/sphere_triangle/measures/condition_number.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include "exact/numbers/floating.h"
 #include "exact/numbers/mpfr_number.h"
 #include "kernel/kernel.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert {
 namespace {
@@ -51,7 +53,7 @@ TEST(ConditionTest, HandValueOfARoot) {
 }
 
 // A = (1, 0, 0), P = 0, r = 1 - k u: kappa of sqrt(A.A) > r is (2 - k u) / (k u), so that kappa u >= 1 for k = 1 and,
-// by one part in 2^23, not for k = 2, of which six digits show 1.
+// by one part in 2^23, not for k = 2, although six digits show 1.
 TEST(ConditionTest, IsDecidedWhereSixDigitsDoNotTell) {
   for (const int k : {1, 2}) {
     const float r = 1 - static_cast<float>(k) * 0x1p-24f;
@@ -63,7 +65,7 @@ TEST(ConditionTest, IsDecidedWhereSixDigitsDoNotTell) {
 }
 
 TEST(ConditionTest, TiesAndPlacesWithoutAMargin) {
-  // Vertex A at distance 2 = r; B = C: no plane; P on the line BA prolonged, at distance 0 from it.
+  // Vertex A at distance 2 = r; B = C, so there is no plane; P on the extension of the line BA, at distance 0 from it.
   const Query<float> q{{2, 0, 0}, {3, 0, 0}, {3, 0, 0}, {0, 0, 0}, 2};
   for (const Formulae formulae : {Formulae::published, Formulae::ladder_0}) {
     const Condition tie = condition(formulae, q, Comparison::vertex_a_radius);
@@ -76,7 +78,7 @@ TEST(ConditionTest, TiesAndPlacesWithoutAMargin) {
   EXPECT_EQ(condition(Formulae::reduced, q, Comparison::edge_ab_radius).kind, Kind::finite);
 }
 
-// m at 250 bits with coordinate `place` changed by the relative amount h.
+// m at 250 bits after a relative change h of the coordinate `place`.
 template <class F>
 Floating margin_at(const Query<float>& q, std::size_t which, std::size_t place, double h) {
   auto x = coordinates(q);
@@ -124,7 +126,7 @@ TEST(ConditionTest, AgreesWithFiniteDifferencesInEveryFormula) {
   }
 }
 
-// The decision again in MPFR, at a precision at which the inexact flag stays clear: every term is of degree 6 at most.
+// The same decision in MPFR, at a precision at which the inexact flag remains clear: every term is of degree 6 at most.
 template <int Bits, class F, class Real>
 void expect_same_decisions(Formulae formulae, const Query<Real>& q, const std::string& what) {
   using Number = Mpfr<Bits>;
@@ -147,7 +149,7 @@ void expect_same_decisions(Formulae formulae, const Query<Real>& q, const std::s
   EXPECT_FALSE(mpfr_inexflag_p()) << what;
 }
 
-// Radii within a few floats of a vertex's distance: kappa u on either side of 1.
+// Radii within a few floats of a vertex's distance: kappa u on both sides of 1.
 template <int Bits, class Real>
 void compare_with_mpfr(int trials) {
   std::mt19937_64 random(22);

@@ -13,7 +13,7 @@
 namespace axiscert {
 namespace {
 
-// Floats that are not negative are ordered as their bits, and follow each other as integers do.
+// Non-negative floats are ordered as their bits, and their successors are those of the integers.
 template <class Real>
 using BitsOf = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
 
@@ -38,7 +38,7 @@ std::vector<Verdict> verdicts_at(const Implementation<Real>& kernel, Query<Real>
   return verdicts;
 }
 
-constexpr int near = 32;  // floats to each side
+constexpr int near = 32;  // floats on each side
 
 template <class Real>
 std::vector<BitsOf<Real>> probes(std::optional<Real> critical, std::optional<Real> exact_radius) {

@@ -11,7 +11,7 @@
 namespace axiscert {
 namespace {
 
-// A kernel that answers by the radius alone.
+// A kernel whose answer depends on the radius only.
 template <class Contact>
 Implementation<float> by_radius(Contact contact) {
   return {[contact](const QueryColumns<float>& batch, Verdict* out) {
@@ -26,7 +26,7 @@ const Query<float> at_distance_two{{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 0, 0}, 0
 
 TEST(CriticalRadius, TheExactOneIsTheLeastFloatNotBelowTheDistance) {
   EXPECT_EQ(exact_critical_radius<float>(4), 2.f);
-  const float root = std::sqrt(3.f);  // rounded down or up: the exact one is not below
+  const float root = std::sqrt(3.f);  // rounded down or up: the exact critical radius is not below the root
   const float exact_root = *exact_critical_radius<float>(3);
   EXPECT_TRUE(exact_root == root || exact_root == std::nextafter(root, 2.f));
   EXPECT_GE(exact(exact_root) * exact(exact_root), 3);
@@ -43,7 +43,7 @@ TEST(CriticalRadius, ErrorsAreInUlpsOfTheDistance) {
   EXPECT_EQ(radius_error_ulps(2.f - 0x1p-23f, 2.f, Rational(4)), round_up(Rational(1, 2))) << "below a power of two";
 }
 
-// Answers but at one radius.
+// A kernel that answers except at one radius.
 Implementation<float> silent_at(float radius) {
   return {[radius](const QueryColumns<float>& batch, Verdict* out) {
             for (std::size_t i = 0; i < batch.size; ++i) {
@@ -69,7 +69,7 @@ TEST(CriticalRadius, ARadiusWithoutAnAnswerIsToldFromNoRadius) {
             (CriticalRadius<float>{2.f, true}));
 }
 
-// A kernel that promises nothing beyond 8 may answer anything there.
+// A kernel that makes no promise beyond 8 may answer anything there.
 TEST(CriticalRadius, IsSoughtWithinTheRangeAlone) {
   const auto limited = by_radius([](float r) { return r >= 2 && r <= 8; });
   EXPECT_FALSE(critical_radius(limited, at_distance_two).radius);

@@ -18,8 +18,8 @@ Rational squared_length(const Vec3<Real>& v, const Vec3<Real>& p) {
   return x * x + y * y + z * z;
 }
 
-// The signs of a + b sqrt(p) and of a + b sqrt(p) + c sqrt(q), p and q >= 0: where two terms differ in sign, their
-// squares decide.
+// The signs of a + b sqrt(p) and of a + b sqrt(p) + c sqrt(q), p and q >= 0: if two terms differ in sign, their squares
+// decide.
 int sign_of(const Rational& a, const Rational& b, const Rational& p) {
   const int first = sgn(a), second = sgn(p) == 0 ? 0 : sgn(b);
   if (first == 0 || second == 0 || first == second) return first != 0 ? first : second;
@@ -55,8 +55,8 @@ double estimate(const Rational& dd, const Rational& r, const Rational& ss) {
   return result;
 }
 
-// (d - r) (d + r) D = N - r^2 D where d^2 = N / D: nothing cancels but in the residual, which is enclosed. Sums,
-// products, quotients and roots of positive doubles follow, ten at most, made up for by `more` and `less`. Nothing
+// (d - r) (d + r) D = N - r^2 D where d^2 = N / D: cancellation occurs only in the residual, which is enclosed. Sums,
+// products, quotients and roots of positive doubles follow, at most ten, which `more` and `less` cover. Nothing
 // overflows: the greatest is r^2 times the divisor, below 2^262 2^530.
 template <class T>
 DepthRange range_of(const EnclosedTriangle<T>& triangle, double radius) {
@@ -83,7 +83,7 @@ DepthRange range_of(const EnclosedTriangle<T>& triangle, double radius) {
     length_high = std::max(length_high, std::sqrt(square.high()));
   }
   const double low = quotient_low(nearest, divisor_high) / (d_high + r_high) / length_high * less - 0x1p-1073;
-  // Where d and r are both near zero the quotient says nothing, and their own sizes do.
+  // If d and r are both near zero the quotient gives no bound; their own sizes do.
   const double apart = std::max(d_high - r_low, r_high - d_low) / length_low * more + 0x1p-1073;
   const double high = quotient_high(farthest, divisor_low) / (d_low + r_low) / length_low * more + 0x1p-1073;
   const double least_high = high < apart ? high : apart;
@@ -97,12 +97,12 @@ ExactDepth exact_depth(const Query<Real>& q, const Rational& dd) {
   const Rational r = exact(q.r);
   const Rational ss =
       std::max({squared_length(q.a, q.p), squared_length(q.b, q.p), squared_length(q.c, q.p), Rational(r * r)});
-  return {dd, r, sgn(ss) == 0 ? Rational(1) : ss};  // where the divisor is 0, so are d and r
+  return {dd, r, sgn(ss) == 0 ? Rational(1) : ss};  // if the divisor is 0, so are d and r
 }
 template ExactDepth exact_depth<float>(const Query<float>&, const Rational&);
 template ExactDepth exact_depth<double>(const Query<double>&, const Rational&);
 
-// Of the squares (dd + r^2 - 2 r sqrt(dd)) / ss, over the common denominator.
+// Compares the squares (dd + r^2 - 2 r sqrt(dd)) / ss over the common denominator.
 int compare(const ExactDepth& x, const ExactDepth& y) {
   return sign_of((x.dd + x.r * x.r) * y.ss - (y.dd + y.r * y.r) * x.ss, -2 * x.r * y.ss, x.dd, 2 * y.r * x.ss, y.dd);
 }
@@ -110,7 +110,8 @@ int compare(const ExactDepth& x, const ExactDepth& y) {
 template <class Real>
 double depth(const Query<Real>& q, const Rational& squared_distance) {
   const auto [dd, r, ss] = exact_depth(q, squared_distance);
-  // The nearest double is the one between whose midpoints the value lies; on a midpoint, the even one.
+  // The nearest double is the one whose adjacent midpoints enclose the value; a value on a midpoint goes to the even
+  // one.
   double y = estimate(dd, r, ss);
   for (;;) {
     const double up = std::nextafter(y, INFINITY), down = std::nextafter(y, 0.0);

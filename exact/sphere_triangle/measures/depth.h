@@ -1,4 +1,4 @@
-// How far a query is from the boundary between contact and separation, free of units.
+// The relative distance of a query from the boundary between contact and separation; a number without a unit.
 #pragma once
 
 #include "exact/numbers/rational.h"
@@ -6,12 +6,12 @@
 
 namespace axiscert {
 
-// |d - r| / max(|A-P|, |B-P|, |C-P|, r): Euclidean lengths of exact values, d the exact distance whose square is
-// `squared_distance`; rounded once, to the nearest binary64. 0 where the divisor is 0.
+// |d - r| / max(|A-P|, |B-P|, |C-P|, r): Euclidean lengths of exact values, with d the exact distance, whose square is
+// `squared_distance`; rounded once, to the nearest binary64. 0 if the divisor is 0.
 template <class Real>
 double depth(const Query<Real>& q, const Rational& squared_distance);
 
-// The same before it is rounded, |sqrt(dd) - r| / sqrt(ss), as the rationals that it is made of; ss > 0.
+// The same before rounding, |sqrt(dd) - r| / sqrt(ss), as the rationals in that expression; ss > 0.
 struct ExactDepth {
   Rational dd, r, ss;
 };
@@ -20,8 +20,8 @@ ExactDepth exact_depth(const Query<Real>& q, const Rational& squared_distance);
 // The sign of x - y.
 int compare(const ExactDepth& x, const ExactDepth& y);
 
-// Bounds of what depth() returns, from an enclosure of d; nothing exact is computed. No depth exceeds 1, since d is at
-// most |A-P|: [0, 1] where nothing more is certain.
+// Bounds of the result of depth(), from an enclosure of d; nothing exact is computed. No depth exceeds 1, since d is at
+// most |A-P|: the bounds are [0, 1] if no tighter ones are certain.
 struct DepthRange {
   double low = 0, high = 1;
 };

@@ -1,5 +1,5 @@
-// A number with its partial derivatives by the thirteen numbers of a query: forward-mode differentiation of any formula
-// that takes a number type.
+// A number with its partial derivatives with respect to the thirteen numbers of a query: forward-mode differentiation
+// of any formula that is a template over a number type.
 #pragma once
 
 #include <array>
@@ -8,9 +8,10 @@
 
 namespace axiscert {
 
-// `partials` are in the order of coordinates(q). What Base does exactly is exact here. A root is differentiated by
-// s' / (2 sqrt s), which Base must be able to say is undefined at s = 0; |x| at x = 0 has the derivative from the
-// right. Comparisons are those of the values, so that a branch is differentiated on the side where the query lies.
+// `partials` are in the order of coordinates(q). Operations that are exact in Base are exact here. A root is
+// differentiated as s' / (2 sqrt s), which must be an undefined value of Base at s = 0; |x| at x = 0 has the derivative
+// from the right. Comparisons are those of the values, so that a branch is differentiated on the side where the query
+// lies.
 template <class Base>
 struct Dual {
   Base value{};
@@ -18,7 +19,7 @@ struct Dual {
 
   Dual() = default;
   explicit Dual(const Base& constant) : value(constant) {}
-  // The query's own number at `place`.
+  // The query's number at `place`.
   static Dual variable(const Base& x, std::size_t place, const Base& one) {
     Dual result(x);
     result.partials[place] = one;
@@ -59,7 +60,7 @@ struct Dual {
   }
 };
 
-// A query whose thirteen numbers are the variables. `convert` makes a Base of a Real, exactly.
+// A query whose thirteen numbers are the variables. `convert` converts a Real to a Base, exactly.
 template <class Base, class Real, class Convert>
 portable::Problem<Dual<Base>> dual_problem(const Query<Real>& q, Convert&& convert) {
   const auto x = coordinates(q);

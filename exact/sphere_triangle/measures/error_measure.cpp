@@ -32,7 +32,7 @@ ComparisonError::ComparisonError(Real computed_lhs, Real computed_rhs, const Exa
     offset_ = computed + exact.rhs;
     square_ = exact.lhs;
     rhs_ = magnitude(exact.rhs);
-    // |offset - sqrt(s)| = |offset^2 - s| / (offset + sqrt(s)) where offset is positive: no cancellation is left.
+    // |offset - sqrt(s)| = |offset^2 - s| / (offset + sqrt(s)) if offset is positive: no cancellation remains.
     const double root = std::sqrt(square_.to_double()), offset = offset_.to_double();
     difference_ = magnitude(offset_ * offset_ - square_);
     if (offset_.sign() == CGAL::NEGATIVE) numerator = root - offset;
@@ -54,10 +54,11 @@ ComparisonError::ComparisonError(Real computed_lhs, Real computed_rhs, const Exa
     numerator = difference_.to_double();
     denominator = scale_.to_double();
   }
-  // Squares of the sides enter a rooted comparison: a narrower window keeps them inside binary64's range.
+  // Squares of the sides enter a rooted comparison: a narrower window keeps them within binary64's range.
   const double least = rooted_ ? 1e-140 : 1e-290, greatest = rooted_ ? 1e140 : 1e290;
   if (!(numerator > least && denominator > least && numerator < greatest && denominator < greatest)) {
-    upper_ = std::numeric_limits<double>::infinity();  // to_double may have left the range: only exact arithmetic tells
+    // to_double may have left the range: only exact arithmetic decides
+    upper_ = std::numeric_limits<double>::infinity();
     return;
   }
   // to_double keeps at least 53 leading bits: relative error below 2^-51; the few roots, sums of one sign and quotients
@@ -105,8 +106,8 @@ bool ComparisonError::exceeds(const Rational& tolerance) const {
 Decimal6 ComparisonError::rounded_up() const {
   if (!rooted_) return round_up(exact());
   if (difference_.is_zero() && offset_.sign() != CGAL::NEGATIVE) return {};
-  // An algebraic number: from an estimate, the least decimal that it does not exceed. As in the constructor, no
-  // cancellation is left in the estimate: 256 bits of it are good.
+  // An algebraic number: starting from an estimate, the least decimal that it does not exceed. As in the constructor,
+  // the estimate is free of cancellation: 256 bits are enough.
   constexpr mp_bitcnt_t bits = 256;
   const mpf_class root = sqrt(mpf_class(rational(square_), bits)), offset(rational(offset_), bits);
   const mpf_class scale = root + mpf_class(rational(rhs_), bits);

@@ -7,7 +7,7 @@
 namespace axiscert {
 
 // The error of one comparison, in units of u: |(l^ - r^) - (l - r)| / (u (|l| + |r|)), where l^, r^ are the computed
-// sides, subtracted exactly, l, r the exact ones, and u = 2^-24 or 2^-53. 0/0 is 0.
+// sides, subtracted exactly, l, r the exact ones, and u = 2^-24 or 2^-53. 0/0 counts as 0.
 class ComparisonError {
  public:
   enum class Kind : std::uint8_t {
@@ -16,17 +16,17 @@ class ComparisonError {
     range_event,    // a computed side is not finite
   };
 
-  // `Real` is the precision that lhs and rhs were computed in; it fixes u.
+  // `Real` is the precision in which lhs and rhs were computed; it determines u.
   template <class Real>
   ComparisonError(Real computed_lhs, Real computed_rhs, const ExactComparison& exact);
 
   Kind kind() const { return kind_; }
-  // Bounds of the error, for selecting candidates only; lower <= error <= upper, certain.
+  // Certain bounds, lower <= error <= upper, for selecting candidates only.
   double lower() const { return lower_; }
   double upper() const { return upper_; }
-  // The error itself, rounded up. Only for Kind::finite.
+  // The error itself, rounded up. Only valid for Kind::finite.
   Decimal6 rounded_up() const;
-  // Not rounded. Only for Kind::finite where no side is a root.
+  // The error before rounding. Only valid for Kind::finite if no side is a root.
   Fraction exact() const;
   bool exceeds(const Rational& tolerance) const;
 
@@ -35,8 +35,8 @@ class ComparisonError {
 
   Kind kind_ = Kind::finite;
   int digits_;
-  // Without a root: |(l^ - r^) - (l - r)| and |l| + |r|, times the sides' denominator. With one, lhs = sqrt(s): the
-  // difference is |offset - sqrt(s)|, the scale sqrt(s) + |r|, times the same.
+  // Without a root: |(l^ - r^) - (l - r)| and |l| + |r|, times the sides' denominator. With a root, lhs = sqrt(s): the
+  // difference is |offset - sqrt(s)| and the scale sqrt(s) + |r|, times the same denominator.
   bool rooted_ = false;
   Ring difference_, scale_;
   Ring offset_, square_, rhs_;

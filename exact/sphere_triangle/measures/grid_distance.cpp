@@ -1,11 +1,12 @@
 // d^2 = N / D with the integers of the nearest feature: A.A over 1 for vertex A, |A x B|^2 over |AB|^2 for edge AB, d^2
-// over |V|^2 for the face. Nothing is rounded before these stand, nor in what cancels, M = N - r^2 D:
+// over |V|^2 for the face. Nothing is rounded before these are known, nor in the difference that cancels, M = N - r^2
+// D:
 //
 //   |d - r| / s = |M| / (D (d + r) s),  s^2 = S = max(A.A, B.B, C.C, r^2),  d = sqrt(N / D)
 //
-// are conversions, sums, products, quotients and roots of numbers that are not negative. With relative errors in u, the
-// unit roundoff of Enclosing: N, D, r, S, M 1 each; N / D 3; d 2.5; d + r 3.5, of the greater of its terms' and its
-// own; D (d + r) 5.5; s 1.5; all of the divisor 8; the quotient 10.
+// are conversions, sums, products, quotients and roots of non-negative numbers. With relative errors in u, the unit
+// roundoff of Enclosing: N, D, r, S, M 1 each; N / D 3; d 2.5; d + r 3.5, from the greater of its terms' errors and its
+// own rounding; D (d + r) 5.5; s 1.5; all of the divisor 8; the quotient 10.
 #include "exact/sphere_triangle/measures/grid_distance.h"
 
 #include <cmath>
@@ -16,8 +17,8 @@
 namespace axiscert {
 namespace {
 
-using Enclosing = Mpfr<192>;  // u = 2^-192; its exponents never end
-// More than 10 u, with the rounding of the bounds themselves and all that is of second order.
+using Enclosing = Mpfr<192>;  // u = 2^-192; unbounded exponents
+// More than 10 u plus the rounding of the bounds themselves and all second-order terms.
 constexpr double enclosing_error = 0x1p-180;
 
 template <std::size_t words>
@@ -31,7 +32,8 @@ Real rounded(const Enclosing& x) {
   else return mpfr_get_d(x.get(), MPFR_RNDN);
 }
 
-// What x rounds to if everything within its error does. Rounding is monotone, so the two ends say it all.
+// The value to which every number within the error of x rounds, if there is one. Rounding is monotone, so the two ends
+// decide.
 template <class Real>
 std::optional<Real> certainly_rounded(const Enclosing& x) {
   const Enclosing one(1), error(enclosing_error);
@@ -44,10 +46,10 @@ struct Square {
   Enclosing numerator, divisor, margin;
 };
 
-// Of the nearest feature, which the signs tell that have no radius in them:
-//   vertex A  A.(B - A) >= 0 and A.(C - A) >= 0: the triangle lies beyond the plane through A at a right angle to it
+// The squared distance to the nearest feature, which the signs of comparisons without the radius determine:
+//   vertex A  A.(B - A) >= 0 and A.(C - A) >= 0: the triangle lies beyond the plane through A perpendicular to vector A
 //   edge AB   the foot on the line is strictly between its ends, and (A x B).V <= 0: the plane's foot is not within
-//   face      otherwise, and then V is not zero: of a triangle without area the nearest point is a vertex or in an edge
+//   face      otherwise, and then V is not zero: in a triangle without area the nearest point is a vertex or on an edge
 template <class Numbers>
 Square nearest_square(const Gram<Numbers>& g) {
   using Degree2 = typename Numbers::Degree2;

@@ -1,4 +1,4 @@
-// The distance and the depth of a query by integers, rounded once: neither CGAL nor a rational.
+// The distance and the depth of a query by integers, rounded once, without CGAL and without rationals.
 #pragma once
 
 #include <optional>
@@ -7,12 +7,12 @@
 
 namespace axiscert {
 
-// What depth() returns; nothing where that is too near to the midpoint of two doubles, or on it. Of a valid query.
+// The result of depth() for a valid query; empty if the exact depth is a midpoint of two doubles or too near to one.
 template <class Real>
 std::optional<double> depth_on_grid(const Query<Real>& q);
 
-// The distance from P to the triangle, rounded to nearest: infinite beyond the precision. Nothing where it is too near
-// to the midpoint of two floats, or on it. Of a valid query, whatever its r.
+// The distance from P to the triangle, rounded to nearest: infinite beyond the precision. Empty if it is a midpoint of
+// two floats or too near to one. For a valid query, whatever its r.
 template <class Real>
 std::optional<Real> distance_on_grid(const Query<Real>& q);
 

@@ -1,4 +1,4 @@
-// What a kernel promises to be right on, decided exactly.
+// The limits within which a kernel promises to be right, decided exactly.
 #pragma once
 
 #include <limits>
@@ -7,7 +7,8 @@
 
 namespace axiscert {
 
-// Whether a valid query lies within limits, which are finite and not negative. The bounds themselves are within.
+// Whether a valid query lies within limits, which must be finite and not negative. A query exactly on a limit is
+// within.
 template <class Real>
 bool is_within(const Limits& limits, const Query<Real>& q);
 
@@ -16,8 +17,8 @@ struct RadiusRange {
   Real least = 0, greatest = std::numeric_limits<Real>::max();
   bool operator==(const RadiusRange&) const = default;
 };
-// The radii within limits: the least and the greatest such number of the precision. Empty, least > greatest, where no
-// number of the precision is within.
+// The radii within limits: the least and the greatest such number of the precision. An empty range, least > greatest,
+// if no number of the precision is within.
 template <class Real>
 RadiusRange<Real> radii_within(const Limits& limits);
 

@@ -1,4 +1,4 @@
-// Limits at their very bounds, one float to each side.
+// Queries exactly on a limit, and one float to each side of it.
 #include "exact/sphere_triangle/measures/limits.h"
 
 #include <gtest/gtest.h>
@@ -39,12 +39,12 @@ TEST(Limits, AreaIsExact) {
   EXPECT_TRUE(is_within({.least_area = 0.5}, half_a_square));
   EXPECT_FALSE(is_within({.least_area = std::nextafter(0.5, 1)}, half_a_square));
   const Query<float> root{{0, 0, 0}, {2, 0, 0}, {0, 1, 1}, {5, 5, 5}, 1};  // area sqrt(2)
-  const double nearest = std::sqrt(2.0);                                   // above it
+  const double nearest = std::sqrt(2.0);                                   // above the root
   EXPECT_FALSE(is_within({.least_area = nearest}, root));
   EXPECT_TRUE(is_within({.least_area = std::nextafter(nearest, 1)}, root));
 }
 
-// Where the square of the area leaves binary64, and where computing it in floats would give 0 or infinity.
+// Areas whose square is outside binary64's range, and whose value computed in floats would be 0 or infinity.
 TEST(Limits, AreaHasNoRange) {
   const float tiny = 0x1p-149f, huge = 0x1p127f;
   const Query<float> small{{0, 0, 0}, {tiny, 0, 0}, {0, tiny, 0}, {0, 0, 0}, 1};

@@ -1,4 +1,4 @@
-// Errors, depths, critical radii and roundings, against hand values and MPFR at high precision.
+// Errors, depths, critical radii and roundings, compared with values computed by hand and with MPFR at high precision.
 #include <gtest/gtest.h>
 #include <mpfr.h>
 
@@ -113,7 +113,7 @@ void expect_nearest_roots() {
     EXPECT_EQ(nearest<Real>(q), x);
     EXPECT_EQ(nearest_sqrt<Real>(q * q), x) << "a root that is a float, subnormals included";
     EXPECT_EQ(nearest_sqrt<Real>(q), std::sqrt(x)) << "IEEE's square root is correctly rounded";
-    // Just above and just below a midpoint the two neighbours; on it the even one.
+    // Just above and just below a midpoint: the two neighbours; on it: the even one.
     const Real up = std::nextafter(x, std::numeric_limits<Real>::infinity());
     if (!std::isfinite(up)) continue;
     const Rational middle = (q + exact(up)) / 2, off = Rational(1, mpz_class(1) << 5000);
@@ -155,7 +155,8 @@ TEST(Depth, IsRoundedOnceFromTheExactValue) {
   }
 }
 
-// Rational depths that lie exactly between two doubles go to the even one; no finite precision would decide them.
+// Rational depths that lie exactly between two doubles are rounded to the even one; no finite precision would decide
+// them.
 TEST(Depth, TiesGoToEven) {
   const double big = 0x1p53;
   // d = 2^53 + 1 (a vertex of a triangle on the axis), r = 0, greatest length 2^54: the quotient is a midpoint.

@@ -9,8 +9,9 @@
 namespace axiscert {
 namespace {
 
-// Half the distances from a float to its neighbours, times 2^exponent: what rounds to it lies between. Neither is exact
-// for the greatest float, nor for a value below 2^-300 after scaling, and nothing is said of those.
+// Half the distances from a float to its neighbours, times 2^exponent: numbers strictly between these midpoints round
+// to it. The distances are not exact for the greatest float, nor for a value below 2^-300 after scaling: is_usable is
+// false then.
 template <class Real>
 struct Rounding {
   double value, towards_zero, away;
@@ -36,7 +37,7 @@ struct Rounding {
   }
 };
 
-// Below this, a product of bounds may have underflowed.
+// Below this bound a product of bounds may have underflowed.
 constexpr double least_bound = 0x1p-950;
 
 template <class Real>
@@ -44,7 +45,7 @@ Real unscaled(double x, int exponent) {
   return static_cast<Real>(exponent == 0 ? x : std::ldexp(x, -exponent));
 }
 
-// x^2, exact: of a binary32 number in double, of any in double-double, above 2^-300.
+// x^2, exact: for a binary32 number in double, for any number in double-double, above 2^-300.
 template <class T>
 Enclosed<T> exact_square(double x) {
   if constexpr (std::is_same_v<T, Doubled>) {
@@ -56,7 +57,7 @@ Enclosed<T> exact_square(double x) {
 }
 
 // sqrt(s) rounded, with d^2 D in [N - below, N + above] and D > 0. With g the half distances, d rounds to y if
-// (y - g)^2 D < d^2 D < (y + g)^2 D. In the residual R = N - y^2 D that is, a little stricter above,
+// (y - g)^2 D < d^2 D < (y + g)^2 D. In terms of the residual R = N - y^2 D that is, slightly stricter above,
 //   below - R < g (2 y - g) D   and   R + above < 2 g y D.
 template <class Real, class T>
 std::optional<Real> nearest_root(const EnclosedSquare<T>& s, int exponent) {
@@ -65,7 +66,7 @@ std::optional<Real> nearest_root(const EnclosedSquare<T>& s, int exponent) {
   double root = std::sqrt(leading(s.numerator.value) / leading(s.divisor.value));
   if (!(root >= 0x1p-300)) return std::nullopt;
   const auto residual = [&](double x) { return s.numerator - exact_square<T>(x) * s.divisor; };
-  // In doubles the root may be an ulp off: a step of Newton's.
+  // In doubles the root may be an ulp off; a Newton step corrects that.
   if (std::is_same_v<T, Doubled>) root += leading(residual(root).value) / (2 * root * leading(s.divisor.value));
   const Real nearest = unscaled<Real>(root, exponent);
   const Rounding<Real> y(nearest, exponent);
@@ -78,7 +79,7 @@ std::optional<Real> nearest_root(const EnclosedSquare<T>& s, int exponent) {
                                                                                                 : std::nullopt;
 }
 
-// What `solve` says in double, for binary32; else, or where that is nothing, in double-double.
+// The result of `solve` in double, for binary32; otherwise, or if that is empty, in double-double.
 template <class Real, class Solve>
 std::optional<Real> solved(const Query<Real>& q, Solve&& solve) {
   if constexpr (sizeof(Real) == 4) {
@@ -102,16 +103,17 @@ std::optional<Real> tie_radius(const EnclosedTriangle<T>& t, Axis axis) {
   return nearest_root<Real>(line_square(t, number - 4), t.exponent);
 }
 
-// A side's margin and its derivative by each coordinate of p, times a number that is not zero and does not depend on p.
+// A side's margin and its derivative with respect to each coordinate of p, both times a factor that is not zero and
+// does not depend on p.
 template <class T>
 struct Margin {
   Enclosed<T> value;
   EnclosedVector<T> slope;  // negated
-  bool is_given;            // the slope is a difference of numbers as given
-  bool is_constant;         // no coordinate of p changes it
+  bool is_given;            // the slope is a difference of given numbers
+  bool is_constant;         // independent of every coordinate of p
 };
 
-// Vertex X, side of Y: X.(Y - X). Edge: -(v x e).V, Q.QC being that times e^2.
+// Vertex X, side of Y: X.(Y - X). Edge: -(v x e).V; Q.QC is e^2 times that.
 template <class T>
 Margin<T> side_margin(const EnclosedTriangle<T>& t, Comparison side) {
   const auto vertex = [&](std::size_t i, std::size_t edge) -> Margin<T> {
@@ -149,7 +151,7 @@ Margin<T> side_margin(const EnclosedTriangle<T>& t, Comparison side) {
     case edge_ab_radius:
     case edge_bc_radius:
     case edge_ca_radius:
-      break;  // no side comparison
+      break;  // not a side comparison
   }
   return {{}, {}, false, true};
 }
@@ -159,8 +161,7 @@ auto component(const V& v, int coordinate) {
   return coordinate == 0 ? v.x : coordinate == 1 ? v.y : v.z;
 }
 
-// The margin at y, m + (y - p) m', is of one sign at one rounding midpoint and of the other at the other: the root lies
-// between.
+// The margin at y, m + (y - p) m', has different signs at the two rounding midpoints: the root lies between them.
 template <class Real, class T>
 std::optional<Real> tie_coordinate(const EnclosedTriangle<T>& t, Real given, Comparison side, int coordinate) {
   const Margin<T> margin = side_margin(t, side);
@@ -171,13 +172,13 @@ std::optional<Real> tie_coordinate(const EnclosedTriangle<T>& t, Real given, Com
   const double slope = sign > 0 ? falls.low() : -falls.high();
   const double from = std::ldexp(static_cast<double>(given), t.exponent);
   double root = from + leading(margin.value.value) / leading(falls.value);
-  // A second time from where the first has led to: it may have been far.
+  // A second round starts from the result of the first, which may have moved far.
   for (int round = 0; round < 2; ++round) {
     const Real nearest = unscaled<Real>(root, t.exponent);
     const Rounding<Real> y(nearest, t.exponent);
     if (!y.is_usable) return std::nullopt;
     const Enclosed<T> rest = margin.value - enclosed_difference<T>(y.value, from, t.scaling_error) * falls;
-    // How far the root can be above y and below, times the slope.
+    // Bounds on how far the root can be above and below y, times the slope.
     const double above = sign > 0 ? rest.high() : -rest.low(), below = sign > 0 ? -rest.low() : rest.high();
     const double up = (y.value > 0 ? y.away : y.towards_zero) * slope * less;
     const double down = (y.value > 0 ? y.towards_zero : y.away) * slope * less;

@@ -1,4 +1,4 @@
-// Errors of computed sides against an exact side that is a root, beside an evaluation at 2000 bits.
+// Errors of computed sides if an exact side is a root, compared with an evaluation at 2000 bits.
 #include <gtest/gtest.h>
 #include <mpfr.h>
 
@@ -77,7 +77,7 @@ void expect_errors_as_at_2000_bits(int greatest_exponent) {
     EXPECT_FALSE(above(decimal(up.mantissa, up.exponent))) << what;
     EXPECT_TRUE(above(decimal(up.mantissa - 1, up.exponent))) << what;
     EXPECT_GE(up.mantissa, 100000u) << what;
-    // Tolerances one part in 2^600 around the error: only exact arithmetic tells them apart.
+    // Tolerances one part in 2^600 around the error: only exact arithmetic distinguishes them.
     Rational near;
     mpfr_get_q(near.get_mpq_t(), reference.get());
     const Rational step = near / Rational(mpz_class(1) << 600);

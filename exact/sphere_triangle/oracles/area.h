@@ -6,7 +6,7 @@
 
 namespace axiscert {
 
-// (B - A) x (C - A), twice the area long. Of finite coordinates.
+// (B - A) x (C - A), whose length is twice the area. The coordinates must be finite.
 template <class Real>
 Vec3<Ring> exact_normal(const Query<Real>& q) {
   const auto vec = [](const Vec3<Real>& v) {

@@ -1,4 +1,4 @@
-// CGAL's exact point-triangle distance, as the geometric oracle and its planted fault both use it. Heavy to include.
+// CGAL's exact point-triangle distance, used by the geometric oracle and by its planted fault. Expensive to include.
 #pragma once
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

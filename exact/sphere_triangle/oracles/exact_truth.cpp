@@ -17,7 +17,7 @@ bool has_zero_area(const Query<Real>& q) {
 
 Verdict separated_if(bool separated) { return separated ? Verdict::separated : Verdict::contact; }
 
-// What contradicts what, or nothing. `opinion` is MPFR's, when it was asked.
+// A description of the first contradiction; empty if there is none. `opinion` is MPFR's, if it was asked.
 template <class Real>
 std::optional<std::string> contradiction(const Query<Real>& q, int geometric_order, const FormulaTruth& formula,
                                          const std::optional<SecondOpinion>& opinion) {

@@ -1,4 +1,4 @@
-// The truth about one query, and the cross-checks that every query passes before anything is reported.
+// The truth about one query, and the cross-checks that every query has to pass before anything is reported.
 #pragma once
 
 #include <optional>
@@ -8,15 +8,15 @@
 
 namespace axiscert {
 
-// The truth with the exact sides that it was checked against; none where the verdict is `invalid`.
+// The truth with the exact sides against which it was checked; without them if the verdict is `invalid`.
 struct ExactTruth : Truth {
   std::optional<FormulaTruth> formula;
 };
 
 // Decides by CGAL and by the exact formulae and compares: the verdict of the formulae with non-strict sides is the
-// geometric one on every triangle; with strict sides it may differ on a zero-area triangle only, and only as a phantom
-// contact. With `second_opinion`, and before any disagreement is reported, MPFR decides all of it again.
-// Throws OracleDisagreement.
+// geometric one on every triangle; with strict sides it may differ only on a zero-area triangle, and only as a phantom
+// contact. With `second_opinion`, and before any disagreement is reported, MPFR repeats all decisions. Throws
+// OracleDisagreement.
 template <class Real>
 ExactTruth exact_truth(const Query<Real>& q, bool second_opinion);
 

@@ -1,20 +1,20 @@
 // The distance from the origin to a triangle by a walk over its features, in any exact ring. It shares nothing with the
-// separating-axis formulae, nor with CGAL.
+// separating-axis formulae or with CGAL.
 #pragma once
 
 #include "kernel/sphere_triangle/reference/evaluate.h"
 
 namespace axiscert {
 
-// Not negative, over positive.
+// A non-negative numerator over a positive denominator.
 template <class T>
 struct Ratio {
   T numerator, denominator;
 };
 
-// The squared distance to the closed triangle abc, degenerate or not (`rr` is not read): the plane's where the foot of
-// the perpendicular lies inside, else the least of the three segments'. Nothing is divided; degree 6 over degree 4 at
-// most. `order(x, y)` is the sign of x - y, `zero` and `one` are the ring's.
+// The squared distance to the closed triangle abc, degenerate or not (`rr` is not read): to the plane if the foot of
+// the perpendicular lies inside, else the least of the distances to the three segments. Nothing is divided; degree 6
+// over degree 4 at most. `order(x, y)` is the sign of x - y; `zero` and `one` are elements of the ring.
 template <class T, class Order>
 Ratio<T> walked_squared_distance(const portable::Centred<T>& q, const T& zero, const T& one, Order&& order) {
   using portable::cross;

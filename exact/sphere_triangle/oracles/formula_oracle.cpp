@@ -1,5 +1,7 @@
 #include "exact/sphere_triangle/oracles/formula_oracle.h"
 
+#include "kernel/sphere_triangle/reference/formulae_types.h"
+
 namespace axiscert {
 namespace {
 
@@ -14,7 +16,7 @@ FormulaTruth with_signs(Sides<Ring>&& sides) {
   return truth;
 }
 
-// Both sides over one denominator; a root, which only a lhs has, as its square.
+// Both sides over one denominator; a root, which only a lhs can be, as its square.
 FormulaTruth with_signs(const Sides<Surd>& sides) {
   FormulaTruth truth{{}, 0, 0};
   truth.denominators.resize(comparison_count, Ring(1));

@@ -6,20 +6,20 @@
 #include "exact/numbers/rational.h"
 #include "exact/numbers/surd.h"
 #include "kernel/sphere_triangle/reference/evaluate.h"
-#include "kernel/sphere_triangle/formulae_list.h"
+#include "kernel/formulae_list.h"
 
 namespace axiscert {
 
 Rational rational(const Ring& x);
 
-// The exact sides of one comparison: lhs / denominator, or sqrt(lhs) / denominator where rooted, and rhs / denominator.
+// The exact sides of one comparison: lhs / denominator, or sqrt(lhs) / denominator if rooted, and rhs / denominator.
 struct ExactComparison {
   const Ring &lhs, &rhs, &denominator;
   bool rooted, undefined;
 };
 
 struct FormulaTruth {
-  Sides<Ring> sides;             // exact where the formulae are a ring; else to be read through comparison()
+  Sides<Ring> sides;             // exact if the formulae are a ring; otherwise read them through comparison()
   ComparisonBits strict, ties;   // lhs > rhs; lhs == rhs
   ComparisonBits undefined = 0;  // 0/0 in exact arithmetic: the comparison does not hold and has no sides
   ComparisonBits rooted = 0;
@@ -31,16 +31,16 @@ struct FormulaTruth {
   ExactComparison comparison(std::size_t i) const;
 };
 
-// Of a valid query (finite, r >= 0). `formulae` have comparisons.
+// The sides of a valid query (finite, r >= 0). Requires that `formulae` have comparisons.
 template <class Real>
 FormulaTruth formula_truth(Formulae formulae, const Query<Real>& q);
 
-// Of the published formulae.
+// The sides of the published formulae.
 template <class Real>
 FormulaTruth formula_truth(const Query<Real>& q) {
   return formula_truth(Formulae::published, q);
 }
-// The published sides of a problem already centred, for the places that solve on a boundary or scale a lattice.
+// The published sides of a problem that is already centred, for code that solves on a boundary or scales a lattice.
 FormulaTruth formula_truth(const portable::Centred<Ring>& centred);
 
 // The verdict of a method, which has no comparisons.

@@ -2,15 +2,15 @@
 
 #include "exact/sphere_triangle/oracles/cgal_distance.h"
 
-// CGAL's point-triangle distance has been wrong in a release (5.4 beta); this one is checked by the tests against two
-// others, and read by no other version unnoticed.
+// CGAL's point-triangle distance has been wrong in a release (5.4 beta). The tests check this version against two other
+// computations, and this assertion keeps another version from being used unnoticed.
 static_assert(CGAL_VERSION_NR >= 1050500000 && CGAL_VERSION_NR < 1050600000, "axiscert is tested with CGAL 5.5");
 
 namespace axiscert {
 namespace {
 
-// Not do_intersect(Sphere_3, Triangle_3), which takes the sphere as a surface; and r r is formed exactly, which
-// EPICK's compare_squared_distance_3(p, t, r * r) does not do for binary64.
+// Not do_intersect(Sphere_3, Triangle_3), which treats the sphere as a surface; and r r is formed exactly, unlike in
+// EPICK's compare_squared_distance_3(p, t, r * r) for binary64.
 template <class Real>
 int order_of(const Query<Real>& q) {
   return static_cast<int>(CGAL::compare(cgal_squared_distance(q), cgal_squared_radius(q)));

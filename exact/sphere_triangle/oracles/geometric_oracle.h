@@ -6,7 +6,7 @@
 
 namespace axiscert {
 
-// The sign of (distance^2 - r^2), both exact: -1 sinks in, 0 touches, 1 separated. For every valid query.
+// The sign of (distance^2 - r^2), both exact: -1 overlap, 0 touching, 1 separated. For every valid query.
 int distance_order(const Query<float>& q);
 int distance_order(const Query<double>& q);
 

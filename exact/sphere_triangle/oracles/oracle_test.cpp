@@ -1,4 +1,5 @@
-// The oracles against each other and against hand computations; the exhaustive lattice; a fault that must show.
+// The oracles compared with each other and with computations by hand; the exhaustive lattice; a fault that must be
+// detected.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -35,7 +36,7 @@ TYPED_TEST(OracleTest, HandComputedDistances) {
   EXPECT_EQ(distance_order(Q{a, b, c, {0, 0, 2}, std::nextafter(TypeParam(2), TypeParam(1))}), 1);
 }
 
-// The closed sphere is solid: a triangle wholly inside it touches it.
+// The closed sphere is solid: a triangle wholly inside it is in contact with it.
 TYPED_TEST(OracleTest, ATriangleInsideTheSphereIsContact) {
   const Query<TypeParam> q{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, 100};
   EXPECT_EQ(exact_truth(q, true).verdict, Verdict::contact);
@@ -54,7 +55,7 @@ TYPED_TEST(OracleTest, BadInputIsInvalidAndMinusZeroIsARadius) {
   EXPECT_EQ(exact_truth(q, true).verdict, Verdict::invalid);
 }
 
-// Everything at once: CGAL, the ring and MPFR agree (exact_truth throws where they do not) on the least and greatest
+// All oracles together: CGAL, the ring and MPFR agree (exact_truth throws if they do not) on the least and greatest
 // numbers there are.
 TYPED_TEST(OracleTest, OraclesAgreeAtTheEndsOfTheRange) {
   using Limits = std::numeric_limits<TypeParam>;
@@ -84,15 +85,15 @@ TYPED_TEST(OracleTest, OraclesAgreeOnArbitraryBits) {
   }
 }
 
-// What the lattice found, over all triangles with vertices in {-n..n}^3, the centre at the origin.
+// The counts over all triangles with vertices in {-n..n}^3, with the centre at the origin.
 struct LatticeCount {
   std::uint64_t triangles = 0, zero_area = 0, strict_wrong = 0, nonstrict_wrong = 0, missed_contacts = 0;
   std::uint64_t oracle_differences = 0;
 };
 
-// Radii below, at and above the distance: with the squared distance D = num/den, everything is scaled by den so that
-// D den^2 is an integer, and r^2 is that integer or off it by one part in 2^40. No two boundaries of the lattice are so
-// near each other (they are quotients of integers below 2^16).
+// Radii below, at and above the distance: with the squared distance D = num/den, everything is scaled by den so that D
+// den^2 is an integer, and r^2 is that integer or off it by one part in 2^40. No two boundaries of the lattice are that
+// close to each other (they are quotients of integers below 2^16).
 LatticeCount judge_lattice(int n) {
   LatticeCount count;
   const int side = 2 * n + 1, points = side * side * side;

@@ -8,7 +8,7 @@ namespace axiscert {
 namespace {
 
 // Wide enough for a degree-6 polynomial in numbers that span 277 (binary32) or 2,098 (binary64) bits. Not relied upon:
-// MPFR's inexact flag tells.
+// MPFR's inexact flag is checked.
 template <class Real>
 inline constexpr int exact_bits = sizeof(Real) == 4 ? 1700 : 12700;
 

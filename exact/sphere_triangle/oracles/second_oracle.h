@@ -1,4 +1,4 @@
-// A second opinion on everything: MPFR, at a precision at which no operation rounds, and a walk over the triangle's
+// A second opinion on every decision: MPFR, at a precision at which no operation rounds, and a walk over the triangle's
 // features in place of CGAL.
 #pragma once
 
@@ -11,7 +11,7 @@ struct SecondOpinion {
   int distance_order;  // sign of distance^2 - r^2
 };
 
-// For every valid query. Throws HarnessFault should an operation round after all.
+// For every valid query. Throws HarnessFault if an operation rounds nevertheless.
 template <class Real>
 SecondOpinion second_opinion(const Query<Real>& q);
 

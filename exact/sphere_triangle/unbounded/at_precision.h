@@ -1,5 +1,5 @@
-// The formulae at any precision: every operation rounded once, to nearest even, to a number of bits chosen at run time.
-// Inputs are taken as they are, so that what differs from the exact formulae comes from the operations alone.
+// The formulae at any precision: every operation is rounded once, to nearest even, to a number of bits chosen at run
+// time. Inputs are not rounded, so that any difference from the exact formulae comes from the operations alone.
 #pragma once
 
 #include "kernel/sphere_triangle/reference/scalar.h"
@@ -8,14 +8,14 @@ namespace axiscert {
 
 inline constexpr int least_bits = 2, greatest_bits = 256;
 
-// With `exponents` of binary32 or binary64 and gradual underflow; none: unbounded. At 24 bits with the exponents of
-// binary32, or 53 with those of binary64, this is the plain scalar reference.
+// `exponents`: those of binary32 or binary64 with gradual underflow; empty: unbounded. At 24 bits with the exponents of
+// binary32, or 53 with those of binary64, this equals the plain scalar reference.
 template <class Real>
 Outcome at_precision(Formulae formulae, Strictness strictness, const Query<Real>& q, int bits,
                      std::optional<Precision> exponents);
 
-// Both exponent ranges. Where no operation over- or underflows, the second evaluation would repeat the first bit for
-// bit and is left out.
+// Results for both exponent ranges. If no operation over- or underflows, the second evaluation would repeat the first
+// bit for bit and is omitted.
 struct BothRanges {
   Outcome unlimited, limited;
 };

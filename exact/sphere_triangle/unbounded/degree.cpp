@@ -1,5 +1,7 @@
 #include "exact/sphere_triangle/unbounded/degree.h"
 
+#include "kernel/sphere_triangle/reference/formulae_types.h"
+
 #include <algorithm>
 #include <stdexcept>
 #include <vector>
@@ -7,14 +9,14 @@
 namespace axiscert {
 namespace {
 
-// The branches of an evaluation, tried each way in turn: what a comparison of two Degrees answers.
+// The branches of an evaluation, each taken both ways in turn: the answers to comparisons of two Degrees.
 class Branches {
  public:
   bool take() {
     if (next_ == taken_.size()) taken_.push_back(false);
     return taken_[next_++];
   }
-  // To the next way through; false after the last.
+  // Moves on to the next path through the branches; false after the last.
   bool advance() {
     next_ = 0;
     while (!taken_.empty() && taken_.back()) taken_.pop_back();
@@ -29,7 +31,7 @@ class Branches {
 };
 thread_local Branches branches;
 
-// A value of the formulae, known by its degree and by a bound on its bits.
+// A value of the formulae, represented by its degree and by a bound on its bits.
 //   sum       both operands of one degree; one bit more than the longer
 //   product   degrees and bits add
 //   quotient  degrees subtract, a root halves; neither is an integer any more
@@ -77,7 +79,7 @@ class Degree {
     return result;
   }
 
-  bool zero_ = true;  // the constant 0, which is of every degree
+  bool zero_ = true;  // the constant 0, which has every degree
   int halves_ = 0;    // twice the degree
   std::optional<BitLength> bits_;
 };

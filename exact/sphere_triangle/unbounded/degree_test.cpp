@@ -1,4 +1,4 @@
-// Degrees and bit lengths against hand computation, and against what exact evaluation finds.
+// Degrees and bit lengths compared with computation by hand and with the results of exact evaluation.
 #include "exact/sphere_triangle/unbounded/degree.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST(Degree, TheFirstRungHasRootsAndDivisions) {
 Query<double> integers(std::mt19937_64& random, int bits) {
   std::array<double, coordinate_count> v;
   const auto greatest = static_cast<std::int64_t>((std::uint64_t{1} << bits) - 1);
-  // Half of the numbers are the greatest of b bits: the bound has to hold there.
+  // Half of the numbers are the greatest of b bits, where the bound is tightest.
   for (double& x : v) x = static_cast<double>(random() % 2 ? greatest : static_cast<std::int64_t>(random()) % greatest);
   for (std::size_t k = 0; k < 12; ++k) v[k] *= random() % 2 ? 1 : -1;
   v[12] = std::abs(v[12]);
@@ -87,7 +87,7 @@ TEST(Degree, ExactSidesScaleByTheDegreeAndFitTheBits) {
       auto doubled_coordinates = coordinates(q);
       for (double& x : doubled_coordinates) x *= 2;
       const FormulaTruth truth = formula_truth(formulae, q);
-      if (!truth.denominators.empty()) break;  // not a ring: the sides are not what was emitted
+      if (!truth.denominators.empty()) break;  // not a ring: the sides are not the emitted ones
       const FormulaTruth doubled = formula_truth(formulae, from_coordinates(doubled_coordinates));
       for (std::size_t k = 0; k < comparison_count; ++k) {
         const ComparisonDegree& d = (*degrees)[k];

@@ -1,4 +1,4 @@
-// Number types of R-infinity over Highway vectors of doubles, one query a lane, and the pass over a batch. No guard:
+// Number types of R-infinity over Highway vectors of doubles, one query per lane, and the pass over a batch. No guard:
 // included once for each of Highway's instruction sets.
 #include <cstring>
 
@@ -16,12 +16,13 @@ AXISCERT_INLINE hn::Vec<Words> words_of(V x) { return hn::BitCast(Words(), x); }
 AXISCERT_INLINE hn::Vec<Words> word(std::uint64_t x) { return hn::Set(Words(), x); }
 AXISCERT_INLINE V number_of(hn::Vec<Words> x) { return hn::BitCast(D(), x); }
 
-// 24 bits: exact/sphere_triangle/unbounded/wide_range_float.h, which has the proof, in lanes.
+// 24 bits per lane: the vector form of exact/sphere_triangle/unbounded/wide_range_float.h, which has the proof.
 struct WideRangeLanes {
   V v;
 
   AXISCERT_INLINE static WideRangeLanes of(V x) { return {x}; }
-  // A number with the sign of a - b: binary64 subtracts with gradual underflow, so that only equals give 0.
+  // A number with the sign of a - b: binary64 subtracts with gradual underflow, so the result is 0 only for equal
+  // operands.
   AXISCERT_INLINE static V difference_sign(const WideRangeLanes& a, const WideRangeLanes& b) {
     return hn::Sub(a.v, b.v);
   }
@@ -51,15 +52,15 @@ struct WideRangeLanes {
 // that are not 0 stay within +-2^30, and numbers of degree 6 stay within +-2^13.
 //
 // A product of the two m has a magnitude in [1, 4) and is rounded there, where binary64 has 53 bits.
-// Of a sum let a have the greater exponent. Both m are put at that exponent: |m_a| is in [1, 2), and m_b is divided by
-// 2^d, which is exact as long as d <= 200, and so the sum is rounded once, to 0 or to a magnitude in [2^-252, 4).
+// In a sum let a have the greater exponent. Both m are scaled to that exponent: |m_a| is in [1, 2), and m_b is divided
+// by 2^d, which is exact as long as d <= 200, and so the sum is rounded once, to 0 or to a magnitude in [2^-252, 4).
 // Beyond, m_b is divided by 2^200 in place of 2^d: either way the sum is m_a and a number that is not 0, is smaller
 // than 2^-199 and has the same sign, and as m_a's neighbours are 2^-53 away or more both are rounded to m_a. A 0 has
-// m_b = 0, and changes nothing.
+// m_b = 0 and changes nothing.
 struct WideExponentLanes {
   V m, e;
 
-  // Of any finite numbers: those below 2^-900 are multiplied by 2^200, exactly, so that none is subnormal.
+  // Converts any finite numbers: those below 2^-900 are multiplied by 2^200, exactly, so that none is subnormal.
   AXISCERT_INLINE static WideExponentLanes of(V x) {
     const auto small = hn::Lt(hn::Abs(x), constant(0x1p-900));
     return normalised(hn::IfThenElse(small, hn::Mul(x, constant(0x1p200)), x),
@@ -89,7 +90,7 @@ struct WideExponentLanes {
     const V biased = hn::Add(hn::Max(d, constant(-200)), constant(0x1p52 + 1023));
     return number_of(hn::ShiftLeft<52>(words_of(biased)));
   }
-  // m 2^e with |m| normal or 0.
+  // m 2^e; requires that |m| is normal or 0.
   AXISCERT_INLINE static WideExponentLanes normalised(V m, V e) {
     constexpr std::uint64_t exponent = std::uint64_t{0x7ff} << 52;
     const auto bits = words_of(m);

@@ -12,7 +12,7 @@ using RangeFreeForms = std::array<RangeFreeBits<Real>, 2>;  // strict, nonstrict
 static_assert(static_cast<int>(Strictness::strict) == 0 && static_cast<int>(Strictness::nonstrict) == 1);
 }  // namespace axiscert
 
-#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: tests hold each to MPFR
+#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: tests compare each with MPFR
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "exact/sphere_triangle/unbounded/range_free.cpp"
 #include "hwy/foreach_target.h"

@@ -1,4 +1,5 @@
-// R-infinity over a batch by SIMD: the bits of a set of formulae in plain arithmetic with an exponent that never ends.
+// R-infinity over a batch by SIMD: the comparison bits of a set of formulae in plain arithmetic with an unbounded
+// exponent.
 #pragma once
 
 #include <string_view>
@@ -7,14 +8,14 @@
 
 namespace axiscert {
 
-// Writes the comparison bits of each query of the batch; of one that is not valid, any bits. The processor has to round
-// to nearest, and must not flush subnormals.
+// Writes the comparison bits of each query of the batch; those of an invalid query are unspecified. The processor has
+// to round to nearest, and must not flush subnormals.
 template <class Real>
 using RangeFreeBits = void (*)(const QueryColumns<Real>& batch, ComparisonBits* out);
 
 // On one of simd_targets(), strict or nonstrict; null for formulae that have no SIMD form
-// (kernel/sphere_triangle/forms/simd.h). To the bit what unbounded() says of each query
-// (exact/sphere_triangle/unbounded/unbounded.h), on every instruction set.
+// (kernel/sphere_triangle/forms/simd.h). On every instruction set the bits are those of unbounded()
+// (exact/sphere_triangle/unbounded/unbounded.h).
 template <class Real>
 RangeFreeBits<Real> range_free_on(std::string_view target, Formulae formulae, Strictness strictness);
 template <>

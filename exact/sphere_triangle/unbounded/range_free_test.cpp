@@ -1,4 +1,4 @@
-// R-infinity by SIMD beside MPFR, whatever the exponents, on every instruction set.
+// R-infinity by SIMD compared with MPFR, for any exponents, on every instruction set.
 #include "exact/sphere_triangle/unbounded/range_free.h"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,9 @@ namespace {
 
 using testing_support::random_query;
 
-// Of any bits, and of one size that is any power of two, where what is less than the least subnormal is lost; few-bit
-// numbers and repeated vertices among the latter, so that sums end halfway between two numbers, or at zero.
+// Queries of arbitrary bits, and queries scaled by any power of two, where everything below the least subnormal is
+// lost; the latter include numbers of few bits and repeated vertices, so that sums end halfway between two numbers, or
+// at zero.
 template <class Real>
 Query<Real> query_of_any_size(std::mt19937_64& random, int kind) {
   if (kind % 2 == 0) {

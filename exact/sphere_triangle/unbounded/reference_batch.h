@@ -9,15 +9,15 @@
 
 namespace axiscert {
 
-// The comparison bits of what exact/sphere_triangle/unbounded/unbounded.h has as outcomes.
+// The comparison bits of the outcomes in exact/sphere_triangle/unbounded/unbounded.h.
 struct RoundedBits {
   ComparisonBits range_free, reference;
   Rounded outcomes() const { return {outcome_of(range_free), outcome_of(reference)}; }
 };
 
-// The bits of the scalar reference that a kernel claims, and those of an unbounded exponent, by SIMD forms of the same
-// formulae on the best instruction set: tests hold them to the scalar ones, bit for bit, and so does each run on a
-// sample of its queries.
+// The bits of the scalar reference that a kernel claims, and those with an unbounded exponent, by SIMD forms of the
+// same formulae on the best instruction set. Tests compare them with the scalar ones, bit for bit, and so does each run
+// on a sample of its queries.
 template <class Real>
 class ReferenceBatch {
  public:
@@ -25,29 +25,29 @@ class ReferenceBatch {
   void evaluate(const QueryColumns<Real>& batch);
   // Whether the formulae have such a form.
   bool has_form() const { return form_ != nullptr; }
-  // What both decide; nothing where the formulae have no such form.
+  // The decisions of both; empty if the formulae have no such form.
   std::optional<RoundedBits> rounded(std::size_t i) const {
     if (bits_.empty()) return std::nullopt;
     return RoundedBits{range_free(i), bits_[i]};
   }
-  // The bits of both where they are the same.
+  // The bits of both if they are the same; else empty.
   std::optional<ComparisonBits> shared(std::size_t i) const {
     if (bits_.empty() || bits_[i] != range_free(i)) return std::nullopt;
     return bits_[i];
   }
-  // Whether both are these.
+  // Whether both have these bits.
   bool are_both(std::size_t i, ComparisonBits bits) const { return bits_[i] == bits && range_free(i) == bits; }
 
  private:
-  // Where no operation over- or underflowed in a block of queries, the two are the same
+  // If no operation over- or underflowed in a block of queries, the two are the same
   // (exact/sphere_triangle/unbounded/unbounded.h).
   static constexpr std::size_t block = 64;
   ComparisonBits range_free(std::size_t i) const { return left_range_[i / block] ? range_free_[i] : bits_[i]; }
 
   std::function<void(const QueryColumns<Real>& batch, ComparisonBits* out)> form_;
   RangeFreeBits<Real> range_free_form_ = nullptr;
-  std::vector<ComparisonBits> bits_, range_free_;  // range_free_: of the blocks that left the range
-  std::vector<char> left_range_;                   // by block
+  std::vector<ComparisonBits> bits_, range_free_;  // range_free_: for the blocks that left the range
+  std::vector<char> left_range_;                   // per block
 };
 
 }  // namespace axiscert

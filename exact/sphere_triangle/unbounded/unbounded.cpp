@@ -5,6 +5,7 @@
 
 #include "exact/sphere_triangle/unbounded/unbounded_table.h"
 #include "exact/sphere_triangle/unbounded/wide_range_float.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert {
 
@@ -43,7 +44,8 @@ bool within_wide_range(Formulae formulae) {
          });
 }
 
-// By formulae, R-infinity of binary32 in plain arithmetic on the processor; null where that is not proved.
+// For each set of formulae, R-infinity of binary32 in plain arithmetic on the processor; null if that is not proved
+// correct.
 UnboundedFunction on_processor(Formulae formulae) {
   static const auto functions = [] {
     std::array<UnboundedFunction, formulae_count> result = {

@@ -4,6 +4,7 @@
 #include "exact/numbers/floating.h"
 #include "exact/numbers/mpfr_number.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert {
 
@@ -28,7 +29,7 @@ struct UnboundedNumber<arithmetic::WorldDouble> {
   using Type = arithmetic::LargeWorld<Mpfr<53>, Mpfr<24>>;
 };
 
-// Scaling by a power of two rounds nothing, but the translation before it does, and then every form is centred.
+// Scaling by a power of two rounds nothing, but the translation before it does; after it every form is centred.
 template <class F, class Number, bool translated_first>
 Outcome unbounded_outcome(const Query<double>& q, Strictness strictness) {
   using T = typename Number::Type;
@@ -40,7 +41,7 @@ Outcome unbounded_outcome(const Query<double>& q, Strictness strictness) {
   return outcome_of<F>(problem, strictness);
 }
 
-// Arithmetics that are plain but for a mode share the plain functions.
+// Arithmetics that differ from plain only by a mode share the plain functions.
 const UnboundedTable& unbounded_table_plain();
 
 template <Arithmetic arithmetic>

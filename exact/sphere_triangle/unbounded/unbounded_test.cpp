@@ -1,4 +1,4 @@
-// R-infinity beside the reference: the same, for every rung in every arithmetic, where no range flag is raised.
+// R-infinity compared with the reference: identical, for every rung in every arithmetic, if no range flag is raised.
 #include "exact/sphere_triangle/unbounded/unbounded.h"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 namespace axiscert {
 namespace {
 
-// Queries whose bits hang on roundings: slivers and repeated vertices, far from the centre or not, with the radius that
-// is nearest to the distance.
+// Queries whose bits depend on roundings: slivers and repeated vertices, far from the centre or not, with the radius
+// nearest to the distance.
 template <class Real>
 Query<Real> near_tie(std::mt19937_64& random, int kind) {
   const auto unit = [&] { return static_cast<Real>(static_cast<std::int64_t>(random()) >> 11) * Real(0x1p-52); };
@@ -25,7 +25,7 @@ Query<Real> near_tie(std::mt19937_64& random, int kind) {
   return q;
 }
 
-// Where the flags do not tell, they are asked of the arithmetic that this one is within the range.
+// An arithmetic whose flags are reliable and that gives the same results within the range.
 Arithmetic with_flags(Arithmetic arithmetic) {
   switch (arithmetic) {
     case Arithmetic::ftz:
@@ -66,8 +66,8 @@ void expect_no_difference() {
       }
     }
     EXPECT_GT(compared, queries * 10) << info.name;
-    // Or these queries would tell none of them from `plain`. The early rungs of `prescaled` are centred, those of
-    // `plain` are not.
+    // Otherwise these queries would not distinguish the arithmetic from `plain`. The early rungs of `prescaled` are
+    // centred, those of `plain` are not.
     const bool rounds_as_plain = info.arithmetic == Arithmetic::plain || info.arithmetic == Arithmetic::ftz;
     if (rounds_as_plain) EXPECT_EQ(unlike_plain, 0) << info.name;
     else EXPECT_GT(unlike_plain, 0) << info.name;
@@ -77,7 +77,7 @@ void expect_no_difference() {
 TEST(Unbounded, IsTheReferenceWithinTheRangeInBinary32) { expect_no_difference<float>(); }
 TEST(Unbounded, IsTheReferenceWithinTheRangeInBinary64) { expect_no_difference<double>(); }
 
-// Beyond it the two part, and only the verdict of R-infinity is that of the unscaled query.
+// Beyond the range the two differ, and only the verdict of R-infinity is that of the unscaled query.
 TEST(Unbounded, DoesNotKnowTheScale) {
   const Query<float> q{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 3}, 1};
   for (const float s : {0x1p40f, 0x1p-40f}) {
@@ -87,7 +87,8 @@ TEST(Unbounded, DoesNotKnowTheScale) {
       const Rounded found = rounded(Formulae::published, info.arithmetic, Strictness::strict, scaled);
       EXPECT_EQ(found.range_free.verdict, Verdict::separated) << info.name << " at " << s;
       const bool keeps = info.arithmetic == Arithmetic::prescaled || info.arithmetic == Arithmetic::in_double;
-      // Toward +infinity a vanishing side stays above 0, toward zero an overflowing one below infinity.
+      // When rounding toward +infinity, a vanishing side stays above 0; when rounding toward zero, an overflowing side
+      // stays below infinity.
       if (info.arithmetic == Arithmetic::plain || keeps) {
         EXPECT_EQ(found.reference.verdict, keeps ? Verdict::separated : Verdict::contact) << info.name << " at " << s;
       }

@@ -1,4 +1,4 @@
-// binary32's significand with binary64's exponents: the operations of R-infinity in binary32 at the speed of hardware.
+// binary32's significand with binary64's exponents: the operations of R-infinity in binary32 at hardware speed.
 #pragma once
 
 #include <bit>
@@ -9,22 +9,22 @@
 namespace axiscert {
 
 // A binary64 of at most 24 bits. Every operation gives its exact result rounded once to 24 bits, nearest even, as long
-// as no number is beyond binary64's normal range, which covers() says of formulae. The processor has to round to
+// as no number leaves binary64's normal range, which covers() decides for given formulae. The processor has to round to
 // nearest.
 //
-// It rounds to 53 bits first, and that this changes nothing is known of p' >= 2p + 2 bits (S. A. Figueroa, "When is
-// double rounding innocuous?", 1995; here 53 >= 50). In short: a product of two has at most 48 bits and is not rounded
-// at first. Of a sum let a be the operand of greater magnitude, 2^q its unit in the last of 24 places and 2^l that of
-// b, |b| < 2^(l + 24). Where l >= q - 28, the sum is a multiple of 2^(q - 28) below 2^(q + 25) and has at most 53 bits.
-// Else |b| < 2^(q - 5): the sum lies between a -+ 2^(q - 5), which are of 53 bits, and so does what it is rounded to;
-// a's neighbours of 24 bits are at least 2^(q - 1) away from it, so that either rounding ends at a.
+// It rounds to 53 bits first. That this changes nothing is known for p' >= 2p + 2 bits (S. A. Figueroa, "When is double
+// rounding innocuous?", 1995; here 53 >= 50). In short: a product has at most 48 bits and is not rounded at first. In a
+// sum let a be the operand of greater magnitude, 2^q its unit in the last of 24 places and 2^l that of b, |b| < 2^(l +
+// 24). Where l >= q - 28, the sum is a multiple of 2^(q - 28) below 2^(q + 25) and has at most 53 bits. Else |b| < 2^(q
+// - 5): the sum lies between a -+ 2^(q - 5), which have at most 53 bits, and so does the rounded sum; a's neighbours of
+// 24 bits are at least 2^(q - 1) away from it, so that either rounding ends at a.
 class WideRangeFloat {
  public:
   WideRangeFloat() = default;
-  explicit WideRangeFloat(double x) : value_(x) {}  // of at most 24 bits
+  explicit WideRangeFloat(double x) : value_(x) {}  // x has at most 24 bits
 
-  // Whether all numbers on the way to a side with this bound are 0 or normal binary64s, where coordinates and radius
-  // are finite binary32s. These are multiples of 2^-149 below 2^128 in magnitude.
+  // Whether all intermediate results of a side with this bound are 0 or normal binary64 numbers if coordinates and
+  // radius are finite binary32 numbers. These are multiples of 2^-149 below 2^128 in magnitude.
   // - Not too small: a number of degree k is a multiple of 2^(-149 k), as sums and products of such multiples are, and
   //   the nearest number of 24 bits to a multiple of u: either it is that multiple, or its own unit is u or more. So a
   //   number is 0 or at least 2^(-149 k), and 2^-894 for k = 6 is above 2^-1022.
@@ -40,8 +40,8 @@ class WideRangeFloat {
   double value() const { return value_; }
 
  private:
-  // To nearest even: adds just less than half a unit, or half of one where the last place is odd, and cuts off. A carry
-  // out of the significand is one into the exponent, which is right; of 0 nothing is left.
+  // Rounds to nearest even: adds just less than half a unit, or half of one if the last place is odd, and truncates. A
+  // carry out of the significand goes into the exponent, which is right; 0 stays 0.
   static WideRangeFloat rounded(double x) {
     constexpr int dropped = 53 - 24;
     constexpr std::uint64_t unit = std::uint64_t{1} << dropped;

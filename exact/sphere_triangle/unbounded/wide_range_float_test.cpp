@@ -1,4 +1,5 @@
-// The operations of WideRangeFloat beside MPFR's at 24 bits, and the bounds that say for which formulae it is used.
+// The operations of WideRangeFloat compared with MPFR's at 24 bits, and the bounds that decide for which formulae it is
+// used.
 #include "exact/sphere_triangle/unbounded/wide_range_float.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,8 @@
 namespace axiscert {
 namespace {
 
-// Of at most 24 bits, with exponents as degree 3 has them; often few bits or a long carry, where halves and ties occur.
+// An operand of at most 24 bits, with exponents as in degree 3; often with few bits or a long carry, where midpoints
+// and ties occur.
 double any_operand(std::mt19937_64& random) {
   constexpr std::int64_t kinds[] = {1, 3, 0x800000, 0x800001, 0xfffffe, 0xffffff};
   const std::uint64_t choice = random() % 12;
@@ -39,7 +41,7 @@ TEST(WideRangeFloat, RoundsAsMpfrDoes) {
     ASSERT_TRUE(same(a + b, u + v) && same(a - b, u - v) && same(a * b, u * v))
         << std::hexfloat << x << " and " << y << ", seed " << seed;
     ASSERT_TRUE((a > b) == (u > v) && (a >= b) == (u >= v));
-    const Mpfr<60> sum = Mpfr<60>(x) + Mpfr<60>(y);  // exact where 25 bits hold it
+    const Mpfr<60> sum = Mpfr<60>(x) + Mpfr<60>(y);  // exact if 25 bits hold it
     rounded += mpfr_min_prec(sum.get()) > 24;
     ties += mpfr_min_prec(sum.get()) == 25;
   }

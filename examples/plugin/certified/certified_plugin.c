@@ -1,5 +1,5 @@
-/* libaxiscert, judged as anybody's code is: in a process of its own, between guard pages, asked twice and in pieces. An
- * engine's own code between its data and the library would stand here. */
+/* libaxiscert as a plug-in, judged as anybody's code is: in a process of its own, between guard pages, asked twice
+ * and in pieces. In an engine, its own code between its data and the library would be here. */
 #include <axiscert/certified.h>
 #include <axiscert/plugin.h>
 

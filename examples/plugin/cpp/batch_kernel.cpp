@@ -1,6 +1,6 @@
-// A kernel that takes whole batches: the published test as a loop over the structure of arrays that axiscert hands out,
-// which the compiler turns into vector instructions; float and double from one template; with its sixteen comparisons,
-// so that each of them is judged, and not the verdict alone.
+// A kernel that takes whole batches: the published test as a loop over axiscert's structure of arrays, which the
+// compiler turns into vector instructions; float and double from one template. It gives its sixteen comparisons, so
+// that each of them is judged, and not only the verdict.
 #include <axiscert/plugin.h>
 
 #include <algorithm>
@@ -25,9 +25,9 @@ Vec<Real> cross(Vec<Real> u, Vec<Real> v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
-// The comparisons of one query, 2^i for comparison i, in the order that plugin.h gives. The vertices are relative to
-// the centre; rr is the squared radius. No branch, and one width throughout, the sum included (which is exact): so a
-// loop over this becomes vector instructions on any target.
+// The comparisons of one query, 2^i for comparison i, in the order of plugin.h. The vertices are relative to the
+// centre; rr is the squared radius. There is no branch and one width throughout, including the sum (which is exact), so
+// a loop over this becomes vector instructions on any target.
 template <class Real>
 Real comparisons(Vec<Real> A, Vec<Real> B, Vec<Real> C, Real rr) {
   const Vec<Real> AB = B - A, BC = C - B, CA = A - C, V = cross(AB, C - A);
@@ -49,7 +49,7 @@ Real comparisons(Vec<Real> A, Vec<Real> B, Vec<Real> C, Real rr) {
   return bits;
 }
 
-// An axis separates where all of its comparisons hold, and the sphere is clear of the triangle where any axis does.
+// An axis separates if all of its comparisons hold, and the sphere is clear of the triangle if any axis separates.
 bool separated(unsigned bits) {
   constexpr unsigned axes[] = {0x0001, 0x000e, 0x0070, 0x0380, 0x0c00, 0x3000, 0xc000};
   return std::any_of(std::begin(axes), std::end(axes), [bits](unsigned axis) { return (bits & axis) == axis; });
@@ -62,7 +62,7 @@ void run(const axiscert_batch* batch, const axiscert_answers* answers) {
 
   constexpr std::size_t block = 64;
   for (std::size_t first = 0; first < batch->count; first += block) {
-    // Never beyond the arrays, which end where the batch does.
+    // The loop never reads beyond the arrays, which end where the batch does.
     const std::size_t count = std::min(block, batch->count - first);
     Real sums[block];
     for (std::size_t j = 0; j < count; ++j) {
@@ -97,14 +97,15 @@ constexpr axiscert_kernel kernel = {
     .measure_count = 0,
     // A kernel that means to equal a built-in one bit for bit names it here; any difference is then its fault.
     .conforms_to = nullptr,
-    // This one evaluates the published formulae in its own way: its comparisons are held against their exact values.
+    // This kernel evaluates the published formulae in its own way: its comparisons are compared with their exact
+    // values.
     .formulae = "published",
-    .limits = nullptr,  // none: it means to be right everywhere
+    .limits = nullptr,  // none: it is meant to be right everywhere
 };
 
 }  // namespace
 
-// Called with 0, 1, ... until it answers null: one kernel a precision.
+// Called with 0, 1, ... until it returns null: one kernel per precision.
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   switch (index) {
     case 0:

@@ -1,4 +1,4 @@
-// The threads of one process, each at one task at a time.
+// The threads of one process, each of which runs one task at a time.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace axiscert {
 
-// A task is a number whose meaning the crew does not know.
+// A task is a number whose meaning only the caller knows.
 using Task = std::uint64_t;
 struct TaskResult {
   Task task;
@@ -25,13 +25,14 @@ class Crew {
  public:
   using Run = std::function<std::string(Task)>;
   Crew(int threads, Run run);
-  // Tasks under way are finished, others are not begun.
+  // Finishes the tasks under way and begins no others.
   ~Crew();
   Crew(const Crew&) = delete;
 
   int threads() const { return static_cast<int>(threads_.size()); }
   void give(Task task);
-  // What was finished since; where that is nothing, waits for it as long as this. Rethrows what a task threw.
+  // The tasks finished since the last call; if there are none, waits for one for at most this long. Rethrows an
+  // exception thrown by a task.
   std::vector<TaskResult> take(std::chrono::milliseconds patience);
 
  private:

@@ -10,12 +10,12 @@
 namespace axiscert {
 namespace {
 
-// How long a process that has other ranks sleeps between looks for messages, and one that has none for an interrupt. A
-// unit takes 10 ms or more, and a rank has its next one at hand before it is through with the last; a look costs some
-// 20 microseconds.
+// The time that a process with other ranks sleeps between checks for messages, and a process without others between
+// checks for an interrupt. A unit takes 10 ms or more, and a rank already has its next one when it finishes the last; a
+// check costs about 20 microseconds.
 constexpr std::chrono::milliseconds between_looks{4}, between_interrupts{50};
 
-// A message is its kind and what belongs to it.
+// A message consists of its kind and its content.
 enum class Kind : char { ready = 'r', task = 't', result = 'd', fault = 'f', stop = 's', gone = 'g' };
 
 template <class Content>
@@ -44,7 +44,8 @@ Distributor::Distributor(Crew& crew, Ranks* ranks)
   workers_[0].use.threads = crew.threads();
 }
 
-// Two tasks a thread, so that none waits for the next; one in the end, so that none waits for another's second.
+// Two tasks per thread, so that no thread waits for its next one; one per thread near the end, so that no thread is
+// idle while another has a second one queued.
 void Distributor::hand_out(const Flow& flow) {
   std::uint64_t threads = 0;
   for (const Worker& worker : workers_) threads += static_cast<std::uint64_t>(worker.use.threads);
@@ -89,7 +90,7 @@ void Distributor::receive(const Flow* flow) {
         break;
       case Kind::task:
       case Kind::stop:
-        break;  // rank 0 sends these
+        break;  // only rank 0 sends these
     }
   }
 }

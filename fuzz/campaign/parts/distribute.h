@@ -1,4 +1,4 @@
-// Tasks handed out to a crew and to other ranks, as they have room for them; results in whatever order they come.
+// Distributes tasks to a crew and to other ranks as they have capacity; results arrive in any order.
 #pragma once
 
 #include <atomic>
@@ -9,20 +9,21 @@
 
 namespace axiscert {
 
-// What one rank did and needed.
+// The work of one rank and the resources it used.
 struct RankUse {
   int threads = 0;
-  std::uint64_t tasks = 0, peak_memory = 0;  // done; bytes
+  std::uint64_t tasks = 0, peak_memory = 0;  // tasks done; peak memory in bytes
 };
 
-// At rank 0, and where there are no others.
+// Used by rank 0, and by a process without other ranks.
 class Distributor {
  public:
-  // `ranks` may be null. What is borrowed has to outlive it.
+  // `ranks` may be null. The arguments must outlive the distributor.
   Distributor(Crew& crew, Ranks* ranks);
 
-  // Hands out what next() gives, until that is nothing and all of it is done; `left` says how many are to come, at
-  // least. Both are called between results, from this thread. Throws what a task threw, in whatever rank.
+  // Hands out the tasks that next() returns until it returns none and all of them are done; `left` returns a lower
+  // bound on how many are to come. Both are called between results, from this thread. Rethrows an exception thrown by a
+  // task in any rank.
   struct Flow {
     std::function<std::optional<Task>()> next;
     std::function<std::uint64_t()> left;
@@ -30,7 +31,7 @@ class Distributor {
   };
   void run(const Flow& flow);
 
-  // Sends the other ranks home, and says what each did; rank 0 is the first. Nothing can be run after it.
+  // Dismisses the other ranks and returns the use of each; rank 0 is the first. Nothing can be run afterwards.
   std::vector<RankUse> finish();
 
  private:
@@ -40,16 +41,16 @@ class Distributor {
     bool has_left = false;
   };
   void hand_out(const Flow& flow);
-  void receive(const Flow* flow);  // null: nothing is to come, results and faults are of a run that failed
+  void receive(const Flow* flow);  // null: the run has failed, and results and faults that still arrive are ignored
   void take(int rank, TaskResult result, const Flow& flow);
 
   Crew& crew_;
   Ranks* ranks_;
-  std::vector<Worker> workers_;  // by rank
+  std::vector<Worker> workers_;  // indexed by rank
   std::uint64_t under_way_ = 0;
 };
 
-// At the other ranks: does what rank 0 sends, until it says to stop.
+// Runs in the other ranks: performs the tasks that rank 0 sends until it sends a stop.
 void serve(Crew& crew, Ranks& ranks);
 
 }  // namespace axiscert

@@ -1,4 +1,4 @@
-// Tasks over ranks that are threads here: each is done once, whatever the order, and a fault of any rank is told.
+// Tasks over ranks that are threads here: each task is done once, in any order, and a fault of any rank is reported.
 #include "fuzz/campaign/parts/distribute.h"
 
 #include <gmock/gmock.h>
@@ -99,7 +99,7 @@ TEST(Distribute, EveryTaskIsDoneOnce) {
   }
 }
 
-// Rank 1 alone meets it: the crew of rank 0 does nothing.
+// Rank 1 alone meets the fault: the crew of rank 0 does nothing.
 template <class Fault>
 void expect_told(const Fault& fault, const std::function<void(const Fault&)>& check) {
   Post post;

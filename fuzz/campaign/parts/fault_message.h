@@ -1,4 +1,4 @@
-// An exception as bytes: from the rank that met it to rank 0, which tells it.
+// An exception as bytes: sent by the rank that met it to rank 0, which reports it.
 #pragma once
 
 #include <exception>
@@ -8,7 +8,8 @@
 namespace axiscert {
 
 std::string fault_message(const std::exception_ptr& fault);
-// Throws what was made a message of: Error, HarnessFault, OracleDisagreement with its query, or a std::runtime_error.
+// Throws the exception that the message was made from: Error, HarnessFault, OracleDisagreement with its query, or a
+// std::runtime_error.
 [[noreturn]] void rethrow_fault(std::string_view message, int rank);
 
 }  // namespace axiscert

@@ -4,12 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "fuzz/files/whole_number.h"
+#include "fuzz/text/whole_number.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
 
-// In CBOR a number: what is finished is an array.
+// A begun note is a CBOR number; a finished stretch is an array.
 std::string begun_note(std::uint64_t stretch) {
   std::string bytes;
   nlohmann::json::to_cbor(stretch, bytes);
@@ -36,7 +36,7 @@ void Gathered::replay(std::string_view content) {
 
 void Gathered::add(const Entry& entry) {
   if (entry.stretch >= stretches_.count()) throw Error(fmt::format("the plan has no stretch {}", entry.stretch));
-  if (is_done_[entry.stretch]) throw Error(fmt::format("{}: is there already", stretches_.text(entry.stretch)));
+  if (is_done_[entry.stretch]) throw Error(fmt::format("{}: already finished", stretches_.text(entry.stretch)));
   const Stretch stretch = stretches_.at(entry.stretch);
   CellResult& cell = result_.cells[stretch.cell];
   if (entry.tallies.size() != cell.tallies.size()) throw Error("a stretch with the tallies of other kernels");

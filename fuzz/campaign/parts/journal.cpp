@@ -12,8 +12,8 @@
 #include <cstring>
 #include <optional>
 
-#include "fuzz/files/file_bytes.h"
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/file_bytes.h"
+#include "fuzz/text/sha256.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -59,8 +59,9 @@ class JournalReader {
     const std::string_view start = next(line.size());
     if (start.size() < line.size() && line.starts_with(start)) return {0, start.size()};
     if (start != line) {
-      throw Error(fmt::format("{}: is no journal of this plan: it begins with \"{}\", the plan's journals with \"{}\"",
-                              path_, start.substr(0, start.find('\n')), line.substr(0, line.size() - 1)));
+      throw Error(
+          fmt::format("{}: is not a journal of this plan: it begins with \"{}\", the plan's journals with \"{}\"",
+                      path_, start.substr(0, start.find('\n')), line.substr(0, line.size() - 1)));
     }
     std::uint64_t offset = line.size();
     while (true) {
@@ -84,7 +85,7 @@ class JournalReader {
   }
 
  private:
-  // Fewer at the end of the file.
+  // Returns fewer bytes at the end of the file.
   std::string_view next(std::size_t size) {
     block_.resize(size);
     return {block_.data(), read_block(in_, block_, path_)};
@@ -101,9 +102,9 @@ class JournalReader {
 
   [[noreturn]] void fail(std::uint64_t offset) const {
     throw Error(
-        fmt::format("{}: corrupt: the entry at byte {} is not what was written there; "
-                    "restore the file, or cut it off there (truncate -s {}) and run with --resume, which does "
-                    "again what is missing",
+        fmt::format("{}: corrupt: the entry at byte {} has changed since it was written; "
+                    "restore the file, or truncate it there (truncate -s {}) and run with --resume, which "
+                    "repeats the missing work",
                     path_, offset, offset));
   }
 
@@ -129,15 +130,15 @@ Journal::Journal(std::string path, const std::string& plan_digest, const std::fu
       if (errno == EWOULDBLOCK) {
         throw Error(fmt::format("{}: another process is writing it; give another folder, or wait", path_));
       }
-      throw Error(fmt::format("{}: cannot be locked ({}); give a folder on a file system that has locks", path_,
+      throw Error(fmt::format("{}: cannot be locked ({}); give a folder on a file system that supports locks", path_,
                               std::strerror(errno)));
     }
-    std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is told by write() then, and not by death
+    std::signal(SIGXFSZ, SIG_IGN);  // makes write() report a file-size limit instead of ending the process
     const JournalEnd end = read_journal(path_, plan_digest, visit);
     torn_ = end.torn;
     end_ = end.whole;
     if (ftruncate(file_, static_cast<off_t>(end_)) != 0 || lseek(file_, 0, SEEK_END) < 0) {
-      throw Error(fmt::format("{}: cannot be cut off after its last whole entry: {}", path_, std::strerror(errno)));
+      throw Error(fmt::format("{}: cannot be truncated after its last whole entry: {}", path_, std::strerror(errno)));
     }
     if (end_ == 0) write(first_line(plan_digest));
   } catch (...) {
@@ -154,8 +155,8 @@ void Journal::write(std::string_view bytes) {
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) {
       throw Error(
-          fmt::format("{}: cannot be written: {}; what is finished stands in it: make room, and run with --resume",
-                      path_, std::strerror(errno)));
+          fmt::format("{}: cannot be written: {}; finished work is kept in it: make room, and run with --resume", path_,
+                      std::strerror(errno)));
     }
     done += static_cast<std::size_t>(written);
   }
@@ -170,7 +171,7 @@ void Journal::append(std::string_view content) {
 
 void Journal::sync() {
   if (fdatasync(file_) != 0) {
-    throw Error(fmt::format("{}: cannot be brought to the disk: {}", path_, std::strerror(errno)));
+    throw Error(fmt::format("{}: cannot be flushed to disk: {}", path_, std::strerror(errno)));
   }
 }
 

@@ -1,4 +1,5 @@
-// The journal: cut off at every byte and with every byte changed, it gives back what was written, or refuses.
+// The journal, truncated at every byte and with every byte changed, either returns the entries that were written or is
+// refused.
 #include "fuzz/campaign/parts/journal.h"
 
 #include <gmock/gmock.h>
@@ -8,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "fuzz/files/file_bytes.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -41,7 +42,7 @@ class JournalTest : public testing::Test {
   }
 
   std::string path_, bytes_;
-  std::vector<std::uint64_t> starts_;  // of the entries, and the end of the last
+  std::vector<std::uint64_t> starts_;  // starts of the entries, and the end of the last one
 };
 
 TEST_F(JournalTest, GivesBackWhatWasAppended) { EXPECT_EQ(read(), contents); }
@@ -82,13 +83,13 @@ TEST_F(JournalTest, AnyByteChangedIsSeen) {
       try {
         JournalEnd end;
         const std::vector<std::string> kept = read(&end);
-        // Only the last entry's content can be taken for a torn one.
+        // Only the last entry's content can be mistaken for a torn one.
         EXPECT_GE(i, starts_[starts_.size() - 2]) << "byte " << i << " bit " << bit;
         EXPECT_EQ(kept, std::vector<std::string>(contents.begin(), contents.end() - 1));
         EXPECT_GT(end.torn, 0u);
       } catch (const Error& error) {
         const std::string where =
-            is_head ? "no journal of this plan" : "the entry at byte " + std::to_string(*std::prev(after)) + " ";
+            is_head ? "not a journal of this plan" : "the entry at byte " + std::to_string(*std::prev(after)) + " ";
         EXPECT_THAT(error.what(), testing::HasSubstr(where));
       }
     }

@@ -8,15 +8,14 @@
 namespace axiscert {
 namespace {
 
-// Only the thread that joined calls MPI. Its own error handler ends the job: a rank that cannot reach another cannot go
-// on, and what is finished is in the journal.
+// Only the thread that joined calls MPI. MPI's default error handler ends the job: a rank that cannot reach another
+// cannot continue, and finished work is in the journal.
 class MpiRanks final : public Ranks {
  public:
   MpiRanks() {
     int provided = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
-    if (provided < MPI_THREAD_FUNNELED)
-      throw Error("this MPI allows no threads beside it: MPI_THREAD_FUNNELED is needed");
+    if (provided < MPI_THREAD_FUNNELED) throw Error("this MPI does not support threads: MPI_THREAD_FUNNELED is needed");
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
   }
@@ -29,7 +28,7 @@ class MpiRanks final : public Ranks {
     MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to, 0, MPI_COMM_WORLD);
   }
 
-  // Probed, for a waiting receive would turn a processor that a kernel could use.
+  // Polls, since a blocking receive would occupy a processor that a kernel could use.
   std::optional<Message> receive() override {
     int has_arrived = 0, size = 0;
     MPI_Status status;

@@ -6,9 +6,9 @@ namespace axiscert {
 std::unique_ptr<Ranks> join_ranks() {
   if (launched_ranks() <= 1) return nullptr;
   throw Error(
-      "started as a rank of an MPI job, and this axiscert was built without MPI: install libopenmpi-dev and build "
+      "started as a rank of an MPI job, but this axiscert was built without MPI: install libopenmpi-dev and build "
       "again, "
-      "or give each job of an array its --shard");
+      "or give each job of an array its own --shard");
 }
 
 }  // namespace axiscert

@@ -7,7 +7,7 @@
 #include <random>
 #include <span>
 
-#include "fuzz/files/sha256.h"
+#include "fuzz/text/sha256.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
@@ -42,7 +42,7 @@ void Recheck::again(const Entry& entry) {
   const std::vector<std::string> now = digests_of(entry);
   for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
     if (k < before.size() && k < now.size() && before[k] == now[k]) continue;
-    differences_.push_back(fmt::format("kernel {} on {}: its tally has the digest {:.16}, and again {:.16}",
+    differences_.push_back(fmt::format("kernel {} on {}: its tally had the digest {:.16}, but {:.16} when repeated",
                                        plan_.kernels[k]->id, stretches_.text(entry.stretch),
                                        k < before.size() ? before[k] : "none", k < now.size() ? now[k] : "none"));
   }

@@ -1,4 +1,4 @@
-// Finished stretches that are done a second time, in another way, and have to come to the same tallies.
+// Finished stretches that are done a second time, in another way, and have to give the same tallies.
 #pragma once
 
 #include <map>
@@ -7,7 +7,7 @@
 
 namespace axiscert {
 
-// So many of the numbers, at random, in their order; at least one.
+// This fraction of the numbers, chosen at random, in their order; at least one.
 std::vector<std::uint64_t> sample_of(const std::vector<std::uint64_t>& numbers, double fraction, std::uint64_t seed);
 
 class Recheck {
@@ -16,16 +16,16 @@ class Recheck {
 
   bool is_in(std::uint64_t stretch) const { return digests_.contains(stretch); }
   void first(const Entry& entry);
-  // After first() of the same stretch.
+  // To be called after first() with the same stretch.
   void again(const Entry& entry);
   std::uint64_t compared() const { return compared_; }
-  // Each names units, kernel and digests.
+  // Each message names units, kernel and digests.
   const std::vector<std::string>& differences() const { return differences_; }
 
  private:
   const Plan& plan_;
   const Stretches& stretches_;
-  std::map<std::uint64_t, std::vector<std::string>> digests_;  // by stretch, by kernel
+  std::map<std::uint64_t, std::vector<std::string>> digests_;  // for each stretch, one per kernel
   std::uint64_t compared_ = 0;
   std::vector<std::string> differences_;
 };

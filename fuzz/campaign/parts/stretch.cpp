@@ -6,7 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "fuzz/files/whole_number.h"
+#include "fuzz/text/whole_number.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -29,7 +29,7 @@ std::uint64_t Stretches::default_units_each(const Plan& plan) {
   std::uint64_t units = 0;
   const auto cells = cells_of(plan);
   for (const CellResult& cell : cells) units += rounded_up(size_of(plan, cell), unit_size);
-  // A cell's last stretch may be short: one more for each.
+  // A cell's last stretch may be short: one more stretch for each cell.
   const std::uint64_t least = rounded_up(units, most - std::min<std::uint64_t>(most / 2, cells.size()));
   return std::max({std::uint64_t{1}, std::min(usual_units, units / enough_stretches), least});
 }
@@ -47,8 +47,8 @@ Stretches::Stretches(const Plan& plan, std::uint64_t units_each) : units_each_(u
   }
   if (count_ > most) {
     throw Error(
-        fmt::format("{} stretches of {} units are more than the {} that a journal is made for: at least {} units "
-                    "a stretch",
+        fmt::format("{} stretches of {} units are more than the {} that a journal supports: give at least {} units "
+                    "per stretch",
                     count_, units_each, most, default_units_each(plan)));
   }
   std::uint64_t number = 0, index = 0;
@@ -137,7 +137,7 @@ Entry decode_entry(std::string_view bytes) {
     for (const Json& tally : json.at(1)) entry.tallies.push_back(text(tally));
     return entry;
   } catch (const Json::exception& wrong) {
-    throw Error(std::string("the bytes are no finished stretch: ") + wrong.what());
+    throw Error(std::string("the bytes are not a finished stretch: ") + wrong.what());
   }
 }
 

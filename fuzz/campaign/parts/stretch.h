@@ -1,5 +1,5 @@
-// A stretch: consecutive units of one source and precision, the least that is handed out, journalled and done again.
-// Its result depends on the plan and its number alone, to the byte.
+// A stretch: consecutive units of one source and precision, the smallest portion that is handed out, journalled and
+// repeated. Its result depends on the plan and its number alone, to the byte.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 namespace axiscert {
 
 struct Stretch {
-  std::size_t cell, source;  // of cells_of(plan) and of the plan
+  std::size_t cell, source;  // index in cells_of(plan), and in the plan's sources
   Precision precision;
-  std::uint64_t first_unit;  // of the cell
-  std::uint64_t queries;     // from that unit's first one on
+  std::uint64_t first_unit;  // within the cell
+  std::uint64_t queries;     // from the first query of that unit on
   std::uint64_t units() const { return (queries + unit_size - 1) / unit_size; }
 };
 
 // The stretches of a plan, in the order in which they are handed out: one of each cell in turn, so that every part of
-// the order has its share of each. Nothing is stored by stretch.
+// the order contains a share of each cell. Nothing is stored per stretch.
 class Stretches {
  public:
-  // Throws Error where there are more than a journal is made for: a greater `units_each` is right.
+  // Throws Error if there are more than a journal supports: the remedy is a greater `units_each`.
   Stretches(const Plan& plan, std::uint64_t units_each);
   std::uint64_t count() const { return count_; }
   std::uint64_t units() const { return units_; }
@@ -30,20 +30,20 @@ class Stretches {
   Stretch at(std::uint64_t number) const;
   // "tangent binary32, unit 7" or "... units 4 to 7".
   std::string text(std::uint64_t number) const;
-  // The units of many stretches, cell by cell: "tangent binary32: units 0 to 3, 7". At most `limit` parts, then how
-  // many more.
+  // The units of many stretches, cell by cell: "tangent binary32: units 0 to 3, 7". At most `limit` parts, followed by
+  // how many more there are.
   std::string text(const std::vector<std::uint64_t>& numbers, std::size_t limit) const;
 
-  // The most that a journal is made for, some gigabytes, however many queries there are.
+  // The greatest number of stretches that a journal supports, some gigabytes, however many queries there are.
   static constexpr std::uint64_t most = std::uint64_t{1} << 22;
-  // A stretch of 16 units takes a fraction of a second, beside which its entry (scale_bench) and that it is begun anew
-  // count nothing; but a plan has 1024 stretches before one has more than a unit, so that no thread waits long for the
-  // last of them.
+  // A stretch of 16 units takes a fraction of a second, compared with which the cost of its entry (scale_bench) and of
+  // beginning it is negligible; but a plan has 1024 stretches before any has more than one unit, so that no thread
+  // waits long for the last of them.
   static constexpr std::uint64_t usual_units = 16, enough_stretches = 1024;
   static std::uint64_t default_units_each(const Plan& plan);
 
  private:
-  // While the cells that have the fewest stretches are not through: `cells` take turns.
+  // Stretches during which the cells with the fewest stretches are not finished: `cells` take turns.
   struct Level {
     std::uint64_t first_number, first_index;
     std::vector<std::size_t> cells;
@@ -61,13 +61,13 @@ class Stretches {
   std::vector<Level> levels_;
 };
 
-// The cells of a plan with all of its queries in them: its result, as far as the plan tells it.
+// The cells of a plan with all of its queries in them: the part of its result that the plan determines.
 CampaignResult planned(const Plan& plan);
 
-// A finished stretch, as the journal and the ranks hold it.
+// A finished stretch, as stored in the journal and exchanged between ranks.
 struct Entry {
   std::uint64_t stretch;
-  std::vector<std::string> tallies;  // encoded, by kernel
+  std::vector<std::string> tallies;  // encoded, per kernel
   std::string costs;                 // encoded
 };
 std::string encode(const Entry& entry);

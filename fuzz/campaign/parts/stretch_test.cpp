@@ -1,4 +1,5 @@
-// Stretches: every unit once, in turn; a result that the plan alone decides; done again, a fault of one target is seen.
+// Stretches: every unit occurs once, in turn; the plan alone determines the result; a repetition reveals a fault of one
+// target.
 #include "fuzz/campaign/parts/stretch.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@
 namespace axiscert {
 namespace {
 
-// Families of very different sizes, with short last units, empty ones among them.
+// Families of very different sizes, with short last units and an empty family among them.
 Plan uneven_plan() {
   Plan plan = small_plan({"published"}, {"general", "tangent", "sliver", "tie", "bits"}, 0);
   plan.trials = [](const Source& source, Precision precision) -> std::uint64_t {
@@ -75,7 +76,7 @@ TEST(Stretches, AreNamedByTheirUnits) {
   EXPECT_EQ(stretches.text({0, 1, 2}, 1), "general binary64: units 0 to 1 and 2 more parts");
 }
 
-// What a unit is told of the units before it saves work and changes nothing.
+// The results of earlier units that a unit is given save work and change nothing.
 TEST(Stretch, IsItsUnitsMerged) {
   Plan plan = small_plan({"published", "nonstrict"}, {"sliver"}, 2 * unit_size + 100);
   plan.precisions = {Precision::binary32};
@@ -94,7 +95,7 @@ TEST(Stretch, IsItsUnitsMerged) {
   EXPECT_EQ(again.costs, entry.costs);
 }
 
-// Planted: on the scalar target, and there alone, every 1000th answer is turned round.
+// Planted: every 1000th answer is inverted, on the scalar target only.
 template <class Real>
 void wrong_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
   scalar_implementation<Formulae::published, Strictness::strict, Real>().verdicts(batch, out);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "fuzz/files/whole_number.h"
+#include "fuzz/text/whole_number.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -11,8 +11,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-// What follows lists every member once, for both directions: a structured binding does not compile where a member was
-// added, and the sizes catch it where a base class forbids one.
+// The code below lists every member once, for both directions: a structured binding does not compile after a member is
+// added, and where a base class prevents one, the size assertions detect that.
 static_assert(sizeof(AxisTally) == sizeof(SignTally) + sizeof(std::uint64_t));
 static_assert(sizeof(ComparisonTally) ==
               sizeof(SignTally) + 3 * sizeof(std::uint64_t) + sizeof(Leaders<Decimal6>) + 2 * sizeof(Leaders<bool>));
@@ -103,7 +103,7 @@ class Encoder {
     put(leaders.candidates().size());
     for (const auto& [rank, position] : leaders.candidates()) (*this)(rank, position);
   }
-  // Numbers whose order says nothing: each value once, and how often. Many are equal.
+  // Numbers whose order has no meaning: each value once, with its count. Many are equal.
   void put(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     Json runs = Json::array();
@@ -127,7 +127,7 @@ class Decoder {
     (get(members), ...);
   }
   void finish() const {
-    if (!all_.is_array() || next_ != all_.size()) throw Error("the bytes are no tally");
+    if (!all_.is_array() || next_ != all_.size()) throw Error("the bytes are not a tally");
   }
 
  private:
@@ -174,8 +174,8 @@ class Decoder {
     const Json& runs = next();
     for (std::size_t i = 0; i + 1 < runs.size(); i += 2) {
       const auto count = whole_number<std::size_t>(runs[i + 1]);
-      constexpr std::size_t most = std::size_t{1} << 16;  // of a source (has_critical_radius)
-      if (count > most) throw Error(fmt::format("the bytes are no tally: a critical radius {} times", count));
+      constexpr std::size_t most = std::size_t{1} << 16;  // per source (has_critical_radius)
+      if (count > most) throw Error(fmt::format("the bytes are not a tally: a critical radius {} times", count));
       values.insert(values.end(), count, runs[i].get<double>());
     }
   }
@@ -184,7 +184,7 @@ class Decoder {
   std::size_t next_ = 0;
 };
 
-// Calls read(decoder), and tells bytes that do not fit as an Error.
+// Calls read(decoder), and reports bytes that do not fit as an Error.
 template <class Read>
 void decode(std::string_view bytes, Read&& read) {
   try {
@@ -192,7 +192,7 @@ void decode(std::string_view bytes, Read&& read) {
     read(decoder);
     decoder.finish();
   } catch (const Json::exception& wrong) {
-    throw Error(std::string("the bytes are no tally: ") + wrong.what());
+    throw Error(std::string("the bytes are not a tally: ") + wrong.what());
   }
 }
 

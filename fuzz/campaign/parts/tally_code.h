@@ -9,7 +9,7 @@
 
 namespace axiscert {
 
-// What a stretch cost: all of it in run.json, none of it in a record. It depends on the machine.
+// The cost of a stretch: all of it goes to run.json, none of it to a record. It depends on the machine.
 struct Costs {
   double core_seconds = 0;
   std::uint64_t second_opinions = 0;
@@ -18,7 +18,7 @@ struct Costs {
 
 std::string encode(const Tally& tally);
 std::string encode(const Costs& costs);
-// Both throw Error where the bytes are none that encode() makes.
+// Both throw Error for bytes that encode() does not produce.
 Tally decode_tally(std::string_view bytes);
 Costs decode_costs(std::string_view bytes);
 

@@ -1,4 +1,4 @@
-// Tallies of real units: the same bytes in whatever order they were merged, and back.
+// Tallies of real units: the same bytes in whatever order they were merged, and a round trip.
 #include "fuzz/campaign/parts/tally_code.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace axiscert {
 namespace {
 
-// Small units, so that there are many: their tallies have flips of every kind, leaders that tie, findings of none.
+// Tallies of many small units, with flips of every kind and leaders that tie, but no findings.
 std::vector<Tally> real_tallies() {
   const Plan plan =
       small_plan({"published", "first-publication"}, {"tangent", "sliver", "tie", "repeated", "scale"}, 1);
@@ -67,7 +67,7 @@ TEST(TallyCode, MergingIsAssociative) {
   }
 }
 
-// Any order, any grouping, any of the parts through bytes.
+// Any order, any grouping, and a round trip through bytes for any of the parts.
 TEST(TallyCode, EveryTreeOfMergesGivesTheSameBytes) {
   constexpr std::uint64_t seed = 20261121;
   std::mt19937_64 random(seed);

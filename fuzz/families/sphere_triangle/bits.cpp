@@ -1,5 +1,5 @@
-// Uniform finite bit patterns: every exponent as likely as another, thirteen sizes in one query.
-#include "fuzz/queries/lanes.h"
+// Uniform finite bit patterns: all exponents are equally likely, so a query has thirteen different magnitudes.
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/bits.cpp"
@@ -7,7 +7,7 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "fuzz/families/sphere_triangle/lane_family-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_family-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
@@ -28,7 +28,7 @@ struct Bits {
       const auto low = random.word();
       pattern = hn::Or(hn::ShiftLeft<32>(pattern), low);
     }
-    // Infinities and NaNs come down to [1, 2).
+    // Infinities and NaNs are mapped to [1, 2).
     const auto every_bit = hn::Set(d, exponent);
     const auto not_finite = hn::Eq(hn::And(pattern, every_bit), every_bit);
     const auto lowered = hn::Xor(pattern, hn::Set(d, top_of_exponent));

@@ -3,7 +3,7 @@
 // The published formulae with strict sides answer most of these wrongly at some radius even in exact arithmetic, always
 // with a phantom contact; random floats are never collinear.
 #include "fuzz/queries/boundary.h"
-#include "fuzz/families/sphere_triangle/shapes.h"
+#include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 
@@ -21,7 +21,7 @@ Query<Real> collinear(Stream& random, std::uint64_t position) {
   const std::int64_t first = random.integer(-steps, 0), second = first + random.integer(1, steps / 2);
   const std::int64_t third = second + random.integer(1, steps / 2);
   const auto at = [&](std::int64_t t) { return shapes::scaled(base + direction * static_cast<Real>(t), -base_digits); };
-  // The order of the vertices says which of them lies between the other two.
+  // The order of the vertices determines which of them lies between the other two.
   const auto vertices = shapes::shuffled<Real>(random, {at(first), at(second), at(third)});
 
   Query<Real> q = shapes::query(vertices, shapes::in_cube<Real>(random));

@@ -1,5 +1,5 @@
-// Queries far from the origin, where the grid of the floats is coarse against the triangle.
-#include "fuzz/queries/lanes.h"
+// Queries far from the origin, where the grid of the floats is coarse compared with the triangle.
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/far.cpp"
@@ -7,7 +7,7 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "fuzz/families/sphere_triangle/lane_family-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_family-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
@@ -24,7 +24,7 @@ struct Far : AimedRadii {
     const Vec3<T> offset = at_unit_length(in_cube(random)) * decade;
     for (Vec3<T>& v : q.v) v = v + offset;
     q.p = q.p + offset;
-    aim(random, q);  // of the rounded query
+    aim(random, q);  // relative to the rounded query
     return q;
   }
 };

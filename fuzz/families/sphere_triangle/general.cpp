@@ -1,5 +1,5 @@
-// Triangles and centres anywhere in a cube, any radius up to the cube's size: what a uniform fuzzer asks.
-#include "fuzz/queries/lanes.h"
+// Triangles and centres anywhere in a cube, any radius up to the cube's size: the queries of a uniform fuzzer.
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/general.cpp"
@@ -7,7 +7,7 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "fuzz/families/sphere_triangle/lane_family-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_family-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {

@@ -1,14 +1,14 @@
-// Centres exactly on the triangle in coordinates of few bits, as a level made on a grid has them: plane offsets and
-// determinants that `on` leaves to rounding are exactly zero here. Searches that wait for a sign can then wait for
+// Centres exactly on the triangle in coordinates of few bits, as in a level made on a grid: plane offsets and
+// determinants that `on` leaves to rounding are exactly zero here. Iterations that wait for a sign can then run for
 // ever.
-#include "fuzz/families/sphere_triangle/shapes.h"
+#include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 
 namespace axiscert {
 namespace {
 
-// Vertices that are four times integers have the centre in integers.
+// Vertices that are four times integers give a centre in integers.
 template <class Real>
 Query<Real> grid(Stream& random, std::uint64_t position) {
   constexpr std::array<std::int64_t, 3> bounds = {2, 8, 64};

@@ -1,26 +1,28 @@
 // A query near tangency, and its images: in six vertex orders, in 48 permutations and reflections of the axes, with all
 // signs changed, times powers of two, and translated. Every image is exact, so that no exact answer differs.
-#include "fuzz/families/sphere_triangle/images.h"
+#include "fuzz/queries/images.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "fuzz/families/sphere_triangle/shapes.h"
+#include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
-#include "fuzz/shrink/symmetry.h"
+#include "fuzz/files/symmetry.h"
 
 namespace axiscert {
 namespace {
 
 // Coordinates of A, B, C and P are multiples of 2^-grid_bits in [-1, 1], so that they leave room for a translation by
-// such a multiple, at most 3: sums of at most 4, which have grid_bits + 3 <= digits bits. And for a power of two.
+// such a multiple, at most 3: sums are at most 4 and have grid_bits + 3 <= digits bits. They also leave room for a
+// power of two.
 template <class Real>
 constexpr int grid_bits = std::numeric_limits<Real>::digits - 4;
 constexpr std::int64_t greatest_translation = 3;
 
-// Far from the range and beyond it: at 2^20 the edge axes of binary32 begin to overflow, terms of degree 6.
+// Powers within the range, near its end and beyond it: at 2^20 the edge axes of binary32, terms of degree 6, begin to
+// overflow.
 template <class Real>
 constexpr std::array<int, 8> powers =
     sizeof(Real) == 4 ? std::array{0, 1, -1, 6, -6, 20, -20, 31} : std::array{0, 1, -1, 40, -40, 160, -160, 250};
@@ -32,8 +34,8 @@ Vec3<Real> on_grid(Stream& random, std::int64_t greatest, int exponent) {
   return {x, y, z};
 }
 
-// In turn: any triangle, a sliver, one of small integers where comparisons tie, one with two equal vertices. The radius
-// is the float nearest to the distance, -4 to +4 ulps.
+// In turn: an arbitrary triangle, a sliver, a triangle of small integers where comparisons tie, and one with two equal
+// vertices. The radius is the float nearest to the distance, -4 to +4 ulps.
 template <class Real>
 Query<Real> base_query(Stream& random, std::uint64_t base) {
   constexpr int bits = grid_bits<Real>;
@@ -44,7 +46,7 @@ Query<Real> base_query(Stream& random, std::uint64_t base) {
   shapes::Vertices<Real> v;
   for (Vec3<Real>& vertex : v) vertex = on_grid<Real>(random, greatest, exponent);
   if (kind == 1) {
-    // C beside the line AB, and between them: A and B are multiples of eight units, so an eighth of AB is on the grid.
+    // C close to the line AB, between A and B: A and B are multiples of eight units, so an eighth of AB is on the grid.
     for (std::size_t i = 0; i < 2; ++i) v[i] = on_grid<Real>(random, one / 8, 3 - bits);
     const Real share = static_cast<Real>(random.integer(1, 7)) / 8;
     v[2] = v[0] + (v[1] - v[0]) * share + on_grid<Real>(random, 2, -bits);
@@ -56,7 +58,7 @@ Query<Real> base_query(Stream& random, std::uint64_t base) {
   }
   Query<Real> q = shapes::query(v, on_grid<Real>(random, greatest, exponent));
   q.r = shapes::radius_near_distance(random, q, 4);
-  // A few ulps from a distance of zero: the powers of two would round it.
+  // A few ulps from a distance of zero: scaling by the powers of two would round such a radius.
   if (!(q.r >= Real(0x1p-40))) q.r = 0;
   return q;
 }
@@ -98,8 +100,7 @@ constexpr std::array<ImageGroup, 5> groups = {{
     {"translated", 4, same_order},
 }};
 
-// The images at `first` and after it of a group of `size`. What an image draws comes after what its base drew, from the
-// base's stream.
+// The images from `first` on of groups of `size`. An image draws after its base, from the base's stream.
 template <class Real, std::size_t group, Query<Real> (*make_image)(const Query<Real>&, std::size_t, Stream&)>
 void fill(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
   constexpr std::uint64_t size = groups[group].size;

@@ -1,5 +1,6 @@
-// Small integers on which the published formulae never round, so that a wrong answer can only be the formulae's own.
-#include "fuzz/queries/lanes.h"
+// Small integers on which the published formulae never round, so that any wrong answer is due to the formulae
+// themselves.
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/lattice.cpp"
@@ -7,7 +8,7 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "fuzz/families/sphere_triangle/lane_family-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_family-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
@@ -33,7 +34,7 @@ constexpr bool exact_within_bounds() {
 }
 static_assert(exact_within_bounds<float>() && exact_within_bounds<double>());
 
-// The smallest lattices, where vertices coincide and comparisons tie, take turns with the largest.
+// The smallest lattices, where vertices coincide and comparisons tie, alternate with the largest.
 struct Lattice {
   static constexpr bool solves = false;
   template <class Random, class T = typename Random::T>
@@ -53,7 +54,7 @@ struct Lattice {
     LaneQuery<T> q;
     for (Vec3<T>& v : q.v) v = point();
     q.p = point();
-    random.word();  // nobody's: a thirteenth coordinate, once
+    random.word();  // unused; formerly a thirteenth coordinate
     q.r = Random::number(random.below(radii)) * Random::constant(0.5);
     return q;
   }

@@ -1,5 +1,5 @@
-// Triangles with two vertices very near each other.
-#include "fuzz/queries/lanes.h"
+// Triangles with two vertices very close to each other.
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/needle.cpp"
@@ -7,13 +7,13 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "fuzz/families/sphere_triangle/lane_family-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_family-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
 namespace {
 
-// The two vertices lie about the origin; where the triangle is then moved away, rounding can make them one.
+// The two vertices lie near the origin; if the triangle is then moved away, rounding can make them equal.
 struct Needle : AimedRadii {
   template <class Random, class T = typename Random::T>
   AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {

@@ -1,5 +1,5 @@
 // One number out of thirteen that is not finite, has the wrong sign, or is a zero of either sign.
-#include "fuzz/queries/lanes.h"
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/nonfinite.cpp"
@@ -7,7 +7,7 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "fuzz/families/sphere_triangle/lane_family-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_family-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
@@ -32,7 +32,7 @@ struct Nonfinite {
       case 3:
         return -std::abs(usual);  // an invalid radius
       case 4:
-        return -Limits::denorm_min();  // the least of those
+        return -Limits::denorm_min();  // the least negative radius
       case 5:
         return Real(0);
       case 6:
@@ -55,8 +55,8 @@ struct Nonfinite {
     return q;
   }
 
-  // Each place in turn with each kind. One query in four carries a second one, of any kind at any place: the wishes are
-  // that place, or -1, and the kind.
+  // Each place in turn with each kind. One query in four has a second such number, of any kind at any place: the wishes
+  // are that place, or -1, and the kind.
   template <class Real>
   static void finish(std::uint64_t first, const MutableColumns<Real>& queries, const shapes::Wishes<Real>& wishes) {
     for (std::size_t i = 0; i < queries.size; ++i) {

@@ -1,8 +1,9 @@
-// Centres exactly on the triangle, at a vertex, on an edge or on the face: everything is a contact, at r = 0 touching.
+// Centres exactly on the triangle, at a vertex, on an edge or on the face: every query is a contact, and touching at r
+// = 0.
 #include <cmath>
 #include <limits>
 
-#include "fuzz/families/sphere_triangle/shapes.h"
+#include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 
@@ -27,7 +28,7 @@ Real small_radius(Stream& random, std::uint64_t which) {
   }
 }
 
-// Vertices that are sixteen times integers have the centre in integers.
+// Vertices that are sixteen times integers give a centre in integers.
 template <class Real>
 Query<Real> on(Stream& random, std::uint64_t position) {
   constexpr int digits = sizeof(Real) == 4 ? 20 : 49;

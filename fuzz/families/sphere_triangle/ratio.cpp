@@ -1,5 +1,5 @@
 // Radius, distance and edge length of very different sizes, independently.
-#include "fuzz/queries/lanes.h"
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/ratio.cpp"
@@ -7,7 +7,7 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "fuzz/families/sphere_triangle/lane_family-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_family-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
@@ -18,14 +18,14 @@ struct Ratio {
   static constexpr int most_halvings = 40, steps = 2 * most_halvings + 1;
 
   static double distance_size(std::uint64_t position) {
-    return std::ldexp(1.0, static_cast<int>(position) - most_halvings);  // of the position modulo steps
+    return std::ldexp(1.0, static_cast<int>(position) - most_halvings);  // for the position modulo steps
   }
   static double radius_size(std::uint64_t position) {
     const auto step = static_cast<int>(position / steps % (steps + 1));
-    return step < steps ? std::ldexp(1.0, step - most_halvings) : 0;  // the last step of the radius is none at all
+    return step < steps ? std::ldexp(1.0, step - most_halvings) : 0;  // at the last step the radius is zero
   }
 
-  // One vertex is the origin, so that the centre can be as near to it as it likes.
+  // One vertex is the origin, so that the centre can be arbitrarily near to it.
   template <class Random, class T = typename Random::T>
   AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {
     const Vec3<T> x = in_cube(random), y = in_cube(random);

@@ -1,6 +1,6 @@
-// Clear queries at every power of two of the precision: what goes wrong is range, not rounding.
+// Clear queries at every power of two of the precision: faults are due to range, not rounding.
 #include "fuzz/queries/boundary.h"
-#include "fuzz/queries/lanes.h"
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/scale.cpp"
@@ -8,7 +8,7 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "fuzz/families/sphere_triangle/lane_family-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_family-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
@@ -17,7 +17,7 @@ namespace {
 struct Scale {
   static constexpr bool solves = true;
 
-  // From the power that leaves one bit of a subnormal to the one whose products stay just finite.
+  // From the power that leaves one bit of a subnormal to the power at which products just remain finite.
   template <class Real>
   static Real size(std::uint64_t position) {
     using Limits = std::numeric_limits<Real>;
@@ -36,9 +36,9 @@ struct Scale {
     return q;
   }
 
-  // Wishes: a share of the distance, or what is added to twice the distance; whether the radius is to be below.
-  // Half the distance or less, or twice the distance or more, and below two. Then all times a power of two, a product
-  // that is rounded once, into the subnormals too.
+  // Wishes: a fraction of the distance, or the amount added to twice the distance; and whether the radius is to be
+  // below. The radius is half the distance or less, or twice the distance or more, and below two. Then all numbers are
+  // multiplied by a power of two, with one rounding, also into the subnormals.
   template <class Real>
   static void finish(std::uint64_t first, const MutableColumns<Real>& queries, const shapes::Wishes<Real>& wishes) {
     for (std::size_t i = 0; i < queries.size; ++i) {

@@ -1,10 +1,10 @@
 // Centres solved onto each of the nine side boundaries, which are the seams between the regions of two features.
 //
 // On a seam the distances to both features are equal, so either axis separates and a wrong side is masked by the other
-// feature's radius comparison; unless the radius is within rounding of the distance, where both can go wrong at once.
-// Hence half of the radii are there.
+// feature's radius comparison, unless the radius is within rounding of the distance, where both can be wrong at once.
+// Hence half of the radii are chosen there.
 #include "fuzz/queries/boundary.h"
-#include "fuzz/queries/lanes.h"
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/seam.cpp"
@@ -12,7 +12,7 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "fuzz/families/sphere_triangle/lane_family-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_family-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
@@ -23,10 +23,11 @@ struct Seam {
 
   struct Side {
     Comparison comparison;
-    // Between the regions of vertex `from` and of the edge towards `to`; else of the edge from `from` to `to` and face.
+    // True: between the regions of vertex `from` and of the edge towards `to`; false: between those of the edge from
+    // `from` to `to` and the face.
     bool at_vertex;
     std::uint8_t from, to;
-    // Where the query's vertices are among the local ones: `from`, `to` and the third.
+    // The index of a vertex of the query among the local ones: `from`, `to` and the third.
     constexpr int local(std::size_t vertex) const { return vertex == from ? 0 : vertex == to ? 1 : 2; }
   };
   static constexpr std::array<Side, 9> sides = {{
@@ -44,7 +45,7 @@ struct Seam {
   static bool radius_at_boundary(std::uint64_t position) { return position / 9 % 2 == 0; }
   static int ulps(std::uint64_t position) { return static_cast<int>(position / 18 % 9) - 4; }
 
-  // One of the coordinates in which the gradient is at least half as large as in its largest: 0, 1 or 2.
+  // One of the coordinates in which the gradient is at least half as large as in its largest coordinate: 0, 1 or 2.
   template <class Random, class T = typename Random::T>
   AXISCERT_INLINE static T effective_coordinate(Random& random, const Vec3<T>& gradient) {
     const T zero = Random::constant(0), one = Random::constant(1), two = Random::constant(2);
@@ -53,7 +54,7 @@ struct Seam {
     T eligible[3];  // 1 or 0
     for (int k = 0; k < 3; ++k) eligible[k] = select(hn::Ge(effect[k].v, least.v), one, zero);
     const T count = eligible[0] + eligible[1] + eligible[2];
-    // A sixth divides into two and into three: which of the eligible ones, counted from 0.
+    // Six is divisible by two and by three: the index among the eligible coordinates, counted from 0.
     const T sixths = random.integer(0, 5) * count, six = Random::constant(6), twelve = Random::constant(12);
     const T which = select(hn::Ge(sixths.v, six.v), one, zero) + select(hn::Ge(sixths.v, twelve.v), one, zero);
     const auto takes = [&](int k, const T& before)
@@ -81,7 +82,7 @@ struct Seam {
     return q;
   }
 
-  // Wishes: the coordinate to solve for; how far a radius at the distance is from it, in ulps.
+  // Wishes: the coordinate to solve for; the difference in ulps between a radius at the distance and the distance.
   template <class Real>
   static void finish(std::uint64_t first, const MutableColumns<Real>& queries, const shapes::Wishes<Real>& wishes) {
     for (std::size_t i = 0; i < queries.size; ++i) {

@@ -1,6 +1,6 @@
 // Triangles with one vertex almost on the segment of the other two, down to heights far below the rounding of their
 // coordinates.
-#include "fuzz/queries/lanes.h"
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/sliver.cpp"
@@ -8,15 +8,15 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "fuzz/families/sphere_triangle/lane_family-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_family-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
 namespace {
 
-// The segment runs through the origin exactly, from -m D to n D in few-bit integers, so that the third vertex, near the
-// origin where floats are dense, can be as near to it as it likes. Half of the triangles are then moved away, where
-// rounding the coordinates limits the ratio.
+// The segment runs through the origin exactly, from -m D to n D in integers of few bits, so that the third vertex, near
+// the origin where floats are dense, can be arbitrarily near to it. Half of the triangles are then moved away, where
+// rounding of the coordinates limits the ratio.
 struct Sliver : AimedRadii {
   template <class Random, class T = typename Random::T>
   AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {

@@ -1,31 +1,31 @@
-// Exact ties, with specks where a coordinate is zero: numbers from a rounding of the query's size down to the least
-// there is. What decides such a query, if anything does, lies hundreds of bits below all else, where products
-// underflow: arithmetic that is exact but for that answers as if the specks were not there.
-#include "fuzz/families/sphere_triangle/shapes.h"
-#include "fuzz/families/sphere_triangle/ties.h"
+// Exact ties, with specks in place of zero coordinates: numbers from a rounding error of the query's size down to the
+// least number there is. The part that decides such a query, if any part does, lies hundreds of bits below all others,
+// where products underflow: arithmetic that is exact except for underflow answers as if the specks were absent.
+#include "fuzz/families/sphere_triangle/parts/shapes.h"
+#include "fuzz/families/sphere_triangle/parts/ties.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 
 namespace axiscert {
 namespace {
 
-// A tie is multiplied by up to this power of two, or by its inverse; neither rounds or overflows.
+// A tie is multiplied by up to this power of two, or by its inverse, without rounding or overflow.
 template <class Real>
 constexpr int most_doublings = sizeof(Real) == 4 ? 80 : 120;
 
-// 1 or 3 times a power of two below `size`, of either sign.
+// 1 or 3 times a power of two below `size`, with either sign.
 template <class Real>
 Real speck(Stream& random, int size) {
   using Limits = std::numeric_limits<Real>;
   constexpr int least = Limits::min_exponent - Limits::digits;
   const auto exponent = static_cast<int>(random.integer(least, size - Limits::digits));
-  // A third of them are a few of the least number.
+  // A third of the specks are small multiples of the least number.
   const Real unit = std::ldexp(Real(1), random.below(3) == 0 ? least : exponent);
   const Real x = random.coin() ? unit : 3 * unit;
   return random.coin() ? x : -x;
 }
 
-// The centre is in the origin, so that three coordinates are zero at least.
+// The centre is at the origin, so that at least three coordinates are zero.
 template <class Real>
 Query<Real> specked_tie(Stream& random, std::uint64_t position) {
   const Query<Real> tie = touching_integers<Real>(random, position);

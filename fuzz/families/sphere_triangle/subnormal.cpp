@@ -2,14 +2,14 @@
 #include <cmath>
 #include <limits>
 
-#include "fuzz/families/sphere_triangle/shapes.h"
+#include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 
 namespace axiscert {
 namespace {
 
-// In turn all subnormal, and of sizes within 2^-12 to 2^12 of the least normal number.
+// In turn: all subnormal, and of sizes within 2^-12 to 2^12 of the least normal number.
 template <class Real>
 Query<Real> subnormal(Stream& random, std::uint64_t position) {
   constexpr int least_normal = std::numeric_limits<Real>::min_exponent - 1;

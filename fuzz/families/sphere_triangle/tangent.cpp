@@ -1,6 +1,6 @@
-// Radii solved onto each of the seven radius boundaries, the centre where that axis is the one that decides.
+// Radii solved onto each of the seven radius boundaries, with the centre in the region where that axis decides.
 #include "fuzz/queries/boundary.h"
-#include "fuzz/queries/lanes.h"
+#include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/tangent.cpp"
@@ -8,7 +8,7 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "fuzz/families/sphere_triangle/lane_family-inl.h"
+#include "fuzz/families/sphere_triangle/parts/lane_family-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
@@ -19,13 +19,13 @@ struct Tangent {
 
   static std::size_t axis(std::uint64_t position) { return position % axis_count; }
   static int ulps(std::uint64_t position) { return static_cast<int>(position / axis_count % 9) - 4; }
-  // The vertex at the axis's feature: the edge runs from there to the next.
+  // The vertex at the axis's feature; an edge runs from there to the next.
   static std::size_t vertex(std::uint64_t position) { return axis(position) == 0 ? 0 : (axis(position) - 1) % 3; }
 
   // A centre whose nearest triangle point lies inside the feature that the axis is named after. Local vertex 0 is at
-  // the feature. With the normal of either sign, the outward direction of an edge spans the half plane of directions
-  // whose nearest triangle point lies on that edge; those of a vertex's two edges span, with the normal, the cone of
-  // directions at that vertex.
+  // the feature. Together with the normal of either sign, the outward direction of an edge spans the half plane of
+  // directions whose nearest triangle point lies on that edge; those of a vertex's two edges span, with the normal, the
+  // cone of directions at that vertex.
   template <class Random, class T = typename Random::T>
   AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {
     const T kind = in_turn<Random, axis_count>(first, [](std::uint64_t p) {

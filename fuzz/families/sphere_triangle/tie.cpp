@@ -1,6 +1,6 @@
-// Integers that touch exactly: the distance is r, on each of the seven features in turn.
-#include "fuzz/families/sphere_triangle/shapes.h"
-#include "fuzz/families/sphere_triangle/ties.h"
+// Integers that touch exactly: the distance equals r, on each of the seven features in turn.
+#include "fuzz/families/sphere_triangle/parts/shapes.h"
+#include "fuzz/families/sphere_triangle/parts/ties.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 
@@ -24,9 +24,9 @@ Rotation rotation(Stream& random, std::int64_t bound) {
           a * a + b * b + c * c + d * d};
 }
 
-// A triangle whose point nearest to every centre (0, 0, z), z > 0, is the origin, inside the feature.
+// A triangle whose nearest point to every centre (0, 0, z), z > 0, is the origin, in the interior of the feature.
 std::array<Integers, 3> local_vertices(Stream& random, std::size_t axis, std::int64_t bound) {
-  if (axis == 0) {  // in the plane z = 0, the origin a positive combination of the vertices
+  if (axis == 0) {  // in the plane z = 0, with the origin a positive combination of the vertices
     Integers u = shapes::integers(random, bound / 4), v = shapes::integers(random, bound / 4);
     if (u.x == 0 && u.y == 0) u.x = 1;
     if (u.x * v.y - u.y * v.x == 0) v = {-u.y, u.x, 0};

@@ -3,18 +3,19 @@
  *     float triangle[9] = {ax, ay, az, bx, by, bz, cx, cy, cz}, sphere[4] = {px, py, pz, r};
  *     if (axiscert_pair_f32(triangle, sphere, AXISCERT_CLOSED_SPHERE) == AXISCERT_CONTACT) ...
  *
- * The sphere is solid, the triangle closed; both are what the numbers given are, exactly. For every finite input and
- * r >= 0 (-0 too) the answer is that of exact arithmetic: triangles without area, subnormal numbers and the greatest
- * ones included, on every instruction set, in every rounding mode, with subnormal numbers flushed to zero or not.
- * docs/certified.md says on what proof, and what it costs.
+ * The sphere is solid and the triangle closed; both are taken as the exact values of the given numbers. For every
+ * finite input with r >= 0 (-0 too) the answer is that of exact arithmetic: triangles without area, subnormal numbers
+ * and the greatest ones included, on every instruction set, in every rounding mode, with subnormal numbers flushed to
+ * zero or not. docs/certified.md describes the proof, and the cost.
  *
  * A verdict (plugin.h) is AXISCERT_CONTACT = 0, AXISCERT_SEPARATED = 1 or, where one of the thirteen numbers is not
- * finite or the radius negative, AXISCERT_INVALID = 3; never AXISCERT_UNDECIDED. It is no bool: contact is 0.
+ * finite or the radius is negative, AXISCERT_INVALID = 3; never AXISCERT_UNDECIDED. It is not a boolean: contact is 0.
  *
- * No function allocates, throws, prints, locks or keeps state, but that the first call chooses the instruction set; all
- * may be called by any number of threads. The floating-point modes are the caller's again on return; where they were
- * the default ones the status flags may be raised, else these too are as they were. Arrays need no alignment beyond
- * their type's, and may not overlap the results. Of no queries (size or count 0) no array is read, and any may be null.
+ * No function allocates, throws, prints, locks or keeps state, except that the first call chooses the instruction set;
+ * all may be called by any number of threads. On return the floating-point modes are the caller's again. If they were
+ * the default modes, status flags may have been raised; otherwise the flags are as they were too. Arrays need no
+ * alignment beyond their type's, and must not overlap the results. With no queries (size or count 0) no array is read,
+ * and any may be null.
  */
 #ifndef AXISCERT_CERTIFIED_H
 #define AXISCERT_CERTIFIED_H
@@ -28,7 +29,7 @@ extern "C" {
 #define AXISCERT_NOEXCEPT
 #endif
 
-/* A value that is none of these asks the first. */
+/* Any other value counts as the first. */
 enum axiscert_question {
   AXISCERT_CLOSED_SPHERE = 0, /* contact: distance <= r. Touching counts */
   AXISCERT_OPEN_SPHERE = 1,   /* contact: distance < r. Touching does not; r = 0 touches nothing */
@@ -40,21 +41,22 @@ enum axiscert_question {
 #define AXISCERT_PHANTOM_DEPTH_F32 0.0048828125
 #define AXISCERT_PHANTOM_DEPTH_F64 2.1074e-7
 
-/* What to write: each array that is not null. A null pointer to it writes none; the counts are returned in any case. */
+/* The arrays to write: each one that is not null. A null pointer to this struct writes none; the counts are returned in
+   any case. */
 typedef struct axiscert_results {
   uint8_t* verdict;  /* an axiscert_verdict for each query */
   uint64_t* contact; /* bit i % 64 of word i / 64: query i is a contact; whole words are written, the rest 0 */
-  uint32_t* hits;    /* the contacts in the order of the queries: indices, or the triangles' numbers, the low 32 bits
-                        of them. Room for all queries; what is in it after the contacts is unspecified */
+  uint32_t* hits;    /* the contacts in the order of the queries: indices, or the low 32 bits of the triangles' numbers.
+                        Needs room for all queries; its contents after the contacts are unspecified */
 } axiscert_results;
 
 typedef struct axiscert_counts {
   size_t contacts, invalid;
 } axiscert_counts;
 
-/* An indexed mesh: vertex v begins at vertices[v * stride], stride >= 3; triangle t is indices[3 t], [3 t + 1],
- * [3 t + 2]. Nothing checks the indices: what they name has to be there. Between the least and the greatest vertex of
- * the triangles asked, others may be read too, whatever they are. */
+/* An indexed mesh: vertex v begins at vertices[v * stride], stride >= 3; the vertices of triangle t are indices[3 t] to
+ * indices[3 t + 2]. The indices are not checked: the vertices that they name must exist. Other vertices between the
+ * least and the greatest vertex of the triangles asked may be read too, whatever they contain. */
 typedef struct axiscert_mesh_f32 {
   const float* vertices;
   size_t stride;
@@ -88,8 +90,9 @@ AXISCERT_EXPORT axiscert_counts axiscert_triangles_f64(const double sphere[4], c
                                                        size_t size, enum axiscert_question question,
                                                        const axiscert_results* results) AXISCERT_NOEXCEPT;
 
-/* One sphere against `count` triangles of a mesh: those of a list, as a broad phase leaves them, in any order, some
- * twice or not; or from `first` on. Result i is of the i-th of these; hits are triangles' numbers. */
+/* One sphere against `count` triangles of a mesh: those of a list, such as a broad phase makes, in any order and
+ * with or without repetitions; or those from `first` on. Result i belongs to the i-th of these; hits are triangles'
+ * numbers. */
 AXISCERT_EXPORT axiscert_counts axiscert_mesh_list_f32(const float sphere[4], const axiscert_mesh_f32* mesh,
                                                        const uint32_t* triangle, size_t count,
                                                        enum axiscert_question question,

@@ -1,4 +1,4 @@
-// The C interface of certified.h under one name for float and double. C++17.
+// The C interface of certified.h in C++17, with the same names for float and double.
 #pragma once
 
 #include <array>

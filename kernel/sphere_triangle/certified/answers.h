@@ -1,4 +1,4 @@
-// Answers to a block as a verdict for each query.
+// The answers to a block as a verdict for each query.
 #pragma once
 
 #include <cstring>
@@ -10,7 +10,7 @@ namespace axiscert::certified {
 
 template <std::size_t most>
 void write_verdicts(const Answer<most>& answer, std::size_t size, std::uint8_t* out) noexcept {
-  // Eight bits to eight bytes of 0 or 1.
+  // Spreads eight bits over eight bytes of 0 or 1.
   const auto spread = [](std::uint64_t bits) {
     const std::uint64_t each = ((bits & 0xff) * 0x0101010101010101ull) & 0x8040201008040201ull;
     return ((each + 0x7f7f7f7f7f7f7f7full) >> 7) & 0x0101010101010101ull;
@@ -20,7 +20,7 @@ void write_verdicts(const Answer<most>& answer, std::size_t size, std::uint8_t* 
   for (std::size_t i = 0; i < size; i += 8) {
     const std::uint64_t separated = spread(~answer.contact[i / 64] >> (i % 64));
     const std::uint64_t invalid = spread(answer.invalid[i / 64] >> (i % 64));
-    const std::uint64_t verdicts = separated | (invalid << 1);  // invalid is no contact: 1 and 2
+    const std::uint64_t verdicts = separated | (invalid << 1);  // an invalid query is not a contact: 1 and 2
     std::memcpy(out + i, &verdicts, size - i < 8 ? size - i : 8);
   }
 }

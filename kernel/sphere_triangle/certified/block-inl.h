@@ -1,5 +1,5 @@
-// A block of queries through the steps. No guard: included once for each of Highway's instruction sets, after the
-// steps.
+// Takes a block of queries through the steps. No include guard: included once for each of Highway's instruction sets,
+// after the steps.
 #include <bit>
 #include <cstring>
 
@@ -7,8 +7,8 @@ HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
 
-// Scales by a power of two so that the greatest number is near 1. False where that loses a bit, or where it has been
-// near 1 before.
+// Scales q by a power of two so that its greatest number is near 1. Returns false if that would lose a bit, or if the
+// greatest number was near 1 before.
 inline bool scaled_to_range(const double (&q)[13], double (&scaled)[13]) {
   std::uint64_t greatest = 0;
   for (const double x : q) {
@@ -27,7 +27,8 @@ inline bool scaled_to_range(const double (&q)[13], double (&scaled)[13]) {
   return exact;
 }
 
-// A block through the steps: D takes the queries, D2, of doubles, those that are left over.
+// Takes a block through the steps. D is the vector type for the queries of the block, D2, of doubles, for those that
+// the first step leaves open.
 template <class D, class D2>
 class Steps {
  public:
@@ -36,8 +37,8 @@ class Steps {
   Steps(const Block<Real>& block, Question question, BlockAnswer& answer) noexcept
       : block_(block), question_(question), answer_(answer) {}
 
-  // The first step asks chunks of 64, a word of the answer. Where it passes most of one on, the queries come from
-  // where it is of no use, and the next step takes the other chunks as they are.
+  // The first step takes chunks of 64 queries, a word of the answer each. If it leaves more than three quarters of a
+  // chunk open, such queries are likely to follow, and further whole chunks of the block go to the next step directly.
   HWY_NOINLINE void run() noexcept {
     Leftovers<Real> left;
     bool is_hard = false;
@@ -70,14 +71,14 @@ class Steps {
     answer_.contact[first / 64] = contact;
   }
 
-  static constexpr std::size_t prefetched_bytes = 2048;  // ahead, within a page mostly
-  // How many of the chunk's queries, from its first, are vectors wholly beyond the sphere's box.
+  static constexpr std::size_t prefetched_bytes = 2048;  // ahead, mostly within the same page
+  // Number of queries at the beginning of the chunk that are in vectors wholly beyond the sphere's box.
   AXISCERT_INLINE std::size_t skipped_by_box(std::size_t first, std::size_t size) const noexcept {
     const D d;
     const BoxStep<D> box(block_.column[9][0], block_.column[10][0], block_.column[11][0], block_.column[12][0]);
     std::size_t i = 0;
     while (i + lanes <= size && box.all_beyond(load(d, block_, first + i))) {
-      // It waits for memory; nine columns are more than processors foresee.
+      // The loop waits for memory, and nine columns are more streams than processors prefetch by themselves.
       for (std::size_t k = 0; k < 9; ++k) {
         const auto at = reinterpret_cast<std::uintptr_t>(block_.column[k] + first + i);
         hwy::Prefetch(reinterpret_cast<const char*>(at + prefetched_bytes));
@@ -87,7 +88,8 @@ class Steps {
     return i;
   }
 
-  // The contacts among `count` queries from `at`; the first is the i-th of the block.
+  // The contacts, as bits, among `count` queries of `from` beginning at `at`; the first of them is query i of the
+  // block.
   AXISCERT_INLINE static std::uint64_t coarse_vector(const Block<Real>& from, std::size_t at, std::size_t count,
                                                      std::size_t i, Leftovers<Real>& left) noexcept {
     const D d;
@@ -98,13 +100,14 @@ class Steps {
     return contact & low_bits(count);
   }
 
-  // What the first step left: once more in doubles, and comparison by comparison. Where one is open it goes on with
-  // that, and where more are, the fine step, twice as dear, may find out more: of these, packed where they lie.
+  // Takes the queries that the first step left open through the same step in doubles, which also tells which
+  // comparisons are open. A query with one open comparison goes to the deep step. For a query with more, the fine step,
+  // which costs twice as much, may settle more; these queries are packed again in place.
   HWY_NOINLINE void settle(Leftovers<Real>& left) noexcept {
     const D2 d;
     const Block<Real> block = left.block(block_);
     OpenComparisons<D2, Leftovers<Real>> open(left, block, open_sphere());
-    bool is_worth_it = true;  // as it was of the queries before
+    bool is_worth_it = true;  // whether enough queries of the last vector had only one open comparison
     left.size = 0;
     for (std::size_t j = 0; j < block.size; j += fine_lanes) {
       const CoarseMargins<D2, true> margins = coarse_margins(load(d, block, j));
@@ -137,7 +140,7 @@ class Steps {
     for (; lanes != 0; lanes &= lanes - 1) set_bit(answer_.contact, index[std::countr_zero(lanes)]);
   }
 
-  // The fine step, and again what it left open.
+  // The fine step, then the deep and the last step for the comparisons that it leaves open.
   template <class Left>
   HWY_NOINLINE void fine(Left& left) noexcept {
     const D2 d;
@@ -155,7 +158,8 @@ class Steps {
       const std::uint64_t pending = sound & ~(contact | separated);
       const std::uint64_t quick = pending & ~bits_of(d, has_one_open(d, found.known)) & have_few_bits(block, j);
       open.add_unasked(j, quick, found.known);
-      open.add(j, pending & ~quick, found.known);  // last: it may add answers to what is known of these already
+      open.add(j, pending & ~quick, found.known);  // after add_unasked, which would overwrite answers that this call
+                                                   // adds
       for (std::uint64_t rest = queries & ~sound; rest != 0; rest &= rest - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
         unsound(block, j + lane, left.index[j + lane], ((valid >> lane) & 1u) != 0);
@@ -164,8 +168,8 @@ class Steps {
     conclude(open, [&](std::size_t place, std::size_t, double(&q)[13]) HWY_ATTR { widened(block, place, q); });
   }
 
-  // Of the queries at j..j + lanes: whose numbers have few bits, so that the last step is as quick as the deep one of
-  // two comparisons; a query alone is in any case.
+  // Queries at j..j + lanes whose numbers have so few bits that the last step is as quick as the deep step for two
+  // comparisons. Those of binary32 have, and with one lane every query counts.
   template <class Number>
   AXISCERT_INLINE static std::uint64_t have_few_bits(const Block<Number>& block, std::size_t j) noexcept {
     if constexpr (sizeof(Number) == 4 || fine_lanes == 1) return ~std::uint64_t{0};
@@ -181,11 +185,12 @@ class Steps {
     }
   }
 
-  // The deep step's answers, and the last step for those that it does not settle. read(place, index, q): the query.
+  // Runs the deep step, and the last step for the queries that it does not settle. read(place, index, q) writes a query
+  // to q.
   template <class Open, class Read>
   AXISCERT_INLINE void conclude(Open& open, Read&& read) noexcept {
     open.finish([&](std::size_t place, std::size_t i, Known known) HWY_ATTR {
-      // Either is as likely: no branch on which.
+      // Both cases are about equally likely, so there is no branch on the contact.
       answer_.contact[i / 64] |= std::uint64_t{known.is_contact()} << (i % 64);
       if (int{known.is_separated()} | int{known.is_contact()}) return;
       double q[13];
@@ -194,7 +199,7 @@ class Steps {
     });
   }
 
-  // The i-th of the block, which the fine step cannot look at; or not one, if it is no query.
+  // Handles query i of the block, which is outside the fine step's range: a valid one is scaled, an invalid one marked.
   template <class Number>
   void unsound(const Block<Number>& from, std::size_t place, std::size_t i, bool known_valid) noexcept {
     double q[13];
@@ -203,11 +208,12 @@ class Steps {
     else set_bit(answer_.invalid, i);
   }
 
-  // For a query that is the i-th of the block, or that one scaled.
+  // The last step for query i of the block; q is that query, perhaps scaled.
   AXISCERT_INLINE void last_step(const double (&q)[13], std::size_t i, Known known) noexcept {
     if (!exactly_separated(q, question_, known)) set_bit(answer_.contact, i);
   }
-  // The same of one that the fine step could not look at. Scaled, it may.
+  // Scales a query that is outside the fine step's range, for another pass of that step; the last step decides those
+  // that cannot be scaled.
   AXISCERT_INLINE void scaled_step(const double (&q)[13], std::size_t i) noexcept {
     if constexpr (sizeof(Real) == 8) {
       if (double scaled[13]; scaled_to_range(q, scaled)) {
@@ -224,14 +230,14 @@ class Steps {
     again_.size = 0;
   }
 
-  static constexpr std::size_t again_size = sizeof(Real) == 8 ? 32 : 1;  // binary32 needs none
+  static constexpr std::size_t again_size = sizeof(Real) == 8 ? 32 : 1;  // not used for binary32
   const Block<Real>& block_;
   const Question question_;
   BlockAnswer& answer_;
-  Leftovers<Real, again_size> again_;  // scaled
+  Leftovers<Real, again_size> again_;  // scaled queries
 };
 
-// D takes the queries of the block, D2 those that are left over.
+// D is the vector type for the queries of the block, D2 for those that the first step leaves open.
 template <class D, class D2, class Real = hn::TFromD<D>>
 void decide(const Block<Real>& block, Question question, BlockAnswer& answer) noexcept {
   answer = {};
@@ -239,7 +245,7 @@ void decide(const Block<Real>& block, Question question, BlockAnswer& answer) no
   else Steps<D, D2>(block, question, answer).run();
 }
 
-// One query; D4, if the instruction set has it, takes its vertices a lane each.
+// Decides one query. D4, unless it is void, has a lane for each of its vertices.
 template <class D4, class D1, class D2, class Real = hn::TFromD<D1>>
 void decide_pair(const Real* triangle, const Real* sphere, Question question, BlockAnswer& answer) noexcept {
   if constexpr (!std::is_void_v<D4>) {

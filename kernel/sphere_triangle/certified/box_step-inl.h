@@ -1,14 +1,14 @@
-// Before the first step, where all ask of one sphere: triangles beyond one face of its box. Of a large mesh that is
-// nearly all, and a fourth of the first step's operations. No guard: included once for each of Highway's instruction
-// sets, after coarse_step-inl.h.
+// A step before the first, where all queries have the same sphere: triangles beyond one face of the sphere's box are
+// separated. In a large mesh these are nearly all triangles, and the step takes a quarter of the first step's
+// operations. No include guard: included once for each of Highway's instruction sets, after coarse_step-inl.h.
 //
-// Exact, whatever the sizes: low is the number nearest p - r, so a number below it is below p - r; and nothing is below
-// it where the difference overflows.
+// The step is exact, whatever the sizes: low is the number nearest to p - r, so a number below it is below p - r; and
+// no number is below it where the difference overflows.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
 
-// Where px py pz r is no sphere, nothing is beyond.
+// If px py pz r is not a valid sphere, nothing is beyond the box.
 template <class Real>
 struct SphereBox {
   Real low[3], high[3];
@@ -22,7 +22,7 @@ struct SphereBox {
       high[k] = is_sphere ? p[k] + r : infinity;
     }
   }
-  // The faces that a vertex is beyond, a bit each.
+  // The faces that a vertex is beyond, one bit each.
   AXISCERT_INLINE unsigned beyond(const Real* x) const {
     unsigned faces = 0;
     for (int k = 0; k < 3; ++k) faces |= unsigned{x[k] < low[k]} << 2 * k | unsigned{x[k] > high[k]} << (2 * k + 1);
@@ -39,7 +39,8 @@ class BoxStep {
 
   AXISCERT_INLINE BoxStep(Real px, Real py, Real pz, Real r) : box_(px, py, pz, r) {}
 
-  // All of the lanes; false where a coordinate is not finite. An overflowing sum is no harm.
+  // Whether the triangles of all lanes are beyond a face; false where a coordinate is not finite. A sum that overflows
+  // also gives false, which does no harm.
   AXISCERT_INLINE bool all_beyond(const Problem<T>& q) const {
     const D d;
     const auto beyond = [&](const T& a, const T& b, const T& c, int k) HWY_ATTR {

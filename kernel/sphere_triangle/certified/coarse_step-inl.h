@@ -1,9 +1,10 @@
-// The first step: the margins of the reduced form in the input's precision, one query a lane, against one threshold for
-// each degree (kernel/sphere_triangle/certified/thresholds.h has the derivation). No guard: included once for each of
-// Highway's instruction sets.
+// The first step: the margins of the reduced form in the input's precision, one query per lane, against one threshold
+// for each degree (kernel/sphere_triangle/certified/thresholds.h has the derivation). No include guard: included once
+// for each of Highway's instruction sets.
 //
-// Costs less than the test that it certifies: each axis is the least of its margins, the axes of a degree are the
-// greatest of these, and only that is compared; dot products need not be in the published order, so they are fused.
+// The step costs less than the test that it certifies: each axis is reduced to the least of its margins, the axes of a
+// degree to the greatest of these, and only that is compared. Dot products need not be in the published order, so they
+// are fused.
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -13,7 +14,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using axiscert::HWY_NAMESPACE::cross, axiscert::HWY_NAMESPACE::dot, axiscert::HWY_NAMESPACE::Problem,
     axiscert::HWY_NAMESPACE::Vec3;
 
-// N queries at once; dot and cross products fused where the instruction set can and where that is wanted.
+// N queries at once. Dot and cross products are fused if `fused` is true and the instruction set has fused
+// multiply-add.
 template <class D, bool fused = true>
 struct Lanes {
   using V = hn::Vec<D>;
@@ -52,18 +54,19 @@ AXISCERT_INLINE Lanes<D, fused> greatest(const Lanes<D, fused>& a, const Lanes<D
   return {hn::Max(a.v, b.v)};
 }
 
-// Lanes in neither are passed on: a margin within its threshold, a size outside the range, or no valid query.
+// Lanes in neither mask are passed on: a margin within its threshold, a magnitude outside the range, or an invalid
+// query.
 template <class D>
 struct Decided {
   hn::Mask<D> separated, contact;
 };
 
-// What is certain of one axis: its radius comparison holds, its sides hold, one of them fails.
+// Certain results for one axis: its radius comparison holds, its side comparisons hold, one of its comparisons fails.
 template <class D>
 struct AxisMasks {
   hn::Mask<D> radius, sides, fails;
 };
-// As Known's bits.
+// Adds the masks to `known` as the bits of Known.
 template <class D>
 AXISCERT_INLINE void note(D d, const AxisMasks<D>& masks, int axis, hn::Vec<hn::RebindToUnsigned<D>>& known) {
   const hn::RebindToUnsigned<D> words;
@@ -76,8 +79,8 @@ AXISCERT_INLINE void note(D d, const AxisMasks<D>& masks, int axis, hn::Vec<hn::
   add(masks.sides, Known::sides);
 }
 
-// The thresholds of a query of magnitude S whose triangle has the size E, and what margins are to them: the greatest of
-// the axes of each degree.
+// The thresholds of a query of magnitude S whose triangle has the size E, and how margins compare with them: for each
+// degree, the greatest over the axes.
 template <class D, bool fused>
 struct CoarseLimits {
   using T = Lanes<D, fused>;
@@ -99,12 +102,13 @@ struct CoarseLimits {
     return hn::And(hn::And(hn::Lt(vertices.v, hn::Neg(degree2.v)), hn::Lt(edges.v, hn::Neg(degree4.v))),
                    hn::Lt(plane.v, hn::Neg(degree6.v)));
   }
-  // Valid queries of sizes that the deep step's range (Margins::in_range) mostly holds; it looks itself.
+  // Valid queries of magnitudes for which the deep step's range (Margins::in_range) mostly holds; the deep step checks
+  // its range itself.
   AXISCERT_INLINE static hn::Mask<D> in_deep_range(const T& S, const T& r) {
     return hn::And(hn::And(hn::Ge(S.v, hn::Set(D(), Real{0x1p-100})), hn::Le(S.v, hn::Set(D(), Real{0x1p198}))),
                    hn::Ge(r.v, hn::Zero(D())));
   }
-  // S is neither in the range nor out of it where a number is not finite; r >= 0 has to be asked.
+  // S is not in the range if a number is not finite; r >= 0 has to be tested besides.
   AXISCERT_INLINE static hn::Mask<D> in_range(const T& S, const T& r) {
     return hn::And(
         hn::And(hn::Ge(S.v, hn::Set(D(), least_square<Real>)), hn::Le(S.v, hn::Set(D(), greatest_square<Real>))),
@@ -155,7 +159,7 @@ AXISCERT_INLINE CoarseMargins<D, fused> coarse_margins(const Problem<Lanes<D, fu
           q.r};
 }
 
-// The same of each comparison, in doubles: Known's bits, of lanes in the range of the step.
+// The results for each comparison, in doubles, as the bits of Known; for lanes in the range of the step.
 template <class D, bool fused>
 AXISCERT_INLINE hn::Vec<hn::RebindToUnsigned<D>> coarsely_known(D d, const CoarseMargins<D, fused>& m,
                                                                 const CoarseLimits<D, fused>& limits) {

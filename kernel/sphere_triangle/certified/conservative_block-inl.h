@@ -1,11 +1,12 @@
-// A block of queries through the conservative test. No guard: included once for each of Highway's instruction sets,
-// after conservative_step-inl.h and leftovers-inl.h.
+// Takes a block of queries through the conservative test. No include guard: included once for each of Highway's
+// instruction sets, after conservative_step-inl.h and leftovers-inl.h.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
 
-// What the conservative test could not look at: no query, or differences that overflow. Those it asks again with all
-// numbers times 2^-4: where a difference overflowed, what that rounds is nothing.
+// Decides the queries that the conservative test could not: invalid ones, and differences that overflow. The valid ones
+// are asked again with all numbers times 2^-4; where a difference overflowed, the rounding in that scaling is
+// negligible.
 template <class D, class Real = hn::TFromD<D>>
 HWY_NOINLINE void settle_conservatively(const Block<Real>& block, const std::uint64_t* pending, BlockAnswer& answer) {
   const D d;

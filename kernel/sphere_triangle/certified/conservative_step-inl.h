@@ -1,9 +1,10 @@
-// The conservative test: separated only where that is certain, no second step. No guard: included once for each of
-// Highway's instruction sets, after coarse_step-inl.h. Not fused, so that all instruction sets answer alike.
+// The conservative test: separated only where that is certain, without a second step. No include guard: included once
+// for each of Highway's instruction sets, after coarse_step-inl.h. Not fused, so that all instruction sets answer
+// alike.
 //
-// Any vector n separates iff n.X > r |n| for X = A, B, C. Four are tried: of each edge the point nearest the centre,
-// and V = AB x AC. Below A, B, C are the translated vertices as computed, each within u |A| of the exact one; M =
-// max(|A|, |B|, |C|), W = max(A.A, B.B, C.C, rr), and u as in thresholds.h.
+// A vector n separates iff n.X > r |n| for X = A, B, C. Four vectors are tried: the point of each edge nearest to the
+// centre, and V = AB x AC. Below A, B, C are the translated vertices as computed, each within u |A| of the exact one; M
+// = max(|A|, |B|, |C|), W = max(A.A, B.B, C.C, rr), and u as in thresholds.h.
 //
 // An edge AB. s is A.BA / |AB|^2 as computed, clamped to [0, 1], and n = (1 - s) A + s B for that very s. From the six
 // dot products of A, B, C, off by 3.1 u M^2 each, come n.A = A.A + s (A.B - A.A), and so on, off by 8.2 u M^2, and n.n
@@ -17,7 +18,7 @@
 //          lose.
 //   plane  n is what was stored, n.X^ >= computed - 3.1 u |n| M. It passes where m = min n.X^ > 0 and m^2 > R n.n^:
 //          after the roundings of m^2, n.n and R (7 u) that is m^2 > (rr + 10.6 u W) n.n >= ((r + 4.1 u M) |n|)^2.
-// The constants used are a sixteenth greater, which the terms of u^2 are inside of.
+// The constants used are a sixteenth greater, which covers the terms of u^2.
 //
 // Phantom depth. Let L = max(M, r), so that W <= L^2, and rho > r + x sqrt u L the distance.
 //   nearest is on an edge
@@ -30,12 +31,12 @@
 //          |V^ - V| <= 5.66 u |AB| |CA|. Where |V| >= sqrt u |AB| |CA|, n = V^ has n.X / |n| >= rho - 11.4 sqrt u M,
 //          and passes above r + 4.3 sqrt u L: x >= 15.7. Otherwise the triangle lies within 2 sqrt u M of its longest
 //          edge, whose n has lost that much more: x >= 16.25.
-// Stated is x = 20, which proofs/coq/PhantomStep.v proves. What is below the ranges, V of 2^-30 W (2^-60 W) or an
-// edge whose square underflows, is a triangle within 2^-14 M (2^-29 M) of an edge or a vertex: 0.4 of x at most.
+// The stated bound is x = 20, which proofs/coq/PhantomStep.v proves. Values below the ranges, V of 2^-30 W (2^-60 W) or
+// an edge whose square underflows, mean a triangle within 2^-14 M (2^-29 M) of an edge or a vertex: 0.4 of x at most.
 //
 // Range: W in [2^-42, 2^60] (binary64: 2^-400, 2^400). V is scaled by the power of two below 1 / W, so that |V| <= 8;
-// then every product compared is at least 18 u W 2^-60 (2^-120), a normal number, and below 2^122. What underflows in a
-// dot product is below 2^-140 (2^-1060), inside the constants.
+// then every product compared is at least 18 u W 2^-60 (2^-120), a normal number, and below 2^122. Underflow in a
+// dot product is below 2^-140 (2^-1060), which the constants cover.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
@@ -58,7 +59,7 @@ struct Conservative {
   AXISCERT_INLINE static void scale(Vec3<T>& v, V by) {
     v = {{hn::Mul(v.x.v, by)}, {hn::Mul(v.y.v, by)}, {hn::Mul(v.z.v, by)}};
   }
-  // 2^-e for x in [2^e, 2^(e + 1)), x at least the least normal number and below 2^127 (2^1023).
+  // 2^-e for x in [2^e, 2^(e + 1)); x is at least the least normal number and below 2^127 (2^1023).
   AXISCERT_INLINE static V inverse_power(V x) {
     using Word = hn::TFromD<Bits>;
     constexpr Word exponent = is_float ? Word{0x7f800000u} : static_cast<Word>(0x7ff0000000000000ull);
@@ -68,7 +69,7 @@ struct Conservative {
                        hn::Sub(hn::Set(words, twice_bias), hn::And(hn::BitCast(words, x), hn::Set(words, exponent))));
   }
 
-  // unknown: W is outside the range, or a number is not finite or r negative.
+  // unknown: W is outside the range, a number is not finite, or r is negative.
   struct Answer {
     M separated, unknown;
   };
@@ -77,8 +78,8 @@ struct Conservative {
     return of_centred(q.a - q.p, q.b - q.p, q.c - q.p, q.r, hn::Ge(q.r.v, hn::Zero(D())));
   }
 
-  // The same with the greatest component of A, B, C and r brought to [1, 2), for any size. unknown: no query, or a
-  // difference that (nearly) overflows.
+  // The same after scaling the greatest component of A, B, C and r to [1, 2), for any size. unknown: the query is
+  // invalid, or a difference (nearly) overflows.
   AXISCERT_INLINE static Answer answer_scaled(const Problem<T>& q) {
     Vec3<T> A = q.a - q.p, B = q.b - q.p, C = q.c - q.p;
     T r = q.r;
@@ -89,11 +90,11 @@ struct Conservative {
       r.v = hn::Mul(r.v, by);
     };
     V size = largest();
-    // Subnormal sizes have no exponent to read.
+    // A subnormal size has no exponent to read, so it is scaled up first.
     const V small = constant(is_float ? 0x1p-100 : 0x1p-900);
     scale_all(hn::IfThenElse(hn::Lt(size, small), constant(is_float ? 0x1p64 : 0x1p128), constant(1)));
     size = largest();
-    // Everything on the centre and r = 0: a contact.
+    // The lower limit is for size 0: all vertices on the centre and r = 0, which is a contact.
     scale_all(inverse_power(hn::Max(size, constant(is_float ? 0x1p-120 : 0x1p-1000))));
     const auto is_good = hn::And(hn::Ge(q.r.v, hn::Zero(D())), hn::Lt(size, constant(is_float ? 0x1p126 : 0x1p1022)));
     Answer found = of_centred(A, B, C, r, is_good);
@@ -102,7 +103,7 @@ struct Conservative {
   }
 
  private:
-  // Not a number where any is not; the greatest of them might hide it.
+  // The sum of squares, which is NaN if any number is; the greatest of them might hide it.
   AXISCERT_INLINE static T squares(const Vec3<T>& A, const Vec3<T>& B, const Vec3<T>& C, const T& r) {
     return ((dot(A, A) + dot(B, B)) + dot(C, C)) + r * r;
   }
@@ -123,7 +124,7 @@ struct Conservative {
     const auto everywhere = hn::Eq(hn::Zero(d), hn::Zero(d));
     const auto least_of = [](const T& x, const T& y, const T& z)
                               HWY_ATTR { return T{hn::Min(hn::Min(x.v, y.v), z.v)}; };
-    // The edge from X to Y; xz and yz with the third vertex.
+    // The edge from X to Y; xz and yz are the dot products with the third vertex.
     const auto edge = [&](const Vec3<T>& X, const Vec3<T>& along, const T& xx, const T& xy, const T& yy, const T& xz,
                           const T& yz) HWY_ATTR {
       const T e = dot(along, along);
@@ -141,7 +142,7 @@ struct Conservative {
     Vec3<T> normal = cross(CA, AB);
     scale(normal, inverse_power(W.v));
     const T at_a = dot(A, normal), at_b = dot(B, normal), at_c = dot(C, normal), square = dot(normal, normal);
-    const T side{hn::CopySignToAbs(constant(1), at_a.v)};  // V or -V, whichever A lies beyond
+    const T side{hn::CopySignToAbs(constant(1), at_a.v)};  // V or -V, whichever points to the side of A
     try_axis(least_of(side * at_a, side * at_b, side * at_c), square,
              hn::Ge(square.v, constant(is_float ? Bounds::least_normal_binary32 : Bounds::least_normal_binary64)));
 

@@ -1,8 +1,8 @@
-// The third step: single comparisons, a query's a lane, in pairs of doubles; a value too small for these by its residue
-// modulo 2^64 where that is enough. No guard: included once for each of Highway's instruction sets, after
-// wrapped-inl.h.
+// The third step: single comparisons, one per lane, in pairs of doubles; the sign of a value too small for these comes
+// from its residue modulo 2^64 where that suffices. No include guard: included once for each of Highway's instruction
+// sets, after wrapped-inl.h.
 //
-// The query is turned so that the comparison is of its vertex A, its edge AB or its plane.
+// The vertices of the query are renamed so that the comparison belongs to vertex A, edge AB or the plane.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
@@ -15,7 +15,7 @@ class DeepStep {
  public:
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
-  // Certain. Of sides: all of them; fails: the axis does.
+  // Certain results. holds: the comparison holds, or all of them for sides; fails: the axis does not separate.
   struct Answer {
     M holds, fails;
   };
@@ -25,7 +25,7 @@ class DeepStep {
   template <Comparing what>
   AXISCERT_INLINE Answer answer() const {
     const Answer found = answer_in_range<what>();
-    // The range of the bounds' derivation, of the leaves that are used.
+    // The leaves that are used have to be in the range of the bounds' derivation.
     M sound = hn::And(in_range(m_.a), PairMargins::in_range(m_.r));
     if constexpr (what != Comparing::vertex_radius) sound = hn::And(sound, in_range(m_.ab));
     if constexpr (what != Comparing::vertex_radius && what != Comparing::edge_radius) {
@@ -49,7 +49,7 @@ class DeepStep {
   using Margin = typename PairMargins::Margin;
   using Normal = typename PairMargins::Normal;
 
-  // What is certain of an exact margin.
+  // The sign of an exact margin, where it is certain.
   struct Sign {
     M positive, negative, zero;
     AXISCERT_INLINE M open() const { return hn::Not(hn::Or(hn::Or(positive, negative), zero)); }
@@ -60,7 +60,7 @@ class DeepStep {
   AXISCERT_INLINE Sign sign(const Margin& margin) const {
     return {hn::Gt(margin.value, margin.bound), hn::Lt(margin.value, hn::Neg(margin.bound)), none()};
   }
-  // Adds what the residue of a margin says of a sign that is open.
+  // Adds the sign of a margin, where it is open, as far as the margin's residue tells it.
   template <int degree>
   AXISCERT_INLINE static void include(const Margin& margin, const W& residue, M is_exact, const Units<D>& units,
                                       Sign& sign) {
@@ -70,7 +70,7 @@ class DeepStep {
     sign.negative = hn::Or(sign.negative, hn::And(known, negative));
     sign.zero = hn::And(known, zero);
   }
-  // Where a normal is zero, its residue being this.
+  // Lanes in which a normal with this residue is known to be zero.
   AXISCERT_INLINE static M is_known_zero(const Normal& normal, const Vec3<W>& residue, const Units<D>& units) {
     return hn::And(
         hn::And(hn::And(units.are_exact(), units.template is_known<2>(normal.error)), hn::Le(normal.sum, normal.error)),
@@ -82,7 +82,7 @@ class DeepStep {
     if (open_) return {hn::Or(sign.positive, sign.zero), sign.negative};
     return {sign.positive, hn::Or(sign.negative, sign.zero)};
   }
-  // Where the left side of a radius comparison is zero, it fails: for the open sphere if r > 0.
+  // A radius comparison whose left side is zero fails; with the open sphere only if r > 0.
   AXISCERT_INLINE M within_if(M lhs_is_zero) const {
     return open_ ? hn::And(lhs_is_zero, hn::Gt(m_.r, hn::Zero(d_))) : lhs_is_zero;
   }
@@ -153,7 +153,7 @@ class DeepStep {
       on_plane =
           hn::And(hn::And(units.are_exact(), units.template is_known<3>(offset.error)), hn::And(is_small, d.is_zero()));
     }
-    // A tie of a triangle without area is no tie of the open sphere's question: it has no such axis.
+    // For the open sphere a tie is left open: a triangle without area gives one too, but has no such axis.
     const Answer answer = open_ ? Answer{found.positive, found.negative} : radius(found);
     return {answer.holds, hn::Or(answer.fails, hn::Or(flat, within_if(on_plane)))};
   }

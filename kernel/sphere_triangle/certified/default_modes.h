@@ -1,4 +1,5 @@
-// The floating-point modes that the thresholds were derived for, for a scope: to nearest, gradual underflow, no traps.
+// Sets, for a scope, the floating-point modes for which the thresholds were derived: round to nearest, gradual
+// underflow, no traps.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +10,10 @@
 
 namespace axiscert::certified {
 
-// Engines flush subnormal numbers to zero, and some set another rounding mode or unmask traps. Where the caller's modes
-// are others, they are replaced here and put back, status flags as they were; where they are these, a read of the
-// register is all it costs, and flags that were raised stay raised. x87 is not used. Code in the scope has to be called
-// through a pointer or be otherwise opaque, so that no operation moves out of it.
+// Engines flush subnormal numbers to zero, and some set another rounding mode or unmask traps. If the caller's modes
+// differ, they are replaced here and restored at the end, with the status flags as they were. If they do not differ,
+// the only cost is one read of the register, and flags raised in the scope stay raised. x87 is not used. Code in the
+// scope has to be called through a pointer or be opaque in another way, so that no operation moves out of the scope.
 class DefaultModes {
  public:
 #if defined(__SSE2__)
@@ -35,7 +36,7 @@ class DefaultModes {
     asm volatile("msr fpsr, %0" ::"r"(callers_flags_) : "memory");
   }
 #else
-#error "how this processor's floating-point modes are set is not known here"
+#error "setting the floating-point modes is not implemented for this processor"
 #endif
   DefaultModes(const DefaultModes&) = delete;
   DefaultModes& operator=(const DefaultModes&) = delete;

@@ -7,23 +7,23 @@
 #include "kernel/sphere_triangle/certified/numbers/ball.h"
 #include "kernel/sphere_triangle/certified/numbers/balanced_digits.h"
 #include "kernel/sphere_triangle/certified/numbers/dyadic.h"
-#include "kernel/sphere_triangle/certified/exact_margins.h"
+#include "kernel/sphere_triangle/certified/numbers/exact_margins.h"
 #include "kernel/sphere_triangle/certified/numbers/integer.h"
 
 namespace axiscert::certified {
 namespace {
 
-// Integers of as many words as the values of each degree take, of a query whose thirteen numbers are below 2^(n - 1) in
-// magnitude: the six differences of points stay below 2^n, A.A below 2^(2n + 2), a component of N and V below
-// 2^(2n + 1), d below 2^(3n + 3), N.N, N.V and V.V below 2^(4n + 4), degree 6 below 2^(6n + 6); margins below twice
-// that; and a sign.
+// Integers with as many words as the values of each degree need, for a query whose thirteen numbers are below 2^(n - 1)
+// in magnitude: the six differences of points stay below 2^n, A.A below 2^(2n + 2), a component of N and V below 2^(2n
+// + 1), d below 2^(3n + 3), N.N, N.V and V.V below 2^(4n + 4), degree 6 below 2^(6n + 6); margins below twice that; and
+// a sign.
 template <int n>
 struct Integers {
   static constexpr int bits(int degree) { return degree * n + (degree == 1 ? 1 : degree + 2); }
   template <int degree>
   using Value = Integer<static_cast<std::size_t>((bits(degree) + 63) / 64)>;
 };
-// For numbers so far apart that few of their digits are not zero.
+// For numbers so far apart that most of their digits are zero.
 struct Digits {
   template <int degree>
   using Value = BalancedDigits<degree>;
@@ -35,16 +35,16 @@ struct Balls {
 template <class Numbers>
 using Query13 = typename Numbers::template Value<1>[13];
 
-// The plane's axis and those of edges whose sides are open need V.
+// Whether V is needed: by the plane's axis, or by an edge whose side comparison is open.
 bool needs_normal(Known known) noexcept {
   constexpr std::uint64_t plane_and_edges = 0b1111 << Known::plane_axis, edges = 0b111 << Known::edge_axis;
   const std::uint64_t fails = known.bits >> Known::fails, sides = known.bits >> Known::sides;
   return (~fails & (plane_and_edges ^ (sides & edges))) & plane_and_edges;
 }
 
-// The reduced test (kernel/sphere_triangle/rungs/reduced.h) with non-strict sides, which decides every triangle; for
-// the open sphere with non-strict radii too, of axes that have a normal: the distance is at least r > 0 iff some such
-// axis has all of the triangle at distance r or farther (exact/sphere_triangle/filters/signs.h, is_touching).
+// The reduced test (kernel/sphere_triangle/rungs/reduced.h) with non-strict sides, which decides every triangle. For
+// the open sphere the radii are non-strict too, on axes that have a normal: the distance is at least r > 0 iff some
+// such axis has the whole triangle at distance r or farther (exact/sphere_triangle/filters/signs.h, is_touching).
 template <class Numbers>
 class Test {
  public:
@@ -115,7 +115,7 @@ template <int bits>
 
 bool is_open(std::uint32_t axes, int axis) noexcept { return ((axes >> axis) & 1u) != 0; }
 
-// What balls are certain of besides, for either sphere.
+// `known` with the results added that are certain in ball arithmetic; they hold for the closed and the open sphere.
 Known with_balls(const double (&q)[13], Known known) noexcept {
   Ball numbers[13];
   for (int i = 0; i < 13; ++i) numbers[i] = Ball(Dyadic(q[i]));
@@ -126,7 +126,7 @@ Known with_balls(const double (&q)[13], Known known) noexcept {
   const auto note_radius = [&](int axis, const Ball& margin) {
     note(Known::radius, axis, margin.is_positive(), margin.is_negative());
   };
-  note(Known::sides, Known::plane_axis, true, false);  // it has none
+  note(Known::sides, Known::plane_axis, true, false);  // the plane has no sides
   const Vector<Ball> V = needs_normal(known) ? m.plane_normal() : Vector<Ball>{};
   for (int i = 0; i < 3; ++i) {
     const int vertex = Known::vertex_axis + i, edge = Known::edge_axis + i;
@@ -148,7 +148,8 @@ Known with_balls(const double (&q)[13], Known known) noexcept {
   return known;
 }
 
-// Numbers so far apart that few of their digits are not zero.
+// Decides by balls and, where these do not suffice, by nonzero digits; for numbers so far apart that most digits are
+// zero.
 bool separated_by_digits(const double (&q)[13], bool open, Known known) noexcept {
   known = with_balls(q, known);
   if (known.is_separated()) return true;
@@ -158,15 +159,17 @@ bool separated_by_digits(const double (&q)[13], bool open, Known known) noexcept
   return separated_in<Digits>(numbers, open, known);
 }
 
-// A radius of at most this power of two, where the other twelve numbers are integers below 2^(n - 1): rr times 1,
-// |AB|^2 < 2^(2n + 2) or |V|^2 < 2^(4n + 4) is below 1, and the other side of a radius comparison is an integer. Of an
-// axis that has a normal: beyond iff that is not zero, closed or open, as the closed sphere of radius 0 is. Meshes are
-// asked with the least radius that there is.
+// The exponent of the greatest negligible radius, where the other twelve numbers are integers below 2^(n - 1). With r
+// at most this power of two, rr times 1, |AB|^2 < 2^(2n + 2) or |V|^2 < 2^(4n + 4) is below 1, and the other side of a
+// radius comparison is an integer. On an axis that has a normal, the triangle is then beyond iff that integer is not
+// zero, for the closed and the open sphere, as it is for the closed sphere of radius 0. Such queries occur where meshes
+// are asked with the least positive radius.
 constexpr int negligible_radius(int n) { return -2 * n - 2; }
 
-// The numbers as integers below 2^(bits - 1), if they are that in units of 2^(top - bits + 1), where 2^top is the least
-// power of two above all of them; but for a radius that is negligible in these. The processor's own conversions: one
-// that is inexact does not give the number back, but of a radius that underflows, negligible however that rounds.
+// Converts the numbers to integers below 2^(bits - 1) in units of 2^(top - bits + 1), where 2^top is the least power of
+// two above all of them. False if some are not such integers, except a radius that is negligible in these units. The
+// conversions are the processor's own: an inexact one does not give the number back, and a radius that underflows is
+// negligible however it is rounded.
 template <int bits>
 bool fit(const double (&q)[13], int top, Query13<Integers<bits>>& numbers, bool& open) noexcept {
   static_assert(bits <= 62);
@@ -192,7 +195,7 @@ int top_of(const double (&q)[13]) noexcept {
   return static_cast<int>(greatest >> 53) - 1022;
 }
 
-// The numbers are multiples of 2^unit, below 2^top in magnitude; zero tells nothing.
+// The numbers are multiples of 2^unit and below 2^top in magnitude; zero does not change these.
 struct Span {
   int unit = 1024, top = -1075;
   void include(const Dyadic& x) noexcept {
@@ -201,7 +204,7 @@ struct Span {
     if (x.top() > top) top = x.top();
   }
   bool is_empty() const noexcept { return top < unit; }
-  int bits() const noexcept { return is_empty() ? 1 : top - unit + 1; }  // n above
+  int bits() const noexcept { return is_empty() ? 1 : top - unit + 1; }  // the n of Integers
 };
 
 }  // namespace
@@ -229,8 +232,8 @@ bool exactly_separated(const double (&query)[13], Question question, Known known
     span.include(r);
   }
   const int unit = span.unit, bits = span.bits();
-  if (bits <= 62) return separated_in_units<62>(q, unit, open, known);  // 1, 2, 3, 4 and 6 words
-  if (bits <= 94) return separated_in_units<94>(q, unit, open, known);  // 2, 3, 5, 6 and 9
+  if (bits <= 62) return separated_in_units<62>(q, unit, open, known);  // 1, 2, 3, 4 and 6 words by degree
+  if (bits <= 94) return separated_in_units<94>(q, unit, open, known);  // 2, 3, 5, 6 and 9 words
   if (bits <= 126) return separated_in_units<126>(q, unit, open, known);
   return separated_by_digits(q, open, known);
 }

@@ -1,22 +1,22 @@
-// The last step: exact, always.
+// The last step, which is always exact.
 #pragma once
 
 #include "kernel/sphere_triangle/certified/steps.h"
 
 namespace axiscert::certified {
 
-// What an earlier step is certain of: bits of the axes A, B, C, ABC, AB, BC, CA, from the first bit of each group.
-// fails: the axis does not separate. radius, sides: these comparisons of the axis hold; its radius only where it has a
-// normal, for where A = B the open sphere's 0 >= 0 says nothing.
+// Results of which an earlier step is certain, in groups of bits for the axes A, B, C, ABC, AB, BC, CA; each group
+// begins at the bit of its name. fails: the axis does not separate. radius, sides: these comparisons of the axis hold;
+// radius is only set for an axis that has a normal, because where A = B the open sphere's 0 >= 0 says nothing.
 struct Known {
   static constexpr int vertex_axis = 0, plane_axis = 3, edge_axis = 4, axes = 7;
   static constexpr int fails = 0, radius = 8, sides = 16;
   std::uint64_t bits = 0;
 
-  // The comparisons there are: the plane has no sides.
+  // The comparisons that exist: the plane has no sides.
   static constexpr std::uint64_t comparisons = 0b1111111 << radius | 0b1110111 << sides;
 
-  // A bit an axis: comparisons that are not known, of axes that may still separate.
+  // Comparisons that are not known, on axes that may still separate; one bit per axis.
   std::uint32_t open_radii() const noexcept { return open(radius); }
   std::uint32_t open_sides() const noexcept { return open(sides); }
   bool is_separated() const noexcept { return ((bits >> radius) & (bits >> sides) & 0b1111111) != 0; }
@@ -30,12 +30,12 @@ struct Known {
   }
 };
 
-// Whether the sphere is separated from the triangle, for the question asked. The query is valid: finite, r >= 0;
-// binary32 enters widened. Evaluates what is not known, in integers on the stack: of 1 to 12 words, in units of the
-// least bit that is set in any of the thirteen numbers, where these are fewer than 2^126 apart; else by balls, and what
-// these do not tell by the digits that are not zero. No rounding mode matters: a floating-point operation that is
-// inexact does not give its number back, which is looked at; subnormal numbers must not be flushed. About 4 KiB of
-// stack, 29 for numbers farther apart.
+// Whether the sphere is separated from the triangle, for the question asked. The query has to be valid: finite, r >= 0;
+// binary32 is widened before. Evaluates the comparisons that are not known, in integers on the stack: of 1 to 12 words,
+// in units of the least bit that is set in any of the thirteen numbers, if these are less than 2^126 apart; otherwise
+// in balls and, where these do not suffice, by the digits that are not zero. No rounding mode matters: an inexact
+// floating-point operation does not give its number back, which is checked. Subnormal numbers must not be flushed. Uses
+// about 4 KiB of stack, 29 KiB for numbers farther apart.
 bool exactly_separated(const double (&query)[13], Question question, Known known) noexcept;
 
 }  // namespace axiscert::certified

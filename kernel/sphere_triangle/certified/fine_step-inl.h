@@ -1,7 +1,8 @@
-// The second step: the margins in doubles, each against its own bound. No guard: included once for each of Highway's
-// instruction sets, after margins-inl.h.
+// The second step: the margins in doubles, each against its own bound. No include guard: included once for each of
+// Highway's instruction sets, after margins-inl.h.
 //
-// Repeated vertices are decided here, where a bound is zero: a side of 0 >= 0 holds, a radius of 0 > 0 does not.
+// Repeated vertices are decided here, because their bounds are zero: a side of 0 >= 0 holds, a radius of 0 > 0 does
+// not.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
@@ -17,26 +18,27 @@ struct FineStep : Margins<D, Lanes<D>> {
   using Axis = AxisMasks<D>;  // an axis whose normal is zero fails
 
   D d;
-  bool open;  // the question: is a tie of a radius comparison beyond
+  bool open;  // whether a tie of a radius comparison counts as beyond
 
   AXISCERT_INLINE FineStep(D lanes, const Problem<Lanes<D>>& q, bool open_sphere)
       : Base(q), d(lanes), open(open_sphere) {}
 
   AXISCERT_INLINE static M always() { return hn::Eq(hn::Zero(D()), hn::Zero(D())); }
   AXISCERT_INLINE static M never() { return hn::MaskFromVec(hn::Zero(D())); }
-  // exact margin >= 0, or < 0.
+  // sides: the exact margin is >= 0; fails: it is < 0.
   AXISCERT_INLINE static void side(const Margin& margin, Axis& axis) {
     axis.sides = hn::And(axis.sides, hn::Ge(margin.value, margin.bound));
     axis.fails = hn::Or(axis.fails, hn::Lt(margin.value, hn::Neg(margin.bound)));
   }
-  // exact margin > 0, or <= 0; for the open sphere a tie counts as beyond, but is never certain here.
+  // radius: the exact margin is > 0; fails: it is <= 0. For the open sphere a tie counts as beyond, but is never
+  // certain here.
   AXISCERT_INLINE Axis radius(const Margin& margin, M has_no_normal) const {
     const V least = hn::Neg(margin.bound);
     const M within = open ? hn::Lt(margin.value, least) : hn::Le(margin.value, least);
     return {hn::Gt(margin.value, margin.bound), always(), hn::Or(has_no_normal, within)};
   }
 
-  // Finite, r >= 0: the squares of binary32 stay finite.
+  // Finite numbers and r >= 0. The squares of binary32 numbers stay finite.
   AXISCERT_INLINE M is_valid() const {
     const Lanes<D> size = ((dot(a.v, a.v) + dot(b.v, b.v)) + dot(c.v, c.v)) + rr;
     return hn::And(hn::Lt(size.v, constant(std::numeric_limits<double>::infinity())), hn::Ge(r, hn::Zero(d)));
@@ -66,7 +68,7 @@ struct FineStep : Margins<D, Lanes<D>> {
 
   struct Answer {
     Decided<D> decided;
-    hn::Vec<Words> known;  // Known's bits
+    hn::Vec<Words> known;  // the bits of Known
   };
 
   AXISCERT_INLINE Answer answer() const {

@@ -1,4 +1,4 @@
-// The steps on every instruction set.
+// The steps compiled for every instruction set.
 #include <limits>
 #include <type_traits>
 
@@ -8,7 +8,7 @@
 #include "kernel/sphere_triangle/certified/thresholds.h"
 #include "kernel/names.h"
 
-#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: each has to be reached by tests
+#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: tests have to reach each of them
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/sphere_triangle/certified/forms.cpp"
 #include "hwy/foreach_target.h"
@@ -39,7 +39,7 @@ Forms forms() {
   using Doubles = hn::ScalableTag<double>;
   using OneFloat = hn::CappedTag<float, 1>;
   using OneDouble = hn::CappedTag<double, 1>;
-  // Four at once, where there are such.
+  // Vectors of four lanes, where the instruction set has them.
   using FourFloats = std::conditional_t<hn::MaxLanes(Floats()) >= 4, hn::CappedTag<float, 4>, void>;
   using FourDoubles = std::conditional_t<hn::MaxLanes(Doubles()) >= 4, hn::CappedTag<double, 4>, void>;
   return {decide<Floats, Doubles>,

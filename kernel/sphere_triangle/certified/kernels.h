@@ -6,7 +6,7 @@
 
 namespace axiscert {
 
-// `target` is one of available_targets(); on `scalar`, one query at a time.
+// `target` is one of available_targets(); `scalar` takes one query at a time.
 template <class Real>
 Implementation<Real> certified_implementation(std::string_view target, certified::Question question);
 

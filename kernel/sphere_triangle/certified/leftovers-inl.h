@@ -1,5 +1,5 @@
-// Blocks as vectors, and the queries of a block that a step passed on, packed. No guard: included once for each of
-// Highway's instruction sets, after coarse_step-inl.h.
+// Blocks as vectors, and the queries of a block that a step passed on, packed. No include guard: included once for each
+// of Highway's instruction sets, after coarse_step-inl.h.
 #include <bit>
 #include <cstring>
 
@@ -19,7 +19,7 @@ constexpr std::uint64_t low_bits(std::size_t count) {
   return count >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
 }
 
-// Queries i to i + N of a block; binary32 widened where D is of doubles.
+// Queries i to i + N of a block; binary32 is widened if D is of doubles.
 template <bool fused = true, class D, class Real>
 AXISCERT_INLINE Problem<Lanes<D, fused>> load(D d, const Block<Real>& block, std::size_t i) {
   using T = Lanes<D, fused>;
@@ -39,8 +39,8 @@ AXISCERT_INLINE Problem<Lanes<D, fused>> load(D d, const Block<Real>& block, std
           T{hn::Zero(d)}};
 }
 
-// The lanes of a vector that a mask names, to its front. Not hn::Compress for all: Highway 1.0 copies a table of 2 KiB
-// to the stack for each vector of eight doubles.
+// Moves the lanes of a vector that a mask selects to its front. hn::Compress is not used for all vectors, because
+// Highway 1.0 copies a table of 2 KiB to the stack for each vector of eight doubles.
 template <class D>
 struct Packing {
   static constexpr bool is_native = hn::MaxLanes(D()) > 8;
@@ -63,17 +63,18 @@ struct Packing {
   }
 };
 
-// Queries of a block that a step passed on, packed.
+// The queries of a block that a step passed on, packed.
 template <class Real, std::size_t capacity = block_size>
 struct Leftovers {
   using Number = Real;
-  static constexpr std::size_t padding = 16;  // whole vectors are read and written: 16 floats at most
+  static constexpr std::size_t padding = 16;  // whole vectors are read and written: at most 16 floats
   alignas(64) Real column[13][capacity + padding];
-  std::uint16_t index[capacity];  // in the block
+  std::uint16_t index[capacity];  // position in the block
   std::size_t size = 0;
-  bool has_spheres = false;  // each its own, even where the block has one
+  bool has_spheres = false;  // each query has its own sphere, even if the block has only one
 
-  // Queries at..at + 64 of `from`, those of `mask`: number(j) of the block is at + j.
+  // Adds the queries selected by `mask` among at..at + 64 of `from`; number(j) is the position in the block of query at
+  // + j.
   template <class D, class Number>
   AXISCERT_INLINE void add(D d, const Block<Real>& from, std::size_t at, std::uint64_t mask, Number&& number) {
     const Packing<D> packed(d, mask);
@@ -84,20 +85,21 @@ struct Leftovers {
       index[size++] = static_cast<std::uint16_t>(number(static_cast<std::size_t>(std::countr_zero(mask))));
     }
   }
-  // `count` queries of the block itself.
+  // Adds `count` queries of the block itself, from `first` on.
   AXISCERT_INLINE void add_all(const Block<Real>& from, std::size_t first, std::size_t count) {
     for (std::size_t k = 0; k < (from.one_sphere ? 9u : 13u); ++k) {
       std::memcpy(column[k] + size, from.column[k] + first, count * sizeof(Real));
     }
     for (std::size_t i = 0; i < count; ++i) index[size++] = static_cast<std::uint16_t>(first + i);
   }
-  // A query of its own.
+  // Adds a query with its own sphere.
   AXISCERT_INLINE void add(const double (&q)[13], std::size_t i) {
     for (std::size_t k = 0; k < 13; ++k) column[k][size] = static_cast<Real>(q[k]);
     index[size++] = static_cast<std::uint16_t>(i);
     has_spheres = true;
   }
-  // As a block, which asks of the one sphere of `from` where that does; zeros after its end.
+  // The queries as a block followed by zeros; it has the one sphere of `from`, if that has one and no query here has
+  // its own.
   AXISCERT_INLINE Block<Real> block(const Block<Real>& from) {
     const bool one_sphere = from.one_sphere && !has_spheres;
     Block<Real> made{{}, size, one_sphere};
@@ -119,7 +121,7 @@ AXISCERT_INLINE void widened(const Block<Real>& block, std::size_t i, double (&q
 
 constexpr int stored_exponent(std::uint64_t bits) { return static_cast<int>((bits >> 52) & 0x7ff); }
 
-// Finite, r >= 0.
+// Finite numbers and r >= 0.
 inline bool is_valid(const double (&q)[13]) {
   for (const double x : q) {
     if (stored_exponent(std::bit_cast<std::uint64_t>(x)) == 0x7ff) return false;
@@ -129,7 +131,7 @@ inline bool is_valid(const double (&q)[13]) {
 
 inline void set_bit(std::uint64_t* words, std::size_t i) { words[i / 64] |= std::uint64_t{1} << (i % 64); }
 
-// A copy of what is left after whole vectors, so that no lane reads outside the block.
+// A padded copy of the queries after the last whole vector, so that no lane reads outside the block.
 template <class Real, std::size_t lanes>
 struct Tail {
   Real storage[13][lanes] = {};

@@ -1,4 +1,4 @@
-// The C interface: queries in the callers' shapes, made into blocks; answers to blocks, made into the callers' results.
+// The C interface: makes blocks of queries in the callers' shapes, and the callers' results of the answers to blocks.
 #include <bit>
 #include <cstring>
 
@@ -9,13 +9,13 @@
 namespace axiscert::certified {
 namespace {
 
-// The best instruction set, chosen once.
+// The steps on the best instruction set, which is chosen once.
 const Forms& forms() noexcept {
   static const Forms chosen = chosen_forms();
   return chosen;
 }
 
-// Writes the results of blocks that come in their order.
+// Writes the results of consecutive blocks.
 class Results {
  public:
   Results(const axiscert_results* results, const Question question) noexcept
@@ -24,7 +24,7 @@ class Results {
   Question question() const noexcept { return question_; }
   axiscert_counts counts() const noexcept { return counts_; }
 
-  // name(i): what the i-th query of all is called among the hits.
+  // name(i) is the number that stands for the i-th query of the whole call among the hits.
   template <std::size_t most, class Name>
   void add(const Answer<most>& answer, std::size_t size, Name&& name) noexcept {
     if (to_.verdict) write_verdicts(answer, size, to_.verdict + first_);
@@ -55,7 +55,8 @@ std::size_t block_from(std::size_t first, std::size_t size) noexcept {
 }
 std::size_t own_index(std::size_t i) noexcept { return i; }
 
-// Columns as they lie, `own` of them of their own for each query; the rest, if any, are one sphere's.
+// Uses the columns in place: thirteen, or nine of the triangles if `sphere` is not null, which then is the sphere of
+// all queries.
 template <class Real>
 axiscert_counts by_columns(const Real* const* columns, const Real* sphere, std::size_t size, axiscert_question question,
                            const axiscert_results* results) noexcept {
@@ -73,7 +74,7 @@ axiscert_counts by_columns(const Real* const* columns, const Real* sphere, std::
   return out.counts();
 }
 
-// The triangles of a list or, where it is null, those from `first` on.
+// The triangles of a list or, if it is null, those from `first` on.
 template <class Real, class Mesh>
 axiscert_counts by_mesh(const Real* sphere, const Mesh* mesh, const std::uint32_t* list, std::size_t first,
                         std::size_t size, axiscert_question question, const axiscert_results* results) noexcept {
@@ -106,7 +107,7 @@ axiscert_verdict pair(const Real* triangle, const Real* sphere, axiscert_questio
 }  // namespace
 }  // namespace axiscert::certified
 
-using namespace axiscert::certified;  // the definitions below are C's
+using namespace axiscert::certified;  // for the definitions of the C functions
 
 axiscert_verdict axiscert_pair_f32(const float* triangle, const float* sphere, axiscert_question question) noexcept {
   return pair(triangle, sphere, question);

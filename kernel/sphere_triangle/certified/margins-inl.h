@@ -1,11 +1,12 @@
-// The sixteen margins of the reduced form, each with a bound of its error from the leaves that it is made of, over a
-// number type T of lanes: doubles for the fine step, pairs of doubles for the deep one. docs/error_model.md, "The
-// bounds of lanes", has the derivation, kernel/sphere_triangle/certified_filter/margin_bounds.h the constants. No
-// guard: included once for each of Highway's instruction sets, after coarse_step-inl.h.
+// The sixteen margins of the reduced form, each with a bound of its error computed from its leaves, over a number type
+// T of lanes: doubles for the fine step, pairs of doubles for the deep one. docs/error_model.md, "The bounds of lanes",
+// has the derivation, kernel/sphere_triangle/certified_filter/margin_bounds.h the constants. No include guard: included
+// once for each of Highway's instruction sets, after coarse_step-inl.h.
 //
-// T::unit is U, the relative error that the derivation grants an operation; T::leading the double nearest to a number.
+// T::unit is U, the relative error that the derivation allows per operation; T::leading is the double nearest to a
+// number.
 //
-// A bound that is zero means operands that are exact zeros: the margin is exact.
+// A bound that is zero means that the operands are exact zeros: the margin is exact.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
@@ -23,10 +24,10 @@ struct Margins {
         : v{T::difference(to.x.v, from.x.v), T::difference(to.y.v, from.y.v), T::difference(to.z.v, from.z.v)},
           norm(hn::Max(hn::Max(size_of(v.x), size_of(v.y)), size_of(v.z))) {}
   };
-  // A cross product of leaves; each component is within `error`.
+  // A cross product of leaves; the error of each component is at most `error`.
   struct Normal {
     Vec3<T> v;
-    V error, sum;  // of sizes
+    V error, sum;  // sum: of the components' magnitudes
   };
   struct Margin {
     V value, bound;
@@ -49,7 +50,7 @@ struct Margins {
   AXISCERT_INLINE static V units(double n) { return hn::Set(D(), n * T::unit * MarginBounds::unit_factor); }
   AXISCERT_INLINE static V constant(double x) { return hn::Set(D(), x); }
   AXISCERT_INLINE static M is_zero(V x) { return hn::Eq(x, hn::Zero(D())); }
-  // Of a leaf's norm or r: the range that keeps underflow out of the bounds.
+  // Whether a leaf's norm, or r, is in the range that keeps underflow out of the bounds.
   AXISCERT_INLINE static M in_range(V x) {
     return hn::Or(is_zero(x), hn::And(hn::Ge(x, constant(least_fine_leaf)), hn::Le(x, constant(greatest_fine_leaf))));
   }
@@ -58,7 +59,7 @@ struct Margins {
   AXISCERT_INLINE static Normal normal_of(const Leaf& x, const Leaf& y) {
     return with_sum(cross(x.v, y.v), hn::Mul(units(MarginBounds::normal_units), hn::Mul(x.norm, y.norm)));
   }
-  // AB x AC, zero where B = C. There AB = -CA to the bit, but a fused cross product of these need not vanish.
+  // AB x AC, made zero where B = C. There AB = -CA to the bit, but a fused cross product of these need not vanish.
   AXISCERT_INLINE Normal normal() const {
     const M b_is_c = is_zero(bc.norm);
     const Normal n = normal_of(ca, ab);
@@ -76,12 +77,12 @@ struct Margins {
     return {dot(from.v, away.v).leading(),
             hn::Mul(hn::Mul(units(MarginBounds::vertex_side_units), from.norm), away.norm)};
   }
-  // `towards` leads from another to the vertex.
+  // `towards` leads from another vertex to this one.
   AXISCERT_INLINE Margin opposite_vertex_side(const Leaf& from, const Leaf& towards) const {
     const Margin margin = vertex_side(from, towards);
     return {hn::Neg(margin.value), margin.bound};
   }
-  // A.V, whose square the plane's radius comparison is of.
+  // A.V, whose square is the left side of the plane's radius comparison.
   struct Offset {
     T value;
     V error;

@@ -1,11 +1,11 @@
-// One sphere against a chunk of triangles of an indexed mesh. Those beyond one face of the sphere's box are told by
-// their vertices and never gathered; the rest are made blocks. No guard: included once for each of Highway's
-// instruction sets, after block-inl.h and outcodes-inl.h.
+// One sphere against a chunk of triangles of an indexed mesh. Triangles beyond one face of the sphere's box are
+// recognised by their vertices and never gathered; the others are made into blocks. No include guard: included once for
+// each of Highway's instruction sets, after block-inl.h and outcodes-inl.h.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
 
-// D and D2 as of Steps; D4 takes a vertex a vector, void where there are no four lanes.
+// D and D2 are as in Steps. D4 takes one vertex per vector; it is void where there are no four lanes.
 template <class D, class D2, class D4>
 class MeshSteps {
  public:
@@ -15,7 +15,7 @@ class MeshSteps {
       : mesh_(mesh), question_(question), outcodes_(outcodes), answer_(answer) {}
 
   AXISCERT_INLINE void run() noexcept {
-    // The conservative question is asked of each: what it answers does not depend on the shape.
+    // The conservative question is asked of every triangle, so that its answers do not depend on the shape of the call.
     std::uint64_t rest[mesh_chunk_size / 64] = {};
     if (mesh_.size >= fewest && question_ != Question::conservative && skip(rest)) ask_the(rest);
     else ask_all();
@@ -30,7 +30,8 @@ class MeshSteps {
   }
   const Real* vertex(std::uint32_t v) const noexcept { return mesh_.vertices + mesh_.stride * v; }
 
-  // The bits of those that the box does not separate. False, and none, where it separates few.
+  // Sets the bits of the triangles that the box does not separate. Returns false and sets none where the box separates
+  // few, or where the vertices are not in the table and there are no four lanes.
   HWY_NOINLINE bool skip(std::uint64_t* rest) noexcept {
     const SphereBox<Real> box(mesh_.sphere[0], mesh_.sphere[1], mesh_.sphere[2], mesh_.sphere[3]);
     if (!outcodes_.are_useful && !separates_most(box)) return false;
@@ -46,7 +47,7 @@ class MeshSteps {
     return true;
   }
 
-  // Most of those tried, one in 64.
+  // Whether the box separates most of the triangles tried, one in 64.
   AXISCERT_INLINE bool separates_most(const SphereBox<Real>& box) const noexcept {
     std::size_t separated = 0;
     for (std::size_t i = 32; i < mesh_.size; i += 64) {
@@ -56,7 +57,7 @@ class MeshSteps {
     return 2 * separated >= mesh_.size / 64;
   }
 
-  // From the least that a triangle has to the greatest; the end is 0 where it has no number.
+  // The range from the least vertex of a triangle to the greatest; its end is 0 where it does not fit in 32 bits.
   HWY_NOINLINE VertexRange vertices() const noexcept {
     std::uint32_t least = ~std::uint32_t{0}, greatest = 0;
     const auto add = [&](std::uint32_t v) {
@@ -102,7 +103,8 @@ class MeshSteps {
     }
   }
 
-  // Each vertex loaded, with whatever follows it in its fourth lane; not the greatest, which nothing may follow.
+  // Loads each vertex with whatever follows it in memory as its fourth lane, except the greatest vertex, which nothing
+  // may follow.
   HWY_NOINLINE void skip_by_vertices(const SphereBox<Real>& box, std::uint32_t greatest,
                                      std::uint64_t* rest) const noexcept {
     const D4 d;
@@ -125,13 +127,13 @@ class MeshSteps {
       const auto a = load(v[0]), b = load(v[1]), c = load(v[2]);
       const auto beyond = hn::Or(hn::Lt(hn::Max(hn::Max(a, b), c), low), hn::Gt(hn::Min(hn::Min(a, b), c), high));
       const auto sum = hn::Add(hn::Add(a, b), c);
-      // Not Ne, which on AVX-512 is false of a NaN.
+      // Not Ne, which on AVX-512 is false for NaN.
       const bool is_finite = hn::AllTrue(d, hn::Or(fourth, hn::Eq(hn::Sub(sum, sum), hn::Zero(d))));
       if (!is_finite || hn::AllFalse(d, hn::And(xyz, beyond))) set_bit(rest, i);
     }
   }
 
-  // The triangles of `rest`, packed; the others are separated.
+  // Asks the triangles of `rest`, packed; the others are separated.
   HWY_NOINLINE void ask_the(const std::uint64_t* rest) noexcept {
     std::uint16_t place[mesh_chunk_size];
     std::size_t count = 0;
@@ -165,7 +167,8 @@ class MeshSteps {
         });
   }
 
-  // By blocks. place(i): of the i-th, in the chunk; add(answer, first, size).
+  // Asks `count` triangles block by block. place(i) is the position of the i-th in the chunk; add(answer, first, size)
+  // takes the answers.
   template <class Place, class Add>
   AXISCERT_INLINE void ask(std::size_t count, Place&& place, Add&& add) const noexcept {
     alignas(64) Real column[9][block_size];
@@ -176,7 +179,7 @@ class MeshSteps {
       block.size = count - first < block_size ? count - first : block_size;
       for (std::size_t i = 0; i < block.size; ++i) {
         const std::uint32_t* v = vertices_of(place(first + i));
-        const auto gather = [&](const Real* from, std::size_t k) {  // no loops: at -O2 they stay loops
+        const auto gather = [&](const Real* from, std::size_t k) {  // not loops: -O2 would not unroll them
           column[k][i] = from[0];
           column[k + 1][i] = from[1];
           column[k + 2][i] = from[2];
@@ -191,7 +194,7 @@ class MeshSteps {
     }
   }
 
-  static constexpr std::size_t prefetched = 32;  // triangles
+  static constexpr std::size_t prefetched = 32;  // triangles ahead
   const MeshChunk<Real>& mesh_;
   const Question question_;
   Outcodes& outcodes_;

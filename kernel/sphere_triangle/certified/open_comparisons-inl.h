@@ -1,12 +1,12 @@
-// What a step in doubles left open: comparison by comparison through the deep step, those of a kind together. No guard:
-// included once for each of Highway's instruction sets, after deep_step-inl.h and leftovers-inl.h.
+// Takes the comparisons that a step in doubles left open through the deep step, those of one kind together. No include
+// guard: included once for each of Highway's instruction sets, after deep_step-inl.h and leftovers-inl.h.
 #include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
 
-// Known's bits of at most one open comparison.
+// Lanes in which at most one comparison is still open; `known` has the bits of Known.
 template <class D>
 AXISCERT_INLINE hn::Mask<D> has_one_open(D d, hn::Vec<hn::RebindToUnsigned<D>> known) {
   const hn::RebindToUnsigned<D> words;
@@ -16,19 +16,21 @@ AXISCERT_INLINE hn::Mask<D> has_one_open(D d, hn::Vec<hn::RebindToUnsigned<D>> k
   return hn::RebindMask(d, hn::Eq(hn::And(open, hn::Sub(open, hn::Set(words, 1))), hn::Zero(words)));
 }
 
-// Of the queries of `Left`, in their places there; what is added is read at once.
+// The open comparisons of queries of `Left`, named by their places there; the numbers of a query are read when it is
+// added.
 template <class D, class Left>
 class OpenComparisons {
  public:
   using Number = typename Left::Number;
 
-  // block: the same queries.
+  // `block` has the same queries as `left`.
   OpenComparisons(const Left& left, const Block<Number>& block, bool open_sphere) noexcept
       : left_(left), open_(open_sphere), sphere_stride_(block.one_sphere ? 0 : 1) {
     std::copy(block.column + 9, block.column + 13, sphere_);
   }
 
-  // The queries at first..first + lanes, those of `mask`, of which this much is known.
+  // Adds the queries selected by `mask` among first..first + lanes, with the bits known about them, and asks their open
+  // comparisons.
   AXISCERT_INLINE void add(std::size_t first, std::uint64_t mask, hn::Vec<hn::RebindToUnsigned<D>> known) noexcept {
     for_each_place(first, mask, known, [&](std::size_t place) HWY_ATTR {
       list(place);
@@ -36,13 +38,14 @@ class OpenComparisons {
     });
   }
 
-  // The same, of which nothing more is asked.
+  // Adds queries whose open comparisons the deep step is not asked.
   AXISCERT_INLINE void add_unasked(std::size_t first, std::uint64_t mask,
                                    hn::Vec<hn::RebindToUnsigned<D>> known) noexcept {
     for_each_place(first, mask, known, [&](std::size_t place) HWY_ATTR { list(place); });
   }
 
-  // take(place, index, known) for each query, with all that is known now; the index that it had when it was added.
+  // Calls take(place, index, known) for each query, with everything known now; the index is the one it had when it was
+  // added.
   template <class Take>
   void finish(Take&& take) noexcept {
     for (std::size_t kind = 0; kind < comparing_count; ++kind) {
@@ -54,7 +57,8 @@ class OpenComparisons {
 
  private:
   static constexpr std::size_t lanes = hn::MaxLanes(D()), capacity = 2 * lanes;
-  // Fewer at the end are left to the last step, which costs a query about as much as the deep step a vector's fifth.
+  // A queue with fewer comparisons at the end is left to the last step, which takes about a fifth as long for a query
+  // as the deep step for a vector.
   static constexpr std::size_t worth_asking = lanes == 1 ? 1 : lanes / 2 + 1;
   static constexpr Comparing radius_of_[Known::axes] = {
       Comparing::vertex_radius, Comparing::vertex_radius, Comparing::vertex_radius, Comparing::plane_radius,
@@ -62,7 +66,7 @@ class OpenComparisons {
   static constexpr Comparing sides_of_[Known::axes] = {
       Comparing::vertex_sides, Comparing::vertex_sides, Comparing::vertex_sides, {},
       Comparing::edge_side,    Comparing::edge_side,    Comparing::edge_side};
-  // The first columns of the vertices that become A, B and C.
+  // The first columns of the vertices that are renamed A, B and C.
   struct Turn {
     std::uint8_t a, b, c;
   };
@@ -119,7 +123,7 @@ class OpenComparisons {
     if (queue.size == capacity) flush(what);
   }
 
-  // The queue asked, and emptied.
+  // Asks the comparisons in the queue, and empties it.
   HWY_NOINLINE void flush(Comparing what) noexcept {
     switch (what) {
       case Comparing::vertex_radius:
@@ -165,7 +169,7 @@ class OpenComparisons {
   const Number* sphere_[4];
   const bool open_;
   const std::size_t sphere_stride_;
-  std::uint64_t known_[block_size + lanes];  // Known's bits, of the places that are in place_
+  std::uint64_t known_[block_size + lanes];  // the bits of Known for the places in place_
   std::uint16_t place_[block_size], index_[block_size];
   std::size_t size_ = 0;
   Queue queue_[comparing_count];

@@ -1,5 +1,5 @@
-// Which faces of the sphere's box the vertices of a mesh are beyond: a bit each, vertices neighbours in memory at once.
-// No guard: included once for each of Highway's instruction sets, after box_step-inl.h.
+// The faces of the sphere's box that the vertices of a mesh are beyond: one bit per face, computed for neighbours in
+// memory together. No include guard: included once for each of Highway's instruction sets, after box_step-inl.h.
 #include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
@@ -10,7 +10,7 @@ struct VertexRange {
   std::uint32_t first, end;
 };
 
-// A window of the vertices, which moves with the triangles asked. No bit of a vertex that is not finite is set.
+// A window of the vertices, which moves with the triangles asked. A vertex that is not finite has no bit set.
 template <class D>
 class OutcodeStep {
  public:
@@ -20,10 +20,10 @@ class OutcodeStep {
   AXISCERT_INLINE OutcodeStep(const MeshChunk<Real>& mesh, const SphereBox<Real>& box, Outcodes& outcodes)
       : mesh_(mesh), box_(box), known_(outcodes) {}
 
-  // Has the codes of the vertices from `range`; false where the table is too small or, for the chunk's triangles, they
-  // are too many.
+  // Computes the codes of the vertices in `range` that the table lacks. False if the table is too small, or if they are
+  // too many for the number of triangles in the chunk.
   AXISCERT_INLINE bool has(VertexRange range) {
-    if (range.first <= known_.end && range.end >= known_.first) {  // grows, if there is room
+    if (range.first <= known_.end && range.end >= known_.first) {  // grows the window if there is room
       const VertexRange both{std::min(range.first, known_.first), std::max(range.end, known_.end)};
       if (both.end - both.first <= sizeof known_.code) range = both;
     }
@@ -42,7 +42,7 @@ class OutcodeStep {
     return true;
   }
 
-  // The faces that all of them are beyond.
+  // The faces that all vertices of the range are beyond.
   AXISCERT_INLINE unsigned common(VertexRange range) const {
     const std::uint8_t* code = known_.code + (range.first - known_.first);
     const std::size_t size = range.end - range.first;
@@ -72,7 +72,7 @@ class OutcodeStep {
       return hn::Or(face(hn::Lt(v, hn::Set(d, box_.low[k])), 2 * k),
                     face(hn::Gt(v, hn::Set(d, box_.high[k])), 2 * k + 1));
     };
-    const V sum = hn::Add(hn::Add(x, y), z);  // overflows are no harm
+    const V sum = hn::Add(hn::Add(x, y), z);  // an overflow clears the bits, which does no harm
     const auto is_finite = hn::RebindMask(bits, hn::Eq(hn::Sub(sum, sum), hn::Zero(d)));
     return hn::TruncateTo(Bytes(), hn::IfThenElseZero(is_finite, hn::Or(hn::Or(axis(x, 0), axis(y, 1)), axis(z, 2))));
   }
@@ -86,7 +86,7 @@ class OutcodeStep {
         hn::LoadInterleaved3(d, mesh_.vertices + 3 * v, x, y, z);
         hn::StoreU(codes(x, y, z), Bytes(), code);
       }
-    } else if (mesh_.stride == 4) {  // of the last vertex there may be no fourth number
+    } else if (mesh_.stride == 4) {  // the last vertex may have no fourth number
       for (; v + lanes < end; v += lanes, code += lanes) {
         hn::LoadInterleaved4(d, mesh_.vertices + 4 * v, x, y, z, w);
         hn::StoreU(codes(x, y, z), Bytes(), code);

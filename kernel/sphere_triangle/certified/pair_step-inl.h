@@ -1,14 +1,14 @@
-// The first step for one query alone: its vertices, and the edges that begin there, one a lane. No guard: included once
-// for each of Highway's instruction sets, after coarse_step-inl.h.
+// The first step for a single query: one lane for each vertex and the edge that begins there. No include guard:
+// included once for each of Highway's instruction sets, after coarse_step-inl.h.
 //
-// Each lane has what coarse_step computes of the same triangle with its vertices renamed in turn: S, E, the axes of the
-// vertex called A and of the edge AB, the plane's. So what is certain of a lane is certain of the query, and the three
-// have all axes between them.
+// Each lane has what coarse_step computes for the same triangle with its vertices renamed in turn: S, E, the axes of
+// the vertex called A and of the edge AB, and the plane's. So what is certain in a lane is certain for the query, and
+// the three lanes together have all axes.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
 
-// Four lanes: A, B, C and A once more.
+// Four lanes: A, B, C and again A.
 template <class D>
 class PairStep {
  public:
@@ -43,7 +43,7 @@ class PairStep {
     separated_ = !hn::AllFalse(d, hn::And(in_range, limits.any_beyond(vertices, edges, plane)));
     contact_ = hn::AllTrue(d, hn::And(in_range, limits.all_within(vertices, edges, plane)));
   }
-  // Neither: it is passed on.
+  // If neither is true, the query is passed on.
   bool separated() const noexcept { return separated_; }
   bool contact() const noexcept { return contact_; }
 

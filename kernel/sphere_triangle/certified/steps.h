@@ -1,4 +1,4 @@
-// What the steps of the certified predicate share: the question, a block of queries and the answers to it, and the
+// Common parts of the steps of the certified predicate: the question, a block of queries and the answers to it, and the
 // forms of the steps for each instruction set.
 #pragma once
 
@@ -9,13 +9,14 @@
 
 namespace axiscert::certified {
 
-// Is the distance at most r, or less than r; or has it been shown to be greater than r (kernel `conservative`).
+// The contact asked for: distance <= r; distance < r; or distance not shown to be greater than r (kernel
+// `conservative`).
 enum class Question : std::uint8_t { closed_sphere, open_sphere, conservative };
 
 inline constexpr std::size_t block_size = 256;
 
-// Up to block_size queries by columns, ax ay az bx by bz cx cy cz px py pz r. Where all ask of one sphere, the last
-// four columns have one entry.
+// Up to block_size queries by columns, ax ay az bx by bz cx cy cz px py pz r. If all queries have the same sphere, the
+// last four columns have one entry.
 template <class Real>
 struct Block {
   const Real* column[13];
@@ -23,7 +24,7 @@ struct Block {
   bool one_sphere;
 };
 
-// Bit i of word i / 64 is query i. None is in both; bits from the size on are zero.
+// Bit i of word i / 64 belongs to query i. No query has both bits set; bits from the size on are zero.
 template <std::size_t most>
 struct Answer {
   std::uint64_t contact[most / 64];
@@ -31,8 +32,8 @@ struct Answer {
 };
 using BlockAnswer = Answer<block_size>;
 
-// Up to mesh_chunk_size triangles of an indexed mesh (kernel/include/axiscert/certified.h), asked of one sphere, px py
-// pz r: those that a list names, or where it is null, those whose indices these are.
+// Up to mesh_chunk_size triangles of an indexed mesh (kernel/include/axiscert/certified.h), against one sphere, px py
+// pz r: the triangles that `list` names or, if it is null, the first `size` triangles of `indices`.
 inline constexpr std::size_t mesh_chunk_size = 1024;
 template <class Real>
 struct MeshChunk {
@@ -45,15 +46,15 @@ struct MeshChunk {
 };
 using MeshAnswer = Answer<mesh_chunk_size>;
 
-// What is kept from chunk to chunk: of the vertices first to end - 1 which faces of the sphere's box they are beyond,
-// and whether that told most triangles of the last chunk.
+// State kept from chunk to chunk: for the vertices first to end - 1, the faces of the sphere's box that they are
+// beyond; and whether the box separated most triangles of the last chunk.
 struct Outcodes {
   std::uint32_t first = 0, end = 0;
   bool are_useful = false;
   std::uint8_t code[8192];
 };
 
-// Where the set bits of a byte are, the lowest first; 0 in the other places.
+// The positions of the set bits of a byte, the lowest first; 0 in the other places.
 struct SetBits {
   std::uint8_t place[8];
 };
@@ -68,16 +69,17 @@ inline constexpr auto set_bits_first = [] {
   return all;
 }();
 
-// The steps on one instruction set. The modes of kernel/sphere_triangle/certified/default_modes.h have to be set.
+// The steps on one instruction set. The caller has to set the modes of
+// kernel/sphere_triangle/certified/default_modes.h.
 struct Forms {
   void (*block32)(const Block<float>&, Question, BlockAnswer&) noexcept;
   void (*block64)(const Block<double>&, Question, BlockAnswer&) noexcept;
-  // One query at a time, in the same steps.
+  // One query at a time, by the same steps.
   void (*one32)(const Block<float>&, Question, BlockAnswer&) noexcept;
   void (*one64)(const Block<double>&, Question, BlockAnswer&) noexcept;
   void (*mesh32)(const MeshChunk<float>&, Question, Outcodes&, MeshAnswer&) noexcept;
   void (*mesh64)(const MeshChunk<double>&, Question, Outcodes&, MeshAnswer&) noexcept;
-  // ax ay az bx by bz cx cy cz and px py pz r; the first word of the answer alone is written.
+  // triangle: ax ay az bx by bz cx cy cz. sphere: px py pz r. Only the first word of the answer is written.
   void (*pair32)(const float* triangle, const float* sphere, Question, BlockAnswer&) noexcept;
   void (*pair64)(const double* triangle, const double* sphere, Question, BlockAnswer&) noexcept;
 
@@ -103,7 +105,7 @@ struct Forms {
   }
 };
 
-// Of the instruction set that Highway has chosen: the best there is, unless somebody told it another.
+// The forms for the instruction set that Highway has chosen: the best one, unless another has been set.
 Forms chosen_forms();
 
 }  // namespace axiscert::certified

@@ -2,10 +2,10 @@
 // those that Coq has proved, kernel/sphere_triangle/certified_filter/margin_bounds.h.
 //
 // u is the unit roundoff of the number type, 2^-24 or 2^-53; hats are computed values. Rounding is to nearest with
-// gradual underflow (kernel/sphere_triangle/certified/default_modes.h sees to it). A fused multiply-add rounds once
+// gradual underflow (kernel/sphere_triangle/certified/default_modes.h sets both). A fused multiply-add rounds once
 // where the derivation counts two roundings, so the thresholds hold with it and without. Terms of u^2 and more, the
-// rounding of S, E and of the products with them, and underflow as bounded below are inside the sixteenth that is added
-// last.
+// rounding of S, E and of the products with them, and underflow as bounded below are covered by the sixteenth that is
+// added last.
 //
 // A *leaf*, one of A-P, B-P, C-P, B-A, C-B, A-C, is a difference of two inputs: each component is (1 + u) times the
 // exact one, whatever the exponents (a subnormal difference is exact). From here A, B, C are the translated vertices,
@@ -49,7 +49,7 @@ namespace axiscert::certified {
 template <class Real>
 inline constexpr Real unit_roundoff = sizeof(Real) == 4 ? static_cast<Real>(0x1p-24) : static_cast<Real>(0x1p-53);
 
-inline constexpr double least_relative_triangle = 0x1p-20;  // of S, added to E
+inline constexpr double least_relative_triangle = 0x1p-20;  // in units of S; added to E
 template <class Real>
 inline constexpr Real least_square = sizeof(Real) == 4 ? static_cast<Real>(filter::CoarseBounds::least_square_binary32)
                                                        : static_cast<Real>(filter::CoarseBounds::least_square_binary64);

@@ -1,13 +1,14 @@
-// The filter that is proved never to lie (docs/proofs.md, proofs/coq/Filter.v), over any set of formulae with a
-// table of thresholds and any number type: the program of the theorem, operation by operation.
+// The filter that is proved never to answer wrongly (docs/proofs.md, proofs/coq/Filter.v), over any set of formulae
+// with a table of thresholds and any number type: the program of the theorem, operation by operation.
 //
-// Decides three ways. A lhs > rhs is certain where lhs - rhs, as computed, exceeds n u m^degree, as computed; lhs < rhs
-// where it is below the negative of that. `separated`: of some axis all comparisons are certain. `contact`: each axis
-// has one whose opposite is. Else, and wherever m is outside its window, r < 0 or a number is not finite: `undecided`.
+// It has three answers. lhs > rhs is certain where lhs - rhs, as computed, exceeds n u m^degree, as computed; lhs < rhs
+// where it is below the negative of that. `separated`: all comparisons of some axis are certain. `contact`: on each
+// axis the opposite of some comparison is certain. Otherwise, and wherever m is outside its window, r < 0 or a number
+// is not finite: `undecided`.
 //
-// A number type T has magnitude(x), negated(x), greater_of(x, y), constant_as(x, c), the relations less(x, y) and
-// at_most(x, y), false where either is NaN, whose results combine by both(p, q) and either(p, q). No guard for
-// AXISCERT_PER_TARGET: kernel/base/geometry.h says why.
+// A number type T has magnitude(x), negated(x), greater_of(x, y), constant_as(x, c), and the relations less(x, y) and
+// at_most(x, y), false if either is NaN, whose results are combined by both(p, q) and either(p, q). There is no include
+// guard for AXISCERT_PER_TARGET; kernel/base/geometry.h says why.
 #if defined(AXISCERT_PER_TARGET) || !defined(AXISCERT_KERNEL_FILTER_FILTER_H)
 #define AXISCERT_KERNEL_FILTER_FILTER_H
 
@@ -27,13 +28,13 @@ struct ReducedFilter {
   static constexpr const auto& thresholds = filter::reduced_thresholds;
 };
 
-// What is certain of a query, or of each lane's. Both false: undecided.
+// Certain answers to a query, or to each lane's query. If both are false, the query is undecided.
 template <class Mask>
 struct Certain {
   Mask separated, contact;
 };
 
-// m, the greatest magnitude of a translated coordinate and the radius, and whether the query is inside the window.
+// m, the greatest magnitude of a translated coordinate and the radius; and whether the query is inside the window.
 template <class T, class Mask>
 struct Magnitude {
   T m;
@@ -57,12 +58,12 @@ AXISCERT_INLINE auto greatest_magnitude_of(const Problem<T>& query) {
   return found;
 }
 
-// Takes the sixteen comparisons in their order, those of an axis together.
+// Takes the sixteen comparisons in their order; those of an axis come one after the other.
 template <class Filter, class Real, class T, class Mask>
 struct FilterSink {
   T m2, m4, m6;
-  Mask separated{}, contact{};     // by the axes so far: some separates; each cannot
-  Mask all_greater{}, any_less{};  // of the axis at hand
+  Mask separated{}, contact{};     // over the axes so far: some separates; none can
+  Mask all_greater{}, any_less{};  // on the present axis
 
   AXISCERT_INLINE explicit FilterSink(const T& m) : m2(m * m), m4(m2 * m2), m6(m4 * m2) {}
 
@@ -88,7 +89,7 @@ AXISCERT_INLINE auto filter_answer(const Problem<T>& query) {
   using Mask = decltype(less(m, m));
   FilterSink<Filter, Real, T, Mask> sink(m);
   Filter::Formulae::comparisons(query, sink);
-  // `separated` goes before `contact`, as in the theorem; no query has both.
+  // `separated` has precedence over `contact`, as in the theorem; no query has both.
   return Certain<Mask>{both(inside, sink.separated), both(inside, sink.contact)};
 }
 

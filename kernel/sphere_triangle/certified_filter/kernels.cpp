@@ -1,4 +1,4 @@
-// The filters on every instruction set, one query a lane, and one at a time.
+// The filters on every instruction set, one query per lane, and one query at a time.
 #include "kernel/sphere_triangle/certified_filter/kernels.h"
 
 #include <cstring>
@@ -13,7 +13,7 @@ namespace axiscert {
 template <class Real>
 using Verdicts = void (*)(const QueryColumns<Real>& batch, Verdict* out);
 
-// On one instruction set, by FilterForm.
+// The filters on one instruction set, by FilterForm.
 struct FilterForms {
   std::array<Verdicts<float>, 2> binary32;
   std::array<Verdicts<double>, 2> binary64;
@@ -26,7 +26,7 @@ struct FilterForms {
 }  // namespace axiscert
 #endif
 
-#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: `--target` must reach each
+#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: `--target` must reach each of them
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/sphere_triangle/certified_filter/kernels.cpp"
 #include "hwy/foreach_target.h"
@@ -39,7 +39,7 @@ struct FilterForms {
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
 
-// What kernel/sphere_triangle/certified_filter/filter.h asks of a number type.
+// The operations of a number type that kernel/sphere_triangle/certified_filter/filter.h requires.
 template <class V>
 AXISCERT_INLINE Lanes<V> magnitude(const Lanes<V>& x) {
   return {hn::Abs(x.v)};
@@ -56,7 +56,7 @@ template <class V>
 AXISCERT_INLINE Lanes<V> constant_as(const Lanes<V>&, hn::TFromV<V> c) {
   return {hn::Set(hn::DFromV<V>(), c)};
 }
-// A relation by lane; of this namespace, where a template finds its operations.
+// A relation by lane; it is in this namespace so that templates find its operations.
 template <class M>
 struct LaneMask {
   M m;
@@ -78,7 +78,7 @@ AXISCERT_INLINE LaneMask<M> either(const LaneMask<M>& p, const LaneMask<M>& q) {
   return {hn::Or(p.m, q.m)};
 }
 
-// The vector that begins at `at` of `from`, into the first `count` entries of `out`.
+// Filters the vector that begins at query `at` of `from`, and writes the first `count` verdicts to `out`.
 template <class Filter, class Real>
 AXISCERT_INLINE void filter_vector(const QueryColumns<Real>& from, std::size_t at, std::size_t count, Verdict* out) {
   using D = hn::ScalableTag<Real>;

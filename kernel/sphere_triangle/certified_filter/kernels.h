@@ -7,7 +7,7 @@ namespace axiscert {
 
 enum class FilterForm : std::uint8_t { published, reduced };
 
-// `target` is one of available_targets(). Verdicts alone: `separated`, `contact` or `undecided`.
+// `target` is one of available_targets(). The kernels give only verdicts: `separated`, `contact` or `undecided`.
 template <class Real>
 Implementation<Real> filter_implementation(FilterForm form, std::string_view target);
 

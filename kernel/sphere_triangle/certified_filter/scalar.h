@@ -1,4 +1,4 @@
-// The filter one query at a time.
+// The filter for one query at a time.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace axiscert::portable {
 
-// What kernel/sphere_triangle/certified_filter/filter.h asks of a number type.
+// The operations of a number type that kernel/sphere_triangle/certified_filter/filter.h requires.
 template <std::floating_point Real>
 AXISCERT_INLINE Real magnitude(Real x) {
   return std::fabs(x);

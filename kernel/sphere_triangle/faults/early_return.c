@@ -1,5 +1,5 @@
-/* Leaves with "contact" where the plane cuts the sphere, as if the triangle were all of its plane. Phantom contacts
- * only; the comparisons after it are never made. */
+/* Returns "contact" where the plane cuts the sphere, as if the triangle were its whole plane. Phantom contacts only;
+ * the comparisons after it are never made. */
 #define EXPOSES AXISCERT_VERDICT_ONLY
 #define AFTER_PLANE \
   if (!plane_radius) return AXISCERT_CONTACT

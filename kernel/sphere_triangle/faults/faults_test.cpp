@@ -1,5 +1,6 @@
-// The plug-ins with a fault of logic: the one without any is the built-in kernel bit for bit, and each of the others is
-// wrong on small integers, where nothing is rounded, in the comparisons and in the direction that its file says.
+// The plug-ins with a fault of logic: the one without a fault is the built-in kernel bit for bit, and each of the
+// others is wrong on small integers, where nothing is rounded, in the comparisons and in the direction that its file
+// states.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
@@ -17,11 +18,12 @@ namespace {
 
 using testing_support::random_query;
 
-// What a fault does to queries of small integers whose triangle has area.
+// The effect of a fault on queries of small integers whose triangle has area.
 struct Fault {
   std::string_view name;
   bool misses_contacts, invents_contacts;
-  std::set<std::string_view> comparisons;  // that differ somewhere; empty for a plug-in that shows only verdicts
+  std::set<std::string_view> comparisons;  // those that differ on some query; empty for a plug-in that shows only
+                                           // verdicts
 };
 
 const Fault faults[] = {
@@ -131,7 +133,7 @@ TEST(Faults, EachSourceHasARow) {
 }
 
 // Coordinates in [-2, 2], radius in [0, 4], area not zero: every intermediate result of the test is an integer below
-// 2^24, so exact in either precision, and the exact test is right for every triangle with area.
+// 2^24, so it is exact in either precision, and the exact test is right for every triangle with area.
 template <class Real>
 QueryBatch<Real> lattice() {
   constexpr std::size_t count = 50'000;
@@ -159,7 +161,7 @@ void expect_wrong_where_its_file_says(const Fault& fault) {
   EXPECT_EQ(kernel.source, "kernel/sphere_triangle/faults/" + std::string(fault.name) + ".c:1");
   EXPECT_STREQ(kernel.conforms_to, "published");
   const Told right = ask_published(queries.columns()), told = ask(kernel, queries.columns());
-  // The published test is right here: an unrelated method says the same.
+  // The published test is right here: an unrelated method gives the same verdicts.
   ASSERT_EQ(right.verdicts, verdicts_of("minkowski", queries.columns()));
 
   std::size_t missed = 0, invented = 0;

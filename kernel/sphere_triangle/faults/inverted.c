@@ -1,4 +1,4 @@
-/* Returns "separated" for "they intersect". Every answer is wrong. */
+/* Returns "separated" where they intersect, and the reverse. Every answer is wrong. */
 #define EXPOSES AXISCERT_VERDICT_ONLY
 #define VERDICT (separated ? AXISCERT_CONTACT : AXISCERT_SEPARATED)
 

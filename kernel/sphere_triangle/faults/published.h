@@ -1,5 +1,6 @@
-/* The published test as a plug-in, in both precisions; see published_test.h for what a fault may change. A fault that
- * makes the comparisons meaningless, or a verdict that they do not make, also defines EXPOSES as AXISCERT_VERDICT_ONLY.
+/* The published test as a plug-in, in both precisions; see published_test.h for the parts that a fault may change. A
+ * fault that makes the comparisons meaningless, or whose verdict does not follow from them, also defines EXPOSES as
+ * AXISCERT_VERDICT_ONLY.
  */
 #include "kernel/include/axiscert/plugin.h"
 

@@ -1,9 +1,9 @@
 /* The published test of one query in plain C, in the number type `real`: bit for bit the built-in kernel `published`
- * (kernel/sphere_triangle/formulae.h; operation order: kernel/base/geometry.h). Included once a precision, hence no
- * guard, after #define real float #define OF_REAL(name) name##_binary32
+ * (kernel/sphere_triangle/formulae.h; operation order: kernel/base/geometry.h). Included once for each precision, hence
+ * without include guard, after #define real float #define OF_REAL(name) name##_binary32
  *
- * What a fault changes is a macro, whose default is right; a fault defines one of them otherwise. Those that give a
- * vector give its component k.
+ * The parts that a fault can change are macros whose defaults are right; a fault defines one of them differently. A
+ * macro for a vector gives its component k.
  */
 #ifndef C_TRANSLATED
 #define C_TRANSLATED (c[k] - p[k])
@@ -46,7 +46,7 @@
 #ifndef EDGE_CA_RADIUS
 #define EDGE_CA_RADIUS (DOT(Q3, Q3) > (rr * e3) * e3)
 #endif
-/* From the foot on BC to A, times e2. */
+/* The vector from the foot on BC to A, times e2. */
 #ifndef FROM_BC_TO_A
 #define FROM_BC_TO_A (A[k] * e2 - Q2[k])
 #endif

@@ -1,4 +1,4 @@
-/* C -= P is forgotten: the triangle has its third vertex elsewhere, unless the centre is the origin. Missed and phantom
+/* C -= P is forgotten: the triangle's third vertex is elsewhere unless the centre is the origin. Missed and phantom
  * contacts. */
 #define C_TRANSLATED c[k]
 

@@ -5,8 +5,8 @@
 
 namespace axiscert {
 
-// Eigen::Vector3f or Vector3d, `.dot` and `.cross`: its reductions choose their own order of addition, so that sides
-// may differ from the reference's in the last bits. The judge shows where as `implementation`.
+// Uses Eigen::Vector3f or Vector3d with `.dot` and `.cross`. Eigen's reductions choose their own order of addition, so
+// the sides may differ from the reference's in the last bits; the judge reports such differences as `implementation`.
 template <class Real>
 Implementation<Real> eigen_implementation();
 

@@ -9,7 +9,7 @@
 namespace axiscert {
 namespace {
 
-// Four lanes in the compiler's own vector type: SSE registers at least, wherever this is compiled.
+// Four lanes in the compiler's own vector type, which uses at least SSE registers wherever this is compiled.
 template <class Real>
 using Four [[gnu::vector_size(4 * sizeof(Real))]] = Real;
 
@@ -26,7 +26,7 @@ Vec3<Lanes<Real>> lanes(const Vec3<Real>& a, const Vec3<Real>& b, const Vec3<Rea
   return {{Four<Real>{a.x, b.x, c.x, d.x}}, {Four<Real>{a.y, b.y, c.y, d.y}}, {Four<Real>{a.z, b.z, c.z, d.z}}};
 }
 
-// Which comparison stands in which lane of which of the four compares.
+// The comparison in each lane of each of the four compares.
 using enum Comparison;
 constexpr Comparison layout[4][4] = {
     {vertex_a_radius, vertex_b_radius, vertex_c_radius, plane_radius},
@@ -40,7 +40,7 @@ struct PackedSides {
   Four<Real> lhs[4], rhs[4];
 };
 
-// The three vertices, and the three edges, side by side in lanes 0 to 2.
+// The three vertices, and the three edges, are side by side in lanes 0 to 2.
 template <class Real>
 PackedSides<Real> packed_sides(const Query<Real>& q) {
   const Vec3<Real> A = q.a - q.p, B = q.b - q.p, C = q.c - q.p;
@@ -89,7 +89,7 @@ unsigned greater_mask(const Four<Real>& lhs, const Four<Real>& rhs) {
 #endif
 }
 
-// By compare and mask, the comparisons that hold.
+// For each compare and each mask, the comparisons that hold.
 constexpr auto bits_of_mask = [] {
   std::array<std::array<ComparisonBits, 16>, 4> bits{};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -107,7 +107,7 @@ ComparisonBits packed_bits(const PackedSides<Real>& sides) {
   ComparisonBits bits = bits_of_mask[0][greater_mask<Real>(sides.lhs[0], sides.rhs[0])];
   for (std::size_t i = 1; i < 4; ++i) {
     unsigned mask = greater_mask<Real>(sides.lhs[i], sides.rhs[i]);
-    // Three sides, and in the last lane a radius comparison, which stays strict.
+    // Lanes 0 to 2 are side comparisons; the last lane is a radius comparison, which stays strict.
     if (strictness != Strictness::strict) mask = (mask & 8u) | (~greater_mask<Real>(sides.rhs[i], sides.lhs[i]) & 7u);
     bits |= bits_of_mask[i][mask];
   }

@@ -5,9 +5,10 @@
 
 namespace axiscert {
 
-// Sides and bits of the published formulae, bit for bit. `strict`, or `not_less`: a compare instruction that has only
-// `>` makes a >= b from !(b > a), which is true where a side is NaN (an overflowed inf - inf). An edge whose radius
-// comparison overflowed to inf > finite is then a separating axis although nothing is known of it: a missed contact.
+// Sides and bits of the published formulae, bit for bit. The side comparisons are `strict`, or `not_less`: where the
+// only compare instruction is `>`, a >= b is computed as !(b > a), which is true where a side is NaN (an overflowed inf
+// - inf). An edge whose radius comparison overflowed to inf > finite is then a separating axis although nothing is
+// known about it: a missed contact.
 template <Strictness strictness, class Real>
 Implementation<Real> packed_implementation();
 

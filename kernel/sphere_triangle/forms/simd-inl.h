@@ -1,5 +1,5 @@
-// A set of ring formulae over Highway vectors, one query a lane, for the instruction set that foreach_target is at. The
-// including file has defined AXISCERT_PER_TARGET and included the formulae.
+// A set of ring formulae over Highway vectors, one query per lane, for the instruction set that foreach_target is
+// compiling. The including file has defined AXISCERT_PER_TARGET and included the formulae.
 #include <cstring>
 
 HWY_BEFORE_NAMESPACE();
@@ -7,7 +7,7 @@ namespace axiscert {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// The number type of the formulae: N queries at once, one rounding an operation.
+// The number type of the formulae: N queries at once, one rounding per operation.
 template <class V>
 struct Lanes {
   V v;
@@ -38,7 +38,8 @@ AXISCERT_INLINE auto lanes_hold(Comparison which, const T& lhs, const T& rhs) {
   return nonstrict ? hn::Ge(lhs.v, rhs.v) : hn::Gt(lhs.v, rhs.v);
 }
 
-// Keeps, per axis, the lanes in which every comparison so far holds; comparisons of an axis come together.
+// Keeps, for the current axis, the lanes in which every comparison so far holds, and the lanes in which some axis
+// separates. The comparisons of an axis are emitted one after the other.
 template <class D, Strictness strictness>
 struct VerdictSink {
   using M = hn::Mask<D>;
@@ -73,7 +74,7 @@ AXISCERT_INLINE std::uint64_t separated_mask(const QueryColumns<Real>& batch, st
   return bits;
 }
 
-// Runs body on a padded copy of what is left after whole blocks, so that no lane reads outside the batch.
+// Runs body on a padded copy of the queries after the last whole block, so that no lane reads outside the batch.
 template <class Real, std::size_t block, class Body>
 void with_padded_tail(const QueryColumns<Real>& batch, std::size_t begin, Body&& body) {
   Real storage[coordinate_count][block] = {};
@@ -148,7 +149,7 @@ struct ExplainSink : BitsSink<D, strictness> {
   using Base = BitsSink<D, strictness>;
   using Real = hn::TFromD<D>;
   Answers<Real>& out;
-  std::size_t i, count;  // first query and how many of the lanes are queries
+  std::size_t i, count;  // the first query, and the number of lanes that are queries
 
   AXISCERT_INLINE ExplainSink(Answers<Real>& answers, std::size_t first, std::size_t queries)
       : out(answers), i(first), count(queries) {}
@@ -171,7 +172,7 @@ struct ExplainSink : BitsSink<D, strictness> {
   }
 };
 
-// The vector that begins at `at` of `from`, into entries i to i + count of `out`.
+// Evaluates the vector that begins at query `at` of `from` and writes it to entries i to i + count of `out`.
 template <class F, class Real, Strictness strictness>
 AXISCERT_INLINE void explain_vector(const QueryColumns<Real>& from, std::size_t at, std::size_t i, std::size_t count,
                                     Answers<Real>& out) {

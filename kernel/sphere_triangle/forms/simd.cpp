@@ -9,7 +9,7 @@ namespace axiscert {
 void for_each_simd_target(const std::function<void(const std::string&)>& visit) {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
-  // HWY_SCALAR is no instruction set: the scalar reference stands for it.
+  // HWY_SCALAR is not an instruction set: the scalar reference takes its place.
   const std::int64_t supported = hwy::SupportedTargets() & HWY_TARGETS & ~std::int64_t{HWY_SCALAR};
   for (std::int64_t rest = supported; rest != 0; rest &= rest - 1) {
     const std::int64_t target = rest & -rest;  // a lower bit is a better instruction set

@@ -1,4 +1,4 @@
-// Kernels over Highway vectors: one query a lane, dispatched at run time. Sides and bits are those of the scalar
+// Kernels over Highway vectors: one query per lane, dispatched at run time. Sides and bits are those of the scalar
 // reference, bit for bit, on each instruction set.
 #pragma once
 
@@ -12,14 +12,14 @@
 
 namespace axiscert {
 
-// Highway's names of the instruction sets that were compiled and that this machine has, best first.
+// Highway's names of the instruction sets that were compiled and that this machine supports, best first.
 const std::vector<std::string>& simd_targets();
 
-// Calls visit(name) with each of them chosen in turn, so that HWY_DYNAMIC_DISPATCH finds its form. One caller at a
-// time: Highway keeps its choice in a global, which is left as it was.
+// Calls visit(name) with each of simd_targets() chosen in turn, so that HWY_DYNAMIC_DISPATCH finds its form. Callers
+// take turns, because Highway keeps its choice in a global; the choice is restored at the end.
 void for_each_simd_target(const std::function<void(const std::string&)>& visit);
 
-// Something that has a form for each instruction set, asked for under each once.
+// A table with a form for each instruction set; make() is called once under each.
 template <class Form>
 class SimdTable {
  public:
@@ -54,7 +54,7 @@ class SimdForms {
   SimdTable<Forms> table_;
 };
 
-// Of the formulae that have one; else null.
+// The vector forms of the formulae; null for formulae that have none.
 const SimdForms* simd_forms(Formulae formulae);
 const SimdForms& simd_published();
 const SimdForms& simd_reduced();

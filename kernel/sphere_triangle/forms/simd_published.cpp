@@ -4,7 +4,7 @@
 #include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 
-#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: `--target` must reach each
+#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: `--target` must reach each of them
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/sphere_triangle/forms/simd_published.cpp"
 #include "hwy/foreach_target.h"

@@ -1,4 +1,5 @@
-// Every instruction set against the scalar reference, bit for bit: each lane, ragged tails, garbage in the others.
+// Every instruction set against the scalar reference, bit for bit: each lane, partial vectors at the end of a batch,
+// garbage in the other lanes.
 #include "kernel/sphere_triangle/forms/simd.h"
 
 #include <gtest/gtest.h>

@@ -1,14 +1,14 @@
-// The closest point of the triangle by a walk through its Voronoi regions, then one distance.
+// The closest point of the triangle, found by a walk through its Voronoi regions, then one comparison of distances.
 #pragma once
 
 #include "kernel/sphere_triangle/formulae.h"
 
 namespace axiscert::methods {
 
-// Vertex, edge, face regions in turn, by signs of dot products; interpolation weights by division.
+// Tests the vertex, edge and face regions in turn by signs of dot products; interpolation weights need divisions.
 //
-// Touching is contact. Where A = B the region of that edge is entered with weight 0/0: the squared distance is then no
-// number, no comparison holds, and the answer is contact. Right over the reals for every other triangle.
+// Touching is contact. Where A = B the region of that edge is entered with weight 0/0: the squared distance is then
+// NaN, no comparison holds, and the answer is contact. Over the reals it is right for every other triangle.
 // Source: the method of C. Ericson, Real-Time Collision Detection (2005), section 5.1.5.
 struct ClosestPoint {
   static constexpr bool is_ring = false;

@@ -1,15 +1,16 @@
-// The centre in the triangle inflated by the radius: three spheres, three cylinders, one prism.
+// Tests whether the centre is in the triangle inflated by the radius: three spheres, three cylinders, one prism.
 #pragma once
 
 #include "kernel/sphere_triangle/formulae.h"
 
 namespace axiscert::methods {
 
-// Spheres at the vertices, cylinders around the edges' interiors, a prism over the triangle's interior; closed towards
-// the outside, so that touching is contact. A ring: every bound is multiplied by |AB|^2 or |V|^2. Degree 6.
+// Spheres at the vertices, cylinders around the edges' interiors, a prism over the triangle's interior; their outer
+// surfaces belong to them, so that touching is contact. The formulae are a ring: every bound is multiplied by |AB|^2 or
+// |V|^2. Degree 6.
 //
-// A repeated vertex has no cylinder and a zero-area triangle no prism (their strict bounds fail), and the spheres and
-// cylinders that are left cover it: over the reals right for every triangle.
+// A repeated vertex has no cylinder and a zero-area triangle has no prism (their strict bounds fail), and the remaining
+// spheres and cylinders cover the shape: over the reals the test is right for every triangle.
 // Source: C. Ericson, "Optimizing a sphere-triangle intersection test" (2010), "grow the triangle by the sphere".
 struct Minkowski {
   static constexpr bool is_ring = true;

@@ -1,5 +1,5 @@
 // A reader's variant of the test: the edge axes through the closest point of each *segment*, which makes the vertex
-// axes superfluous. Seven comparisons; the vertex ones are emitted as 0 > 0, which never holds.
+// axes superfluous. It has seven comparisons; those of the vertices are emitted as 0 > 0, which never holds.
 //
 // Source: the discussion below C. Ericson, "Optimizing a sphere-triangle intersection test" (2010), comment 4.
 #pragma once
@@ -8,7 +8,7 @@
 
 namespace axiscert::methods {
 
-// The point of segment AB closest to the origin. A = B gives A: no division by zero.
+// The point of segment AB closest to the origin. A = B gives A, without a division by zero.
 template <class T>
 portable::Vec3<T> closest_on_segment(const portable::Vec3<T>& A, const portable::Vec3<T>& B, const T& zero) {
   const auto AB = B - A;
@@ -21,8 +21,9 @@ portable::Vec3<T> closest_on_segment(const portable::Vec3<T>& A, const portable:
 // plane.radius   as published                                zero area: 0 > 0
 // edge.radius    the segment AB is outside the sphere
 // edge.side      C is beyond the plane at Q, normal Q - P    Q = C, or C on the plane: equal sides
-// Over the reals right for every triangle with area: where Q is a vertex A, the plane there bounds B by the choice of Q
-// and C by the comparison. On zero-area triangles the strict sides invent contacts, as the published ones do.
+// Over the reals the test is right for every triangle with area: where Q is a vertex A, the choice of Q implies that B
+// is beyond the plane there, and the comparison checks C. On zero-area triangles the strict sides invent contacts, as
+// the published ones do.
 struct Segments {
   static constexpr bool is_ring = false;
   template <class T, class Emit>

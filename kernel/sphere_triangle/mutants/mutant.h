@@ -1,4 +1,4 @@
-// Kernels with one fault each, made from the formulae: what a harness that certifies kernels has to catch.
+// Kernels with one fault each, made from the formulae. A harness that certifies kernels has to detect them.
 #pragma once
 
 #include <optional>
@@ -12,19 +12,19 @@
 
 namespace axiscert::mutants {
 
-// What is wrong where, beside single operations. X(name, what a reader is told)
+// Faults other than those of single operations. X(name, description for the reader)
 #define AXISCERT_COMPARISON_FAULTS(X)               \
   X(strictness, "> for >=, or >= for >")            \
   X(reverse, "the sides exchanged")                 \
-  X(always, "not looked at: it holds")              \
+  X(always, "not evaluated: it always holds")       \
   X(epsilon, "lhs > rhs + 1e-6, or >=: needs more") \
   X(slack, "lhs + 1e-6 > rhs, or >=: needs less")   \
   X(flush, "a side that is subnormal is zero")
-#define AXISCERT_KERNEL_FAULTS(X)                                              \
-  X(drop, "the axis never separates")                                          \
-  X(small_area, "an early answer where |V|^2 < 1e-10")                         \
-  X(lane, "in vectors of 8 queries, one has the answer of the one before")     \
-  X(tail, "of what no whole vector is left of, the answers of the one before") \
+#define AXISCERT_KERNEL_FAULTS(X)                                                \
+  X(drop, "the axis never separates")                                            \
+  X(small_area, "an early answer where |V|^2 < 1e-10")                           \
+  X(lane, "in vectors of 8 queries, one lane has the answer of the lane before") \
+  X(tail, "queries after the last whole vector have the answers of that vector") \
   X(ftz, "subnormal operands and results of every operation are zero")
 
 enum class ComparisonFault : std::uint8_t {
@@ -44,7 +44,7 @@ struct Mutant {
   std::string id;     // "nonstrict~swap:17"
   std::string fault;  // "swap"
   std::string where;  // "17: B.x - A.x", "edge_ab.radius"
-  std::string what;   // the fault, in words
+  std::string what;   // description of the fault
   bool in_binary32 = true;
 
   OperationSite operation{};
@@ -53,19 +53,19 @@ struct Mutant {
   std::size_t place = 0;  // the comparison, the axis, the verdict, the lane or the width
 };
 
-// Kernels that mutants are made of: right for every triangle over the reals, so that a wrong verdict by specification
-// or implementation is the fault's.
+// The kernels that mutants are made of. They are right for every triangle over the reals, so a wrong verdict due to
+// specification or implementation comes from the fault.
 inline constexpr std::array<std::string_view, 2> bases = {"nonstrict", "reduced-nonstrict"};
 
-// All of a base, in an order that does not change. Throws Error that names the bases.
+// All mutants of a base, in a fixed order. Throws Error that names the bases.
 std::span<const Mutant> mutants_of(std::string_view base);
-// By its id. Throws Error that says what exists.
+// The mutant with this id. Throws Error that says what exists.
 const Mutant& find_mutant(std::string_view id);
 
 // The formulae of a base.
 Formulae formulae_of(std::string_view base);
 
-// The bits that it answers to a batch.
+// The bits that the mutant answers to a batch.
 template <class Real>
 void mutant_bits(const Mutant& mutant, const QueryColumns<Real>& batch, ComparisonBits* out);
 

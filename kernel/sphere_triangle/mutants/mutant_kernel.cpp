@@ -1,5 +1,5 @@
-// What a mutant computes: the formulae over numbers of which one is made wrongly, the comparisons, and what is wrong
-// with whole batches.
+// Evaluation of a mutant: the formulae over numbers of which one is computed wrongly, the comparisons, and the faults
+// that concern whole batches.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,12 +7,13 @@
 #include "kernel/base/environment.h"
 #include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/sphere_triangle/mutants/mutant.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert::mutants {
 namespace {
 
-constexpr double epsilon = 1e-6, small_area = 1e-10;  // as found in kernels that are in use
-constexpr std::size_t vector_width = 8;               // of the lane faults
+constexpr double epsilon = 1e-6, small_area = 1e-10;  // values found in kernels in use
+constexpr std::size_t vector_width = 8;               // vectors of the lane faults
 
 template <class Real>
 using Number = Mutated<Lanes<Real>>;
@@ -49,7 +50,7 @@ bool holds_wrongly(ComparisonFault fault, bool is_radius, Real lhs, Real rhs) {
   return is_radius ? lhs > rhs : lhs >= rhs;
 }
 
-// Lanes::width queries from `first` on; where there are not so many, the last one again.
+// Evaluates Lanes::width queries from `first` on; beyond the end of the batch the last query is repeated.
 template <class F, class Real>
 [[gnu::noinline]] Evaluation<Real> evaluate(const Mutant& mutant, const QueryColumns<Real>& batch, std::size_t first) {
   using N = Number<Real>;

@@ -97,8 +97,8 @@ class List {
     plant(float_).in_binary32 = false;
   }
 
-  // A sum or difference has one product to be contracted with; of two, compilers take either: here the right one, as
-  // g++ does in x y - z w.
+  // A sum or difference is contracted with the one product in it. Of two products compilers take either; here it is the
+  // right one, as g++ does in x y - z w.
   template <class Plant>
   void plant_fma(const Plant& plant, const Operation& operation) {
     const auto is_product = [&](Key key) {
@@ -112,7 +112,7 @@ class List {
     m.operation.product_is_left = !right;
   }
 
-  // Another number for an operand that is a coordinate of a vector.
+  // Replaces an operand that is a coordinate of a vector by another number.
   template <class Plant>
   void replace(const Plant& plant, Key operand, OperationFault index, OperationFault vertex) {
     const auto& vectors = operations_.vectors;
@@ -140,7 +140,8 @@ const std::vector<Mutant>& list_of(std::size_t base) {
 std::size_t base_index(std::string_view base) {
   const auto found = std::find(bases.begin(), bases.end(), base);
   if (found == bases.end()) {
-    throw Error(fmt::format("'{}' is no kernel that mutants are made of; those: {}", base, fmt::join(bases, ", ")));
+    throw Error(
+        fmt::format("'{}' is not a kernel that mutants are made of; such kernels: {}", base, fmt::join(bases, ", ")));
   }
   return static_cast<std::size_t>(found - bases.begin());
 }

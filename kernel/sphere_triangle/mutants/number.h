@@ -1,4 +1,4 @@
-// A number type that does one operation of a set of formulae wrong, and the others right.
+// A number type that does one operation of a set of formulae wrongly, and the others rightly.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace axiscert::mutants {
 
-// What is wrong with one operation. X(name, what a reader is told)
+// Faults of a single operation. X(name, description for the reader)
 #define AXISCERT_OPERATION_FAULTS(X)                                      \
   X(operator, "- for +, + for - and for *")                               \
   X(sign, "the result negated")                                           \
@@ -30,8 +30,8 @@ enum class OperationFault : std::uint8_t {
       none
 };
 
-// Several queries at once: the cost of looking for the operation that is wrong is shared by them. Called and not
-// inlined: inlined, the formulae take minutes to compile.
+// Several queries at once, which share the cost of looking for the faulty operation. The operations are not inlined:
+// inlined, the formulae take minutes to compile.
 template <class Real>
 struct Lanes {
   static constexpr std::size_t width = 64 / sizeof(Real);
@@ -63,14 +63,14 @@ struct Lanes {
   }
 };
 
-// The operation that is wrong, and the one whose operands and result the fault needs, computed before it.
+// The faulty operation, and an operation computed before it whose operands and result the fault needs.
 struct OperationSite {
   OperationFault fault = OperationFault::none;
   Key at = 0, kept = 0;
-  bool product_is_left = true;  // fma: which operand is the product
+  bool product_is_left = true;  // for fma: which operand is the product
 };
 
-// `Base` does the arithmetic: Lanes, or an exact ring. The site is that of the thread.
+// `Base` does the arithmetic: Lanes, or an exact ring. Each thread has its own site.
 template <class Base>
 class Mutated {
  public:

@@ -4,7 +4,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "kernel/sphere_triangle/formulae_list.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 #include "kernel/query.h"
 
 namespace axiscert::mutants {
@@ -27,7 +27,7 @@ Key record(Operator op, Key left, Key right) {
   return key;
 }
 
-// A number that writes down the operations on it.
+// A number that records the operations on it.
 template <class Self>
 struct Recorded {
   Key key;
@@ -37,7 +37,7 @@ struct Recorded {
 };
 struct Scalar : Recorded<Scalar> {};
 
-// The same; vectors, too, are written down, at the products that take them whole.
+// The same, which also records vectors, at the products that take them whole.
 struct Component : Recorded<Component> {
   static Component dot(const Vec3<Component>& u, const Vec3<Component>& v) {
     return {{portable::dot(noted(u), noted(v)).key}};
@@ -85,7 +85,7 @@ class Numbering {
     if (key == input_key(coordinate_count)) return "0";
     return coordinate_names[key - input_key(0)];
   }
-  // A vertex from the centre is "A.x"; a difference of two of them is short enough to be itself.
+  // A vertex relative to the centre is "A.x"; a difference of two of them is short enough to be written out.
   std::string name_of(const Operation& operation) const {
     const auto is_vertex = [&](Key key) { return names_.contains(key) && names_.at(key)[1] == '.'; };
     if (operation.op == Operator::minus && is_input(operation.left) && is_input(operation.right)) {

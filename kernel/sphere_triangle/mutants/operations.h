@@ -1,5 +1,5 @@
-// The arithmetic operations of a set of formulae, one by one: what a fault can be planted in. They are found by running
-// the formulae over a number type that writes down what is done with it, so no formula is stated twice.
+// The arithmetic operations of a set of formulae, one by one, in which a fault can be planted. They are found by
+// running the formulae over a number type that records its operations, so no formula is stated twice.
 #pragma once
 
 #include <array>
@@ -14,8 +14,9 @@ namespace axiscert::mutants {
 
 enum class Operator : std::uint8_t { plus, minus, times };
 
-// What a number is computed from: the same in every number type, whatever order a compiler evaluates operands in. Two
-// numbers of one set of formulae with the same key are the same expression; recording them checks it.
+// A key for the expression that a number is computed from: the same in every number type, in whatever order a compiler
+// evaluates operands. Two numbers of one set of formulae with the same key are the same expression, which recording
+// them checks.
 using Key = std::uint64_t;
 constexpr Key input_key(std::size_t input) { return input + 1; }
 constexpr Key key_of(Operator op, Key left, Key right) {
@@ -27,21 +28,22 @@ constexpr Key key_of(Operator op, Key left, Key right) {
 struct Operation {
   Operator op;
   Key left, right, key;
-  std::string text;  // "A.x * B.x"; a result that has no name by its number, "#17"
+  std::string text;  // "A.x * B.x"; a result without a name appears as its number, "#17"
 };
 
 struct Operations {
-  // Each once, operands before what uses them: those of the first comparison's left side, then its right side, and so
-  // on; within an expression the left operand's first. The number of an operation is its place here.
+  // Each operation once, operands before the operations that use them: those of the first comparison's left side, then
+  // of its right side, and so on; within an expression those of the left operand first. The number of an operation is
+  // its position here.
   std::vector<Operation> all;
-  // The vectors that enter a dot or a cross product: the three vertices, from the sphere's centre, are the first.
+  // The vectors that enter a dot or a cross product; the first three are the vertices relative to the sphere's centre.
   std::vector<std::array<Key, 3>> vectors;
   Key squared_normal;  // e = V.V, the greatest factor of plane.radius's right side
 
   const Operation* find(Key key) const;
 };
 
-// Of the published formulae, and of the reduced ones.
+// The operations of the published and of the reduced formulae.
 const Operations& published_operations();
 const Operations& reduced_operations();
 

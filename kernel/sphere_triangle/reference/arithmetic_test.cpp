@@ -1,5 +1,5 @@
-// Products that keep their rounding errors or take them in another order, against integer arithmetic; the kernels that
-// are made of them; the names by which they are asked for.
+// Products that keep their rounding errors or add in another order, against integer arithmetic; the kernels made of
+// them; the names by which they are found.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ template <class Number>
 float dot_of(Vec3<float> u, Vec3<float> v) {
   return float(portable::dot(vector<Number>(u.x, u.y, u.z), vector<Number>(v.x, v.y, v.z)));
 }
-// a b - c d, as the x of a cross product.
+// a b - c d, computed as the x component of a cross product.
 template <class Number>
 float difference(float a, float b, float c, float d) {
   return float(portable::cross(vector<Number>(0, a, c), vector<Number>(0, d, b)).x);
@@ -88,7 +88,7 @@ TEST(Arithmetic, DifferencesOfProductsStayWithinTheirBounds) {
   double worst = 0;
   for (int i = 0; i < 200000; ++i) {
     const std::int64_t a = integers.next(), b = integers.next();
-    // Every second one cancels.
+    // In every second case the products nearly cancel.
     const std::int64_t near = i % 2 == 0 ? 0 : 1 + static_cast<std::int64_t>(integers.random() % 1000);
     const std::int64_t c = near == 0 ? integers.next() : a - (a > 0 ? near : -near);
     const std::int64_t d = near == 0 ? integers.next() : b;
@@ -137,7 +137,7 @@ int different_sides(const Query<double>& q, std::string_view rung, std::string_v
   return count;
 }
 
-// What needs no rounding has no order, no fusion and no direction.
+// An operation that is exact does not depend on order, fusion or rounding direction.
 TEST(Arithmetic, DiffersFromPlainOnSomeQueryAndOnNoneThatIsExact) {
   constexpr int seed = 33;
   std::mt19937_64 random(seed);
@@ -146,7 +146,7 @@ TEST(Arithmetic, DiffersFromPlainOnSomeQueryAndOnNoneThatIsExact) {
     int differing = 0;
     for (int i = 0; i < 100; ++i) {
       auto q = random_query<double>(random, false);
-      q.p = q.p * 0x1p-9;  // finer than the vertices: the translation is rounded
+      q.p = q.p * 0x1p-9;  // finer than the vertices, so that the translation is rounded
       differing += different_sides(q, "published", arithmetic);
       std::array<double, coordinate_count> v;
       for (double& x : v) x = static_cast<double>(random() % 5) - 2;
@@ -157,7 +157,7 @@ TEST(Arithmetic, DiffersFromPlainOnSomeQueryAndOnNoneThatIsExact) {
   }
 }
 
-// A = (2^24 + 1, 0, 0) once the centre is subtracted: one more than r, and one bit too long for binary32.
+// A = (2^24 + 1, 0, 0) after the centre is subtracted: one more than r, and one bit too long for binary32.
 TEST(Arithmetic, TheTranslationsErrorIsKept) {
   const float far = 0x1p24f;
   const Query<float> original{{far, 0, 0}, {far, 4, 0}, {far, 0, 4}, {-1, 0, 0}, far};
@@ -167,7 +167,7 @@ TEST(Arithmetic, TheTranslationsErrorIsKept) {
   });
 }
 
-// Edge and plane sides of degree 6: at 2^40 they overflow, at 2^-40 they vanish.
+// Edge and plane sides have degree 6: at 2^40 they overflow, at 2^-40 they underflow to zero.
 TEST(Arithmetic, PrescalingSurvivesWhereThePublishedTestLeavesTheRange) {
   for (const float s : {0x1p40f, 0x1p-40f}) {
     for (const Vec3<float> p : {Vec3<float>{1, 1, 3}, Vec3<float>{1, -3, 0}, Vec3<float>{4, 4, 1}}) {
@@ -214,7 +214,7 @@ TEST(ArithmeticNames, AnUnknownOneIsRefusedWithWhatThereIs) {
       "kernel 'published+nope': unknown arithmetic 'nope'; arithmetics: plain, fma, kahan, ftz, up, down, chop, spu, "
       "dot-yz-x, dot-xz-y, rr-ee, compensated, exact-translation, prescaled, in-double, world-double");
   const std::string rungs =
-      "is no rung that takes another arithmetic; those: published, nonstrict, reduced, reduced-nonstrict, "
+      "is not a rung that takes another arithmetic; rungs that do: published, nonstrict, reduced, reduced-nonstrict, "
       "reduced-along, reduced-determinant, reduced-shared, reduced-shared-nonstrict, ladder-0, ladder-1, ladder-2, "
       "ladder-3, ladder-4, "
       "ladder-5, "

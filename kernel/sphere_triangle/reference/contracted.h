@@ -1,5 +1,5 @@
-// A number type in which x y + z is fused wherever a compiler that contracts could fuse it: what -ffp-contract=off is
-// there to prevent. For planting that fault in tests.
+// A number type in which x y + z is fused wherever a contracting compiler could fuse it, which -ffp-contract=off
+// prevents. Tests use it to plant that fault.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace axiscert {
 
-// A value, or a product still waiting to be rounded: an addition that meets it fuses the two.
+// A value, or a product that is not rounded yet: an addition to it fuses the two.
 template <class Real>
 struct Contracted {
   Real value = 0, factor = 1;
@@ -33,7 +33,7 @@ Sides<Real> contracted_sides(const Query<Real>& q) {
   return sides;
 }
 
-// The same as a kernel's `explain`, with strict sides.
+// contracted_sides as a kernel's `explain`, with strict sides.
 template <class Real>
 void contracted_explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
   for (std::size_t i = 0; i < batch.size; ++i) {

@@ -1,18 +1,11 @@
-// One query through a set of formulae over any number type: the sides, the bits they decide, the verdict.
+// Evaluation of one query by a set of formulae over any number type: the sides, the bits that they decide, the verdict.
 #pragma once
 
-#include <array>
-#include <optional>
-
-#include "kernel/sphere_triangle/formulae.h"
+#include "kernel/outcome.h"
 #include "kernel/query.h"
+#include "kernel/sphere_triangle/formulae.h"
 
 namespace axiscert {
-
-template <class T>
-struct Sides {
-  std::array<T, comparison_count> lhs, rhs;
-};
 
 // A query in another number type. `convert` is exact in every use.
 template <class T, class Real, class Convert>
@@ -21,7 +14,7 @@ portable::Problem<T> problem_as(const Query<Real>& q, Convert&& convert) {
   return {vec(q.a), vec(q.b), vec(q.c), vec(q.p), T(convert(q.r)), T(convert(Real(0)))};
 }
 
-// The same, its centre moved to the origin there.
+// The query in that number type, with its centre moved to the origin there.
 template <class T, class Real, class Convert>
 portable::Centred<T> centred_as(const Query<Real>& q, Convert&& convert) {
   return portable::centred(problem_as<T>(q, convert));
@@ -37,7 +30,7 @@ Sides<T> sides_of(const portable::Problem<T>& problem) {
   return sides;
 }
 
-// The published sides of a problem already centred. `zero` is the number type's zero.
+// The published sides of a problem that is already centred. `zero` is the number type's zero.
 template <class T>
 Sides<T> published_sides(const portable::Centred<T>& centred, const T& zero) {
   Sides<T> sides;
@@ -48,7 +41,7 @@ Sides<T> published_sides(const portable::Centred<T>& centred, const T& zero) {
   return sides;
 }
 
-// The bits of evaluated sides. A NaN side makes its comparison false, but for the sides of `not_less`.
+// The bits of evaluated sides. A comparison with a NaN side is false, except a side comparison under `not_less`.
 template <class T>
 ComparisonBits bits_of(const Sides<T>& sides, Strictness strictness) {
   ComparisonBits bits = 0;
@@ -59,15 +52,7 @@ ComparisonBits bits_of(const Sides<T>& sides, Strictness strictness) {
   return bits;
 }
 
-// What a set of formulae decides on one query; no bits from a method that has only a verdict.
-struct Outcome {
-  Verdict verdict;
-  std::optional<ComparisonBits> bits;
-  bool operator==(const Outcome&) const = default;
-};
-inline Outcome outcome_of(ComparisonBits bits) { return {verdict_of(axes_of(bits)), bits}; }
-
-// Writes the sides to `sides` where asked for and where there are any.
+// Also writes the sides to `sides` if that is not null and the formulae have comparisons.
 template <class F, class T>
 Outcome outcome_of(const portable::Problem<T>& problem, Strictness strictness, Sides<T>* sides = nullptr) {
   if constexpr (requires { F::separated(problem); }) {

@@ -42,7 +42,7 @@ TEST(Spu, ExponentTwoHundredFiftyFiveIsANumber) {
   EXPECT_EQ(product(std::bit_cast<float>(0x7fc00000u), 0.25f), 0x1.8p126f) << "a NaN's bits: 1.5 2^128";
   EXPECT_GT(Spu(inf), Spu(max));
   EXPECT_GT(Spu(std::bit_cast<float>(0x7fc00000u)), Spu(inf));
-  EXPECT_EQ(product(0x1p64f, 0x1p64f), inf) << "2^128 is held, and has infinity's bits";
+  EXPECT_EQ(product(0x1p64f, 0x1p64f), inf) << "2^128 is a number, and has infinity's bits";
   EXPECT_EQ(float((Spu(0x1p64f) * Spu(0x1p64f)) * Spu(0x1p-64f)), 0x1p64f);
 }
 
@@ -69,7 +69,7 @@ TEST(Spu, NoSubnormalNumbersNoNaNAndNoNegativeZero) {
   }
 }
 
-// Where nothing leaves the range, the article's machine is the processor's own rounding toward zero.
+// Where no result leaves the range, the article's machine rounds as the processor does toward zero.
 TEST(Spu, IsRoundingTowardZeroWithinTheRange) {
   constexpr int seed = 41;
   std::mt19937_64 random(seed);
@@ -101,7 +101,7 @@ TEST(WorldDouble, IsBinary32AfterATranslationInBinary64) {
   }
 }
 
-// A kilometre-sized world: a gap of one in 2^40 survives the translation, which binary32 coordinates would not hold.
+// A kilometre-sized world: a gap of one at 2^40 survives the translation; binary32 coordinates could not represent it.
 TEST(WorldDouble, KeepsAGapFarFromTheOrigin) {
   const double far = 0x1p40;
   const Query<double> q{{far + 2, 0, 0}, {far + 2, 1, 0}, {far + 2, 0, 1}, {far, 0, 0}, 1};

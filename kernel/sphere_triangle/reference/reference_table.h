@@ -4,20 +4,21 @@
 #include <algorithm>
 
 #include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert {
 
 template <class Real>
 using ReferenceFunction = Outcome (*)(const Query<Real>&, Strictness, Sides<Real>*);
 
-// By Formulae; null where the arithmetic does not exist.
+// Functions by Formulae; null where the formulae do not exist in the arithmetic.
 struct ReferenceTable {
   std::array<ReferenceFunction<float>, formulae_count> binary32{};
   std::array<ReferenceFunction<double>, formulae_count> binary64{};
 };
 
-// Translated to the sphere's centre, and scaled by the power of two that brings the greatest number to [1, 2). Exact,
-// but for the translation and for numbers 2^126 times less than the greatest.
+// The query translated to the sphere's centre, then scaled by the power of two that brings the greatest number to [1,
+// 2). The scaling is exact except for numbers 2^126 times less than the greatest (in binary64 2^1022).
 template <class Real>
 Query<Real> prescaled(const Query<Real>& q) {
   const Query<Real> moved{q.a - q.p, q.b - q.p, q.c - q.p, {0, 0, 0}, q.r};
@@ -30,8 +31,8 @@ Query<Real> prescaled(const Query<Real>& q) {
   return from_coordinates(scaled);
 }
 
-// Out of line, operands from memory and results to memory: nothing moves out of the floating-point environment that its
-// caller has set.
+// Not inlined, with operands read from memory and results written to memory, so that no operation moves out of the
+// floating-point environment that the caller has set.
 template <class F, class A, class Real>
 [[gnu::noinline]] Outcome reference_outcome(const Query<Real>& q, Strictness strictness, Sides<Real>* sides) {
   using Base = typename A::template BaseOf<Real>;

@@ -1,4 +1,4 @@
-// The scalar reference: the meaning of a kernel, to the bit, in the precision of its input.
+// The scalar reference: it defines the meaning of a kernel, to the bit, in the precision of the input.
 #pragma once
 
 #include "kernel/sphere_triangle/reference/evaluate.h"
@@ -6,14 +6,15 @@
 
 namespace axiscert {
 
-// What `formulae` decide on q in `arithmetic`, one operation after the other; the computed sides where `sides` is given
-// and the formulae have comparisons. `plain`: round to nearest even, gradual underflow, one rounding an operation,
-// nothing contracted. An arithmetic other than plain exists for rungs only, in the precisions that arithmetics() says.
+// The outcome of `formulae` on q in `arithmetic`, evaluated one operation after the other. Also writes the computed
+// sides if `sides` is not null and the formulae have comparisons. `plain` means round to nearest even, gradual
+// underflow, one rounding per operation and no contraction. An arithmetic other than plain exists for rungs only, in
+// the precisions that arithmetics() says.
 template <class Real>
 Outcome reference(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q,
                   Sides<Real>* sides = nullptr) noexcept;
 
-// Of the published formulae.
+// The sides of the published formulae in plain arithmetic.
 Sides<float> reference_sides(const Query<float>& q) noexcept;
 Sides<double> reference_sides(const Query<double>& q) noexcept;
 

@@ -1,7 +1,8 @@
-// The scalar form of a kernel over batches, for the registry's lines.
+// The scalar form of a kernel over batches, for the lines of the registry.
 #pragma once
 
 #include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert {
 
@@ -15,7 +16,7 @@ AXISCERT_INLINE Query<Real> query_at(const QueryColumns<Real>& batch, std::size_
           k[12][i]};
 }
 
-// Verdicts by the plain formulae, in a loop that the compiler sees whole: what is timed.
+// Verdicts by the plain formulae, in a loop that the compiler can optimise as a whole. Benchmarks time this function.
 template <Formulae formulae, Strictness strictness, class Real>
 void scalar_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
   using F = FormulaeType<formulae>;
@@ -25,7 +26,7 @@ void scalar_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
     if constexpr (!has_comparisons(formulae)) {
       out[i] = F::separated(problem) ? Verdict::separated : Verdict::contact;
     } else {
-      // Bitwise, as the article has it: a branch per comparison would cost more than it saves.
+      // Bitwise, as in the article: a branch per comparison would cost more than it saves.
       std::array<bool, axis_count> separates;
       separates.fill(true);
       F::comparisons(problem, [&](Comparison which, Real lhs, Real rhs) {
@@ -38,7 +39,7 @@ void scalar_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
   }
 }
 
-// Bits and sides by the reference, query by query.
+// Bits and sides from the reference, query by query.
 template <class Real>
 auto explain_by_reference(Formulae formulae, Arithmetic arithmetic, Strictness strictness) {
   return [=](const QueryColumns<Real>& batch, Answers<Real>& out) {
@@ -62,7 +63,7 @@ Implementation<Real> scalar_implementation() {
   return implementation;
 }
 
-// Any arithmetic that the formulae take.
+// The scalar form in any arithmetic in which the formulae exist.
 template <class Real>
 Implementation<Real> reference_implementation(Formulae formulae, Arithmetic arithmetic, Strictness strictness) {
   return {[=](const QueryColumns<Real>& batch, Verdict* out) {

@@ -1,5 +1,5 @@
-// The article's derivation, step by step: each axis in every form that it passes through, and the whole tests that they
-// make, from nothing rewritten (Ladder<0>) to the published one (Ladder<9>).
+// The article's derivation, step by step: each axis in every form that it passes through, and the complete tests that
+// these make, from the one in which nothing is rewritten (Ladder0) to the published one (Ladder9).
 //
 // Source: C. Ericson, "Optimizing a sphere-triangle intersection test" (2010), the blocks of pseudocode in their order.
 // The early forms have `/` and `sqrt`; over the reals every form has the signs of the published one wherever it is
@@ -40,7 +40,7 @@ AXISCERT_INLINE void plane(const Centred<T>& centred, const T& r, Emit&& emit) {
   }
 }
 
-// The three comparisons of the axis through vertex A, in their order; B and C are the other two.
+// The three comparisons of the axis through vertex A, in their order; B and C are the other two vertices.
 template <VertexForm form, class T, class Emit>
 AXISCERT_INLINE void vertex(const Vec3<T>& A, const Vec3<T>& B, const Vec3<T>& C, const T& r, const T& rr,
                             const T& zero, Comparison radius, Emit&& emit) {
@@ -58,7 +58,7 @@ AXISCERT_INLINE void vertex(const Vec3<T>& A, const Vec3<T>& B, const Vec3<T>& C
   }
 }
 
-// The two comparisons of the axis of edge AB; C is the opposite vertex. All centred.
+// The two comparisons of the axis of edge AB; C is the opposite vertex. All three are centred.
 template <EdgeForm form, class T, class Emit>
 AXISCERT_INLINE void centred_edge(const Vec3<T>& A, const Vec3<T>& B, const Vec3<T>& C, const T& rr, const T& zero,
                                   Comparison radius, Emit&& emit) {
@@ -71,7 +71,7 @@ AXISCERT_INLINE void centred_edge(const Vec3<T>& A, const Vec3<T>& B, const Vec3
   emit(side, dot(Q, QC), zero);
 }
 
-// The same before the derivation moves the centre P to the origin: vertices as they were given.
+// The two comparisons before the derivation moves the centre P to the origin, from the vertices as given.
 template <EdgeForm form, class T, class Emit>
 AXISCERT_INLINE void uncentred_edge(const Vec3<T>& A, const Vec3<T>& B, const Vec3<T>& C, const Vec3<T>& P, const T& r,
                                     const T& rr, const T& zero, Comparison radius, Emit&& emit) {
@@ -100,7 +100,7 @@ AXISCERT_INLINE void uncentred_edge(const Vec3<T>& A, const Vec3<T>& B, const Ve
   }
 }
 
-// A whole test: one form for each kind of axis. Emits all sixteen comparisons, in their order.
+// A complete test: one form for each kind of axis. Emits all sixteen comparisons, in their order.
 template <PlaneForm plane_form, VertexForm vertex_form, EdgeForm edge_form>
 struct Rung {
   static constexpr bool is_ring =
@@ -128,7 +128,7 @@ struct Rung {
   }
 };
 
-// One rewriting a step, in the article's order: the plane, the vertices, the edges.
+// Each step makes one rewriting, in the article's order: the plane, the vertices, the edges.
 using Ladder0 = Rung<PlaneForm::normalised, VertexForm::rooted, EdgeForm::rooted>;
 using Ladder1 = Rung<PlaneForm::squared, VertexForm::rooted, EdgeForm::rooted>;
 using Ladder2 = Rung<PlaneForm::divided, VertexForm::rooted, EdgeForm::rooted>;

@@ -1,7 +1,7 @@
-// One rung after the article: the edge axes at degree 4 in place of 6, with the signs of the published pair on every
+// A rung beyond the article: the edge axes at degree 4 in place of 6, with the signs of the published pair on every
 // input.
 //
-// With N = A x B = A x AB, Q = A e - AB d and e = |AB|^2:  Q.Q = e |N|^2  and  Q.QC = -e (N.V).  Where e > 0 both
+// With N = A x B = A x AB, Q = A e - AB d and e = |AB|^2:  Q.Q = e |N|^2  and  Q.QC = -e (N.V).  Where e > 0, both
 // factors e drop out of the comparisons; where e = 0, AB and N vanish and all four sides are zero, in the published
 // pair too. Also d = A.V = det(A, B, C) = C.(A x B)  and  V = A x B + B x C + C x A.
 #if defined(AXISCERT_PER_TARGET) || !defined(AXISCERT_KERNEL_RUNGS_REDUCED_H)
@@ -13,9 +13,9 @@ AXISCERT_BEFORE_NAMESPACE();
 namespace axiscert {
 namespace AXISCERT_TARGET {
 
-// How N of an edge is computed: A x B from its ends, or A x AB along it. A x AB looks the better for a small triangle
-// far from the sphere, where A x B cancels; but the rounding of A - P and B - P costs as much there before either
-// begins, and B - A rounds once more. docs/precision.md has the figures.
+// How the normal N of an edge is computed: A x B from its ends, or A x AB along it. A x AB seems better for a small
+// triangle far from the sphere, where A x B cancels; but the rounding of A - P and B - P has cost as much there before
+// either begins, and B - A adds a rounding. docs/precision.md has the figures.
 enum class EdgeNormal { by_ends, along };
 // How the plane's normal V and offset d are computed. `shared` takes both from the edges' normals by their ends.
 enum class PlaneTerms { published, determinant, shared };

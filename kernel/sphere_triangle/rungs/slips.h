@@ -28,8 +28,8 @@ struct FirstPublication {
   }
 };
 
-// The vertex section has `ac = dot(B, B)` and no `bb`: what a reader gets who adds the missing line and keeps the
-// other.
+// The vertex section has `ac = dot(B, B)` and no `bb`. This is the test of a reader who adds the missing line and keeps
+// the other.
 struct VertexTypo {
   static constexpr bool is_ring = true;
   template <class T, class Emit>

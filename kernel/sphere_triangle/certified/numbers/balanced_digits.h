@@ -1,5 +1,5 @@
-// Integers by their nonzero digits, for numbers that are far apart: the difference of 2^1000 and 1 has two. On the
-// stack.
+// Integers stored by their nonzero digits, for numbers that are far apart: the difference of 2^1000 and 1 has two
+// digits. They are on the stack.
 #pragma once
 
 #include <algorithm>
@@ -7,25 +7,25 @@
 #include <cstdint>
 
 #include "kernel/sphere_triangle/certified/numbers/dyadic.h"
-#include "kernel/sphere_triangle/certified/exact_margins.h"
+#include "kernel/sphere_triangle/certified/numbers/exact_margins.h"
 #include "kernel/sphere_triangle/certified/numbers/integer.h"
 
 namespace axiscert::certified {
 
-// A value of a degree in a query's numbers, in units of the least double to that power. Digits from -2^55 to 2^55 - 1
-// to the base 2^56: of a number there is one such form, and no borrow travels in it. In those units the numbers are
-// below 2^(n - 1), n = 2099, and the values and what they are sums of below 2^(degree n + 7) (exact_step.cpp,
-// Integers); one below 2^b has at most (b + 2) / 56 digits, rounded up, which is 38 for each degree.
+// A value of some degree in a query's numbers, in units of the least double to that power. The digits are from -2^55 to
+// 2^55 - 1, to the base 2^56: this form of a number is unique, and no borrow travels through it. In those units the
+// numbers are below 2^(n - 1), n = 2099, and the values and their partial sums below 2^(degree n + 7) (exact_step.cpp,
+// Integers); a number below 2^b has at most (b + 2) / 56 digits, rounded up, which is 38 per degree.
 template <int degree>
 struct BalancedDigits {
   static constexpr int base_bits = 56, most = 38 * degree;
   static_assert(base_bits * most >= degree * 2099 + 7 + 2);
 
   std::int64_t digit[most];
-  std::uint8_t place[most];  // of each, rising
+  std::uint8_t place[most];  // the places of the digits, ascending
   int size = 0;
 
-  // The digits after its last stay what they are: most of a copy would be of these, and most of a zero.
+  // The digits after the last are neither initialised nor copied: they would be most of a copy, and most of a zero.
   BalancedDigits() noexcept {}
   BalancedDigits(const BalancedDigits& x) noexcept { *this = x; }
   BalancedDigits& operator=(const BalancedDigits& x) noexcept {
@@ -39,7 +39,7 @@ struct BalancedDigits {
   bool is_positive() const noexcept { return size != 0 && digit[size - 1] > 0; }
   bool is_negative() const noexcept { return size != 0 && digit[size - 1] < 0; }
 
-  // Adds the last digit of x, at a place above all others; what is carried to the next.
+  // Appends the last digit of x at a place above all others; returns the carry to the next place.
   Int128 add_digit_of(Int128 x, int at) noexcept {
     const auto last = static_cast<std::int64_t>(static_cast<std::uint64_t>(x) << (64 - base_bits)) >> (64 - base_bits);
     if (last != 0) {
@@ -64,7 +64,7 @@ BalancedDigits<degree> operator-(const BalancedDigits<degree>& x, const Balanced
   BalancedDigits<degree> difference;
   Int128 carry = 0;
   for (int i = 0, j = 0, place = 0; i < x.size || j < y.size || carry != 0; ++place) {
-    if (carry == 0) {  // on to where there is something
+    if (carry == 0) {  // skip to the next place with a digit
       place = x.most;
       if (i < x.size) place = x.place[i];
       if (j < y.size && y.place[j] < place) place = y.place[j];
@@ -76,7 +76,7 @@ BalancedDigits<degree> operator-(const BalancedDigits<degree>& x, const Balanced
   return difference;
 }
 
-// Products added up, before carries: fewer than 2^16 products of two digits are below 2^126.
+// Sums of products before carries: fewer than 2^16 products of two digits are below 2^126.
 template <int degree>
 class DigitSum {
  public:
@@ -91,7 +91,7 @@ class DigitSum {
     BalancedDigits<degree> x;
     Int128 carry = 0;
     for (int group = 0; carry != 0 || used_ >> group != 0; ++group) {
-      if (carry == 0) group += std::countr_zero(used_ >> group);  // on to where there is something
+      if (carry == 0) group += std::countr_zero(used_ >> group);  // skip to the next group in use
       const bool is_used = ((used_ >> group) & 1u) != 0;
       for (int place = group * group_size; place < (group + 1) * group_size; ++place) {
         if (is_used) carry += at_[place];
@@ -102,7 +102,8 @@ class DigitSum {
   }
 
  private:
-  static constexpr int group_size = 4;  // of places, which become zeros together when the first is added to
+  static constexpr int group_size = 4;  // places; those of a group are set to zero together when the first of them is
+                                        // added to
   static constexpr int groups = (BalancedDigits<degree>::most + group_size - 1) / group_size;
   static_assert(groups < 64);
 

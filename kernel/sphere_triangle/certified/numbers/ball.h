@@ -1,5 +1,5 @@
-// Ball arithmetic: a midpoint and how far it may be off, of any exponent. In integers, so that nothing is rounded that
-// is not counted, and no floating-point mode matters.
+// Ball arithmetic: a midpoint and a bound of its error, with any exponent. It uses integers, so that every rounding is
+// counted and no floating-point mode matters.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace axiscert::certified {
 
-// A number from (middle - error) 2^exponent to (middle + error) 2^exponent; |middle|, error <= 2^62 + 1. Exact while it
-// has up to 62 bits.
+// A number between (middle - error) 2^exponent and (middle + error) 2^exponent; |middle|, error <= 2^62 + 1. It is
+// exact while it needs at most 62 bits.
 struct Ball {
   std::int64_t middle = 0, error = 0;
   int exponent = 0;
@@ -22,7 +22,7 @@ struct Ball {
       : middle(x.negative ? -static_cast<std::int64_t>(x.significand) : static_cast<std::int64_t>(x.significand)),
         exponent(x.exponent) {}
 
-  // Certain.
+  // True only if certain.
   bool is_positive() const noexcept { return middle > error; }
   bool is_negative() const noexcept { return middle < -error; }
   bool is_at_least_zero() const noexcept { return middle >= error; }
@@ -57,7 +57,7 @@ struct Ball {
     return width(static_cast<UInt128>(m < 0 ? -m : m) | static_cast<UInt128>(k));
   }
 
-  // x of the greater exponent.
+  // x has the greater exponent.
   static Ball sum(const Ball& x, const Ball& y) noexcept {
     const int free = std::max(0, bits - width(x.middle, x.error)), apart = x.exponent - y.exponent;
     if (apart <= bits + free) {
@@ -68,7 +68,7 @@ struct Ball {
     const Int128 unit = Int128{1} << free;
     return rounded(x.middle * unit, x.error * unit + 2, x.exponent - free);
   }
-  // To `bits` bits, the middle downwards, what that loses added to the error.
+  // Rounds to `bits` bits, the middle downwards; the loss is added to the error.
   static Ball rounded(Int128 m, Int128 k, int exponent) noexcept {
     const int down = width(m, k) - bits;
     if (down <= 0) return {static_cast<std::int64_t>(m), static_cast<std::int64_t>(k), exponent};

@@ -1,4 +1,4 @@
-// A double, taken apart.
+// A double split into significand and exponent.
 #pragma once
 
 #include <bit>

@@ -1,5 +1,5 @@
-// Integers of a fixed number of 64-bit words, two's complement, on the stack. The oracle has its own
-// (exact/numbers/wide_integer.h): a type that both shared would be a bug that both shared.
+// Integers of a fixed number of 64-bit words, two's complement, on the stack. The oracle has its own type
+// (exact/numbers/wide_integer.h): a fault in a shared type would be in both.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@ namespace axiscert::certified {
 __extension__ using UInt128 = unsigned __int128;
 __extension__ using Int128 = __int128;
 
-// No operation overflows where the callers keep to the sizes that they state. One and two words are the compiler's own
-// integers; signs are masks, for a branch on them would be missed every other time.
+// No operation overflows if the callers keep to the sizes that they state. Integers of one or two words are the
+// compiler's own; signs are applied as masks, because a branch on them would be mispredicted half of the time.
 template <std::size_t words>
 struct Integer {
   static constexpr std::size_t size = words;
-  std::uint64_t word[words];  // the least first
+  std::uint64_t word[words];  // the least significant first
 
-  std::uint64_t sign_mask() const noexcept { return ~((word[words - 1] >> 63) - 1); }  // all ones where negative
+  std::uint64_t sign_mask() const noexcept { return ~((word[words - 1] >> 63) - 1); }  // all ones if negative
   bool is_negative() const noexcept { return (word[words - 1] >> 63) != 0; }
   bool is_zero() const noexcept {
     std::uint64_t any = 0;
@@ -26,7 +26,7 @@ struct Integer {
   }
   bool is_positive() const noexcept { return !is_negative() && !is_zero(); }
 
-  // Of one word or two.
+  // For one or two words.
   static Integer of(UInt128 x) noexcept {
     static_assert(words <= 2);
     Integer made;
@@ -81,7 +81,7 @@ Result product(const Integer<m>& a, const Integer<n>& b) noexcept {
     const UInt128 one = UInt128{a.word[0]} * b.word[1] + (low >> 64);
     const UInt128 two = UInt128{a.word[1]} * b.word[0] + static_cast<std::uint64_t>(one);
     UInt128 high = UInt128{a.word[1]} * b.word[1] + (one >> 64) + (two >> 64);
-    // The words of a negative number are 2^128 too much as an unsigned one.
+    // Read as an unsigned number, the words of a negative number are too great by 2^128.
     high -= (a.is_negative() ? b.native() : 0) + (b.is_negative() ? a.native() : 0);
     Integer<words> result{
         {static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(two), static_cast<std::uint64_t>(high)}};
@@ -98,7 +98,7 @@ Result product(const Integer<m>& a, const Integer<n>& b) noexcept {
       }
       if (i + n < words) result.word[i + n] = carry;
     }
-    // The words of a negative number are 2^(64 m) too much as an unsigned one.
+    // Read as an unsigned number, the words of a negative number are too great by 2^(64 m).
     const auto subtract_above = [&result](std::size_t from, const auto& x, std::size_t count, std::uint64_t mask) {
       std::uint64_t borrow = 0;
       for (std::size_t i = 0; i < count && from + i < words; ++i) {
@@ -113,7 +113,7 @@ Result product(const Integer<m>& a, const Integer<n>& b) noexcept {
   }
 }
 
-// significand 2^shift, where that fits.
+// significand 2^shift, which has to fit.
 template <class Result>
 Result shifted(std::uint64_t significand, unsigned shift, bool negative) noexcept {
   constexpr std::size_t words = Result::size;

@@ -1,14 +1,14 @@
-// Pairs of doubles, hi + lo, hi the double nearest to the sum. No guard: included once for each of Highway's
-// instruction sets, after coarse_step-inl.h.
+// Pairs of doubles, hi + lo, where hi is the double nearest to the sum. No include guard: included once for each of
+// Highway's instruction sets, after coarse_step-inl.h.
 //
-// What an operation errs by, in u^2 = 2^-106, beyond terms of u^3, of operands whose lo is at most u of hi:
+// The errors of the operations, in u^2 = 2^-106 and without terms of u^3, for operands whose lo is at most u of hi:
 //   x y        the rounded products hi lo' and lo hi' 1 each, the sums with the error of hi hi' 2 and 3, lo lo' 1:
 //              8 |x y| without fused multiply-add, 6 with
 //   x.y        8 of each product; the low parts' sums (3 + 3 + 2 + 5) of their sizes' sum: 21 sum |x_i y_i|
 //   x y' - y x'  8 of each product, 3 + 4: 15 (|x y'| + |y x'|)
 //   x - y      1 of each size for their low parts, 2 for what the sum rounded and these: 4 (|x| + |y|)
-// The derivation of the bounds (docs/error_model.md) grants U for each of the first, x y and x - y, 3 U for each
-// product of x.y, 2 U for each of the third, and a leaf U where here it is exact: U = 2^-102 is twice as much and more.
+// The derivation of the bounds (docs/error_model.md) allows U for each of x y and x - y, 3 U for each product of x.y, 2
+// U for each of the third line, and U for a leaf, which is exact here: U = 2^-102 is at least twice as much.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
@@ -29,7 +29,7 @@ struct Pairs {
     const V sum = hn::Add(x, y), part = hn::Sub(sum, x);
     return {sum, hn::Add(hn::Sub(x, hn::Sub(sum, part)), hn::Sub(y, part))};
   }
-  // Exact where nothing underflows.
+  // Exact unless a part underflows.
   AXISCERT_INLINE static Pairs two_product(V x, V y) {
     const V product = hn::Mul(x, y);
 #if HWY_NATIVE_FMA
@@ -63,7 +63,7 @@ struct Pairs {
   }
 
  private:
-  // hi is not rounded to.
+  // hi need not be the double nearest to the sum.
   AXISCERT_INLINE static Pairs rough_product(const Pairs& x, const Pairs& y) {
     const Pairs p = two_product(x.hi, y.hi);
     return {p.hi, hn::MulAdd(x.hi, y.lo, hn::MulAdd(x.lo, y.hi, p.lo))};
@@ -72,7 +72,7 @@ struct Pairs {
     const Pairs p = rough_product(a, d), q = rough_product(b, c), s = difference(p.hi, q.hi);
     return two_sum(s.hi, hn::Add(hn::Sub(p.lo, q.lo), s.lo));
   }
-  // x = hi + lo, 26 bits each (Veltkamp).
+  // x = hi + lo with 26 bits each (Veltkamp).
   AXISCERT_INLINE static Pairs split(V x) {
     const V scaled = hn::Mul(x, hn::Set(D(), 134217729.0));  // 2^27 + 1
     const V hi = hn::Sub(scaled, hn::Sub(scaled, x));

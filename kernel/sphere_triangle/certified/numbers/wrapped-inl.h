@@ -1,5 +1,5 @@
-// Integers modulo 2^64, a query a lane: a value that is known to be below 2^63 in magnitude is known exactly by its
-// residue, however large the products that it is made of. No guard: included once for each of Highway's instruction
+// Integers modulo 2^64, one query per lane: a value known to be below 2^63 in magnitude is known exactly by its
+// residue, however large the products in it are. No include guard: included once for each of Highway's instruction
 // sets, after pairs-inl.h.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
@@ -18,13 +18,13 @@ struct Wrapped {
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
     return {x.v * y.v};
 #else
-    // Highway 1.0 has no such product of other vectors; compilers have.
+    // Highway 1.0 has no such product for other vectors; compilers do.
     using Raw = decltype(x.v.raw);
     using Factors [[gnu::vector_size(sizeof(Raw))]] = std::uint64_t;
     return {V{reinterpret_cast<Raw>(reinterpret_cast<Factors>(x.v.raw) * reinterpret_cast<Factors>(y.v.raw))}};
 #endif
   }
-  // Of the integer below 2^63 in magnitude that it is modulo 2^64.
+  // Properties of the integer below 2^63 in magnitude that has this residue modulo 2^64.
   AXISCERT_INLINE hn::Mask<D> is_zero() const { return hn::RebindMask(D(), hn::Eq(v, hn::Zero(Words()))); }
   AXISCERT_INLINE hn::Mask<D> is_negative() const {
     const hn::RebindToSigned<D> integers;
@@ -55,8 +55,8 @@ class Units {
       }
     }
     has_low_ = !hn::AllTrue(d, hn::Eq(low, hn::Zero(d)));
-    // 2^(60 - the exponent of the greatest): all below 2^61, and a leaf's two parts together below 2^62. That is for a
-    // greatest number in DeepStep's range, or for zeros; of others nothing is believed.
+    // 2^(60 - the exponent of the greatest): all numbers are below 2^61, and a leaf's two parts together below 2^62.
+    // This holds for a greatest number in DeepStep's range, and for zeros; for others the results are not used.
     const auto exponent = hn::And(hn::BitCast(Words(), greatest), words(0x7ff0'0000'0000'0000));
     per_unit_ = hn::BitCast(d, hn::Sub(words(std::uint64_t{2 * 1023 + 60} << 52), exponent));
     auto any = integer(r).v;
@@ -74,7 +74,7 @@ class Units {
         for (const Pairs<D>* x : {&leaf.x, &leaf.y, &leaf.z}) include(x->lo);
       }
     }
-    // Their least bit, a power of two; all are zero where it is.
+    // Their least set bit, a power of two; it is zero if all are zero.
     const auto least = hn::BitCast(hn::RebindToSigned<D>(), hn::And(any, hn::Sub(words(0), any)));
     const auto reciprocal =
         hn::Sub(words(std::uint64_t{2 * 1023} << 52), hn::BitCast(Words(), hn::ConvertTo(d, least)));
@@ -90,8 +90,8 @@ class Units {
   AXISCERT_INLINE Vec3<W> integer(const Leaf& leaf) const {
     return {integer(leaf.x), integer(leaf.y), integer(leaf.z)};
   }
-  // Where a value of this degree is known by its residue, if it is at most twice `bound` in magnitude, and made of
-  // integers.
+  // Lanes in which the residue of a value of this degree determines it, if the value is at most twice `bound` in
+  // magnitude and computed from integers.
   template <int degree>
   AXISCERT_INLINE M is_known(V bound) const {
     for (int i = 0; i < degree; ++i) bound = hn::Mul(bound, per_unit_);
@@ -103,15 +103,15 @@ class Units {
  private:
   using Words = typename W::Words;
   AXISCERT_INLINE static hn::Vec<Words> words(std::uint64_t x) { return hn::Set(Words(), x); }
-  // Exact but where it underflows: to zero, or to what is below one.
+  // The product is exact unless it underflows, to zero or to a value below one.
   AXISCERT_INLINE M is_integer(V x) const {
     const V scaled = hn::Mul(x, per_unit_), zero = hn::Zero(d_);
     return hn::And(hn::Eq(hn::Trunc(scaled), scaled), hn::Or(hn::Ne(scaled, zero), hn::Eq(x, zero)));
   }
 
   D d_;
-  bool has_low_;  // in some lane
-  V per_unit_;    // how many are 1: a power of two
+  bool has_low_;  // some lane has a low part that is not zero
+  V per_unit_;    // number of units in 1: a power of two
   M exact_, radius_is_exact_;
 };
 

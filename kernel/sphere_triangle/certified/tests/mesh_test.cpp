@@ -1,5 +1,5 @@
 // One sphere against an indexed mesh of more than a chunk, most of it beyond the sphere's box: on every instruction set
-// each triangle's answer is that of the pair alone, however the mesh is ordered.
+// each triangle's answer is that of the pair alone, in whatever order the triangles are.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,11 +16,11 @@ namespace axiscert::certified {
 namespace {
 
 constexpr std::uint64_t seed = 20101230;
-constexpr std::uint32_t side = 100;  // vertices: more than the table of outcodes has
+constexpr std::uint32_t side = 100;  // vertices in a row: in all more than the table of outcodes holds
 constexpr axiscert_question questions[] = {AXISCERT_CLOSED_SPHERE, AXISCERT_OPEN_SPHERE, AXISCERT_CONSERVATIVE};
 
-// Ground of one unit a cell, level but for some vertices, and some of them no numbers. Of the last vertex there are no
-// more than its three numbers.
+// Ground with cells of one unit, level except at some vertices; some vertices are not finite. The last vertex has only
+// its three coordinates.
 template <class Real>
 struct Ground {
   std::vector<Real> vertices;
@@ -36,7 +36,7 @@ struct Ground {
       }
     }
     const Real none[] = {nan, infinity, -infinity};
-    for (std::size_t i = 0; i < 24; ++i) {  // 2: of those around the spheres
+    for (std::size_t i = 0; i < 24; ++i) {  // the first 2 are near the spheres
       const std::size_t v = i < 2 ? 48 * side + 47 + 5 * i : i * 401 + 11;
       vertices[v * stride + i % 3] = none[i / 3 % 3];
     }
@@ -61,7 +61,7 @@ struct Ground {
   }
 };
 
-// Centres on vertices and radii of whole cells: vertices are at the faces of the box. No spheres among them.
+// Centres on vertices and radii of whole cells, so that vertices are on the faces of the box; some spheres are invalid.
 template <class Real>
 std::vector<std::array<Real, 4>> spheres() {
   constexpr Real nan = std::numeric_limits<Real>::quiet_NaN(), infinity = std::numeric_limits<Real>::infinity();
@@ -71,7 +71,7 @@ std::vector<std::array<Real, 4>> spheres() {
           {50, 50, 0, infinity}, {-infinity, 50, 0, 3}};
 }
 
-// How the triangles lie: in the order of the vertices, in the reverse, by turns from either end, and anyhow.
+// The orders of the triangles: by vertices, reversed, alternately from either end, and shuffled.
 std::vector<std::vector<std::uint32_t>> orders(std::size_t size) {
   std::vector<std::uint32_t> forwards(size);
   std::iota(forwards.begin(), forwards.end(), 0u);
@@ -87,7 +87,7 @@ std::vector<std::vector<std::uint32_t>> orders(std::size_t size) {
   return {forwards, backwards, turns, shuffled};
 }
 
-// Its triangles in that order.
+// The ground with its triangles in that order.
 template <class Real>
 Ground<Real> ordered(Ground<Real> ground, const std::vector<std::uint32_t>& order) {
   std::vector<std::uint32_t> indices;
@@ -98,7 +98,7 @@ Ground<Real> ordered(Ground<Real> ground, const std::vector<std::uint32_t>& orde
   return ground;
 }
 
-// What a call of the interface does, on the instruction set of these forms.
+// Does what a call of the interface does, on the instruction set of these forms.
 template <class Real>
 std::vector<std::uint8_t> verdicts(const Forms& forms, const Ground<Real>& ground, const std::uint32_t* list,
                                    std::size_t size, const Real* sphere, axiscert_question question,
@@ -119,7 +119,7 @@ std::vector<std::uint8_t> verdicts(const Forms& forms, const Ground<Real>& groun
   return found;
 }
 
-// Empty where there is none.
+// Empty if there is no difference.
 std::string first_difference(const std::vector<std::uint8_t>& found, const std::vector<std::uint8_t>& expected) {
   for (std::size_t i = 0; i < expected.size(); ++i) {
     if (found[i] != expected[i]) {
@@ -174,13 +174,13 @@ TYPED_TEST(MeshTest, IsThePairsAnswerOnEveryInstructionSetInEveryOrder) {
   EXPECT_GT(counts[AXISCERT_INVALID], 1000);
 }
 
-// One triangle far from the others, at each place of chunks that are no whole vectors; and no code is right before it
-// has been computed.
+// One triangle far from the others, at each place of chunks that are not whole vectors; all codes are wrong before they
+// are computed.
 TYPED_TEST(MeshTest, SeesTheOneTriangleThatIsFarFromTheOthers) {
   using Real = TypeParam;
   const SimdTable<Forms> table([] { return chosen_forms(); });
   const std::array<Real, 4> sphere{2, 4, 0, Real(0.5)};
-  const std::uint32_t near = 3 * 2 * (side - 1) + 4;  // its vertices: 302, 303, 402; the last touches
+  const std::uint32_t near = 3 * 2 * (side - 1) + 4;  // its vertices are 302, 303 and 402; the last touches
   Ground<Real> ground(3);
   ASSERT_EQ(ground.pair_by_pair(sphere.data(), AXISCERT_CLOSED_SPHERE)[near], AXISCERT_CONTACT);
   for (std::size_t size = 64; size < 90; ++size) {
@@ -192,7 +192,7 @@ TYPED_TEST(MeshTest, SeesTheOneTriangleThatIsFarFromTheOthers) {
       const Ground<Real> in_order = ordered(ground, order);
       for (const std::string& target : simd_targets()) {
         Outcodes outcodes;
-        outcodes.are_useful = true;  // or else the one triangle may be the one tried
+        outcodes.are_useful = true;  // otherwise the one triangle may be among those tried
         std::fill(std::begin(outcodes.code), std::end(outcodes.code), std::uint8_t{63});
         ASSERT_EQ(first_difference(verdicts(table.on(target), in_order, nullptr, size, sphere.data(),
                                             AXISCERT_CLOSED_SPHERE, outcodes),
@@ -205,7 +205,7 @@ TYPED_TEST(MeshTest, SeesTheOneTriangleThatIsFarFromTheOthers) {
   }
 }
 
-// That the first test asks all of the ways.
+// Checks that the first test takes all of the paths.
 TYPED_TEST(MeshTest, TakesTheTableOrTheVerticesOrNeither) {
   using Real = TypeParam;
   const Ground<Real> ground(3);
@@ -226,15 +226,16 @@ TYPED_TEST(MeshTest, TakesTheTableOrTheVerticesOrNeither) {
   }
 }
 
-// Sizes around words, blocks and chunks: verdicts, bits, hits and counts, and nothing written past them.
+// Sizes around those of words, blocks and chunks: verdicts, bits, hits and counts are right, and nothing is written
+// past them.
 TYPED_TEST(MeshTest, WritesEveryResultOfEverySize) {
   using Real = TypeParam;
   const Ground<Real> ground(3);
   const Real sphere[4] = {50, 50, 0, Real(4.5)};
   const std::vector<std::uint8_t> by_pair = ground.pair_by_pair(sphere, AXISCERT_CLOSED_SPHERE);
-  constexpr std::size_t first = 50 * 198 + 3 - 4 * 198;  // some rows before the sphere's
+  constexpr std::size_t first = 50 * 198 + 3 - 4 * 198;  // some rows before that of the sphere
   for (const std::size_t size : {0, 1, 8, 63, 64, 65, 255, 256, 257, 1023, 1024, 1025, 1088, 2047, 2048, 2049, 5000}) {
-    std::vector<std::uint32_t> list(size);  // with repetitions
+    std::vector<std::uint32_t> list(size);  // with repeated triangles
     for (std::size_t i = 0; i < size; ++i) list[i] = static_cast<std::uint32_t>(first + (i % 7 == 0 ? i / 2 : i));
     for (const bool is_list : {false, true}) {
       std::vector<std::uint8_t> found(size + 1, 99), expected(size + 1, 99);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The installed library as a user meets it: moved elsewhere, found by CMake and by pkg-config, from C and C++; and the Debian
-packages, unpacked. Usage: package_test.py BUILD_FOLDER"""
+"""The installed library as a user finds it: moved elsewhere, found by CMake and by pkg-config, used from C and C++; and
+the Debian packages, unpacked. Usage: package_test.py BUILD_FOLDER"""
 import os
 import re
 import subprocess

@@ -1,7 +1,7 @@
-// replay_answers FILE: asks libaxiscert what write_certified_answers stored, through every function of the C interface,
-// with every question, in every floating-point mode, on each instruction set of this machine, and prints where an
-// answer is another one. It needs the library and Highway, and no oracle: so it runs on processors for which nothing
-// else of axiscert is built.
+// replay_answers FILE: asks libaxiscert the queries that write_certified_answers stored, through every function of the
+// C interface, with every question, in every floating-point mode, on each instruction set of this machine, and prints
+// where an answer differs from the stored one. It needs the library and Highway but no oracle, so it also runs on
+// processors for which nothing else of axiscert is built.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,8 +21,9 @@ namespace {
 
 constexpr axiscert_question questions[] = {AXISCERT_CLOSED_SPHERE, AXISCERT_OPEN_SPHERE, AXISCERT_CONSERVATIVE};
 
-// What callers set, for a scope: the default, any rounding direction with subnormal numbers flushed or not, and all
-// that the processor has beside that: traps; on ARM also default NaNs and the other half-precision format.
+// Modes that callers may set, for a scope: the default modes, each rounding direction with subnormal numbers flushed or
+// not, and everything else that the processor has: traps, and on ARM default NaNs and the alternative half-precision
+// format.
 class CallersModes {
  public:
   static constexpr int count = 9;
@@ -33,7 +34,7 @@ class CallersModes {
     if (has_everything_) set_everything();
     before_ = modes();
   }
-  // To be asked before any arithmetic of the scope.
+  // To be called before any arithmetic in the scope.
   bool are_as_they_were() const { return modes() == before_ && (is_default_ || std::fetestexcept(FE_ALL_EXCEPT) == 0); }
   ~CallersModes() {
     if (has_everything_) restore();
@@ -44,7 +45,7 @@ class CallersModes {
   static std::uint64_t modes() { return _mm_getcsr() & ~0x3fu; }
   void set_everything() {
     scope_control_ = _mm_getcsr();
-    _mm_setcsr(0x8040 | 0x4000);  // flushed, upward, nothing masked
+    _mm_setcsr(0x8040 | 0x4000);  // FTZ and DAZ, upward, no exception masked
   }
   void restore() { _mm_setcsr(static_cast<unsigned>(scope_control_)); }
 #else
@@ -99,8 +100,8 @@ class Replay {
     std::printf("\n");
   }
 
-  // Calls ask(results) in the mode, and holds what it wrote to queries first to first + size - 1. name(i): what the
-  // i-th of them is called among the hits.
+  // Calls ask(results) in the mode, and compares the results with those expected for queries first to first + size - 1.
+  // name(i) is the number that stands for the i-th of them among the hits.
   template <class Ask, class Name>
   void check(const char* shape, std::size_t first, std::size_t size, Ask&& ask, Name&& name) {
     verdict_.assign(size + 1, 99);
@@ -155,7 +156,7 @@ class Replay {
     }
   }
 
-  // A sphere against its triangles, as columns and as a mesh of five numbers a vertex.
+  // A sphere against its triangles, as columns and as a mesh with five numbers per vertex.
   void one_sphere_each() {
     constexpr std::size_t stride = 5;
     std::vector<std::uint32_t> indices(3 * stored_.group), list(stored_.group);
@@ -205,7 +206,7 @@ bool replay_section(const Header& header, std::FILE* file, const char* target, C
   return true;
 }
 
-// All of the file on one instruction set: the exit status.
+// Replays the whole file on one instruction set; returns the exit status.
 int replay(const char* path, const char* target) {
   std::FILE* file = std::fopen(path, "rb");
   if (!file) {
@@ -223,7 +224,7 @@ int replay(const char* path, const char* target) {
   }
   std::fclose(file);
   if (!whole || count.asked == 0) {
-    std::printf("%s: no file of answers, or cut short\n", path);
+    std::printf("%s: is not a file of answers, or is cut short\n", path);
     return 2;
   }
   std::printf("%s: %llu answers, %llu wrong\n", target, static_cast<unsigned long long>(count.asked),
@@ -234,7 +235,7 @@ int replay(const char* path, const char* target) {
 }  // namespace
 }  // namespace axiscert::certified
 
-// The library chooses its instruction set once: a process for each.
+// The library chooses its instruction set once, so each has a process of its own.
 int main(int argc, char** argv) {
   if (argc != 2) {
     std::fprintf(stderr, "usage: replay_answers FILE\n");
@@ -252,7 +253,7 @@ int main(int argc, char** argv) {
     }
     int status = 0;
     if (child < 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status)) {
-      std::printf("%s: the process ended by itself\n", hwy::TargetName(target));
+      std::printf("%s: the process ended without an exit status\n", hwy::TargetName(target));
       worst = 2;
     } else {
       worst = std::max(worst, WEXITSTATUS(status));

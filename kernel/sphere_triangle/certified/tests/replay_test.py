@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Answers written and asked again on the same machine; and an answer that is changed in between is found, with its query.
+"""Answers are stored and replayed on the same machine; an answer that is changed in between is found, with its query.
 Usage: replay_test.py BUILD_FOLDER MODELS_FOLDER TRIAL_DIVISOR"""
 import subprocess
 import sys
@@ -10,7 +10,7 @@ from pathlib import Path
 BUILD, MODELS, DIVISOR = Path(sys.argv.pop(1)), Path(sys.argv.pop(1)), int(sys.argv.pop(1))
 ROOT = Path(__file__).resolve().parents[4]
 SIZE = 20 // DIVISOR + 11
-HEADER, COLUMNS = 64, 13 * 4 * SIZE  # of the first section, in bytes
+HEADER, COLUMNS = 64, 13 * 4 * SIZE  # sizes of the first section's header and columns, in bytes
 
 
 class Replay(unittest.TestCase):

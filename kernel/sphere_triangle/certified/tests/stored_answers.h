@@ -1,6 +1,6 @@
 // Queries with their answers in a file, written on one machine (fuzz/oracle_checks/write_certified_answers.cpp) and
-// asked again on another (replay_answers.cpp): sections, one after the other, each a Header, thirteen columns of
-// numbers, the orders and the conservative verdicts. Little-endian, as both machines are; numbers as their bits.
+// replayed on another (replay_answers.cpp). The file has sections, each with a Header, thirteen columns of numbers, the
+// orders and the conservative verdicts. It is little-endian, as both machines are; numbers are stored as their bits.
 #pragma once
 
 #include <bit>
@@ -23,13 +23,14 @@ struct Header {
 };
 inline constexpr char answers_format[16] = "certified/1";
 
-// Beside the orders of the distance and r: -1 sinks in, 0 touches, 1 separated.
+// The order of an invalid query. The others are the orders of the distance and r: -1 penetrating, 0 touching, 1
+// separated.
 inline constexpr std::int8_t invalid_order = 2;
 
 template <class Real>
 struct StoredAnswers {
   std::string name;
-  std::size_t group = 1;  // so many queries in turn have one sphere
+  std::size_t group = 1;  // number of consecutive queries that have the same sphere
   std::vector<Real> column[13];
   std::vector<std::int8_t> order;
   std::vector<std::uint8_t> conservative;  // an axiscert_verdict each
@@ -55,7 +56,7 @@ bool write(const StoredAnswers<Real>& answers, std::FILE* file) {
   return done;
 }
 
-// What follows `header`. False where the file ends before.
+// Reads the section after `header`. False if the file ends before it does.
 template <class Real>
 bool read(const Header& header, std::FILE* file, StoredAnswers<Real>& answers) {
   answers.name = header.name;

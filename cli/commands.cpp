@@ -1,0 +1,50 @@
+// Functions that several subcommands use.
+#include "cli/commands.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "exact/judge/truth.h"
+#include "kernel/base/error.h"
+#include "kernel/plugin/supervisor.h"
+
+namespace axiscert {
+
+CLI::Option* add_format(CLI::App& command, std::string& format, const std::string& machine_format) {
+  return command.add_option("--format", format, "text, or " + machine_format + " for programs")
+      ->check(CLI::IsMember({std::string("text"), machine_format}))
+      ->capture_default_str();
+}
+
+int tell(const std::exception_ptr& thrown) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const HarnessFault& fault) {
+    fmt::print(stderr, "axiscert: {}\n", fault.what());
+    return exit_harness_fault;
+  } catch (const Error& error) {
+    fmt::print(stderr, "axiscert: {}\n", error.what());
+    return exit_bad_input;
+  } catch (const std::exception& unexpected) {
+    fmt::print(stderr, "axiscert: unexpected: {}\n", unexpected.what());
+    return exit_harness_fault;
+  }
+}
+
+void make_folder(const std::string& path) {
+  std::error_code failed;
+  std::filesystem::create_directories(path, failed);
+  if (failed) throw Error(fmt::format("--out {}: {}", path, failed.message()));
+}
+
+void add_plugin_seconds(CLI::App& command) {
+  command
+      .add_option("--plugin-seconds", plugin::batch_seconds,
+                  "processor time that a plug-in may take for a batch of 1024 queries before it counts as hung")
+      ->check(CLI::Range(1e-3, 1e6))
+      ->capture_default_str();
+}
+
+}  // namespace axiscert

@@ -1,0 +1,59 @@
+// The subcommands of `axiscert`, one file each. Each adds itself to the parser and sets `action` when it is chosen.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <functional>
+#include <string>
+
+namespace axiscert {
+
+enum ExitCode {
+  exit_done = 0,
+  exit_requirement_failed = 1,
+  exit_bad_input = 2,
+  exit_harness_fault = 3,
+  exit_interrupted = 130
+};
+
+// Runs the chosen subcommand and returns an ExitCode. Throws Error and HarnessFault.
+using Action = std::function<int()>;
+
+void add_run(CLI::App& app, Action& action);
+void add_plan(CLI::App& app, Action& action);
+void add_merge(CLI::App& app, Action& action);
+void add_check(CLI::App& app, Action& action);
+void add_shrink(CLI::App& app, Action& action);
+void add_corpus(CLI::App& app, Action& action);
+void add_query(CLI::App& app, Action& action);
+void add_kernels(CLI::App& app, Action& action);
+void add_tests(CLI::App& app, Action& action);
+void add_families(CLI::App& app, Action& action);
+void add_report(CLI::App& app, Action& action);
+void add_ladder(CLI::App& app, Action& action);
+void add_precision(CLI::App& app, Action& action);
+void add_condition(CLI::App& app, Action& action);
+void add_critical_radius(CLI::App& app, Action& action);
+void add_league(CLI::App& app, Action& action);
+void add_map(CLI::App& app, Action& action);
+void add_search(CLI::App& app, Action& action);
+void add_prove(CLI::App& app, Action& action);
+void add_mutate(CLI::App& app, Action& action);
+void add_generate(CLI::App& app, Action& action);
+void add_judge(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
+void add_man(CLI::App& app, Action& action);
+
+// Prints on standard error what an action threw, and returns its ExitCode.
+int tell(const std::exception_ptr& thrown);
+
+// Creates the folder of `--out` where it does not exist yet. Throws Error.
+void make_folder(const std::string& path);
+
+// Adds the `--format` option of the commands that also write for programs.
+CLI::Option* add_format(CLI::App& command, std::string& format, const std::string& machine_format);
+// Adds the `--plugin-seconds` option of the commands that run kernels.
+void add_plugin_seconds(CLI::App& command);
+
+}  // namespace axiscert

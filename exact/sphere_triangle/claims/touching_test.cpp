@@ -1,0 +1,119 @@
+// A kernel's touching convention: the right answer to a query that touches, and the cause of a wrong one.
+#include <gtest/gtest.h>
+
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/sphere_triangle/claims/claim.h"
+
+namespace axiscert {
+namespace {
+
+// Touches at A: vertex_a.radius is a tie.
+const Query<float> touching{{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 0, 0}, 1};
+const Query<float> apart{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 0.5};
+// A triangle with a repeated vertex, inside the sphere at distance 1 from its centre: the plane's sides are 0 and 0.
+const Query<float> zero_area{{1, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 0}, 2};
+
+// Judges `published` evaluated in its own order of operations, or bit for bit.
+Judgement judged(const Query<float>& q, Touching touching, const Answer& answer, bool is_reference = false) {
+  Kernel kernel = find_kernel("published");
+  kernel.is_reference = is_reference;
+  const ExactTruth truth = exact_truth(q, true);
+  return judge(truth, Claims(q, *truth.formula).chain(kernel), answer, touching);
+}
+Judgement judged_by_verdict(const Query<float>& q, Touching touching, Verdict verdict) {
+  return judge(exact_truth(q, true), std::nullopt, {verdict, std::nullopt}, touching);
+}
+
+ComparisonBits exact_bits(const Query<float>& q) { return exact_truth(q, true).formula->strict; }
+constexpr auto tie = static_cast<ComparisonBits>(1u << static_cast<unsigned>(Comparison::vertex_a_radius));
+
+TEST(Touching, TheConventionSaysWhichVerdictIsWrong) {
+  EXPECT_FALSE(judged_by_verdict(touching, Touching::contact, Verdict::contact).verdict_flip);
+  EXPECT_EQ(judged_by_verdict(touching, Touching::contact, Verdict::separated).verdict_flip,
+            FlipKind::false_separation);
+  EXPECT_FALSE(judged_by_verdict(touching, Touching::separated, Verdict::separated).verdict_flip);
+  const Judgement wrong = judged_by_verdict(touching, Touching::separated, Verdict::contact);
+  EXPECT_EQ(wrong.verdict_flip, FlipKind::false_contact);
+  EXPECT_EQ(wrong.verdict_links, link_bit(Link::unattributed));
+  for (const Verdict verdict : {Verdict::contact, Verdict::separated}) {
+    EXPECT_FALSE(judged_by_verdict(touching, Touching::either, verdict).verdict_flip);
+  }
+}
+
+TEST(Touching, ElsewhereTheConventionIsNothing) {
+  for (const Touching touching : {Touching::contact, Touching::separated, Touching::either}) {
+    EXPECT_EQ(judged_by_verdict(apart, touching, Verdict::contact).verdict_flip, FlipKind::false_contact);
+    EXPECT_EQ(judged_by_verdict(zero_area, touching, Verdict::separated).verdict_flip, FlipKind::false_separation);
+  }
+}
+
+// A kernel that calls touching separated has >= in its radius comparisons: right, and no link is broken.
+TEST(Touching, SeparatedMakesTheTieHold) {
+  const auto holds = static_cast<ComparisonBits>(exact_bits(touching) | tie);
+  ASSERT_EQ(outcome_of(holds).verdict, Verdict::separated);
+  const Judgement right = judged(touching, Touching::separated, outcome_of(holds));
+  EXPECT_TRUE(right.flips().empty());
+  EXPECT_EQ(right.verdict_links, 0);
+  // A kernel that rounds at the tie is wrong, and its specification is not the cause.
+  const Judgement rounded = judged(touching, Touching::separated, outcome_of(exact_bits(touching)));
+  EXPECT_EQ(rounded.verdict_flip, FlipKind::false_contact);
+  EXPECT_EQ(rounded.verdict_links, link_bit(Link::unattributed));
+  EXPECT_EQ(rounded.comparison_flips, tie);
+  EXPECT_EQ(rounded.comparison_decisive, tie);
+}
+
+TEST(Touching, EitherLeavesTheTieOpenAndNothingElse) {
+  for (const ComparisonBits bits : {exact_bits(touching), static_cast<ComparisonBits>(exact_bits(touching) | tie)}) {
+    const Judgement open = judged(touching, Touching::either, outcome_of(bits));
+    EXPECT_TRUE(open.flips().empty());
+    EXPECT_EQ(open.verdict_links, 0);
+  }
+  const auto wrong_side =
+      static_cast<ComparisonBits>(exact_bits(touching) ^ (1u << static_cast<unsigned>(Comparison::edge_bc_side_a)));
+  EXPECT_EQ(judged(touching, Touching::either, outcome_of(wrong_side)).comparison_flips,
+            exact_bits(touching) ^ wrong_side);
+}
+
+// 0 >= 0 in the plane axis separates every triangle without area: that is wrong, and the formulae as named do not
+// excuse it.
+TEST(Touching, AZeroAreaPlaneIsNotExcused) {
+  const auto plane = static_cast<ComparisonBits>(exact_bits(zero_area) | comparisons_of(Axis::plane));
+  for (const Touching touching : {Touching::separated, Touching::either}) {
+    const Judgement wrong = judged(zero_area, touching, outcome_of(plane));
+    EXPECT_EQ(wrong.verdict_flip, FlipKind::false_separation);
+    EXPECT_EQ(wrong.verdict_links, link_bit(Link::unattributed));
+    EXPECT_EQ(wrong.comparison_decisive, comparisons_of(Axis::plane));
+  }
+}
+
+// The reference's bits say contact, and so does a kernel that is the reference: its convention contradicts them.
+TEST(Touching, AReferenceKeepsItsRelation) {
+  const Judgement found = judged(touching, Touching::separated, outcome_of(exact_bits(touching)), true);
+  EXPECT_EQ(found.verdict_flip, FlipKind::false_contact);
+  EXPECT_EQ(found.verdict_links, link_bit(Link::specification));
+  EXPECT_EQ(found.comparison_flips, 0);
+  EXPECT_TRUE(judged(touching, Touching::contact, outcome_of(exact_bits(touching)), true).flips().empty());
+}
+
+// Formulae without comparisons: only their verdict follows the convention.
+TEST(Touching, AMethodFollowsTheConventionToo) {
+  Kernel kernel = find_kernel("minkowski");
+  kernel.is_reference = false;
+  const ExactTruth truth = exact_truth(touching, true);
+  const auto chain = Claims(touching, *truth.formula).chain(kernel);
+  EXPECT_EQ(judge(truth, chain, {Verdict::separated, std::nullopt}, Touching::separated).verdict_links, 0);
+  EXPECT_EQ(judge(truth, chain, {Verdict::contact, std::nullopt}, Touching::separated).verdict_links,
+            link_bit(Link::unattributed));
+  for (const Verdict verdict : {Verdict::contact, Verdict::separated}) {
+    EXPECT_EQ(judge(truth, chain, {verdict, std::nullopt}, Touching::either).verdict_links, 0);
+  }
+}
+
+TEST(Judge, NoAnswerIsNoFlip) {
+  const Judgement none = judged(apart, Touching::contact, {Verdict::unanswered, std::nullopt});
+  EXPECT_TRUE(none.flips().empty());
+  EXPECT_EQ(none.verdict_links, 0);
+}
+
+}  // namespace
+}  // namespace axiscert

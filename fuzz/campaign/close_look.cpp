@@ -1,0 +1,52 @@
+#include "fuzz/campaign/close_look.h"
+
+#include "exact/sphere_triangle/measures/depth.h"
+#include "exact/sphere_triangle/measures/grid_distance.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+
+namespace axiscert {
+
+template <class Real>
+const Rational& LazyDistance<Real>::squared() {
+  if (!squared_) squared_ = squared_distance(query_);
+  return *squared_;
+}
+template <class Real>
+std::optional<Real> LazyDistance<Real>::within(const RadiusRange<Real>& range) {
+  if (exact_only_) return distance_within(squared(), range);
+  if (!rounded_) rounded_ = rounded_distance(query_);
+  return rounded_distance_within(*rounded_, range);
+}
+template <class Real>
+double LazyDistance<Real>::at_most() {
+  if (!at_most_) at_most_ = exact_only_ ? exactly() : depth_range(query_).high;
+  return *at_most_;
+}
+template <class Real>
+double LazyDistance<Real>::exactly() {
+  if (!depth_ && !exact_only_) depth_ = depth_on_grid(query_);
+  if (!depth_) depth_ = depth(query_, squared());
+  return *depth_;
+}
+template <class Real>
+void LazyDistance<Real>::is_zero() {
+  if (!exact_only_) at_most_ = depth_ = 0;
+}
+template class LazyDistance<float>;
+template class LazyDistance<double>;
+
+template <class Real>
+const ExactTruth& CloseLook<Real>::truth() {
+  if (!truth_) truth_ = decider_.exact_truth_of(batch_, index_);
+  return *truth_;
+}
+template <class Real>
+Claims<Real>* CloseLook<Real>::claims() {
+  if (!truth().formula) return nullptr;
+  if (!claims_) claims_.emplace(query_, *truth_->formula, exact_only_);
+  return &*claims_;
+}
+template class CloseLook<float>;
+template class CloseLook<double>;
+
+}  // namespace axiscert

@@ -1,0 +1,89 @@
+#include "fuzz/campaign/decider.h"
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+#include <cfenv>
+
+#include "exact/sphere_triangle/filters/decided_check.h"
+
+namespace axiscert {
+namespace {
+
+void require_ieee_modes() {
+#if defined(__x86_64__)
+  // The vector unit's own register: rounding in bits 13 and 14, flush to zero 15, denormals are zero 6.
+  const bool is_ieee = (_mm_getcsr() & 0xe040u) == 0;
+#else
+  const bool is_ieee = true;
+#endif
+  if (is_ieee && std::fegetround() == FE_TONEAREST) return;
+  throw HarnessFault(
+      "the rounding mode is not to nearest, or subnormals are flushed: something left it so, and no filter "
+      "is certain");
+}
+
+}  // namespace
+
+template <class Real>
+DecidedBatch<Real> Decider<Real>::decide(const MadeBatch<Real>& made) {
+  const std::size_t size = made.size();
+  exactly_.assign(size, true);
+  attention_.assign(size, Attention::none);
+  if (exact_only_) {
+    steps_.queries[static_cast<std::size_t>(Step::exact)] += size;
+    undecided_.resize(size);
+    return {made, undecided_, exactly_, attention_};
+  }
+  require_ieee_modes();
+  const std::vector<DecidedSigns>& decided = cascade_.decide(made.queries);
+  std::uint64_t in_lanes = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const DecidedSigns& found = decided[i];
+    if (found.step == Step::lanes) ++in_lanes;
+    else count_step(found);
+    if (found.step == Step::exact) continue;
+    const std::uint64_t stride = found.step == Step::integers ? integer_check_stride : second_opinion_stride;
+    const bool is_checked = (made.position + i) % stride == 0 || found.is_close;
+    steps_.checked += is_checked;
+    exactly_[i] = is_checked;
+    attention_[i] = is_checked ? Attention::checked : Attention::counted;
+  }
+  steps_.queries[static_cast<std::size_t>(Step::lanes)] += in_lanes;
+  for (auto& signs : steps_.signs) signs[static_cast<std::size_t>(Step::lanes)] += in_lanes;
+  return {made, decided, exactly_, attention_};
+}
+
+template <class Real>
+void Decider<Real>::count_step(const DecidedSigns& found) {
+  ++steps_.queries[static_cast<std::size_t>(found.step)];
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    const bool in_lanes = ((found.certain_in_lanes >> k) & 1u) != 0;
+    ++steps_.signs[k][static_cast<std::size_t>(in_lanes ? Step::lanes : found.step)];
+  }
+}
+
+template <class Real>
+ExactTruth Decider<Real>::exact_truth_of(const DecidedBatch<Real>& batch, std::size_t index) {
+  const Query<Real> q = batch.queries[index];
+  const bool second_opinion = exact_only_ || (batch.position + index) % second_opinion_stride == 0;
+  ExactTruth truth = exact_truth(q, second_opinion);
+  if (!truth.formula) return truth;
+  second_opinions_ += second_opinion;
+  ++steps_.by_cgal;
+  if (batch.is_filtered(index)) require_same(batch.signs[index], truth, q);
+  return truth;
+}
+
+template <class Real>
+void Decider<Real>::count_times() const {
+  for (const Step step : {Step::lanes, Step::grid, Step::wide, Step::integers}) {
+    steps_.steps[static_cast<std::size_t>(step)] = cascade_.nanoseconds(step);
+  }
+}
+
+template class Decider<float>;
+template class Decider<double>;
+
+}  // namespace axiscert

@@ -1,0 +1,45 @@
+// How the queries of a batch are decided: by filters, each of whose answers is certain, and by exact arithmetic where
+// they are silent, on a sample of the rest, and on the close calls that they report.
+#pragma once
+
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "fuzz/campaign/campaign.h"
+#include "fuzz/campaign/stages.h"
+
+namespace axiscert {
+
+template <class Real>
+class Decider {
+ public:
+  Decider(const Plan& plan, StepCounts& steps, std::uint64_t& second_opinions)
+      : exact_only_(plan.exact_only),
+        filter_(filter_on<Real>(plan.target, plan.planted)),
+        cascade_(filter_),
+        steps_(steps),
+        second_opinions_(second_opinions) {}
+
+  const Filter<Real>& filter() const { return filter_; }
+
+  // Good until the next call.
+  DecidedBatch<Real> decide(const MadeBatch<Real>& made);
+
+  // The exact truth of query `index`, compared with what a filter decided. Throws OracleDisagreement.
+  ExactTruth exact_truth_of(const DecidedBatch<Real>& batch, std::size_t index);
+
+  // Adds the time that the filters took, in nanoseconds, to the counts.
+  void count_times() const;
+
+ private:
+  void count_step(const DecidedSigns& found);
+
+  bool exact_only_;
+  Filter<Real> filter_;
+  Cascade<Real> cascade_;
+  StepCounts& steps_;
+  std::uint64_t& second_opinions_;
+  std::vector<DecidedSigns> undecided_;  // where no filter is used
+  std::vector<char> exactly_;
+  std::vector<Attention> attention_;
+};
+
+}  // namespace axiscert

@@ -1,0 +1,55 @@
+#include "fuzz/confirm/finding_record.h"
+
+#include <fmt/format.h>
+
+#include "fuzz/confirm/witness.h"
+#include "fuzz/queries/address.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+void put_query_of(Json& into, std::uint64_t seed, const Source& source, std::uint64_t position) {
+  Query<Real> q;
+  source.make(seed, position, q);
+  put_query(into, q);
+}
+
+}  // namespace
+
+void require_loaded(const Kernel& kernel) {
+  if (kernel.has(Precision::binary32) || kernel.has(Precision::binary64)) return;
+  std::string why;
+  for (const Finding& finding : kernel.findings) why += fmt::format("; {}: {}", name(finding.kind), finding.detail);
+  throw Error(fmt::format("--kernel {}: it could not be loaded{}", kernel.id, why));
+}
+
+void put_loading_findings(Json& findings, const Kernel& kernel) {
+  for (const Finding& finding : kernel.findings) {
+    Json& entry = findings.emplace_back();
+    entry = {{"kernel", kernel.id}, {"precision", nullptr},     {"family", nullptr}, {"kind", name(finding.kind)},
+             {"count", 1},          {"detail", finding.detail}, {"address", nullptr}};
+    for (const char* member : {"a", "b", "c", "p", "r"}) entry[member] = nullptr;
+  }
+}
+
+void put_findings(Json& findings, const Kernel& kernel, std::uint64_t seed, const Source& source, Precision precision,
+                  const Tally& tally) {
+  for (std::size_t i = 0; i < finding_kind_count; ++i) {
+    const FindingTally& found = tally.findings[i];
+    if (found.count == 0) continue;
+    Json& entry = findings.emplace_back();
+    entry = {{"kernel", kernel.id},
+             {"precision", name(precision)},
+             {"family", source.name()},
+             {"kind", finding_kind_names[i]},
+             {"count", found.count},
+             {"detail", found.detail},
+             {"address", text(address_of(source, seed, precision, found.first))}};
+    if (precision == Precision::binary32) put_query_of<float>(entry, seed, source, found.first);
+    else put_query_of<double>(entry, seed, source, found.first);
+  }
+}
+
+}  // namespace axiscert

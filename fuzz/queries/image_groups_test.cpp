@@ -1,0 +1,158 @@
+// Families of images: every image is exact, so that exact arithmetic gives the same answers as for the base; and
+// differing answers of a kernel are counted.
+#include "fuzz/queries/image_groups.h"
+
+#include <cmath>
+#include <set>
+
+#include "exact/numbers/rational.h"
+#include "exact/sphere_triangle/oracles/second_oracle.h"
+#include "fuzz/confirm/asymmetry.h"
+#include "fuzz/queries/images.h"
+#include "fuzz/queries/family_testing.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+class Images : public testing::Test {};
+TYPED_TEST_SUITE(Images, Reals);
+
+// The squared distances between the four points, and r, in rationals: these determine a query up to a symmetry.
+template <class Real>
+std::array<Rational, 7> shape(const Query<Real>& q, const std::array<std::uint8_t, 3>& order) {
+  std::array<Vec3<Real>, 4> points;
+  points[order[0]] = q.a;
+  points[order[1]] = q.b;
+  points[order[2]] = q.c;
+  points[3] = q.p;
+  std::array<Rational, 7> out;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t k = i + 1; k < 4; ++k) {
+      Rational sum;
+      for (const auto& [x, y] :
+           {std::pair{points[i].x, points[k].x}, {points[i].y, points[k].y}, {points[i].z, points[k].z}}) {
+        const Rational d = exact(x) - exact(y);
+        sum += d * d;
+      }
+      out[n++] = sum;
+    }
+  }
+  out[6] = exact(q.r) * exact(q.r);
+  return out;
+}
+
+// All seven are multiplied by the same power of two.
+TYPED_TEST(Images, AreExactly) {
+  for (const ImageGroup& group : image_groups()) {
+    std::array<Rational, 7> base;
+    for_each_query<TypeParam>(group.family, 40 * group.size, [&](const Query<TypeParam>& q, std::uint64_t position) {
+      const std::size_t image = position % group.size;
+      const auto found = shape(q, group.order(image));
+      if (image == 0) base = found;
+      Rational factor = 1;
+      for (std::size_t k = 0; k < 7; ++k) {
+        if (base[k] != 0) factor = found[k] / base[k];
+      }
+      for (std::size_t k = 0; k < 7; ++k) EXPECT_EQ(found[k], Rational(base[k] * factor)) << k;
+      EXPECT_EQ(factor == 1, group.family != "scaled" || image == 0);
+    });
+  }
+}
+
+// MPFR gives the same answers for every image, by the base's names of the comparisons.
+TYPED_TEST(Images, HaveTheExactAnswersOfTheBase) {
+  for (const ImageGroup& group : image_groups()) {
+    SecondOpinion base;
+    for_each_query<TypeParam>(group.family, 12 * group.size, [&](const Query<TypeParam>& q, std::uint64_t position) {
+      const std::size_t image = position % group.size;
+      const SecondOpinion found = second_opinion(q);
+      if (image == 0) base = found;
+      EXPECT_EQ(found.distance_order, base.distance_order);
+      EXPECT_EQ(bits_of_base(found.strict, group.order(image)), base.strict);
+      EXPECT_EQ(bits_of_base(found.ties, group.order(image)), base.ties);
+    });
+  }
+}
+
+TEST(ImageGroups, HaveTheSizesTheyClaimAndAreAllDifferent) {
+  std::vector<std::size_t> sizes;
+  for (const ImageGroup& group : image_groups()) {
+    sizes.push_back(group.size);
+    EXPECT_EQ(image_group(group.family), &group);
+    std::set<std::array<float, coordinate_count>> images;
+    const Family& family = find_family(group.family);
+    for (std::size_t i = 0; i < group.size; ++i) images.insert(coordinates(family.make<float>(1, i)));
+    EXPECT_EQ(images.size(), group.size) << group.family;
+  }
+  EXPECT_EQ(sizes, (std::vector<std::size_t>{6, 48, 2, 8, 4}));
+  EXPECT_EQ(image_group("tangent"), nullptr);
+}
+
+// `published`, but wrong on queries for which `is_wrong` holds.
+template <class IsWrong>
+Kernel published_but(const IsWrong& is_wrong) {
+  Kernel kernel = find_kernel("published");
+  kernel.binary32 = [is_wrong](std::string_view target) {
+    Implementation<float> right = find_kernel("published").on<float>(target);
+    return Implementation<float>{[=](const QueryColumns<float>& batch, Verdict* out) {
+                                   right.verdicts(batch, out);
+                                   for (std::size_t i = 0; i < batch.size; ++i) {
+                                     if (is_wrong(batch, i)) out[i] = Verdict::separated;
+                                   }
+                                 },
+                                 right.explain};
+  };
+  return kernel;
+}
+
+Asymmetry counted(const Kernel& kernel, const char* family, std::uint64_t queries) {
+  Plan plan;
+  plan.kernels = {&kernel};
+  plan.target = resolve_target("auto");
+  return *asymmetry_of(plan, kernel, *family_source(find_family(family)), Precision::binary32, queries);
+}
+
+TEST(Asymmetries, OfThePublishedTestAreThoseOfItsRoundings) {
+  const Kernel& published = find_kernel("published");
+  const std::uint64_t queries = 9600;
+  // Sums of products in another order round differently; a sign, a power of two within the range and an exact
+  // translation change no rounding.
+  EXPECT_GT(counted(published, "orders", queries).verdicts, 0u);
+  EXPECT_GT(counted(published, "axes", queries).verdicts, 0u);
+  for (const char* family : {"inverted", "translated"}) {
+    const Asymmetry found = counted(published, family, queries);
+    EXPECT_EQ(found.verdicts + found.comparisons, 0u) << family;
+    EXPECT_FALSE(found.first_verdict || found.first_comparison);
+  }
+  const Asymmetry scaled = counted(published, "scaled", queries);  // 2^20 and 2^31 are beyond the range
+  EXPECT_EQ(scaled.images, queries / 8 * 7);
+  EXPECT_GT(scaled.verdicts, 0u);
+  ASSERT_TRUE(scaled.first_verdict);
+  EXPECT_EQ(scaled.first_verdict->base % 8, 0u);
+  EXPECT_LT(scaled.first_verdict->image - scaled.first_verdict->base, 8u);
+}
+
+TEST(Asymmetries, AreFoundWhereAFaultIsPlanted) {
+  const auto negative = published_but([](const QueryColumns<float>& q, std::size_t i) {
+    float sum = 0;
+    for (std::size_t k = 0; k < 12; ++k) sum += q.column[k][i];
+    return sum < 0;
+  });
+  const auto far =
+      published_but([](const QueryColumns<float>& q, std::size_t i) { return std::fabs(q.column[9][i]) > 1; });
+  for (const char* family : {"inverted", "axes"}) EXPECT_GT(counted(negative, family, 960).verdicts, 0u) << family;
+  EXPECT_GT(counted(far, "translated", 960).verdicts, 0u);
+}
+
+TEST(Asymmetries, AreThoseOfWholeGroups) {
+  const Kernel& published = find_kernel("published");
+  EXPECT_EQ(counted(published, "axes", 47).images, 0u);
+  EXPECT_EQ(counted(published, "axes", 48 * 3 + 5).images, 47u * 3);
+  Plan plan;
+  EXPECT_FALSE(asymmetry_of(plan, published, *family_source(find_family("tangent")), Precision::binary32, 100));
+}
+
+}  // namespace
+}  // namespace axiscert

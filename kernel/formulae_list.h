@@ -1,0 +1,54 @@
+// Every set of formulae that a kernel can claim, one line each: the name, the type, and its kind, a statement about it
+// over the reals. All number types (exact, unbounded, floating-point) are instantiated from this list.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+// X(name, type, kind)
+//   rung     sixteen comparisons whose signs are those of the published ones on every query, where they are defined
+//   variant  sixteen comparisons whose signs may differ from the published ones
+//   method   only a verdict, without comparisons
+#define AXISCERT_FORMULAE(X)                                 \
+  X(published, portable::Published, rung)                    \
+  X(ladder_0, rungs::Ladder0, rung)                          \
+  X(ladder_1, rungs::Ladder1, rung)                          \
+  X(ladder_2, rungs::Ladder2, rung)                          \
+  X(ladder_3, rungs::Ladder3, rung)                          \
+  X(ladder_4, rungs::Ladder4, rung)                          \
+  X(ladder_5, rungs::Ladder5, rung)                          \
+  X(ladder_6, rungs::Ladder6, rung)                          \
+  X(ladder_7, rungs::Ladder7, rung)                          \
+  X(ladder_8, rungs::Ladder8, rung)                          \
+  X(ladder_9, rungs::Ladder9, rung)                          \
+  X(reduced, portable::Reduced, rung)                        \
+  X(reduced_along, portable::ReducedAlong, rung)             \
+  X(reduced_determinant, portable::ReducedDeterminant, rung) \
+  X(reduced_shared, portable::ReducedShared, rung)           \
+  X(first_publication, rungs::FirstPublication, variant)     \
+  X(vertex_typo, rungs::VertexTypo, variant)                 \
+  X(segments, methods::Segments, variant)                    \
+  X(minkowski, methods::Minkowski, method)                   \
+  X(closest_point, methods::ClosestPoint, method)
+
+namespace axiscert {
+
+enum class FormulaeKind : std::uint8_t { rung, variant, method };
+
+enum class Formulae : std::uint8_t {
+#define AXISCERT_NAME(name, type, kind) name,
+  AXISCERT_FORMULAE(AXISCERT_NAME)
+#undef AXISCERT_NAME
+      none,  // a kernel that claims no formulae: only its verdicts are judged
+};
+inline constexpr std::size_t formulae_count = static_cast<std::size_t>(Formulae::none);
+
+inline constexpr std::array<FormulaeKind, formulae_count> formulae_kinds = {
+#define AXISCERT_KIND(name, type, kind) FormulaeKind::kind,
+    AXISCERT_FORMULAE(AXISCERT_KIND)
+#undef AXISCERT_KIND
+};
+constexpr FormulaeKind kind_of(Formulae f) { return formulae_kinds[static_cast<std::size_t>(f)]; }
+constexpr bool has_comparisons(Formulae f) { return f != Formulae::none && kind_of(f) != FormulaeKind::method; }
+
+}  // namespace axiscert

@@ -1,0 +1,27 @@
+// The types of the formulae that formulae_list.h names, for the code that evaluates them.
+#pragma once
+
+#include "kernel/sphere_triangle/formulae.h"
+#include "kernel/sphere_triangle/methods/closest_point.h"
+#include "kernel/sphere_triangle/methods/minkowski.h"
+#include "kernel/sphere_triangle/methods/segments.h"
+#include "kernel/sphere_triangle/rungs/ladder.h"
+#include "kernel/sphere_triangle/rungs/reduced.h"
+#include "kernel/sphere_triangle/rungs/slips.h"
+#include "kernel/formulae_list.h"
+
+namespace axiscert {
+
+template <Formulae f>
+struct FormulaeTypeOf;
+#define AXISCERT_TYPE(name, type_, kind)  \
+  template <>                             \
+  struct FormulaeTypeOf<Formulae::name> { \
+    using type = type_;                   \
+  };
+AXISCERT_FORMULAE(AXISCERT_TYPE)
+#undef AXISCERT_TYPE
+template <Formulae f>
+using FormulaeType = typename FormulaeTypeOf<f>::type;
+
+}  // namespace axiscert
