@@ -1,4 +1,4 @@
-// What a test is, as data: for all that handles answers and is written once for every test.
+// The description of a test as data. Code that handles answers goes by it and is written once for all tests.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace axiscert {
 
-// What a column holds, and so what may be done to it: a direction is not moved by a translation, a length not negative.
+// The meaning of a column decides what may be done to it: a translation does not move a direction.
 enum class Role : std::uint8_t { coordinate, direction, length, time };
 inline constexpr std::array<std::string_view, 4> role_names = {"coordinate", "direction", "length", "time"};
 constexpr std::string_view name(Role role) { return role_names[static_cast<std::size_t>(role)]; }
@@ -18,13 +18,13 @@ constexpr std::string_view name(Role role) { return role_names[static_cast<std::
 struct TestColumn {
   std::string_view name;
   Role role;
-  std::string_view group;  // columns of one group are one thing: the three of a vertex
+  std::string_view group;  // columns of one group belong together, as the three of a vertex do
 };
 
-// One of the ways in which the numbers of a query can be given.
+// A form in which the numbers of a query can be given.
 struct TestEntry {
   std::string_view name;
-  std::string_view validity;  // which numbers are a query; any others are `invalid`
+  std::string_view validity;  // the condition for a query; other numbers are `invalid`
   std::vector<TestColumn> columns;
 };
 
@@ -33,49 +33,49 @@ struct TestComparison {
   std::size_t clause;
 };
 
-// The general word for what is an axis in a test by separating axes.
+// A clause is a conjunction of comparisons; in a test by separating axes, an axis.
 struct TestClause {
   std::string_view name;
-  std::uint64_t comparisons;  // it holds where all of these do; bit i is comparison i
+  std::uint64_t comparisons;  // the clause holds where all of these do; bit i is comparison i
 };
 
-// A number beside the verdict: a time of impact.
+// A number beside the verdict, for example a time of impact.
 struct TestMeasure {
   std::string_view name, unit;
   std::string_view error;  // how its error is counted
 };
 
-// What it is called where a kernel says one verdict and another is right.
+// The name of a wrong answer: a kernel says one verdict and another is right.
 struct WrongAnswer {
   Verdict said, right;
   std::string_view name;
 };
 
-// How the clauses make the verdict.
+// The way in which clauses make the verdict.
 struct VerdictRule {
   std::string_view text;
-  // Of comparison bits, whether they separate; null: wherever a clause holds.
+  // True of comparison bits that separate. Null: bits separate where a clause holds.
   bool (*separates)(std::uint64_t comparisons) = nullptr;
 };
 inline constexpr VerdictRule any_clause_separates = {"separated where any clause holds"};
 
-// Of each, as bits and the plug-in interface count them.
+// Limits that a word of 64 bits and the plug-in interface set.
 inline constexpr std::size_t most_columns = 64, most_comparisons = 64, most_measures = 64;
 
 struct TestDescription {
   std::string_view id;
   std::string_view asks;      // one line
-  std::string_view touching;  // what that is here
+  std::string_view touching;  // the case in which the two touch
   std::vector<WrongAnswer> wrong_answers;
-  std::vector<TestEntry> entries;  // the first is what a kernel takes that names none
+  std::vector<TestEntry> entries;  // a kernel that names none takes the first
   std::vector<TestComparison> comparisons;
   std::vector<TestClause> clauses;
   std::vector<TestMeasure> measures;
   VerdictRule rule = any_clause_separates;
 };
 
-// The description as it is given. Throws HarnessFault where it has no entry, more than the most of anything, a name
-// twice, or a comparison whose clause is not there or does not need it.
+// Returns the description unchanged. Throws HarnessFault if it has no entry, too many of anything, the same name twice,
+// or a comparison that its clause does not contain.
 TestDescription checked(TestDescription test);
 
 // Bit i is clause i.

@@ -1,4 +1,4 @@
-// `axiscert tests`: what is asked, in which numbers, and what is answered.
+// `axiscert tests`: the tests, the numbers that each takes and the answers that it gives.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -21,7 +21,7 @@ std::vector<std::string_view> kernels_of(const TestDescription& test) {
   return ids;
 }
 
-// Every family there is makes queries of the first test.
+// Every existing family makes queries of the first test.
 std::vector<std::string_view> families_of(const TestDescription& test) {
   std::vector<std::string_view> names;
   for (const Family* family : families()) {
@@ -30,7 +30,7 @@ std::vector<std::string_view> families_of(const TestDescription& test) {
   return names;
 }
 
-// By group, in their order: "ax ay az (coordinate)".
+// The columns group by group: "ax ay az (coordinate)".
 std::vector<std::string> groups_of(const TestEntry& entry) {
   std::vector<std::string> groups;
   const auto& columns = entry.columns;
@@ -124,7 +124,7 @@ int list_tests(const std::string& format) {
 }  // namespace
 
 void add_tests(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("tests", "List the tests, what they are asked in and what they answer");
+  auto* command = app.add_subcommand("tests", "List the tests: columns, comparisons, clauses, measures");
   auto format = std::make_shared<std::string>("text");
   add_format(*command, *format, "json");
   command->callback([&action, format] { action = [format] { return list_tests(*format); }; });

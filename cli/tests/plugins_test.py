@@ -63,20 +63,20 @@ const axiscert_kernel *axiscert_plugin(uint32_t index) {
 """
 
 
-# What somebody's own functions, texts and types may be called: names in nobody's way, and those of the interface itself.
+# Names that a user's functions, texts and types may have: common short ones, and those that the interface itself uses.
 SHORT_NAMES = ("k i j v r u n x a b c p bits batch answers kernel verdict index size real name count column run "
                "comparisons one_query batch_function kernel_name").split()
 
 
 def uses_of(name):
-    """By what the name is of, C and C++ that hands it to a macro of plugin.h."""
+    """Code in C and C++ that passes something of this name to a macro of plugin.h, keyed by the kind of thing."""
     def query(function, real="float", more=("", "")):
         points = "".join(f"const {real} {point}[3], " for point in ("vertex_a", "vertex_b", "vertex_c", "centre"))
         return (f"static int {function}({points}{real} radius{more[0]}) {{{more[1]} return vertex_a[0] + vertex_b[0] + vertex_c[0] + "
                 "centre[0] > radius; }\n")
 
     def plugin(real, text, function):
-        """The macro gives the same functions each time: here they are of another name for each use."""
+        """The macro defines the same functions each time, so each use gives them other names."""
         return (f"#undef axiscert_plugin\n#define axiscert_plugin plugin_{name}\n"
                 f"#undef axiscert_i_run\n#define axiscert_i_run run_{name}\nAXISCERT_PLUGIN({real}, {text}, {function})\n")
 
@@ -128,7 +128,7 @@ class Plugins(Case):
                 self.assertIn(name, done.stderr)
 
     def test_the_macros_take_no_name_from_their_users(self):
-        """By the compilers that built this, in C and in C++, without a warning."""
+        """The compilers that built axiscert give no warning, in C or in C++."""
         cache = (BUILD / "CMakeCache.txt").read_text()
         for language, standard in (("C", "c99"), ("CXX", "c++11")):
             compiler = re.search(rf"^CMAKE_{language}_COMPILER:\w+=(.*)$", cache, re.MULTILINE)[1]

@@ -7,9 +7,9 @@
 namespace axiscert {
 namespace {
 
-// Of one word to another, in letters put in, taken out or changed.
+// Edit distance: the number of letters that are inserted, removed or changed.
 std::size_t letters_apart(std::string_view from, std::string_view to) {
-  std::vector<std::size_t> row(to.size() + 1);  // of what has been read of `from`, to each beginning of `to`
+  std::vector<std::size_t> row(to.size() + 1);  // distances from the part of `from` read so far to each prefix of `to`
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < from.size(); ++i) {
     std::size_t diagonal = row[0];
@@ -26,7 +26,7 @@ std::size_t letters_apart(std::string_view from, std::string_view to) {
 }  // namespace
 
 std::vector<std::string_view> most_alike_first(std::string_view given, std::vector<std::string_view> names) {
-  // Whoever gives a page of text meant none of them, and its distances would take their time.
+  // A whole page of text resembles no name, and its distances would take long.
   const std::string_view word = given.substr(0, 64);
   std::stable_sort(names.begin(), names.end(), [&](std::string_view a, std::string_view b) {
     return letters_apart(word, a) < letters_apart(word, b);

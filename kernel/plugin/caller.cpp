@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "kernel/base/error.h"
+
 namespace axiscert::plugin {
 namespace {
 
@@ -20,7 +22,7 @@ void copy_out(std::span<const std::byte> from, std::vector<T>& to) {
   std::memcpy(to.data(), from.data(), from.size());
 }
 
-// Of entries that are `bytes` wide.
+// Reads entries that are `bytes` wide.
 void widen_out(std::span<const std::byte> from, std::size_t bytes, std::vector<std::uint64_t>& to) {
   if (bytes == sizeof(std::uint64_t)) return copy_out(from, to);
   std::vector<std::uint16_t> narrow;
@@ -49,8 +51,13 @@ void Caller<Real>::for_each_output(Exposure asked, const Visit& visit) const {
 template <class Real>
 auto Caller<Real>::call(const QueryColumns<Real>& batch, std::size_t first, std::size_t size,
                         const Arrangement& arrangement, double seconds, Outputs<Real>& out) -> Result {
+  const Shape shape = callee_.subject.shape();
+  if (shape.columns != coordinate_count || shape.comparisons != comparison_count) {
+    throw HarnessFault(fmt::format(
+        "plug-in {}: called with the columns of sphere-triangle, but its test has {} columns and {} comparisons",
+        callee_.path, shape.columns, shape.comparisons));
+  }
   if (!process_) process_.emplace(callee_.path, callee_.subject);
-  const Shape& shape = process_->shape();
   if (!process_->is_running()) seconds = std::max(seconds, first_seconds_);  // it may have tables to make
   const auto place = [&](std::size_t which) { return array(which, size, arrangement.placement); };
   for (std::size_t k = 0; k < coordinate_count; ++k) {

@@ -10,21 +10,21 @@
 
 namespace axiscert::plugin {
 
-// What a call wrote, as it stands: a verdict is any byte, and any bit may be set.
+// The outputs of a call as they were written: a verdict is any byte, and any bit may be set.
 template <class Real>
 struct Outputs {
   std::vector<std::uint8_t> verdicts;
-  // What was asked for; else empty.
+  // Empty unless asked for.
   std::vector<std::uint64_t> bits;  // as wide as plugin.h has them
   std::array<std::vector<Real>, comparison_count> lhs, rhs;
 };
 
-// One kernel of a plug-in, as it is called.
+// A kernel of a plug-in, and how it is called.
 struct Callee {
   std::string path;
   std::uint32_t index;  // in the plug-in
   std::uint32_t abi;
-  Subject subject;  // of sphere-triangle: queries and answers here have its shape
+  Subject subject;  // of the shape of sphere-triangle, which queries and answers have here
 };
 
 // Where and how a call is made.

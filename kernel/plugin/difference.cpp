@@ -14,7 +14,7 @@ bool same(Real a, Real b) {
   return a == b && std::signbit(a) == std::signbit(b);
 }
 
-// Its name; of a bit that is beyond the last, its number.
+// The name of the comparison, or the number of a bit beyond the last one.
 std::string comparison_text(std::size_t which) {
   return which < comparison_count ? std::string(comparisons[which].name) : std::to_string(which);
 }

@@ -20,13 +20,13 @@ struct Stop {
   std::optional<std::size_t> query;  // of the call, where the fault says which
 };
 
-// What a process is asked for: a test, and one of its entries. Of none, it is only loaded.
+// The test that a process is asked for, and one of its entries. Without a test the plug-in is only loaded.
 struct Subject {
   const TestDescription* test = nullptr;
   std::size_t entry = 0;
 
   Shape shape() const;
-  // As plugin.h and the test call it: "ax", "verdict", "lhs[3]".
+  // The name that plugin.h or the test gives an array: "ax", "verdict", "lhs[3]".
   std::string array_name(std::size_t array) const;
 };
 

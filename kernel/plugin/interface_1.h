@@ -1,5 +1,5 @@
-// Version 1 of the plug-in interface: the layout that plug-ins have which were built for it. They are asked by it, and
-// what they say of themselves is read as version 2 says it.
+// Version 1 of the plug-in interface: the layout of plug-ins that were built for it. The host calls them by it, and
+// reads their description into the structs of version 2.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 namespace axiscert::plugin::interface_1 {
 
 inline constexpr std::uint32_t number = 1;
-// It is for sphere-triangle alone, in one entry.
+// Version 1 has one test, sphere-triangle, in one entry.
 inline constexpr std::size_t column_count = 13, comparison_count = 16;
 
 struct Batch {
@@ -21,7 +21,7 @@ struct Answers {
   std::uint16_t* comparisons;
   void* lhs[comparison_count];
   void* rhs[comparison_count];
-  // Never used: null.
+  // Reserved: null.
   void* distance;
   void* closest_point[3];
   void* normal[3];

@@ -1,5 +1,5 @@
-// How plug-ins and axiscert meet: either version of the interface, structs of any size, what cannot be true of a
-// kernel, and a test of another shape.
+// The two sides of the interface: both versions, structs of any size, kernels that declare what cannot be true, and a
+// test of another shape.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,8 +9,9 @@
 #include <deque>
 
 #include "kernel/ask.h"
+#include "kernel/base/error.h"
 #include "kernel/kernel.h"
-#include "kernel/plugin/host_process.h"
+#include "kernel/plugin/caller.h"
 #include "kernel/test.h"
 #include "kernel/testing/random.h"
 
@@ -24,7 +25,7 @@ std::string path_of(const std::string& name) { return fmt::format(BUILD_FOLDER "
 
 template <class Real>
 QueryBatch<Real> random_queries() {
-  constexpr std::size_t count = 2021;  // of two batches, the second ragged
+  constexpr std::size_t count = 2021;  // two batches; the second does not fill whole vectors
   std::mt19937_64 random(3);
   QueryBatch<Real> queries(count);
   for (std::size_t i = 0; i < count; ++i) queries.push_back(random_query<Real>(random, i % 2 == 1));
@@ -56,7 +57,7 @@ TEST(Interface, AVersion1PluginAnswersAsItDidBefore) {
   expect_published<double>(kernel);
 }
 
-// Past an array of two-byte entries there is a guard at once; past one of eight there would be room.
+// A guard page follows an array of two-byte entries at once. Space for eight-byte entries would hide the overrun.
 TEST(Interface, AVersion1PluginHasNoRoomBeyondItsNarrowComparisons) {
   const Reply<float> reply = asked(find_kernel("plugin:" + path_of("overrun_1")), random_queries<float>());
   ASSERT_FALSE(reply.findings.empty());
@@ -134,7 +135,7 @@ TEST(Interface, ABitBeyondTheLastComparisonIsFound) {
   EXPECT_THAT(reply.findings[0].detail, HasSubstr("comparison bit 40 is 1; there are comparisons 0 to 15"));
 }
 
-// A test that no axiscert has, of the shape that `wide` expects.
+// A test that is not in the list, of the shape that the plug-in `wide` expects.
 const TestDescription& wide_test() {
   static std::deque<std::string> names;
   const auto numbered = [](const char* word, std::size_t i) -> std::string_view {
@@ -202,6 +203,14 @@ TEST(Interface, FortyColumnsThirtyThreeComparisonsAndTwoMeasures) {
   EXPECT_EQ(subject.array_name(39), "x39");
   EXPECT_EQ(subject.array_name(shape.rhs() + 32), "rhs[32]");
   EXPECT_EQ(subject.array_name(shape.measure() + 1), "measure[1]");
+}
+
+// Queries have 13 columns as yet: a test of another shape has to come with its own caller.
+TEST(Interface, ACallerOfSphereTriangleTakesNoOtherTest) {
+  plugin::Caller<double> caller({.path = path_of("wide"), .index = 0, .abi = 2, .subject = {&wide_test()}}, 1);
+  plugin::Outputs<double> outputs;
+  const auto call = [&] { caller.call(random_queries<double>().columns(), 0, 1, {}, 1, outputs); };
+  EXPECT_THAT(call, testing::ThrowsMessage<HarnessFault>(HasSubstr("40 columns and 33 comparisons")));
 }
 
 }  // namespace

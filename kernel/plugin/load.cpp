@@ -66,7 +66,7 @@ const Kernel& builtin(const char* member, const std::string& id, Precision preci
   return *kernel;
 }
 
-// Before anything is read that lies beyond what the plug-in filled in.
+// The check comes first, because nothing else is known of a struct that is too short.
 void check_sizes(const Description& d) {
   const auto check = [](const char* of, const char* type, std::size_t size, std::size_t least) {
     if (size < least) {
@@ -77,7 +77,7 @@ void check_sizes(const Description& d) {
   if (d.has_limits) check("its `limits`", "axiscert_limits", d.limits_size, d.least_limits_size);
 }
 
-// The test and the entry that it is for, and whether it reads and gives what these have.
+// The test and entry of the kernel. Refuses unknown ones, and counts that differ from theirs.
 void subject(const Description& d, Kernel& kernel) {
   try {
     if (d.test[0] != 0) kernel.test = &find_test(text_of(d.test));

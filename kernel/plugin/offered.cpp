@@ -8,7 +8,7 @@
 namespace axiscert::plugin {
 namespace {
 
-// Down to the last member that a kernel needs, and to the first of its limits.
+// The least sizes in bytes: a kernel down to `run`, limits with their first member.
 constexpr std::size_t least_kernel = offsetof(axiscert_kernel, test);
 constexpr std::size_t least_limits = offsetof(axiscert_limits, greatest_coordinate);
 
@@ -19,7 +19,7 @@ T first_of(const void* from) {
   return first;
 }
 
-// Of a struct that begins with T's members: those that its size covers.
+// The members of T that `size` bytes cover; the others are zero.
 template <class T>
 T as_far_as(std::size_t size, const void* from) {
   T read = {};
@@ -63,7 +63,7 @@ bool copy_text(char (&to)[size], const char* from) {
   return from == nullptr || std::strlen(from) < size;
 }
 
-// Of a long path the end says more.
+// The end of a long path says more than its beginning.
 template <std::size_t size>
 void copy_end(char (&to)[size], const char* from) {
   const std::size_t length = from ? std::strlen(from) : 0;

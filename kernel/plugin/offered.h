@@ -1,5 +1,5 @@
-// A kernel as a plug-in hands it out, by either version of the interface: read no further than it says that it goes,
-// and called as it expects.
+// A kernel as a plug-in offers it, in either version of the interface. It is read no further than its size goes, and
+// called by its own version.
 #pragma once
 
 #include "kernel/include/axiscert/plugin.h"
@@ -9,25 +9,25 @@
 namespace axiscert::plugin {
 
 struct Offered {
-  // Of a version that is not known, or where the size is too small to be one, nothing else is read.
+  // Nothing else is read of an unknown version, or where the size is too small.
   std::uint32_t abi = 0;
-  axiscert_kernel says = {};  // what the plug-in left out is zero; `limits` is not to be followed, see below
+  axiscert_kernel says = {};  // members that the plug-in left out are zero; do not follow `limits`, use the copy below
   axiscert_limits limits = {};
   void (*run_1)(const interface_1::Batch*,
-                const interface_1::Answers*) = nullptr;  // of version 1, in place of says.run
+                const interface_1::Answers*) = nullptr;  // in version 1, in place of says.run
 };
 
-// `kernel` points to whatever axiscert_plugin gave.
+// `kernel` is what axiscert_plugin returned, of any version.
 Offered offered(const void* kernel);
 
-// Its words, copied to where they are shared.
+// Copies the description to shared memory.
 void describe(const Offered& kernel, Description& out);
 
-// One call, its arrays where `arrays` has placed them.
+// One call with the arrays where `arrays` has placed them.
 class Call {
  public:
   Call(const Offered& kernel, const Request& request, const Arrays& arrays);
-  // It holds addresses of its own.
+  // Not copied: it holds pointers to its own members.
   Call(const Call&) = delete;
   Call& operator=(const Call&) = delete;
 

@@ -1,6 +1,6 @@
 // What axiscert and the process that hosts a plug-in share: one memory file, and short messages over a socket.
 //
-// The file holds a control block and an area for every array of plugin.h that the test and entry have. The host maps
+// The file holds a control block and an area for each array of plugin.h that the test and entry have. The host maps
 // each area between pages that cannot be touched, the input ones read-only; axiscert maps the file as it is.
 #pragma once
 
@@ -12,10 +12,10 @@ namespace axiscert::plugin {
 inline constexpr int socket_fd = 3, memory_fd = 4;   // in the host
 inline constexpr std::size_t batch_capacity = 1024;  // queries a call
 
-// How many arrays there are, in this order: the columns, verdict, comparisons, the left sides, the right sides, the
-// measures.
+// The number of arrays of each kind, in this order: the columns, verdict, comparisons, the left sides, the right sides,
+// the measures.
 struct Shape {
-  std::size_t columns = 0, comparisons = 0, measures = 0;  // of the test and entry; each at most 64
+  std::size_t columns = 0, comparisons = 0, measures = 0;  // at most 64 each
 
   constexpr std::size_t verdict() const { return columns; }
   constexpr std::size_t bits() const { return columns + 1; }
@@ -25,9 +25,9 @@ struct Shape {
   constexpr std::size_t arrays() const { return measure() + measures; }
 };
 
-// What one entry of each array takes, in bytes.
+// The size of one element of each array, in bytes.
 struct EntryBytes {
-  std::size_t real = 1, bits = 1;  // `bits`: of comparisons, 2 in version 1 of the interface
+  std::size_t real = 1, bits = 1;  // `bits` is 2 in version 1 of the interface
 
   constexpr std::size_t of(const Shape& shape, std::size_t array) const {
     return array == shape.verdict() ? 1 : array == shape.bits() ? bits : real;
@@ -64,11 +64,11 @@ constexpr std::size_t array_offset(Placement placement, std::size_t entries, std
 // One kernel of the plug-in, in the words of plugin.h; texts cut to fit.
 struct Description {
   std::uint32_t abi, precision, exposes, touching;
-  std::size_t size, least_size, limits_size, least_limits_size;  // as it says, and what it has to have at least; bytes
+  std::size_t size, least_size, limits_size, least_limits_size;  // bytes, as declared and as needed
   std::size_t column_count, measure_count;
   double limits[5];  // in the order of axiscert_limits
   char name[128], summary[256], test[64], entry[64], conforms_to[64], formulae[64];
-  char source[512];  // its end
+  char source[512];  // the end of a longer one
   bool has_run, has_limits, has_conforms_to, has_formulae, is_truncated;
 };
 inline constexpr std::size_t most_kernels = 2;
@@ -97,7 +97,7 @@ struct Request {
   std::uint32_t kernel;  // of Control::kernels
   std::uint32_t size;
   std::uint32_t exposes;   // which arrays are asked for
-  std::uint32_t measures;  // how many of these
+  std::uint32_t measures;  // number of measures that are asked for
   Placement placement;
 };
 

@@ -96,8 +96,8 @@ void Supervisor<Real>::take(const Chunk& chunk, const Outputs<Real>& outputs) {
   const auto put = [&](const auto& from, auto& to) {
     std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(chunk.first));
   };
-  // The one place where the interface's 64 bits become as many as sphere-triangle has; of those that are lost,
-  // look_for_contradictions tells.
+  // Only here do the interface's 64 bits become the 16 of sphere-triangle. look_for_contradictions reports a bit that
+  // is lost.
   std::transform(outputs.bits.begin(), outputs.bits.end(),
                  chunk.explained->bits.begin() + static_cast<std::ptrdiff_t>(chunk.first),
                  [](std::uint64_t bits) { return static_cast<ComparisonBits>(bits); });

@@ -6,7 +6,7 @@
 namespace axiscert {
 namespace {
 
-// "ax", "ay" and "az" are one vertex, "r" is a length of its own.
+// "ax", "ay" and "az" form the group "a", a vertex; "r" is a group of its own.
 TestEntry vertices() {
   TestEntry entry{"vertices", "every number finite, the radius not negative; -0 is 0", {}};
   for (const std::string_view name : coordinate_names) {

@@ -1,4 +1,4 @@
-// The test sphere against triangle, described for what goes by descriptions.
+// The description of the test sphere against triangle.
 #pragma once
 
 namespace axiscert {

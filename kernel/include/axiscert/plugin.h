@@ -22,12 +22,13 @@
 extern "C" {
 #endif
 
-/* The version of everything below. A later one that changes what is here has another number, and axiscert refuses a
- * kernel whose number it does not know; it knows 1 too. What is only added goes to the end of a struct and changes no
- * number: each struct says its own `size`, as whoever filled it in was compiled, and nothing beyond that is read. */
+/* The version of everything below. A change to an existing member gives the interface another number, and axiscert
+ * refuses a kernel whose number it does not know (it knows 1 too). A new member goes to the end of its struct and
+ * leaves the number as it is: every struct has a `size` in bytes, set by the side that fills it in, and the other side
+ * reads nothing beyond it. */
 #define AXISCERT_PLUGIN_ABI 2u
 
-/* The most that any test has. */
+/* Upper limits for every test. */
 #define AXISCERT_MOST_COLUMNS 64
 #define AXISCERT_MOST_COMPARISONS 64
 #define AXISCERT_MOST_MEASURES 64
@@ -38,8 +39,8 @@ extern "C" {
 #define AXISCERT_EXPORT __attribute__((visibility("default")))
 #endif
 
-/* What a kernel says of a query; in sphere-triangle, of the closed solid sphere of centre p and radius r and the closed
- * triangle abc. */
+/* The answer to a query. In sphere-triangle the query is the closed solid sphere of centre p and radius r and the
+ * closed triangle abc. */
 enum axiscert_verdict {
   AXISCERT_CONTACT = 0,
   AXISCERT_SEPARATED = 1,
@@ -47,11 +48,10 @@ enum axiscert_verdict {
   AXISCERT_INVALID = 3    /* no query: a number that is not finite, a negative radius; or a result that is NaN */
 };
 
-/* What a kernel can fill in beside its verdicts. Each includes the one before. */
+/* The outputs that a kernel can fill in. Each value includes the one before. */
 enum axiscert_exposure { AXISCERT_VERDICT_ONLY = 0, AXISCERT_COMPARISONS = 1, AXISCERT_SIDES = 2 };
 
-/* What the kernel means to say where the two touch without overlapping: in sphere-triangle, the distance is exactly r.
- */
+/* The intended answer where the two touch without overlapping: in sphere-triangle, where the distance is exactly r. */
 enum axiscert_touching {
   AXISCERT_TOUCHING_IS_CONTACT = 0,
   AXISCERT_TOUCHING_IS_SEPARATED = 1,
@@ -62,19 +62,19 @@ enum axiscert_touching {
  * double, and no more alignment than one of these; it is read-only, and the pages around it cannot be touched. Any bits
  * can come: infinities, NaN, subnormal numbers, negative radii. `count` is any number from 1 on. */
 typedef struct axiscert_batch {
-  size_t size; /* of this struct, in bytes, for the axiscert that fills it in */
+  size_t size; /* bytes of this struct */
   size_t count;
-  size_t column_count; /* of the kernel's entry */
-  /* In the order that `axiscert tests` lists. Of sphere-triangle: ax ay az bx by bz cx cy cz px py pz r. */
+  size_t column_count; /* the columns of the kernel's entry */
+  /* The columns in the order of `axiscert tests`; in sphere-triangle ax ay az bx by bz cx cy cz px py pz r. */
   const void* const* column;
 } axiscert_batch;
 
-/* Where the answers to a batch go: arrays of exactly the batch's count. A pointer that is null is not asked for. */
+/* The arrays for the answers to a batch, each of exactly the batch's count. A null pointer is not asked for. */
 typedef struct axiscert_answers {
   size_t size;
   uint8_t* verdict; /* an axiscert_verdict each; never null */
-  /* From AXISCERT_COMPARISONS on. Bit i is comparison i, 1 where it holds, the bits beyond the last 0; as `axiscert
-   * tests` lists them, and of sphere-triangle:
+  /* For kernels that expose AXISCERT_COMPARISONS or more. Bit i is 1 where comparison i holds; bits beyond the last
+   * comparison are 0. `axiscert tests` lists the comparisons; those of sphere-triangle are
    *   0 plane.radius
    *   1 vertex_a.radius   2 vertex_a.side_b   3 vertex_a.side_c
    *   4 vertex_b.radius   5 vertex_b.side_a   6 vertex_b.side_c
@@ -83,19 +83,19 @@ typedef struct axiscert_answers {
    *  12 edge_bc.radius   13 edge_bc.side_a
    *  14 edge_ca.radius   15 edge_ca.side_b */
   uint64_t* comparisons;
-  /* From AXISCERT_SIDES on, `comparison_count` arrays each: both sides of each `lhs > rhs` as computed, in the kernel's
-   * precision. */
-  size_t comparison_count; /* of the test */
+  /* For kernels that expose AXISCERT_SIDES: `comparison_count` arrays each, with both sides of each `lhs > rhs` as
+   * computed, in the kernel's precision. */
+  size_t comparison_count; /* the comparisons of the test */
   void* const* lhs;
   void* const* rhs;
-  /* The test's numbers beside the verdict, say a time of impact, in the kernel's precision: as many arrays as the
-   * kernel says that it gives. Sphere-triangle has none. */
+  /* Numbers beside the verdict, such as a time of impact, in the kernel's precision: as many arrays as the kernel's own
+   * measure_count. Sphere-triangle has none. */
   size_t measure_count;
   void* const* measure;
 } axiscert_answers;
 
-/* Within what the kernel promises to be right. Wrong answers to queries outside are reported apart and fail no
- * requirement. All zero but the size: everywhere. */
+/* The range in which the kernel promises right answers. Wrong answers to queries outside it are reported separately and
+ * fail no requirement. Members that are zero set no limit. */
 typedef struct axiscert_limits {
   size_t size;                /* sizeof(axiscert_limits) */
   double least_coordinate;    /* of |x| for each coordinate of a, b, c, p that is not zero; 0: none */
@@ -105,44 +105,43 @@ typedef struct axiscert_limits {
   double greatest_radius;     /* 0: none */
 } axiscert_limits;
 
-/* One kernel in one precision. Members left out of an initialiser are zero, which says the least of each; those down to
- * `run` are needed. */
+/* One kernel in one precision. The members down to `run` are needed; zero in any other is the plainest choice. */
 typedef struct axiscert_kernel {
   uint32_t abi;       /* AXISCERT_PLUGIN_ABI */
   uint32_t precision; /* 32: the arrays are float; 64: double */
   size_t size;        /* sizeof(axiscert_kernel) */
   const char* name;
-  size_t column_count; /* that it reads: those of its entry, 13 in sphere-triangle */
+  size_t column_count; /* the columns that it reads: those of its entry, 13 in sphere-triangle */
   /* Answers the batch. Called from one thread; the floating-point environment is the default one, and is to be so on
    * return. Its answer to a query depends on that query alone. */
   void (*run)(const axiscert_batch* batch, const axiscert_answers* answers);
   const char* test;     /* the question that it answers (`axiscert tests`); null: "sphere-triangle" */
-  const char* entry;    /* the way in which it takes the numbers; null: the test's first */
+  const char* entry;    /* the form in which it takes the numbers; null: the test's first */
   const char* summary;  /* one line; null: none */
-  const char* source;   /* AXISCERT_SOURCE, "FILE:LINE": where it stands among its author's sources; null: unknown */
+  const char* source;   /* AXISCERT_SOURCE, "FILE:LINE", its place in its author's sources; null: unknown */
   uint32_t exposes;     /* an axiscert_exposure */
   uint32_t touching;    /* an axiscert_touching */
-  size_t measure_count; /* of the test's measures it gives so many, from the first on */
+  size_t measure_count; /* it gives so many of the test's measures, from the first on */
   /* The id of a built-in kernel (`axiscert kernels`) that it equals bit for bit: any difference is then an
    * `implementation` fault. Null: none. */
   const char* conforms_to;
   /* The id of a built-in kernel whose formulae it evaluates, in an order or arithmetic of its own: its comparisons are
-   * held against these in exact arithmetic. Null: those of conforms_to; where that is null too, "published" for a
+   * compared with these in exact arithmetic. Null: those of conforms_to; where that is null too, "published" for a
    * kernel of sphere-triangle that exposes comparisons, and else none, so that only its verdict is judged. */
   const char* formulae;
   const axiscert_limits* limits; /* null: none */
 } axiscert_kernel;
 
-/* The plug-in's one export: its kernel number `index`, from 0 on; null where there is none. What it points to is
- * read once and has to stay. */
+/* The only export of a plug-in: kernel number `index`, from 0 on; null where there is none. The kernel is read once and
+ * has to stay in memory. */
 AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
 
-/* Where in its source a kernel stands, for axiscert_kernel.source. */
+/* The file and line where it is written, for axiscert_kernel.source. */
 #define AXISCERT_SOURCE __FILE__ ":" AXISCERT_I_TEXT(__LINE__)
 #define AXISCERT_I_TEXT(line) AXISCERT_I_TEXT_OF(line)
 #define AXISCERT_I_TEXT_OF(line) #line
 
-/* The macros from here on are for sphere-triangle in 13 columns; names that they make begin with axiscert_i_. */
+/* The macros below are for sphere-triangle. Names that they define begin with axiscert_i_. */
 
 /* Defines `static void batch_function(batch, answers)`, for axiscert_kernel.run, from a function of one query:
  *     int one_query(const real a[3], const real b[3], const real c[3], const real p[3], real r)
@@ -170,7 +169,7 @@ AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
     }                                                                                                              \
   }
 
-/* Of both: the loop, the numbers of query axiscert_i_i, and these as arguments. */
+/* Parts of both: the loop, the numbers of query axiscert_i_i, and these numbers as arguments. */
 #define AXISCERT_I_FOR_EACH_QUERY for (axiscert_i_i = 0; axiscert_i_i < axiscert_i_batch->count; ++axiscert_i_i)
 #define AXISCERT_I_GATHER(real)                                                                       \
   real axiscert_i_v[13];                                                                              \

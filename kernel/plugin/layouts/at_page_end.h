@@ -1,4 +1,4 @@
-/* What the plug-ins with short structs share. */
+/* Functions that the plug-ins with short structs share. */
 #define _GNU_SOURCE
 #include <string.h>
 #include <sys/mman.h>

@@ -1,4 +1,6 @@
-/* Version 1, and writes the comparisons of one query too many: two bytes beyond an array of two-byte entries. */
+/* A plug-in of version 1 that writes the comparisons of one query too many: two bytes beyond an array of two-byte
+ * entries.
+ */
 #include "kernel/plugin/layouts/version_1.h"
 
 static void run(const axiscert_batch* batch, const axiscert_answers* answers) {

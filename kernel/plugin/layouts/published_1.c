@@ -1,4 +1,5 @@
-/* Version 1, the published test in both precisions with its comparisons: what faults/none.c is in today's version. */
+/* The published test as a plug-in of version 1, in both precisions with its comparisons; faults/none.c is the same in
+ * version 2. */
 #include "kernel/plugin/layouts/version_1.h"
 
 #define real float

@@ -1,5 +1,5 @@
-/* Says no more of itself than it has to: its kernel ends with `run`, at the end of a page beyond which nothing can be
- * read. */
+/* A kernel with only the members that it needs: the struct ends after `run`, at the end of a page, and the next page
+ * cannot be read. */
 #include "kernel/plugin/layouts/at_page_end.h"
 
 const axiscert_kernel* axiscert_plugin(uint32_t index) {

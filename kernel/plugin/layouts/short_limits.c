@@ -1,4 +1,5 @@
-/* Has limits that end with the first of them, at the end of a page beyond which nothing can be read. */
+/* Limits with their first member alone: the struct ends there, at the end of a page, and the next page cannot be read.
+ */
 #include "kernel/plugin/layouts/at_page_end.h"
 
 const axiscert_kernel* axiscert_plugin(uint32_t index) {

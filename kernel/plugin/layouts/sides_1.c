@@ -1,4 +1,4 @@
-/* Version 1, with both sides of each comparison, and all that it can say of itself. */
+/* A plug-in of version 1 that gives both sides of each comparison and sets every member of its description. */
 #include "kernel/plugin/layouts/version_1.h"
 
 #define real float

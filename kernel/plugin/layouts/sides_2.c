@@ -1,4 +1,4 @@
-/* Version 2, with both sides of each comparison. */
+/* A plug-in of version 2 that gives both sides of each comparison. */
 #include "kernel/include/axiscert/plugin.h"
 
 #define real float

@@ -1,5 +1,5 @@
-/* Version 1 of the interface as plug-ins had it that were built before there was another: a copy, which no change to
- * plugin.h reaches. */
+/* A copy of version 1 of the interface, for plug-ins as they were built before version 2. It does not change with
+ * plugin.h. */
 #include <stddef.h>
 #include <stdint.h>
 

@@ -1,5 +1,5 @@
-/* Made for a test that is not there, of 40 columns, 33 comparisons and 2 measures: comparison k is column k > column
- * k + 7, measure m is column m + 1 less column 0. */
+/* A kernel of a test that is not in axiscert's list, with 40 columns, 33 comparisons and 2 measures: comparison k is
+ * column k > column k + 7, measure m is column m + 1 minus column 0. */
 #include "kernel/include/axiscert/plugin.h"
 
 static double number(const axiscert_batch* batch, size_t column, size_t i) {

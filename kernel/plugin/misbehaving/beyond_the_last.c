@@ -1,4 +1,4 @@
-/* Sets a comparison bit that no comparison has, on a query of large radius. */
+/* Sets a bit beyond the last comparison, on a query of large radius. */
 #include "kernel/plugin/misbehaving/right.h"
 
 static int one_query(const float a[3], const float b[3], const float c[3], const float p[3], float r,

@@ -1,4 +1,4 @@
-/* Does not say how long its limits are. */
+/* Leaves the size of its limits zero. */
 #include "kernel/plugin/misbehaving/right.h"
 
 static const axiscert_limits limits = {.greatest_coordinate = 100};

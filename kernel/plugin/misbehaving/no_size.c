@@ -1,4 +1,4 @@
-/* Does not say how long its struct is: a member that was forgotten. */
+/* Leaves the size of its kernel zero. */
 #define SIZE 0
 #include "kernel/plugin/misbehaving/right.h"
 

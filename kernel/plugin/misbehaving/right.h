@@ -25,7 +25,7 @@ static inline void answer_rightly(const axiscert_batch* batch, const axiscert_an
 
 static inline float radius(const axiscert_batch* batch, size_t i) { return ((const float*)batch->column[12])[i]; }
 
-/* What each says of itself, which is true unless a file defines it otherwise. */
+/* Members that a file may declare wrongly; the defaults are right. */
 #ifndef SIZE
 #define SIZE sizeof(axiscert_kernel)
 #endif

@@ -1,4 +1,4 @@
-/* Gives a number beside the verdict, of which its test has none. */
+/* Declares a measure, and its test has none. */
 #include "kernel/plugin/misbehaving/right.h"
 
 MISBEHAVING("unknown_measure", answer_rightly, .measure_count = 1)

@@ -1,4 +1,4 @@
-/* Reads a column fewer than its test has: the radius, say, as a constant. */
+/* Declares a column fewer than its test has. */
 #define COLUMN_COUNT 12
 #include "kernel/plugin/misbehaving/right.h"
 

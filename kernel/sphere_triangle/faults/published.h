@@ -8,7 +8,7 @@
 #define EXPOSES AXISCERT_COMPARISONS
 #endif
 
-/* The fault's own file, all of it. */
+/* The file of the fault, which includes this one. */
 #define SOURCE __BASE_FILE__ ":1"
 
 #define real float
