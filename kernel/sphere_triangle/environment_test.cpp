@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "kernel/sphere_triangle/reference/formulae_types.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/testing/queries.h"
 #include "kernel/testing/random.h"
