@@ -5,6 +5,7 @@
 
 #include "kernel/sphere_triangle/methods/closest_point.h"
 #include "kernel/sphere_triangle/methods/segments.h"
+#include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/testing/queries.h"
 
 namespace axiscert {
