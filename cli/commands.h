@@ -28,6 +28,7 @@ void add_shrink(CLI::App& app, Action& action);
 void add_corpus(CLI::App& app, Action& action);
 void add_query(CLI::App& app, Action& action);
 void add_kernels(CLI::App& app, Action& action);
+void add_tests(CLI::App& app, Action& action);
 void add_families(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
 void add_ladder(CLI::App& app, Action& action);

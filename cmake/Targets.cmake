@@ -210,6 +210,6 @@ function(axiscert_c_plugin folder name)
   set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${name} C_VISIBILITY_PRESET hidden
                                              LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
-  target_compile_options(${target} PRIVATE -fno-sanitize=all ${ARGN})
+  target_compile_options(${target} PRIVATE -fno-sanitize=all -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/= ${ARGN})
   target_link_libraries(${target} PRIVATE kernel_fp axiscert_warnings)
 endfunction()

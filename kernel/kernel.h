@@ -12,6 +12,7 @@
 #include "kernel/finding.h"
 #include "kernel/formulae_list.h"
 #include "kernel/query.h"
+#include "kernel/test.h"
 
 namespace axiscert {
 
@@ -85,6 +86,8 @@ inline constexpr std::array<std::string_view, 3> exposure_names = {"verdict", "c
 struct Kernel {
   std::string id;
   std::string summary;  // one line
+  const TestDescription* test = &first_test();
+  std::size_t entry = 0;  // index among the test's entries: the form in which the kernel takes the numbers
   // The kernel claims to compute these formulae, with these side comparisons, in this arithmetic.
   Formulae formulae = Formulae::published;
   Strictness strictness = Strictness::strict;
@@ -101,6 +104,7 @@ struct Kernel {
   Limits limits = {};
   Call call = {};
   std::string file = {};               // path of a plug-in
+  std::string source = {};             // of a plug-in: FILE:LINE among its author's sources; empty: unknown
   std::vector<Finding> findings = {};  // faults found when it was loaded, independent of any query
 
   template <class Real>

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "kernel/registry/called.h"
 #include "kernel/plugin/load.h"
+#include "kernel/test.h"
 #include "fuzz/confirm/record.h"
 
 namespace axiscert {
@@ -65,43 +66,60 @@ void print_kernels() {
   }
 }
 
-Json plugin_json(const Kernel& kernel) {
+// A plug-in runs on no target of axiscert's.
+std::vector<std::string> targets_of(const Kernel& kernel) {
+  if (!kernel.file.empty()) return {};
+  return kernel.has_simd ? available_targets() : std::vector{std::string(scalar_target)};
+}
+
+void print_one(const Kernel& kernel) {
+  print_kernel(kernel, kernel.file.empty() ? fmt::format("{}", fmt::join(targets_of(kernel), " ")) : "plug-in");
+  fmt::print("{:<20} test {}, entry {}\n", "", kernel.test->id, kernel.test->entries[kernel.entry].name);
+  if (!kernel.source.empty()) fmt::print("{:<20} source {}\n", "", kernel.source);
+  for (const Finding& finding : kernel.findings) fmt::print("{:<20} {}: {}\n", "", name(finding.kind), finding.detail);
+}
+
+// A kernel that takes other arithmetics is listed with their ids.
+Json kernel_json(const Kernel& kernel) {
+  Json composed = Json::array(), findings = Json::array();
+  for (const ArithmeticInfo& arithmetic : arithmetics()) {
+    if (!kernel.takes_arithmetic) break;
+    composed.push_back({{"id", kernel.id + "+" + arithmetic.name},
+                        {"arithmetic", arithmetic.name},
+                        {"summary", arithmetic.summary},
+                        {"precisions", precisions_of(arithmetic)}});
+  }
+  for (const Finding& finding : kernel.findings) {
+    findings.push_back({{"kind", name(finding.kind)}, {"detail", finding.detail}});
+  }
   return {{"id", kernel.id},
           {"summary", kernel.summary},
+          {"test", kernel.test->id},
+          {"entry", kernel.test->entries[kernel.entry].name},
           {"formulae", name(kernel.formulae)},
           {"precisions", precisions_of(kernel)},
-          {"targets", Json::array()},
+          {"targets", targets_of(kernel)},
           {"exposes", exposures_json(kernel)},
-          {"arithmetics", Json::array()}};
+          {"source", kernel.source.empty() ? Json() : Json(kernel.source)},
+          {"findings", findings},
+          {"arithmetics", composed}};
 }
 
-// A kernel that takes other arithmetics is listed with their ids; a plug-in runs on no target of axiscert's.
-Json kernels_json() {
-  Json all = Json::array();
-  for (const Kernel& kernel : kernels()) {
-    Json composed = Json::array();
-    for (const ArithmeticInfo& arithmetic : arithmetics()) {
-      if (!kernel.takes_arithmetic) break;
-      composed.push_back({{"id", kernel.id + "+" + arithmetic.name},
-                          {"arithmetic", arithmetic.name},
-                          {"summary", arithmetic.summary},
-                          {"precisions", precisions_of(arithmetic)}});
-    }
-    all.push_back({{"id", kernel.id},
-                   {"summary", kernel.summary},
-                   {"formulae", name(kernel.formulae)},
-                   {"precisions", precision_names},
-                   {"targets", kernel.has_simd ? Json(available_targets()) : Json{scalar_target}},
-                   {"exposes", exposures_json(kernel)},
-                   {"arithmetics", composed}});
+int list_kernels(const std::string& format, const std::vector<std::string>& ids) {
+  std::vector<const Kernel*> listed;
+  for (const std::string& id : ids) listed.push_back(&find_kernel(id));
+  if (format == "text") {
+    for (const Kernel* kernel : listed) print_one(*kernel);
+    if (ids.empty()) print_kernels();
+    return exit_done;
   }
-  for (const Kernel* kernel : shipped_kernels()) all.push_back(plugin_json(*kernel));
-  return all;
-}
-
-int list_kernels(const std::string& format) {
-  if (format == "text") print_kernels();
-  else fmt::print("{}\n", kernels_json().dump(2));
+  if (ids.empty()) {
+    for (const Kernel& kernel : kernels()) listed.push_back(&kernel);
+    for (const Kernel* kernel : shipped_kernels()) listed.push_back(kernel);
+  }
+  Json all = Json::array();
+  for (const Kernel* kernel : listed) all.push_back(kernel_json(*kernel));
+  fmt::print("{}\n", all.dump(2));
   return exit_done;
 }
 
@@ -112,7 +130,10 @@ void add_kernels(CLI::App& app, Action& action) {
       app.add_subcommand("kernels", "List the kernels, their precisions, instruction sets and what they expose");
   auto format = std::make_shared<std::string>("text");
   add_format(*command, *format, "json");
-  command->callback([&action, format] { action = [format] { return list_kernels(*format); }; });
+  auto ids = std::make_shared<std::vector<std::string>>();
+  command->add_option("--kernel", *ids, "list this kernel alone, with its test and where its source is; repeatable")
+      ->allow_extra_args(false);
+  command->callback([&action, format, ids] { action = [format, ids] { return list_kernels(*format, *ids); }; });
 }
 
 }  // namespace axiscert

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """A user's own kernel through the command: its faults are reported, and its own way of computing is not a fault."""
+import hashlib
 import json
+import re
 import shutil
 import subprocess
 import unittest
@@ -51,12 +53,40 @@ const axiscert_kernel *axiscert_plugin(uint32_t index) {
   if (index) return NULL;
   k.abi = AXISCERT_PLUGIN_ABI;
   k.precision = 8 * sizeof(real);
+  k.size = sizeof k;
   k.name = "other-form";
+  k.column_count = 13;
   k.run = run;
   MORE
   return &k;
 }
 """
+
+
+# Names that a user's functions, texts and types may have: common short ones, and those that the interface itself uses.
+SHORT_NAMES = ("k i j v r u n x a b c p bits batch answers kernel verdict index size real name count column run "
+               "comparisons one_query batch_function kernel_name").split()
+
+
+def uses_of(name):
+    """Code in C and C++ that passes something of this name to a macro of plugin.h, keyed by the kind of thing."""
+    def query(function, real="float", more=("", "")):
+        points = "".join(f"const {real} {point}[3], " for point in ("vertex_a", "vertex_b", "vertex_c", "centre"))
+        return (f"static int {function}({points}{real} radius{more[0]}) {{{more[1]} return vertex_a[0] + vertex_b[0] + vertex_c[0] + "
+                "centre[0] > radius; }\n")
+
+    def plugin(real, text, function):
+        """The macro defines the same functions each time, so each use gives them other names."""
+        return (f"#undef axiscert_plugin\n#define axiscert_plugin plugin_{name}\n"
+                f"#undef axiscert_i_run\n#define axiscert_i_run run_{name}\nAXISCERT_PLUGIN({real}, {text}, {function})\n")
+
+    asked = f"asked_{name}"
+    return {"a function": query(name) + plugin("float", '"x"', name),
+            "a function that gives comparisons": query(name, more=(", uint64_t* given", " *given = 1;"))
+            + f"AXISCERT_BATCH_WITH_COMPARISONS(run_{name}, float, {name})\n"
+            + f"void (*use_of_{name})(const axiscert_batch*, const axiscert_answers*) = run_{name};\n",
+            "a text": f'static const char {name}[] = "x";\n' + query(asked) + plugin("float", name, asked),
+            "a type": f"typedef double {name};\n" + query(asked, "double") + plugin(name, '"x"', asked)}
 
 
 class Plugins(Case):
@@ -96,6 +126,43 @@ class Plugins(Case):
                                 "--trials", "2000", "--require", level, "--out", self.folder / "out")
                 self.assertEqual(done.returncode, 1, (name, level, done.stderr))
                 self.assertIn(name, done.stderr)
+
+    def test_the_macros_take_no_name_from_their_users(self):
+        """The compilers that built axiscert give no warning, in C or in C++."""
+        cache = (BUILD / "CMakeCache.txt").read_text()
+        for language, standard in (("C", "c99"), ("CXX", "c++11")):
+            compiler = re.search(rf"^CMAKE_{language}_COMPILER:\w+=(.*)$", cache, re.MULTILINE)[1]
+            for kind in uses_of("k"):
+                source = self.folder / f"names.{'c' if language == 'C' else 'cpp'}"
+                source.write_text("#include <axiscert/plugin.h>\n" + "".join(uses_of(name)[kind] for name in SHORT_NAMES))
+                done = subprocess.run([compiler, f"-std={standard}", "-fsyntax-only", "-Wall", "-Wextra", "-Wshadow",
+                                       "-pedantic", "-Werror", f"-I{ROOT}/kernel/include", source],
+                                      capture_output=True, text=True)
+                self.assertEqual(done.returncode, 0, f"{compiler}, each name as {kind}: {done.stderr[:2000]}")
+
+    def test_a_version_1_plugin_has_the_record_of_the_same_one_today(self):
+        records, plugin = [], self.folder / "same.so"
+        for built in ("layouts/published_1.so", "faults/none.so"):
+            shutil.copy(BUILD / built, plugin)
+            self.run_ok("--kernel", f"plugin:{plugin}", "--family", "all", "--trials", "2500", out="out")
+            hashed = hashlib.sha256(plugin.read_bytes()).hexdigest()
+            record = (self.folder / "out/record.json").read_text()
+            self.assertIn(hashed, record)
+            records.append(record.replace(hashed, ""))
+        self.assertEqual(records[0], records[1])
+
+    def test_one_kernel_is_listed_with_its_test_and_its_source(self):
+        for id, source in (("fault/none", "kernel/sphere_triangle/faults/none.c:1"),
+                           (f"plugin:{BUILD}/layouts/published_1.so", None), ("published", None)):
+            (listed,) = json.loads(axiscert("kernels", "--kernel", id, "--format", "json").stdout)
+            self.assertEqual((listed["id"], listed["test"], listed["entry"], listed["source"], listed["findings"]),
+                             (id, "sphere-triangle", "vertices", source, []))
+            text = axiscert("kernels", "--kernel", id).stdout
+            self.assertIn("test sphere-triangle, entry vertices\n", text)
+            self.assertEqual(f"source {source}\n" in text, source is not None, text)
+        refused = axiscert("kernels", "--kernel", f"plugin:{BUILD}/misbehaving/unknown_test.so").stdout
+        self.assertIn("load: what it answers: unknown test 'sphere-cube'", refused)
+        self.refused("kernels", "--kernel", "nosuch", says=["unknown kernel 'nosuch'"])
 
     def test_a_plugin_for_another_version_leaves_the_run_whole(self):
         record = self.run_ok("--kernel", f"plugin:{BUILD}/misbehaving/wrong_abi.so", "--kernel", "published", "--family",
@@ -138,7 +205,8 @@ class Plugins(Case):
                 self.assertEqual(json.loads(done.stdout)["flips"] == [], right)
 
     def test_wrong_answers_outside_its_limits_fail_nothing(self):
-        limits = "k.limits.greatest_coordinate=100;k.limits.least_radius=0x1p-20;"
+        limits = ("static axiscert_limits l;l.size=sizeof l;l.greatest_coordinate=100;l.least_radius=0x1p-20;"
+                  "k.limits=&l;")
         for more, code in (("", 1), (limits, 0)):
             kernel = self.compiled(f"limits{code}", more=more, real="float")
             done = axiscert("run", "--kernel", kernel, "--family", "scale", "--trials", "3000", "--precision", "binary32",

@@ -8,5 +8,5 @@ static_assert(sizeof(btScalar) == 4);
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   using axiscert::peer::BulletDetector;
   return axiscert::peer::kernel<BulletDetector>(
-      index, {"bullet", "Bullet's SphereTriangleDetector::collide, float", BulletDetector::touching});
+      index, {"bullet", "Bullet's SphereTriangleDetector::collide, float", BulletDetector::touching, AXISCERT_SOURCE});
 }

@@ -8,5 +8,6 @@ static_assert(sizeof(btScalar) == 8);
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   using axiscert::peer::BulletDetector;
   return axiscert::peer::kernel<BulletDetector>(
-      index, {"bullet-double", "Bullet's SphereTriangleDetector::collide, double", BulletDetector::touching});
+      index,
+      {"bullet-double", "Bullet's SphereTriangleDetector::collide, double", BulletDetector::touching, AXISCERT_SOURCE});
 }

@@ -46,5 +46,6 @@ struct BulletGjk {
 // The detector gives a signed distance; 0, which is touching, counts as contact.
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::kernel<axiscert::peer::BulletGjk>(
-      index, {"bullet-gjk", "Bullet's btGjkPairDetector with EPA, float", AXISCERT_TOUCHING_IS_CONTACT});
+      index,
+      {"bullet-gjk", "Bullet's btGjkPairDetector with EPA, float", AXISCERT_TOUCHING_IS_CONTACT, AXISCERT_SOURCE});
 }

@@ -4,5 +4,5 @@
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   using Peer = axiscert::peer::CgalInexact<double>;
   return axiscert::peer::kernel<Peer>(
-      index, {"cgal-double", "CGAL's squared_distance, Simple_cartesian<double>", Peer::touching});
+      index, {"cgal-double", "CGAL's squared_distance, Simple_cartesian<double>", Peer::touching, AXISCERT_SOURCE});
 }

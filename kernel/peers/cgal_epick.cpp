@@ -28,5 +28,6 @@ struct CgalEpick {
 
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::kernel<axiscert::peer::CgalEpick>(
-      index, {"cgal-epick", "CGAL's compare_squared_distance_3 in EPICK, exact", AXISCERT_TOUCHING_IS_CONTACT});
+      index, {"cgal-epick", "CGAL's compare_squared_distance_3 in EPICK, exact", AXISCERT_TOUCHING_IS_CONTACT,
+              AXISCERT_SOURCE});
 }

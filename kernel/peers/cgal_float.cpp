@@ -4,5 +4,5 @@
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   using Peer = axiscert::peer::CgalInexact<float>;
   return axiscert::peer::kernel<Peer>(
-      index, {"cgal-float", "CGAL's squared_distance, Simple_cartesian<float>", Peer::touching});
+      index, {"cgal-float", "CGAL's squared_distance, Simple_cartesian<float>", Peer::touching, AXISCERT_SOURCE});
 }

@@ -3,5 +3,6 @@
 
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   using Detector = axiscert::peer::FclDetector<double>;
-  return axiscert::peer::kernel<Detector>(index, {"fcl", "FCL's sphereTriangleIntersect<double>", Detector::touching});
+  return axiscert::peer::kernel<Detector>(
+      index, {"fcl", "FCL's sphereTriangleIntersect<double>", Detector::touching, AXISCERT_SOURCE});
 }

@@ -3,6 +3,6 @@
 
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   using Detector = axiscert::peer::FclDetector<float>;
-  return axiscert::peer::kernel<Detector>(index,
-                                          {"fcl-float", "FCL's sphereTriangleIntersect<float>", Detector::touching});
+  return axiscert::peer::kernel<Detector>(
+      index, {"fcl-float", "FCL's sphereTriangleIntersect<float>", Detector::touching, AXISCERT_SOURCE});
 }

@@ -29,5 +29,6 @@ struct FclGjk {
 // Touching is either, as in libccd's MPR.
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::kernel<axiscert::peer::FclGjk>(
-      index, {"fcl-gjk", "FCL's GJKSolver_libccd on an ellipsoid of equal radii, double", AXISCERT_TOUCHING_IS_EITHER});
+      index, {"fcl-gjk", "FCL's GJKSolver_libccd on an ellipsoid of equal radii, double", AXISCERT_TOUCHING_IS_EITHER,
+              AXISCERT_SOURCE});
 }

@@ -22,5 +22,5 @@ struct LibccdGjk {
 // decides.
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::kernel<axiscert::peer::LibccdGjk>(
-      index, {"libccd-gjk", "libccd's ccdGJKIntersect, double", AXISCERT_TOUCHING_IS_EITHER});
+      index, {"libccd-gjk", "libccd's ccdGJKIntersect, double", AXISCERT_TOUCHING_IS_EITHER, AXISCERT_SOURCE});
 }

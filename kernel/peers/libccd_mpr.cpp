@@ -21,5 +21,5 @@ struct LibccdMpr {
 // While the algorithm looks for a portal, an origin on its surface counts as outside; once it has a portal, as inside.
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::kernel<axiscert::peer::LibccdMpr>(
-      index, {"libccd-mpr", "libccd's ccdMPRIntersect, double", AXISCERT_TOUCHING_IS_EITHER});
+      index, {"libccd-mpr", "libccd's ccdMPRIntersect, double", AXISCERT_TOUCHING_IS_EITHER, AXISCERT_SOURCE});
 }

@@ -55,6 +55,6 @@ class Ode {
 // Contact iff distance <= radius.
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::kernel<axiscert::peer::Ode>(
-      index,
-      {"ode", "ODE's dCollide of a sphere and a triangle mesh, both windings, double", AXISCERT_TOUCHING_IS_CONTACT});
+      index, {"ode", "ODE's dCollide of a sphere and a triangle mesh, both windings, double",
+              AXISCERT_TOUCHING_IS_CONTACT, AXISCERT_SOURCE});
 }

@@ -22,6 +22,7 @@ struct Description {
   const char* name;  // the name of the file without .so
   const char* summary;
   axiscert_touching touching;
+  const char* source;
 };
 
 constexpr int verdict_of(bool contact) { return contact ? AXISCERT_CONTACT : AXISCERT_SEPARATED; }
@@ -36,9 +37,9 @@ int verdict_within(Real distance, Real reach) {
 template <class Peer, std::floating_point Input>
 void run(const axiscert_batch* batch, const axiscert_answers* answers) {
   Peer peer;
-  for (std::size_t i = 0; i < batch->size; ++i) {
+  for (std::size_t i = 0; i < batch->count; ++i) {
     std::array<Input, coordinate_count> v;
-    for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = static_cast<const Input*>(batch->coordinate[k])[i];
+    for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = static_cast<const Input*>(batch->column[k])[i];
     const Query<Input> q = from_coordinates(v);
     int verdict = AXISCERT_INVALID;
     if (is_valid(q)) {
@@ -53,15 +54,20 @@ template <class Peer, std::floating_point Input>
 constexpr axiscert_kernel kernel_in(const Description& says) {
   return {.abi = AXISCERT_PLUGIN_ABI,
           .precision = 8 * sizeof(Input),
+          .size = sizeof(axiscert_kernel),
           .name = says.name,
+          .column_count = coordinate_count,
           .run = run<Peer, Input>,
+          .test = nullptr,
+          .entry = nullptr,
           .summary = says.summary,
+          .source = says.source,
           .exposes = AXISCERT_VERDICT_ONLY,
           .touching = says.touching,
+          .measure_count = 0,
           .conforms_to = nullptr,
           .formulae = nullptr,
-          .limits = {},
-          .reserved = {}};
+          .limits = nullptr};
 }
 
 // The kernels for axiscert_plugin: binary32, and binary64 too if the library computes in double.

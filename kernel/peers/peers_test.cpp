@@ -72,12 +72,9 @@ Query<float> sphere(float x, float y, float z, float r) { return {{0, 0, 0}, {4,
 TEST_P(Peer, SaysWhatItIs) {
   const Expected& peer = GetParam();
   const auto line = [](const axiscert_kernel& k) {
-    const axiscert_limits& limits = k.limits;
-    const bool is_limited = limits.least_coordinate != 0 || limits.greatest_coordinate != 0 || limits.least_area != 0 ||
-                            limits.least_radius != 0 || limits.greatest_radius != 0;
     return fmt::format("abi {} precision {} {} exposes {} touching {} summary {} claims {} limits {}\n", k.abi,
                        k.precision, k.name, k.exposes, k.touching, k.summary != nullptr,
-                       k.conforms_to != nullptr || k.formulae != nullptr, is_limited);
+                       k.conforms_to != nullptr || k.formulae != nullptr, k.limits != nullptr);
   };
   const Reply reply = in_peer(peer.name, [&](AxiscertPlugin* plugin) {
     std::string lines;

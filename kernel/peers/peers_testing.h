@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -68,10 +69,12 @@ Reply ask(const std::string& name, const std::vector<Query<Real>>& queries) {
     QueryBatch<Real> batch(queries.size());
     for (const Query<Real>& q : queries) batch.push_back(q);
     const QueryColumns<Real> columns = batch.columns();
-    axiscert_batch asked{columns.size, {}};
-    for (std::size_t k = 0; k < coordinate_count; ++k) asked.coordinate[k] = columns.column[k];
+    std::array<const void*, coordinate_count> column;
+    std::copy(columns.column.begin(), columns.column.end(), column.begin());
+    const axiscert_batch asked{sizeof asked, columns.size, column.size(), column.data()};
     std::vector<std::uint8_t> verdicts(queries.size(), 255);
     axiscert_answers answers{};
+    answers.size = sizeof answers;
     answers.verdict = verdicts.data();
     kernel->run(&asked, &answers);
     std::string letters;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "kernel/base/error.h"
+
 namespace axiscert::plugin {
 namespace {
 
@@ -20,27 +22,42 @@ void copy_out(std::span<const std::byte> from, std::vector<T>& to) {
   std::memcpy(to.data(), from.data(), from.size());
 }
 
+// Reads entries that are `bytes` wide.
+void widen_out(std::span<const std::byte> from, std::size_t bytes, std::vector<std::uint64_t>& to) {
+  if (bytes == sizeof(std::uint64_t)) return copy_out(from, to);
+  std::vector<std::uint16_t> narrow;
+  copy_out(from, narrow);
+  to.assign(narrow.begin(), narrow.end());
+}
+
 }  // namespace
 
 template <class Real>
 std::span<std::byte> Caller<Real>::array(std::size_t which, std::size_t size, Placement placement) const {
-  const std::size_t element = element_size(which, sizeof(Real));
+  const std::size_t element = EntryBytes{sizeof(Real), bits_bytes(callee_.abi)}.of(process_->shape(), which);
   return {process_->area(which) + array_offset(placement, size, element, process_->area_bytes()), size * element};
 }
 
 template <class Real>
 template <class Visit>
 void Caller<Real>::for_each_output(Exposure asked, const Visit& visit) const {
-  const std::size_t end = asked == Exposure::sides         ? array_count
-                          : asked == Exposure::comparisons ? comparisons_array + 1
-                                                           : verdict_array + 1;
-  for (std::size_t which = verdict_array; which < end; ++which) visit(which);
+  const Shape& shape = process_->shape();
+  const std::size_t end = asked == Exposure::sides         ? shape.measure()
+                          : asked == Exposure::comparisons ? shape.bits() + 1
+                                                           : shape.verdict() + 1;
+  for (std::size_t which = shape.verdict(); which < end; ++which) visit(which);
 }
 
 template <class Real>
 auto Caller<Real>::call(const QueryColumns<Real>& batch, std::size_t first, std::size_t size,
                         const Arrangement& arrangement, double seconds, Outputs<Real>& out) -> Result {
-  if (!process_) process_.emplace(path_);
+  const Shape shape = callee_.subject.shape();
+  if (shape.columns != coordinate_count || shape.comparisons != comparison_count) {
+    throw HarnessFault(fmt::format(
+        "plug-in {}: called with the columns of sphere-triangle, but its test has {} columns and {} comparisons",
+        callee_.path, shape.columns, shape.comparisons));
+  }
+  if (!process_) process_.emplace(callee_.path, callee_.subject);
   if (!process_->is_running()) seconds = std::max(seconds, first_seconds_);  // it may have tables to make
   const auto place = [&](std::size_t which) { return array(which, size, arrangement.placement); };
   for (std::size_t k = 0; k < coordinate_count; ++k) {
@@ -51,10 +68,17 @@ auto Caller<Real>::call(const QueryColumns<Real>& batch, std::size_t first, std:
                   [&](std::size_t which) { std::fill_n(process_->area(which), process_->area_bytes(), filling); });
 
   out.verdicts.clear();
-  out.answers.resize(0);
+  out.bits.clear();
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    out.lhs[k].clear();
+    out.rhs[k].clear();
+  }
   Result result;
-  const Request request{kernel_, static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(arrangement.asked),
-                        arrangement.placement};
+  const Request request{.kernel = callee_.index,
+                        .size = static_cast<std::uint32_t>(size),
+                        .exposes = static_cast<std::uint32_t>(arrangement.asked),
+                        .measures = 0,
+                        .placement = arrangement.placement};
   result.stop = process_->call(request, seconds, result.reply);
   if (result.stop) return result;
 
@@ -66,14 +90,16 @@ auto Caller<Real>::call(const QueryColumns<Real>& batch, std::size_t first, std:
     result.stray =
         Stop{FindingKind::out_of_bounds,
              fmt::format("wrote {} {}, which has {} {}", wrote_before ? "before the begin of" : "past the end of",
-                         array_name(which), size, size == 1 ? "entry" : "entries"),
+                         callee_.subject.array_name(which), size, size == 1 ? "entry" : "entries"),
              wrote_before ? 0 : size - 1};
   });
-  copy_out(place(verdict_array), out.verdicts);
-  if (arrangement.asked >= Exposure::comparisons) copy_out(place(comparisons_array), out.answers.bits);
+  copy_out(place(shape.verdict()), out.verdicts);
+  if (arrangement.asked >= Exposure::comparisons) {
+    widen_out(place(shape.bits()), bits_bytes(callee_.abi), out.bits);
+  }
   for (std::size_t k = 0; k < comparison_count && arrangement.asked >= Exposure::sides; ++k) {
-    copy_out(place(lhs_array + k), out.answers.lhs[k]);
-    copy_out(place(rhs_array + k), out.answers.rhs[k]);
+    copy_out(place(shape.lhs() + k), out.lhs[k]);
+    copy_out(place(shape.rhs() + k), out.rhs[k]);
   }
   return result;
 }

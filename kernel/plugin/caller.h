@@ -10,11 +10,21 @@
 
 namespace axiscert::plugin {
 
-// What a call wrote, as it stands: a verdict is any byte.
+// The outputs of a call as they were written: a verdict is any byte, and any bit may be set.
 template <class Real>
 struct Outputs {
   std::vector<std::uint8_t> verdicts;
-  Answers<Real> answers;  // the bits and sides that were asked for; the others empty
+  // Empty unless asked for.
+  std::vector<std::uint64_t> bits;  // as wide as plugin.h has them
+  std::array<std::vector<Real>, comparison_count> lhs, rhs;
+};
+
+// A kernel of a plug-in, and how it is called.
+struct Callee {
+  std::string path;
+  std::uint32_t index;  // in the plug-in
+  std::uint32_t abi;
+  Subject subject;  // of the shape of sphere-triangle, which queries and answers have here
 };
 
 // Where and how a call is made.
@@ -28,8 +38,7 @@ template <class Real>
 class Caller {
  public:
   // Nothing is started before the first call, which, like the first after a stop, may take `first_seconds`.
-  Caller(const std::string& path, std::uint32_t kernel, double first_seconds)
-      : path_(path), kernel_(kernel), first_seconds_(first_seconds) {}
+  Caller(const Callee& callee, double first_seconds) : callee_(callee), first_seconds_(first_seconds) {}
 
   struct Result {
     std::optional<Stop> stop;   // then nothing else holds
@@ -45,8 +54,7 @@ class Caller {
   template <class Visit>
   void for_each_output(Exposure asked, const Visit& visit) const;
 
-  std::string path_;
-  std::uint32_t kernel_;
+  Callee callee_;
   double first_seconds_;
   std::optional<HostProcess> process_;
 };

@@ -14,21 +14,25 @@ bool same(Real a, Real b) {
   return a == b && std::signbit(a) == std::signbit(b);
 }
 
+// The name of the comparison, or the number of a bit beyond the last one.
+std::string comparison_text(std::size_t which) {
+  return which < comparison_count ? std::string(comparisons[which].name) : std::to_string(which);
+}
+
 template <class Real>
 std::optional<std::string> difference_at(const Outputs<Real>& a, std::size_t i, const Outputs<Real>& b, std::size_t j) {
   if (a.verdicts[i] != b.verdicts[j]) {
     return fmt::format("verdict {}, then {}", verdict_text(a.verdicts[i]), verdict_text(b.verdicts[j]));
   }
-  if (b.answers.bits.empty()) return std::nullopt;
-  if (const auto flipped = static_cast<ComparisonBits>(a.answers.bits[i] ^ b.answers.bits[j])) {
-    const int which = std::countr_zero(flipped);
-    const int before = (a.answers.bits[i] >> which) & 1;
-    return fmt::format("comparison {} {}, then {}", comparisons[static_cast<std::size_t>(which)].name, before,
-                       1 - before);
+  if (b.bits.empty()) return std::nullopt;
+  if (const std::uint64_t flipped = a.bits[i] ^ b.bits[j]) {
+    const auto which = static_cast<std::size_t>(std::countr_zero(flipped));
+    const int before = (a.bits[i] >> which) & 1;
+    return fmt::format("comparison {} {}, then {}", comparison_text(which), before, 1 - before);
   }
-  for (std::size_t k = 0; k < comparison_count && !b.answers.lhs[k].empty(); ++k) {
-    for (const auto& [side, before, after] : {std::tuple{"lhs", a.answers.lhs[k][i], b.answers.lhs[k][j]},
-                                              std::tuple{"rhs", a.answers.rhs[k][i], b.answers.rhs[k][j]}}) {
+  for (std::size_t k = 0; k < comparison_count && !b.lhs[k].empty(); ++k) {
+    for (const auto& [side, before, after] :
+         {std::tuple{"lhs", a.lhs[k][i], b.lhs[k][j]}, std::tuple{"rhs", a.rhs[k][i], b.rhs[k][j]}}) {
       if (!same(before, after)) {
         return fmt::format("{} of {} {:a}, then {:a}", side, comparisons[k].name, before, after);
       }

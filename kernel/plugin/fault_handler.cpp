@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <initializer_list>
 
 namespace axiscert::plugin {
 namespace {
@@ -45,10 +46,13 @@ void locate(const std::byte* address, Fault& fault) {
   const Arrays& arrays = *watched;
   const std::ptrdiff_t from_first = address - arrays.area(0), half_guard = static_cast<std::ptrdiff_t>(guard / 2);
   const auto slot = static_cast<std::ptrdiff_t>(arrays.slot());
-  if (from_first < -half_guard || from_first + half_guard >= static_cast<std::ptrdiff_t>(array_count) * slot) return;
+  if (from_first < -half_guard ||
+      from_first + half_guard >= static_cast<std::ptrdiff_t>(arrays.shape.arrays()) * slot) {
+    return;
+  }
   fault.in_arrays = true;
   fault.array = static_cast<std::uint32_t>((from_first + half_guard) / slot);
-  const auto element = static_cast<std::ptrdiff_t>(element_size(fault.array, arrays.placed.real_size));
+  const auto element = static_cast<std::ptrdiff_t>(arrays.placed.bytes.of(arrays.shape, fault.array));
   const std::ptrdiff_t bytes = address - arrays.first(fault.array);
   fault.element = bytes >= 0 ? bytes / element : -((-bytes + element - 1) / element);
   fault.element_count = arrays.placed.size;

@@ -11,18 +11,19 @@ inline constexpr std::size_t guard = std::size_t{16} << 20;
 
 // Area k lies at reserved + guard + k * (area size + guard).
 struct Arrays {
+  Shape shape = {};
   std::byte* reserved = nullptr;
   std::size_t area_bytes = 0;
   struct {
     Placement placement;
-    std::size_t size, real_size;
+    std::size_t size;
+    EntryBytes bytes;
   } placed = {};  // of the call under way
 
   std::size_t slot() const { return area_bytes + guard; }
   std::byte* area(std::size_t array) const { return reserved + guard + array * slot(); }
   std::byte* first(std::size_t array) const {
-    const std::size_t element = element_size(array, placed.real_size);
-    return area(array) + array_offset(placed.placement, placed.size, element, area_bytes);
+    return area(array) + array_offset(placed.placement, placed.size, placed.bytes.of(shape, array), area_bytes);
   }
 };
 

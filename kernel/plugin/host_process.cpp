@@ -47,35 +47,46 @@ double processor_seconds(pid_t process) {
 }
 
 // Of a fault at one of the arrays.
-Stop out_of_bounds(const Fault& fault) {
+Stop out_of_bounds(const Fault& fault, const Subject& subject) {
   const auto count = static_cast<std::int64_t>(fault.element_count);
   const char* did = fault.access == Access::write ? "wrote" : fault.access == Access::read ? "read" : "touched";
   const std::int64_t last = std::max<std::int64_t>(count - 1, 0);
   const auto query = static_cast<std::size_t>(std::clamp<std::int64_t>(fault.element, 0, last));
   const bool is_inside = fault.element >= 0 && fault.element < count;
   return {FindingKind::out_of_bounds,
-          is_inside ? fmt::format("{} to {}, which is read-only", did, array_name(fault.array))
-                    : fmt::format("{} {}[{}], which has {} {}", did, array_name(fault.array), fault.element, count,
-                                  count == 1 ? "entry" : "entries"),
+          is_inside ? fmt::format("{} to {}, which is read-only", did, subject.array_name(fault.array))
+                    : fmt::format("{} {}[{}], which has {} {}", did, subject.array_name(fault.array), fault.element,
+                                  count, count == 1 ? "entry" : "entries"),
           query};
 }
 
 }  // namespace
 
-std::string array_name(std::size_t array) {
-  if (array < verdict_array) return coordinate_names[array];
-  if (array == verdict_array) return "verdict";
-  if (array == comparisons_array) return "comparisons";
-  if (array < rhs_array) return fmt::format("lhs[{}]", array - lhs_array);
-  return fmt::format("rhs[{}]", array - rhs_array);
+Shape Subject::shape() const {
+  if (test == nullptr) return {};
+  return {test->entries[entry].columns.size(), test->comparisons.size(), test->measures.size()};
 }
 
-HostProcess::HostProcess(std::string path)
-    : path_(std::move(path)), page_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))) {
+std::string Subject::array_name(std::size_t array) const {
+  const Shape shape = this->shape();
+  if (array < shape.verdict()) return std::string(test->entries[entry].columns[array].name);
+  if (array == shape.verdict()) return "verdict";
+  if (array == shape.bits()) return "comparisons";
+  if (array < shape.rhs()) return fmt::format("lhs[{}]", array - shape.lhs());
+  if (array < shape.measure()) return fmt::format("rhs[{}]", array - shape.rhs());
+  return fmt::format("measure[{}]", array - shape.measure());
+}
+
+HostProcess::HostProcess(std::string path, const Subject& subject)
+    : path_(std::move(path)),
+      subject_(subject),
+      shape_(subject.shape()),
+      page_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))) {
   memory_ = memfd_create("axiscert-plugin", MFD_CLOEXEC);
   if (memory_ >= 0) memory_ = out_of_the_way(memory_);
-  if (memory_ < 0 || ftruncate(memory_, static_cast<off_t>(file_size(page_))) != 0) throw cannot(path_, "share memory");
-  void* const mapped = mmap(nullptr, file_size(page_), PROT_READ | PROT_WRITE, MAP_SHARED, memory_, 0);
+  const std::size_t size = file_size(shape_, page_);
+  if (memory_ < 0 || ftruncate(memory_, static_cast<off_t>(size)) != 0) throw cannot(path_, "share memory");
+  void* const mapped = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, memory_, 0);
   if (mapped == MAP_FAILED) throw cannot(path_, "share memory");
   mapped_ = static_cast<std::byte*>(mapped);
   control_ = reinterpret_cast<Control*>(mapped_);
@@ -83,7 +94,7 @@ HostProcess::HostProcess(std::string path)
 
 HostProcess::~HostProcess() {
   end();
-  if (mapped_ != nullptr) munmap(mapped_, file_size(page_));
+  if (mapped_ != nullptr) munmap(mapped_, file_size(shape_, page_));
   if (memory_ >= 0) close(memory_);
 }
 
@@ -127,7 +138,10 @@ void HostProcess::spawn() {
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
   const std::string program = host_program();
   std::string path = path_;
-  char* const arguments[] = {const_cast<char*>(program.c_str()), path.data(), nullptr};
+  std::string columns = std::to_string(shape_.columns), comparisons = std::to_string(shape_.comparisons),
+              measures = std::to_string(shape_.measures);
+  char* const arguments[] = {
+      const_cast<char*>(program.c_str()), path.data(), columns.data(), comparisons.data(), measures.data(), nullptr};
   const int failed = posix_spawn(&child_, program.c_str(), &files, &attributes, arguments, environ);
   posix_spawn_file_actions_destroy(&files);
   posix_spawnattr_destroy(&attributes);
@@ -198,7 +212,7 @@ Stop HostProcess::how_it_died() {
             std::nullopt};
   }
   const int signal = WTERMSIG(status);
-  if (signal == fault.signal && fault.in_arrays) return out_of_bounds(fault);
+  if (signal == fault.signal && fault.in_arrays) return out_of_bounds(fault, subject_);
   const char* const abbreviation = sigabbrev_np(signal);  // none for real-time signals
   std::string detail = abbreviation ? fmt::format("SIG{} ({})", abbreviation, strsignal(signal))
                                     : fmt::format("signal {} ({})", signal, strsignal(signal));

@@ -9,6 +9,7 @@
 
 #include "kernel/finding.h"
 #include "kernel/plugin/shared_memory.h"
+#include "kernel/test.h"
 
 namespace axiscert::plugin {
 
@@ -19,13 +20,20 @@ struct Stop {
   std::optional<std::size_t> query;  // of the call, where the fault says which
 };
 
-// As plugin.h calls it: "ax", "verdict", "lhs[3]".
-std::string array_name(std::size_t array);
+// The test that a process is asked for, and one of its entries. Without a test the plug-in is only loaded.
+struct Subject {
+  const TestDescription* test = nullptr;
+  std::size_t entry = 0;
+
+  Shape shape() const;
+  // The name that plugin.h or the test gives an array: "ax", "verdict", "lhs[3]".
+  std::string array_name(std::size_t array) const;
+};
 
 class HostProcess {
  public:
   // Throws Error where no process can be made. Nothing of the plug-in runs yet.
-  explicit HostProcess(std::string path);
+  explicit HostProcess(std::string path, const Subject& subject = {});
   ~HostProcess();
   HostProcess(const HostProcess&) = delete;
   HostProcess& operator=(const HostProcess&) = delete;
@@ -39,6 +47,7 @@ class HostProcess {
   std::optional<Stop> call(const Request& request, double seconds, Reply& reply);
   // The area of an array, area_bytes() long; array_offset() says where in it a call's array lies.
   std::byte* area(std::size_t array) const;
+  const Shape& shape() const { return shape_; }
   std::size_t area_bytes() const { return area_size(page_); }
 
  private:
@@ -48,6 +57,8 @@ class HostProcess {
   Stop how_it_died();
 
   std::string path_;
+  Subject subject_;
+  Shape shape_;
   std::size_t page_;
   int memory_ = -1, socket_ = -1;
   pid_t child_ = -1;

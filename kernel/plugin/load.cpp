@@ -10,11 +10,15 @@
 
 #include "kernel/base/error.h"
 #include "kernel/include/axiscert/plugin.h"
+#include "kernel/plugin/interface_1.h"
 #include "kernel/plugin/supervisor.h"
 #include "kernel/base/utf8.h"
 
 namespace axiscert::plugin {
 namespace {
+
+static_assert(most_columns == AXISCERT_MOST_COLUMNS && most_comparisons == AXISCERT_MOST_COMPARISONS &&
+              most_measures == AXISCERT_MOST_MEASURES);
 
 constexpr double load_seconds = 20;  // of processor time; large libraries take their time
 
@@ -62,6 +66,36 @@ const Kernel& builtin(const char* member, const std::string& id, Precision preci
   return *kernel;
 }
 
+// The check comes first, because nothing else is known of a struct that is too short.
+void check_sizes(const Description& d) {
+  const auto check = [](const char* of, const char* type, std::size_t size, std::size_t least) {
+    if (size < least) {
+      refuse(fmt::format("{} has the size {}; sizeof({}) was expected, at least {}", of, size, type, least));
+    }
+  };
+  check("it", "axiscert_kernel", d.size, d.least_size);
+  if (d.has_limits) check("its `limits`", "axiscert_limits", d.limits_size, d.least_limits_size);
+}
+
+// The test and entry of the kernel. Refuses unknown ones, and counts that differ from theirs.
+void subject(const Description& d, Kernel& kernel) {
+  try {
+    if (d.test[0] != 0) kernel.test = &find_test(text_of(d.test));
+    kernel.entry = find_entry(*kernel.test, text_of(d.entry));
+  } catch (const Error& unknown) {
+    refuse(fmt::format("what it answers: {}; `axiscert tests` lists them", unknown.what()));
+  }
+  const TestEntry& entry = kernel.test->entries[kernel.entry];
+  if (d.column_count != entry.columns.size()) {
+    refuse(fmt::format("it reads {} columns; test '{}' in entry '{}' has {}", d.column_count, kernel.test->id,
+                       entry.name, entry.columns.size()));
+  }
+  if (d.measure_count > kernel.test->measures.size()) {
+    refuse(fmt::format("it gives {} measures; test '{}' has {}", d.measure_count, kernel.test->id,
+                       kernel.test->measures.size()));
+  }
+}
+
 Limits limits_of(const Description& d) {
   const Limits limits{d.limits[0], d.limits[1], d.limits[2], d.limits[3], d.limits[4]};
   for (const double limit : d.limits) {
@@ -95,15 +129,18 @@ void claim(const Description& d, Kernel& kernel) {
 }
 
 void add(const Description& d, std::uint32_t index, const std::string& path, Kernel& kernel) {
-  if (d.abi != AXISCERT_PLUGIN_ABI) {
+  if (d.abi != AXISCERT_PLUGIN_ABI && d.abi != interface_1::number) {
     throw Refused{FindingKind::abi,
-                  fmt::format("it was made for version {} of the plug-in interface; this axiscert knows {}", d.abi,
-                              AXISCERT_PLUGIN_ABI)};
+                  fmt::format("it was made for version {} of the plug-in interface; this axiscert knows {} and {}",
+                              d.abi, interface_1::number, AXISCERT_PLUGIN_ABI)};
   }
+  check_sizes(d);
   if (d.precision != 32 && d.precision != 64) refuse(fmt::format("its precision is {}; known: 32, 64", d.precision));
   if (!d.has_run) refuse("it has no function `run`");
   if (d.is_truncated) refuse("one of its texts is too long");
   Kernel described;
+  subject(d, described);
+  described.source = text_of(d.source);
   described.exposes = one_of<Exposure>(d.exposes, exposure_names.size(), "exposure");
   described.touching = one_of<Touching>(d.touching, touching_names.size(), "touching convention");
   described.limits = limits_of(d);
@@ -111,13 +148,15 @@ void add(const Description& d, std::uint32_t index, const std::string& path, Ker
   if (described.summary.empty()) refuse("it has no name");
   claim(d, described);
   const bool is_first = !kernel.binary32 && !kernel.binary64;
-  if (!is_first && (described.exposes != kernel.exposes || described.touching != kernel.touching ||
-                    described.limits != kernel.limits || described.formulae != kernel.formulae ||
-                    described.strictness != kernel.strictness || described.arithmetic != kernel.arithmetic ||
-                    described.is_reference != kernel.is_reference)) {
+  if (!is_first &&
+      (described.exposes != kernel.exposes || described.touching != kernel.touching ||
+       described.limits != kernel.limits || described.test != kernel.test || described.entry != kernel.entry ||
+       described.formulae != kernel.formulae || described.strictness != kernel.strictness ||
+       described.arithmetic != kernel.arithmetic || described.is_reference != kernel.is_reference)) {
     refuse("its kernels in binary32 and in binary64 say different things of themselves; make two plug-ins of them");
   }
-  const Supervised supervised{path, index, described.exposes, described.strictness};
+  const Supervised supervised{
+      {path, index, d.abi, {described.test, described.entry}}, described.exposes, described.strictness};
   if (d.precision == 32 ? kernel.binary32 != nullptr : kernel.binary64 != nullptr) {
     refuse(fmt::format("it has two kernels of precision {}", d.precision));
   }

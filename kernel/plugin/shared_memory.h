@@ -1,30 +1,39 @@
 // What axiscert and the process that hosts a plug-in share: one memory file, and short messages over a socket.
 //
-// The file holds a control block and an area for every array of plugin.h. The host maps each area between pages that
-// cannot be touched, the input ones read-only; axiscert maps the file as it is.
+// The file holds a control block and an area for each array of plugin.h that the test and entry have. The host maps
+// each area between pages that cannot be touched, the input ones read-only; axiscert maps the file as it is.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-
-#include "kernel/names.h"
-#include "kernel/query.h"
 
 namespace axiscert::plugin {
 
 inline constexpr int socket_fd = 3, memory_fd = 4;   // in the host
 inline constexpr std::size_t batch_capacity = 1024;  // queries a call
 
-// The arrays, in this order: the coordinates, verdict, comparisons, the left sides, the right sides.
-inline constexpr std::size_t verdict_array = coordinate_count;
-inline constexpr std::size_t comparisons_array = verdict_array + 1;
-inline constexpr std::size_t lhs_array = comparisons_array + 1;
-inline constexpr std::size_t rhs_array = lhs_array + comparison_count;
-inline constexpr std::size_t array_count = rhs_array + comparison_count;
+// The number of arrays of each kind, in this order: the columns, verdict, comparisons, the left sides, the right sides,
+// the measures.
+struct Shape {
+  std::size_t columns = 0, comparisons = 0, measures = 0;  // at most 64 each
 
-constexpr std::size_t element_size(std::size_t array, std::size_t real_size) {
-  return array == verdict_array ? 1 : array == comparisons_array ? 2 : real_size;
-}
+  constexpr std::size_t verdict() const { return columns; }
+  constexpr std::size_t bits() const { return columns + 1; }
+  constexpr std::size_t lhs() const { return columns + 2; }
+  constexpr std::size_t rhs() const { return lhs() + comparisons; }
+  constexpr std::size_t measure() const { return rhs() + comparisons; }
+  constexpr std::size_t arrays() const { return measure() + measures; }
+};
+
+// The size of one element of each array, in bytes.
+struct EntryBytes {
+  std::size_t real = 1, bits = 1;  // `bits` is 2 in version 1 of the interface
+
+  constexpr std::size_t of(const Shape& shape, std::size_t array) const {
+    return array == shape.verdict() ? 1 : array == shape.bits() ? bits : real;
+  }
+};
+constexpr std::size_t bits_bytes(std::uint32_t abi) { return abi == 1 ? sizeof(std::uint16_t) : sizeof(std::uint64_t); }
 
 // Where in its area each array of a call lies. At an end it is flush with the guard pages, so that one step beyond is
 // caught at once; in the middle, `room` bytes are free on both sides. `shift` moves it up by so many elements.
@@ -55,9 +64,12 @@ constexpr std::size_t array_offset(Placement placement, std::size_t entries, std
 // One kernel of the plug-in, in the words of plugin.h; texts cut to fit.
 struct Description {
   std::uint32_t abi, precision, exposes, touching;
+  std::size_t size, least_size, limits_size, least_limits_size;  // bytes, as declared and as needed
+  std::size_t column_count, measure_count;
   double limits[5];  // in the order of axiscert_limits
-  char name[128], summary[256], conforms_to[64], formulae[64];
-  bool has_run, has_conforms_to, has_formulae, is_truncated;
+  char name[128], summary[256], test[64], entry[64], conforms_to[64], formulae[64];
+  char source[512];  // the end of a longer one
+  bool has_run, has_limits, has_conforms_to, has_formulae, is_truncated;
 };
 inline constexpr std::size_t most_kernels = 2;
 
@@ -84,7 +96,8 @@ struct Control {
 struct Request {
   std::uint32_t kernel;  // of Control::kernels
   std::uint32_t size;
-  std::uint32_t exposes;  // which arrays are asked for
+  std::uint32_t exposes;   // which arrays are asked for
+  std::uint32_t measures;  // number of measures that are asked for
   Placement placement;
 };
 
@@ -96,11 +109,9 @@ struct Reply {
   std::uint64_t nanoseconds;  // the call took
 };
 
-inline constexpr std::size_t file_size(std::size_t page) {
-  return (sizeof(Control) + page - 1) / page * page + array_count * area_size(page);
-}
-inline constexpr std::size_t area_in_file(std::size_t array, std::size_t page) {
+constexpr std::size_t area_in_file(std::size_t array, std::size_t page) {
   return (sizeof(Control) + page - 1) / page * page + array * area_size(page);
 }
+constexpr std::size_t file_size(const Shape& shape, std::size_t page) { return area_in_file(shape.arrays(), page); }
 
 }  // namespace axiscert::plugin

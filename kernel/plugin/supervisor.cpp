@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <memory>
 
 #include "kernel/plugin/difference.h"
@@ -95,10 +96,14 @@ void Supervisor<Real>::take(const Chunk& chunk, const Outputs<Real>& outputs) {
   const auto put = [&](const auto& from, auto& to) {
     std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(chunk.first));
   };
-  put(outputs.answers.bits, chunk.explained->bits);
+  // Only here do the interface's 64 bits become the 16 of sphere-triangle. look_for_contradictions reports a bit that
+  // is lost.
+  std::transform(outputs.bits.begin(), outputs.bits.end(),
+                 chunk.explained->bits.begin() + static_cast<std::ptrdiff_t>(chunk.first),
+                 [](std::uint64_t bits) { return static_cast<ComparisonBits>(bits); });
   for (std::size_t k = 0; k < comparison_count; ++k) {
-    put(outputs.answers.lhs[k], chunk.explained->lhs[k]);
-    put(outputs.answers.rhs[k], chunk.explained->rhs[k]);
+    put(outputs.lhs[k], chunk.explained->lhs[k]);
+    put(outputs.rhs[k], chunk.explained->rhs[k]);
   }
 }
 
@@ -201,13 +206,18 @@ void Supervisor<Real>::look_for_contradictions(const Chunk& chunk, const Outputs
   const auto contradiction = [&](std::size_t i) -> std::string {
     if (!is_verdict(outputs.verdicts[i])) return "verdict " + verdict_text(outputs.verdicts[i]);
     const auto verdict = static_cast<Verdict>(outputs.verdicts[i]);
-    if (outputs.answers.bits.empty() || (verdict != Verdict::contact && verdict != Verdict::separated)) return {};
-    const ComparisonBits bits = outputs.answers.bits[i];
+    if (outputs.bits.empty()) return {};
+    if (const std::uint64_t beyond = outputs.bits[i] >> comparison_count; beyond != 0) {
+      return fmt::format("its comparison bit {} is 1; there are comparisons 0 to {}",
+                         comparison_count + static_cast<std::size_t>(std::countr_zero(beyond)), comparison_count - 1);
+    }
+    if (verdict != Verdict::contact && verdict != Verdict::separated) return {};
+    const auto bits = static_cast<ComparisonBits>(outputs.bits[i]);
     if (verdict_of(axes_of(bits)) != verdict) {
       return fmt::format("verdict {}, but its comparisons say {}", name(verdict), name(verdict_of(axes_of(bits))));
     }
-    for (std::size_t k = 0; k < comparison_count && !outputs.answers.lhs[k].empty(); ++k) {
-      const Real lhs = outputs.answers.lhs[k][i], rhs = outputs.answers.rhs[k][i];
+    for (std::size_t k = 0; k < comparison_count && !outputs.lhs[k].empty(); ++k) {
+      const Real lhs = outputs.lhs[k][i], rhs = outputs.rhs[k][i];
       if (holds(kernel_.strictness, static_cast<Comparison>(k), lhs, rhs) == (((bits >> k) & 1u) != 0)) continue;
       return fmt::format("comparison {} is {}, but its sides are {:a} and {:a}", comparisons[k].name, (bits >> k) & 1u,
                          lhs, rhs);

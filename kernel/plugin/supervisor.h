@@ -16,8 +16,7 @@ std::string changed_modes(std::uint32_t changed);
 
 // What the supervisor has to know of a kernel.
 struct Supervised {
-  std::string path;
-  std::uint32_t index;  // in the plug-in
+  Callee callee;
   Exposure exposes;
   Strictness strictness;
 };
@@ -26,7 +25,7 @@ struct Supervised {
 template <class Real>
 class Supervisor {
  public:
-  explicit Supervisor(const Supervised& kernel) : kernel_(kernel), caller_(kernel.path, kernel.index, batch_seconds) {}
+  explicit Supervisor(const Supervised& kernel) : kernel_(kernel), caller_(kernel.callee, batch_seconds) {}
 
   // The kernel's answers; `unanswered` where there is none. `explained` is null where the verdicts are enough. After
   // the first stop that is no guard page's, the plug-in is asked query by query, so that the one is found that did it;

@@ -58,12 +58,12 @@ bool separated(unsigned bits) {
 template <class Real>
 void run(const axiscert_batch* batch, const axiscert_answers* answers) {
   const Real* column[13];
-  for (int k = 0; k < 13; ++k) column[k] = static_cast<const Real*>(batch->coordinate[k]);
+  for (int k = 0; k < 13; ++k) column[k] = static_cast<const Real*>(batch->column[k]);
 
   constexpr std::size_t block = 64;
-  for (std::size_t first = 0; first < batch->size; first += block) {
+  for (std::size_t first = 0; first < batch->count; first += block) {
     // The loop never reads beyond the arrays, which end where the batch does.
-    const std::size_t count = std::min(block, batch->size - first);
+    const std::size_t count = std::min(block, batch->count - first);
     Real sums[block];
     for (std::size_t j = 0; j < count; ++j) {
       const std::size_t i = first + j;
@@ -73,7 +73,7 @@ void run(const axiscert_batch* batch, const axiscert_answers* answers) {
       sums[j] = comparisons(point(0) - p, point(3) - p, point(6) - p, r * r);
     }
     for (std::size_t j = 0; j < count; ++j) {
-      const auto bits = static_cast<std::uint16_t>(sums[j]);
+      const auto bits = static_cast<std::uint32_t>(sums[j]);
       answers->verdict[first + j] = separated(bits) ? AXISCERT_SEPARATED : AXISCERT_CONTACT;
       if (answers->comparisons) answers->comparisons[first + j] = bits;  // null where only verdicts are asked for
     }
@@ -84,18 +84,23 @@ template <class Real>
 constexpr axiscert_kernel kernel = {
     .abi = AXISCERT_PLUGIN_ABI,
     .precision = 8 * sizeof(Real),
+    .size = sizeof(axiscert_kernel),
     .name = "batch-kernel",
+    .column_count = 13,
     .run = run<Real>,
+    .test = nullptr,   // sphere-triangle
+    .entry = nullptr,  // the one that it has
     .summary = "the published test as a vectorized loop",
+    .source = AXISCERT_SOURCE,
     .exposes = AXISCERT_COMPARISONS,
     .touching = AXISCERT_TOUCHING_IS_CONTACT,
+    .measure_count = 0,
     // A kernel that means to equal a built-in one bit for bit names it here; any difference is then its fault.
     .conforms_to = nullptr,
     // This kernel evaluates the published formulae in its own way: its comparisons are compared with their exact
     // values.
     .formulae = "published",
-    .limits = {},  // none: it is meant to be right everywhere
-    .reserved = {},
+    .limits = nullptr,  // none: it is meant to be right everywhere
 };
 
 }  // namespace

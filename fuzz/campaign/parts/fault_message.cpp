@@ -10,9 +10,9 @@
 namespace axiscert {
 namespace {
 
-using Json = nlohmann::json;
+using Cbor = nlohmann::json;
 
-Json json_of(const std::exception_ptr& fault) {
+Cbor json_of(const std::exception_ptr& fault) {
   try {
     std::rethrow_exception(fault);
   } catch (const OracleDisagreement& d) {
@@ -30,12 +30,12 @@ Json json_of(const std::exception_ptr& fault) {
 
 std::string fault_message(const std::exception_ptr& fault) {
   std::string bytes;
-  Json::to_cbor(json_of(fault), bytes);
+  Cbor::to_cbor(json_of(fault), bytes);
   return bytes;
 }
 
 void rethrow_fault(std::string_view message, int rank) {
-  const Json json = Json::from_cbor(message);
+  const Cbor json = Cbor::from_cbor(message);
   const auto kind = json.at(0).get<std::string>(), what = json.at(1).get<std::string>();
   if (kind == "disagreement") {
     Query<float> none{};

@@ -12,7 +12,7 @@
 namespace axiscert {
 namespace {
 
-using Json = nlohmann::json;
+using Cbor = nlohmann::json;
 
 std::uint64_t size_of(const Plan& plan, const CellResult& cell) {
   const Source& source = *plan.sources[cell.source];
@@ -116,27 +116,27 @@ CampaignResult planned(const Plan& plan) {
 
 std::string encode(const Entry& entry) {
   const auto binary = [](const std::string& bytes) {
-    return Json::binary({reinterpret_cast<const std::uint8_t*>(bytes.data()),
+    return Cbor::binary({reinterpret_cast<const std::uint8_t*>(bytes.data()),
                          reinterpret_cast<const std::uint8_t*>(bytes.data()) + bytes.size()});
   };
-  Json json = {entry.stretch, Json::array(), binary(entry.costs)};
+  Cbor json = {entry.stretch, Cbor::array(), binary(entry.costs)};
   for (const std::string& tally : entry.tallies) json[1].push_back(binary(tally));
   std::string bytes;
-  Json::to_cbor(json, bytes);
+  Cbor::to_cbor(json, bytes);
   return bytes;
 }
 
 Entry decode_entry(std::string_view bytes) {
-  const auto text = [](const Json& binary) {
+  const auto text = [](const Cbor& binary) {
     const auto& content = binary.get_binary();
     return std::string(content.begin(), content.end());
   };
   try {
-    const Json json = Json::from_cbor(bytes);
+    const Cbor json = Cbor::from_cbor(bytes);
     Entry entry{whole_number<std::uint64_t>(json.at(0)), {}, text(json.at(2))};
-    for (const Json& tally : json.at(1)) entry.tallies.push_back(text(tally));
+    for (const Cbor& tally : json.at(1)) entry.tallies.push_back(text(tally));
     return entry;
-  } catch (const Json::exception& wrong) {
+  } catch (const Cbor::exception& wrong) {
     throw Error(std::string("the bytes are not a finished stretch: ") + wrong.what());
   }
 }

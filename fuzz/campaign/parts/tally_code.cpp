@@ -9,7 +9,7 @@
 namespace axiscert {
 namespace {
 
-using Json = nlohmann::json;
+using Cbor = nlohmann::json;
 
 // The code below lists every member once, for both directions: a structured binding does not compile after a member is
 // added, and where a base class prevents one, the size assertions detect that.
@@ -74,7 +74,7 @@ class Encoder {
   }
   std::string bytes() const {
     std::string bytes;
-    Json::to_cbor(all_, bytes);
+    Cbor::to_cbor(all_, bytes);
     return bytes;
   }
 
@@ -89,7 +89,7 @@ class Encoder {
     all_.push_back(rank.exponent);
     all_.push_back(rank.mantissa);
   }
-  void put(const std::optional<std::uint64_t>& value) { all_.push_back(value ? Json(*value) : Json(nullptr)); }
+  void put(const std::optional<std::uint64_t>& value) { all_.push_back(value ? Cbor(*value) : Cbor(nullptr)); }
   template <class Value, std::size_t size>
   void put(const std::array<Value, size>& values) {
     for (const Value& value : values) put(value);
@@ -106,7 +106,7 @@ class Encoder {
   // Numbers whose order has no meaning: each value once, with its count. Many are equal.
   void put(std::vector<double> values) {
     std::sort(values.begin(), values.end());
-    Json runs = Json::array();
+    Cbor runs = Cbor::array();
     for (auto begin = values.begin(); begin != values.end();) {
       const auto end = std::upper_bound(begin, values.end(), *begin);
       runs.push_back(*begin);
@@ -116,12 +116,12 @@ class Encoder {
     all_.push_back(std::move(runs));
   }
 
-  Json all_ = Json::array();
+  Cbor all_ = Cbor::array();
 };
 
 class Decoder {
  public:
-  explicit Decoder(std::string_view bytes) : all_(Json::from_cbor(bytes)) {}
+  explicit Decoder(std::string_view bytes) : all_(Cbor::from_cbor(bytes)) {}
   template <class... Members>
   void operator()(Members&... members) {
     (get(members), ...);
@@ -131,18 +131,18 @@ class Decoder {
   }
 
  private:
-  const Json& next() { return all_.at(next_++); }
+  const Cbor& next() { return all_.at(next_++); }
   template <class Number>
     requires std::is_arithmetic_v<Number>
   void get(Number& value) {
-    const Json& json = next();
+    const Cbor& json = next();
     if constexpr (std::is_integral_v<Number> && !std::is_same_v<Number, bool>) value = whole_number<Number>(json);
     else json.get_to(value);
   }
   void get(std::string& text) { next().get_to(text); }
   void get(Decimal6& rank) { (*this)(rank.exponent, rank.mantissa); }
   void get(std::optional<std::uint64_t>& value) {
-    const Json& json = next();
+    const Cbor& json = next();
     value = json.is_null() ? std::nullopt : std::optional(whole_number<std::uint64_t>(json));
   }
   template <class Value, std::size_t size>
@@ -171,7 +171,7 @@ class Decoder {
     }
   }
   void get(std::vector<double>& values) {
-    const Json& runs = next();
+    const Cbor& runs = next();
     for (std::size_t i = 0; i + 1 < runs.size(); i += 2) {
       const auto count = whole_number<std::size_t>(runs[i + 1]);
       constexpr std::size_t most = std::size_t{1} << 16;  // per source (has_critical_radius)
@@ -180,7 +180,7 @@ class Decoder {
     }
   }
 
-  Json all_;
+  Cbor all_;
   std::size_t next_ = 0;
 };
 
@@ -191,7 +191,7 @@ void decode(std::string_view bytes, Read&& read) {
     Decoder decoder(bytes);
     read(decoder);
     decoder.finish();
-  } catch (const Json::exception& wrong) {
+  } catch (const Cbor::exception& wrong) {
     throw Error(std::string("the bytes are not a tally: ") + wrong.what());
   }
 }

@@ -1,4 +1,4 @@
-/* One's own sphere-triangle kernel, for axiscert to judge: `axiscert run --kernel plugin:PATH.so`.
+/* One's own kernel, say of spheres against triangles, for axiscert to judge: `axiscert run --kernel plugin:PATH.so`.
  *
  * A plug-in is a shared object that exports one function, axiscert_plugin, which hands out kernels: at most one in each
  * precision. This header is all that it needs: C99, or C++11; no library to link. The smallest plug-in is a function of
@@ -22,9 +22,16 @@
 extern "C" {
 #endif
 
-/* The version of everything below. A later one that changes any layout has another number, and axiscert refuses a
- * kernel whose number it does not know. */
-#define AXISCERT_PLUGIN_ABI 1u
+/* The version of everything below. A change to an existing member gives the interface another number, and axiscert
+ * refuses a kernel whose number it does not know (it knows 1 too). A new member goes to the end of its struct and
+ * leaves the number as it is: every struct has a `size` in bytes, set by the side that fills it in, and the other side
+ * reads nothing beyond it. */
+#define AXISCERT_PLUGIN_ABI 2u
+
+/* Upper limits for every test. */
+#define AXISCERT_MOST_COLUMNS 64
+#define AXISCERT_MOST_COMPARISONS 64
+#define AXISCERT_MOST_MEASURES 64
 
 #if defined(_WIN32)
 #define AXISCERT_EXPORT __declspec(dllexport)
@@ -32,36 +39,42 @@ extern "C" {
 #define AXISCERT_EXPORT __attribute__((visibility("default")))
 #endif
 
-/* What a kernel says of a query: the closed solid sphere of centre p and radius r, the closed triangle abc. */
+/* The answer to a query. In sphere-triangle the query is the closed solid sphere of centre p and radius r and the
+ * closed triangle abc. */
 enum axiscert_verdict {
   AXISCERT_CONTACT = 0,
   AXISCERT_SEPARATED = 1,
   AXISCERT_UNDECIDED = 2, /* the kernel declines to say */
-  AXISCERT_INVALID = 3    /* no query: a coordinate that is not finite, a negative radius; or a result that is NaN */
+  AXISCERT_INVALID = 3    /* no query: a number that is not finite, a negative radius; or a result that is NaN */
 };
 
-/* What a kernel can fill in beside its verdicts. Each includes the one before. */
+/* The outputs that a kernel can fill in. Each value includes the one before. */
 enum axiscert_exposure { AXISCERT_VERDICT_ONLY = 0, AXISCERT_COMPARISONS = 1, AXISCERT_SIDES = 2 };
 
-/* What the kernel means to say of a sphere that touches the triangle in one point, its distance being exactly r. */
+/* The intended answer where the two touch without overlapping: in sphere-triangle, where the distance is exactly r. */
 enum axiscert_touching {
   AXISCERT_TOUCHING_IS_CONTACT = 0,
   AXISCERT_TOUCHING_IS_SEPARATED = 1,
   AXISCERT_TOUCHING_IS_EITHER = 2 /* it makes no promise: neither answer is counted as wrong */
 };
 
-/* A batch of queries, structure of arrays. Each array has exactly `size` entries of the kernel's precision, float or
+/* A batch of queries, structure of arrays. Each column has exactly `count` numbers of the kernel's precision, float or
  * double, and no more alignment than one of these; it is read-only, and the pages around it cannot be touched. Any bits
- * can come: infinities, NaN, subnormal numbers, negative radii. `size` is any number from 1 on. */
+ * can come: infinities, NaN, subnormal numbers, negative radii. `count` is any number from 1 on. */
 typedef struct axiscert_batch {
-  size_t size;
-  const void* coordinate[13]; /* ax ay az bx by bz cx cy cz px py pz r */
+  size_t size; /* bytes of this struct */
+  size_t count;
+  size_t column_count; /* the columns of the kernel's entry */
+  /* The columns in the order of `axiscert tests`; in sphere-triangle ax ay az bx by bz cx cy cz px py pz r. */
+  const void* const* column;
 } axiscert_batch;
 
-/* Where the answers to a batch go: arrays of exactly the batch's size. An array that is null is not asked for. */
+/* The arrays for the answers to a batch, each of exactly the batch's count. A null pointer is not asked for. */
 typedef struct axiscert_answers {
+  size_t size;
   uint8_t* verdict; /* an axiscert_verdict each; never null */
-  /* From AXISCERT_COMPARISONS on. Bit i is comparison i, 1 where it holds:
+  /* For kernels that expose AXISCERT_COMPARISONS or more. Bit i is 1 where comparison i holds; bits beyond the last
+   * comparison are 0. `axiscert tests` lists the comparisons; those of sphere-triangle are
    *   0 plane.radius
    *   1 vertex_a.radius   2 vertex_a.side_b   3 vertex_a.side_c
    *   4 vertex_b.radius   5 vertex_b.side_a   6 vertex_b.side_c
@@ -69,20 +82,22 @@ typedef struct axiscert_answers {
    *  10 edge_ab.radius   11 edge_ab.side_c
    *  12 edge_bc.radius   13 edge_bc.side_a
    *  14 edge_ca.radius   15 edge_ca.side_b */
-  uint16_t* comparisons;
-  /* From AXISCERT_SIDES on: both sides of each `lhs > rhs` as computed, in the kernel's precision. */
-  void* lhs[16];
-  void* rhs[16];
-  /* Reserved: null in this version, and not to be written. */
-  void* distance;
-  void* closest_point[3];
-  void* normal[3];
-  uint8_t* feature;
+  uint64_t* comparisons;
+  /* For kernels that expose AXISCERT_SIDES: `comparison_count` arrays each, with both sides of each `lhs > rhs` as
+   * computed, in the kernel's precision. */
+  size_t comparison_count; /* the comparisons of the test */
+  void* const* lhs;
+  void* const* rhs;
+  /* Numbers beside the verdict, such as a time of impact, in the kernel's precision: as many arrays as the kernel's own
+   * measure_count. Sphere-triangle has none. */
+  size_t measure_count;
+  void* const* measure;
 } axiscert_answers;
 
-/* Within what the kernel promises to be right. Wrong answers to queries outside are reported apart and fail no
- * requirement. All zero: everywhere. */
+/* The range in which the kernel promises right answers. Wrong answers to queries outside it are reported separately and
+ * fail no requirement. Members that are zero set no limit. */
 typedef struct axiscert_limits {
+  size_t size;                /* sizeof(axiscert_limits) */
   double least_coordinate;    /* of |x| for each coordinate of a, b, c, p that is not zero; 0: none */
   double greatest_coordinate; /* of |x| for each coordinate of a, b, c, p; 0: none */
   double least_area;          /* of the triangle; 0: none */
@@ -90,74 +105,95 @@ typedef struct axiscert_limits {
   double greatest_radius;     /* 0: none */
 } axiscert_limits;
 
-/* One kernel in one precision. Members left out of an initialiser are zero, which says the least of each. */
+/* One kernel in one precision. The members down to `run` are needed; zero in any other is the plainest choice. */
 typedef struct axiscert_kernel {
   uint32_t abi;       /* AXISCERT_PLUGIN_ABI */
   uint32_t precision; /* 32: the arrays are float; 64: double */
+  size_t size;        /* sizeof(axiscert_kernel) */
   const char* name;
+  size_t column_count; /* the columns that it reads: those of its entry, 13 in sphere-triangle */
   /* Answers the batch. Called from one thread; the floating-point environment is the default one, and is to be so on
    * return. Its answer to a query depends on that query alone. */
   void (*run)(const axiscert_batch* batch, const axiscert_answers* answers);
-  const char* summary; /* one line; null: none */
-  uint32_t exposes;    /* an axiscert_exposure */
-  uint32_t touching;   /* an axiscert_touching */
+  const char* test;     /* the question that it answers (`axiscert tests`); null: "sphere-triangle" */
+  const char* entry;    /* the form in which it takes the numbers; null: the test's first */
+  const char* summary;  /* one line; null: none */
+  const char* source;   /* AXISCERT_SOURCE, "FILE:LINE", its place in its author's sources; null: unknown */
+  uint32_t exposes;     /* an axiscert_exposure */
+  uint32_t touching;    /* an axiscert_touching */
+  size_t measure_count; /* it gives so many of the test's measures, from the first on */
   /* The id of a built-in kernel (`axiscert kernels`) that it equals bit for bit: any difference is then an
    * `implementation` fault. Null: none. */
   const char* conforms_to;
   /* The id of a built-in kernel whose formulae it evaluates, in an order or arithmetic of its own: its comparisons are
-   * held against these in exact arithmetic. Null: those of conforms_to; where that is null too, "published" for a
-   * kernel that exposes comparisons, and else none, so that only its verdict is judged. */
+   * compared with these in exact arithmetic. Null: those of conforms_to; where that is null too, "published" for a
+   * kernel of sphere-triangle that exposes comparisons, and else none, so that only its verdict is judged. */
   const char* formulae;
-  axiscert_limits limits;
-  const void* reserved[4]; /* null */
+  const axiscert_limits* limits; /* null: none */
 } axiscert_kernel;
 
-/* The plug-in's one export: its kernel number `index`, from 0 on; null where there is none. What it points to is
- * read once and has to stay. */
+/* The only export of a plug-in: kernel number `index`, from 0 on; null where there is none. The kernel is read once and
+ * has to stay in memory. */
 AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
+
+/* The file and line where it is written, for axiscert_kernel.source. */
+#define AXISCERT_SOURCE __FILE__ ":" AXISCERT_I_TEXT(__LINE__)
+#define AXISCERT_I_TEXT(line) AXISCERT_I_TEXT_OF(line)
+#define AXISCERT_I_TEXT_OF(line) #line
+
+/* The macros below are for sphere-triangle. Names that they define begin with axiscert_i_. */
 
 /* Defines `static void batch_function(batch, answers)`, for axiscert_kernel.run, from a function of one query:
  *     int one_query(const real a[3], const real b[3], const real c[3], const real p[3], real r)
  * which returns an axiscert_verdict. `real` is float or double. */
-#define AXISCERT_BATCH(batch_function, real, one_query)                                      \
-  static void batch_function(const axiscert_batch* batch, const axiscert_answers* answers) { \
-    size_t i;                                                                                \
-    int k;                                                                                   \
-    for (i = 0; i < batch->size; ++i) {                                                      \
-      real v[13];                                                                            \
-      for (k = 0; k < 13; ++k) v[k] = ((const real*)batch->coordinate[k])[i];                \
-      answers->verdict[i] = (uint8_t)one_query(v, v + 3, v + 6, v + 9, v[12]);               \
-    }                                                                                        \
+#define AXISCERT_BATCH(batch_function, real, one_query)                                                            \
+  static void batch_function(const axiscert_batch* axiscert_i_batch, const axiscert_answers* axiscert_i_answers) { \
+    size_t axiscert_i_i;                                                                                           \
+    AXISCERT_I_FOR_EACH_QUERY {                                                                                    \
+      AXISCERT_I_GATHER(real)                                                                                      \
+      axiscert_i_answers->verdict[axiscert_i_i] = (uint8_t)(one_query)(AXISCERT_I_ARGUMENTS);                      \
+    }                                                                                                              \
   }
 
 /* The same for a function that also gives the sixteen comparison bits; for a kernel that exposes comparisons:
- *     int one_query(const real a[3], const real b[3], const real c[3], const real p[3], real r, uint16_t *comparisons)
+ *     int one_query(const real a[3], const real b[3], const real c[3], const real p[3], real r, uint64_t *comparisons)
  */
-#define AXISCERT_BATCH_WITH_COMPARISONS(batch_function, real, one_query)                     \
-  static void batch_function(const axiscert_batch* batch, const axiscert_answers* answers) { \
-    size_t i;                                                                                \
-    int k;                                                                                   \
-    for (i = 0; i < batch->size; ++i) {                                                      \
-      real v[13];                                                                            \
-      uint16_t bits = 0;                                                                     \
-      for (k = 0; k < 13; ++k) v[k] = ((const real*)batch->coordinate[k])[i];                \
-      answers->verdict[i] = (uint8_t)one_query(v, v + 3, v + 6, v + 9, v[12], &bits);        \
-      if (answers->comparisons) answers->comparisons[i] = bits;                              \
-    }                                                                                        \
+#define AXISCERT_BATCH_WITH_COMPARISONS(batch_function, real, one_query)                                           \
+  static void batch_function(const axiscert_batch* axiscert_i_batch, const axiscert_answers* axiscert_i_answers) { \
+    size_t axiscert_i_i;                                                                                           \
+    AXISCERT_I_FOR_EACH_QUERY {                                                                                    \
+      uint64_t axiscert_i_bits = 0;                                                                                \
+      AXISCERT_I_GATHER(real)                                                                                      \
+      axiscert_i_answers->verdict[axiscert_i_i] = (uint8_t)(one_query)(AXISCERT_I_ARGUMENTS, &axiscert_i_bits);    \
+      if (axiscert_i_answers->comparisons) axiscert_i_answers->comparisons[axiscert_i_i] = axiscert_i_bits;        \
+    }                                                                                                              \
   }
+
+/* Parts of both: the loop, the numbers of query axiscert_i_i, and these numbers as arguments. */
+#define AXISCERT_I_FOR_EACH_QUERY for (axiscert_i_i = 0; axiscert_i_i < axiscert_i_batch->count; ++axiscert_i_i)
+#define AXISCERT_I_GATHER(real)                                                                       \
+  real axiscert_i_v[13];                                                                              \
+  int axiscert_i_k;                                                                                   \
+  for (axiscert_i_k = 0; axiscert_i_k < 13; ++axiscert_i_k) {                                         \
+    axiscert_i_v[axiscert_i_k] = ((const real*)axiscert_i_batch->column[axiscert_i_k])[axiscert_i_i]; \
+  }
+#define AXISCERT_I_ARGUMENTS axiscert_i_v, axiscert_i_v + 3, axiscert_i_v + 6, axiscert_i_v + 9, axiscert_i_v[12]
 
 /* A whole plug-in from a function of one query, as for AXISCERT_BATCH: one kernel, verdicts only, touching is contact.
  */
-#define AXISCERT_PLUGIN(real, kernel_name, one_query)          \
-  AXISCERT_BATCH(axiscert_batch_of_one_query, real, one_query) \
-  const axiscert_kernel* axiscert_plugin(uint32_t index) {     \
-    static axiscert_kernel kernel;                             \
-    if (index != 0) return NULL;                               \
-    kernel.abi = AXISCERT_PLUGIN_ABI;                          \
-    kernel.precision = 8 * (uint32_t)sizeof(real);             \
-    kernel.name = kernel_name;                                 \
-    kernel.run = axiscert_batch_of_one_query;                  \
-    return &kernel;                                            \
+#define AXISCERT_PLUGIN(real, kernel_name, one_query)                 \
+  AXISCERT_BATCH(axiscert_i_run, real, one_query)                     \
+  const axiscert_kernel* axiscert_plugin(uint32_t axiscert_i_index) { \
+    static axiscert_kernel axiscert_i_kernel;                         \
+    if (axiscert_i_index != 0) return NULL;                           \
+    axiscert_i_kernel.abi = AXISCERT_PLUGIN_ABI;                      \
+    axiscert_i_kernel.precision = 8 * (uint32_t)sizeof(real);         \
+    axiscert_i_kernel.size = sizeof(axiscert_kernel);                 \
+    axiscert_i_kernel.name = (kernel_name);                           \
+    axiscert_i_kernel.column_count = 13;                              \
+    axiscert_i_kernel.run = axiscert_i_run;                           \
+    axiscert_i_kernel.source = AXISCERT_SOURCE;                       \
+    return &axiscert_i_kernel;                                        \
   }
 
 #ifdef __cplusplus

@@ -3,6 +3,6 @@
 
 static void run(const axiscert_batch* batch, const axiscert_answers* answers) {
   answer_rightly(batch, answers);
-  if ((uintptr_t)batch->coordinate[0] % 16 != 0) answers->verdict[0] ^= 1;
+  if ((uintptr_t)batch->column[0] % 16 != 0) answers->verdict[0] ^= 1;
 }
 MISBEHAVING("alignment", run)

@@ -6,7 +6,7 @@
 #include "kernel/plugin/misbehaving/right.h"
 
 static void run(const axiscert_batch* batch, const axiscert_answers* answers) {
-  for (size_t i = 0; i < batch->size; ++i) {
+  for (size_t i = 0; i < batch->count; ++i) {
     if (misbehaves(radius(batch, i))) {
       if (fork() == 0) {
         sleep(1000);

@@ -5,7 +5,7 @@
 #include "kernel/plugin/misbehaving/right.h"
 
 static void run(const axiscert_batch* batch, const axiscert_answers* answers) {
-  for (size_t i = 0; i < batch->size; ++i) {
+  for (size_t i = 0; i < batch->count; ++i) {
     if (misbehaves(radius(batch, i))) raise(SIGRTMIN + 3);
     answers->verdict[i] = right(batch, i);
   }

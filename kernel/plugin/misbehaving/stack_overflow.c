@@ -10,7 +10,7 @@ static float descend(float r) {
 }
 
 static void run(const axiscert_batch* batch, const axiscert_answers* answers) {
-  for (size_t i = 0; i < batch->size; ++i) {
+  for (size_t i = 0; i < batch->count; ++i) {
     volatile float r = descend(radius(batch, i));
     (void)r;
     answers->verdict[i] = right(batch, i);

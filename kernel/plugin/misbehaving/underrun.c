@@ -2,7 +2,7 @@
 #include "kernel/plugin/misbehaving/right.h"
 
 static void run(const axiscert_batch* batch, const axiscert_answers* answers) {
-  for (ptrdiff_t i = (ptrdiff_t)batch->size - 1; i >= -1; --i) {
+  for (ptrdiff_t i = (ptrdiff_t)batch->count - 1; i >= -1; --i) {
     answers->verdict[i] = i >= 0 ? right(batch, (size_t)i) : AXISCERT_CONTACT;
   }
 }

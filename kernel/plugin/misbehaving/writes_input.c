@@ -4,9 +4,9 @@
 static void run(const axiscert_batch* batch, const axiscert_answers* answers) {
   answer_rightly(batch, answers);
   for (int k = 0; k < 9; ++k) {
-    float* vertex = (float*)(uintptr_t)batch->coordinate[k];
-    const float* centre = (const float*)batch->coordinate[9 + k % 3];
-    for (size_t i = 0; i < batch->size; ++i) vertex[i] -= centre[i];
+    float* vertex = (float*)(uintptr_t)batch->column[k];
+    const float* centre = (const float*)batch->column[9 + k % 3];
+    for (size_t i = 0; i < batch->count; ++i) vertex[i] -= centre[i];
   }
 }
 MISBEHAVING("writes_input", run)

@@ -8,6 +8,9 @@
 #define EXPOSES AXISCERT_COMPARISONS
 #endif
 
+/* The file of the fault, which includes this one. */
+#define SOURCE __BASE_FILE__ ":1"
+
 #define real float
 #define OF_REAL(name) name##_binary32
 #include "kernel/sphere_triangle/faults/published_test.h"
@@ -26,14 +29,20 @@ AXISCERT_BATCH_WITH_COMPARISONS(run_binary64, double, published_binary64)
 const axiscert_kernel* axiscert_plugin(uint32_t index) {
   static const axiscert_kernel kernels[2] = {{.abi = AXISCERT_PLUGIN_ABI,
                                               .precision = 32,
+                                              .size = sizeof(axiscert_kernel),
                                               .name = "published",
+                                              .column_count = 13,
                                               .run = run_binary32,
+                                              .source = SOURCE,
                                               .exposes = EXPOSES,
                                               .conforms_to = "published"},
                                              {.abi = AXISCERT_PLUGIN_ABI,
                                               .precision = 64,
+                                              .size = sizeof(axiscert_kernel),
                                               .name = "published",
+                                              .column_count = 13,
                                               .run = run_binary64,
+                                              .source = SOURCE,
                                               .exposes = EXPOSES,
                                               .conforms_to = "published"}};
   return index < 2 ? &kernels[index] : NULL;

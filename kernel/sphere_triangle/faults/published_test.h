@@ -61,7 +61,7 @@
 #define DOT(u, v) ((u[0] * v[0] + u[1] * v[1]) + u[2] * v[2])
 
 static int OF_REAL(published)(const real a[3], const real b[3], const real c[3], const real p[3], real r,
-                              uint16_t* comparisons) {
+                              uint64_t* comparisons) {
   real A[3], B[3], C[3], AB[3], AC[3], BC[3], CA[3], Q1[3], Q2[3], Q3[3], QA[3], QB[3], QC[3];
   const real rr = RADIUS_SQUARED;
   int k;
@@ -106,7 +106,7 @@ static int OF_REAL(published)(const real a[3], const real b[3], const real c[3],
                          vertex_c_side_a, vertex_c_side_b, edge_ab_radius,  edge_ab_side_c,
                          edge_bc_radius,  edge_bc_side_a,  edge_ca_radius,  edge_ca_side_b};
   *comparisons = 0;
-  for (k = 0; k < 16; ++k) *comparisons = (uint16_t)(*comparisons | holds[k] << k);
+  for (k = 0; k < 16; ++k) *comparisons |= (uint64_t)holds[k] << k;
 
   const int separated = plane_radius | (vertex_a_radius & vertex_a_side_b & vertex_a_side_c) |
                         (vertex_b_radius & vertex_b_side_a & vertex_b_side_c) |

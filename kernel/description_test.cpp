@@ -1,0 +1,126 @@
+// Descriptions of tests: that of sphere-triangle says what its names say, and one of any size up to the limits is
+// taken.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <string>
+
+#include "kernel/base/alike.h"
+#include "kernel/base/error.h"
+#include "kernel/query.h"
+#include "kernel/sphere_triangle/description.h"
+#include "kernel/test.h"
+
+namespace axiscert {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+std::string_view numbered(const char* word, std::size_t i) {
+  static std::deque<std::string> kept;
+  return kept.emplace_back(word + std::to_string(i));
+}
+
+// A test with comparisons in clauses of three, the last of as many as are left.
+TestDescription toy(std::size_t columns, std::size_t comparisons) {
+  TestDescription test{.id = "toy",
+                       .asks = "nothing",
+                       .touching = "never",
+                       .wrong_answers = {},
+                       .entries = {{"numbers", "any", {}}, {"other", "any", {}}},
+                       .comparisons = {},
+                       .clauses = {},
+                       .measures = {{"time", "of the motion", "in ulps"}}};
+  for (std::size_t i = 0; i < columns; ++i) {
+    test.entries[0].columns.push_back({numbered("column", i), Role::coordinate, "all"});
+  }
+  for (std::size_t i = 0; i < comparisons; ++i) {
+    if (i % 3 == 0) test.clauses.push_back({numbered("clause", i / 3), 0});
+    test.clauses.back().comparisons |= std::uint64_t{1} << i;
+    test.comparisons.push_back({numbered("comparison", i), i / 3});
+  }
+  return test;
+}
+
+TEST(Description, ThirtyThreeComparisonsAndFortyColumns) {
+  const TestDescription test = checked(toy(40, 33));
+  EXPECT_EQ(test.entries[0].columns[39].name, "column39");
+  const std::uint64_t last = std::uint64_t{0b111} << 30;
+  EXPECT_EQ(clauses_of(test, last), 1u << 10);
+  EXPECT_EQ(verdict_of(test, last), Verdict::separated);
+  for (std::size_t i = 0; i < 33; ++i) {
+    const std::uint64_t alone = std::uint64_t{1} << i, all = (std::uint64_t{1} << 33) - 1;
+    EXPECT_EQ(verdict_of(test, alone), Verdict::contact) << i;
+    EXPECT_EQ(clauses_of(test, all & ~alone), ((1u << 11) - 1) & ~(1u << (i / 3))) << i;
+  }
+}
+
+TEST(Description, SixtyFourOfEachAndNoMore) {
+  EXPECT_EQ(clauses_of(checked(toy(64, 64)), ~std::uint64_t{0}), (std::uint64_t{1} << 22) - 1);
+  const auto columns = [] { return checked(toy(65, 1)); };
+  EXPECT_THAT(columns, ThrowsMessage<HarnessFault>(HasSubstr("65 columns of entry 'numbers'; at most 64")));
+  TestDescription test = toy(1, 64);
+  test.comparisons.push_back({"comparison64", 0});
+  EXPECT_THAT([&] { return checked(test); }, ThrowsMessage<HarnessFault>(HasSubstr("65 comparisons; at most 64")));
+}
+
+TEST(Description, WhatContradictsItselfIsRefused) {
+  const auto refused = [](const char* says, auto change) {
+    TestDescription test = toy(2, 4);
+    change(test);
+    EXPECT_THAT([&] { return checked(test); }, ThrowsMessage<HarnessFault>(HasSubstr(says)));
+  };
+  refused("no entry", [](TestDescription& test) { test.entries.clear(); });
+  refused("'column0' twice", [](TestDescription& test) { test.entries[0].columns[1].name = "column0"; });
+  refused("'comparison1' twice", [](TestDescription& test) { test.comparisons[0].name = "comparison1"; });
+  refused("no name", [](TestDescription& test) { test.measures[0].name = ""; });
+  refused("which it does not have", [](TestDescription& test) { test.comparisons[3].clause = 2; });
+  refused("which does not need it", [](TestDescription& test) { test.comparisons[3].clause = 0; });
+}
+
+TEST(Description, ARuleOfItsOwnDecides) {
+  TestDescription test = toy(1, 6);
+  test.rule = {"separated where the first comparison holds", [](std::uint64_t bits) { return (bits & 1) != 0; }};
+  EXPECT_EQ(verdict_of(test, 0b000001), Verdict::separated);
+  EXPECT_EQ(verdict_of(test, 0b111000), Verdict::contact);
+}
+
+TEST(Description, OfSphereTriangleSaysWhatItsNamesSay) {
+  const TestDescription& test = sphere_triangle_test();
+  ASSERT_EQ(test.comparisons.size(), comparison_count);
+  ASSERT_EQ(test.clauses.size(), axis_count);
+  ASSERT_EQ(test.entries.size(), 1u);
+  ASSERT_EQ(test.entries[0].columns.size(), coordinate_count);
+  EXPECT_EQ(test.entries[0].columns[11].name, "pz");
+  EXPECT_EQ(test.entries[0].columns[11].group, test.entries[0].columns[9].group);
+  EXPECT_EQ(test.entries[0].columns[11].role, Role::coordinate);
+  EXPECT_EQ(test.entries[0].columns[12].role, Role::length);
+  for (std::uint32_t bits = 0; bits < 1u << comparison_count; ++bits) {
+    const auto narrow = static_cast<ComparisonBits>(bits);
+    ASSERT_EQ(clauses_of(test, bits), axes_of(narrow)) << bits;
+    ASSERT_EQ(verdict_of(test, bits), verdict_of(axes_of(narrow))) << bits;
+  }
+}
+
+TEST(Description, ATestIsFoundByItsId) {
+  EXPECT_EQ(&find_test("sphere-triangle"), &sphere_triangle_test());
+  EXPECT_EQ(tests().front(), &sphere_triangle_test());
+  EXPECT_THAT([] { find_test("sphere-cone"); },
+              ThrowsMessage<Error>("unknown test 'sphere-cone'; tests: sphere-triangle"));
+  EXPECT_EQ(find_entry(sphere_triangle_test(), ""), 0u);
+  EXPECT_EQ(find_entry(toy(1, 1), "other"), 1u);
+  EXPECT_THAT([] { find_entry(toy(1, 1), "othr"); },
+              ThrowsMessage<Error>("test 'toy': unknown entry 'othr'; entries: other, numbers"));
+}
+
+TEST(Alike, TheNearestNameIsFirst) {
+  EXPECT_THAT(most_alike_first("box-bx", {"sphere-triangle", "box-triangle", "box-box"}),
+              ElementsAre("box-box", "box-triangle", "sphere-triangle"));
+  EXPECT_THAT(most_alike_first("", {"b", "a"}), ElementsAre("b", "a"));
+}
+
+}  // namespace
+}  // namespace axiscert

@@ -1,0 +1,218 @@
+// The two sides of the interface: both versions, structs of any size, kernels that declare what cannot be true, and a
+// test of another shape.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <deque>
+
+#include "kernel/ask.h"
+#include "kernel/base/error.h"
+#include "kernel/kernel.h"
+#include "kernel/plugin/caller.h"
+#include "kernel/sphere_triangle/description.h"
+#include "kernel/test.h"
+#include "kernel/testing/random.h"
+
+namespace axiscert {
+namespace {
+
+using testing::HasSubstr;
+using testing_support::random_query;
+
+std::string path_of(const std::string& name) { return fmt::format(BUILD_FOLDER "/layouts/{}.so", name); }
+
+template <class Real>
+QueryBatch<Real> random_queries() {
+  constexpr std::size_t count = 2021;  // two batches; the second does not fill whole vectors
+  std::mt19937_64 random(3);
+  QueryBatch<Real> queries(count);
+  for (std::size_t i = 0; i < count; ++i) queries.push_back(random_query<Real>(random, i % 2 == 1));
+  return queries;
+}
+
+template <class Real>
+Reply<Real> asked(const Kernel& kernel, const QueryBatch<Real>& queries) {
+  Reply<Real> reply;
+  ask(kernel.on<Real>(scalar_target), queries.columns(), reply);
+  return reply;
+}
+
+template <class Real>
+void expect_published(const Kernel& kernel) {
+  const QueryBatch<Real> queries = random_queries<Real>();
+  const Reply<Real> own = asked(kernel, queries), published = asked(find_kernel("published"), queries);
+  EXPECT_EQ(own.verdicts, published.verdicts);
+  EXPECT_EQ(own.answers.bits, published.answers.bits);
+  EXPECT_TRUE(own.findings.empty()) << own.findings.front().detail;
+}
+
+TEST(Interface, AVersion1PluginAnswersAsItDidBefore) {
+  const Kernel& kernel = find_kernel("plugin:" + path_of("published_1"));
+  EXPECT_TRUE(kernel.findings.empty());
+  EXPECT_EQ(kernel.test, &sphere_triangle_test());
+  EXPECT_EQ(kernel.source, "");
+  expect_published<float>(kernel);
+  expect_published<double>(kernel);
+}
+
+// A guard page follows an array of two-byte entries at once. Space for eight-byte entries would hide the overrun.
+TEST(Interface, AVersion1PluginHasNoRoomBeyondItsNarrowComparisons) {
+  const Reply<float> reply = asked(find_kernel("plugin:" + path_of("overrun_1")), random_queries<float>());
+  ASSERT_FALSE(reply.findings.empty());
+  EXPECT_EQ(reply.findings[0].kind, FindingKind::out_of_bounds);
+  EXPECT_THAT(reply.findings[0].detail, HasSubstr("wrote comparisons[1024]"));
+}
+
+TEST(Interface, SidesComeThroughInEitherVersion) {
+  const QueryBatch<float> queries = random_queries<float>();
+  for (const char* name : {"sides_1", "sides_2"}) {
+    SCOPED_TRACE(name);
+    const Reply<float> reply = asked(find_kernel("plugin:" + path_of(name)), queries);
+    EXPECT_TRUE(reply.findings.empty()) << reply.findings.front().detail;
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      const float* const column = queries.columns().column[k % 13];
+      EXPECT_EQ(std::memcmp(reply.answers.lhs[k].data(), column, queries.size() * sizeof(float)), 0) << k;
+      EXPECT_EQ(reply.answers.rhs[k], std::vector<float>(queries.size(), static_cast<float>(k)));
+    }
+  }
+}
+
+TEST(Interface, WhatAVersion1PluginSaysOfItselfIsRead) {
+  const Kernel& kernel = find_kernel("plugin:" + path_of("sides_1"));
+  EXPECT_EQ(kernel.summary, "sides: built before");
+  EXPECT_EQ(kernel.exposes, Exposure::sides);
+  EXPECT_EQ(kernel.touching, Touching::either);
+  EXPECT_EQ(kernel.formulae, Formulae::reduced);
+  EXPECT_EQ(kernel.limits, (Limits{1e-9, 1e9, 1e-8, 1e-7, 1e7}));
+}
+
+TEST(Interface, NothingIsReadBeyondTheSizeThatAStructHas) {
+  const Kernel& kernel = find_kernel("plugin:" + path_of("short_kernel"));
+  EXPECT_TRUE(kernel.findings.empty()) << kernel.findings.front().detail;
+  EXPECT_EQ(kernel.summary, "short");
+  EXPECT_EQ(kernel.exposes, Exposure::verdict);
+  EXPECT_FALSE(kernel.limits.any());
+  const Reply<float> reply = asked(kernel, random_queries<float>());
+  EXPECT_EQ(reply.verdicts, std::vector(reply.verdicts.size(), Verdict::undecided));
+
+  const Kernel& limited = find_kernel("plugin:" + path_of("short_limits"));
+  EXPECT_TRUE(limited.findings.empty()) << limited.findings.front().detail;
+  EXPECT_EQ(limited.limits, (Limits{.least_coordinate = 0.5}));
+}
+
+TEST(Interface, AKernelHasItsSource) {
+  const Kernel& kernel = find_kernel(fmt::format("plugin:{}/misbehaving/alignment.so", BUILD_FOLDER));
+  EXPECT_EQ(kernel.source, "kernel/plugin/misbehaving/alignment.c:8");
+}
+
+TEST(Interface, WhatCannotBeTrueIsOneLineThatSaysWhatWouldBe) {
+  for (const auto& [name, says] :
+       {std::pair{"no_size", "it has the size 0; sizeof(axiscert_kernel) was expected, at least 40"},
+        std::pair{"no_limits_size", "its `limits` has the size 0; sizeof(axiscert_limits) was expected, at least 16"},
+        std::pair{"unknown_test", "unknown test 'sphere-cube'; tests: sphere-triangle"},
+        std::pair{"unknown_entry", "test 'sphere-triangle': unknown entry 'edges'; entries: vertices"},
+        std::pair{"wrong_columns", "it reads 12 columns; test 'sphere-triangle' in entry 'vertices' has 13"},
+        std::pair{"unknown_measure", "it gives 1 measures; test 'sphere-triangle' has 0"}}) {
+    SCOPED_TRACE(name);
+    const Kernel& kernel = find_kernel(fmt::format("plugin:{}/misbehaving/{}.so", BUILD_FOLDER, name));
+    EXPECT_FALSE(kernel.has(Precision::binary32));
+    ASSERT_EQ(kernel.findings.size(), 1u);
+    EXPECT_EQ(kernel.findings[0].kind, FindingKind::load);
+    EXPECT_THAT(kernel.findings[0].detail, HasSubstr(says));
+    EXPECT_EQ(kernel.findings[0].detail.find('\n'), std::string::npos);
+  }
+}
+
+TEST(Interface, ABitBeyondTheLastComparisonIsFound) {
+  QueryBatch<float> queries(1);
+  queries.push_back({{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 5000});
+  const Reply<float> reply =
+      asked(find_kernel(fmt::format("plugin:{}/misbehaving/beyond_the_last.so", BUILD_FOLDER)), queries);
+  ASSERT_EQ(reply.findings.size(), 1u);
+  EXPECT_EQ(reply.findings[0].kind, FindingKind::inconsistent);
+  EXPECT_THAT(reply.findings[0].detail, HasSubstr("comparison bit 40 is 1; there are comparisons 0 to 15"));
+}
+
+// A test that is not in the list, of the shape that the plug-in `wide` expects.
+const TestDescription& wide_test() {
+  static std::deque<std::string> names;
+  const auto numbered = [](const char* word, std::size_t i) -> std::string_view {
+    return names.emplace_back(fmt::format("{}{}", word, i));
+  };
+  static const TestDescription test = [&] {
+    TestDescription wide{.id = "wide",
+                         .asks = "nothing",
+                         .touching = "never",
+                         .wrong_answers = {},
+                         .entries = {{"numbers", "any", {}}},
+                         .comparisons = {},
+                         .clauses = {{"all", (std::uint64_t{1} << 33) - 1}},
+                         .measures = {{"first", "one", "in ulps"}, {"second", "one", "in ulps"}}};
+    for (std::size_t k = 0; k < 40; ++k) {
+      wide.entries[0].columns.push_back({numbered("x", k), Role::coordinate, "all"});
+    }
+    for (std::size_t k = 0; k < 33; ++k) wide.comparisons.push_back({numbered("comparison", k), 0});
+    return checked(wide);
+  }();
+  return test;
+}
+
+TEST(Interface, AKernelOfATestThatIsNotThereIsRefused) {
+  const Kernel& kernel = find_kernel("plugin:" + path_of("wide"));
+  ASSERT_EQ(kernel.findings.size(), 1u);
+  EXPECT_THAT(kernel.findings[0].detail, HasSubstr("unknown test 'wide'"));
+}
+
+TEST(Interface, FortyColumnsThirtyThreeComparisonsAndTwoMeasures) {
+  constexpr std::size_t count = 9;
+  const plugin::Subject subject{&wide_test()};
+  plugin::HostProcess host(path_of("wide"), subject);
+  const plugin::Shape& shape = host.shape();
+  const plugin::Placement placement;
+  const auto array = [&](std::size_t which) {
+    return reinterpret_cast<double*>(host.area(which) +
+                                     array_offset(placement, count, sizeof(double), host.area_bytes()));
+  };
+  std::mt19937_64 random(4);
+  for (std::size_t k = 0; k < 40; ++k) {
+    for (std::size_t i = 0; i < count; ++i) array(k)[i] = static_cast<double>(random() % 16);
+  }
+  plugin::Reply reply;
+  const auto stop =
+      host.call({.kernel = 0, .size = count, .exposes = 2, .measures = 2, .placement = placement}, 1, reply);
+  ASSERT_FALSE(stop) << stop->detail;
+  const auto* const verdict = reinterpret_cast<const std::uint8_t*>(
+      host.area(shape.verdict()) + array_offset(placement, count, 1, host.area_bytes()));
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(verdict[i], static_cast<std::uint8_t>(Verdict::undecided));
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < 33; ++k) {
+      EXPECT_EQ(array(shape.lhs() + k)[i], array(k)[i]);
+      EXPECT_EQ(array(shape.rhs() + k)[i], array(k + 7)[i]);
+      bits |= std::uint64_t{array(k)[i] > array(k + 7)[i]} << k;
+    }
+    std::uint64_t told;
+    std::memcpy(&told, array(shape.bits()) + i, sizeof told);
+    EXPECT_EQ(told, bits);
+    for (std::size_t m = 0; m < 2; ++m) {
+      EXPECT_EQ(array(shape.measure() + m)[i], array(m + 1)[i] - array(0)[i]);
+    }
+  }
+  EXPECT_EQ(subject.array_name(39), "x39");
+  EXPECT_EQ(subject.array_name(shape.rhs() + 32), "rhs[32]");
+  EXPECT_EQ(subject.array_name(shape.measure() + 1), "measure[1]");
+}
+
+// Queries have 13 columns as yet: a test of another shape has to come with its own caller.
+TEST(Interface, ACallerOfSphereTriangleTakesNoOtherTest) {
+  plugin::Caller<double> caller({.path = path_of("wide"), .index = 0, .abi = 2, .subject = {&wide_test()}}, 1);
+  plugin::Outputs<double> outputs;
+  const auto call = [&] { caller.call(random_queries<double>().columns(), 0, 1, {}, 1, outputs); };
+  EXPECT_THAT(call, testing::ThrowsMessage<HarnessFault>(HasSubstr("40 columns and 33 comparisons")));
+}
+
+}  // namespace
+}  // namespace axiscert

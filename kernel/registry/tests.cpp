@@ -1,0 +1,35 @@
+// The tests that exist: one line each.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "kernel/base/alike.h"
+#include "kernel/base/error.h"
+#include "kernel/sphere_triangle/description.h"
+#include "kernel/test.h"
+
+namespace axiscert {
+namespace {
+
+const std::vector<const TestDescription*>& all_tests() {
+  static const std::vector<const TestDescription*> all = {
+      &sphere_triangle_test(),
+  };
+  return all;
+}
+
+}  // namespace
+
+std::span<const TestDescription* const> tests() { return all_tests(); }
+
+const TestDescription& first_test() { return *all_tests().front(); }
+
+const TestDescription& find_test(std::string_view id) {
+  std::vector<std::string_view> known;
+  for (const TestDescription* test : all_tests()) {
+    if (test->id == id) return *test;
+    known.push_back(test->id);
+  }
+  throw Error(fmt::format("unknown test '{}'; tests: {}", id, fmt::join(most_alike_first(id, std::move(known)), ", ")));
+}
+
+}  // namespace axiscert

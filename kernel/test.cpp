@@ -1,0 +1,79 @@
+#include "kernel/test.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "kernel/base/alike.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+template <class Named>
+std::vector<std::string_view> names_of(const std::vector<Named>& all) {
+  std::vector<std::string_view> names;
+  for (const Named& one : all) names.push_back(one.name);
+  return names;
+}
+
+template <class Named>
+void require_at_most(std::string_view test, std::string_view what, const std::vector<Named>& all, std::size_t most) {
+  if (all.size() > most) {
+    throw HarnessFault(fmt::format("test '{}' has {} {}; at most {}", test, all.size(), what, most));
+  }
+  std::set<std::string_view> seen;
+  for (const std::string_view name : names_of(all)) {
+    if (name.empty()) throw HarnessFault(fmt::format("test '{}': one of its {} has no name", test, what));
+    if (!seen.insert(name).second) {
+      throw HarnessFault(fmt::format("test '{}' has '{}' twice among its {}", test, name, what));
+    }
+  }
+}
+
+}  // namespace
+
+TestDescription checked(TestDescription test) {
+  if (test.entries.empty()) throw HarnessFault(fmt::format("test '{}' has no entry; at least one", test.id));
+  require_at_most(test.id, "entries", test.entries, test.entries.size());
+  for (const TestEntry& entry : test.entries) {
+    require_at_most(test.id, fmt::format("columns of entry '{}'", entry.name), entry.columns, most_columns);
+  }
+  require_at_most(test.id, "comparisons", test.comparisons, most_comparisons);
+  require_at_most(test.id, "clauses", test.clauses, most_comparisons);
+  require_at_most(test.id, "measures", test.measures, most_measures);
+  for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
+    const auto& [name, clause] = test.comparisons[i];
+    if (clause < test.clauses.size() && (test.clauses[clause].comparisons >> i & 1) != 0) continue;
+    throw HarnessFault(fmt::format("test '{}': comparison '{}' is of clause {}, which {}", test.id, name, clause,
+                                   clause < test.clauses.size() ? "does not need it" : "it does not have"));
+  }
+  return test;
+}
+
+std::uint64_t clauses_of(const TestDescription& test, std::uint64_t comparisons) {
+  std::uint64_t clauses = 0;
+  for (std::size_t i = 0; i < test.clauses.size(); ++i) {
+    const std::uint64_t needed = test.clauses[i].comparisons;
+    if ((comparisons & needed) == needed) clauses |= std::uint64_t{1} << i;
+  }
+  return clauses;
+}
+
+Verdict verdict_of(const TestDescription& test, std::uint64_t comparisons) {
+  const bool separates = test.rule.separates ? test.rule.separates(comparisons) : clauses_of(test, comparisons) != 0;
+  return separates ? Verdict::separated : Verdict::contact;
+}
+
+std::size_t find_entry(const TestDescription& test, std::string_view name) {
+  const std::vector<std::string_view> known = names_of(test.entries);
+  if (name.empty()) return 0;
+  const auto found = std::find(known.begin(), known.end(), name);
+  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+  throw Error(fmt::format("test '{}': unknown entry '{}'; entries: {}", test.id, name,
+                          fmt::join(most_alike_first(name, known), ", ")));
+}
+
+}  // namespace axiscert

@@ -1,0 +1,94 @@
+// The description of a test as data. Code that handles answers goes by it and is written once for all tests.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "kernel/names.h"
+
+namespace axiscert {
+
+// The meaning of a column decides what may be done to it: a translation does not move a direction.
+enum class Role : std::uint8_t { coordinate, direction, length, time };
+inline constexpr std::array<std::string_view, 4> role_names = {"coordinate", "direction", "length", "time"};
+constexpr std::string_view name(Role role) { return role_names[static_cast<std::size_t>(role)]; }
+
+struct TestColumn {
+  std::string_view name;
+  Role role;
+  std::string_view group;  // columns of one group belong together, as the three of a vertex do
+};
+
+// A form in which the numbers of a query can be given.
+struct TestEntry {
+  std::string_view name;
+  std::string_view validity;  // the condition for a query; other numbers are `invalid`
+  std::vector<TestColumn> columns;
+};
+
+struct TestComparison {
+  std::string_view name;
+  std::size_t clause;
+};
+
+// A clause is a conjunction of comparisons; in a test by separating axes, an axis.
+struct TestClause {
+  std::string_view name;
+  std::uint64_t comparisons;  // the clause holds where all of these do; bit i is comparison i
+};
+
+// A number beside the verdict, for example a time of impact.
+struct TestMeasure {
+  std::string_view name, unit;
+  std::string_view error;  // how its error is counted
+};
+
+// The name of a wrong answer: a kernel says one verdict and another is right.
+struct WrongAnswer {
+  Verdict said, right;
+  std::string_view name;
+};
+
+// The way in which clauses make the verdict.
+struct VerdictRule {
+  std::string_view text;
+  // True of comparison bits that separate. Null: bits separate where a clause holds.
+  bool (*separates)(std::uint64_t comparisons) = nullptr;
+};
+inline constexpr VerdictRule any_clause_separates = {"separated where any clause holds"};
+
+// Limits that a word of 64 bits and the plug-in interface set.
+inline constexpr std::size_t most_columns = 64, most_comparisons = 64, most_measures = 64;
+
+struct TestDescription {
+  std::string_view id;
+  std::string_view asks;      // one line
+  std::string_view touching;  // the case in which the two touch
+  std::vector<WrongAnswer> wrong_answers;
+  std::vector<TestEntry> entries;  // a kernel that names none takes the first
+  std::vector<TestComparison> comparisons;
+  std::vector<TestClause> clauses;
+  std::vector<TestMeasure> measures;
+  VerdictRule rule = any_clause_separates;
+};
+
+// Returns the description unchanged. Throws HarnessFault if it has no entry, too many of anything, the same name twice,
+// or a comparison that its clause does not contain.
+TestDescription checked(TestDescription test);
+
+// Bit i is clause i.
+std::uint64_t clauses_of(const TestDescription& test, std::uint64_t comparisons);
+Verdict verdict_of(const TestDescription& test, std::uint64_t comparisons);
+
+// The index of an entry; an empty name means the first. Throws Error naming those that exist, the most alike first.
+std::size_t find_entry(const TestDescription& test, std::string_view name);
+
+// The tests that exist; defined in kernel/registry/tests.cpp. find_test throws Error as find_entry does.
+std::span<const TestDescription* const> tests();
+const TestDescription& find_test(std::string_view id);
+// The test of a kernel that names none.
+const TestDescription& first_test();
+
+}  // namespace axiscert
