@@ -1,4 +1,4 @@
-# What `cmake --install build/release --prefix P` puts where, beside the library. The command finds its host and its plug-ins
+# The places of everything but the library under `cmake --install build/release --prefix P`. The command finds its host and plug-ins
 # relative to itself: P can be moved.
 install(TARGETS axiscert EXPORT axiscertTargets RUNTIME DESTINATION bin)
 if(TARGET axiscert_plugin_host)

@@ -36,7 +36,7 @@ install(FILES LICENSE NOTICE docs/certified.md DESTINATION share/doc/libaxiscert
 # linked with it, its dependencies as dpkg-shlibdeps finds them; `development` is libaxiscert-dev.
 axiscert_install_library(development lib/${CMAKE_LIBRARY_ARCHITECTURE} runtime EXCLUDE_FROM_ALL)
 
-# What Debian asks of every package: who may copy it, and what changed.
+# Files that Debian requires of every package: who may copy it, and what changed.
 find_program(AXISCERT_GZIP gzip REQUIRED)
 configure_file(cmake/debian/changelog.in ${PROJECT_BINARY_DIR}/debian/changelog @ONLY)
 execute_process(COMMAND ${AXISCERT_GZIP} -9nc ${PROJECT_BINARY_DIR}/debian/changelog

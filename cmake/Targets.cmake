@@ -8,12 +8,12 @@ target_compile_options(kernel_fp INTERFACE -ffp-contract=off)
 add_library(axiscert_warnings INTERFACE)
 target_compile_options(axiscert_warnings INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion)
 
-# Code whose own speed nobody waits for: command lines, reports, tests. -O1 takes two thirds of the compile time of -O2.
+# Flags of code whose own speed hardly matters: command lines, reports, tests. -O1 takes two thirds of the compile time of -O2.
 add_library(axiscert_light INTERFACE)
 target_compile_options(axiscert_light INTERFACE $<$<CONFIG:Release>:-O1>)
 
 # Sanitized builds. Sanitizers are for the code where memory is at risk (the plug-in host, parsers, pipe, journal, kernels, families,
-# reports): what MEMORY marks below. AXISCERT_SANITIZE_ALL, of the preset asan-ubsan-all, has all of it.
+# reports), marked MEMORY below. AXISCERT_SANITIZE_ALL, of the preset asan-ubsan-all, has all of it.
 set(AXISCERT_SANITIZED OFF)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
   set(AXISCERT_SANITIZED ON)
@@ -36,16 +36,19 @@ if(AXISCERT_CCACHE)
     add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)
   endif()
 endif()
-include(CheckLinkerFlag)
-check_linker_flag(CXX -fuse-ld=lld AXISCERT_HAS_LLD)
-if(AXISCERT_HAS_LLD)
-  add_link_options(-fuse-ld=lld)
+if(NOT AXISCERT_ONLY_LIBRARY)  # packages are linked as the system links
+  include(CheckLinkerFlag)
+  check_linker_flag(CXX -fuse-ld=lld AXISCERT_HAS_LLD)
+  if(AXISCERT_HAS_LLD)
+    add_link_options(-fuse-ld=lld)
+  endif()
 endif()
 
-# What `./dev test` builds and runs: the tests with the label `quick`. The others have the label `long`; ./dev test --long runs both.
+# The programs that the tests with the label `quick` need, which `./dev test` runs. The others have the label `long`; ./dev test --long
+# runs both.
 add_custom_target(axiscert_quick)
 
-# axiscert_sources(result ROOMS folders... [EXCEPT names...]): what the rooms are compiled from, so that a new file is no line here. Tests,
+# axiscert_sources(result ROOMS folders... [EXCEPT names...]): the sources of the rooms, so that a new file takes no line here. Tests,
 # benchmarks, fuzz targets and programs (`_test`, `_bench`, `_target`, `write_`, `print_`) are named by whoever makes them.
 function(axiscert_sources result)
   cmake_parse_arguments(arg "" "" "ROOMS;EXCEPT" ${ARGN})
@@ -57,7 +60,7 @@ function(axiscert_sources result)
   set(${result} ${sources} PARENT_SCOPE)
 endfunction()
 
-# What every test may ask for: where the tree and the build are, the meshes of the package assimp-testmodels, and by how much the
+# Settings for every test: where the tree and the build are, the meshes of the package assimp-testmodels, and by how much the
 # numbers of queries are divided. The same for all of them, so that they can share a precompiled header.
 add_library(axiscert_test_settings INTERFACE)
 target_compile_definitions(axiscert_test_settings INTERFACE
