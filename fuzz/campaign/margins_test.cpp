@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "exact/sphere_triangle/oracles/formula_oracle.h"
 #include "fuzz/campaign/unit.h"
 
 namespace axiscert {
