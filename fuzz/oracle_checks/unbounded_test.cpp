@@ -7,6 +7,7 @@
 
 #include "exact/sphere_triangle/unbounded/at_precision.h"
 #include "fuzz/queries/family_testing.h"
+#include "fuzz/queries/random.h"
 
 namespace axiscert {
 namespace {

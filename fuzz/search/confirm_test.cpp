@@ -8,6 +8,7 @@
 #include "fuzz/search/evaluator.h"
 #include "fuzz/search/moves.h"
 #include "fuzz/search/range.h"
+#include "kernel/sphere_triangle/reference/scalar.h"
 
 namespace axiscert {
 namespace {

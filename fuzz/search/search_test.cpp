@@ -8,6 +8,7 @@
 #include "fuzz/queries/family.h"
 #include "fuzz/search/confirm.h"
 #include "kernel/base/error.h"
+#include "kernel/sphere_triangle/reference/scalar.h"
 
 namespace axiscert {
 namespace {
