@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "fuzz/queries/random.h"
 #include "fuzz/queries/source.h"
 
 namespace axiscert {

@@ -57,7 +57,7 @@ class Look {
     fault(fmt::format("{}\n{}", what, query_line({"fuzzed", precision_of<Real>, q_, 0})));
   }
 
-  Truth decided() const {
+  ExactTruth decided() const {
     try {
       return exact_truth(q_, true);
     } catch (const HarnessFault& wrong) {
