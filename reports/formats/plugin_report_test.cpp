@@ -1,6 +1,7 @@
 // Plug-ins from the campaign to the reports: findings, missing answers, conventions and limits as people read them.
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/supervised_testing.h"
+#include "fuzz/confirm/record.h"
 #include "reports/wording/finding.h"
 #include "reports/wording/reproduce.h"
 #include "reports/gates/requirement.h"

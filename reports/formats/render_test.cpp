@@ -32,13 +32,12 @@ Json named(const std::string& name) {
 }
 
 TEST(Reports, EveryFormatThatIsDefinedIsListed) {
-  for (const auto& [written, source] :
-       testing_support::defined_in("reports", R"(extern const Format \w+_format = \{\s*"([^"]+)")")) {
+  constexpr const char* definition = R"re(extern const Format \w+_format = \{\s*"([^"]+)")re";
+  for (const auto& [written, source] : testing_support::defined_in("reports", definition)) {
     EXPECT_TRUE(std::any_of(formats().begin(), formats().end(),
-                            [&](const Format* format) {
-    return format->file == written; }))
+                            [&, &file = written](const Format* format) { return format->file == file; }))
         << source << " defines the format of " << written << ", which the list of reports/formats/render.cpp lacks";
-}
+  }
 }
 
 TEST(Reports, AllAreWritten) {
