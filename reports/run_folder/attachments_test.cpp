@@ -17,7 +17,8 @@ TEST(Attachments, AreNullWhereTheFolderHasNone) {
   for (const Format* format : formats()) {
     if (std::string_view(format->file) != "report.html") expected.emplace_back(format->file);
   }
-  for (const Json& file : page_data(folder.read("report.html"))["files"]) {
+  const Json page = page_data(folder.read("report.html"));
+  for (const Json& file : page["files"]) {
     shown.push_back(file["name"]);
     EXPECT_FALSE(file["meaning"].get<std::string>().empty()) << shown.back();
   }
