@@ -12,7 +12,8 @@ foreach(room kernel/peers kernel/sphere_triangle/faults)
   foreach(target ${targets})
     get_target_property(type ${target} TYPE)
     if(type STREQUAL MODULE_LIBRARY)
-      install(TARGETS ${target} LIBRARY DESTINATION lib/axiscert/${folder})
+      # A build for the quick tests has no peers.
+      install(TARGETS ${target} LIBRARY DESTINATION lib/axiscert/${folder} OPTIONAL)
     endif()
   endforeach()
   # Which ones this build lacks, and for want of what.

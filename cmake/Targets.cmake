@@ -30,8 +30,10 @@ endfunction()
 # ccache and lld where they are installed: neither changes a byte of what is computed.
 find_program(AXISCERT_CCACHE ccache)
 if(AXISCERT_CCACHE)
-  # Precompiled headers take these allowances; no source here uses __TIME__.
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${AXISCERT_CCACHE})
+  # Precompiled headers take these allowances; no source here uses __TIME__. With CCACHE_DEPEND a source is not preprocessed
+  # a second time, which would cost a build without a warm cache a third of its time.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros
+      ${AXISCERT_CCACHE})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)
   endif()

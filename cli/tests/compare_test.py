@@ -15,7 +15,7 @@ PLAN = ["--family", "repeated", "--family", "tangent", "--trials", "1000", "--pr
 
 
 def validate(schema, *files):
-    return subprocess.run(["/usr/bin/python3", SCHEMAS / "validate.py", SCHEMAS / schema, *files],
+    return subprocess.run(["/usr/bin/python3", SCHEMAS / "validate.py", schema, *files],
                           capture_output=True, text=True)
 
 
@@ -46,7 +46,7 @@ class Compare(Case):
         self.assertRegex(text, r"worse +published +binary32 +repeated +verdict\.false_contact")
         self.assertIn("axiscert query", text, "a witness and how it is shown again")
         compared = self.folder / "compared"
-        self.assertEqual(validate("comparison.schema.json", compared / "compare.json").stderr, "")
+        self.assertEqual(validate(SCHEMAS / "comparison.schema.json", compared / "compare.json").stderr, "")
         self.assertEqual(json.loads((compared / "compare.json").read_text())["alarms"], 1)
         self.assertIn("| worse | published |", (compared / "compare.md").read_text())
         self.assertIn("<h1>axiscert compare: worse: 1 worse</h1>", (compared / "compare.html").read_text())
@@ -153,7 +153,8 @@ class Ratchet(Case):
             worse = [r for r in run["results"] if r["ruleId"] == "worse-than-accepted"]
             self.assertEqual(len(worse), done.stderr.count("axiscert: --ratchet: "))
             self.assertIn("the ratchet is not met", (self.folder / "out/report.md").read_text())
-        for name, schema in {"report.sarif": "testdata/sarif-2.1.0-rtm.5.json", "ratchet.json": "ratchet.schema.json"}.items():
+        for name, schema in {"report.sarif": REPORTS / "testdata/sarif-2.1.0-rtm.5.json",
+                             "ratchet.json": SCHEMAS / "ratchet.schema.json"}.items():
             self.assertEqual(validate(schema, self.folder / "out" / name).stderr, "")
         done = self.judge("none", "--ratchet", self.ratchet, "--quiet")
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
@@ -210,7 +211,7 @@ class CiFormats(Case):
             done = subprocess.run(["xmllint", "--noout", "--schema", REPORTS / "testdata/junit.xsd", folder / "junit.xml"],
                                   capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertEqual(validate("testdata/sarif-2.1.0-rtm.5.json", folder / "report.sarif").stderr, "")
+            self.assertEqual(validate(REPORTS / "testdata/sarif-2.1.0-rtm.5.json", folder / "report.sarif").stderr, "")
         # One case for each kernel, family and comparison, and one verdict for each.
         suites = ElementTree.parse(self.folder / "out/junit.xml").getroot()
         self.assertEqual(sum(len(suite.findall("testcase")) for suite in suites), 2 * 17)
@@ -231,7 +232,7 @@ class CiFormats(Case):
         log = json.loads(sarif.read_text())
         log["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["region"]["startLine"] = 0
         sarif.write_text(json.dumps(log))
-        self.assertEqual(validate("testdata/sarif-2.1.0-rtm.5.json", sarif).returncode, 1)
+        self.assertEqual(validate(REPORTS / "testdata/sarif-2.1.0-rtm.5.json", sarif).returncode, 1)
         junit.write_text(junit.read_text().replace(" hostname=\"localhost\"", ""))
         done = subprocess.run(["xmllint", "--noout", "--schema", REPORTS / "testdata/junit.xsd", junit], capture_output=True)
         self.assertNotEqual(done.returncode, 0)

@@ -112,8 +112,8 @@ class Kernels(Case):
                      says=["--precision binary64", "published+spu", "binary32 only"])
         self.refused("check", "-", "--kernel", "published+world-double", stdin=QUERY % 1,
                      says=["query 'q'", "binary32", "published+world-double"])
-        for wrong, says in (("published+nope", "unknown arithmetic 'nope'"), ("minkowski+fma", "'minkowski' is no rung"),
-                            ("nope+fma", "'nope' is no rung")):
+        for wrong, says in (("published+nope", "unknown arithmetic 'nope'"), ("minkowski+fma", "'minkowski' is not a rung"),
+                            ("nope+fma", "'nope' is not a rung")):
             done = self.refused("run", "--kernel", wrong, says=[wrong, says])
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
 
