@@ -81,7 +81,8 @@ constexpr bool has_critical_radius(std::uint64_t position) {
   return position < critical_radius_queries && position % critical_radius_stride == 0;
 }
 
-// What has to pass the self-check: the scalar reference, the plan's target, and those on which a kernel is called.
+// The targets that have to pass the self-check: the scalar reference, the plan's, and those on which a kernel is
+// called.
 std::set<std::string> targets_of(const Plan& plan);
 
 // `interrupted` is polled between units; `report` is called from one thread at a time. The tallies depend on the plan

@@ -230,7 +230,7 @@ void ErrorWatch<Real>::settle(std::size_t k) {
   Largest& largest = largest_[k];
   Leaders<Decimal6>& leaders = tally_.comparisons[k].largest_error;
   for (const Suspect& suspect : largest.suspects) {
-    // What passed it may have a later position, so the same decimal is not enough.
+    // The error that passed it may have a later position, so the same decimal is not enough.
     if (suspect.upper <= largest.passed * Decimal6::least_ratio) continue;
     // Where products underflow many errors are the same but for parts in 10^15: the first stands for the others.
     const auto& known = leaders.candidates();
@@ -243,7 +243,7 @@ void ErrorWatch<Real>::settle(std::size_t k) {
     else offer(formula_truth(formulae_, suspect.query).comparison(k));
   }
   largest.suspects.clear();
-  // What comes now is later: it has to be greater.
+  // Errors from here on have later positions: they have to be greater.
   raise_passed(k);
 }
 

@@ -33,7 +33,8 @@ class ErrorWatch {
   // Evaluates what is left. To be called once, after the last batch.
   void settle();
 
-  // What the filter said of a checked query of the last batch against the exact error; what is wrong, or nothing.
+  // Compares the filter's answer about a checked query of the last batch with the exact error; returns what is wrong,
+  // or nothing.
   std::string contradiction(std::size_t query, std::size_t comparison, const ComparisonError& exact) const;
 
  private:
@@ -76,7 +77,7 @@ class ErrorWatch {
   QueryBatch<double> widened_{1};
   Answers<double> in_binary64_;
 
-  // Of the batch at hand.
+  // State for the batch at hand.
   const QueryBatch<Real>* batch_ = nullptr;
   const std::vector<Attention>* attention_ = nullptr;
   const std::vector<DecidedSigns>* decided_ = nullptr;

@@ -1,4 +1,4 @@
-// What a run counts, per kernel, precision and source. Tallies of units merge in any order to the same result.
+// The counts of a run, per kernel, precision and source. Tallies of units merge in any order to the same result.
 #pragma once
 
 #include <algorithm>
@@ -73,7 +73,7 @@ struct ComparisonTally : SignTally {
   Leaders<bool> false_witness, missed_witness;  // ranked by whether the flip is decisive
 };
 
-// What happens on valid queries outside the limits that a kernel declares; it enters no other count but the truth's.
+// Counts of valid queries outside the limits that a kernel declares; only the truth counts them too.
 struct OutsideTally {
   std::uint64_t trials = 0, false_separation = 0, false_contact = 0, unanswered = 0;
   double deepest = 0;
@@ -125,7 +125,7 @@ class DepthOf {
   ~DepthOf() = default;
 };
 
-// What other units of the same cell have found: what is certainly no greater need not be evaluated.
+// The leaders that other units of the same cell have found: a query that is certainly no greater is not evaluated.
 struct Standing {
   std::array<Leaders<Decimal6>, comparison_count> largest_error;
   VerdictTally verdict;  // its leaders
@@ -160,7 +160,7 @@ class CleanCount {
     touching_ += touching;
     if (ties != 0) add_ties(ties);
   }
-  // Of a kernel that claims no formulae.
+  // The same for a kernel that claims no formulae.
   void add_verdict(Verdict verdict, bool touching) {
     ++(verdict == Verdict::separated ? separated_ : contact_);
     touching_ += touching;

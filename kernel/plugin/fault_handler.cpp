@@ -15,7 +15,7 @@ constexpr std::uintptr_t null_page = 4096;  // a member of what a null pointer p
 const Arrays* watched = nullptr;
 Fault* told = nullptr;
 
-// What the processor says of a page fault.
+// The processor's description of a page fault.
 Access access_of(const void* context) {
 #if defined(__x86_64__)
   constexpr greg_t page_fault = 14, write_bit = 2;

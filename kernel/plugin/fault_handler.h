@@ -5,7 +5,7 @@
 
 namespace axiscert::plugin {
 
-// What lies untouchable on both sides of each area, in bytes: address space, no memory. A write that goes astray by
+// The bytes on both sides of each area that cannot be touched: address space, no memory. A write that goes astray by
 // less than that cannot reach another array.
 inline constexpr std::size_t guard = std::size_t{16} << 20;
 

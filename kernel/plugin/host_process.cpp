@@ -46,7 +46,7 @@ double processor_seconds(pid_t process) {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-// Of a fault at one of the arrays.
+// The text about a fault at one of the arrays.
 Stop out_of_bounds(const Fault& fault, const Subject& subject) {
   const auto count = static_cast<std::int64_t>(fault.element_count);
   const char* did = fault.access == Access::write ? "wrote" : fault.access == Access::read ? "read" : "touched";
@@ -175,7 +175,7 @@ std::optional<Stop> HostProcess::receive(double seconds, Reply& reply) {
     const ssize_t got = recv(socket_, &reply, sizeof reply, 0);
     if (got == sizeof reply) return std::nullopt;
     if (got >= 0 || (errno != EAGAIN && errno != EINTR)) return how_it_died();
-    // What the plug-in has started may hold the socket open after it has died.
+    // A process that the plug-in has started may hold the socket open after the plug-in has died.
     siginfo_t ended{};
     if (waitid(P_PID, static_cast<id_t>(child_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid != 0) {
       return how_it_died();

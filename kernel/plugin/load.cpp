@@ -27,7 +27,7 @@ struct Kind {
 };
 constexpr Kind kinds[] = {{"peer/", "peers"}, {"fault/", "faults"}};
 
-// What is wrong with what a plug-in says of itself; thrown here, a finding outside.
+// A claim of a plug-in that cannot be true; thrown in this file, a finding outside it.
 struct Refused {
   FindingKind kind;
   std::string detail;
@@ -50,7 +50,7 @@ std::string text_of(const char* text) {
   return clean;
 }
 
-// What a plug-in claims to be like: built in, and there in its precision.
+// The kernel that a plug-in claims to be like: a built-in one that exists in its precision.
 const Kernel& builtin(const char* member, const std::string& id, Precision precision) {
   const Kernel* kernel = nullptr;
   try {

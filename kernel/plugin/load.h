@@ -25,8 +25,8 @@ struct Shipped {
 };
 std::vector<Shipped> shipped_plugins();
 
-// Of an id "plugin:PATH", "peer/NAME" or "fault/NAME", the file; nothing for any other. Throws Error where there is no
-// such peer or fault.
+// The file of an id "plugin:PATH", "peer/NAME" or "fault/NAME"; nothing for any other id. Throws Error where there is
+// no such peer or fault.
 std::optional<std::string> plugin_path(std::string_view id);
 
 }  // namespace axiscert::plugin

@@ -1,4 +1,4 @@
-// What axiscert and the process that hosts a plug-in share: one memory file, and short messages over a socket.
+// The memory that axiscert shares with the process that hosts a plug-in, and the short messages between them.
 //
 // The file holds a control block and an area for each array of plugin.h that the test and entry have. The host maps
 // each area between pages that cannot be touched, the input ones read-only; axiscert maps the file as it is.

@@ -14,7 +14,7 @@ inline double batch_seconds = 1;
 // Bits of Reply::changed in words: "the rounding mode, flushing of subnormal numbers to zero".
 std::string changed_modes(std::uint32_t changed);
 
-// What the supervisor has to know of a kernel.
+// The facts about a kernel that the supervisor needs.
 struct Supervised {
   Callee callee;
   Exposure exposes;
@@ -34,7 +34,7 @@ class Supervisor {
   void run(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>* explained, std::vector<Finding>* findings);
 
   static constexpr int most_stops = 16;
-  // Of the plug-in's calls so far.
+  // State over all calls so far.
   double nanoseconds() const { return nanoseconds_; }
 
  private:

@@ -124,7 +124,7 @@ Says summary(const Heard& heard, Says if_separated) {
                                                                                 : Says::varies;
 }
 
-// What the kernel's row would have to say.
+// The row that the table would need for the kernel.
 template <class Real>
 Behaviour heard_of(const Kernel& kernel) {
   constexpr Real inf = std::numeric_limits<Real>::infinity(), nan = std::numeric_limits<Real>::quiet_NaN();

@@ -1,4 +1,4 @@
-// What the sources of a folder define, so that a test finds what has no line in the list that it needs.
+// The definitions in the sources of a folder, so that a test finds those that lack their line in a list.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-/* What turns flush-to-zero and denormals-are-zero on. */
+/* Turns flush-to-zero and denormals-are-zero on. */
 #include <stdint.h>
 
 #if defined(__SSE2__)

@@ -1,5 +1,5 @@
-/* What the misbehaving plug-ins share: the published test in binary32, which they answer rightly but for the one thing
- * that each does wrong. Those that do it on some queries only do it on those whose radius is above 1000.
+/* The common part of the misbehaving plug-ins: the published test in binary32, which they answer rightly but for the
+ * one thing that each does wrong. Those that do it on some queries only do it on those whose radius is above 1000.
  */
 #include "kernel/include/axiscert/plugin.h"
 
