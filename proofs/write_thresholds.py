@@ -193,8 +193,8 @@ def exported_v(exported, windows, bounds, coarse, conservative):
         pairs = [f"({n}, {degree(form, name)}%nat)" for n, name in zip(exported[form], COMPARISONS)]
         return listed(pairs)
 
-    text = """(* What kernel/sphere_triangle/certified_filter/thresholds.h says, proved of the filters that never lie, and what margin_bounds.h says. Written by
-   write_thresholds.py: do not edit. *)
+    text = """(* The numbers of thresholds.h in kernel/sphere_triangle/certified_filter, proved of the filters that never lie, and those of
+   margin_bounds.h beside it. Written by write_thresholds.py: do not edit. *)
 From Coq Require Import Reals ZArith List.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Expression Programs Filter Thresholds Filters Margins Certified Conservative.

@@ -112,12 +112,13 @@ Json test_json(const TestDescription& test) {
 }
 
 int list_tests(const std::string& format) {
-  Json all = Json::array();
-  for (const TestDescription* test : tests()) {
-    if (format == "text") print_test(*test);
-    all.push_back(test_json(*test));
+  if (format == "text") {
+    for (const TestDescription* test : tests()) print_test(*test);
+    return exit_done;
   }
-  if (format == "json") fmt::print("{}\n", all.dump(2));
+  Json all = Json::array();
+  for (const TestDescription* test : tests()) all.push_back(test_json(*test));
+  fmt::print("{}\n", all.dump(2));
   return exit_done;
 }
 

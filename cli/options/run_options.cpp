@@ -18,23 +18,18 @@
 namespace axiscert {
 namespace {
 
-// Family::cost from which on a family is asked a quarter of the default in binary64.
-constexpr int dear = 24;
-
-// Queries per family: 2^18 in binary32, 2^16 in binary64, where exact arithmetic costs more, and fewest of what is
-// dear.
+// Queries per family: fewer in binary64, where exact arithmetic costs more, and fewest where a family says so.
 std::uint64_t default_trials(const Source& source, Precision precision) {
   if (precision == Precision::binary32) return std::uint64_t{1} << 18;
-  return std::uint64_t{1} << (source.cost() >= dear ? 14 : 16);
+  return (std::uint64_t{1} << 16) / static_cast<std::uint64_t>(source.trial_divisor());
 }
 
 std::string default_trials_text() {
-  std::vector<std::string_view> least;
+  std::string text = "2^18 in binary32, 2^16 in binary64";
   for (const Family* family : families()) {
-    if (family->cost >= dear) least.push_back(family->name);
+    if (family->trial_divisor > 1) text += fmt::format(", {} for {}", (1 << 16) / family->trial_divisor, family->name);
   }
-  const std::string but = least.empty() ? "" : fmt::format(" with 2^14 for {}", fmt::join(least, ", "));
-  return fmt::format("2^18 in binary32, 2^16 in binary64{}", but);
+  return text;
 }
 
 // Parses "T" for all comparisons or "COMPARISON=T" for one; a later one overrides.

@@ -166,7 +166,7 @@ class Run(Case):
         self.assertEqual(shown, costly, "./dev certify reads them there")
         done = axiscert("generate", "--family", "bits", "--precision", "binary64")
         self.assertEqual(done.stdout.count("\n"), 2**14)
-        self.assertIn("2^14 for bits)", axiscert("run", "--help").stdout.replace("\n", " "))
+        self.assertIn("16384 for bits)", axiscert("run", "--help").stdout)
 
     def test_truth_and_degenerate_families(self):
         record = self.run_ok("--kernel", "published", "--kernel", "nonstrict", "--family", "lattice", "--family",

@@ -37,13 +37,13 @@ template class LazyDistance<double>;
 
 template <class Real>
 const ExactTruth& CloseLook<Real>::truth() {
-  if (!truth_) truth_ = decider_.exact_truth_of(batch_, index_);
+  if (!truth_) truth_ = decider_.exact_truth_of(batch_, index_, query_);
   return *truth_;
 }
 template <class Real>
 Claims<Real>* CloseLook<Real>::claims() {
   if (!truth().formula) return nullptr;
-  if (!claims_) claims_.emplace(query_, *truth_->formula, exact_only_);
+  if (!claims_) claims_.emplace(query_, *truth_->formula, decider_.is_exact_only());
   return &*claims_;
 }
 template class CloseLook<float>;

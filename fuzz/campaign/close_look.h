@@ -33,13 +33,12 @@ class LazyDistance final : public DepthOf {
 template <class Real>
 class CloseLook {
  public:
-  CloseLook(Decider<Real>& decider, const DecidedBatch<Real>& batch, std::size_t index, bool exact_only)
+  CloseLook(Decider<Real>& decider, const DecidedBatch<Real>& batch, std::size_t index)
       : decider_(decider),
         batch_(batch),
         index_(index),
-        exact_only_(exact_only),
         query_(batch.queries[index]),
-        distance_(query_, exact_only) {}
+        distance_(query_, decider.is_exact_only()) {}
   CloseLook(const CloseLook&) = delete;
 
   std::size_t index() const { return index_; }  // in the batch
@@ -52,7 +51,6 @@ class CloseLook {
   Decider<Real>& decider_;
   const DecidedBatch<Real>& batch_;
   std::size_t index_;
-  bool exact_only_;
   Query<Real> query_;
   LazyDistance<Real> distance_;
   std::optional<ExactTruth> truth_;
@@ -63,17 +61,15 @@ class CloseLook {
 template <class Real>
 class CloseLooks {
  public:
-  CloseLooks(Decider<Real>& decider, const DecidedBatch<Real>& batch, bool exact_only)
-      : decider_(decider), batch_(batch), exact_only_(exact_only) {}
+  CloseLooks(Decider<Real>& decider, const DecidedBatch<Real>& batch) : decider_(decider), batch_(batch) {}
   CloseLook<Real>& at(std::size_t index) {
-    if (!look_ || look_->index() != index) look_.emplace(decider_, batch_, index, exact_only_);
+    if (!look_ || look_->index() != index) look_.emplace(decider_, batch_, index);
     return *look_;
   }
 
  private:
   Decider<Real>& decider_;
   const DecidedBatch<Real>& batch_;
-  bool exact_only_;
   std::optional<CloseLook<Real>> look_;
 };
 

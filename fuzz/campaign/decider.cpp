@@ -29,12 +29,11 @@ void require_ieee_modes() {
 template <class Real>
 DecidedBatch<Real> Decider<Real>::decide(const MadeBatch<Real>& made) {
   const std::size_t size = made.size();
-  exactly_.assign(size, true);
   attention_.assign(size, Attention::none);
   if (exact_only_) {
     steps_.queries[static_cast<std::size_t>(Step::exact)] += size;
     undecided_.resize(size);
-    return {made, undecided_, exactly_, attention_};
+    return {made, undecided_, attention_};
   }
   require_ieee_modes();
   const std::vector<DecidedSigns>& decided = cascade_.decide(made.queries);
@@ -47,12 +46,11 @@ DecidedBatch<Real> Decider<Real>::decide(const MadeBatch<Real>& made) {
     const std::uint64_t stride = found.step == Step::integers ? integer_check_stride : second_opinion_stride;
     const bool is_checked = (made.position + i) % stride == 0 || found.is_close;
     steps_.checked += is_checked;
-    exactly_[i] = is_checked;
     attention_[i] = is_checked ? Attention::checked : Attention::counted;
   }
   steps_.queries[static_cast<std::size_t>(Step::lanes)] += in_lanes;
   for (auto& signs : steps_.signs) signs[static_cast<std::size_t>(Step::lanes)] += in_lanes;
-  return {made, decided, exactly_, attention_};
+  return {made, decided, attention_};
 }
 
 template <class Real>
@@ -65,8 +63,7 @@ void Decider<Real>::count_step(const DecidedSigns& found) {
 }
 
 template <class Real>
-ExactTruth Decider<Real>::exact_truth_of(const DecidedBatch<Real>& batch, std::size_t index) {
-  const Query<Real> q = batch.queries[index];
+ExactTruth Decider<Real>::exact_truth_of(const DecidedBatch<Real>& batch, std::size_t index, const Query<Real>& q) {
   const bool second_opinion = exact_only_ || (batch.position + index) % second_opinion_stride == 0;
   ExactTruth truth = exact_truth(q, second_opinion);
   if (!truth.formula) return truth;

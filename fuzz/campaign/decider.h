@@ -19,12 +19,13 @@ class Decider {
         second_opinions_(second_opinions) {}
 
   const Filter<Real>& filter() const { return filter_; }
+  bool is_exact_only() const { return exact_only_; }
 
   // Good until the next call.
   DecidedBatch<Real> decide(const MadeBatch<Real>& made);
 
-  // The exact truth of query `index`, compared with what a filter decided. Throws OracleDisagreement.
-  ExactTruth exact_truth_of(const DecidedBatch<Real>& batch, std::size_t index);
+  // The exact truth of query `index`, which is `q`, compared with what a filter decided. Throws OracleDisagreement.
+  ExactTruth exact_truth_of(const DecidedBatch<Real>& batch, std::size_t index, const Query<Real>& q);
 
   // Adds the time that the filters took, in nanoseconds, to the counts.
   void count_times() const;
@@ -38,7 +39,6 @@ class Decider {
   StepCounts& steps_;
   std::uint64_t& second_opinions_;
   std::vector<DecidedSigns> undecided_;  // where no filter is used
-  std::vector<char> exactly_;
   std::vector<Attention> attention_;
 };
 

@@ -26,8 +26,8 @@ double passed_by(const Decimal6& decimal) {
   return std::min(decimal.value(), std::numeric_limits<double>::max()) * below_the_rounding;
 }
 
-// Of what is below 2^exponent, the decimal is more than twice as much: then no rounding makes it the same. A decimal is
-// at least 2^n for n = floor(log2(mantissa)) + floor(3.3219 exponent), since 10 > 2^3.3219.
+// The decimal is more than twice as much as any number below 2^exponent, so no rounding makes the two the same. A
+// decimal is at least 2^n for n = floor(log2(mantissa)) + floor(3.3219 exponent), since 10 > 2^3.3219.
 int passed_exponent_by(const Decimal6& decimal) {
   if (decimal.is_zero() || decimal.exponent < 0) return std::numeric_limits<int>::min();
   return std::bit_width(decimal.mantissa) - 1 + static_cast<int>(std::int64_t{decimal.exponent} * 33219 / 10000) - 1;
@@ -50,13 +50,10 @@ ErrorWatch<Real>::ErrorWatch(Formulae formulae, const Tolerances& tolerances, co
 }
 
 template <class Real>
-void ErrorWatch<Real>::look(const QueryBatch<Real>& batch, std::uint64_t position,
-                            const std::vector<Attention>& attention, const std::vector<DecidedSigns>& decided,
+void ErrorWatch<Real>::look(const DecidedBatch<Real>& batch, const std::vector<Attention>& attention,
                             const Answers<Real>& computed) {
   batch_ = &batch;
-  position_ = position;
   attention_ = &attention;
-  decided_ = &decided;
   computed_ = &computed;
   checked_.clear();
   failing_.assign(batch.size(), 0);
@@ -68,7 +65,7 @@ void ErrorWatch<Real>::look(const QueryBatch<Real>& batch, std::uint64_t positio
   ErrorThresholds thresholds;
   for (std::size_t k = 0; k < comparison_count; ++k) thresholds[k] = threshold(k);
   suspects_.clear();
-  filter_.errors(batch.columns(), computed, formulae_ != Formulae::published, thresholds, suspects_);
+  filter_.errors(batch.queries.columns(), computed, formulae_ != Formulae::published, thresholds, suspects_);
   for (const SuspectError& suspect : suspects_) {
     // An earlier suspect of the batch may have raised the threshold.
     if (suspect.upper > threshold(suspect.comparison)) judge(suspect);
@@ -87,7 +84,7 @@ template <class Real>
 bool ErrorWatch<Real>::is_batch_exact() {
   const SimdForms* forms = simd_forms(formulae_);
   if (!forms) return false;
-  const auto columns = batch_->columns();
+  const auto columns = batch_->queries.columns();
   if (widened_.capacity() < columns.size) widened_ = QueryBatch<double>(columns.size);
   widened_.resize(columns.size);
   const auto wide = widened_.mutable_columns();
@@ -120,7 +117,7 @@ bool ErrorWatch<Real>::is_exactly_zero(std::size_t i, std::size_t comparison) {
     constexpr int events = FE_INEXACT | FE_OVERFLOW | FE_UNDERFLOW;
     Sides<double> sides;
     std::feclearexcept(events);
-    reference(formulae_, Arithmetic::plain, Strictness::strict, widened((*batch_)[i]), &sides);
+    reference(formulae_, Arithmetic::plain, Strictness::strict, widened(batch_->queries[i]), &sides);
     const bool is_exact = std::fetestexcept(events) == 0;
     zero_[i] = 0;
     for (std::size_t k = 0; k < comparison_count && is_exact; ++k) {
@@ -136,7 +133,7 @@ const FormulaTruth& ErrorWatch<Real>::exact_sides(std::size_t i) {
   auto& [query, sides] = exact_sides_[i % exact_sides_.size()];
   if (!sides || query != i) {
     query = i;
-    sides = formula_truth(formulae_, (*batch_)[i]);
+    sides = formula_truth(formulae_, batch_->queries[i]);
   }
   return *sides;
 }
@@ -147,7 +144,7 @@ WideMargins::ErrorRange ErrorWatch<Real>::wide_error(const SuspectError& suspect
   auto& [query, margins] = wide_[i % wide_.size()];
   if (!margins || query != i) {
     query = i;
-    margins.emplace(widened((*batch_)[i]));
+    margins.emplace(widened(batch_->queries[i]));
   }
   const EdgeSides sides = formulae_ == Formulae::published ? EdgeSides::published : EdgeSides::reduced;
   auto range = margins->error(static_cast<Comparison>(k), sides, computed_->lhs[k][i], computed_->rhs[k][i],
@@ -182,7 +179,7 @@ void ErrorWatch<Real>::judge(const SuspectError& suspect) {
     ++comparison.range_events;
     return;
   }
-  if (!std::isfinite(upper) && ((both_sides_zero((*decided_)[i].signs) >> k) & 1u)) {
+  if (!std::isfinite(upper) && ((both_sides_zero(batch_->signs[i].signs) >> k) & 1u)) {
     comparison.error_without_scale += lhs != rhs;  // any difference is over |0| + |0|
     return;
   }
@@ -209,7 +206,7 @@ void ErrorWatch<Real>::judge(const SuspectError& suspect) {
     }
     if (tolerances_[k] && error.exceeds(*tolerances_[k])) fail();
     if (error.upper() > largest.passed) {
-      comparison.largest_error.offer({error.rounded_up(), position_ + i});
+      comparison.largest_error.offer({error.rounded_up(), batch_->position + i});
       raise_passed(k);
     }
     return;
@@ -219,7 +216,7 @@ void ErrorWatch<Real>::judge(const SuspectError& suspect) {
     if (is_certain || exactly().exceeds(*tolerances_[k])) fail();
   }
   if (upper > largest.passed) {
-    largest.suspects.push_back({(*batch_)[i], position_ + i, lhs, rhs, upper});
+    largest.suspects.push_back({batch_->queries[i], batch_->position + i, lhs, rhs, upper});
     largest.passed = std::max(largest.passed, lower * Decimal6::least_ratio);
     if (largest.suspects.size() == most_suspects) settle(k);
   }

@@ -26,10 +26,9 @@ class ErrorWatch {
   ErrorWatch(Formulae formulae, const Tolerances& tolerances, const Filter<Real>& filter, const Standing& standing,
              std::uint64_t first_position, Tally& tally);
 
-  // `attention` by query of the batch, whose first query is at `position`; the signs of the `counted` ones are
-  // `decided`.
-  void look(const QueryBatch<Real>& batch, std::uint64_t position, const std::vector<Attention>& attention,
-            const std::vector<DecidedSigns>& decided, const Answers<Real>& computed);
+  // `attention` by query; it differs from the batch's own for queries that the kernel did not answer. `batch` has to
+  // last until the next call.
+  void look(const DecidedBatch<Real>& batch, const std::vector<Attention>& attention, const Answers<Real>& computed);
   // Evaluates what is left. To be called once, after the last batch.
   void settle();
 
@@ -78,11 +77,9 @@ class ErrorWatch {
   Answers<double> in_binary64_;
 
   // State for the batch at hand.
-  const QueryBatch<Real>* batch_ = nullptr;
+  const DecidedBatch<Real>* batch_ = nullptr;
   const std::vector<Attention>* attention_ = nullptr;
-  const std::vector<DecidedSigns>* decided_ = nullptr;
   const Answers<Real>* computed_ = nullptr;
-  std::uint64_t position_ = 0;
   std::vector<ComparisonBits> failing_;  // by query, the comparisons above their tolerance
   std::vector<std::optional<ComparisonBits>>
       zero_;  // by query, the comparisons whose error is zero; none: not evaluated

@@ -57,14 +57,14 @@ void KernelRun<Real>::look_at_errors(const DecidedBatch<Real>& batch) {
   if (kernel_.is_reference) reference_.evaluate(batch.queries.columns());
   if (!exposes_sides()) return;
   if (std::find(reply_.verdicts.begin(), reply_.verdicts.end(), Verdict::unanswered) == reply_.verdicts.end()) {
-    errors_.look(batch.queries, position_, batch.attention, batch.signs, reply_.answers);
+    errors_.look(batch, batch.attention, reply_.answers);
     return;
   }
   std::vector<Attention> answered = batch.attention;
   for (std::size_t i = 0; i < answered.size(); ++i) {
     if (!is_answered(i)) answered[i] = Attention::none;
   }
-  errors_.look(batch.queries, position_, answered, batch.signs, reply_.answers);
+  errors_.look(batch, answered, reply_.answers);
 }
 
 // Without ties strict and non-strict signs are the same, no query touches, and each test is one comparison of flat
@@ -80,7 +80,7 @@ void KernelRun<Real>::count_plain(const DecidedBatch<Real>& batch) {
   for (std::size_t i = 0; i < batch.size(); ++i) {
     const Signs signs = batch.signs[i].signs;
     const AxisBits axes = axes_table[signs.strict];
-    const bool is_plain = !batch.exactly[i] && signs.ties == 0 && radii[i] != 0;
+    const bool is_plain = !batch.is_exact(i) && signs.ties == 0 && radii[i] != 0;
     const bool is_right = reply_.verdicts[i] == verdict_of(axes) && (!bits || bits[i] == signs.strict) &&
                           (!kernel_.is_reference || reference_.are_both(i, signs.strict));
     if (!(is_plain && is_right)) continue;
@@ -93,8 +93,8 @@ template <class Real>
 void KernelRun<Real>::judge(const DecidedBatch<Real>& batch, std::size_t i, bool radius_is_zero,
                             CloseLooks<Real>& looks) {
   const Answer said = answer(i);
-  if (batch.exactly[i] || !by_signs_) {
-    judge_exactly(said, batch.is_filtered(i) && batch.exactly[i], looks.at(i));
+  if (batch.is_exact(i) || !by_signs_) {
+    judge_exactly(said, batch.is_filtered(i) && batch.is_exact(i), looks.at(i));
   } else if (!count_if_clean(i, batch.signs[i].signs, radius_is_zero, said)) {
     judge_by_signs(batch.signs[i].signs, said, looks.at(i));
   }
@@ -164,10 +164,9 @@ void KernelRun<Real>::judge_exactly(const Answer& answer, bool is_filtered, Clos
     chain = claims->chain(kernel_);
     sides = claims->sides(kernel_.formulae);
   }
-  const bool is_valid = truth.verdict != Verdict::invalid;
   const Judgement judgement = axiscert::judge(truth, chain, answer, kernel_.touching);
   if (truth.touching) depth.is_zero();
-  if (is_valid && kernel_.limits.any() && !is_within(kernel_.limits, look.query())) {
+  if (truth.verdict != Verdict::invalid && kernel_.limits.any() && !is_within(kernel_.limits, look.query())) {
     count_outside(tally_, truth, answer, judgement, depth);
     return;
   }

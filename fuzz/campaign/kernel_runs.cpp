@@ -38,12 +38,6 @@ WatchedBatch<Real> AnsweredBatch<Real>::look_at_errors(const DecidedBatch<Real>&
 }
 
 template <class Real>
-OpenBatch<Real> WatchedBatch<Real>::count_plain() && {
-  runs_.count_plain(batch_);
-  return {runs_, batch_};
-}
-
-template <class Real>
 void KernelRuns<Real>::count_plain(const DecidedBatch<Real>& batch) {
   open_.assign(batch.size(), false);
   for (KernelRun<Real>& run : runs_) {
@@ -53,7 +47,8 @@ void KernelRuns<Real>::count_plain(const DecidedBatch<Real>& batch) {
 }
 
 template <class Real>
-void OpenBatch<Real>::judge() && {
+void WatchedBatch<Real>::judge() && {
+  runs_.count_plain(batch_);
   runs_.judge(batch_);
   if (!runs_.plan_.replies) runs_.sample_critical_radii(batch_);
   if (has_margins(batch_.position)) runs_.measure_margins(batch_);
@@ -61,7 +56,7 @@ void OpenBatch<Real>::judge() && {
 
 template <class Real>
 void KernelRuns<Real>::judge(const DecidedBatch<Real>& batch) {
-  CloseLooks<Real> looks(decider_, batch, plan_.exact_only);
+  CloseLooks<Real> looks(decider_, batch);
   const Real* radii = batch.queries.columns().column[coordinate_count - 1];
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (!open_[i]) continue;
@@ -105,7 +100,5 @@ template class AnsweredBatch<float>;
 template class AnsweredBatch<double>;
 template class WatchedBatch<float>;
 template class WatchedBatch<double>;
-template class OpenBatch<float>;
-template class OpenBatch<double>;
 
 }  // namespace axiscert

@@ -12,8 +12,6 @@ template <class Real>
 class AnsweredBatch;
 template <class Real>
 class WatchedBatch;
-template <class Real>
-class OpenBatch;
 
 // The kernels that exist in a precision.
 template <class Real>
@@ -34,7 +32,6 @@ class KernelRuns {
  private:
   friend class AnsweredBatch<Real>;
   friend class WatchedBatch<Real>;
-  friend class OpenBatch<Real>;
 
   void count_plain(const DecidedBatch<Real>& batch);
   void judge(const DecidedBatch<Real>& batch);
@@ -60,30 +57,17 @@ class AnsweredBatch {
   KernelRuns<Real>& runs_;
 };
 
-// The errors of the sides are looked at, and nothing else is.
+// The errors of the sides are looked at, and no answer is judged.
 template <class Real>
 class WatchedBatch {
  public:
-  // Counts the queries with nothing to see in bulk; most of them.
-  OpenBatch<Real> count_plain() &&;
+  // Counts the queries with nothing to see in bulk, judges the others one by one, and measures critical radii and
+  // margins of the batch's share of the samples.
+  void judge() &&;
 
  private:
   friend class AnsweredBatch<Real>;
   WatchedBatch(KernelRuns<Real>& runs, const DecidedBatch<Real>& batch) : runs_(runs), batch_(batch) {}
-  KernelRuns<Real>& runs_;
-  const DecidedBatch<Real>& batch_;
-};
-
-// The queries that are left are judged one by one.
-template <class Real>
-class OpenBatch {
- public:
-  // Judges them, and measures critical radii and margins of the batch's share of the samples.
-  void judge() &&;
-
- private:
-  friend class WatchedBatch<Real>;
-  OpenBatch(KernelRuns<Real>& runs, const DecidedBatch<Real>& batch) : runs_(runs), batch_(batch) {}
   KernelRuns<Real>& runs_;
   const DecidedBatch<Real>& batch_;
 };

@@ -30,11 +30,11 @@ enum class Attention : std::uint8_t {
 template <class Real>
 struct DecidedBatch : MadeBatch<Real> {
   const std::vector<DecidedSigns>& signs;
-  const std::vector<char>& exactly;         // judged by exact arithmetic
   const std::vector<Attention>& attention;  // of the error watches
 
   // A filter decided query `i`, whether or not exact arithmetic judges it again.
   bool is_filtered(std::size_t i) const { return signs[i].step != Step::exact; }
+  bool is_exact(std::size_t i) const { return attention[i] != Attention::counted; }
 };
 
 }  // namespace axiscert

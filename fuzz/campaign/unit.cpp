@@ -47,7 +47,7 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
     watch.lap();  // the filters keep their own time
     WatchedBatch<Real> watched = std::move(answered).look_at_errors(decided);
     steps.errors += watch.lap();
-    std::move(watched).count_plain().judge();
+    std::move(watched).judge();
     steps.judging += watch.lap();
   }
   kernels.finish();

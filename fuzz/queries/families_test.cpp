@@ -29,6 +29,7 @@ TEST(Families, HaveANameOfTheirOwnAVersionAndAPurposeOfOneLine) {
   for (const Family* family : families()) {
     EXPECT_GE(family->version, 1) << family->name;
     EXPECT_GE(family->cost, 1) << family->name;
+    EXPECT_GE(family->trial_divisor, 1) << family->name;
     EXPECT_FALSE(family->purpose.empty() || family->purpose.find('\n') != std::string_view::npos) << family->name;
     EXPECT_EQ(&find_family(family->name), family) << "two families are called '" << family->name << "'";
   }

@@ -42,10 +42,11 @@ struct Family {
   bool exact_arithmetic;
   Maker<float> binary32;
   Maker<double> binary64;
-  // About how many times as long as an ordinary query's the oracles' work on one of these takes. `axiscert families`
-  // shows what is above 1; runs that are given no number of queries ask less of what is dear
-  // (cli/options/run_options.cpp), and so does ./dev certify.
+  // About how many times as long as a query of `general` one of these takes in binary64, where that is ten times or
+  // more. `axiscert families` shows it, and ./dev certify asks fewer of what it shows there.
   int cost = 1;
+  // Divides the number of queries in binary64 of a run that is given none (cli/options/run_options.cpp).
+  int trial_divisor = 1;
 
   template <class Real>
   void fill(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {

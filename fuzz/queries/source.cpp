@@ -24,7 +24,7 @@ class FamilySource final : public Source {
   std::string purpose() const override { return std::string(family_.purpose); }
   int version() const override { return family_.version; }
   bool exact_arithmetic() const override { return family_.exact_arithmetic; }
-  int cost() const override { return family_.cost; }
+  int trial_divisor() const override { return family_.trial_divisor; }
   std::uint64_t base_triangles(Precision, std::uint64_t trials) const override {
     const ImageGroup* group = image_group(family_.name);
     return group ? (trials + group->size - 1) / group->size : trials;

@@ -31,7 +31,7 @@ class Source {
   virtual std::string purpose() const = 0;
   virtual int version() const = 0;
   virtual bool exact_arithmetic() const { return false; }
-  virtual int cost() const { return 1; }  // Family::cost
+  virtual int trial_divisor() const { return 1; }  // Family::trial_divisor
   // The number of queries in this precision, if the caller cannot choose it.
   virtual std::optional<std::uint64_t> fixed_size(Precision) const { return std::nullopt; }
   // The number of triangles from which `trials` queries are drawn: queries that share a triangle are not independent.

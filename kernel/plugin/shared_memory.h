@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "kernel/plugin/interface_1.h"
+
 namespace axiscert::plugin {
 
 inline constexpr int socket_fd = 3, memory_fd = 4;   // in the host
@@ -33,7 +35,9 @@ struct EntryBytes {
     return array == shape.verdict() ? 1 : array == shape.bits() ? bits : real;
   }
 };
-constexpr std::size_t bits_bytes(std::uint32_t abi) { return abi == 1 ? sizeof(std::uint16_t) : sizeof(std::uint64_t); }
+constexpr std::size_t bits_bytes(std::uint32_t abi) {
+  return abi == interface_1::number ? sizeof(std::uint16_t) : sizeof(std::uint64_t);
+}
 
 // Where in its area each array of a call lies. At an end it is flush with the guard pages, so that one step beyond is
 // caught at once; in the middle, `room` bytes are free on both sides. `shift` moves it up by so many elements.

@@ -64,6 +64,7 @@ extern const Family bits_family = {"bits",
                                    false,
                                    bits_queries<float>,
                                    bits_queries<double>,
-                                   30};
+                                   17,
+                                   4};
 }  // namespace axiscert
 #endif

@@ -47,6 +47,6 @@ extern const Family speck_family = {
     false,
     specked_tie<float>,
     specked_tie<double>,
-    20};
+    30};
 
 }  // namespace axiscert

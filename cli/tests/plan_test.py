@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""A plan in parts: whatever was killed, cut off, shuffled or distributed over ranks, the record is that of one thread."""
+"""A plan in parts: whatever was killed, cut off or shuffled, the record is that of one thread."""
 import hashlib
 import json
-import os
 import random
 import resource
 import signal
@@ -10,41 +9,10 @@ import subprocess
 import time
 import unittest
 
-from command import BUILD, DIVISOR, MODELS, SCHEMAS, ROOT, Case, axiscert
+from command import BUILD, DIVISOR, MODELS, SCHEMAS, axiscert
+from plan_case import PlanCase
 
 SEED = 20261121
-# For root, and for more ranks than cores, which Open MPI refuses to start otherwise.
-MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-
-
-class PlanCase(Case):
-    """Every test starts from the record of one thread, made once for each plan."""
-    options = ["--family", "all", "--mesh", MODELS / "OBJ/spider.obj",
-               "--trials", 2000 // DIVISOR, "--tolerance", "3"]
-    expected = {}
-
-    def setUp(self):
-        super().setUp()
-        self.plan = self.folder / "plan.json"
-        self.ok("plan", *self.options, "--out", self.plan)
-
-    def ok(self, *args, code=0):
-        done = axiscert(*args)
-        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        return done
-
-    def run_plan(self, *args, out="out", code=0):
-        return self.ok("run", "--plan", self.plan, "--out", self.folder / out, *args, code=code)
-
-    def record(self, out="out"):
-        return (self.folder / out / "record.json").read_bytes()
-
-    def uninterrupted(self):
-        """The record of one thread, without a plan file and a journal."""
-        if type(self) not in self.expected:
-            self.ok("run", *self.options, "--threads", 1, "--out", self.folder / "uninterrupted")
-            self.expected[type(self)] = self.record("uninterrupted")
-        return self.expected[type(self)]
 
 
 class Plan(PlanCase):
@@ -272,88 +240,6 @@ class Recheck(PlanCase):
         again = ["run", "--plan", self.plan, "--out", self.folder / "out", "--resume", "--recheck", 0.1, "--recheck-with"]
         self.refused(*again, self.folder / "none", says=["none", "cannot be started"])
         self.refused(*again, "/bin/false", says=["/bin/false", "exit status 1"])
-
-
-class MpiCase(PlanCase):
-    def mpirun(self, ranks, *args):
-        command = ["mpirun", "-n", str(ranks), "--oversubscribe", BUILD / "axiscert", "run", "--plan", self.plan, *args]
-        return subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                                env=os.environ | MPI)
-
-    def mpi_ok(self, ranks, *args, code=0):
-        run = self.mpirun(ranks, *args)
-        out, err = run.communicate(timeout=300)
-        self.assertEqual(run.returncode, code, out + err)
-        return err
-
-
-class Ranks(MpiCase):
-    """Registered where there is an MPI."""
-    def test_the_record_on_1_to_4_ranks(self):
-        for ranks in range(1, 5):
-            out = self.folder / f"ranks-{ranks}"
-            said = self.mpi_ok(ranks, "--out", out, "--recheck", 0.1)
-            self.assertEqual(self.record(out), self.uninterrupted(), ranks)
-            if ranks > 1:
-                self.assertIn("MiB at most", said)
-                uses = json.loads((out / "run.json").read_text())["scale"]["ranks"]
-                self.assertEqual(len(uses), ranks)
-
-    def test_a_fault_ends_all_ranks_with_its_exit_code(self):
-        self.plan.write_text("{}")
-        self.assertIn("not a plan", self.mpi_ok(2, "--out", self.folder / "out", code=2))
-
-    def test_the_job_scripts(self):
-        scripts = ROOT / "examples/scale"
-        environment = os.environ | MPI | {"PATH": f"{BUILD}:{os.environ['PATH']}", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
-        run = lambda script, **more: subprocess.run(["bash", scripts / script], cwd=self.folder, env=environment | more,
-                                                    check=True, capture_output=True)
-        run("mpi.sbatch")
-        self.assertEqual(self.record(), self.uninterrupted())
-        for job in ("3", "1", "2"):
-            run("array.sbatch", SLURM_ARRAY_TASK_ID=job, SLURM_ARRAY_TASK_COUNT="3")
-        self.ok("merge", *(self.folder / "shards").iterdir(), "--out", self.folder / "merged")
-        self.assertEqual(self.record("merged"), self.uninterrupted())
-
-
-class KilledRank(MpiCase):
-    """Registered where there is an MPI. Units of full size, so that there is time to kill."""
-    options = ["--family", "tangent", "--family", "general", "--trials", 300000]
-
-    def test_a_rank_is_killed(self):
-        for rank in (0, 2):
-            out = self.folder / f"killed-{rank}"
-            run = self.mpirun(3, "--out", out)
-            journal = out / "journal"
-            while run.poll() is None and not (journal.exists() and journal.stat().st_size > 6000):
-                time.sleep(0.002)
-            self.assertIsNone(run.poll(), "through before it could be killed")
-            os.kill(self.process_of(rank, run.pid), signal.SIGKILL)
-            run.communicate(timeout=120)
-            self.assertNotEqual(run.returncode, 0)
-            said = self.mpi_ok(3, "--out", out, "--resume")
-            self.assertIn("units lost on the way: ", said)
-            self.assertEqual(self.record(out), self.uninterrupted(), rank)
-
-    def process_of(self, rank, mpirun):
-        for pid in filter(str.isdigit, os.listdir("/proc")):
-            try:
-                with open(f"/proc/{pid}/environ") as environ, open(f"/proc/{pid}/stat") as stat:
-                    parent = int(stat.read().rsplit(")", 1)[1].split()[1])
-                    if parent == mpirun and f"OMPI_COMM_WORLD_RANK={rank}" in environ.read().split("\0"):
-                        return int(pid)
-            except OSError:
-                continue
-        self.fail(f"rank {rank} is no child of {mpirun}")
-
-
-class NoRanks(PlanCase):
-    """Registered where there is no MPI."""
-    def test_ranks_are_refused(self):
-        done = subprocess.run([BUILD / "axiscert", "run", "--plan", self.plan, "--out", self.folder / "out"],
-                              capture_output=True, text=True, env=os.environ | {"OMPI_COMM_WORLD_SIZE": "2"})
-        self.assertEqual(done.returncode, 2)
-        self.assertIn("without MPI", done.stderr)
 
 
 if __name__ == "__main__":
