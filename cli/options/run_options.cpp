@@ -93,12 +93,12 @@ void drop_idle_precisions(Plan& plan, const std::string& asked) {
 }
 
 // Accepts digits only: CLI11 would take "-1" for the greatest number there is.
-std::string whole_number(const std::string& text) {
+std::string is_whole_number(const std::string& text) {
   const bool digits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
   return digits ? "" : fmt::format("'{}' is not a whole number >= 0", text);
 }
 
-std::string above_zero(const std::string& text) {
+std::string is_above_zero(const std::string& text) {
   double value = 0;
   return CLI::detail::lexical_cast(text, value) && value > 0 ? "" : fmt::format("'{}' is not a number > 0", text);
 }
@@ -111,12 +111,12 @@ CLI::Option* add_source_options(CLI::App& command, SourceOptions& o) {
   command.add_option("--mesh", o.meshes, "mesh file of any format assimp reads, repeatable")->allow_extra_args(false);
   command.add_option("--queries", o.queries, "query file, JSON Lines or CSV, - for standard input, repeatable")
       ->allow_extra_args(false);
-  command.add_option("--seed", o.seed, "seed of every family")->check(whole_number)->capture_default_str();
+  command.add_option("--seed", o.seed, "seed of every family")->check(is_whole_number)->capture_default_str();
   return command
       .add_option("--trials", o.trials,
                   fmt::format("queries per family and precision (default: {})", default_trials_text()))
-      ->check(whole_number)
-      ->check(above_zero);
+      ->check(is_whole_number)
+      ->check(is_above_zero);
 }
 
 void add_thread_option(CLI::App& command, int& threads) {
@@ -159,13 +159,13 @@ void add_run_options(CLI::App& command, RunOptions& o) {
   command
       .add_option("--time", o.seconds,
                   "seconds to run instead of a number of trials; units that were begun are finished")
-      ->check(above_zero)
+      ->check(is_above_zero)
       ->excludes(trials);
   command.add_option("--target", o.target, "instruction set, see `axiscert kernels`")->capture_default_str();
   command.add_option("--shrink", o.shrink, "also make the witnesses smaller, with at most this many evaluations each")
       ->expected(0, 1)
       ->default_str("1000")
-      ->check(whole_number);
+      ->check(is_whole_number);
   command.add_flag("--exact-only", o.exact_only,
                    "judge every query by CGAL, arbitrary precision and MPFR, without filters: the record is the same");
   command.add_option("--plant", o.planted, "break the filter on purpose, to test that this is caught: exit 3")

@@ -27,7 +27,7 @@ std::string bytes_of(const std::vector<ReplyRecord>& replies) {
 }
 
 // Five replies, each unlike the one before.
-const std::vector<ReplyRecord> good = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 0, 0}};
+const std::vector<ReplyRecord> good_replies = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 0, 0}};
 const std::vector<ReplyRecord> good_bits = {{0, 1, 0}, {1, 1, 1}, {2, 1, 0xffff}, {3, 1, 0}, {1, 1, 0xc000}};
 
 ReplyStream read(const std::string& bytes, const FilePlaces& places = {}) {
@@ -69,7 +69,7 @@ const auto nothing = [](pipe::Head&) {};
 TEST(Replies, AreReadInTheOrderOfTheSources) {
   const PipePlan plan = plan_of();
   std::vector<ReplyStream> streams;
-  streams.push_back(read(header_of(plan) + bytes_of(good)));
+  streams.push_back(read(header_of(plan) + bytes_of(good_replies)));
   const StoredReplies replies(std::move(streams));
   ASSERT_EQ(replies.sources().size(), 2u);
   const Source &general = *replies.sources()[0], &tie = *replies.sources()[1];
@@ -95,8 +95,8 @@ TEST(Replies, CarryComparisonBits) {
 
 TEST(Replies, StreamsOfBothPrecisionsShareTheirSources) {
   std::vector<ReplyStream> streams;
-  streams.push_back(read(header_of(plan_of(Precision::binary64)) + bytes_of(good)));
-  streams.push_back(read(header_of(plan_of()) + bytes_of(good)));
+  streams.push_back(read(header_of(plan_of(Precision::binary64)) + bytes_of(good_replies)));
+  streams.push_back(read(header_of(plan_of()) + bytes_of(good_replies)));
   const StoredReplies replies(std::move(streams));
   EXPECT_EQ(replies.precisions(), (std::vector{Precision::binary32, Precision::binary64}));
   ASSERT_EQ(replies.sources().size(), 2u);
@@ -115,12 +115,12 @@ TEST(Replies, StreamsThatDoNotGoTogetherAreRefused) {
     }
     return "accepted";
   };
-  const std::string stream = header_of(plan_of()) + bytes_of(good);
+  const std::string stream = header_of(plan_of()) + bytes_of(good_replies);
   const auto other = [](std::uint64_t seed, const std::vector<ReplyRecord>& replies) {
     return header_of(plan_of(Precision::binary64, seed)) + bytes_of(replies);
   };
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "a second stream in binary32", both(stream, stream));
-  EXPECT_PRED_FORMAT2(testing::IsSubstring, "seeds 7 and 8", both(stream, other(8, good)));
+  EXPECT_PRED_FORMAT2(testing::IsSubstring, "seeds 7 and 8", both(stream, other(8, good_replies)));
   EXPECT_PRED_FORMAT2(testing::IsSubstring, "comparison bits", both(stream, other(7, good_bits)));
 }
 
@@ -135,9 +135,9 @@ TEST(BadReplies, NotTheHeader) {
 
 TEST(BadReplies, TheHeaderWasChanged) {
   const auto expect_change = [](const std::function<void(pipe::Head&)>& change, const std::string& part) {
-    expect_refusal(changed_header(change) + bytes_of(good), part);
+    expect_refusal(changed_header(change) + bytes_of(good_replies), part);
   };
-  EXPECT_EQ(reply_refusal(changed_header(nothing) + bytes_of(good)), "accepted");
+  EXPECT_EQ(reply_refusal(changed_header(nothing) + bytes_of(good_replies)), "accepted");
   expect_change([](pipe::Head& h) { h.version = 2; }, "version 2 of the format");
   expect_change([](pipe::Head& h) { h.precision = 64; }, "the header was changed");
   expect_change([](pipe::Head& h) { h.record_size = 104; }, "the header was changed");
@@ -148,12 +148,12 @@ TEST(BadReplies, TheHeaderWasChanged) {
   expect_change([](pipe::Head& h) { h.plan_sha256[31] ^= std::byte{1}; }, "SHA-256 of its plan");
   std::string plan_changed = header_of(plan_of());
   plan_changed[plan_changed.find("\"queries\":3") + 10] = '4';
-  expect_refusal(plan_changed + bytes_of(good), "SHA-256 of its plan");
+  expect_refusal(plan_changed + bytes_of(good_replies), "SHA-256 of its plan");
 }
 
 TEST(BadReplies, APlanThatCannotBeMadeHere) {
   const auto expect_plan = [](const std::string& from, const std::string& to, const std::string& part) {
-    expect_refusal(changed_header(nothing, from, to) + bytes_of(good), part);
+    expect_refusal(changed_header(nothing, from, to) + bytes_of(good_replies), part);
   };
   expect_plan("{\"axis", "[\"axis", "not one that this axiscert writes");
   expect_plan("\"seed\":7", "\"seed\":x", "not one that this axiscert writes");
@@ -170,7 +170,7 @@ TEST(BadReplies, APlanThatCannotBeMadeHere) {
 }
 
 TEST(BadReplies, TooFewOrTooMany) {
-  const std::string stream = header_of(plan_of()) + bytes_of(good);
+  const std::string stream = header_of(plan_of()) + bytes_of(good_replies);
   expect_refusal(header_of(plan_of()), "ends after 0 of 5 replies");
   expect_refusal(stream.substr(0, stream.size() - 4), "ends after 4 of 5 replies");
   expect_refusal(stream.substr(0, stream.size() - 1), "ends after 4 of 5 replies and 3 bytes of the next");
@@ -186,16 +186,16 @@ TEST(BadReplies, OneIsWrong) {
     expect_refusal(header + bytes_of(replies),
                    fmt::format("reply {} of 5, at byte {}: {}", k + 1, header.size() + 4 * k, part));
   };
-  expect_fault(good, 2, {4, 0, 0}, "verdict 4; 0 is contact");
-  expect_fault(good, 4, {255, 0, 0}, "verdict 255");
-  expect_fault(good, 1, {0, 2, 0}, "flags 0x02");
-  expect_fault(good, 1, {0, 0x81, 0}, "flags 0x81");
-  expect_fault(good, 3, {0, 1, 0}, "comparison bits, but the replies before it have none");
+  expect_fault(good_replies, 2, {4, 0, 0}, "verdict 4; 0 is contact");
+  expect_fault(good_replies, 4, {255, 0, 0}, "verdict 255");
+  expect_fault(good_replies, 1, {0, 2, 0}, "flags 0x02");
+  expect_fault(good_replies, 1, {0, 0x81, 0}, "flags 0x81");
+  expect_fault(good_replies, 3, {0, 1, 0}, "comparison bits, but the replies before it have none");
   expect_fault(good_bits, 3, {0, 0, 0}, "no comparison bits, but");
-  expect_fault(good, 0, {0, 0, 5}, "comparison bits 0x0005 without the flag");
+  expect_fault(good_replies, 0, {0, 0, 5}, "comparison bits 0x0005 without the flag");
   expect_fault(good_bits, 0, {0, 1, 1}, "contact, but its comparison bits 0x0001 say separated");
   expect_fault(good_bits, 0, {1, 1, 2}, "separated, but its comparison bits 0x0002 say contact");
-  const std::string text = header + bytes_of(good).substr(0, 8) + "warning: no device found\n";
+  const std::string text = header + bytes_of(good_replies).substr(0, 8) + "warning: no device found\n";
   expect_refusal(text, "it is text, \"warn\": did the program print");
 }
 
@@ -203,7 +203,7 @@ TEST(BadReplies, OneIsWrong) {
 TEST(BadReplies, AnEnormousCountEndsWithTheStream) {
   PipePlan plan = plan_of();
   plan.parts[1].queries = (std::uint64_t{1} << 53) - 10;
-  expect_refusal(header_of(plan) + bytes_of(good), "ends after 5 of 9007199254740985 replies");
+  expect_refusal(header_of(plan) + bytes_of(good_replies), "ends after 5 of 9007199254740985 replies");
   plan.parts[1].queries += 10;
   EXPECT_THROW(header_of(plan), Error);
 }

@@ -22,7 +22,7 @@ namespace {
 using testing::HasSubstr;
 using testing_support::random_query;
 
-std::string path_of(const std::string& name) { return fmt::format(BUILD_FOLDER "/layouts/{}.so", name); }
+std::string layout_path(const std::string& name) { return fmt::format(BUILD_FOLDER "/layouts/{}.so", name); }
 
 template <class Real>
 QueryBatch<Real> random_queries() {
@@ -50,7 +50,7 @@ void expect_published(const Kernel& kernel) {
 }
 
 TEST(Interface, AVersion1PluginAnswersAsItDidBefore) {
-  const Kernel& kernel = find_kernel("plugin:" + path_of("published_1"));
+  const Kernel& kernel = find_kernel("plugin:" + layout_path("published_1"));
   EXPECT_TRUE(kernel.findings.empty());
   EXPECT_EQ(kernel.test, &sphere_triangle_test());
   EXPECT_EQ(kernel.source, "");
@@ -60,7 +60,7 @@ TEST(Interface, AVersion1PluginAnswersAsItDidBefore) {
 
 // A guard page follows an array of two-byte entries at once. Space for eight-byte entries would hide the overrun.
 TEST(Interface, AVersion1PluginHasNoRoomBeyondItsNarrowComparisons) {
-  const Reply<float> reply = asked(find_kernel("plugin:" + path_of("overrun_1")), random_queries<float>());
+  const Reply<float> reply = asked(find_kernel("plugin:" + layout_path("overrun_1")), random_queries<float>());
   ASSERT_FALSE(reply.findings.empty());
   EXPECT_EQ(reply.findings[0].kind, FindingKind::out_of_bounds);
   EXPECT_THAT(reply.findings[0].detail, HasSubstr("wrote comparisons[1024]"));
@@ -70,7 +70,7 @@ TEST(Interface, SidesComeThroughInEitherVersion) {
   const QueryBatch<float> queries = random_queries<float>();
   for (const char* name : {"sides_1", "sides_2"}) {
     SCOPED_TRACE(name);
-    const Reply<float> reply = asked(find_kernel("plugin:" + path_of(name)), queries);
+    const Reply<float> reply = asked(find_kernel("plugin:" + layout_path(name)), queries);
     EXPECT_TRUE(reply.findings.empty()) << reply.findings.front().detail;
     for (std::size_t k = 0; k < comparison_count; ++k) {
       const float* const column = queries.columns().column[k % 13];
@@ -81,7 +81,7 @@ TEST(Interface, SidesComeThroughInEitherVersion) {
 }
 
 TEST(Interface, WhatAVersion1PluginSaysOfItselfIsRead) {
-  const Kernel& kernel = find_kernel("plugin:" + path_of("sides_1"));
+  const Kernel& kernel = find_kernel("plugin:" + layout_path("sides_1"));
   EXPECT_EQ(kernel.summary, "sides: built before");
   EXPECT_EQ(kernel.exposes, Exposure::sides);
   EXPECT_EQ(kernel.touching, Touching::either);
@@ -90,7 +90,7 @@ TEST(Interface, WhatAVersion1PluginSaysOfItselfIsRead) {
 }
 
 TEST(Interface, NothingIsReadBeyondTheSizeThatAStructHas) {
-  const Kernel& kernel = find_kernel("plugin:" + path_of("short_kernel"));
+  const Kernel& kernel = find_kernel("plugin:" + layout_path("short_kernel"));
   EXPECT_TRUE(kernel.findings.empty()) << kernel.findings.front().detail;
   EXPECT_EQ(kernel.summary, "short");
   EXPECT_EQ(kernel.exposes, Exposure::verdict);
@@ -98,7 +98,7 @@ TEST(Interface, NothingIsReadBeyondTheSizeThatAStructHas) {
   const Reply<float> reply = asked(kernel, random_queries<float>());
   EXPECT_EQ(reply.verdicts, std::vector(reply.verdicts.size(), Verdict::undecided));
 
-  const Kernel& limited = find_kernel("plugin:" + path_of("short_limits"));
+  const Kernel& limited = find_kernel("plugin:" + layout_path("short_limits"));
   EXPECT_TRUE(limited.findings.empty()) << limited.findings.front().detail;
   EXPECT_EQ(limited.limits, (Limits{.least_coordinate = 0.5}));
 }
@@ -161,7 +161,7 @@ const TestDescription& wide_test() {
 }
 
 TEST(Interface, AKernelOfATestThatIsNotThereIsRefused) {
-  const Kernel& kernel = find_kernel("plugin:" + path_of("wide"));
+  const Kernel& kernel = find_kernel("plugin:" + layout_path("wide"));
   ASSERT_EQ(kernel.findings.size(), 1u);
   EXPECT_THAT(kernel.findings[0].detail, HasSubstr("unknown test 'wide'"));
 }
@@ -169,7 +169,7 @@ TEST(Interface, AKernelOfATestThatIsNotThereIsRefused) {
 TEST(Interface, FortyColumnsThirtyThreeComparisonsAndTwoMeasures) {
   constexpr std::size_t count = 9;
   const plugin::Subject subject{&wide_test()};
-  plugin::HostProcess host(path_of("wide"), subject);
+  plugin::HostProcess host(layout_path("wide"), subject);
   const plugin::Shape& shape = host.shape();
   const plugin::Placement placement;
   const auto array = [&](std::size_t which) {
@@ -208,7 +208,7 @@ TEST(Interface, FortyColumnsThirtyThreeComparisonsAndTwoMeasures) {
 
 // Queries have 13 columns as yet: a test of another shape has to come with its own caller.
 TEST(Interface, ACallerOfSphereTriangleTakesNoOtherTest) {
-  plugin::Caller<double> caller({.path = path_of("wide"), .index = 0, .abi = 2, .subject = {&wide_test()}}, 1);
+  plugin::Caller<double> caller({.path = layout_path("wide"), .index = 0, .abi = 2, .subject = {&wide_test()}}, 1);
   plugin::Outputs<double> outputs;
   const auto call = [&] { caller.call(random_queries<double>().columns(), 0, 1, {}, 1, outputs); };
   EXPECT_THAT(call, testing::ThrowsMessage<HarnessFault>(HasSubstr("40 columns and 33 comparisons")));

@@ -41,10 +41,10 @@ struct Seen {
   std::vector<Finding> findings;
 };
 
-std::string path_of(const std::string& name) { return fmt::format(BUILD_FOLDER "/misbehaving/{}.so", name); }
+std::string misbehaving_path(const std::string& name) { return fmt::format(BUILD_FOLDER "/misbehaving/{}.so", name); }
 
 Seen supervise(const std::string& name) {
-  const Kernel& kernel = find_kernel("plugin:" + path_of(name));
+  const Kernel& kernel = find_kernel("plugin:" + misbehaving_path(name));
   if (!kernel.has(Precision::binary32)) throw Error(kernel.id + ": not built");
   EXPECT_TRUE(kernel.findings.empty()) << kernel.findings.front().detail;
   Seen seen;
@@ -119,7 +119,7 @@ TEST(Plugin, AProcessThatItLeavesBehindHidesNoCrash) {
   expect_right_but(seen, {wrong_query});
 }
 
-TEST(Plugin, ANameIsShownAsPlainText) { EXPECT_EQ(find_kernel("plugin:" + path_of("strange_name")).summary, "caf? "); }
+TEST(Plugin, ANameIsShownAsPlainText) { EXPECT_EQ(find_kernel("plugin:" + misbehaving_path("strange_name")).summary, "caf? "); }
 
 TEST(Plugin, AFullStackIsSaid) {
   const Seen seen = supervise("stack_overflow");
@@ -176,7 +176,7 @@ TEST(Plugin, FlushToZeroLeftOnIsFound) {
 }
 
 TEST(Plugin, FlushToZeroTurnedOnByLoadingIsFound) {
-  const Kernel& kernel = find_kernel("plugin:" + path_of("flush_at_load"));
+  const Kernel& kernel = find_kernel("plugin:" + misbehaving_path("flush_at_load"));
   EXPECT_TRUE(kernel.has(Precision::binary32));
   ASSERT_EQ(kernel.findings.size(), 1u);
   EXPECT_EQ(kernel.findings[0].kind, FindingKind::environment);
@@ -197,7 +197,7 @@ TEST(Plugin, WhatCannotBeLoadedIsAKernelWithAFinding) {
   for (const auto& [name, kind, says] : {std::tuple{"wrong_abi", FindingKind::abi, "version"},
                                          std::tuple{"no_symbol", FindingKind::load, "axiscert_plugin"},
                                          std::tuple{"conforms_elsewhere", FindingKind::load, "binary32"}}) {
-    const Kernel& kernel = find_kernel("plugin:" + path_of(name));
+    const Kernel& kernel = find_kernel("plugin:" + misbehaving_path(name));
     EXPECT_FALSE(kernel.has(Precision::binary32) || kernel.has(Precision::binary64));
     ASSERT_EQ(kernel.findings.size(), 1u);
     EXPECT_EQ(kernel.findings[0].kind, kind);
@@ -217,7 +217,7 @@ TEST(Plugin, AFileThatIsNoneIsRefused) {
 
 // The process that answers plain questions is another one, and comes again after every stop.
 TEST(Plugin, PlainQuestionsAreAnsweredTooAndACrashIsNoAnswer) {
-  const Implementation<float> crash = find_kernel("plugin:" + path_of("crash")).on<float>(scalar_target);
+  const Implementation<float> crash = find_kernel("plugin:" + misbehaving_path("crash")).on<float>(scalar_target);
   std::vector<Verdict> verdicts(queries().size());
   for (int repetition = 0; repetition < 2; ++repetition) {
     crash.verdicts(queries().columns(), verdicts.data());

@@ -172,8 +172,9 @@ TYPED_TEST(BehaviourTest, RowsAreThoseOfTheRegistryInItsOrder) {
     EXPECT_EQ(std::count(ids.begin(), ids.end(), row), 1)
         << behaviours_place << ": row `" << row << "` is not of a kernel of kernel/registry/registry.cpp";
   }
-  if (!this->HasFailure())
+  if (!this->HasFailure()) {
     EXPECT_EQ(rows, ids) << behaviours_place << ": other order than kernel/registry/registry.cpp";
+  }
 }
 
 TYPED_TEST(BehaviourTest, KernelsAnswerAsTheirRowsSay) {

@@ -7,7 +7,7 @@
 namespace axiscert {
 namespace {
 
-std::uint64_t number(const Json& count) { return count.get<std::uint64_t>(); }
+std::uint64_t count_of(const Json& count) { return count.get<std::uint64_t>(); }
 
 std::string short_hash(const std::string& text) { return sha256_hex(std::as_bytes(std::span(text))).substr(0, 16); }
 
@@ -20,9 +20,9 @@ class Collector {
     precision_ = kernel["precision"];
     family_ = family;
     const Json &verdict = result["verdict"], &outside = verdict["outside_limits"];
-    const std::uint64_t valid = number(result["trials"]) - number(result["truth"]["invalid"]);
-    const std::uint64_t within = valid - (outside.is_null() ? 0 : number(outside["trials"]));
-    const std::uint64_t bases = number(result["base_triangles"]);
+    const std::uint64_t valid = count_of(result["trials"]) - count_of(result["truth"]["invalid"]);
+    const std::uint64_t within = valid - (outside.is_null() ? 0 : count_of(outside["trials"]));
+    const std::uint64_t bases = count_of(result["base_triangles"]);
     for (const char* member : {"false_separation", "false_contact", "undecided", "invalid", "unanswered"}) {
       add_count("verdict", member, verdict[member], within, bases);
     }
@@ -59,7 +59,7 @@ class Collector {
                  std::uint64_t bases) {
     Cell& cell = add(place, member, Cell::Kind::count);
     cell.figure = figure;
-    cell.of = {number(figure), std::max(among, number(figure))};
+    cell.of = {count_of(figure), std::max(among, count_of(figure))};
     cell.independent = std::min(bases, cell.of.trials);
   }
 

@@ -62,7 +62,7 @@ std::string picture_file(const Path& index, const Json& picture) {
   return "maps/" + name;
 }
 
-Json maps(const Path& index, std::size_t room) {
+Json maps_data(const Path& index, std::size_t room) {
   const Json whole = read_json(index);
   Json data = {{"legend", rows_of(index, whole, {"legend"})}, {"maps", Json::array()}};
   for (const Json& map : rows_of(index, whole, {"maps"})) {
@@ -90,7 +90,7 @@ Json maps(const Path& index, std::size_t room) {
   return data;
 }
 
-Json proofs(const Path& file) {
+Json proofs_data(const Path& file) {
   const Json whole = read_json(file);
   Json data = {{"comparisons", Json::array()},
                {"checkers", whole.is_object() ? first_of(whole, {"checkers", "versions"}) : Json()}};
@@ -109,7 +109,7 @@ Json proofs(const Path& file) {
   return data;
 }
 
-Json mutation(const Path& file) {
+Json mutation_data(const Path& file) {
   const Json whole = read_json(file);
   Json data = whole.is_object() ? picked(whole, {"command", "kernel", "complete"}) : Json::object();
   data["mutants"] = data["controls"] = Json::array();
@@ -132,7 +132,7 @@ Json mutation(const Path& file) {
   return data;
 }
 
-Json search(const Path& file) {
+Json search_data(const Path& file) {
   const Json whole = read_json(file);
   Json data = picked(whole, {"kernel", "precision", "evaluations", "seed"});
   data["comparisons"] = Json::array();
@@ -142,7 +142,7 @@ Json search(const Path& file) {
   return data;
 }
 
-Json ladder(const Path& file) {
+Json ladder_data(const Path& file) {
   const Json whole = read_json(file);
   Json data = picked(whole, {"precision", "seed", "trials", "speed"});
   data["kernels"] = Json::array();
@@ -156,7 +156,7 @@ Json ladder(const Path& file) {
   return data;
 }
 
-Json precision(const Path& file) {
+Json precision_data(const Path& file) {
   const Json whole = read_json(file);
   Json data = picked(whole, {"precision", "command"});
   data["kernels"] = Json::object();
@@ -175,7 +175,7 @@ Json precision(const Path& file) {
   return data;
 }
 
-Json league(const Path& file) {
+Json league_data(const Path& file) {
   const Json whole = read_json(file);
   Json data = {{"kernels", Json::array()}, {"not_checked", first_of(whole, {"not_checked"})}};
   for (const Json& row : rows_of(file, whole, {"kernels"})) {
@@ -218,13 +218,13 @@ Json attachments(const std::filesystem::path& folder, std::size_t image_bytes) {
       throw bad_form(file, problem.what());
     }
   };
-  attach("maps", "maps/index.json", [&](const Path& index) { return maps(index, image_bytes); });
-  attach("proofs", "proofs.json", proofs);
-  attach("mutation", "mutation.json", mutation);
-  attach("search", "search.json", search);
-  attach("ladder", "ladder.json", ladder);
-  attach("precision", "precision.json", precision);
-  attach("league", "league.json", league);
+  attach("maps", "maps/index.json", [&](const Path& index) { return maps_data(index, image_bytes); });
+  attach("proofs", "proofs.json", proofs_data);
+  attach("mutation", "mutation.json", mutation_data);
+  attach("search", "search.json", search_data);
+  attach("ladder", "ladder.json", ladder_data);
+  attach("precision", "precision.json", precision_data);
+  attach("league", "league.json", league_data);
   return data;
 }
 
