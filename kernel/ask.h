@@ -23,21 +23,12 @@ struct Reply {
     if (has_bits && found.verdict != Verdict::unanswered) found.bits = answers.bits[i];
     return found;
   }
-  // The computed sides; only for a kernel that exposes them, and a query that it answered.
-  Sides<Real> sides(std::size_t i) const {
-    Sides<Real> s;
-    for (std::size_t k = 0; k < comparison_count; ++k) {
-      s.lhs[k] = answers.lhs[k][i];
-      s.rhs[k] = answers.rhs[k][i];
-    }
-    return s;
-  }
 };
 
 template <class Real>
 void ask(const Implementation<Real>& kernel, const QueryColumns<Real>& batch, Reply<Real>& reply) {
   reply.verdicts.assign(batch.size, Verdict::unanswered);
-  reply.answers.resize(batch.size);
+  reply.answers.resize(batch.size, kernel.comparisons);
   reply.findings.clear();
   reply.has_bits = kernel.explain != nullptr;
   if (kernel.supervised) {

@@ -10,6 +10,7 @@
 #include "kernel/base/error.h"
 #include "kernel/query.h"
 #include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/names.h"
 #include "kernel/test.h"
 
 namespace axiscert {

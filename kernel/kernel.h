@@ -12,22 +12,36 @@
 #include "kernel/finding.h"
 #include "kernel/formulae_list.h"
 #include "kernel/query.h"
+#include "kernel/sphere_triangle/decision.h"
 #include "kernel/test.h"
 
 namespace axiscert {
 
-// The full answer of a kernel to a batch: the comparison bits and the sixteen pairs of computed sides.
+// The full answer of a kernel to a batch: the comparison bits, and for each comparison a column of each computed side.
 template <class Real>
 struct Answers {
   std::vector<ComparisonBits> bits;
-  std::array<std::vector<Real>, comparison_count> lhs, rhs;
+  std::vector<std::vector<Real>> lhs, rhs;
 
-  void resize(std::size_t n) {
-    bits.resize(n);
-    for (auto& column : lhs) column.resize(n);
-    for (auto& column : rhs) column.resize(n);
+  void resize(std::size_t queries, std::size_t comparisons) {
+    bits.resize(queries);
+    for (auto* sides : {&lhs, &rhs}) {
+      sides->resize(comparisons);
+      for (std::vector<Real>& column : *sides) column.resize(queries);
+    }
   }
 };
+
+// The computed sides of one query of sphere-triangle.
+template <class Real>
+Sides<Real> sides_at(const Answers<Real>& answers, std::size_t query) {
+  Sides<Real> sides;
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    sides.lhs[k] = answers.lhs[k][query];
+    sides.rhs[k] = answers.rhs[k][query];
+  }
+  return sides;
+}
 
 // One kernel in one precision on one instruction set. The functions are total: they take any bits, do not trap and do
 // not allocate.
@@ -48,6 +62,7 @@ struct Implementation {
   std::function<double(const QueryColumns<Real>& batch, Verdict* out)> timed = {};
   // The bits of `explain` alone. Empty where computing them alone is not faster.
   std::function<void(const QueryColumns<Real>& batch, ComparisonBits* out)> bits = {};
+  std::size_t comparisons = 0;  // of the kernel's test; Kernel::on sets it
 };
 
 // The range in which a kernel promises to be right, bounds included; a bound of 0 means no limit. A wrong answer to a
@@ -109,8 +124,13 @@ struct Kernel {
 
   template <class Real>
   Implementation<Real> on(std::string_view target) const {
-    if constexpr (sizeof(Real) == 4) return binary32 ? binary32(target) : Implementation<Real>{};
-    else return binary64 ? binary64(target) : Implementation<Real>{};
+    const auto begin = [&](const auto& implementation) {
+      Implementation<Real> begun = implementation ? implementation(target) : Implementation<Real>{};
+      begun.comparisons = test->comparisons.size();
+      return begun;
+    };
+    if constexpr (sizeof(Real) == 4) return begin(binary32);
+    else return begin(binary64);
   }
   bool has(Precision precision) const {
     return precision == Precision::binary32 ? binary32 != nullptr : binary64 != nullptr;

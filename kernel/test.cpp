@@ -45,7 +45,7 @@ TestDescription checked(TestDescription test) {
   require_at_most(test.id, "clauses", test.clauses, most_comparisons);
   require_at_most(test.id, "measures", test.measures, most_measures);
   for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
-    const auto& [name, clause] = test.comparisons[i];
+    const auto& [name, clause, ties_at_touching] = test.comparisons[i];
     if (clause < test.clauses.size() && (test.clauses[clause].comparisons >> i & 1) != 0) continue;
     throw HarnessFault(fmt::format("test '{}': comparison '{}' is of clause {}, which {}", test.id, name, clause,
                                    clause < test.clauses.size() ? "does not need it" : "it does not have"));
@@ -53,16 +53,21 @@ TestDescription checked(TestDescription test) {
   return test;
 }
 
-std::uint64_t clauses_of(const TestDescription& test, std::uint64_t comparisons) {
-  std::uint64_t clauses = 0;
+ComparisonBits all_comparisons(const TestDescription& test) {
+  const std::size_t count = test.comparisons.size();
+  return count == 0 ? 0 : ~ComparisonBits{0} >> (most_comparisons - count);
+}
+
+ClauseBits clauses_of(const TestDescription& test, ComparisonBits comparisons) {
+  ClauseBits clauses = 0;
   for (std::size_t i = 0; i < test.clauses.size(); ++i) {
-    const std::uint64_t needed = test.clauses[i].comparisons;
-    if ((comparisons & needed) == needed) clauses |= std::uint64_t{1} << i;
+    const ComparisonBits needed = test.clauses[i].comparisons;
+    if ((comparisons & needed) == needed) clauses |= ClauseBits{1} << i;
   }
   return clauses;
 }
 
-Verdict verdict_of(const TestDescription& test, std::uint64_t comparisons) {
+Verdict verdict_of(const TestDescription& test, ComparisonBits comparisons) {
   const bool separates = test.rule.separates ? test.rule.separates(comparisons) : clauses_of(test, comparisons) != 0;
   return separates ? Verdict::separated : Verdict::contact;
 }

@@ -31,12 +31,13 @@ struct TestEntry {
 struct TestComparison {
   std::string_view name;
   std::size_t clause;
+  bool ties_at_touching = true;  // its sides are equal where it decides that the two touch
 };
 
 // A clause is a conjunction of comparisons; in a test by separating axes, an axis.
 struct TestClause {
   std::string_view name;
-  std::uint64_t comparisons;  // the clause holds where all of these do; bit i is comparison i
+  ComparisonBits comparisons;  // the clause holds where all of these do; bit i is comparison i
 };
 
 // A number beside the verdict, for example a time of impact.
@@ -55,7 +56,7 @@ struct WrongAnswer {
 struct VerdictRule {
   std::string_view text;
   // True of comparison bits that separate. Null: bits separate where a clause holds.
-  bool (*separates)(std::uint64_t comparisons) = nullptr;
+  bool (*separates)(ComparisonBits comparisons) = nullptr;
 };
 inline constexpr VerdictRule any_clause_separates = {"separated where any clause holds"};
 
@@ -78,9 +79,11 @@ struct TestDescription {
 // or a comparison that its clause does not contain.
 TestDescription checked(TestDescription test);
 
+// The bits of all comparisons.
+ComparisonBits all_comparisons(const TestDescription& test);
 // Bit i is clause i.
-std::uint64_t clauses_of(const TestDescription& test, std::uint64_t comparisons);
-Verdict verdict_of(const TestDescription& test, std::uint64_t comparisons);
+ClauseBits clauses_of(const TestDescription& test, ComparisonBits comparisons);
+Verdict verdict_of(const TestDescription& test, ComparisonBits comparisons);
 
 // The index of an entry; an empty name means the first. Throws Error naming those that exist, the most alike first.
 std::size_t find_entry(const TestDescription& test, std::string_view name);

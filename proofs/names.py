@@ -1,4 +1,4 @@
-"""The thirteen numbers of a query and the sixteen comparisons, in the order of kernel/names.h."""
+"""The thirteen numbers of a query and the sixteen comparisons, in the order of kernel/sphere_triangle/names.h."""
 
 INPUTS = ["Ax", "Ay", "Az", "Bx", "By", "Bz", "Cx", "Cy", "Cz", "Px", "Py", "Pz", "r"]
 COMPARISONS = ["plane_radius"] + [

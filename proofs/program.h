@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/names.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert::proofs {
 

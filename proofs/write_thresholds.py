@@ -21,7 +21,7 @@ PROOFS = pathlib.Path(__file__).resolve().parent
 FORMS = ["published", "reduced"]
 # Bits of the significand, exponent of the overflow threshold: as in Filters.v.
 FORMATS = {"binary32": (24, 128), "binary64": (53, 1024)}
-# The comparisons in the order of kernel/names.h and of Vectors.v.
+# The comparisons in the order of kernel/sphere_triangle/names.h and of Vectors.v.
 COMPARISONS = ["plane_radius"] + [
     f"vertex_{v}_{what}" for v, others in (("a", "bc"), ("b", "ac"), ("c", "ab"))
     for what in ("radius", f"side_{others[0]}", f"side_{others[1]}")] + [
@@ -119,7 +119,7 @@ def header(exported, windows):
 
 #include <array>
 
-#include "kernel/names.h"
+#include "kernel/sphere_triangle/names.h"
 
 // clang-format off
 namespace axiscert::filter {{

@@ -45,15 +45,16 @@ void add_tolerance(const std::string& given, Plan& plan) {
   }
   if (sgn(*value) < 0) throw Error(fmt::format("--tolerance {}: a tolerance is not negative", given));
   bool found = false;
-  for (std::size_t i = 0; i < comparison_count; ++i) {
+  const std::vector<TestComparison>& comparisons = plan.test->comparisons;
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
     if (!which.empty() && comparisons[i].name != which) continue;
-    plan.tolerances[i] = value;
+    plan.tolerances.set(i, *value);
     plan.tolerance_texts[std::string(comparisons[i].name)] = number;
     found = true;
   }
   if (found) return;
   std::vector<std::string_view> names;
-  for (const ComparisonInfo& c : comparisons) names.push_back(c.name);
+  for (const TestComparison& c : comparisons) names.push_back(c.name);
   throw Error(
       fmt::format("--tolerance {}: unknown comparison '{}'; comparisons: {}", given, which, fmt::join(names, ", ")));
 }

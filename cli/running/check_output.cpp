@@ -67,7 +67,7 @@ std::string check_text(const std::string& id, const Kernel& kernel, const Examin
     for (std::size_t i = 0; i < link_count; ++i) {
       if ((flip.links >> i) & 1u) links.push_back(link_names[i]);
     }
-    line += fmt::format("; {} {}{} [{}]", name(flip), flip_kind_names[static_cast<std::size_t>(flip.kind)],
+    line += fmt::format("; {} {}{} [{}]", name(*kernel.test, flip), flip_kind_names[static_cast<std::size_t>(flip.kind)],
                         flip.level == Level::verdict ? ""
                         : flip.decisive              ? " decisive"
                                                      : " masked",
@@ -84,7 +84,7 @@ Json check_json(const std::string& id, const Kernel& kernel, const Examination& 
           {"computed", computed_json(found.answer)},
           {"within_limits", found.within_limits},
           {"findings", findings_json(found.findings)},
-          {"flips", flips_json(found.judgement)}};
+          {"flips", flips_json(*kernel.test, found.judgement)}};
 }
 
 std::string errors_text(const std::optional<SideErrors>& errors) {

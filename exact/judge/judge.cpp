@@ -1,25 +1,22 @@
 #include "exact/judge/judge.h"
 
-#include <type_traits>
-
 namespace axiscert {
 namespace {
 
-// For each link, the bits at which the chain E -> R-infinity -> R -> K breaks at one level; `of` takes that level's
-// bits from comparison bits.
-template <class Of>
-auto broken_links(const Reference& chain, std::invoke_result_t<Of, ComparisonBits> kernel, Of&& of) {
-  using Bits = std::invoke_result_t<Of, ComparisonBits>;
-  std::array<Bits, link_count> broken{};
-  const auto put = [&](Link link, Bits before, Bits after) {
-    broken[static_cast<std::size_t>(link)] = static_cast<Bits>(before ^ after);
+// For each link, the bits at which the chain E -> R-infinity -> R -> K breaks at one level; level(bits) is that level's
+// bits: those of the comparisons themselves, or of the clauses that hold by them.
+template <class LevelOf>
+std::array<std::uint64_t, link_count> broken_links(const Reference& chain, ComparisonBits kernel, LevelOf&& level) {
+  std::array<std::uint64_t, link_count> broken{};
+  const auto put = [&](Link link, ComparisonBits before, ComparisonBits after) {
+    broken[static_cast<std::size_t>(link)] = level(before) ^ level(after);
   };
-  const Bits exact = of(*chain.exact.bits);
+  const ComparisonBits exact = *chain.exact.bits;
   if (!chain.rounded) {
     put(Link::unattributed, exact, kernel);
     return broken;
   }
-  const Bits range_free = of(*chain.rounded->range_free.bits), reference = of(*chain.rounded->reference.bits);
+  const ComparisonBits range_free = *chain.rounded->range_free.bits, reference = *chain.rounded->reference.bits;
   put(Link::rounding, exact, range_free);
   put(Link::range, range_free, reference);
   put(Link::implementation, reference, kernel);
@@ -42,47 +39,53 @@ LinkBits verdict_links(Verdict right, const Reference& chain, Verdict kernel) {
   return links;
 }
 
-void judge_bits(const Reference& chain, ComparisonBits bits, Verdict verdict, Judgement& out) {
+void judge_bits(const TestDescription& test, const Reference& chain, ComparisonBits bits, Verdict verdict,
+                Judgement& out) {
   const ComparisonBits exact = *chain.exact.bits;
-  const AxisBits axes = axes_of(bits), exact_axes = axes_of(exact);
+  const auto clauses = [&](ComparisonBits own) { return clauses_of(test, own); };
+  const ClauseBits axes = clauses(bits);
   out.comparison_flips = exact ^ bits;
-  out.axis_flips = exact_axes ^ axes;
+  out.axis_flips = out.exact_axes ^ axes;
   out.broken = broken_links(chain, bits, [](ComparisonBits own) { return own; });
-  out.broken_axes = broken_links(chain, axes, axes_of);
-  if (verdict == verdict_of(exact_axes)) return;  // nothing flipped the verdict: all masked
+  out.broken_axes = broken_links(chain, bits, clauses);
+  if (verdict == verdict_of(test, exact)) return;  // nothing flipped the verdict: all masked
   // A wrong verdict has one direction, and so has every flip that can have caused it: the axes that flipped in that
   // direction and, within those axes, the comparisons that did.
   const bool false_separation = verdict == Verdict::separated;
-  out.axis_decisive = out.axis_flips & (false_separation ? axes : exact_axes);
+  out.axis_decisive = out.axis_flips & (false_separation ? axes : out.exact_axes);
   ComparisonBits in_those_axes = 0;
-  for (std::size_t i = 0; i < axis_count; ++i) {
-    if ((out.axis_decisive >> i) & 1u) in_those_axes |= comparisons_of(static_cast<Axis>(i));
+  for (std::size_t i = 0; i < test.clauses.size(); ++i) {
+    if ((out.axis_decisive >> i) & 1u) in_those_axes |= test.clauses[i].comparisons;
   }
   out.comparison_decisive = out.comparison_flips & in_those_axes & (false_separation ? bits : exact);
 }
 
-// The reference on a touching query under a convention other than `contact`, which decides its radius ties.
-Reference by_convention(Reference chain, Touching touching, const Answer& answer) {
+// The reference on a touching query under a convention other than `contact`, which decides its ties at touching.
+Reference by_convention(const TestDescription& test, Reference chain, Touching touching, const Answer& answer) {
   if (!chain.exact.bits) {
     chain.exact.verdict = touching == Touching::separated ? Verdict::separated : answer.verdict;
     return chain;
   }
-  const auto open = static_cast<ComparisonBits>(chain.ties & ~side_comparisons);
+  ComparisonBits open = 0;
+  for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
+    if (test.comparisons[i].ties_at_touching) open |= chain.ties & (ComparisonBits{1} << i);
+  }
   const ComparisonBits decided = touching == Touching::separated ? open : answer.bits.value_or(0);
-  chain.exact = outcome_of(static_cast<ComparisonBits>((*chain.exact.bits & ~open) | (decided & open)));
+  const ComparisonBits bits = (*chain.exact.bits & ~open) | (decided & open);
+  chain.exact = {verdict_of(test, bits), bits};
   return chain;
 }
 
 }  // namespace
 
-std::string_view name(const Flip& flip) {
+std::string_view name(const TestDescription& test, const Flip& flip) {
   switch (flip.level) {
     case Level::verdict:
       return "verdict";
     case Level::axis:
-      return axis_names[flip.index];
+      return test.clauses[flip.index].name;
     case Level::comparison:
-      return comparisons[flip.index].name;
+      return test.comparisons[flip.index].name;
   }
   return {};
 }
@@ -100,8 +103,8 @@ std::optional<Verdict> right_verdict(const Truth& truth, Touching touching) {
   return truth.verdict;
 }
 
-Judgement judge(const Truth& truth, const std::optional<Reference>& reference, const Answer& answer,
-                Touching touching) {
+Judgement judge(const TestDescription& test, const Truth& truth, const std::optional<Reference>& reference,
+                const Answer& answer, Touching touching) {
   Judgement out;
   if (truth.verdict == Verdict::invalid) return out;
   const bool decided = answer.verdict == Verdict::separated || answer.verdict == Verdict::contact;
@@ -114,10 +117,11 @@ Judgement judge(const Truth& truth, const std::optional<Reference>& reference, c
     return out;
   }
   const bool conventional = truth.touching && touching != Touching::contact && !reference->rounded;
-  const Reference chain = conventional ? by_convention(*reference, touching, answer) : *reference;
+  const Reference chain = conventional ? by_convention(test, *reference, touching, answer) : *reference;
   out.exact = chain.exact.bits;
+  if (out.exact) out.exact_axes = clauses_of(test, *out.exact);
   if (decided && right) out.verdict_links = verdict_links(*right, chain, answer.verdict);
-  if (decided && answer.bits && chain.exact.bits) judge_bits(chain, *answer.bits, answer.verdict, out);
+  if (decided && answer.bits && chain.exact.bits) judge_bits(test, chain, *answer.bits, answer.verdict, out);
   return out;
 }
 

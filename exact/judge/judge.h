@@ -10,6 +10,7 @@
 
 #include "exact/judge/truth.h"
 #include "kernel/outcome.h"
+#include "kernel/test.h"
 
 namespace axiscert {
 
@@ -22,6 +23,7 @@ inline constexpr std::array<std::string_view, link_count> link_names = {"specifi
 using LinkBits = std::uint8_t;
 constexpr LinkBits link_bit(Link link) { return static_cast<LinkBits>(1u << static_cast<unsigned>(link)); }
 
+// An axis is a clause, in the word of the tests by separating axes.
 enum class Level : std::uint8_t { verdict, axis, comparison };
 inline constexpr std::array<std::string_view, 3> level_names = {"verdict", "axis", "comparison"};
 
@@ -33,12 +35,12 @@ inline constexpr std::array<std::string_view, 3> flip_kind_names = {"false_separ
 
 struct Flip {
   Level level;
-  std::uint8_t index;  // index of the axis or comparison; 0 for the verdict
+  std::uint8_t index;  // index of the clause or comparison; 0 for the verdict
   FlipKind kind;
   bool decisive;
   LinkBits links;
 };
-std::string_view name(const Flip& flip);  // "verdict", "edge_ab", "edge_ab.radius"
+std::string_view name(const TestDescription& test, const Flip& flip);  // "verdict", "edge_ab", "edge_ab.radius"
 
 // A kernel's answer: its verdict and, if it exposes them, its comparison bits.
 using Answer = Outcome;
@@ -61,16 +63,17 @@ struct Reference {
 struct Judgement {
   std::optional<FlipKind> verdict_flip;  // against right_verdict(); empty if the truth is `invalid`
   LinkBits verdict_links = 0;            // links broken on the way, whether the verdict is wrong or right
-  std::uint16_t comparison_flips = 0, comparison_decisive = 0;  // bit i is comparison i; decisive is a subset of flips
-  std::uint8_t axis_flips = 0, axis_decisive = 0;
+  ComparisonBits comparison_flips = 0, comparison_decisive = 0;  // decisive is a subset of flips
+  ClauseBits axis_flips = 0, axis_decisive = 0;
   std::vector<Flip> flips() const;  // in the order verdict, axes, comparisons
   // Visits the same flips in the same order.
   template <class Visit>
   void for_each_flip(Visit&& visit) const;
 
-  std::optional<ComparisonBits> exact;              // the kernel's own formulae in exact arithmetic
+  std::optional<ComparisonBits> exact;  // the kernel's own formulae in exact arithmetic
+  ClauseBits exact_axes = 0;            // the clauses that hold by them
   std::array<ComparisonBits, link_count> broken{};  // for each link, the comparisons at which it is broken
-  std::array<AxisBits, link_count> broken_axes{};
+  std::array<ClauseBits, link_count> broken_axes{};
 };
 
 // The right verdict on a valid query for a kernel with this convention; empty if neither answer is wrong.
@@ -79,34 +82,34 @@ std::optional<Verdict> right_verdict(const Truth& truth, Touching touching);
 // `reference` is empty for a kernel that claims no formulae: then only its verdict is judged. If the truth is `invalid`
 // or there is no answer, there is no flip.
 //
-// On a touching query a kernel is judged by its own convention, and so are formulae that it evaluates in its own way. A
-// sphere touches where a radius comparison is a tie, and a convention can only mean the relation, `>` or `>=`, that
-// this comparison uses: with `separated`, radius ties hold; with `either`, they are as the kernel has them, and no link
-// is broken. Otherwise each right answer would break links, and each rounding at a tie would count as a fault of the
+// On a touching query a kernel is judged by its own convention, and so are formulae that it evaluates in its own way. The
+// two touch where a comparison of TestComparison::ties_at_touching (sphere-triangle's: of a radius) is a tie, and a
+// convention can only mean the relation, `>` or `>=`, that this comparison uses: with `separated`, such ties hold; with
+// `either`, they are as the kernel has them, and no link is broken. Otherwise each right answer would break links, and each rounding at a tie would count as a fault of the
 // specification. On any other query the formulae are taken as named: a `>=` that also separates a zero-area triangle by
 // 0 >= 0 is a fault. A bit-for-bit reference has a fixed relation, so a convention other than `contact` contradicts the
 // formulae of such a kernel: `specification`.
-Judgement judge(const Truth& truth, const std::optional<Reference>& reference, const Answer& answer,
-                Touching touching = Touching::contact);
+Judgement judge(const TestDescription& test, const Truth& truth, const std::optional<Reference>& reference,
+                const Answer& answer, Touching touching = Touching::contact);
 
 template <class Visit>
 void Judgement::for_each_flip(Visit&& visit) const {
   if (verdict_flip) visit(Flip{Level::verdict, 0, *verdict_flip, true, verdict_links});
-  const auto links_at = [](const auto& of, unsigned i) {
-    LinkBits links = 0;
-    for (std::size_t k = 0; k < link_count; ++k) links |= static_cast<LinkBits>(((of[k] >> i) & 1u) << k);
-    return links;
-  };
-  const auto each = [&](Level level, unsigned flips, unsigned decisive, unsigned exact_bits, const auto& of) {
-    for (unsigned rest = flips; rest != 0; rest &= rest - 1) {
-      const auto i = static_cast<unsigned>(std::countr_zero(rest));
-      const FlipKind kind = ((exact_bits >> i) & 1u) != 0 ? FlipKind::missed_separation : FlipKind::false_separation;
-      visit(Flip{level, static_cast<std::uint8_t>(i), kind, ((decisive >> i) & 1u) != 0, links_at(of, i)});
+  const auto is_set = [](std::uint64_t bits, int i) { return ((bits >> i) & 1u) != 0; };
+  const auto each = [&](Level level, std::uint64_t flips, std::uint64_t decisive, std::uint64_t exact_bits,
+                        const auto& broken_at) {
+    for (std::uint64_t rest = flips; rest != 0; rest &= rest - 1) {
+      const int i = std::countr_zero(rest);
+      LinkBits links = 0;
+      for (std::size_t k = 0; k < link_count; ++k) {
+        if (is_set(broken_at[k], i)) links |= link_bit(static_cast<Link>(k));
+      }
+      const FlipKind kind = is_set(exact_bits, i) ? FlipKind::missed_separation : FlipKind::false_separation;
+      visit(Flip{level, static_cast<std::uint8_t>(i), kind, is_set(decisive, i), links});
     }
   };
-  const ComparisonBits exact_bits = exact.value_or(0);
-  each(Level::axis, axis_flips, axis_decisive, axes_of(exact_bits), broken_axes);
-  each(Level::comparison, comparison_flips, comparison_decisive, exact_bits, broken);
+  each(Level::axis, axis_flips, axis_decisive, exact_axes, broken_axes);
+  each(Level::comparison, comparison_flips, comparison_decisive, exact.value_or(0), broken);
 }
 
 }  // namespace axiscert

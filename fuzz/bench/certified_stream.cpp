@@ -14,7 +14,7 @@
 #include "fuzz/bench/bench_table.h"
 #include "fuzz/campaign/thread_seconds.h"
 #include "kernel/include/axiscert/certified.hpp"
-#include "kernel/names.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
 namespace {

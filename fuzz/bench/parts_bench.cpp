@@ -41,7 +41,7 @@ BENCHMARK(unit_with_standing)->Unit(benchmark::kMicrosecond);
 void entry(benchmark::State& state) {
   const Stretches stretches(plan(), 1);
   const Entry made = run_stretch(plan(), stretches, 0);
-  const Tally tally = decode_tally(made.tallies[0]);
+  const Tally tally = decode_tally(made.tallies[0], first_test());
   const Costs costs = decode_costs(made.costs);
   const std::string path = (std::filesystem::temp_directory_path() / "axiscert_scale_bench").string();
   std::filesystem::remove(path);

@@ -18,6 +18,7 @@
 namespace axiscert {
 
 struct Plan {
+  const TestDescription* test = &first_test();  // of all kernels and sources
   std::uint64_t seed = 1;
   std::vector<const Kernel*> kernels;
   std::vector<FileInfo> plugins;  // the files of kernels that were given by path, as they were loaded

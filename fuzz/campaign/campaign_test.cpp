@@ -78,7 +78,7 @@ void flushed_explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
 template <class Real>
 void contracted_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
   Answers<Real> answers;
-  answers.resize(batch.size);
+  answers.resize(batch.size, comparison_count);
   contracted_explain(batch, answers);
   for (std::size_t i = 0; i < batch.size; ++i) out[i] = verdict_of(axes_of(answers.bits[i]));
 }

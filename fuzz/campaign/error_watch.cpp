@@ -91,7 +91,7 @@ bool ErrorWatch<Real>::is_batch_exact() {
   for (std::size_t k = 0; k < coordinate_count; ++k) {
     std::copy_n(columns.column[k], columns.size, wide.column[k]);
   }
-  in_binary64_.resize(columns.size);
+  in_binary64_.resize(columns.size, comparison_count);
   constexpr int events = FE_INEXACT | FE_OVERFLOW | FE_UNDERFLOW;
   std::feclearexcept(events);
   forms->on<double>(simd_targets().front(), Strictness::strict).explain(widened_.columns(), in_binary64_);

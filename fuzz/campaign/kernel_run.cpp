@@ -148,7 +148,7 @@ void KernelRun<Real>::judge_by_signs(const Signs& signs, const Answer& answer, C
     else if (kernel_.is_reference)
       chain->rounded = rounded(kernel_.formulae, kernel_.arithmetic, kernel_.strictness, q);
   }
-  const Judgement judgement = axiscert::judge(truth, chain, answer, kernel_.touching);
+  const Judgement judgement = axiscert::judge(*kernel_.test, truth, chain, answer, kernel_.touching);
   if (truth.touching) depth.is_zero();
   count(tally_, position_ + i, truth, chain ? signs.ties : ComparisonBits{0}, answer, judgement, depth, standing_);
   if (repeated) *repeated = {repeated->pattern, truth.verdict, truth.touching, answer, judgement, true, 0};
@@ -164,7 +164,7 @@ void KernelRun<Real>::judge_exactly(const Answer& answer, bool is_filtered, Clos
     chain = claims->chain(kernel_);
     sides = claims->sides(kernel_.formulae);
   }
-  const Judgement judgement = axiscert::judge(truth, chain, answer, kernel_.touching);
+  const Judgement judgement = axiscert::judge(*kernel_.test, truth, chain, answer, kernel_.touching);
   if (truth.touching) depth.is_zero();
   if (truth.verdict != Verdict::invalid && kernel_.limits.any() && !is_within(kernel_.limits, look.query())) {
     count_outside(tally_, truth, answer, judgement, depth);
@@ -192,7 +192,7 @@ void KernelRun<Real>::check_sides(const FormulaTruth& exact, const std::optional
     }
   }
   if (!exposes_sides()) return;
-  const Sides<Real> computed = reply_.sides(i);
+  const Sides<Real> computed = sides_at(reply_.answers, i);
   count_errors(tally_, position_ + i, exact, computed, tolerances_);
   if (!is_checked) return;
   for (std::size_t k = 0; k < comparison_count; ++k) {

@@ -12,7 +12,7 @@ KernelRuns<Real>::KernelRuns(const Plan& plan, const Source& source, Decider<Rea
                              const std::vector<Standing>& standing, std::uint64_t first_position,
                              std::vector<Tally>& tallies)
     : plan_(plan), decider_(decider) {
-  static const Standing nothing;
+  static const Standing nothing = standing_of(Tally());
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     if (!plan.kernels[k]->has(precision_of<Real>)) continue;
     runs_.emplace_back(*plan.kernels[k], plan, source, decider.filter(), standing.empty() ? nothing : standing[k],

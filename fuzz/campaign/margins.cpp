@@ -60,7 +60,7 @@ void MarginTally::merge(const MarginTally& other) {
 
 template <class Real>
 void count_margins(MarginTally& tally, const FormulaTruth& sides, ComparisonBits exact, ComparisonBits computed) {
-  const unsigned wrong = exact ^ computed;
+  const ComparisonBits wrong = exact ^ computed;
   for (std::size_t i = 0; i < comparison_count; ++i) {
     const std::optional<int> exponent = margin_exponent<Real>(sides.comparison(i));
     const bool is_wrong = ((wrong >> i) & 1u) != 0;

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "kernel/names.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
 

@@ -5,7 +5,7 @@ namespace axiscert {
 RepeatedJudgement* RepeatedJudgements::find(const JudgementPattern& pattern) {
   if (table_.empty()) table_.resize(size);
   std::uint64_t word = pattern.signs.strict;
-  for (const ComparisonBits bits : {pattern.signs.ties, pattern.range_free, pattern.reference})
+  for (const ComparisonBits bits : {ComparisonBits{pattern.signs.ties}, pattern.range_free, pattern.reference})
     word = word << 16 | bits;
   // The golden ratio's multiples are spread evenly in the upper bits; what else a pattern has is nearly always the
   // same.

@@ -25,7 +25,7 @@ Implementation<Real> supervised_implementation(const Implementation<Real>& right
   };
   const auto verdicts = [supervised](const QueryColumns<Real>& batch, Verdict* out) {
     Answers<Real> answers;
-    answers.resize(batch.size);
+    answers.resize(batch.size, comparison_count);
     std::vector<Finding> ignored;
     supervised(batch, out, answers, ignored);
   };

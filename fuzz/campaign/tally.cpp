@@ -31,7 +31,7 @@ void count_flip(SignTally& tally, const Flip& flip, std::uint64_t times) {
 }
 
 template <class Visit>
-void for_each_bit(unsigned bits, Visit&& visit) {
+void for_each_bit(std::uint64_t bits, Visit&& visit) {
   for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
@@ -126,11 +126,11 @@ void Tally::merge(const Tally& other) {
   touching += other.touching;
   invalid += other.invalid;
   merge_verdict(verdict, other.verdict);
-  for (std::size_t i = 0; i < axis_count; ++i) {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
     merge_signs(axes[i], other.axes[i]);
     axes[i].sole_separator += other.axes[i].sole_separator;
   }
-  for (std::size_t i = 0; i < comparison_count; ++i) {
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
     ComparisonTally& into = comparisons[i];
     const ComparisonTally& from = other.comparisons[i];
     merge_signs(into, from);
@@ -166,9 +166,8 @@ void count_numbers(Tally& tally, const Truth& truth, ComparisonBits ties, const 
   if (!judgement.verdict_flip) add(tally.verdict.masked_links, judgement.verdict_links, times);
 
   for_each_bit(ties, [&](std::size_t i) { tally.comparisons[i].ties += times; });
-  const AxisBits exact_axes = axes_of(judgement.exact.value_or(0));
-  if (std::has_single_bit(exact_axes))
-    tally.axes[static_cast<std::size_t>(std::countr_zero(exact_axes))].sole_separator += times;
+  if (std::has_single_bit(judgement.exact_axes))
+    tally.axes[static_cast<std::size_t>(std::countr_zero(judgement.exact_axes))].sole_separator += times;
 
   judgement.for_each_flip([&](const Flip& flip) {
     switch (flip.level) {
@@ -241,7 +240,7 @@ bool Standing::could_keep_depth(const Flip& flip, const Candidate<double>& at_mo
 
 Standing standing_of(const Tally& tally) {
   Standing standing;
-  for (std::size_t i = 0; i < comparison_count; ++i) standing.largest_error[i] = tally.comparisons[i].largest_error;
+  for (const ComparisonTally& comparison : tally.comparisons) standing.largest_error.push_back(comparison.largest_error);
   standing.verdict.deepest_false_separation = tally.verdict.deepest_false_separation;
   standing.verdict.deepest_false_contact = tally.verdict.deepest_false_contact;
   standing.verdict.deepest_by_link = tally.verdict.deepest_by_link;

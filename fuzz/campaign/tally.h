@@ -12,6 +12,7 @@
 #include "exact/judge/judge.h"
 #include "fuzz/campaign/margins.h"
 #include "kernel/finding.h"
+#include "kernel/sphere_triangle/decision.h"
 
 namespace axiscert {
 
@@ -103,11 +104,14 @@ struct FindingTally {
 };
 
 struct Tally {
+  explicit Tally(const TestDescription& test = first_test())
+      : axes(test.clauses.size()), comparisons(test.comparisons.size()) {}
+
   std::uint64_t trials = 0;
   std::uint64_t separated = 0, contact = 0, touching = 0, invalid = 0;  // the truth; touching is part of contact
   VerdictTally verdict;
-  std::array<AxisTally, axis_count> axes;
-  std::array<ComparisonTally, comparison_count> comparisons;
+  std::vector<AxisTally> axes;  // by clause
+  std::vector<ComparisonTally> comparisons;
   CriticalRadiusTally critical_radius;
   std::array<FindingTally, finding_kind_count> findings;  // by FindingKind
   MarginTally margins;                                    // of the source's first queries (has_margins)
@@ -127,15 +131,28 @@ class DepthOf {
 
 // The leaders that other units of the same cell have found: a query that is certainly no greater is not evaluated.
 struct Standing {
-  std::array<Leaders<Decimal6>, comparison_count> largest_error;
+  std::vector<Leaders<Decimal6>> largest_error;  // by comparison
   VerdictTally verdict;  // its leaders
 
   bool could_keep_depth(const Flip& flip, const Candidate<double>& at_most) const;
 };
 Standing standing_of(const Tally& tally);
 
-// Tolerated error per comparison, in u; none: not checked.
-using Tolerances = std::array<std::optional<Rational>, comparison_count>;
+// Tolerated error by comparison, in u; none: not checked.
+class Tolerances {
+ public:
+  const std::optional<Rational>& operator[](std::size_t comparison) const {
+    static const std::optional<Rational> none;
+    return comparison < given_.size() ? given_[comparison] : none;
+  }
+  void set(std::size_t comparison, const Rational& tolerated) {
+    if (given_.size() <= comparison) given_.resize(comparison + 1);
+    given_[comparison] = tolerated;
+  }
+
+ private:
+  std::vector<std::optional<Rational>> given_;
+};
 
 // Counts everything of a query within the kernel's limits but the errors of the sides. `ties` are those of the kernel's
 // own formulae in exact arithmetic, where they have comparisons; `depth` is asked where the verdict is wrong.
@@ -176,7 +193,7 @@ class CleanCount {
 
 void count_finding(Tally& tally, FindingKind kind, std::uint64_t position, const std::string& detail);
 
-// Counts the errors of the computed sides of a query with a valid truth.
+// Counts the errors of the computed sides of a query of sphere-triangle with a valid truth.
 template <class Real>
 void count_errors(Tally& tally, std::uint64_t position, const FormulaTruth& exact, const Sides<Real>& computed,
                   const Tolerances& tolerances);

@@ -58,7 +58,7 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
 
 UnitResult run_unit(const Plan& plan, const Source& source, Precision precision, std::uint64_t number,
                     std::uint64_t size, const std::vector<Standing>& standing) {
-  UnitResult result{std::vector<Tally>(plan.kernels.size()), 0, 0, {}};
+  UnitResult result{std::vector<Tally>(plan.kernels.size(), Tally(*plan.test)), 0, 0, {}};
   const double start = thread_seconds();
   const std::uint64_t first = number * unit_size;
   if (precision == Precision::binary32) run<float>(plan, source, first, size, standing, result);

@@ -141,20 +141,21 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
   Json &axes = json["axes"], &all = json["comparisons"];
   if (kernel.exposes == Exposure::verdict) return json;
   axes = all = Json::object();
-  for (std::size_t a = 0; a < axis_count; ++a) {
+  const TestDescription& test = *plan.test;
+  for (std::size_t a = 0; a < test.clauses.size(); ++a) {
     bool has_tolerance = false;
     Decimal6 max_error;
-    for (std::size_t i = 0; i < comparison_count; ++i) {
-      if (comparisons[i].axis != static_cast<Axis>(a)) continue;
+    for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
+      if (test.comparisons[i].clause != a) continue;
       has_tolerance |= tolerances[i].has_value();
       max_error = std::max(max_error, tally.comparisons[i].largest_error.best());
     }
-    Json& axis = axes[std::string(axis_names[a])];
+    Json& axis = axes[std::string(test.clauses[a].name)];
     put_signs(axis, tally.axes[a], has_tolerance, max_error);
     axis["sole_separator"] = tally.axes[a].sole_separator;
   }
-  for (std::size_t i = 0; i < comparison_count; ++i) {
-    all[std::string(comparisons[i].name)] =
+  for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
+    all[std::string(test.comparisons[i].name)] =
         comparison_json(tally.comparisons[i], tolerances[i].has_value(), margins_json(tally.margins, i));
   }
   return json;

@@ -26,6 +26,6 @@ Json exposures_json(const Kernel& kernel);
 // The limits that a kernel declares; null if it has none, and null for each limit that it does not set.
 Json limits_json(const Limits& limits);
 // Flips in the form in which `check` and the witnesses list them.
-Json flips_json(const Judgement& judgement);
+Json flips_json(const TestDescription& test, const Judgement& judgement);
 
 }  // namespace axiscert

@@ -20,7 +20,7 @@ void put_query(Json& into, const Query<Real>& q) {
 template void put_query<float>(Json&, const Query<float>&);
 template void put_query<double>(Json&, const Query<double>&);
 
-Json flips_json(const Judgement& judgement) {
+Json flips_json(const TestDescription& test, const Judgement& judgement) {
   Json flips = Json::array();
   for (const Flip& flip : judgement.flips()) {
     Json links = Json::array();
@@ -28,7 +28,7 @@ Json flips_json(const Judgement& judgement) {
       if ((flip.links >> i) & 1u) links.push_back(link_names[i]);
     }
     flips.push_back({{"level", level_names[static_cast<std::size_t>(flip.level)]},
-                     {"name", name(flip)},
+                     {"name", name(test, flip)},
                      {"kind", flip_kind_names[static_cast<std::size_t>(flip.kind)]},
                      {"decisive", flip.decisive},
                      {"links", std::move(links)}});
@@ -48,20 +48,21 @@ void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision pr
     note(tally.verdict.deepest_by_link[i],
          [i](const auto&) { return fmt::format("deepest wrong verdict with a broken {} link", link_names[i]); });
   }
-  for (std::size_t i = 0; i < comparison_count; ++i) {
+  const TestDescription& test = *plan_.test;
+  for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
     const ComparisonTally& comparison = tally.comparisons[i];
     const auto flip = [&](const char* kind) {
-      return [kind, i](const Candidate<bool>& c) {
-        return fmt::format("{} {} of {}", c.rank ? "decisive" : "masked", kind, comparisons[i].name);
+      return [&test, kind, i](const Candidate<bool>& c) {
+        return fmt::format("{} {} of {}", c.rank ? "decisive" : "masked", kind, test.comparisons[i].name);
       };
     };
     note(comparison.false_witness, flip("false_separation"));
     note(comparison.missed_witness, flip("missed_separation"));
-    note(comparison.largest_error, [i](const Candidate<Decimal6>& c) {
-      return fmt::format("largest error of {}: {} u", comparisons[i].name, c.rank.text());
+    note(comparison.largest_error, [&test, i](const Candidate<Decimal6>& c) {
+      return fmt::format("largest error of {}: {} u", test.comparisons[i].name, c.rank.text());
     });
     for (const auto& candidate : comparison.largest_error.candidates()) {
-      shown[candidate.position].largest_errors |= static_cast<ComparisonBits>(1u << i);
+      shown[candidate.position].largest_errors |= ComparisonBits{1} << i;
     }
   }
   const auto note_pair = [&](const std::optional<AsymmetryWitness>& first, const char* what) {
@@ -83,6 +84,7 @@ void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision pr
 
 template <class Real>
 void WitnessWriter::write(const Kernel& kernel, const Source& source, const Shown& shown) {
+  const TestDescription& test = *plan_.test;
   for (const auto& [position, what] : shown) {
     Query<Real> q;
     source.make(plan_.seed, position, q);
@@ -99,11 +101,11 @@ void WitnessWriter::write(const Kernel& kernel, const Source& source, const Show
     witness["touching"] = found.truth.touching;
     witness["depth"] = found.depth ? Json(*found.depth) : Json(nullptr);
     witness["exact_comparisons"] =
-        found.judgement.exact ? Json(bit_string(*found.judgement.exact, comparison_count)) : Json(nullptr);
+        found.judgement.exact ? Json(bit_string(*found.judgement.exact, test.comparisons.size())) : Json(nullptr);
     witness["computed_comparisons"] =
-        found.answer.bits ? Json(bit_string(*found.answer.bits, comparison_count)) : Json(nullptr);
+        found.answer.bits ? Json(bit_string(*found.answer.bits, test.comparisons.size())) : Json(nullptr);
     witness["shows"] = what.texts;
-    witness["flips"] = flips_json(found.judgement);
+    witness["flips"] = flips_json(test, found.judgement);
     witness["sides"] = sides_json(q, kernel, found, what.largest_errors);
     witnesses_.push_back(std::move(witness));
   }

@@ -104,7 +104,7 @@ ComparisonBits worth_showing(const Judgement& judgement, ComparisonBits largest_
     if (flip.level == Level::axis) which |= comparisons_of(static_cast<Axis>(flip.index));
     if (flip.level == Level::comparison) which |= comparisons_of(comparisons[flip.index].axis);
   }
-  return which == 0 && judgement.verdict_flip ? static_cast<ComparisonBits>(0xFFFF) : which;
+  return which == 0 && judgement.verdict_flip ? ComparisonBits{0xFFFF} : which;
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ Findings search(const ConditionPlan& plan, const std::vector<Implementation<Real
   std::vector<ByComparison> taken(kernels.size());
   QueryBatch<Real> one(1);
   Answers<Real> answers;
-  answers.resize(1);
+  answers.resize(1, comparison_count);
   for (std::uint64_t position = block.first; position < block.first + block.size; ++position) {
     Query<Real> q;
     source.make(plan.seed, position, q);

@@ -39,7 +39,7 @@ template <class Real>
 AxisBits sound_axes(const Kernel& kernel, const Implementation<Real>& implementation, const QueryBatch<Real>& batch,
                     const std::vector<ComparisonBits>& expected) {
   Answers<Real> answers;
-  answers.resize(batch.size());
+  answers.resize(batch.size(), comparison_count);
   implementation.explain(batch.columns(), answers);
   ComparisonBits broken = 0;
   for (std::size_t i = 0; i < batch.size(); ++i) {

@@ -31,7 +31,7 @@ struct Answered {
 
   Answered(const Kernel& kernel, const QueryColumns<Real>& block)
       : implementation(kernel.on<Real>(scalar_target)), verdicts(block.size) {
-    answers.resize(block.size);
+    answers.resize(block.size, comparison_count);
     implementation.verdicts(block, verdicts.data());
     implementation.explain(block, answers);
   }

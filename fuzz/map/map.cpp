@@ -178,7 +178,7 @@ class Drawing {
       p.exact = own.bits(kernel.strictness);
       p.ties = own.ties;
     }
-    if (kernel.exposes == Exposure::sides && p.said.bits) look_at_sides(reply.sides(i), q, p);
+    if (kernel.exposes == Exposure::sides && p.said.bits) look_at_sides(sides_at(reply.answers, i), q, p);
     return p;
   }
 

@@ -38,7 +38,7 @@ inline constexpr std::uint32_t greatest_header = 1 << 20;  // a greater size is 
 struct ReplyRecord {
   std::uint8_t verdict;  // contact 0, separated 1, undecided 2, invalid 3
   std::uint8_t flags;
-  ComparisonBits bits;  // bit i is comparison i; 0 if the flag is not set
+  std::uint16_t bits;  // bit i is comparison i; 0 if the flag is not set
 };
 static_assert(sizeof(ReplyRecord) == 4);
 

@@ -34,7 +34,7 @@ std::string fault(const pipe::ReplyRecord& reply, bool has_bits) {
   if (!has_bits && reply.bits != 0) {
     return fmt::format("comparison bits {:#06x} without the flag that says so (bit 0 of the second byte)", reply.bits);
   }
-  const auto verdict = static_cast<Verdict>(reply.verdict), by_bits = verdict_of(axes_of(reply.bits));
+  const auto verdict = static_cast<Verdict>(reply.verdict), by_bits = verdict_of(first_test(), reply.bits);
   const bool decided = verdict == Verdict::contact || verdict == Verdict::separated;
   if (has_bits && decided && verdict != by_bits) {
     return fmt::format("{}, but its comparison bits {:#06x} say {}", name(verdict), reply.bits, name(by_bits));

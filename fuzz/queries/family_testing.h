@@ -19,7 +19,7 @@ template <class Real>
 Judgement judge_published(const Query<Real>& q) {
   const ExactTruth truth = exact_truth(q, false);
   const Reference chain = *Claims(q, *truth.formula).chain(find_kernel("published"));
-  return judge(truth, chain, chain.rounded->reference);
+  return judge(first_test(), truth, chain, chain.rounded->reference);
 }
 
 // Calls check(query, position) for the first `count` positions at seed 1, and stops at the first failure.

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "kernel/names.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
 

@@ -68,7 +68,7 @@ std::optional<SideErrors> Confirmer<Real>::errors(const Query<Real>& q) {
   const ExactTruth truth = exact_truth(q, true);
   Claims<Real> claims(q, *truth.formula);
   const FormulaTruth& own = *claims.sides(kernel_.formulae);
-  const Sides<Real> sides = reply.sides(0);
+  const Sides<Real> sides = sides_at(reply.answers, 0);
   SideErrors all;
   for (std::size_t k = 0; k < comparison_count; ++k) {
     const ExactComparison exact = own.comparison(k);

@@ -130,7 +130,7 @@ template <class Real>
 void Evaluator<Real>::evaluate_error(const Aim& aim, const QueryBatch<Real>& batch, std::vector<double>& scores) {
   const auto k = static_cast<std::size_t>(aim.which);
   if (implementation_.explain) {
-    reply_.answers.resize(batch.size());
+    reply_.answers.resize(batch.size(), comparison_count);
     implementation_.explain(batch.columns(), reply_.answers);
   } else {
     ask(implementation_, batch.columns(), reply_);
@@ -146,7 +146,7 @@ void Evaluator<Real>::evaluate_error(const Aim& aim, const QueryBatch<Real>& bat
       for (std::size_t c = 0; c < coordinate_count; ++c) {
         std::copy_n(from.column[c], batch.size(), to.column[c]);
       }
-      wide_answers_.resize(batch.size());
+      wide_answers_.resize(batch.size(), comparison_count);
       wide_.explain(widened_.columns(), wide_answers_);
     }
   }

@@ -133,7 +133,7 @@ std::optional<Severity> Diagnosis<Real>::severity(const Query<Real>& q, const Sy
   if (!symptom.kind) {
     const FormulaTruth* own = claims.sides(kernel_.formulae);
     if (own == nullptr || kernel_.exposes != Exposure::sides) return std::nullopt;
-    const Sides<Real> sides = reply.sides(0);
+    const Sides<Real> sides = sides_at(reply.answers, 0);
     const auto exact = own->comparison(symptom.index);
     const ComparisonError error(sides.lhs[symptom.index], sides.rhs[symptom.index], exact);
     if (error.kind() != ComparisonError::Kind::finite) return std::nullopt;

@@ -160,7 +160,7 @@ class Look {
         fail(fmt::format("{} on {} has the comparison bits {:016b}, its scalar reference {:016b}", kernel.id, target,
                          *answer.bits, chain->rounded->reference.bits.value_or(0)));
       }
-      see_verdict(kernel, judge(*truth_, chain, answer, kernel.touching));
+      see_verdict(kernel, judge(*kernel.test, *truth_, chain, answer, kernel.touching));
     }
   }
 

@@ -166,7 +166,7 @@ std::string format_number(Real x) {
 template std::string format_number<float>(float);
 template std::string format_number<double>(double);
 
-std::string bit_string(std::uint32_t bits, std::size_t count) {
+std::string bit_string(std::uint64_t bits, std::size_t count) {
   std::string text(count, '0');
   for (std::size_t i = 0; i < count; ++i) {
     if ((bits >> i) & 1u) text[i] = '1';

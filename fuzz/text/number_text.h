@@ -21,7 +21,7 @@ template <class Real>
 std::string format_number(Real x);
 
 // The lowest `count` bits as 0 and 1, bit 0 first: the form in which comparisons, ties and axes are written everywhere.
-std::string bit_string(std::uint32_t bits, std::size_t count);
+std::string bit_string(std::uint64_t bits, std::size_t count);
 
 // A piece of input in the form in which a message may quote it: one line, no control characters, truncated if long.
 std::string shown(std::string_view text);

@@ -52,15 +52,10 @@ template <class Real>
 auto Caller<Real>::call(const QueryColumns<Real>& batch, std::size_t first, std::size_t size,
                         const Arrangement& arrangement, double seconds, Outputs<Real>& out) -> Result {
   const Shape shape = callee_.subject.shape();
-  if (shape.columns != coordinate_count || shape.comparisons != comparison_count) {
-    throw HarnessFault(fmt::format(
-        "plug-in {}: called with the columns of sphere-triangle, but its test has {} columns and {} comparisons",
-        callee_.path, shape.columns, shape.comparisons));
-  }
   if (!process_) process_.emplace(callee_.path, callee_.subject);
   if (!process_->is_running()) seconds = std::max(seconds, first_seconds_);  // it may have tables to make
   const auto place = [&](std::size_t which) { return array(which, size, arrangement.placement); };
-  for (std::size_t k = 0; k < coordinate_count; ++k) {
+  for (std::size_t k = 0; k < shape.columns; ++k) {
     std::memcpy(place(k).data(), batch.column[k] + first, size * sizeof(Real));
   }
   const auto filling = std::byte{arrangement.filling};
@@ -69,10 +64,8 @@ auto Caller<Real>::call(const QueryColumns<Real>& batch, std::size_t first, std:
 
   out.verdicts.clear();
   out.bits.clear();
-  for (std::size_t k = 0; k < comparison_count; ++k) {
-    out.lhs[k].clear();
-    out.rhs[k].clear();
-  }
+  out.lhs.assign(shape.comparisons, {});
+  out.rhs.assign(shape.comparisons, {});
   Result result;
   const Request request{.kernel = callee_.index,
                         .size = static_cast<std::uint32_t>(size),
@@ -97,7 +90,7 @@ auto Caller<Real>::call(const QueryColumns<Real>& batch, std::size_t first, std:
   if (arrangement.asked >= Exposure::comparisons) {
     widen_out(place(shape.bits()), bits_bytes(callee_.abi), out.bits);
   }
-  for (std::size_t k = 0; k < comparison_count && arrangement.asked >= Exposure::sides; ++k) {
+  for (std::size_t k = 0; k < shape.comparisons && arrangement.asked >= Exposure::sides; ++k) {
     copy_out(place(shape.lhs() + k), out.lhs[k]);
     copy_out(place(shape.rhs() + k), out.rhs[k]);
   }

@@ -16,7 +16,7 @@ struct Outputs {
   std::vector<std::uint8_t> verdicts;
   // Empty unless asked for.
   std::vector<std::uint64_t> bits;  // as wide as plugin.h has them
-  std::array<std::vector<Real>, comparison_count> lhs, rhs;
+  std::vector<std::vector<Real>> lhs, rhs;  // by comparison
 };
 
 // A kernel of a plug-in, and how it is called.
@@ -24,7 +24,7 @@ struct Callee {
   std::string path;
   std::uint32_t index;  // in the plug-in
   std::uint32_t abi;
-  Subject subject;  // of the shape of sphere-triangle, which queries and answers have here
+  Subject subject;
 };
 
 // Where and how a call is made.

@@ -15,12 +15,13 @@ bool same(Real a, Real b) {
 }
 
 // The name of the comparison, or the number of a bit beyond the last one.
-std::string comparison_text(std::size_t which) {
-  return which < comparison_count ? std::string(comparisons[which].name) : std::to_string(which);
+std::string comparison_text(const TestDescription& test, std::size_t which) {
+  return which < test.comparisons.size() ? std::string(test.comparisons[which].name) : std::to_string(which);
 }
 
 template <class Real>
-std::optional<std::string> difference_at(const Outputs<Real>& a, std::size_t i, const Outputs<Real>& b, std::size_t j) {
+std::optional<std::string> difference_at(const TestDescription& test, const Outputs<Real>& a, std::size_t i,
+                                         const Outputs<Real>& b, std::size_t j) {
   if (a.verdicts[i] != b.verdicts[j]) {
     return fmt::format("verdict {}, then {}", verdict_text(a.verdicts[i]), verdict_text(b.verdicts[j]));
   }
@@ -28,13 +29,13 @@ std::optional<std::string> difference_at(const Outputs<Real>& a, std::size_t i, 
   if (const std::uint64_t flipped = a.bits[i] ^ b.bits[j]) {
     const auto which = static_cast<std::size_t>(std::countr_zero(flipped));
     const int before = (a.bits[i] >> which) & 1;
-    return fmt::format("comparison {} {}, then {}", comparison_text(which), before, 1 - before);
+    return fmt::format("comparison {} {}, then {}", comparison_text(test, which), before, 1 - before);
   }
-  for (std::size_t k = 0; k < comparison_count && !b.lhs[k].empty(); ++k) {
+  for (std::size_t k = 0; k < b.lhs.size() && !b.lhs[k].empty(); ++k) {
     for (const auto& [side, before, after] :
          {std::tuple{"lhs", a.lhs[k][i], b.lhs[k][j]}, std::tuple{"rhs", a.rhs[k][i], b.rhs[k][j]}}) {
       if (!same(before, after)) {
-        return fmt::format("{} of {} {:a}, then {:a}", side, comparisons[k].name, before, after);
+        return fmt::format("{} of {} {:a}, then {:a}", side, test.comparisons[k].name, before, after);
       }
     }
   }
@@ -49,13 +50,16 @@ std::string verdict_text(std::uint8_t verdict) {
 }
 
 template <class Real>
-std::optional<Difference> first_difference(const Outputs<Real>& a, std::size_t first, const Outputs<Real>& b) {
+std::optional<Difference> first_difference(const TestDescription& test, const Outputs<Real>& a, std::size_t first,
+                                           const Outputs<Real>& b) {
   for (std::size_t i = 0; i < b.verdicts.size(); ++i) {
-    if (auto detail = difference_at(a, first + i, b, i)) return Difference{i, std::move(*detail)};
+    if (auto detail = difference_at(test, a, first + i, b, i)) return Difference{i, std::move(*detail)};
   }
   return std::nullopt;
 }
-template std::optional<Difference> first_difference(const Outputs<float>&, std::size_t, const Outputs<float>&);
-template std::optional<Difference> first_difference(const Outputs<double>&, std::size_t, const Outputs<double>&);
+template std::optional<Difference> first_difference(const TestDescription&, const Outputs<float>&, std::size_t,
+                                                    const Outputs<float>&);
+template std::optional<Difference> first_difference(const TestDescription&, const Outputs<double>&, std::size_t,
+                                                    const Outputs<double>&);
 
 }  // namespace axiscert::plugin

@@ -50,7 +50,7 @@ Seen supervise(const std::string& name) {
   Seen seen;
   seen.verdicts.resize(queries().size());
   Answers<float> answers;
-  answers.resize(queries().size());
+  answers.resize(queries().size(), comparison_count);
   kernel.on<float>(scalar_target).supervised(queries().columns(), seen.verdicts.data(), answers, seen.findings);
   return seen;
 }

@@ -96,12 +96,8 @@ void Supervisor<Real>::take(const Chunk& chunk, const Outputs<Real>& outputs) {
   const auto put = [&](const auto& from, auto& to) {
     std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(chunk.first));
   };
-  // Only here do the interface's 64 bits become the 16 of sphere-triangle. look_for_contradictions reports a bit that
-  // is lost.
-  std::transform(outputs.bits.begin(), outputs.bits.end(),
-                 chunk.explained->bits.begin() + static_cast<std::ptrdiff_t>(chunk.first),
-                 [](std::uint64_t bits) { return static_cast<ComparisonBits>(bits); });
-  for (std::size_t k = 0; k < comparison_count; ++k) {
+  put(outputs.bits, chunk.explained->bits);
+  for (std::size_t k = 0; k < outputs.lhs.size(); ++k) {
     put(outputs.lhs[k], chunk.explained->lhs[k]);
     put(outputs.rhs[k], chunk.explained->rhs[k]);
   }
@@ -156,7 +152,7 @@ bool Supervisor<Real>::repeats(const Chunk& chunk, const Outputs<Real>& outputs)
     tell(chunk, FindingKind::inconsistent, i, "it wrote no verdict");
     return false;
   }
-  const auto difference = first_difference(outputs, 0, again);
+  const auto difference = first_difference(*kernel_.callee.subject.test, outputs, 0, again);
   if (!difference) return true;
   tell(chunk, FindingKind::nondeterministic, difference->query, difference->detail + " for the same batch");
   return false;
@@ -179,7 +175,7 @@ void Supervisor<Real>::rearrange(const Chunk& chunk, const Outputs<Real>& output
       return;
     }
     if (result.stray) tell(piece, *result.stray);
-    if (const auto difference = first_difference(outputs, first, found)) {
+    if (const auto difference = first_difference(*kernel_.callee.subject.test, outputs, first, found)) {
       tell(piece, FindingKind::batch_dependent, difference->query,
            fmt::format("{}: as query {} of {}, {}{}", difference->detail, difference->query + 1, size,
                        placed(placement), verdict_alone && chunk.explained ? ", asked for the verdict alone" : ""));
@@ -201,26 +197,36 @@ void Supervisor<Real>::look_for_changed_environment(const Chunk& chunk, std::uin
   tell(chunk, FindingKind::environment, which, "left changed: " + changed_modes(changed));
 }
 
+// Whether a comparison's bit is one that its computed sides allow. The relation is known of sphere-triangle's kernels; in
+// other tests equal sides allow both.
+template <class Real>
+bool could_follow(const Supervised& kernel, std::size_t comparison, Real lhs, Real rhs, bool bit) {
+  if (kernel.callee.subject.test == &first_test()) return holds(kernel.strictness, static_cast<Comparison>(comparison), lhs, rhs) == bit;
+  return lhs == rhs || (lhs > rhs) == bit;
+}
+
 template <class Real>
 void Supervisor<Real>::look_for_contradictions(const Chunk& chunk, const Outputs<Real>& outputs) {
   const auto contradiction = [&](std::size_t i) -> std::string {
     if (!is_verdict(outputs.verdicts[i])) return "verdict " + verdict_text(outputs.verdicts[i]);
     const auto verdict = static_cast<Verdict>(outputs.verdicts[i]);
     if (outputs.bits.empty()) return {};
-    if (const std::uint64_t beyond = outputs.bits[i] >> comparison_count; beyond != 0) {
-      return fmt::format("its comparison bit {} is 1; there are comparisons 0 to {}",
-                         comparison_count + static_cast<std::size_t>(std::countr_zero(beyond)), comparison_count - 1);
+    const TestDescription& test = *kernel_.callee.subject.test;
+    const std::size_t count = test.comparisons.size();
+    const ComparisonBits bits = outputs.bits[i];
+    if (const ComparisonBits beyond = bits & ~all_comparisons(test); beyond != 0) {
+      return fmt::format("its comparison bit {} is 1; there are comparisons 0 to {}", std::countr_zero(beyond), count - 1);
     }
     if (verdict != Verdict::contact && verdict != Verdict::separated) return {};
-    const auto bits = static_cast<ComparisonBits>(outputs.bits[i]);
-    if (verdict_of(axes_of(bits)) != verdict) {
-      return fmt::format("verdict {}, but its comparisons say {}", name(verdict), name(verdict_of(axes_of(bits))));
+    if (const Verdict meant = verdict_of(test, bits); meant != verdict) {
+      return fmt::format("verdict {}, but its comparisons say {}", name(verdict), name(meant));
     }
-    for (std::size_t k = 0; k < comparison_count && !outputs.lhs[k].empty(); ++k) {
+    for (std::size_t k = 0; k < count && !outputs.lhs[k].empty(); ++k) {
       const Real lhs = outputs.lhs[k][i], rhs = outputs.rhs[k][i];
-      if (holds(kernel_.strictness, static_cast<Comparison>(k), lhs, rhs) == (((bits >> k) & 1u) != 0)) continue;
-      return fmt::format("comparison {} is {}, but its sides are {:a} and {:a}", comparisons[k].name, (bits >> k) & 1u,
-                         lhs, rhs);
+      const bool bit = ((bits >> k) & 1u) != 0;
+      if (could_follow(kernel_, k, lhs, rhs, bit)) continue;
+      return fmt::format("comparison {} is {}, but its sides are {:a} and {:a}", test.comparisons[k].name, int{bit}, lhs,
+                         rhs);
     }
     return {};
   };

@@ -111,7 +111,7 @@ std::optional<std::string> self_check(const Kernel& kernel, std::string_view tar
   const Implementation<Real> implementation = kernel.on<Real>(target);
   const QueryBatch<Real> batch = check_queries<Real>();
   Answers<Real> answers;
-  answers.resize(batch.size());
+  answers.resize(batch.size(), comparison_count);
   implementation.explain(batch.columns(), answers);
   for (std::size_t i = 0; i < batch.size(); ++i) {
     const auto expected = stored_sides(kernel.formulae, batch[i]);

@@ -7,7 +7,7 @@
 #define AXISCERT_KERNEL_FORMULAE_H
 
 #include "kernel/base/geometry.h"
-#include "kernel/names.h"
+#include "kernel/sphere_triangle/names.h"
 
 AXISCERT_BEFORE_NAMESPACE();
 namespace axiscert {

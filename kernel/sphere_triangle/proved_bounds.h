@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "kernel/names.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
 

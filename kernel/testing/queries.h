@@ -33,7 +33,7 @@ Outcome answer(const Kernel& kernel, const Query<Real>& q, std::string_view targ
 // The computed sides of one query.
 template <class Real>
 Sides<Real> sides_in(const Kernel& kernel, const Query<Real>& q, std::string_view target = scalar_target) {
-  return ask(kernel.on<Real>(target), q).sides(0);
+  return sides_at(ask(kernel.on<Real>(target), q).answers, 0);
 }
 
 }  // namespace axiscert::testing_support

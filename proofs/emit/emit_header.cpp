@@ -28,7 +28,7 @@ Files header_files() {
 
 #include <array>
 
-#include "kernel/names.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {{
 

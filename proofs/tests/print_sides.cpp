@@ -33,7 +33,7 @@ void print_sides(const Kernel& kernel) {
     }
     batch.size = 1;
     Answers<Real> answers;
-    answers.resize(1);
+    answers.resize(1, comparison_count);
     explain(batch, answers);
     for (const auto& sides : {answers.lhs, answers.rhs}) {
       for (const auto& side : sides) std::printf("%a ", static_cast<double>(side[0]));

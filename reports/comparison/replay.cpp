@@ -79,7 +79,7 @@ std::vector<Replayed> replay_witnesses(const Json& record, std::string_view targ
       continue;
     }
     const Examination found = std::visit([&](const auto& q) { return asked.examiner->examine(q); }, stored.query);
-    const Json now = flips_json(found.judgement);
+    const Json now = flips_json(*asked.kernel->test, found.judgement);
     replayed.outcome = outcome_of(witness["flips"], now);
     if (replayed.outcome != ReplayOutcome::as_before) replayed.note = flips_text(now);
   }

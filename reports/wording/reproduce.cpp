@@ -9,7 +9,7 @@
 #include <optional>
 #include <set>
 
-#include "kernel/names.h"
+#include "kernel/sphere_triangle/names.h"
 #include "kernel/base/utf8.h"
 #include "reports/wording/finding.h"
 #include "reports/wording/summary.h"

@@ -16,7 +16,7 @@ Examination Examiner::examine(const Query<Real>& q) {
   Reply<Real> reply = ask(*implementation, q);
   Examination out = axiscert::examine(q, kernel_, reply.outcome(0));
   if (kernel_.exposes == Exposure::sides && out.answer.verdict != Verdict::unanswered) {
-    const Sides<Real> sides = reply.sides(0);
+    const Sides<Real> sides = sides_at(reply.answers, 0);
     out.sides.emplace();
     std::copy(sides.lhs.begin(), sides.lhs.end(), out.sides->lhs.begin());
     std::copy(sides.rhs.begin(), sides.rhs.end(), out.sides->rhs.begin());
@@ -37,7 +37,7 @@ Examination examine(const Query<Real>& q, const Kernel& kernel, const Answer& an
     out.squared_distance = squared_distance(q);
     out.within_limits = is_within(kernel.limits, q);
   }
-  out.judgement = judge(out.truth, chain, out.answer, kernel.touching);
+  out.judgement = judge(*kernel.test, out.truth, chain, out.answer, kernel.touching);
   if (out.judgement.verdict_flip) out.depth = depth(q, *out.squared_distance);
   return out;
 }

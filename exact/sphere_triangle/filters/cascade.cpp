@@ -29,7 +29,7 @@ const std::vector<DecidedSigns>& Cascade<Real>::decide(const QueryBatch<Real>& b
     const FilteredSigns& found = filtered_[i];
     const bool is_decided = found.is_decided();
     decided_[i] = {found.signs, is_decided ? Step::lanes : Step::exact, is_decided && found.is_close,
-                   found.is_valid ? found.certain : ComparisonBits{0}};
+                   found.is_valid ? found.certain : SignBits{0}};
     any_left |= !is_decided;
   }
   nanoseconds_[static_cast<std::size_t>(Step::lanes)] += watch.lap();

@@ -22,7 +22,7 @@ struct DecidedSigns {
   Signs signs;  // not set if the step is `exact`
   Step step = Step::exact;
   bool is_close = false;  // a close call in the lanes, to be examined again
-  ComparisonBits certain_in_lanes = 0;
+  SignBits certain_in_lanes = 0;
 };
 
 // Allocates nothing if it is kept from one batch to the next.

@@ -29,8 +29,8 @@ Signs signs_in(const Centred<typename Numbers::Given>& q) {
   const auto emit = [&](Comparison which, const auto& difference) AXISCERT_WORDS_INLINE {
     const auto i = static_cast<unsigned>(which);
     const bool zero = difference.is_zero();
-    signs.strict |= static_cast<ComparisonBits>(static_cast<unsigned>(!zero && !difference.is_negative()) << i);
-    signs.ties |= static_cast<ComparisonBits>(static_cast<unsigned>(zero) << i);
+    signs.strict |= static_cast<SignBits>(static_cast<unsigned>(!zero && !difference.is_negative()) << i);
+    signs.ties |= static_cast<SignBits>(static_cast<unsigned>(zero) << i);
   };
   using Degree4 = typename Numbers::Degree4;
   emit(plane_radius, g.dd - g.rr * g.vv);
@@ -174,7 +174,7 @@ std::optional<Signs> signs_at_tiny_radius(const Query<Real>& q) {
     for (std::size_t i = 0; i < comparison_count; ++i) {
       const bool is_side = ((side_comparisons >> i) & 1u) != 0;
       const bool is_zero = ((without_normal >> static_cast<unsigned>(comparisons[i].axis)) & 1u) != 0;
-      if (!is_side && !is_zero) signs->ties &= static_cast<ComparisonBits>(~(1u << i));
+      if (!is_side && !is_zero) signs->ties &= static_cast<SignBits>(~(1u << i));
     }
     return signs;
   });

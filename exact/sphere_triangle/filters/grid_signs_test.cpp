@@ -39,7 +39,7 @@ TYPED_TEST_SUITE(GridSigns, Reals);
 // All triangles on the 27 points of {-1, 0, 1}^3, around (0, 0, 0) and (1, 0, 0), at radii of halves: repeated
 // vertices, zero areas, and ties in every comparison among them.
 TYPED_TEST(GridSigns, AreExactOnEveryTriangleOfASmallLattice) {
-  ComparisonBits tied = 0, held = 0, failed = 0;
+  SignBits tied = 0, held = 0, failed = 0;
   for (int triangle = 0; triangle < 19683; ++triangle) {
     std::array<TypeParam, coordinate_count> x{};
     for (int i = 0, rest = triangle; i < 9; ++i, rest /= 3) x[static_cast<std::size_t>(i)] = TypeParam(rest % 3 - 1);
@@ -51,7 +51,7 @@ TYPED_TEST(GridSigns, AreExactOnEveryTriangleOfASmallLattice) {
       const Signs signs = integer_signs(q);
       tied |= signs.ties;
       held |= signs.strict;
-      failed |= static_cast<ComparisonBits>(~(signs.ties | signs.strict));
+      failed |= static_cast<SignBits>(~(signs.ties | signs.strict));
     }
   }
   EXPECT_EQ(tied, 0xffff);

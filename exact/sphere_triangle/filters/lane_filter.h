@@ -14,7 +14,7 @@ namespace axiscert {
 struct FilteredSigns {
   Signs signs;
   // the comparisons for which `signs` hold; if not all sixteen, the next step decides the query
-  ComparisonBits certain = 0;
+  SignBits certain = 0;
   bool is_valid = false;  // finite, r >= 0
   // all signs certain, some margin within 2^10 times its bound; checked in one query of sixteen
   bool is_close = false;

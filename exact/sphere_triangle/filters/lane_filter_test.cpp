@@ -98,7 +98,7 @@ TYPED_TEST(FilterTest, ErrorsArePassedOverRightly) {
   for (const char* id : {"published", "reduced"}) {
     const Kernel& kernel = find_kernel(id);
     Answers<TypeParam> computed;
-    computed.resize(batch.size());
+    computed.resize(batch.size(), comparison_count);
     kernel.on<TypeParam>(simd_targets().front()).explain(batch.columns(), computed);
     for (const std::string& target : simd_targets()) {
       std::vector<SuspectError> suspects;

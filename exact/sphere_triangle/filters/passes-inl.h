@@ -270,7 +270,7 @@ void filter_errors(const QueryColumns<Real>& batch, const Answers<Real>& compute
   if (i == batch.size) return;
   with_padded_tail<Real, lane_count>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
     Answers<Real> padded;
-    padded.resize(lane_count);
+    padded.resize(lane_count, comparison_count);
     for (std::size_t k = 0; k < comparison_count; ++k) {
       std::copy_n(computed.lhs[k].begin() + static_cast<std::ptrdiff_t>(i), tail.size, padded.lhs[k].begin());
       std::copy_n(computed.rhs[k].begin() + static_cast<std::ptrdiff_t>(i), tail.size, padded.rhs[k].begin());

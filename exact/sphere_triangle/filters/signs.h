@@ -3,18 +3,18 @@
 
 #include <initializer_list>
 
-#include "kernel/names.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
 
 // Signs of the published comparisons in exact arithmetic: lhs > rhs, and lhs == rhs. Bit i is comparison i; no bit is
 // set in both.
 struct Signs {
-  ComparisonBits strict = 0, ties = 0;
+  SignBits strict = 0, ties = 0;
   bool operator==(const Signs&) const = default;
 
-  ComparisonBits bits(Strictness strictness) const {
-    return strictness == Strictness::strict ? strict : static_cast<ComparisonBits>(strict | (ties & side_comparisons));
+  SignBits bits(Strictness strictness) const {
+    return strictness == Strictness::strict ? strict : static_cast<SignBits>(strict | (ties & side_comparisons));
   }
 };
 
@@ -47,11 +47,11 @@ inline AxisBits axes_without_normal(const Signs& signs) {
 // Comparisons whose exact sides are both zero, in the published form and in the reduced ones: the radius of an axis
 // without a normal, and an edge's side that is a tie, one of whose sides is the constant zero. Other comparisons with
 // two zero sides exist and are not reported.
-inline ComparisonBits both_sides_zero(const Signs& signs) {
+inline SignBits both_sides_zero(const Signs& signs) {
   using enum Comparison;
-  const auto bit = [](Comparison c) { return static_cast<ComparisonBits>(1u << static_cast<unsigned>(c)); };
-  const auto sides = static_cast<ComparisonBits>(bit(edge_ab_side_c) | bit(edge_bc_side_a) | bit(edge_ca_side_b));
-  ComparisonBits zero = signs.ties & sides;
+  const auto bit = [](Comparison c) { return static_cast<SignBits>(1u << static_cast<unsigned>(c)); };
+  const auto sides = static_cast<SignBits>(bit(edge_ab_side_c) | bit(edge_bc_side_a) | bit(edge_ca_side_b));
+  SignBits zero = signs.ties & sides;
   const AxisBits without = axes_without_normal(signs);
   for (const Comparison radius : {plane_radius, edge_ab_radius, edge_bc_radius, edge_ca_radius}) {
     if ((without >> static_cast<unsigned>(info(radius).axis)) & 1u) zero |= bit(radius);
@@ -67,7 +67,7 @@ inline ComparisonBits both_sides_zero(const Signs& signs) {
 inline bool is_touching(const Signs& signs, bool radius_is_zero) {
   if (verdict_of(signs) != Verdict::contact) return false;
   if (radius_is_zero) return true;
-  const auto held = static_cast<ComparisonBits>(signs.strict | signs.ties);
+  const auto held = static_cast<SignBits>(signs.strict | signs.ties);
   return (axes_of(held) & ~axes_without_normal(signs)) != 0;
 }
 

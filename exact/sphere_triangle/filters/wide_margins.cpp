@@ -89,7 +89,7 @@ std::optional<Signs> WideMargins::signs() const {
   Signs signs;
   for (std::size_t k = 0; k < comparison_count; ++k) {
     const WideEnclosed& margin = margins_[k].difference;
-    const auto bit = static_cast<ComparisonBits>(1u << k);
+    const auto bit = static_cast<SignBits>(1u << k);
     if (margin.is_positive()) signs.strict |= bit;
     else if (margin.is_zero()) signs.ties |= bit;
     else if (!margin.is_negative()) return std::nullopt;

@@ -9,7 +9,7 @@ FormulaTruth with_signs(Sides<Ring>&& sides) {
   FormulaTruth truth{std::move(sides), 0, 0};
   for (std::size_t i = 0; i < comparison_count; ++i) {
     const CGAL::Comparison_result order = CGAL::compare(truth.sides.lhs[i], truth.sides.rhs[i]);
-    const auto bit = static_cast<ComparisonBits>(1u << i);
+    const auto bit = static_cast<SignBits>(1u << i);
     if (order == CGAL::LARGER) truth.strict |= bit;
     if (order == CGAL::EQUAL) truth.ties |= bit;
   }
@@ -22,7 +22,7 @@ FormulaTruth with_signs(const Sides<Surd>& sides) {
   truth.denominators.resize(comparison_count, Ring(1));
   for (std::size_t i = 0; i < comparison_count; ++i) {
     const Surd &lhs = sides.lhs[i], &rhs = sides.rhs[i];
-    const auto bit = static_cast<ComparisonBits>(1u << i);
+    const auto bit = static_cast<SignBits>(1u << i);
     if (lhs.is_undefined() || rhs.is_undefined()) {
       truth.undefined |= bit;
       continue;
@@ -69,7 +69,7 @@ Rational rational(const Ring& x) {
 
 ExactComparison FormulaTruth::comparison(std::size_t i) const {
   static const Ring one(1);
-  const auto has = [i](ComparisonBits bits) { return ((bits >> i) & 1u) != 0; };
+  const auto has = [i](SignBits bits) { return ((bits >> i) & 1u) != 0; };
   return {sides.lhs[i], sides.rhs[i], denominators.empty() ? one : denominators[i], has(rooted), has(undefined)};
 }
 

@@ -20,13 +20,13 @@ struct ExactComparison {
 
 struct FormulaTruth {
   Sides<Ring> sides;             // exact if the formulae are a ring; otherwise read them through comparison()
-  ComparisonBits strict, ties;   // lhs > rhs; lhs == rhs
-  ComparisonBits undefined = 0;  // 0/0 in exact arithmetic: the comparison does not hold and has no sides
-  ComparisonBits rooted = 0;
+  SignBits strict, ties;   // lhs > rhs; lhs == rhs
+  SignBits undefined = 0;  // 0/0 in exact arithmetic: the comparison does not hold and has no sides
+  SignBits rooted = 0;
   std::vector<Ring> denominators{};  // positive; empty: all 1
 
-  ComparisonBits bits(Strictness strictness) const {
-    return strictness == Strictness::strict ? strict : static_cast<ComparisonBits>(strict | (ties & side_comparisons));
+  SignBits bits(Strictness strictness) const {
+    return strictness == Strictness::strict ? strict : static_cast<SignBits>(strict | (ties & side_comparisons));
   }
   ExactComparison comparison(std::size_t i) const;
 };

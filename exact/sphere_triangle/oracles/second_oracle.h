@@ -7,7 +7,7 @@
 namespace axiscert {
 
 struct SecondOpinion {
-  ComparisonBits strict, ties;
+  SignBits strict, ties;
   int distance_order;  // sign of distance^2 - r^2
 };
 

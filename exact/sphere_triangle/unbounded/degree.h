@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "kernel/formulae_list.h"
-#include "kernel/names.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
 

@@ -21,7 +21,8 @@ std::optional<Entry> finished_in(std::string_view content) {
   return note.is_number_unsigned() ? std::nullopt : std::optional(decode_entry(content));
 }
 
-Gathered::Gathered(const Plan& plan, const Stretches& stretches) : stretches_(stretches), is_done_(stretches.count()) {
+Gathered::Gathered(const Plan& plan, const Stretches& stretches)
+    : test_(plan.test), stretches_(stretches), is_done_(stretches.count()) {
   result_.cells = cells_of(plan);
 }
 
@@ -40,7 +41,7 @@ void Gathered::add(const Entry& entry) {
   const Stretch stretch = stretches_.at(entry.stretch);
   CellResult& cell = result_.cells[stretch.cell];
   if (entry.tallies.size() != cell.tallies.size()) throw Error("a stretch with the tallies of other kernels");
-  for (std::size_t k = 0; k < cell.tallies.size(); ++k) cell.tallies[k].merge(decode_tally(entry.tallies[k]));
+  for (std::size_t k = 0; k < cell.tallies.size(); ++k) cell.tallies[k].merge(decode_tally(entry.tallies[k], *test_));
   const Costs costs = decode_costs(entry.costs);
   cell.steps.merge(costs.steps);
   cell.core_seconds += costs.core_seconds;

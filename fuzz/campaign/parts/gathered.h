@@ -28,6 +28,7 @@ class Gathered {
   CampaignResult take() &&;  // `complete` if nothing is missing
 
  private:
+  const TestDescription* test_;
   const Stretches& stretches_;
   CampaignResult result_;
   std::vector<bool> is_done_;

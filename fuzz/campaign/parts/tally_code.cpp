@@ -210,8 +210,8 @@ std::string encode(const Costs& costs) {
   return encoder.bytes();
 }
 
-Tally decode_tally(std::string_view bytes) {
-  Tally tally;
+Tally decode_tally(std::string_view bytes, const TestDescription& test) {
+  Tally tally(test);
   decode(bytes, [&](Decoder& decoder) { visit_tally(decoder, tally); });
   return tally;
 }

@@ -18,8 +18,8 @@ struct Costs {
 
 std::string encode(const Tally& tally);
 std::string encode(const Costs& costs);
-// Both throw Error for bytes that encode() does not produce.
-Tally decode_tally(std::string_view bytes);
+// Both throw Error for bytes that encode() does not produce; a tally is of a test.
+Tally decode_tally(std::string_view bytes, const TestDescription& test);
 Costs decode_costs(std::string_view bytes);
 
 }  // namespace axiscert

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "kernel/sphere_triangle/certified/steps.h"
-#include "kernel/names.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert::certified {
 

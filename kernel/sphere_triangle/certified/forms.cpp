@@ -6,7 +6,7 @@
 #include "kernel/sphere_triangle/certified/exact_step.h"
 #include "kernel/sphere_triangle/certified/steps.h"
 #include "kernel/sphere_triangle/certified/thresholds.h"
-#include "kernel/names.h"
+#include "kernel/sphere_triangle/names.h"
 
 #define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: tests have to reach each of them
 #undef HWY_TARGET_INCLUDE

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "kernel/names.h"
+#include "kernel/sphere_triangle/names.h"
 
 // clang-format off
 namespace axiscert::filter {

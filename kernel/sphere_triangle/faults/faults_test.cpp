@@ -100,7 +100,7 @@ std::vector<Verdict> verdicts_of(std::string_view built_in, const QueryColumns<R
 template <class Real>
 Told ask_published(const QueryColumns<Real>& queries) {
   Answers<Real> answers;
-  answers.resize(queries.size);
+  answers.resize(queries.size, comparison_count);
   find_kernel("published").on<Real>(scalar_target).explain(queries, answers);
   return {verdicts_of("published", queries), {answers.bits.begin(), answers.bits.end()}};
 }

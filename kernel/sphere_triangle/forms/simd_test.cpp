@@ -35,7 +35,7 @@ void expect_same_answers(const QueryBatch<Real>& batch, const Kernel& kernel, co
   for (std::size_t i = n; i < found.size(); ++i) ASSERT_EQ(found[i], Verdict::invalid) << "wrote past the batch";
   Answers<Real> reference, answers;
   reference.resize(n);
-  answers.resize(n);
+  answers.resize(n, comparison_count);
   scalar.explain(batch.columns(), reference);
   kernel_there.explain(batch.columns(), answers);
   for (std::size_t i = 0; i < n; ++i) {
