@@ -1,6 +1,6 @@
 #include "kernel/sphere_triangle/description.h"
 
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 #include "kernel/test.h"
 
 namespace axiscert {
