@@ -235,5 +235,19 @@ TYPED_TEST(FamilySizes, NonfiniteReachesEveryPlaceAndLeavesSomeValid) {
   EXPECT_GE(minus_zero_radius, 10u);
 }
 
+TEST(Families, AreOfOneTestEachAndAreNamedAfterItUnlessItIsTheFirst) {
+  std::size_t sum = 0;
+  for (const TestDescription* test : tests()) {
+    for (const Family* family : families_of(*test)) {
+      const bool is_of_first = test == &first_test();
+      EXPECT_EQ(family->name.starts_with(std::string(test->id) + "/"), !is_of_first) << family->name;
+      ASSERT_LT(family->entry, test->entries.size()) << family->name;
+      EXPECT_EQ(family->make<float>(1, 0).size(), family->column_count()) << family->name;
+      ++sum;
+    }
+  }
+  EXPECT_EQ(sum, families().size());
+}
+
 }  // namespace
 }  // namespace axiscert

@@ -128,7 +128,7 @@ TEST(Interface, WhatCannotBeTrueIsOneLineThatSaysWhatWouldBe) {
 
 TEST(Interface, ABitBeyondTheLastComparisonIsFound) {
   QueryBatch<float> queries(1, coordinate_count);
-  queries.push_back({{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 5000});
+  queries.push_back(Query<float>{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 5000});
   const Reply<float> reply =
       asked(find_kernel(fmt::format("plugin:{}/misbehaving/beyond_the_last.so", BUILD_FOLDER)), queries);
   ASSERT_EQ(reply.findings.size(), 1u);

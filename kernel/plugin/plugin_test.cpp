@@ -30,7 +30,7 @@ const QueryBatch<float>& queries() {
     for (std::size_t i = 0; i < 1021; ++i) {
       const auto vertex = [&] { return Vec3<float>{uniform() + 1.5f, uniform(), uniform()}; };
       const float r = i == wrong_query ? 1e30f : 0.5f + 0.4f * uniform();
-      all.push_back({vertex(), vertex(), vertex(), {0, 0, 0}, r});
+      all.push_back(Query<float>{vertex(), vertex(), vertex(), {0, 0, 0}, r});
     }
     return all;
   }();
