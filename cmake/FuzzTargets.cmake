@@ -17,17 +17,15 @@ if(AXISCERT_FUZZ_TARGETS)
   endif()
 endif()
 
-# axiscert_covered(SOURCES...): these tell libFuzzer which of their code was reached. Parsers: a kernel has hardly a branch.
-# AddressSanitizer's runtime has the functions that they call, so that every program links as before.
-function(axiscert_covered)
+# axiscert_covered(TARGET): its code tells libFuzzer which of it was reached: that of parsers, a kernel has hardly a branch.
+# AddressSanitizer's runtime has the functions that it calls, so that every program links as before.
+function(axiscert_covered target)
   if(AXISCERT_FUZZ_TARGETS)
-    # A precompiled header is of sources without it.
-    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fsanitize=fuzzer-no-link)
-    set_property(SOURCE ${ARGN} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
 endfunction()
 
-# axiscert_fuzz_target(NAME RUNS n LENGTH bytes SOURCES... LIBRARIES...): the program fuzz_NAME, and the test fuzz.NAME, which
+# axiscert_fuzz_target(NAME RUNS n LENGTH bytes SOURCES... LIBRARIES... [LONG]): the program fuzz_NAME, and the test fuzz.NAME, which
 # gives it so many inputs made from the seeds of fuzz/targets/seeds.py. A number of inputs and a seed, and no clock: one
 # program does the same every time; of another build (paths, addresses) libFuzzer learns other things. It writes nothing
 # but an input at which the target fails.
@@ -35,7 +33,7 @@ function(axiscert_fuzz_target name)
   if(NOT AXISCERT_FUZZ_TARGETS)
     return()
   endif()
-  cmake_parse_arguments(arg "" "RUNS;LENGTH" "LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "LONG" "RUNS;LENGTH" "LIBRARIES" ${ARGN})
   add_executable(fuzz_${name} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(fuzz_${name} PRIVATE ${arg_LIBRARIES} axiscert_fuzz_support axiscert_geometric_oracle
                                               axiscert_warnings)
@@ -46,7 +44,11 @@ function(axiscert_fuzz_target name)
   # For ./dev fuzz.
   file(CONFIGURE OUTPUT ${folder}/${name}.options CONTENT "-max_len=${arg_LENGTH}\n" @ONLY)
   if(AXISCERT_TESTS)
-    axiscert_script_test(fuzz.${name} MEMORY NEEDS fuzz_${name} TIMEOUT 900
+    set(long "")
+    if(arg_LONG)
+      set(long LONG)
+    endif()
+    axiscert_script_test(fuzz.${name} MEMORY ${long} NEEDS fuzz_${name} TIMEOUT 900
                          COMMAND fuzz_${name} -seed_inputs=@${folder}/seeds/${name}.list -runs=${arg_RUNS} -seed=1
                                        -max_len=${arg_LENGTH} -artifact_prefix=${folder}/found/${name}- -verbosity=0)
   endif()

@@ -12,18 +12,48 @@ target_compile_options(axiscert_warnings INTERFACE -Wall -Wextra -Wconversion -W
 add_library(axiscert_light INTERFACE)
 target_compile_options(axiscert_light INTERFACE $<$<CONFIG:Release>:-O1>)
 
-# Sanitized builds. Sanitizers are for the code where memory is at risk (the plug-in host, parsers, pipe, journal, kernels, families,
-# reports), marked MEMORY below. AXISCERT_SANITIZE_ALL, of the preset asan-ubsan-all, has all of it.
+# Sanitized builds. Sanitizers are for the code where memory is at risk (the plug-in host, parsers, pipe, journal, vector kernels,
+# families, reports) and for its tests, marked MEMORY below. All else is linked as the other compiler built it in the folder
+# AXISCERT_BUILT, of the preset release: a sanitized build compiles for minutes what g++ has compiled already.
+# AXISCERT_SANITIZE_ALL, of the preset asan-ubsan-all, compiles and sanitizes all of it.
 set(AXISCERT_SANITIZED OFF)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
   set(AXISCERT_SANITIZED ON)
 endif()
-# axiscert_unsanitized(TARGETS...): compiled without sanitizers where not all is to be sanitized.
-function(axiscert_unsanitized)
-  if(AXISCERT_SANITIZED AND NOT AXISCERT_SANITIZE_ALL)
-    foreach(target ${ARGV})
-      target_compile_options(${target} PRIVATE -fno-sanitize=all)
+set(AXISCERT_REUSES_OBJECTS OFF)
+if(AXISCERT_SANITIZED AND AXISCERT_BUILT AND NOT AXISCERT_SANITIZE_ALL)
+  set(AXISCERT_REUSES_OBJECTS ON)
+endif()
+# axiscert_reused(result TARGET SOURCES...): the sources, or where objects are reused theirs from the same target of that build.
+function(axiscert_reused result target)
+  set(found ${ARGN})
+  if(AXISCERT_REUSES_OBJECTS)
+    file(RELATIVE_PATH room ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+    string(REPLACE "${CMAKE_CURRENT_BINARY_DIR}/" "" found "${found}")
+    list(TRANSFORM found PREPEND ${AXISCERT_BUILT}/${room}/CMakeFiles/${target}.dir/)
+    list(TRANSFORM found APPEND .o)
+    foreach(object ${found})
+      if(NOT EXISTS ${object})
+        message(FATAL_ERROR "${object} is not there: a sanitized build reuses objects of another one; build that first: "
+                            "./dev build release, or sanitize everything with the preset asan-ubsan-all")
+      endif()
     endforeach()
+    set_property(SOURCE ${found} PROPERTY EXTERNAL_OBJECT ON)
+  endif()
+  set(${result} ${found} PARENT_SCOPE)
+endfunction()
+# axiscert_objects(NAME SOURCES... [PUBLIC libraries...] [PRIVATE libraries...]): an object library, reused where objects are.
+function(axiscert_objects name)
+  cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
+  axiscert_reused(sources ${name} ${arg_UNPARSED_ARGUMENTS})
+  if(AXISCERT_REUSES_OBJECTS)
+    add_library(${name} INTERFACE)
+    target_link_libraries(${name} INTERFACE ${sources} ${arg_PUBLIC} ${arg_PRIVATE})
+    target_include_directories(${name} INTERFACE ${PROJECT_SOURCE_DIR})
+  else()
+    add_library(${name} OBJECT ${sources})
+    target_link_libraries(${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} axiscert_warnings)
+    target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
   endif()
 endfunction()
 
@@ -55,15 +85,10 @@ add_custom_target(axiscert_quick)
 # Sources that compile for several instruction sets include themselves and stay alone, as, by CMake, those with options of their own.
 function(axiscert_unity target)
   get_target_property(sources ${target} SOURCES)
-  foreach(source ${sources})
-    get_filename_component(path ${source} ABSOLUTE)
-    if(EXISTS ${path})
-      file(STRINGS ${path} vectors REGEX "foreach_target\\.h" LIMIT_COUNT 1)
-      if(vectors)
-        set_property(SOURCE ${source} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
-      endif()
-    endif()
-  endforeach()
+  axiscert_vectors_among(vectors ${sources})
+  if(vectors)
+    set_property(SOURCE ${vectors} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
 endfunction()
 
@@ -101,7 +126,7 @@ function(axiscert_test_header layer)
 endfunction()
 
 # axiscert_test(NAME SOURCES... [ROOMS folders...] LIBRARIES libraries... [HEADER layer] [NEEDS targets...] [MEMORY] [LONG]):
-# a GoogleTest program, one CTest test a case, of its sources and the `_test.cpp` of its rooms. Suites whose names end in "Long", typed
+# a GoogleTest program, one CTest test a case (one for all where objects are reused), of its sources and the `_test.cpp` of its rooms. Suites whose names end in "Long", typed
 # ones (SuiteLong/0) too, get the label `long`, the others `quick`; with LONG all get `long`, and in a sanitized build all that are not
 # marked MEMORY. HEADER: the layer whose precompiled header it
 # takes. NEEDS: what has to be built for it to run.
@@ -134,6 +159,14 @@ function(axiscert_test name)
   endif()
   if(arg_NEEDS)
     add_dependencies(${name} ${arg_NEEDS})
+  endif()
+  if(AXISCERT_REUSES_OBJECTS)
+    # A sanitized program takes half a second to start, longer than most of its cases.
+    if(label STREQUAL quick)
+      add_test(NAME ${name} COMMAND ${name} --gtest_brief=1 --gtest_filter=-*Long.*:*Long/*)
+      set_tests_properties(${name} PROPERTIES LABELS quick TIMEOUT 900)
+    endif()
+    return()
   endif()
   include(GoogleTest)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER -*Long.*:*Long/* TEST_LIST ${name}_fast
@@ -187,20 +220,30 @@ function(axiscert_bench name)
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_test_settings axiscert_warnings benchmark::benchmark_main)
 endfunction()
 
-# axiscert_vector_sources(SOURCES...): of these, those that compile for several instruction sets lose UBSan, whose checks of
-# hundreds of vector operations a function take minutes of compile time each, and keep AddressSanitizer, where there are any. With -O2: at -O1
-# nothing is inlined before AddressSanitizer, and clang takes six times as long.
-function(axiscert_vector_sources)
-  if(NOT AXISCERT_SANITIZED)
-    return()
-  endif()
-  foreach(source ${ARGV})
+# axiscert_vectors_among(result SOURCES...): those that compile for several instruction sets.
+function(axiscert_vectors_among result)
+  set(among "")
+  foreach(source ${ARGN})
     get_filename_component(path ${source} ABSOLUTE)
-    file(STRINGS ${path} vectors REGEX "foreach_target\\.h" LIMIT_COUNT 1)
-    if(vectors)
-      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize=undefined -O2)
+    if(EXISTS ${path})
+      file(STRINGS ${path} vectors REGEX "foreach_target\\.h" LIMIT_COUNT 1)
+      if(vectors)
+        list(APPEND among ${source})
+      endif()
     endif()
   endforeach()
+  set(${result} ${among} PARENT_SCOPE)
+endfunction()
+
+# axiscert_vector_sources(SOURCES...): in a sanitized build, those of these that compile for several instruction sets lose UBSan, whose
+# checks of hundreds of vector operations a function take minutes of compile time each, and keep AddressSanitizer. With -O2: below it
+# nothing is inlined before AddressSanitizer, and clang takes six times as long.
+function(axiscert_vector_sources)
+  axiscert_vectors_among(vectors ${ARGN})
+  if(AXISCERT_SANITIZED AND vectors)
+    set_property(SOURCE ${vectors} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize=undefined -O2)
+    set_property(SOURCE ${vectors} PROPERTY SKIP_PRECOMPILE_HEADERS ON)  # which is not of -O2
+  endif()
 endfunction()
 
 # axiscert_instances(VARIABLE list.h template.cpp.in result): the template once for each `X(name, ...)` line of an X-macro
@@ -218,12 +261,6 @@ function(axiscert_instances variable list template result)
     list(APPEND sources ${source})
   endforeach()
   set(${result} ${sources} PARENT_SCOPE)
-  # One template over sixteen number types takes a third of a sanitized build: the first of them is sanitized.
-  if(AXISCERT_SANITIZED)
-    list(REMOVE_AT sources 0)
-    set_property(SOURCE ${sources} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize=all)
-    set_property(SOURCE ${sources} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
-  endif()
 endfunction()
 
 # axiscert_c_plugin(folder name options...): NAME.c as a plug-in with a fault, ${PROJECT_BINARY_DIR}/FOLDER/NAME.so. Never

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "kernel/kernel.h"
@@ -41,8 +42,8 @@ void ask(const Implementation<Real>& kernel, const QueryColumns<Real>& batch, Re
 
 // A batch of one.
 template <class Real>
-Reply<Real> ask(const Implementation<Real>& kernel, const Query<Real>& q) {
-  QueryBatch<Real> one(1);
+Reply<Real> ask(const Implementation<Real>& kernel, const std::type_identity_t<Numbers<Real>>& q) {
+  QueryBatch<Real> one(1, q.size());
   one.push_back(q);
   Reply<Real> reply;
   ask(kernel, one.columns(), reply);

@@ -8,7 +8,7 @@
 
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 #include "kernel/sphere_triangle/description.h"
 #include "kernel/sphere_triangle/names.h"
 #include "kernel/test.h"
@@ -76,10 +76,24 @@ TEST(Description, WhatContradictsItselfIsRefused) {
   };
   refused("no entry", [](TestDescription& test) { test.entries.clear(); });
   refused("'column0' twice", [](TestDescription& test) { test.entries[0].columns[1].name = "column0"; });
+  refused("'a' twice among its groups of entry 'numbers'", [](TestDescription& test) {
+    test.entries[0].columns = {
+        {"x", Role::length, "a"}, {"y", Role::length, "b"}, {"z", Role::length, "a"}};  // not neighbours
+  });
   refused("'comparison1' twice", [](TestDescription& test) { test.comparisons[0].name = "comparison1"; });
   refused("no name", [](TestDescription& test) { test.measures[0].name = ""; });
   refused("which it does not have", [](TestDescription& test) { test.comparisons[3].clause = 2; });
   refused("which does not need it", [](TestDescription& test) { test.comparisons[3].clause = 0; });
+}
+
+TEST(Description, GroupsAreNeighbouringColumns) {
+  const auto groups = groups_of(sphere_triangle_test().entries[0]);
+  ASSERT_EQ(groups.size(), 5u);
+  EXPECT_EQ(groups[3].name, "p");
+  EXPECT_EQ(groups[3].first, 9u);
+  EXPECT_EQ(groups[3].size, 3u);
+  EXPECT_EQ(groups[4].name, "r");
+  EXPECT_EQ(groups[4].size, 1u);
 }
 
 TEST(Description, ARuleOfItsOwnDecides) {
@@ -111,6 +125,9 @@ TEST(Description, ATestIsFoundByItsId) {
   EXPECT_EQ(tests().front(), &sphere_triangle_test());
   EXPECT_THAT([] { find_test("sphere-cone"); },
               ThrowsMessage<Error>("unknown test 'sphere-cone'; tests: sphere-triangle"));
+  const TestDescription other = toy(1, 1);
+  const TestDescription* const known[] = {&sphere_triangle_test(), &other};
+  EXPECT_EQ(&find_test("toy", known), &other);
   EXPECT_EQ(find_entry(sphere_triangle_test(), ""), 0u);
   EXPECT_EQ(find_entry(toy(1, 1), "other"), 1u);
   EXPECT_THAT([] { find_entry(toy(1, 1), "othr"); },

@@ -35,11 +35,23 @@ void require_at_most(std::string_view test, std::string_view what, const std::ve
 
 }  // namespace
 
+std::vector<ColumnGroup> groups_of(const TestEntry& entry) {
+  std::vector<ColumnGroup> groups;
+  for (std::size_t k = 0; k < entry.columns.size(); ++k) {
+    if (groups.empty() || groups.back().name != entry.columns[k].group) {
+      groups.push_back({entry.columns[k].group, k, 0});
+    }
+    ++groups.back().size;
+  }
+  return groups;
+}
+
 TestDescription checked(TestDescription test) {
   if (test.entries.empty()) throw HarnessFault(fmt::format("test '{}' has no entry; at least one", test.id));
   require_at_most(test.id, "entries", test.entries, test.entries.size());
   for (const TestEntry& entry : test.entries) {
     require_at_most(test.id, fmt::format("columns of entry '{}'", entry.name), entry.columns, most_columns);
+    require_at_most(test.id, fmt::format("groups of entry '{}'", entry.name), groups_of(entry), most_columns);
   }
   require_at_most(test.id, "comparisons", test.comparisons, most_comparisons);
   require_at_most(test.id, "clauses", test.clauses, most_comparisons);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernel/names.h"
+#include "kernel/query.h"
 
 namespace axiscert {
 
@@ -27,6 +28,13 @@ struct TestEntry {
   std::string_view validity;  // the condition for a query; other numbers are `invalid`
   std::vector<TestColumn> columns;
 };
+
+// Neighbouring columns of one group: `size` of them from column `first` on.
+struct ColumnGroup {
+  std::string_view name;
+  std::size_t first, size;
+};
+std::vector<ColumnGroup> groups_of(const TestEntry& entry);
 
 struct TestComparison {
   std::string_view name;
@@ -60,8 +68,8 @@ struct VerdictRule {
 };
 inline constexpr VerdictRule any_clause_separates = {"separated where any clause holds"};
 
-// Limits that a word of 64 bits and the plug-in interface set.
-inline constexpr std::size_t most_columns = 64, most_comparisons = 64, most_measures = 64;
+// Limits that a word of 64 bits and the plug-in interface set; the third is most_columns (kernel/query.h).
+inline constexpr std::size_t most_comparisons = 64, most_measures = 64;
 
 struct TestDescription {
   std::string_view id;
@@ -76,7 +84,7 @@ struct TestDescription {
 };
 
 // Returns the description unchanged. Throws HarnessFault if it has no entry, too many of anything, the same name twice,
-// or a comparison that its clause does not contain.
+// a group whose columns are not neighbours, or a comparison that its clause does not contain.
 TestDescription checked(TestDescription test);
 
 // The bits of all comparisons.
@@ -90,7 +98,7 @@ std::size_t find_entry(const TestDescription& test, std::string_view name);
 
 // The tests that exist; defined in kernel/registry/tests.cpp. find_test throws Error as find_entry does.
 std::span<const TestDescription* const> tests();
-const TestDescription& find_test(std::string_view id);
+const TestDescription& find_test(std::string_view id, std::span<const TestDescription* const> known = tests());
 // The test of a kernel that names none.
 const TestDescription& first_test();
 

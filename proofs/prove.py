@@ -4,6 +4,8 @@ Assumptions.expected and its statement with Statements.expected, and refuses adm
 sources, so a copy is built, in build/proofs; files that have not changed since the last time are not built again.
 
   prove.py [--build DIR] [--jobs N]            checks the whole theory
+  prove.py --emitted [--build DIR] [--jobs N]  checks, in a minute, that what is emitted is what is proved: every statement,
+                                               and the proofs of those about the recorded formulae and exported thresholds
   prove.py --planted [--build DIR]             after that: checks that each planted fault is refused, at the file named
 
 Exit status: 0 everything holds, 1 something does not, 2 coqc or Flocq is missing."""
@@ -17,6 +19,10 @@ import sys
 SOURCES = pathlib.Path(__file__).resolve().parent / "coq"
 # Everything that would let a theorem rest on something unproved. Print Assumptions decides; this names the line.
 FORBIDDEN = re.compile(r"\b(Admitted|admit|give_up|Axioms?|Parameters?|Conjecture|bypass_check|Unset\s+\w+\s+Checking)\b")
+
+# Where the theory meets what is generated: the recorded formulae are those of the theorems, the exported thresholds are
+# the proved ones.
+EMITTED = ["RecordedIsSat7.v", "RecordedIsProgram.v", "Exported.v"]
 
 # Faults: what is replaced in which file, and the file at which coqc has to stop.
 FAULTS = {
@@ -110,13 +116,14 @@ def refuse_unproved(sources):
                 fail(f"{source.name}:{number}: '{found.group()}': every step has to be proved")
 
 
-def coqc(build, file, **options):
-    return subprocess.run(["coqc", "-q", "-Q", ".", "Axiscert", file], cwd=build, text=True, capture_output=True, **options)
+def coqc(build, file, *flags):
+    return subprocess.run(["coqc", "-q", "-Q", ".", "Axiscert", *flags, file], cwd=build, text=True, capture_output=True)
 
 
-def make(build, jobs):
+def make(build, jobs, *targets):
     subprocess.run(["coq_makefile", "-f", "_CoqProject", "-o", "Makefile"], cwd=build, check=True)
-    result = subprocess.run(["make", "--no-print-directory", f"-j{jobs}"], cwd=build, text=True, capture_output=True)
+    result = subprocess.run(["make", "--no-print-directory", f"-j{jobs}", *targets], cwd=build, text=True,
+                            capture_output=True)
     if result.returncode:
         fail(f"the theory does not check:\n{result.stdout}{result.stderr}")
 
@@ -127,9 +134,9 @@ def by_theorem(printed):
     return dict(zip(pieces[1::2], (" ".join(piece.split()) for piece in pieces[2::2])))
 
 
-def printed_by(build, name):
+def printed_by(build, name, *flags):
     """The output of NAME.v and the content of NAME.expected, by theorem or definition. Both have to name the same ones."""
-    result = coqc(build, f"{name}.v")
+    result = coqc(build, f"{name}.v", *flags)
     if result.returncode:
         fail(f"{name}.v does not check:\n{result.stdout}{result.stderr}")
     printed, expected = by_theorem(result.stdout), by_theorem((SOURCES / f"{name}.expected").read_text())
@@ -138,9 +145,9 @@ def printed_by(build, name):
     return printed, expected
 
 
-def changed_statements(build):
+def changed_statements(build, *flags):
     """The theorems and definitions that differ from Statements.expected."""
-    printed, expected = printed_by(build, "Statements")
+    printed, expected = printed_by(build, "Statements", *flags)
     return {name: (text, expected[name]) for name, text in printed.items() if text != expected[name]}
 
 
@@ -153,8 +160,24 @@ def compare(build):
         print(f"proved  {theorem:36} {', '.join(axioms) or 'no axioms'}")
     if unread := set(assumed) - set(by_theorem((SOURCES / "Statements.expected").read_text())):
         fail(f"Statements.v does not print {sorted(unread)}")
-    for name, (says, should) in changed_statements(build).items():
+    require_statements(build)
+
+
+def require_statements(build, *flags):
+    for name, (says, should) in changed_statements(build, *flags).items():
         fail(f"{name} says\n  {says}\nand should, by Statements.expected,\n  {should}")
+
+
+def check_emitted(build, jobs):
+    """`-vos` reads definitions and statements and leaves out the proofs; `-vok` checks the proofs of one file with no more
+    of the others than that."""
+    make(build, jobs, "vos")
+    require_statements(build, "-vos")
+    for file in EMITTED:
+        result = coqc(build, file, "-vok")
+        if result.returncode:
+            fail(f"{file}: what is emitted is not what is proved:\n{result.stdout}{result.stderr}")
+        print(f"emitted is proved  {file}")
 
 
 def planted_copy(build, name, file, old, new):
@@ -191,6 +214,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=SOURCES.parents[1] / "build" / "proofs" / "coq")
     parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--emitted", action="store_true")
     parser.add_argument("--planted", action="store_true")
     options = parser.parse_args()
     if not shutil.which("coqc"):
@@ -198,6 +222,9 @@ def main():
         sys.exit(2)
     refuse_unproved(SOURCES)
     copy_changed(SOURCES, options.build)
+    if options.emitted:
+        check_emitted(options.build, options.jobs)
+        return
     make(options.build, options.jobs)
     if options.planted:
         plant(options.build)

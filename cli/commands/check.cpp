@@ -3,6 +3,7 @@
 #include "cli/running/check_output.h"
 #include "cli/commands.h"
 #include "exact/sphere_triangle/claims/examine.h"
+#include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/confirm/finding_record.h"
@@ -17,7 +18,7 @@ struct CheckOptions {
 
 std::optional<SideErrors> errors_of(const StoredQuery& stored, const Kernel& kernel, const std::string& target) {
   return std::visit([&]<class Real>(const Query<Real>& q) { return Confirmer<Real>(kernel, target).errors(q); },
-                    stored.query);
+                    sphere_triangle_query(stored));
 }
 
 int check(const CheckOptions& options) {
@@ -31,7 +32,8 @@ int check(const CheckOptions& options) {
       throw Error(fmt::format("{}: query '{}' is in {}, in which kernel {} does not exist", options.file, stored.id,
                               name(stored.precision), kernel.id));
     }
-    const Examination found = std::visit([&](const auto& q) { return examiner.examine(q); }, stored.query);
+    const Examination found =
+        std::visit([&](const auto& q) { return examiner.examine(q); }, sphere_triangle_query(stored));
     if (options.format == "text") {
       fmt::print("{}\n", check_text(stored.id, kernel, found));
       if (options.errors) fmt::print("{}\n", errors_text(errors_of(stored, kernel, target)));

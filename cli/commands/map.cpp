@@ -12,6 +12,7 @@
 #include "kernel/registry/self_check.h"
 #include "fuzz/confirm/finding_record.h"
 #include "reports/instrument/map.h"
+#include "fuzz/files/sphere_triangle_query.h"
 #include "reports/wording/reproduce.h"
 #include "reports/run_folder/run_folder.h"
 
@@ -40,7 +41,7 @@ StoredQuery witness_of(const MapOptions& options) {
     throw Error(fmt::format("{}: {} queries{}; a map is drawn around one query: choose it with --id", options.query,
                             queries.size(), options.id.empty() ? "" : " of the id '" + options.id + "'"));
   }
-  const bool valid = std::visit([](const auto& q) { return is_valid(q); }, queries.front().query);
+  const bool valid = std::visit([](const auto& q) { return is_valid(q); }, sphere_triangle_query(queries.front()));
   if (!valid) throw Error(fmt::format("query '{}': not a valid query to draw a map around", queries.front().id));
   return queries.front();
 }
@@ -72,7 +73,7 @@ Plane plane_of(const MapOptions& options, const StoredQuery& witness) {
   const MovedNumbers along = given(options.along, "scene");
   return std::visit(
       [&](const auto& q) { return exponent_plane(q, along, across, options.size.value_or(greatest_map)); },
-      witness.query);
+      sphere_triangle_query(witness));
 }
 
 std::string command_of(const MapOptions& options, const MapPlan& plan) {

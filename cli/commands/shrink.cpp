@@ -7,6 +7,7 @@
 #include "cli/options/address_query.h"
 #include "cli/commands.h"
 #include "cli/running/shrunk.h"
+#include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "fuzz/confirm/finding_record.h"
@@ -131,7 +132,7 @@ int shrink_all(const ShrinkOptions& options) {
   std::size_t shrunk = 0;
   for (const StoredQuery& stored : queries) {
     try {
-      std::visit([&](const auto& q) { shrink_one(q, stored, options, kernel, target); }, stored.query);
+      std::visit([&](const auto& q) { shrink_one(q, stored, options, kernel, target); }, sphere_triangle_query(stored));
       ++shrunk;
     } catch (const NothingToKeep& nothing) {
       if (queries.size() == 1) throw;

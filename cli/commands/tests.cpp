@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "cli/commands.h"
 #include "fuzz/text/json.h"
 #include "fuzz/queries/family.h"
@@ -21,27 +19,21 @@ std::vector<std::string_view> kernels_of(const TestDescription& test) {
   return ids;
 }
 
-// Every existing family makes queries of the first test.
-std::vector<std::string_view> families_of(const TestDescription& test) {
+std::vector<std::string_view> family_names(const TestDescription& test) {
   std::vector<std::string_view> names;
-  for (const Family* family : families()) {
-    if (&test == &first_test()) names.push_back(family->name);
-  }
+  for (const Family* family : families_of(test)) names.push_back(family->name);
   return names;
 }
 
 // The columns group by group: "ax ay az (coordinate)".
-std::vector<std::string> groups_of(const TestEntry& entry) {
-  std::vector<std::string> groups;
-  const auto& columns = entry.columns;
-  for (auto first = columns.begin(); first != columns.end();) {
+std::vector<std::string> group_texts(const TestEntry& entry) {
+  std::vector<std::string> texts;
+  for (const ColumnGroup& group : groups_of(entry)) {
     std::vector<std::string_view> names;
-    const auto last = std::find_if(first, columns.end(), [&](const TestColumn& c) { return c.group != first->group; });
-    for (auto column = first; column != last; ++column) names.push_back(column->name);
-    groups.push_back(fmt::format("{} ({})", fmt::join(names, " "), name(first->role)));
-    first = last;
+    for (std::size_t k = 0; k < group.size; ++k) names.push_back(entry.columns[group.first + k].name);
+    texts.push_back(fmt::format("{} ({})", fmt::join(names, " "), name(entry.columns[group.first].role)));
   }
-  return groups;
+  return texts;
 }
 
 std::vector<std::string_view> comparisons_of(const TestDescription& test, const TestClause& clause) {
@@ -55,8 +47,8 @@ std::vector<std::string_view> comparisons_of(const TestDescription& test, const 
 void print_test(const TestDescription& test) {
   fmt::print("{}: {}; {}\n", test.id, test.asks, test.rule.text);
   for (const TestEntry& entry : test.entries) {
-    fmt::print("  entry {}: {} columns: {}; {}\n", entry.name, entry.columns.size(), fmt::join(groups_of(entry), ", "),
-               entry.validity);
+    fmt::print("  entry {}: {} columns: {}; {}\n", entry.name, entry.columns.size(),
+               fmt::join(group_texts(entry), ", "), entry.validity);
   }
   fmt::print("  {} comparisons in {} clauses, each of which holds where all of its comparisons do:\n",
              test.comparisons.size(), test.clauses.size());
@@ -107,7 +99,7 @@ Json test_json(const TestDescription& test) {
           {"clauses", clauses},
           {"measures", measures},
           {"kernels", kernels_of(test)},
-          {"families", families_of(test)},
+          {"families", family_names(test)},
           {"wrong_answers", wrong_answers}};
 }
 

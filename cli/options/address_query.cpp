@@ -32,14 +32,12 @@ SourcePtr source_of(const Address& address, const AddressFiles& files) {
 }
 
 template <class Real>
-Query<Real> made(const Address& address, const Source& source) {
+Numbers<Real> made(const Address& address, const Source& source) {
   if (const auto size = source.fixed_size(address.precision); size && address.position() >= *size) {
     throw Error(
         fmt::format("address '{}': the file has {} queries in {}", text(address), *size, name(address.precision)));
   }
-  Query<Real> q;
-  source.make(address.seed, address.position(), q);
-  return q;
+  return source.make<Real>(address.seed, address.position());
 }
 
 }  // namespace
@@ -70,9 +68,9 @@ StoredQuery query_at(const Address& address, const AddressFiles& files) {
     throw Error(fmt::format("address '{}': {} has generator version {} here, but the address is from version {}",
                             text(address), source->name(), source->version(), address.version));
   }
-  StoredQuery stored{text(address), address.precision, {}, 0};
-  if (address.precision == Precision::binary32) stored.query = made<float>(address, *source);
-  else stored.query = made<double>(address, *source);
+  StoredQuery stored{text(address), address.precision, {}, 0, &source->test(), source->entry()};
+  if (address.precision == Precision::binary32) stored.numbers = made<float>(address, *source);
+  else stored.numbers = made<double>(address, *source);
   return stored;
 }
 

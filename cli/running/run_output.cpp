@@ -75,12 +75,13 @@ void OutputFolder::remove(const std::string& file) const {
 void OutputFolder::write(const std::string& file, const Json& json) const { write_text(file, json.dump(1) + "\n"); }
 
 std::string OutputFolder::save(const OracleDisagreement& d) const {
-  StoredQuery stored{"disagreement", d.precision, from_coordinates(d.query), 0};
-  if (d.precision == Precision::binary32) {
-    std::array<float, coordinate_count> narrow;
-    for (std::size_t i = 0; i < coordinate_count; ++i) narrow[i] = static_cast<float>(d.query[i]);
-    stored.query = from_coordinates(narrow);
-  }
+  const auto numbers = [&]<class Real>(Real) {
+    Numbers<Real> values(d.query.size());
+    std::transform(d.query.begin(), d.query.end(), values.begin(), [](double x) { return static_cast<Real>(x); });
+    return values;
+  };
+  StoredQuery stored{"disagreement", d.precision, numbers(double())};
+  if (d.precision == Precision::binary32) stored.numbers = numbers(float());
   write_text("disagreement.jsonl", query_line(stored) + "\n");
   return (path_ / "disagreement.jsonl").string();
 }

@@ -1,5 +1,7 @@
 #include "cli/running/shrunk.h"
 
+#include "fuzz/files/sphere_triangle_query.h"
+
 namespace axiscert {
 namespace {
 
@@ -49,7 +51,7 @@ std::string shrunk_witnesses(const Json& record, const std::string& target, std:
           const auto found = shrink(q, flips.front(), kernel, target, evaluations);
           text += shrunk_json(stored, flips.front(), found, kernel).dump() + "\n";
         },
-        stored.query);
+        sphere_triangle_query(stored));
   }
   return text;
 }

@@ -86,21 +86,15 @@ class Plan(PlanCase):
         self.assertEqual(json.loads(self.record())["plan"]["require"], "logic")
 
 
-class Resume(PlanCase):
-    def test_a_journal_is_not_overwritten(self):
-        self.run_plan()
-        self.refused("run", "--plan", self.plan, "--out", self.folder / "out", says=["journal", "--resume"])
-        done = self.run_plan("--resume")
-        self.assertIn("units lost on the way: 0", done.stderr)
-        self.assertEqual(self.record(), self.uninterrupted())
-
-    def test_killed_at_20_random_moments(self):
+class ResumeCase(PlanCase):
+    def kill_and_resume(self, folders):
+        """In each folder the run is killed five times, then finished."""
         print(f"seed {SEED}")
         dice = random.Random(SEED)
         start = time.monotonic()
         self.run_plan(out="timed")
         whole = time.monotonic() - start
-        for folder in range(4 if DIVISOR == 1 else 1):  # sanitized, each takes many times longer
+        for folder in range(folders):
             args = [BUILD / "axiscert", "run", "--plan", self.plan, "--out", self.folder / str(folder), "--resume"]
             for _ in range(5):
                 run = subprocess.Popen(args, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -109,6 +103,23 @@ class Resume(PlanCase):
                 run.wait()
             self.run_plan("--resume", out=str(folder))
             self.assertEqual(self.record(str(folder)), self.uninterrupted(), f"folder {folder} of seed {SEED}")
+
+
+class ResumeLong(ResumeCase):
+    def test_killed_at_20_random_moments(self):
+        self.kill_and_resume(4 if DIVISOR == 1 else 1)  # sanitized, each takes many times longer
+
+
+class Resume(ResumeCase):
+    def test_a_journal_is_not_overwritten(self):
+        self.run_plan()
+        self.refused("run", "--plan", self.plan, "--out", self.folder / "out", says=["journal", "--resume"])
+        done = self.run_plan("--resume")
+        self.assertIn("units lost on the way: 0", done.stderr)
+        self.assertEqual(self.record(), self.uninterrupted())
+
+    def test_killed_at_5_random_moments(self):
+        self.kill_and_resume(1)
 
     def test_interrupted_it_says_what_there_is_and_goes_on(self):
         run = subprocess.Popen([BUILD / "axiscert", "run", "--plan", self.plan, "--out", self.folder / "out"],

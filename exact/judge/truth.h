@@ -1,8 +1,8 @@
 // The truth about one query, as far as the judge needs it, and the error that ends a run when two oracles differ.
 #pragma once
 
-#include <array>
 #include <string>
+#include <vector>
 
 #include "kernel/base/error.h"
 #include "kernel/query.h"
@@ -18,10 +18,10 @@ struct Truth {
 // exactly).
 struct OracleDisagreement : HarnessFault {
   template <class Real>
-  OracleDisagreement(const std::string& what, const Query<Real>& q)
-      : HarnessFault("the oracles disagree: " + what), precision(precision_of<Real>), query(coordinates(widened(q))) {}
+  OracleDisagreement(const std::string& what, const Numbers<Real>& q)
+      : HarnessFault("the oracles disagree: " + what), precision(precision_of<Real>), query(q.begin(), q.end()) {}
   Precision precision;
-  std::array<double, coordinate_count> query;
+  std::vector<double> query;
 };
 
 }  // namespace axiscert

@@ -18,9 +18,9 @@ Rational value(const Doubled& x) { return exact(x.high) + exact(x.low); }
 
 // Numbers in pairs that may nearly cancel, with exponents within [-range, range].
 template <class T>
-class Numbers {
+class DrawnNumbers {
  public:
-  explicit Numbers(std::uint64_t seed, int range) : random_(seed), range_(range) {}
+  explicit DrawnNumbers(std::uint64_t seed, int range) : random_(seed), range_(range) {}
   T next() {
     const double high =
         near_last() ? -last_ * (1 + std::ldexp(double(integer(-3, 3)), -52)) : fraction(integer(-range_, range_));
@@ -77,7 +77,7 @@ void expect_within(const T& computed, const Rational& exactly, double bound, std
 TYPED_TEST(EnclosedNumbers, OperationsErrAsStated) {
   using T = TypeParam;
   for (const int range : {0, 40, 150, 460}) {
-    Numbers<T> numbers(41, range);
+    DrawnNumbers<T> numbers(41, range);
     for (int trial = 0; trial < 2'500; ++trial) {
       const T a = numbers.next(), b = numbers.next();
       const T sum = a + b, product = a * b;
@@ -91,7 +91,7 @@ TYPED_TEST(EnclosedNumbers, OperationsErrAsStated) {
 TYPED_TEST(EnclosedNumbers, ProductsOfVectorsErrAsStated) {
   using T = TypeParam;
   for (const int range : {0, 40, 150, 460}) {
-    Numbers<T> numbers(41, range);
+    DrawnNumbers<T> numbers(41, range);
     const auto vector = [&](double error) {
       const portable::Vec3<T> v{numbers.next(), numbers.next(), numbers.next()};
       return enclosed(v, error);
@@ -116,7 +116,7 @@ TYPED_TEST(EnclosedNumbers, ProductsOfVectorsErrAsStated) {
 // Enclosures of ranges: results enclose every value that the operands' ranges can give.
 TYPED_TEST(EnclosedNumbers, CarryTheErrorsOfTheirOperands) {
   using T = TypeParam;
-  Numbers<T> numbers(41, 30);
+  DrawnNumbers<T> numbers(41, 30);
   std::mt19937_64 random(43);
   for (int trial = 0; trial < 1'500; ++trial) {
     const auto wide = [&] {
@@ -148,7 +148,7 @@ TYPED_TEST(EnclosedNumbers, CarryTheErrorsOfTheirOperands) {
 }
 
 TEST(DoubleDoubles, ProductsAreExact) {
-  Numbers<double> numbers(41, 400);
+  DrawnNumbers<double> numbers(41, 400);
   for (int trial = 0; trial < 2'500; ++trial) {
     const double a = numbers.next(), b = numbers.next();
     const auto product = exact_product(a, b);

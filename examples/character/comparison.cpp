@@ -15,7 +15,7 @@ namespace {
 std::vector<Verdict> answers(const Ground& ground, const Walk& walk, const Implementation<float>& kernel,
                              std::size_t first_ask, std::size_t last_ask) {
   const std::size_t first = walk.asks[first_ask].first;
-  QueryBatch<float> batch(walk.asks[last_ask - 1].first + walk.asks[last_ask - 1].count - first);
+  QueryBatch<float> batch(walk.asks[last_ask - 1].first + walk.asks[last_ask - 1].count - first, coordinate_count);
   for (std::size_t a = first_ask; a < last_ask; ++a) {
     const Ask& ask = walk.asks[a];
     for (std::size_t i = 0; i < ask.count; ++i) {

@@ -18,7 +18,7 @@ template <class Real>
 std::vector<Query<Real>> queries(const Family& family) {
   std::vector<Query<Real>> all;
   for (std::uint64_t position = 0; all.size() < query_count; ++position) {
-    const auto q = family.make<Real>(1, position);
+    const Query<Real> q = family.make<Real>(1, position);
     if (is_valid(q)) all.push_back(q);
   }
   return all;

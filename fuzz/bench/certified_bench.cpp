@@ -48,7 +48,7 @@ struct Timed {
 
 template <class Real>
 void measure(const Source& source, const std::string& target) {
-  QueryBatch<Real> batch(query_count);
+  QueryBatch<Real> batch(query_count, coordinate_count);
   source.fill(1, 0, query_count, batch);
   const QueryColumns<Real> columns = batch.columns();
   std::vector<Query<Real>> queries;

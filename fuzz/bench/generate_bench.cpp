@@ -7,6 +7,7 @@
 
 #include "fuzz/queries/random.h"
 #include "fuzz/queries/source.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {
@@ -20,7 +21,7 @@ void per_item(benchmark::State& state, double items) {
 
 template <class Real>
 void time_fill(benchmark::State& state, const SourcePtr& source) {
-  QueryBatch<Real> batch(batch_size);
+  QueryBatch<Real> batch(batch_size, coordinate_count);
   std::uint64_t first = 0;
   for (auto _ : state) {
     source->fill(1, first, batch_size, batch);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "kernel/kernel.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {
@@ -16,7 +17,7 @@ template <class Real>
 const QueryBatch<Real>& queries() {
   static const QueryBatch<Real> batch = [] {
     std::mt19937_64 random(1);
-    QueryBatch<Real> all(query_count);
+    QueryBatch<Real> all(query_count, coordinate_count);
     for (std::size_t i = 0; i < query_count; ++i) {
       std::array<Real, coordinate_count> v;
       for (Real& x : v) x = static_cast<Real>(static_cast<std::int64_t>(random()) >> 11) * Real(0x1p-52);

@@ -84,7 +84,7 @@ template <class Real>
 void measure(const Plan& plan, const Source& source, std::uint64_t most_queries) {
   const auto queries_of = [&](std::uint64_t count) {
     std::vector<Query<Real>> queries(count);
-    for (std::uint64_t i = 0; i < count; ++i) source.make(plan.seed, i, queries[i]);
+    for (std::uint64_t i = 0; i < count; ++i) queries[i] = source.make<Real>(plan.seed, i);
     return queries;
   };
   const auto probe = queries_of(512);

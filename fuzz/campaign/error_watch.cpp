@@ -85,7 +85,7 @@ bool ErrorWatch<Real>::is_batch_exact() {
   const SimdForms* forms = simd_forms(formulae_);
   if (!forms) return false;
   const auto columns = batch_->queries.columns();
-  if (widened_.capacity() < columns.size) widened_ = QueryBatch<double>(columns.size);
+  if (widened_.capacity() < columns.size) widened_ = QueryBatch<double>(columns.size, coordinate_count);
   widened_.resize(columns.size);
   const auto wide = widened_.mutable_columns();
   for (std::size_t k = 0; k < coordinate_count; ++k) {
@@ -133,7 +133,7 @@ const FormulaTruth& ErrorWatch<Real>::exact_sides(std::size_t i) {
   auto& [query, sides] = exact_sides_[i % exact_sides_.size()];
   if (!sides || query != i) {
     query = i;
-    sides = formula_truth(formulae_, batch_->queries[i]);
+    sides = formula_truth(formulae_, query_from(batch_->queries[i]));
   }
   return *sides;
 }

@@ -73,7 +73,7 @@ class ErrorWatch {
 
   // Kept from batch to batch: whether the last one was nearly all exact, so that the next may be as a whole.
   bool expects_exact_ = false;
-  QueryBatch<double> widened_{1};
+  QueryBatch<double> widened_{1, coordinate_count};
   Answers<double> in_binary64_;
 
   // State for the batch at hand.

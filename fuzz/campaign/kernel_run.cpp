@@ -188,7 +188,7 @@ void KernelRun<Real>::check_sides(const FormulaTruth& exact, const std::optional
                       "scalar one {:016b} and {:016b} (bit 0 is the first comparison)",
                       kernel_.id, batched->reference, batched->range_free, *scalar.reference.bits,
                       *scalar.range_free.bits),
-          look.query());
+          Numbers<Real>(look.query()));
     }
   }
   if (!exposes_sides()) return;
@@ -198,7 +198,7 @@ void KernelRun<Real>::check_sides(const FormulaTruth& exact, const std::optional
   for (std::size_t k = 0; k < comparison_count; ++k) {
     const ComparisonError error(computed.lhs[k], computed.rhs[k], exact.comparison(k));
     if (const std::string wrong = errors_.contradiction(i, k, error); !wrong.empty()) {
-      throw OracleDisagreement(kernel_.id + ": " + wrong, look.query());
+      throw OracleDisagreement(kernel_.id + ": " + wrong, Numbers<Real>(look.query()));
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "kernel/ask.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

@@ -18,7 +18,11 @@ template <class Real>
 class AsymmetryBlock {
  public:
   AsymmetryBlock(const Plan& plan, const Kernel& kernel, const Source& source, const ImageGroup& group)
-      : plan_(plan), kernel_(kernel), source_(source), group_(group), batch_(batch_bases * group.size) {
+      : plan_(plan),
+        kernel_(kernel),
+        source_(source),
+        group_(group),
+        batch_(batch_bases * group.size, source.columns().size()) {
     if (!plan.replies) implementation_ = kernel.on<Real>(plan.target);
   }
 
@@ -37,7 +41,7 @@ class AsymmetryBlock {
     const Outcome said =
         plan_.replies ? plan_.replies->at(source_, precision_of<Real>, position) : reply_.outcome(in_batch);
     if (said.verdict == Verdict::unanswered) return std::nullopt;
-    if (kernel_.limits.any() && !is_within(kernel_.limits, batch_[in_batch])) return std::nullopt;
+    if (kernel_.limits.any() && !is_within(kernel_.limits, query_from(batch_[in_batch]))) return std::nullopt;
     return said;
   }
 

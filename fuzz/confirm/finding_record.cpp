@@ -11,9 +11,7 @@ namespace {
 
 template <class Real>
 void put_query_of(Json& into, std::uint64_t seed, const Source& source, std::uint64_t position) {
-  Query<Real> q;
-  source.make(seed, position, q);
-  put_query(into, q);
+  put_query(into, source.test().entries[source.entry()], source.make<Real>(seed, position));
 }
 
 }  // namespace
@@ -30,7 +28,9 @@ void put_loading_findings(Json& findings, const Kernel& kernel) {
     Json& entry = findings.emplace_back();
     entry = {{"kernel", kernel.id}, {"precision", nullptr},     {"family", nullptr}, {"kind", name(finding.kind)},
              {"count", 1},          {"detail", finding.detail}, {"address", nullptr}};
-    for (const char* member : {"a", "b", "c", "p", "r"}) entry[member] = nullptr;
+    for (const ColumnGroup& group : groups_of(kernel.test->entries[kernel.entry])) {
+      entry[std::string(group.name)] = nullptr;
+    }
   }
 }
 

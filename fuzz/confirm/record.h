@@ -18,9 +18,9 @@ Json record_of(const Plan& plan, const CampaignResult& result, const std::string
 Json run_info(const Plan& plan, const CampaignResult& result, const std::string& target_asked,
               const std::string& started, double seconds);
 
-// A query as in the query file: "a" to "p" as arrays of hex strings, "r".
+// A query as in the query file: each group of the entry's columns as an array of hex strings, or as one string.
 template <class Real>
-void put_query(Json& into, const Query<Real>& q);
+void put_query(Json& into, const TestEntry& entry, const Numbers<Real>& numbers);
 // The data that a kernel exposes: "verdict", and "comparisons" and "sides" if it exposes them.
 Json exposures_json(const Kernel& kernel);
 // The limits that a kernel declares; null if it has none, and null for each limit that it does not set.

@@ -9,16 +9,19 @@
 namespace axiscert {
 
 template <class Real>
-void put_query(Json& into, const Query<Real>& q) {
-  const auto vec = [](const Vec3<Real>& v) { return Json{format_number(v.x), format_number(v.y), format_number(v.z)}; };
-  into["a"] = vec(q.a);
-  into["b"] = vec(q.b);
-  into["c"] = vec(q.c);
-  into["p"] = vec(q.p);
-  into["r"] = format_number(q.r);
+void put_query(Json& into, const TestEntry& entry, const Numbers<Real>& numbers) {
+  for (const auto& [name, first, size] : groups_of(entry)) {
+    Json& member = into[std::string(name)];
+    if (size == 1) {
+      member = format_number(numbers[first]);
+      continue;
+    }
+    member = Json::array();
+    for (std::size_t k = first; k < first + size; ++k) member.push_back(format_number(numbers[k]));
+  }
 }
-template void put_query<float>(Json&, const Query<float>&);
-template void put_query<double>(Json&, const Query<double>&);
+template void put_query<float>(Json&, const TestEntry&, const Numbers<float>&);
+template void put_query<double>(Json&, const TestEntry&, const Numbers<double>&);
 
 Json flips_json(const TestDescription& test, const Judgement& judgement) {
   Json flips = Json::array();
@@ -86,13 +89,12 @@ template <class Real>
 void WitnessWriter::write(const Kernel& kernel, const Source& source, const Shown& shown) {
   const TestDescription& test = *plan_.test;
   for (const auto& [position, what] : shown) {
-    Query<Real> q;
-    source.make(plan_.seed, position, q);
+    const Query<Real> q = source.make<Real>(plan_.seed, position);
     const Examination found = plan_.replies
                                   ? examine(q, kernel, plan_.replies->at(source, precision_of<Real>, position))
                                   : examiner_->examine(q);
     Json witness = {{"id", fmt::format("w{}", witnesses_.size() + 1)}, {"precision", name(precision_of<Real>)}};
-    put_query(witness, q);
+    put_query(witness, source.test().entries[source.entry()], Numbers<Real>(q));
     witness["kernel"] = kernel.id;
     witness["family"] = source.name();
     witness["address"] = text(address_of(source, plan_.seed, precision_of<Real>, position));

@@ -10,10 +10,12 @@
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
 #include "fuzz/files/query_line.h"
 #include "fuzz/files/symmetry.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -139,6 +141,7 @@ void read_file(const std::string& path, std::vector<CorpusEntry>& into) {
   }
   for (StoredQuery& stored : parse_queries(bytes, path, Precision::binary32)) {
     const Place place{path, stored.line};
+    if (stored.test != &sphere_triangle_test()) place.fail("test", "the corpus is of sphere-triangle alone");
     const json line = json::parse(lines[stored.line - 1], nullptr, false);
     if (!line.is_object()) place.fail("", "a corpus is JSON Lines, each line one object");
     if (!line.contains("id")) place.fail("id", "missing; an entry needs a name");
@@ -177,7 +180,7 @@ ExactAnswers exact_answers(const StoredQuery& stored) {
         if (!truth.formula) return {truth.verdict, truth.touching};
         return {truth.verdict, truth.touching, squared_distance(q), truth.formula->strict, truth.formula->ties};
       },
-      stored.query);
+      sphere_triangle_query(stored));
 }
 
 std::vector<CorpusEntry> read_corpus(const std::string& folder) {

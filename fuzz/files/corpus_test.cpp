@@ -14,6 +14,7 @@
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/files/query_testing.h"
+#include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/files/symmetry.h"
 
 namespace axiscert {
@@ -75,7 +76,7 @@ TEST_P(CorpusEntryTest, HasTheseExactAnswers) {
         EXPECT_EQ(mpfr.ties, *expected.ties) << "MPFR";
         EXPECT_EQ(walked(q), *expected.squared_distance) << "the walk over the features";
       },
-      entry.stored.query);
+      sphere_triangle_query(entry.stored));
 }
 
 TEST_P(CorpusEntryTest, IsWrittenAsItIsRead) {
@@ -150,13 +151,11 @@ TEST(CorpusSource, HasEveryQueryInItsPrecision) {
   std::size_t n32 = 0, n64 = 0;
   for (const CorpusEntry& entry : entries_or_none()) {
     if (entry.stored.precision == Precision::binary32) {
-      Query<float> q;
-      source->make(1, n32++, q);
-      expect_same_bits(q, std::get<Query<float>>(entry.stored.query));
+      const Query<float> q = source->make<float>(1, n32++);
+      expect_same_bits(q, sphere_triangle_query_in<float>(entry.stored));
     } else {
-      Query<double> q;
-      source->make(1, n64++, q);
-      expect_same_bits(q, std::get<Query<double>>(entry.stored.query));
+      const Query<double> q = source->make<double>(1, n64++);
+      expect_same_bits(q, sphere_triangle_query_in<double>(entry.stored));
     }
   }
   EXPECT_EQ(source->fixed_size(Precision::binary32), n32);

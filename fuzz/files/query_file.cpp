@@ -14,16 +14,16 @@ namespace axiscert {
 namespace {
 
 template <class Real>
-Query<Real> query_of(const std::array<NumberText, coordinate_count>& numbers, const Place& place) {
-  std::array<Real, coordinate_count> values;
-  for (std::size_t k = 0; k < coordinate_count; ++k) {
+Numbers<Real> numbers_of(const std::vector<NumberText>& texts, const Place& place) {
+  Numbers<Real> values(texts.size());
+  for (std::size_t k = 0; k < texts.size(); ++k) {
     try {
-      values[k] = parse_number<Real>(numbers[k].text);
+      values[k] = parse_number<Real>(texts[k].text);
     } catch (const Error& wrong) {
-      place.fail(numbers[k].field, numbers[k].element + wrong.what());
+      place.fail(texts[k].field, texts[k].element + wrong.what());
     }
   }
-  return from_coordinates(values);
+  return values;
 }
 
 // The next line without its end; empty if there is none. A last line without an end is a line; the empty rest after the
@@ -46,21 +46,22 @@ void Place::fail(std::string_view field, std::string_view what) const {
   throw Error(fmt::format("{}:{}: field '{}': {}", file, line, shown(field), what));
 }
 
-StoredQuery stored_query(std::string id, Precision precision, const std::array<NumberText, coordinate_count>& numbers,
-                         const Place& place) {
-  StoredQuery stored{std::move(id), precision, {}, place.line};
+StoredQuery stored_query(std::string id, Precision precision, const EntryOfTest& of,
+                         const std::vector<NumberText>& numbers, const Place& place) {
+  StoredQuery stored{std::move(id), precision, {}, place.line, of.test, of.entry};
   switch (precision) {
     case Precision::binary32:
-      stored.query = query_of<float>(numbers, place);
+      stored.numbers = numbers_of<float>(numbers, place);
       break;
     case Precision::binary64:
-      stored.query = query_of<double>(numbers, place);
+      stored.numbers = numbers_of<double>(numbers, place);
       break;
   }
   return stored;
 }
 
-std::vector<StoredQuery> parse_queries(std::string_view bytes, std::string_view name, Precision csv_precision) {
+std::vector<StoredQuery> parse_queries(std::string_view bytes, std::string_view name, Precision csv_precision,
+                                       KnownTests known) {
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
   std::vector<StoredQuery> queries;
   std::optional<CsvHeader> csv;
@@ -73,13 +74,14 @@ std::vector<StoredQuery> parse_queries(std::string_view bytes, std::string_view 
     if (line->find('\0') != line->npos) place.fail("", "a NUL byte; a query file is text (UTF-8)");
     if (first) {
       first = false;
-      csv = csv_header(*line, place);
+      csv = csv_header(*line, place, known);
       if (csv) continue;
     }
-    queries.push_back(csv ? query_of_csv(*line, *csv, csv_precision, place) : query_of_json(*line, place));
+    queries.push_back(csv ? query_of_csv(*line, *csv, csv_precision, place) : query_of_json(*line, place, known));
   }
   if (queries.empty()) {
-    throw Error(fmt::format("{}: no queries; write JSON Lines, or CSV under the header [id,]{}", name, csv_columns));
+    throw Error(
+        fmt::format("{}: no queries; write JSON Lines, or CSV under the header [id,]{}", name, csv_columns(known)));
   }
   return queries;
 }

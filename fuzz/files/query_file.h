@@ -2,33 +2,46 @@
 //
 // JSON Lines, one object per line:
 //   {"id":"parry-76","precision":"binary32","a":[x,y,z],"b":[x,y,z],"c":[x,y,z],"p":[x,y,z],"r":"0x1.99999ap-3"}
-// A number is text for parse_number: a JSON string, or the characters of a JSON number. `id` is optional (default
-// "line-N") and need not be unique. Other fields are ignored: a witness is a query too.
-// CSV begins with the header [id,]ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r, in this order; cells are not quoted.
+// `test` is the id of the query's test (default: the first), and `entry` the entry in which its numbers are given
+// (default: the first of the test). The numbers' members are the groups of the entry's columns: an array, or a number
+// where the group has one column. A number is text for parse_number: a JSON string, or the characters of a JSON number.
+// `id` is optional (default "line-N") and need not be unique. Other fields are ignored: a witness is a query too.
+// CSV begins with a header of column names, [id,]ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r for the first test, in this
+// order; which names they are tells test and entry. Cells are not quoted.
 // Either format may begin with a UTF-8 byte order mark, end its lines in CRLF and contain blank lines.
 #pragma once
 
 #include <cstddef>
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "kernel/query.h"
+#include "kernel/test.h"
 
 namespace axiscert {
 
+using AnyNumbers = std::variant<Numbers<float>, Numbers<double>>;
+
 struct StoredQuery {
   std::string id;
-  Precision precision;  // precision of `query`
-  std::variant<Query<float>, Query<double>> query;
+  Precision precision;  // precision of `numbers`
+  AnyNumbers numbers;
   std::size_t line = 0;  // in its file, from 1; 0 if it does not come from a file
+  const TestDescription* test = &first_test();
+  std::size_t entry = 0;  // of the test: that in which the numbers are given
+
+  const TestEntry& columns() const { return test->entries[entry]; }
 };
 
 // Parses all queries or throws. The Error begins NAME:LINE: field 'FIELD': as far as these are known. `csv_precision`
-// is the precision of a CSV file, which does not state one; a line of JSON does.
-std::vector<StoredQuery> parse_queries(std::string_view bytes, std::string_view name, Precision csv_precision);
+// is the precision of a CSV file, which does not state one; a line of JSON does. `known` are the tests of which queries
+// are understood, the first the one that a line of JSON need not name.
+std::vector<StoredQuery> parse_queries(std::string_view bytes, std::string_view name, Precision csv_precision,
+                                       std::span<const TestDescription* const> known = tests());
 std::vector<StoredQuery> read_queries(std::istream& in, std::string_view name, Precision csv_precision);
 // The path "-" means standard input.
 std::vector<StoredQuery> read_query_file(const std::string& path, Precision csv_precision);

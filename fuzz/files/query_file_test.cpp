@@ -11,6 +11,7 @@
 #include <limits>
 #include <sstream>
 
+#include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/queries/random.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
@@ -68,7 +69,7 @@ TEST(QueryFile, ReadsALineAsTheDesignWritesIt) {
   ASSERT_EQ(queries.size(), 1u);
   EXPECT_EQ(queries[0].id, "parry-76");
   EXPECT_EQ(queries[0].line, 1u);
-  const auto& q = std::get<Query<float>>(queries[0].query);
+  const auto q = sphere_triangle_query_in<float>(queries[0]);
   const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   const Vec3<float> p{123456789012345678901234567890.0f, -1500, 0};
   expect_same_bits(q, {{1, -0.0f, nan}, {0x1p-149f, inf, -inf}, {0.2f, 0.2f, 16777216}, p, 0.2f});
@@ -77,7 +78,7 @@ TEST(QueryFile, ReadsALineAsTheDesignWritesIt) {
 TEST(QueryFile, AJsonNumberIsItsCharacters) {
   // Through binary64 the first would round to 1, and -0 would lose its sign.
   const auto queries = parse(with("p", "[ 1.00000005960464477540 ,-0, 18446744073709551617]"));
-  const auto& q = std::get<Query<float>>(queries[0].query);
+  const auto q = sphere_triangle_query_in<float>(queries[0]);
   EXPECT_EQ(q.p.x, 0x1.000002p+0f);
   EXPECT_TRUE(std::signbit(q.p.y));
   EXPECT_EQ(q.p.z, 0x1p+64f);
@@ -197,10 +198,10 @@ TEST(QueryFile, CsvTakesItsPrecisionFromTheCaller) {
   const auto singles = parse_queries(text, "f.csv", Precision::binary32);
   ASSERT_EQ(singles.size(), 1u);
   EXPECT_EQ(singles[0].id, "line-3");
-  EXPECT_EQ(std::get<Query<float>>(singles[0].query).r, 0.2f);
+  EXPECT_EQ(sphere_triangle_query_in<float>(singles[0]).r, 0.2f);
   const auto doubles = parse_queries(text, "f.csv", Precision::binary64);
   EXPECT_EQ(doubles[0].precision, Precision::binary64);
-  EXPECT_EQ(std::get<Query<double>>(doubles[0].query).r, 0.2);
+  EXPECT_EQ(sphere_triangle_query_in<double>(doubles[0]).r, 0.2);
   const auto named = parse("id," + header + "\nfirst one,0,0,0,1,0,0,0,1,0,0,0,1,1\n,0,0,0,1,0,0,0,1,0,0,0,1,1\n");
   EXPECT_EQ(named[0].id, "first one");
   EXPECT_EQ(named[1].id, "line-3");

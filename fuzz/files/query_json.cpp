@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -51,25 +52,32 @@ struct Value {
   std::string text;  // for a number its characters, for a string its content
 };
 struct Field {
-  std::string_view name;
   Value value;
   std::vector<Value> elements;  // elements of an array
 };
 
+// A count as messages say it.
+std::string in_words(std::size_t count) {
+  constexpr std::array<const char*, 10> words = {"no",   "one", "two",   "three", "four",
+                                                 "five", "six", "seven", "eight", "nine"};
+  return count < words.size() ? words[count] : std::to_string(count);
+}
+
 class LineHandler : public nlohmann::json_sax<nlohmann::json> {
  public:
-  LineHandler(std::string_view line, const Place& place) : line_(line), place_(place) {}
+  LineHandler(std::string_view line, const Place& place, KnownTests known)
+      : line_(line), place_(place), known_(known) {}
 
   StoredQuery parse() {
     const CountingIterator begin{line_.data(), &consumed_}, end{line_.data() + line_.size(), nullptr};
     nlohmann::json::sax_parse(begin, end, this);
+    const EntryOfTest of = entry_given_once();
     const Precision precision = precision_of_line();
     const Value& id = field("id").value;
     if (id.kind != Kind::absent && id.kind != Kind::string) wrong_kind("id", id.kind, "a string");
-    std::array<NumberText, coordinate_count> numbers;
-    for (std::size_t v = 0; v < 4; ++v) take_point(vectors[v], &numbers[3 * v]);
-    numbers[12] = {"r", "", number_text("r", "", field("r").value)};
-    return stored_query(id.kind == Kind::string ? id.text : place_.default_id(), precision, numbers, place_);
+    std::vector<NumberText> numbers;
+    for (const ColumnGroup& group : groups_of(of.columns())) take_group(group, numbers);
+    return stored_query(id.kind == Kind::string ? id.text : place_.default_id(), precision, of, numbers, place_);
   }
 
   bool null() override { return scalar(Kind::null, {}); }
@@ -98,13 +106,15 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
   bool key(string_t& text) override {
     if (depth_ != 1) return true;
     key_ = text;
-    const auto known = std::find_if(fields_.begin(), fields_.end(), [&](const Field& f) { return f.name == text; });
-    current_ = known == fields_.end() ? nullptr : &*known;
-    if (current_ != nullptr && current_->value.kind != Kind::absent) place_.fail(text, "given twice");
+    // Which members matter is known when the test is, and that may be the last member.
+    const auto [at, is_new] = fields_.try_emplace(text);
+    if (!is_new) repeated_.push_back(text);
+    current_ = &at->second;
     return true;
   }
 
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& what) override {
+    if (!repeated_.empty()) entry_given_once();
     constexpr int number_overflow = 406;
     if (what.id == number_overflow) {
       try {
@@ -127,9 +137,8 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
-  static constexpr std::array<std::string_view, 4> vectors = {"a", "b", "c", "p"};
-  static std::string outside_object() {
-    return fmt::format("; a line is one JSON object, or the file is CSV under the header [id,]{}", csv_columns);
+  std::string outside_object() const {
+    return fmt::format("; a line is one JSON object, or the file is CSV under the header [id,]{}", csv_columns(known_));
   }
 
   // The lexer has read one character beyond a number, unless the line ended.
@@ -146,20 +155,57 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
     if (depth_ == 0) place_.fail("", fmt::format("{}{}", name(kind), outside_object()));
     if (current_ == nullptr) return true;
     Value value{kind, std::string(text)};
-    if (depth_ == 1) current_->value = std::move(value);
+    if (depth_ == 1) *current_ = {std::move(value), {}};
     else if (depth_ == 2 && current_->value.kind == Kind::array) current_->elements.push_back(std::move(value));
     return true;
   }
 
-  Field& field(std::string_view name) {
-    return *std::find_if(fields_.begin(), fields_.end(), [&](const Field& f) { return f.name == name; });
+  // A field without a value if it was not given.
+  const Field& field(std::string_view name) const {
+    static const Field absent;
+    const auto found = fields_.find(name);
+    return found == fields_.end() ? absent : found->second;
   }
 
   [[noreturn]] void wrong_kind(std::string_view blamed, Kind given, std::string_view expected) const {
     place_.fail(blamed, fmt::format("{}; {} belongs here", name(given), expected));
   }
 
-  Precision precision_of_line() {
+  // The test and the entry of the line. Fails if a member that matters to these was given twice.
+  EntryOfTest entry_given_once() const {
+    const auto fail_if_repeated = [&](const auto& matters) {
+      const auto twice = std::find_if(repeated_.begin(), repeated_.end(), matters);
+      if (twice != repeated_.end()) place_.fail(*twice, "given twice");
+    };
+    fail_if_repeated([](const std::string& name) { return name == "test" || name == "entry"; });
+    const EntryOfTest of = entry_of_line();
+    const std::vector<ColumnGroup> groups = groups_of(of.columns());
+    fail_if_repeated([&](const std::string& name) {
+      return name == "id" || name == "precision" ||
+             std::any_of(groups.begin(), groups.end(), [&](const ColumnGroup& group) { return group.name == name; });
+    });
+    return of;
+  }
+
+  EntryOfTest entry_of_line() const {
+    const Value &test = field("test").value, &entry = field("entry").value;
+    if (test.kind != Kind::absent && test.kind != Kind::string) wrong_kind("test", test.kind, "the id of a test");
+    if (entry.kind != Kind::absent && entry.kind != Kind::string) wrong_kind("entry", entry.kind, "an entry's name");
+    EntryOfTest of{known_.front(), 0};
+    try {
+      if (test.kind == Kind::string) of.test = &find_test(shown(test.text), known_);
+    } catch (const Error& unknown) {
+      place_.fail("test", unknown.what());
+    }
+    try {
+      of.entry = find_entry(*of.test, shown(entry.text));
+    } catch (const Error& unknown) {
+      place_.fail("entry", unknown.what());
+    }
+    return of;
+  }
+
+  Precision precision_of_line() const {
     const Value& given = field("precision").value;
     if (given.kind != Kind::string) wrong_kind("precision", given.kind, "\"binary32\" or \"binary64\"");
     try {
@@ -176,15 +222,20 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
     return value.text;
   }
 
-  void take_point(std::string_view which, NumberText* numbers) {
-    const Field& given = field(which);
-    if (given.value.kind != Kind::array) wrong_kind(which, given.value.kind, "an array of three numbers");
-    if (given.elements.size() != 3) {
-      place_.fail(which, fmt::format("an array of {}; an array of three numbers belongs here", given.elements.size()));
+  void take_group(const ColumnGroup& group, std::vector<NumberText>& numbers) const {
+    const Field& given = field(group.name);
+    if (group.size == 1) {
+      numbers.push_back({std::string(group.name), "", number_text(group.name, "", given.value)});
+      return;
     }
-    for (std::size_t i = 0; i < 3; ++i) {
+    const std::string due = fmt::format("an array of {} numbers", in_words(group.size));
+    if (given.value.kind != Kind::array) wrong_kind(group.name, given.value.kind, due);
+    if (given.elements.size() != group.size) {
+      place_.fail(group.name, fmt::format("an array of {}; {} belongs here", given.elements.size(), due));
+    }
+    for (std::size_t i = 0; i < group.size; ++i) {
       const std::string element = fmt::format("element {}: ", i + 1);
-      numbers[i] = {std::string(which), element, number_text(which, element, given.elements[i])};
+      numbers.push_back({std::string(group.name), element, number_text(group.name, element, given.elements[i])});
     }
   }
 
@@ -193,36 +244,44 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
   std::size_t consumed_ = 0;
   std::size_t depth_ = 0;
   std::string key_;           // the last key read in the outermost object
-  Field* current_ = nullptr;  // the field of key_, if it is one of:
-  std::array<Field, 7> fields_ = {{{"id", {}, {}},
-                                   {"precision", {}, {}},
-                                   {"a", {}, {}},
-                                   {"b", {}, {}},
-                                   {"c", {}, {}},
-                                   {"p", {}, {}},
-                                   {"r", {}, {}}}};
+  Field* current_ = nullptr;  // the field of key_
+  std::map<std::string, Field, std::less<>> fields_;
+  std::vector<std::string> repeated_;  // names that were given again, in their order
+  KnownTests known_;
 };
 
+// A whole group's text as a member of the object.
 template <class Real>
-std::string json_numbers(const Query<Real>& q) {
-  const auto v = coordinates(q);
-  const auto point = [&](const char* which, std::size_t k) {
-    return fmt::format(R"("{}":["{}","{}","{}"],)", which, format_number(v[k]), format_number(v[k + 1]),
-                       format_number(v[k + 2]));
-  };
-  const std::string radius = fmt::format(R"("r":"{}")", format_number(v[12]));
-  return point("a", 0) + point("b", 3) + point("c", 6) + point("p", 9) + radius;
+std::string group_text(const ColumnGroup& group, const Numbers<Real>& numbers) {
+  std::string text;
+  for (std::size_t k = group.first; k < group.first + group.size; ++k) {
+    text += fmt::format("{}\"{}\"", text.empty() ? "" : ",", format_number(numbers[k]));
+  }
+  return group.size == 1 ? fmt::format(R"("{}":{})", group.name, text) : fmt::format(R"("{}":[{}])", group.name, text);
+}
+
+template <class Real>
+std::string json_numbers(const TestEntry& entry, const Numbers<Real>& numbers) {
+  std::string text;
+  for (const ColumnGroup& group : groups_of(entry)) text += "," + group_text(group, numbers);
+  return text;
 }
 
 }  // namespace
 
-StoredQuery query_of_json(std::string_view line, const Place& place) { return LineHandler(line, place).parse(); }
+StoredQuery query_of_json(std::string_view line, const Place& place, KnownTests known) {
+  return LineHandler(line, place, known).parse();
+}
 
 std::string query_line(const StoredQuery& stored) {
   // An id from a CSV file may not be UTF-8.
   const std::string id = nlohmann::json(stored.id).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  return fmt::format(R"({{"id":{},"precision":"{}",{}}})", id, name(stored.precision),
-                     std::visit([](const auto& q) { return json_numbers(q); }, stored.query));
+  std::string of;
+  if (stored.test != &first_test()) of += fmt::format(R"(,"test":"{}")", stored.test->id);
+  if (stored.entry != 0) of += fmt::format(R"(,"entry":"{}")", stored.columns().name);
+  return fmt::format(
+      R"({{"id":{},"precision":"{}"{}{}}})", id, name(stored.precision), of,
+      std::visit([&](const auto& numbers) { return json_numbers(stored.columns(), numbers); }, stored.numbers));
 }
 
 }  // namespace axiscert

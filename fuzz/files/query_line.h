@@ -1,16 +1,20 @@
 // One line of a query file as one query: the two formats behind query_file.h.
 #pragma once
 
-#include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fuzz/files/query_file.h"
 
 namespace axiscert {
 
-inline constexpr std::string_view csv_columns = "ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r";
+using KnownTests = std::span<const TestDescription* const>;
+
+// The numbers' columns of a CSV header, as messages show them: those of the first test's first entry.
+std::string csv_columns(KnownTests known);
 
 // The position of a line, for messages.
 struct Place {
@@ -22,20 +26,30 @@ struct Place {
   [[noreturn]] void fail(std::string_view field, std::string_view what) const;
 };
 
-// One of the thirteen numbers of a query as text, with the beginning of a message about it.
+// A test and one of its entries: the meaning of a line's numbers.
+struct EntryOfTest {
+  const TestDescription* test;
+  std::size_t entry;
+
+  const TestEntry& columns() const { return test->entries[entry]; }
+};
+
+// One of the numbers of a query as text, with the beginning of a message about it.
 struct NumberText {
   std::string field, element, text;
 };
-StoredQuery stored_query(std::string id, Precision precision, const std::array<NumberText, coordinate_count>& numbers,
-                         const Place& place);
+// `numbers` are as many as the entry has columns.
+StoredQuery stored_query(std::string id, Precision precision, const EntryOfTest& of,
+                         const std::vector<NumberText>& numbers, const Place& place);
 
-StoredQuery query_of_json(std::string_view line, const Place& place);
+StoredQuery query_of_json(std::string_view line, const Place& place, KnownTests known = tests());
 
 struct CsvHeader {
   bool has_id;
+  EntryOfTest of;
 };
-// Empty if the line does not begin like a CSV header; throws Error if it does but is not a valid header.
-std::optional<CsvHeader> csv_header(std::string_view line, const Place& place);
+// Empty if the line does not begin like a CSV header of any entry; throws Error if it does but is not a valid header.
+std::optional<CsvHeader> csv_header(std::string_view line, const Place& place, KnownTests known = tests());
 StoredQuery query_of_csv(std::string_view line, const CsvHeader& header, Precision precision, const Place& place);
 
 }  // namespace axiscert

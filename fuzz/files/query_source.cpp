@@ -10,40 +10,77 @@
 #include "fuzz/text/sha256.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
 
+// The queries of one precision, one after the other.
 template <class Real>
-std::uint64_t distinct_triangles(const std::vector<Query<Real>>& queries) {
+class Rows {
+ public:
+  explicit Rows(std::size_t columns) : columns_(columns) {}
+  std::size_t size() const { return size_; }
+  const Real* operator[](std::size_t i) const { return numbers_.data() + i * columns_; }
+  void push_back(const Numbers<Real>& query) {
+    numbers_.insert(numbers_.end(), query.begin(), query.end());
+    ++size_;
+  }
+
+ private:
+  std::size_t columns_, size_ = 0;
+  std::vector<Real> numbers_;
+};
+
+// The triangles of sphere-triangle: its first nine numbers.
+template <class Real>
+std::uint64_t distinct_triangles(const Rows<Real>& queries) {
   std::vector<std::array<std::uint64_t, 9>> triangles;
-  for (const Query<Real>& q : queries) {
+  for (std::size_t i = 0; i < queries.size(); ++i) {
     auto& bits = triangles.emplace_back();
-    const auto v = coordinates(q);
-    for (std::size_t k = 0; k < bits.size(); ++k) bits[k] = std::bit_cast<std::uint64_t>(static_cast<double>(v[k]));
+    for (std::size_t k = 0; k < bits.size(); ++k) {
+      bits[k] = std::bit_cast<std::uint64_t>(static_cast<double>(queries[i][k]));
+    }
   }
   std::sort(triangles.begin(), triangles.end());
   return static_cast<std::uint64_t>(std::unique(triangles.begin(), triangles.end()) - triangles.begin());
 }
 
-class QueryFileSource final : public Source {
+std::string described(const StoredQuery& stored) {
+  return stored.entry == 0 ? std::string(stored.test->id)
+                           : fmt::format("{}, entry {}", stored.test->id, stored.columns().name);
+}
+
+class QueryFileSource final : public ColumnSource<QueryFileSource> {
  public:
-  // `kind` is "queries", or "corpus", of which there is only one; the hash is that of `bytes`.
+  // `kind` is "queries", or "corpus", of which there is only one; the hash is that of `bytes`. There is a query.
   QueryFileSource(const char* kind, const FileInfo& file, const std::string& bytes,
                   const std::vector<StoredQuery>& queries)
-      : kind_(kind), file_(file) {
+      : kind_(kind),
+        test_(*queries.front().test),
+        entry_(queries.front().entry),
+        binary32_(queries.front().columns().columns.size()),
+        binary64_(queries.front().columns().columns.size()),
+        file_(file) {
     for (const StoredQuery& stored : queries) {
+      if (stored.test != &test_ || stored.entry != entry_) {
+        throw Error(fmt::format(
+            "{}:{}: a query of {}, but those before it are of {}; the queries of a file have one test and "
+            "one entry",
+            file.path == "-" ? "stdin" : file.path, stored.line, described(stored), described(queries.front())));
+      }
       switch (stored.precision) {
         case Precision::binary32:
-          binary32_.push_back(std::get<Query<float>>(stored.query));
+          binary32_.push_back(std::get<Numbers<float>>(stored.numbers));
           break;
         case Precision::binary64:
-          binary64_.push_back(std::get<Query<double>>(stored.query));
+          binary64_.push_back(std::get<Numbers<double>>(stored.numbers));
           break;
       }
     }
-    triangles32_ = distinct_triangles(binary32_);
-    triangles64_ = distinct_triangles(binary64_);
+    const bool has_triangles = &test_ == &sphere_triangle_test();
+    triangles32_ = has_triangles ? distinct_triangles(binary32_) : binary32_.size();
+    triangles64_ = has_triangles ? distinct_triangles(binary64_) : binary64_.size();
     file_.kind = "queries";
     file_.sha256 = sha256_hex(std::as_bytes(std::span(bytes)));
     file_.queries = binary32_.size() + binary64_.size();
@@ -70,31 +107,44 @@ class QueryFileSource final : public Source {
   }
   std::optional<FileInfo> file() const override { return file_; }
 
-  void make(std::uint64_t, std::uint64_t position, Query<float>& out) const override { out = at(binary32_, position); }
-  void make(std::uint64_t, std::uint64_t position, Query<double>& out) const override { out = at(binary64_, position); }
+  const TestDescription& test() const override { return test_; }
+  std::size_t entry() const override { return entry_; }
+  template <class Real>
+  void fill_columns(std::uint64_t, std::uint64_t first, const MutableColumns<Real>& out) const {
+    const auto& queries = rows<Real>();
+    for (std::size_t i = 0; i < out.size; ++i) {
+      if (first + i >= queries.size()) {
+        throw Error(fmt::format("{}: there is no {} query at position {}; the number of queries is {}", file_.name,
+                                axiscert::name(precision_of<Real>), first + i, queries.size()));
+      }
+      for (std::size_t k = 0; k < out.count; ++k) out.column[k][i] = queries[first + i][k];
+    }
+  }
 
  private:
   template <class Real>
-  Query<Real> at(const std::vector<Query<Real>>& queries, std::uint64_t position) const {
-    if (position < queries.size()) return queries[position];
-    throw Error(fmt::format("{}: there is no {} query at position {}; the number of queries is {}", file_.name,
-                            axiscert::name(precision_of<Real>), position, queries.size()));
+  const Rows<Real>& rows() const {
+    if constexpr (precision_of<Real> == Precision::binary32) return binary32_;
+    else return binary64_;
   }
 
   std::string kind_;
-  std::vector<Query<float>> binary32_;
-  std::vector<Query<double>> binary64_;
+  const TestDescription& test_;
+  std::size_t entry_;
+  Rows<float> binary32_;
+  Rows<double> binary64_;
   std::uint64_t triangles32_, triangles64_;
   FileInfo file_;
 };
 
 }  // namespace
 
-SourcePtr query_file_source(const std::string& path, Precision csv_precision) {
+SourcePtr query_file_source(const std::string& path, Precision csv_precision,
+                            std::span<const TestDescription* const> known) {
   const bool piped = path == "-";
   const std::string where = piped ? "stdin" : path, bytes = piped ? read_bytes(std::cin, where) : read_bytes(path);
   return std::make_shared<QueryFileSource>("queries", FileInfo{path, base_name(where)}, bytes,
-                                           parse_queries(bytes, where, csv_precision));
+                                           parse_queries(bytes, where, csv_precision, known));
 }
 
 SourcePtr corpus_source(const std::string& folder) {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

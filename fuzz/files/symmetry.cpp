@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "exact/numbers/rational.h"
+#include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/text/number_text.h"
 
 namespace axiscert {
@@ -119,7 +120,7 @@ std::string canonical_form(const StoredQuery& stored) {
         return finite ? joined(stored.precision, least_image(integers(widened(q))))
                       : joined(stored.precision, least_image(literals(q)));
       },
-      stored.query);
+      sphere_triangle_query(stored));
 }
 
 }  // namespace axiscert

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fuzz/files/query_file.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

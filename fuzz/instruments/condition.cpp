@@ -66,12 +66,11 @@ Findings search(const ConditionPlan& plan, const std::vector<Implementation<Real
   const Source& source = *plan.sources[block.source];
   const std::uint64_t stride = plan.sample == 0 ? 0 : (plan.trials + plan.sample - 1) / plan.sample;
   std::vector<ByComparison> taken(kernels.size());
-  QueryBatch<Real> one(1);
+  QueryBatch<Real> one(1, coordinate_count);
   Answers<Real> answers;
   answers.resize(1, comparison_count);
   for (std::uint64_t position = block.first; position < block.first + block.size; ++position) {
-    Query<Real> q;
-    source.make(plan.seed, position, q);
+    const Query<Real> q = source.make<Real>(plan.seed, position);
     const ExactTruth truth = exact_truth(q, position % second_opinion_stride == 0);
     if (!truth.formula) {
       ++found.invalid;
@@ -108,8 +107,7 @@ template <class Real>
 Evaluated evaluate(const ConditionPlan& plan, const Kernel& kernel, const Source& source, const Request& request) {
   using Kind = Condition::Kind;
   Evaluated result;
-  Query<Real> q;
-  source.make(plan.seed, request.position, q);
+  const Query<Real> q = source.make<Real>(plan.seed, request.position);
   const auto found = conditions(kernel.formulae, q, static_cast<ComparisonBits>(request.flips | request.others));
   ComparisonBits range = 0;  // lost by the bounded exponent: R-infinity agrees with E, R does not
   if (request.flips != 0) {

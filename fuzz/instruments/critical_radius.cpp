@@ -68,8 +68,7 @@ BlockResult run(const CriticalRadiusPlan& plan, const QueryBlock& block) {
   BlockResult result{0, std::vector<CriticalRadii>(kernels.size())};
   const Source& source = *plan.sources[block.source];
   for (std::uint64_t position = block.first; position < block.first + block.size; ++position) {
-    Query<Real> q;
-    source.make(plan.seed, position, q);
+    const Query<Real> q = source.make<Real>(plan.seed, position);
     std::optional<Rational> squared;
     std::optional<Real> exact_radius;
     if (is_valid(q)) {

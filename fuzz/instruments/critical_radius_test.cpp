@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/instruments/instruments_testing.h"
 #include "fuzz/files/query_file.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {
@@ -53,9 +55,9 @@ TEST(CriticalRadiusInstrument, APlantedGapIsFoundOnEveryTriangleWithAValidPair) 
   const auto stored =
       parse_queries(cell.first_reversal->contact + "\n" + cell.first_reversal->separated, "witness", plan.precision);
   ASSERT_EQ(stored.size(), 2u);
-  QueryBatch<float> batch(2);
-  for (const StoredQuery& query : stored) batch.push_back(std::get<Query<float>>(query.query));
-  EXPECT_LT(batch[0].r, batch[1].r);
+  QueryBatch<float> batch(2, coordinate_count);
+  for (const StoredQuery& query : stored) batch.push_back(sphere_triangle_query_in<float>(query));
+  EXPECT_LT(query_from(batch[0]).r, query_from(batch[1]).r);
   Verdict verdicts[2];
   planted.on<float>(scalar_target).verdicts(batch.columns(), verdicts);
   EXPECT_EQ(verdicts[0], Verdict::contact);

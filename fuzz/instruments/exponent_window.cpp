@@ -25,7 +25,7 @@ bool far_from_right_angle(const Vec3<Ring>& u, const Vec3<Ring>& v) {
 
 template <class Real>
 QueryBatch<Real> scaled(const std::vector<Query<Real>>& queries, int exponent) {
-  QueryBatch<Real> batch(queries.size());
+  QueryBatch<Real> batch(queries.size(), coordinate_count);
   for (const Query<Real>& q : queries) {
     auto v = coordinates(q);
     for (Real& x : v) x = std::ldexp(x, exponent);

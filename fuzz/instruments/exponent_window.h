@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernel/kernel.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "fuzz/queries/family.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {
@@ -38,7 +39,7 @@ std::vector<KernelSpeed> measure_speed(const std::vector<const Kernel*>& kernels
   }
 
   const Family& general = find_family("general");
-  QueryBatch<Real> batch(speed_queries);
+  QueryBatch<Real> batch(speed_queries, coordinate_count);
   for (std::uint64_t position = 0; position < speed_queries; ++position)
     batch.push_back(general.make<Real>(1, position));
   std::vector<Verdict> verdicts(speed_queries);

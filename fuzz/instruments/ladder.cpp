@@ -89,12 +89,8 @@ void count_critical_radius(KernelAccuracy& into, const Implementation<Real>& ker
 // `into` points to the kernels' results on the block's source.
 template <class Real>
 void judge_block(const LadderPlan& plan, const QueryBlock& block, KernelAccuracy* into) {
-  QueryBatch<Real> batch(block.size);
-  for (std::uint64_t i = 0; i < block.size; ++i) {
-    Query<Real> q;
-    plan.sources[block.source]->make(plan.seed, block.first + i, q);
-    batch.push_back(q);
-  }
+  QueryBatch<Real> batch(block.size, coordinate_count);
+  plan.sources[block.source]->fill(plan.seed, block.first, block.size, batch);
   std::vector<Answered<Real>> answered;
   for (const Kernel* kernel : plan.kernels) answered.emplace_back(*kernel, batch.columns());
   for (std::uint64_t i = 0; i < block.size; ++i) {

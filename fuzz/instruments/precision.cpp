@@ -62,8 +62,7 @@ void measure_kernel(const PrecisionPlan& plan, const Kernel& kernel, const Query
 
 template <class Real>
 void measure_query(const PrecisionPlan& plan, const Source& source, std::uint64_t position, PrecisionTally& tally) {
-  Query<Real> q;
-  source.make(plan.seed, position, q);
+  const Query<Real> q = source.make<Real>(plan.seed, position);
   const ExactTruth truth = exact_truth(q, position % second_opinion_stride == 0);
   if (!truth.formula) return;
   ++tally.queries;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fuzz/files/sphere_triangle_query.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/filters/decided_check.h"
@@ -119,7 +120,7 @@ template <class Real>
 class Drawing {
  public:
   Drawing(const MapPlan& plan, std::vector<Canvas>& canvases)
-      : plan_(plan), witness_(std::get<Query<Real>>(plan.witness.query)), canvases_(canvases) {
+      : plan_(plan), witness_(sphere_triangle_query_in<Real>(plan.witness)), canvases_(canvases) {
     constexpr double u = std::numeric_limits<Real>::epsilon() / 2;
     for (std::size_t k = 0; k < comparison_count; ++k) {
       const auto proved = proved_error(*plan.kernel, precision_of<Real>, static_cast<Comparison>(k));
@@ -133,7 +134,7 @@ class Drawing {
   void draw(std::size_t first, std::size_t last) const {
     const Implementation<Real> kernel = plan_.kernel->on<Real>(plan_.target);
     Cascade<Real> cascade(filter_on<Real>(plan_.target));
-    QueryBatch<Real> batch(batch_pixels);
+    QueryBatch<Real> batch(batch_pixels, coordinate_count);
     Reply<Real> reply;
     for (std::size_t at = first; at < last; at += batch.size()) {
       batch.clear();

@@ -37,7 +37,7 @@ int steps_between(Real from, Real to, int most) {
 
 TYPED_TEST(Maps, APixelIsSoManyUlpsFromTheWitness) {
   using Real = TypeParam;
-  auto witness = find_family("tangent").make<Real>(seed, 3);
+  Query<Real> witness = find_family("tangent").make<Real>(seed, 3);
   witness.b.y = std::numeric_limits<Real>::denorm_min() * 3;  // the plane goes through zero
   const Plane plane = ulp_plane(parse_numbers("b.y"), parse_numbers("r"), 16, 2);
   expect_same_bits(query_at(plane, witness, plane.along.origin(), plane.rows() - 1 - plane.across.origin()), witness);
@@ -147,11 +147,12 @@ TYPED_TEST(Maps, ShowWhatCheckSays) {
   for (const char* id : {"published", "ladder-0", "closest-point"}) {
     std::size_t wrong = 0;
     for (const std::uint64_t position : {0, 1, 4}) {  // beside the plane, a vertex, an edge
-      wrong += expect_as_checked(find_kernel(id), find_family("tangent").make<TypeParam>(seed, position), plane);
+      wrong +=
+          expect_as_checked(find_kernel(id), query_from(find_family("tangent").make<TypeParam>(seed, position)), plane);
     }
     EXPECT_GT(wrong, 0u) << id << ", seed " << seed;
   }
-  const auto tangent = find_family("tangent").make<TypeParam>(seed, 4);
+  const Query<TypeParam> tangent = find_family("tangent").make<TypeParam>(seed, 4);
   const Plane scales = exponent_plane(tangent, parse_numbers("scene"), parse_numbers("r"), 8);
   EXPECT_GT(expect_as_checked(find_kernel("published"), tangent, scales), 0u);
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

@@ -42,7 +42,7 @@ double box_diagonal(const std::vector<MeshTriangle>& triangles) {
   return std::sqrt(sum);
 }
 
-class MeshSource final : public Source {
+class MeshSource final : public ColumnSource<MeshSource> {
  public:
   MeshSource(const std::string& path, const std::string& bytes) : mesh_(load_mesh(path, bytes.size())) {
     file_.path = path;
@@ -67,27 +67,12 @@ class MeshSource final : public Source {
   }
   std::optional<FileInfo> file() const override { return file_; }
 
-  void make(std::uint64_t seed, std::uint64_t position, Query<float>& out) const override {
-    out = filled_query<float>([&](const auto& one) { at(seed, position, one); });
-  }
-  void make(std::uint64_t seed, std::uint64_t position, Query<double>& out) const override {
-    out = filled_query<double>([&](const auto& one) { at(seed, position, one); });
-  }
-  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<float>& out) const override {
-    out.resize(count);
-    at(seed, first, out.mutable_columns());
-  }
-  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<double>& out) const override {
-    out.resize(count);
-    at(seed, first, out.mutable_columns());
-  }
-
- private:
   template <class Real>
-  void at(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {
+  void fill_columns(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {
     mesh_queries(mesh_, StreamName(seed, generator_, version(), precision_of<Real>), first, out);
   }
 
+ private:
   Mesh mesh_;
   FileInfo file_;
   std::uint64_t generator_ = 0;

@@ -133,7 +133,7 @@ void mesh_queries(const Mesh& mesh, const StreamName& name, std::uint64_t first,
     else HWY_DYNAMIC_DISPATCH(mesh_block64)(mesh, name, first + begin, block, wishes);
     for (std::size_t i = 0; i < block.size; ++i) {
       if (wishes.factor[i] == 0) continue;
-      const Real near = step_radius(radius_at_distance(block[i]), static_cast<int>(wishes.ulps[i]));
+      const Real near = step_radius(radius_at_distance(query_from(block[i])), static_cast<int>(wishes.ulps[i]));
       block.column[12][i] = static_cast<Real>(std::min(static_cast<double>(near) * wishes.factor[i], greatest));
     }
   }

@@ -158,7 +158,7 @@ void expect_placement(const Query<Real>& q, Placement placement) {
 
 template <class Real>
 Query<Real> mesh_query(const Mesh& mesh, const StreamName& name, std::uint64_t position) {
-  return filled_query<Real>([&](const auto& one) { mesh_queries(mesh, name, position, one); });
+  return filled_numbers<Real>(coordinate_count, [&](const auto& one) { mesh_queries(mesh, name, position, one); });
 }
 
 template <class Real>
@@ -206,8 +206,7 @@ TEST(MeshSource, Binary32AsksAboutTheFilesOwnTriangles) {
   const SourcePtr source = mesh_source(model("OBJ/spider.obj"));
   const Mesh mesh = load_mesh(model("OBJ/spider.obj"), 0);
   for (const std::uint64_t position : {0ul, 1ul, 1367ul, 1368ul, 2000000ul}) {
-    Query<float> q;
-    source->make(1, position, q);
+    const Query<float> q = source->make<float>(1, position);
     const MeshTriangle own = mesh.triangles[position % 1368];
     EXPECT_EQ(std::memcmp(&q.a, &own[0], sizeof own), 0);
   }
@@ -217,10 +216,8 @@ TEST(MeshSource, Binary64TurnsAndScalesTheTriangle) {
   const SourcePtr source = mesh_source(model("OFF/Cube.off"));
   const auto length = [](const auto& v) { return std::sqrt(static_cast<double>(portable::dot(v, v))); };
   for (std::uint64_t position = 0; position < 200; ++position) {
-    Query<float> own;
-    Query<double> turned;
-    source->make(3, position, own);
-    source->make(3, position, turned);
+    const Query<float> own = source->make<float>(3, position);
+    const Query<double> turned = source->make<double>(3, position);
     const double scale = length(turned.b - turned.a) / length(own.b - own.a);
     EXPECT_GE(scale, 0x1p-4 * (1 - 1e-12));
     EXPECT_LT(scale, 0x1p+5);
@@ -235,9 +232,9 @@ void expect_batches_are_their_queries(const Source& source) {
   constexpr std::uint64_t seed = 11, start = (std::uint64_t{1} << 32) - 40;
   constexpr std::size_t most = 1100;
   std::vector<Query<Real>> expected(most + 20);
-  for (std::size_t i = 0; i < expected.size(); ++i) source.make(seed, start + i, expected[i]);
+  for (std::size_t i = 0; i < expected.size(); ++i) expected[i] = source.make<Real>(seed, start + i);
   for_each_instruction_set([&](const std::string& target) {
-    QueryBatch<Real> batch(most);
+    QueryBatch<Real> batch(most, coordinate_count);
     for (const std::size_t count : {0, 1, 6, 7, 50, 511, 512, 513, 1100}) {
       for (const std::size_t offset : {0, 1, 2, 3, 10, 20}) {
         source.fill(seed, start + offset, count, batch);
@@ -261,8 +258,8 @@ TEST(MeshSource, ABatchIsItsQueriesOnEveryInstructionSet) {
 template <class Real>
 std::string digest(const Source& source, std::uint64_t count) {
   std::vector<Query<Real>> queries(count), again(count);
-  for (std::uint64_t i = 0; i < count; ++i) source.make(1, i, queries[i]);
-  for (std::uint64_t i = count; i-- > 0;) source.make(1, i, again[i]);
+  for (std::uint64_t i = 0; i < count; ++i) queries[i] = source.make<Real>(1, i);
+  for (std::uint64_t i = count; i-- > 0;) again[i] = source.make<Real>(1, i);
   EXPECT_EQ(std::memcmp(queries.data(), again.data(), count * sizeof(Query<Real>)), 0);
   return sha256_hex(std::as_bytes(std::span(queries)));
 }

@@ -20,7 +20,7 @@ namespace {
 template <class Real>
 struct Asked {
   const Family* family;
-  QueryBatch<Real> batch{batch_size};
+  QueryBatch<Real> batch{batch_size, coordinate_count};
   std::vector<ComparisonBits> base;
   std::vector<Verdict> base_verdicts;
   // For each query: distance_order, or one of these. Threads that ask at the same time find the same.

@@ -39,14 +39,14 @@ void expect_base_bits(std::string_view base) {
   mutants::Mutant none;
   none.id = base;
   for (const Family* family : families()) {
-    QueryBatch<Real> batch(100);  // not a multiple of the number of lanes
+    QueryBatch<Real> batch(100, coordinate_count);  // not a multiple of the number of lanes
     batch.resize(100);
     family->fill(seed, 0, batch.mutable_columns());
     std::array<ComparisonBits, 100> bits;
     mutants::mutant_bits(none, batch.columns(), bits.data());
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const Outcome expected =
-          reference(mutants::formulae_of(base), Arithmetic::plain, Strictness::nonstrict, batch[i]);
+          reference(mutants::formulae_of(base), Arithmetic::plain, Strictness::nonstrict, query_from(batch[i]));
       ASSERT_EQ(bits[i], expected.bits) << base << ' ' << family->name << ' ' << i << " seed " << seed;
     }
   }

@@ -50,7 +50,7 @@ TEST(Facts, EdgeAxesLeaveBinary32EarlyAndVertexAxesDoNot) {
 TEST(Facts, TheEdgeAxesNeedOnlyDegreeFour) {
   for (const char* family : {"general", "bits", "sliver", "repeated"}) {
     for (std::uint64_t position = 0; position < 300; ++position) {
-      const auto q = find_family(family).make<float>(4, position);
+      const Query<float> q = find_family(family).make<float>(4, position);
       const auto t = centred_as<Ring>(q, [](float x) { return Ring(static_cast<double>(x)); });
       const FormulaTruth truth = formula_truth(t);
       const auto normal = cross(t.b - t.a, t.c - t.a);
@@ -80,7 +80,7 @@ template <class Real>
 double deepest_missed_contact_when_contracted() {
   double deepest = 0;
   for (std::uint64_t position = 0; position < 4000; ++position) {
-    const auto q = find_family("repeated").make<Real>(5, position);
+    const Query<Real> q = find_family("repeated").make<Real>(5, position);
     const auto sides = contracted_sides(q);
     const bool separated = axes_of(bits_of(sides, Strictness::strict)) != 0;
     if (separated && distance_order(q) <= 0) deepest = std::max(deepest, depth(q, squared_distance(q)));
@@ -97,7 +97,7 @@ TEST(Facts, TheFloatNearestTheDistanceFlipsAboutAThird) {
   int flips = 0;
   constexpr int count = 3000;
   for (std::uint64_t position = 0; position < count; ++position) {
-    auto q = find_family("general").make<float>(6, position);
+    Query<float> q = find_family("general").make<float>(6, position);
     q.r = radius_at_distance(q);
     flips += judge_published(q).verdict_flip.has_value();
   }
@@ -108,7 +108,7 @@ TEST(Facts, TheFloatNearestTheDistanceFlipsAboutAThird) {
 TEST(Facts, SliversMissContactsDeeply) {
   double deepest = 0;
   for (std::uint64_t position = 0; position < 60000; ++position) {
-    const auto q = find_family("sliver").make<float>(1, position);
+    const Query<float> q = find_family("sliver").make<float>(1, position);
     if (distance_order(q) > 0 || reference_axes(q) == 0) continue;
     deepest = std::max(deepest, depth(q, squared_distance(q)));
   }

@@ -27,7 +27,7 @@ void judge_and_write(const std::string& name, std::size_t in_a_group, const std:
   certified::StoredAnswers<Real> stored;
   stored.name = name;
   stored.group = in_a_group;
-  QueryBatch<Real> batch(queries.size());
+  QueryBatch<Real> batch(queries.size(), coordinate_count);
   for (const Query<Real>& q : queries) {
     const auto v = coordinates(q);
     for (std::size_t k = 0; k < coordinate_count; ++k) stored.column[k].push_back(v[k]);
@@ -69,7 +69,7 @@ template <class Real>
 void write_precision(const std::vector<SourcePtr>& sources, std::size_t size, std::FILE* file) {
   for (const SourcePtr& source : sources) {
     std::vector<Query<Real>> queries(source->fixed_size(precision_of<Real>).value_or(size));
-    for (std::size_t i = 0; i < queries.size(); ++i) source->make(seed, i, queries[i]);
+    for (std::size_t i = 0; i < queries.size(); ++i) queries[i] = source->make<Real>(seed, i);
     if (!queries.empty()) write_all(source->name(), queries, file);
   }
   std::mt19937_64 random(seed);

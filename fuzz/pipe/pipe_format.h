@@ -4,7 +4,9 @@
 //   query stream   header, then `count` query records
 //   reply stream   the same header unchanged, then `count` reply records
 //
-// All numbers are little-endian. A query record is the thirteen numbers ax ay az bx by bz cx cy cz px py pz r.
+// All numbers are little-endian. A query record is the numbers of one query in the order of the test's columns: for
+// sphere-triangle the thirteen ax ay az bx by bz cx cy cz px py pz r. Streams of sphere-triangle have version 1, and
+// those of every other test version 2, whose plan names the test and its entry and whose replies are wider.
 #pragma once
 
 #include <array>
@@ -12,7 +14,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "kernel/query.h"
+#include "kernel/names.h"
+#include "kernel/test.h"
 
 namespace axiscert::pipe {
 
@@ -25,16 +28,17 @@ struct Head {
   std::uint32_t precision;                // 32: a record's numbers are floats; 64: doubles
   std::uint64_t count;                    // number of queries
   std::uint32_t header_size;              // size of head and plan, in bytes: a multiple of 64
-  std::uint32_t record_size;              // size of a query record, in bytes: 52 or 104
+  std::uint32_t record_size;              // size of a query record, in bytes; for sphere-triangle 52 or 104
   std::array<std::byte, 32> plan_sha256;  // hash of the plan including its spaces
 };
 static_assert(sizeof(Head) == 64 && offsetof(Head, count) == 16 && offsetof(Head, plan_sha256) == 32);
 
 inline constexpr std::array<char, 8> magic = {'A', 'X', 'I', 'S', 'C', 'E', 'R', 'T'};
-inline constexpr std::uint32_t version = 1;
+inline constexpr std::uint32_t first_version = 1, general_version = 2;
 inline constexpr std::uint32_t header_multiple = 64;
 inline constexpr std::uint32_t greatest_header = 1 << 20;  // a greater size is taken for a corrupted one
 
+// A reply in version 1.
 struct ReplyRecord {
   std::uint8_t verdict;  // contact 0, separated 1, undecided 2, invalid 3
   std::uint8_t flags;
@@ -42,11 +46,23 @@ struct ReplyRecord {
 };
 static_assert(sizeof(ReplyRecord) == 4);
 
+// A reply in version 2.
+struct WideReplyRecord {
+  std::uint8_t verdict;
+  std::uint8_t flags;
+  std::array<std::uint8_t, 6> padding;  // 0
+  std::uint64_t bits;
+};
+static_assert(sizeof(WideReplyRecord) == 16 && offsetof(WideReplyRecord, bits) == 8);
+
 inline constexpr std::uint8_t has_bits = 1;  // the only flag: `bits` is given
 
 constexpr std::uint32_t code_of(Precision precision) { return precision == Precision::binary32 ? 32 : 64; }
-constexpr std::uint32_t record_size_of(Precision precision) {
-  return static_cast<std::uint32_t>(coordinate_count) * code_of(precision) / 8;
+constexpr std::uint32_t record_size_of(Precision precision, std::size_t columns) {
+  return static_cast<std::uint32_t>(columns) * code_of(precision) / 8;
+}
+inline std::uint32_t version_of(const TestDescription& test) {
+  return &test == &first_test() ? first_version : general_version;
 }
 
 }  // namespace axiscert::pipe

@@ -17,6 +17,7 @@ namespace axiscert {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using KnownTests = std::span<const TestDescription* const>;
 
 // The greatest count of queries: JSON readers represent no greater integer.
 constexpr std::uint64_t greatest_count = (std::uint64_t{1} << 53) - 1;
@@ -37,12 +38,24 @@ Json part_json(const PipePlan::Part& part) {
   return json;
 }
 
+// A source whose queries are not of the given test and entry, and what it has instead; empty if there is none.
+std::string other_test(const PipePlan& plan, const TestDescription& test, std::size_t entry) {
+  for (const PipePlan::Part& part : plan.parts) {
+    const Source& source = *part.source;
+    if (&source.test() == &test && source.entry() == entry) continue;
+    return fmt::format("{} has queries of {}, entry {}", source.name(), source.test().id,
+                       source.test().entries[source.entry()].name);
+  }
+  return "";
+}
+
 std::array<std::byte, 32> hash_of(std::string_view text) { return sha256(std::as_bytes(std::span(text))); }
 
 // Detects everything that can be wrong with one header, in the order in which it is read.
 class Reader {
  public:
-  Reader(std::istream& in, const std::string& name, const FilePlaces& places) : in_(in), name_(name), places_(places) {}
+  Reader(std::istream& in, const std::string& name, const FilePlaces& places, KnownTests known)
+      : in_(in), name_(name), places_(places), known_(known) {}
 
   PipeHeader read() {
     read_head();
@@ -54,13 +67,12 @@ class Reader {
       fail(fmt::format("the plan in the header is not one that this axiscert writes: {}", wrong.what()));
     }
     const std::uint64_t count = plan.queries();
-    if (head_.precision != pipe::code_of(plan.precision) || head_.record_size != pipe::record_size_of(plan.precision) ||
-        head_.count != count) {
-      fail(
-          fmt::format("the header was changed: it says {} queries of {} bytes in binary{}, its plan {} of {} in {}; a "
-                      "program has to copy it unchanged",
-                      head_.count, head_.record_size, head_.precision, count, pipe::record_size_of(plan.precision),
-                      axiscert::name(plan.precision)));
+    const std::uint32_t record_size = pipe::record_size_of(plan.precision, plan.columns().columns.size());
+    if (head_.precision != pipe::code_of(plan.precision) || head_.record_size != record_size || head_.count != count) {
+      fail(fmt::format(
+          "the header was changed: it says {} queries of {} bytes in binary{}, its plan {} of {} in {}; a "
+          "program has to copy it unchanged",
+          head_.count, head_.record_size, head_.precision, count, record_size, axiscert::name(plan.precision)));
     }
     return {plan, head_.header_size};
   }
@@ -82,8 +94,9 @@ class Reader {
     }
     if (got < bytes.size()) fail_truncated(got, bytes.size());
     std::memcpy(&head_, bytes.data(), sizeof head_);
-    if (head_.version != pipe::version) {
-      fail(fmt::format("version {} of the format; this axiscert knows version {}", head_.version, pipe::version));
+    if (head_.version != pipe::first_version && head_.version != pipe::general_version) {
+      fail(fmt::format("version {} of the format; this axiscert knows versions {} and {}", head_.version,
+                       pipe::first_version, pipe::general_version));
     }
     if (head_.header_size <= sizeof head_ || head_.header_size > pipe::greatest_header ||
         head_.header_size % pipe::header_multiple != 0) {
@@ -125,11 +138,48 @@ class Reader {
     }
     PipePlan plan{whole<std::uint64_t>(json, "seed"), Precision::binary32, {}};
     if (json.at("precision") == axiscert::name(Precision::binary64)) plan.precision = Precision::binary64;
+    const TestDescription& test = test_of(json);
+    const std::size_t entry = entry_of(json, test);
     for (const Json& part : json.at("sources")) {
       plan.parts.push_back({source_of(part, plan.precision), whole<std::uint64_t>(part, "queries")});
       check(part, plan.parts.back(), plan.precision);
     }
+    if (const std::string other = other_test(plan, test, entry); !other.empty()) {
+      fail(fmt::format("its plan is of the test {}, entry {}, but {} here", test.id, test.entries[entry].name, other));
+    }
     return plan;
+  }
+
+  // The test that the plan names, or the first, whose streams have another version than all others.
+  const TestDescription& test_of(const Json& json) const {
+    const TestDescription* test = &first_test();
+    try {
+      if (json.contains("test")) test = &find_test(shown(json.at("test").get<std::string>()), known_);
+    } catch (const Error& unknown) {
+      fail(unknown.what());
+    }
+    if (const std::uint32_t version = pipe::version_of(*test); head_.version != version) {
+      fail(
+          fmt::format("the header was changed: it says version {} of the format, but its plan is of the test {}, whose "
+                      "streams have version {}; a program has to copy it unchanged",
+                      head_.version, test->id, version));
+    }
+    return *test;
+  }
+
+  std::size_t entry_of(const Json& json, const TestDescription& test) const {
+    std::size_t entry = 0;
+    try {
+      if (json.contains("entry")) entry = find_entry(test, shown(json.at("entry").get<std::string>()));
+    } catch (const Error& unknown) {
+      fail(unknown.what());
+    }
+    const std::size_t columns = test.entries[entry].columns.size();
+    if (json.contains("columns") && whole<std::size_t>(json, "columns") != columns) {
+      fail(fmt::format("its plan has {} columns, but {}, entry {}, has {} here", whole<std::size_t>(json, "columns"),
+                       test.id, test.entries[entry].name, columns));
+    }
+    return entry;
   }
 
   template <class Whole>
@@ -150,7 +200,7 @@ class Reader {
       if (kind == "family") return family_source(find_family(base));
       const auto place = places_.find(base);
       const std::string path = place != places_.end() ? place->second : part.at("path").get<std::string>();
-      return kind == "mesh" ? mesh_source(path) : query_file_source(path, precision);
+      return kind == "mesh" ? mesh_source(path) : query_file_source(path, precision, known_);
     } catch (const Error& wrong) {
       if (kind == "family") fail(wrong.what());
       fail(fmt::format("its queries come from a file. {}; give its present path with --{} FILE", wrong.what(), kind));
@@ -178,6 +228,7 @@ class Reader {
   std::istream& in_;
   const std::string& name_;
   const FilePlaces& places_;
+  KnownTests known_;
   pipe::Head head_{};
 };
 
@@ -202,10 +253,18 @@ std::string printed(std::string_view bytes) {
 }
 
 std::string header_of(const PipePlan& plan) {
-  Json json = {{"axiscert", AXISCERT_VERSION},
-               {"seed", plan.seed},
-               {"precision", name(plan.precision)},
-               {"sources", Json::array()}};
+  if (const std::string other = other_test(plan, plan.test(), plan.entry()); !other.empty()) {
+    throw Error(fmt::format("a stream is of one test and one entry: {} has queries of {}, entry {}, but {}",
+                            plan.parts.front().source->name(), plan.test().id, plan.columns().name, other));
+  }
+  const std::uint32_t version = pipe::version_of(plan.test());
+  Json json = {{"axiscert", AXISCERT_VERSION}, {"seed", plan.seed}, {"precision", name(plan.precision)}};
+  if (version != pipe::first_version) {
+    json["test"] = plan.test().id;
+    json["entry"] = plan.columns().name;
+    json["columns"] = plan.columns().columns.size();
+  }
+  json["sources"] = Json::array();
   std::string text;
   try {
     for (const PipePlan::Part& part : plan.parts) json["sources"].push_back(part_json(part));
@@ -222,19 +281,19 @@ std::string header_of(const PipePlan& plan) {
                             pipe::greatest_header));
   }
   const pipe::Head head{pipe::magic,
-                        pipe::version,
+                        version,
                         pipe::code_of(plan.precision),
                         plan.queries(),
                         static_cast<std::uint32_t>(sizeof(pipe::Head) + text.size()),
-                        pipe::record_size_of(plan.precision),
+                        pipe::record_size_of(plan.precision, plan.columns().columns.size()),
                         hash_of(text)};
   std::string bytes(sizeof head, '\0');
   std::memcpy(bytes.data(), &head, sizeof head);
   return bytes + text;
 }
 
-PipeHeader read_header(std::istream& in, const std::string& name, const FilePlaces& places) {
-  return Reader(in, name, places).read();
+PipeHeader read_header(std::istream& in, const std::string& name, const FilePlaces& places, KnownTests known) {
+  return Reader(in, name, places, known).read();
 }
 
 }  // namespace axiscert

@@ -3,6 +3,7 @@
 
 #include <iosfwd>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,13 +19,17 @@ struct PipePlan {
   };
   std::uint64_t seed = 1;
   Precision precision = Precision::binary32;
-  std::vector<Part> parts;  // in the stream's order
+  std::vector<Part> parts;  // in the stream's order; their queries have one test and one entry
 
+  const TestDescription& test() const { return parts.empty() ? first_test() : parts.front().source->test(); }
+  std::size_t entry() const { return parts.empty() ? 0 : parts.front().source->entry(); }
+  const TestEntry& columns() const { return test().entries[entry()]; }
   // The queries of all parts together. Throws Error if the stream cannot count them.
   std::uint64_t queries() const;
 };
 
-// The header's bytes. Throws Error if the header cannot name a source: standard input, a path that is not UTF-8.
+// The header's bytes. Throws Error if the header cannot name a source (standard input, a path that is not UTF-8), or if
+// the sources have not one test and one entry.
 std::string header_of(const PipePlan& plan);
 
 // The present paths of files, by base name; a file that is not listed is at the path in the plan.
@@ -41,7 +46,8 @@ std::string printed(std::string_view bytes);
 
 // Reads a header from the stream, and the sources that its plan names. Throws Error that begins with `name` if it is
 // not a header as header_of wrote it, or if its queries cannot be made again here: another version of axiscert or of a
-// generator, or a file that is missing or was changed.
-PipeHeader read_header(std::istream& in, const std::string& name, const FilePlaces& places);
+// generator, or a file that is missing or was changed. `known` are the tests of which a plan can be.
+PipeHeader read_header(std::istream& in, const std::string& name, const FilePlaces& places,
+                       std::span<const TestDescription* const> known = tests());
 
 }  // namespace axiscert

@@ -43,20 +43,21 @@ class Blocks {
 
 template <class Real>
 std::string encoded(const Block& block, std::uint64_t seed, QueryEncoding encoding) {
+  const Source& source = *block.source;
+  const std::size_t columns = source.columns().size();
+  QueryBatch<Real> batch(block.size, columns);
+  source.fill(seed, block.first, block.size, batch);
   std::string bytes;
-  if (encoding == QueryEncoding::binary) bytes.reserve(block.size * coordinate_count * sizeof(Real));
-  for (std::uint64_t position = block.first; position < block.first + block.size; ++position) {
-    Query<Real> q;
-    block.source->make(seed, position, q);
+  if (encoding == QueryEncoding::binary) bytes.reserve(block.size * columns * sizeof(Real));
+  for (std::size_t i = 0; i < block.size; ++i) {
+    const Numbers<Real> numbers = batch[i];
     switch (encoding) {
-      case QueryEncoding::binary: {
-        const auto record = coordinates(q);
-        bytes.append(reinterpret_cast<const char*>(record.data()), sizeof record);
+      case QueryEncoding::binary:
+        bytes.append(reinterpret_cast<const char*>(numbers.data()), columns * sizeof(Real));
         break;
-      }
       case QueryEncoding::json_lines: {
-        const Address address = address_of(*block.source, seed, precision_of<Real>, position);
-        bytes += query_line({text(address), precision_of<Real>, q, 0}) + '\n';
+        const Address address = address_of(source, seed, precision_of<Real>, block.first + i);
+        bytes += query_line({text(address), precision_of<Real>, numbers, 0, &source.test(), source.entry()}) + '\n';
         break;
       }
     }

@@ -17,8 +17,15 @@ std::string text_hint(std::string_view bytes) {
   return text.empty() ? "" : fmt::format("; it is text, \"{}\": did the program print to standard output?", text);
 }
 
+std::string padding_fault(const pipe::ReplyRecord&) { return ""; }
+std::string padding_fault(const pipe::WideReplyRecord& reply) {
+  const bool is_zero = std::all_of(reply.padding.begin(), reply.padding.end(), [](std::uint8_t x) { return x == 0; });
+  return is_zero ? "" : "bytes 3 to 8 of the reply are not 0";
+}
+
 // The fault of a reply that differs in kind from the first one, or is not valid; empty if there is none.
-std::string fault(const pipe::ReplyRecord& reply, bool has_bits) {
+template <class Record>
+std::string fault(const Record& reply, bool has_bits, const TestDescription& test) {
   const auto bytes = std::bit_cast<std::array<char, sizeof reply>>(reply);
   if (reply.verdict > static_cast<std::uint8_t>(Verdict::invalid)) {
     return fmt::format("verdict {}; 0 is contact, 1 separated, 2 undecided, 3 invalid{}", reply.verdict,
@@ -27,6 +34,7 @@ std::string fault(const pipe::ReplyRecord& reply, bool has_bits) {
   if ((reply.flags & ~pipe::has_bits) != 0) {
     return fmt::format("flags {:#04x}; bit 0 says that comparison bits are given, the others are 0", reply.flags);
   }
+  if (const std::string wrong = padding_fault(reply); !wrong.empty()) return wrong;
   if ((reply.flags == pipe::has_bits) != has_bits) {
     return has_bits ? "no comparison bits, but the replies before it have them; all replies must have them, or none"
                     : "comparison bits, but the replies before it have none; all replies must have them, or none";
@@ -34,7 +42,12 @@ std::string fault(const pipe::ReplyRecord& reply, bool has_bits) {
   if (!has_bits && reply.bits != 0) {
     return fmt::format("comparison bits {:#06x} without the flag that says so (bit 0 of the second byte)", reply.bits);
   }
-  const auto verdict = static_cast<Verdict>(reply.verdict), by_bits = verdict_of(first_test(), reply.bits);
+  const std::size_t comparisons = test.comparisons.size();
+  if (comparisons < 8 * sizeof reply.bits && (reply.bits >> comparisons) != 0) {
+    return fmt::format("comparison bits {:#06x}, but the test {} has {} comparisons; the other bits are 0", reply.bits,
+                       test.id, comparisons);
+  }
+  const auto verdict = static_cast<Verdict>(reply.verdict), by_bits = verdict_of(test, reply.bits);
   const bool decided = verdict == Verdict::contact || verdict == Verdict::separated;
   if (has_bits && decided && verdict != by_bits) {
     return fmt::format("{}, but its comparison bits {:#06x} say {}", name(verdict), reply.bits, name(by_bits));
@@ -42,41 +55,62 @@ std::string fault(const pipe::ReplyRecord& reply, bool has_bits) {
   return "";
 }
 
-}  // namespace
-
-ReplyStream read_replies(std::istream& in, const std::string& name, const FilePlaces& places) {
-  PipeHeader header = read_header(in, name, places);
-  ReplyStream stream{name, std::move(header.plan), false, {}};
+// Reads the records that follow a header of `header_size` bytes into `records`, one of the two of the stream.
+template <class Record>
+void read_records(std::istream& in, std::uint32_t header_size, ReplyStream& stream, std::vector<Record>& records) {
+  const std::string& name = stream.name;
   const std::uint64_t due = stream.plan.queries();
-  constexpr std::uint64_t size = sizeof(pipe::ReplyRecord);
+  constexpr std::uint64_t size = sizeof(Record);
   const auto fail = [&](const std::string& what) { throw Error(fmt::format("{}: {}", name, what)); };
-  const auto came = [&] { return fmt::format("{} of {} replies", stream.replies.size(), due); };
+  const auto came = [&] { return fmt::format("{} of {} replies", records.size(), due); };
 
   std::array<char, 1 << 16> block;
   std::size_t got = 1;
   // The count is only a claim: memory is allocated for the bytes that arrive.
-  while (stream.replies.size() < due && got != 0) {
-    const std::uint64_t wanted = std::min<std::uint64_t>(block.size(), (due - stream.replies.size()) * size);
+  while (records.size() < due && got != 0) {
+    const std::uint64_t wanted = std::min<std::uint64_t>(block.size(), (due - records.size()) * size);
     got = read_block(in, std::span(block).first(wanted), name);
     for (std::size_t i = 0; i + size <= got; i += size) {
-      pipe::ReplyRecord reply;
+      Record reply;
       std::memcpy(&reply, block.data() + i, size);
-      const std::size_t k = stream.replies.size();
+      const std::size_t k = records.size();
       if (k == 0) stream.has_bits = (reply.flags & pipe::has_bits) != 0;
-      if (const std::string wrong = fault(reply, stream.has_bits); !wrong.empty()) {
-        fail(fmt::format("reply {} of {}, at byte {}: {}", k + 1, due, header.size + k * size, wrong));
+      if (const std::string wrong = fault(reply, stream.has_bits, stream.plan.test()); !wrong.empty()) {
+        fail(fmt::format("reply {} of {}, at byte {}: {}", k + 1, due, header_size + k * size, wrong));
       }
-      stream.replies.push_back(reply);
+      records.push_back(reply);
     }
     if (got % size != 0)
       fail(fmt::format("ends after {} and {} bytes of the next; a reply has {}", came(), got % size, size));
   }
-  if (stream.replies.size() < due) fail(fmt::format("ends after {}", came()));
+  if (records.size() < due) fail(fmt::format("ends after {}", came()));
   const std::size_t extra = read_block(in, std::span(block).first(64), name);
   if (extra != 0) {
     fail(fmt::format("continues after {}{}", came(), text_hint({block.data(), extra})));
   }
+}
+
+}  // namespace
+
+ReplyStream read_replies(std::istream& in, const std::string& name, const FilePlaces& places,
+                         std::span<const TestDescription* const> known) {
+  PipeHeader header = read_header(in, name, places, known);
+  ReplyStream stream{name, std::move(header.plan), false, {}, {}};
+  if (pipe::version_of(stream.plan.test()) == pipe::first_version) {
+    read_records(in, header.size, stream, stream.replies);
+  } else {
+    read_records(in, header.size, stream, stream.wide_replies);
+  }
   return stream;
+}
+
+Answer ReplyStream::at(std::uint64_t position) const {
+  const auto answer = [this](const auto& reply) {
+    Answer found{static_cast<Verdict>(reply.verdict), std::nullopt};
+    if (has_bits) found.bits = static_cast<ComparisonBits>(reply.bits);
+    return found;
+  };
+  return replies.empty() ? answer(wide_replies[position]) : answer(replies[position]);
 }
 
 StoredReplies::StoredReplies(std::vector<ReplyStream> streams) : streams_(std::move(streams)) {
@@ -93,13 +127,18 @@ StoredReplies::StoredReplies(std::vector<ReplyStream> streams) : streams_(std::m
       throw Error(fmt::format("{}: a second stream in {}; give one stream per precision", stream.name, name(*last)));
     }
     last = stream.plan.precision;
+    if (&stream.plan.test() != &first.plan.test() || stream.plan.entry() != first.plan.entry()) {
+      differ(fmt::format("of {}, entry {}, and of {}, entry {}; give streams of one test and entry",
+                         first.plan.test().id, first.plan.columns().name, stream.plan.test().id,
+                         stream.plan.columns().name));
+    }
     if (stream.plan.seed != first.plan.seed)
       differ(fmt::format("made with seeds {} and {}; give one seed", first.plan.seed, stream.plan.seed));
     if (stream.has_bits != first.has_bits)
       differ("one gives comparison bits and the other none; all replies must have them, or none");
-    const pipe::ReplyRecord* next = stream.replies.data();
+    std::uint64_t next = 0;
     for (const PipePlan::Part& part : stream.plan.parts) {
-      parts_.push_back({shared(part.source, stream).get(), stream.plan.precision, next, part.queries});
+      parts_.push_back({shared(part.source, stream).get(), stream.plan.precision, &stream, next, part.queries});
       next += part.queries;
     }
   }
@@ -139,10 +178,8 @@ std::uint64_t StoredReplies::size(const Source& source, Precision precision) con
 }
 
 Answer StoredReplies::at(const Source& source, Precision precision, std::uint64_t position) const {
-  const pipe::ReplyRecord& reply = find(source, precision)->first[position];
-  Answer answer{static_cast<Verdict>(reply.verdict), std::nullopt};
-  if (has_bits()) answer.bits = reply.bits;
-  return answer;
+  const Part* part = find(source, precision);
+  return part->stream->at(part->first + position);
 }
 
 }  // namespace axiscert

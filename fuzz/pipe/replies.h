@@ -15,18 +15,23 @@ struct ReplyStream {
   std::string name;  // used in messages
   PipePlan plan;
   bool has_bits = false;
+  // One of these holds the replies: the first in version 1 of the format, the second in version 2.
   std::vector<pipe::ReplyRecord> replies;
+  std::vector<pipe::WideReplyRecord> wide_replies;
+
+  Answer at(std::uint64_t position) const;
 };
 
 // Throws Error that begins with `name` and says which reply is wrong and at which byte: a stream is never read
-// partially.
-ReplyStream read_replies(std::istream& in, const std::string& name, const FilePlaces& places);
+// partially. `known` as in read_header.
+ReplyStream read_replies(std::istream& in, const std::string& name, const FilePlaces& places,
+                         std::span<const TestDescription* const> known = tests());
 
 // The replies of one program, with at most one stream in each precision. Immutable: any thread may ask at any time.
 class StoredReplies {
  public:
-  // Throws Error if the streams do not fit together: two of one precision, different seeds, comparison bits in only
-  // some, different files under one name.
+  // Throws Error if the streams do not fit together: two of one precision, different tests or seeds, comparison bits in
+  // only some, different files under one name.
   explicit StoredReplies(std::vector<ReplyStream> streams);
 
   std::uint64_t seed() const { return streams_.front().plan.seed; }
@@ -43,8 +48,8 @@ class StoredReplies {
   struct Part {
     const Source* source;
     Precision precision;
-    const pipe::ReplyRecord* first;
-    std::uint64_t size;
+    const ReplyStream* stream;
+    std::uint64_t first, size;  // among the stream's replies
   };
   const Part* find(const Source& source, Precision precision) const;
   SourcePtr shared(const SourcePtr& source, const ReplyStream& stream);

@@ -12,6 +12,7 @@
 #include "fuzz/pipe/query_stream.h"
 #include "fuzz/text/sha256.h"
 #include "kernel/base/error.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {
@@ -271,8 +272,7 @@ TEST(QueryStream, IsHeaderAndRecords) {
   const auto expect_record = [&](std::uint64_t k, const PipePlan::Part& part, std::uint64_t position) {
     std::array<double, coordinate_count> record;
     std::memcpy(record.data(), one.data() + header.size() + k * sizeof record, sizeof record);
-    Query<double> q;
-    part.source->make(plan.seed, position, q);
+    const Query<double> q = part.source->make<double>(plan.seed, position);
     EXPECT_EQ(record, coordinates(q)) << k;
   };
   expect_record(0, plan.parts[0], 0);

@@ -1,7 +1,7 @@
 // Solves a query onto a boundary: the float nearest to the exact root of a margin, and steps of an ulp from it.
 #pragma once
 
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

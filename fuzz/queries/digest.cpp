@@ -14,11 +14,14 @@ static_assert(std::endian::native == std::endian::little);
 
 template <class Real>
 std::string digest(const Family& family) {
-  std::vector<std::array<Real, coordinate_count>> queries;
-  const auto add = [&](std::uint64_t position) { queries.push_back(coordinates(family.make<Real>(1, position))); };
+  std::vector<Real> numbers;
+  const auto add = [&](std::uint64_t position) {
+    const Numbers<Real> query = family.make<Real>(1, position);
+    numbers.insert(numbers.end(), query.begin(), query.end());
+  };
   for (std::uint64_t position = 0; position < 4096; ++position) add(position);
   for (std::uint64_t unit = 1; unit <= 64; ++unit) add(unit << 16);
-  return sha256_hex(std::as_bytes(std::span(queries)));
+  return sha256_hex(std::as_bytes(std::span(numbers)));
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TYPED_TEST(EveryFamily, RoundsNothingWhereItSaysSo) {
 TYPED_TEST(EveryFamily, GivesAnAddressOneQueryAndAnotherSeedAnother) {
   for (const Family* family : families()) {
     const auto bytes = [&](std::uint64_t seed, std::uint64_t position) {
-      const auto v = coordinates(family->make<TypeParam>(seed, position));
+      const auto v = coordinates(query_from(family->make<TypeParam>(seed, position)));
       return std::string(reinterpret_cast<const char*>(v.data()), sizeof v);
     };
     std::size_t same = 0;
@@ -233,6 +233,20 @@ TYPED_TEST(FamilySizes, NonfiniteReachesEveryPlaceAndLeavesSomeValid) {
   EXPECT_LE(valid, count * 3 / 4);
   EXPECT_GE(negative_radius, 40u);
   EXPECT_GE(minus_zero_radius, 10u);
+}
+
+TEST(Families, AreOfOneTestEachAndAreNamedAfterItUnlessItIsTheFirst) {
+  std::size_t sum = 0;
+  for (const TestDescription* test : tests()) {
+    for (const Family* family : families_of(*test)) {
+      const bool is_of_first = test == &first_test();
+      EXPECT_EQ(family->name.starts_with(std::string(test->id) + "/"), !is_of_first) << family->name;
+      ASSERT_LT(family->entry, test->entries.size()) << family->name;
+      EXPECT_EQ(family->make<float>(1, 0).size(), family->column_count()) << family->name;
+      ++sum;
+    }
+  }
+  EXPECT_EQ(sum, families().size());
 }
 
 }  // namespace

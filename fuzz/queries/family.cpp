@@ -6,7 +6,6 @@
 
 #include <vector>
 
-#include "fuzz/queries/random.h"
 #include "kernel/base/error.h"
 
 #define AXISCERT_FAMILIES(X) \
@@ -39,20 +38,17 @@ namespace axiscert {
 #define AXISCERT_DECLARE(name) extern const Family name##_family;
 AXISCERT_FAMILIES(AXISCERT_DECLARE)
 
-template <class Real>
-void Maker<Real>::fill(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) const {
-  if (batch_) return batch_(name, first, out);
-  for (std::size_t i = 0; i < out.size; ++i) {
-    Stream random(name, first + i);
-    out.set(i, one_(random, first + i));
-  }
-}
-template class Maker<float>;
-template class Maker<double>;
-
 std::span<const Family* const> families() {
 #define AXISCERT_POINT(name) &name##_family,
   static const Family* const all[] = {AXISCERT_FAMILIES(AXISCERT_POINT)};
+  return all;
+}
+
+std::vector<const Family*> families_of(const TestDescription& test) {
+  std::vector<const Family*> all;
+  for (const Family* family : families()) {
+    if (&family->test() == &test) all.push_back(family);
+  }
   return all;
 }
 

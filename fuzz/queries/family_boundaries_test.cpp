@@ -66,7 +66,8 @@ TYPED_TEST(FamilyBoundaries, SeamFlipsEverySideDecisively) {
   const Family& family = find_family("seam");
   ComparisonBits flipped = 0;
   for (std::uint64_t position = 0; position < (1 << 18) && flipped != side_comparisons; ++position) {
-    const ComparisonBits decisive = judge_published(family.make<TypeParam>(1, position)).comparison_decisive;
+    const ComparisonBits decisive =
+        judge_published(query_from(family.make<TypeParam>(1, position))).comparison_decisive;
     flipped = static_cast<ComparisonBits>(flipped | (decisive & side_comparisons));
   }
   EXPECT_EQ(flipped, side_comparisons);

@@ -10,18 +10,17 @@ namespace axiscert {
 namespace {
 
 template <class Real>
-class Fill : public testing::Test {};
-TYPED_TEST_SUITE(Fill, Reals);
+class Filling : public testing::Test {};
+TYPED_TEST_SUITE(Filling, Reals);
 
 template <class Real>
-std::string bytes_of(const Query<Real>& q) {
-  const auto v = coordinates(q);
-  return {reinterpret_cast<const char*>(v.data()), sizeof v};
+std::string bytes_of(const Numbers<Real>& q) {
+  return {reinterpret_cast<const char*>(q.data()), q.size() * sizeof(Real)};
 }
 
 constexpr std::uint64_t seed = 20261121;
 
-TEST(Fill, MeetsEveryInstructionSetOfTheKernels) {
+TEST(Filling, MeetsEveryInstructionSetOfTheKernels) {
   std::vector<std::string> met;
   for_each_instruction_set([&](const std::string& target) { met.push_back(target); });
   for (const std::string& target : simd_targets()) {
@@ -30,19 +29,17 @@ TEST(Fill, MeetsEveryInstructionSetOfTheKernels) {
 }
 
 // 64 is the block size of the families in lanes: its edges are crossed from both sides.
-TYPED_TEST(Fill, IsMakeAtEveryOffsetAndCountOnEveryInstructionSet) {
+TYPED_TEST(Filling, IsMakeAtEveryOffsetAndCountOnEveryInstructionSet) {
   constexpr std::size_t most = 150;
   for (const Family* family : families()) {
     const SourcePtr source = family_source(*family);
     std::vector<std::string> expected(2 * most);
     const std::uint64_t start = (std::uint64_t{1} << 32) - 100;  // the position's low word carries over
     for (std::size_t i = 0; i < expected.size(); ++i) {
-      Query<TypeParam> q;
-      source->make(seed, start + i, q);
-      expected[i] = bytes_of(q);
+      expected[i] = bytes_of(source->make<TypeParam>(seed, start + i));
     }
     for_each_instruction_set([&](const std::string& target) {
-      QueryBatch<TypeParam> batch(most);
+      QueryBatch<TypeParam> batch(most, family->column_count());
       for (const std::size_t count : {0, 1, 2, 3, 5, 7, 8, 9, 15, 16, 17, 31, 33, 63, 64, 65, 127, 128, 150}) {
         for (const std::size_t offset : {0, 1, 2, 3, 4, 7, 8, 13, 63, 64, 65, 149}) {
           source->fill(seed, start + offset, count, batch);
@@ -58,12 +55,12 @@ TYPED_TEST(Fill, IsMakeAtEveryOffsetAndCountOnEveryInstructionSet) {
   }
 }
 
-TYPED_TEST(Fill, WritesNothingPastTheBatch) {
+TYPED_TEST(Filling, WritesNothingPastTheBatch) {
   for (const Family* family : families()) {
     for (const std::size_t count : {1, 9, 63, 65}) {
-      std::array<std::vector<TypeParam>, coordinate_count> storage;
-      MutableColumns<TypeParam> columns{{}, count};
-      for (std::size_t k = 0; k < coordinate_count; ++k) {
+      std::vector<std::vector<TypeParam>> storage(family->column_count());
+      MutableColumns<TypeParam> columns{{}, count, storage.size()};
+      for (std::size_t k = 0; k < storage.size(); ++k) {
         storage[k].assign(count + 80, TypeParam(12345));
         columns.column[k] = storage[k].data() + 8;
       }

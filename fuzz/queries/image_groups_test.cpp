@@ -83,7 +83,7 @@ TEST(ImageGroups, HaveTheSizesTheyClaimAndAreAllDifferent) {
     EXPECT_EQ(image_group(group.family), &group);
     std::set<std::array<float, coordinate_count>> images;
     const Family& family = find_family(group.family);
-    for (std::size_t i = 0; i < group.size; ++i) images.insert(coordinates(family.make<float>(1, i)));
+    for (std::size_t i = 0; i < group.size; ++i) images.insert(coordinates(query_from(family.make<float>(1, i))));
     EXPECT_EQ(images.size(), group.size) << group.family;
   }
   EXPECT_EQ(sizes, (std::vector<std::size_t>{6, 48, 2, 8, 4}));

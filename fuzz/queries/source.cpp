@@ -5,18 +5,7 @@
 namespace axiscert {
 namespace {
 
-template <class Real>
-void fill_one_by_one(const Source& source, std::uint64_t seed, std::uint64_t first, std::size_t count,
-                     QueryBatch<Real>& out) {
-  out.clear();
-  for (std::size_t i = 0; i < count; ++i) {
-    Query<Real> q;
-    source.make(seed, first + i, q);
-    out.push_back(q);
-  }
-}
-
-class FamilySource final : public Source {
+class FamilySource final : public ColumnSource<FamilySource> {
  public:
   explicit FamilySource(const Family& family) : family_(family) {}
   std::string name() const override { return std::string(family_.name); }
@@ -29,19 +18,11 @@ class FamilySource final : public Source {
     const ImageGroup* group = image_group(family_.name);
     return group ? (trials + group->size - 1) / group->size : trials;
   }
-  void make(std::uint64_t seed, std::uint64_t position, Query<float>& out) const override {
-    out = family_.make<float>(seed, position);
-  }
-  void make(std::uint64_t seed, std::uint64_t position, Query<double>& out) const override {
-    out = family_.make<double>(seed, position);
-  }
-  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<float>& out) const override {
-    out.resize(count);
-    family_.fill(seed, first, out.mutable_columns());
-  }
-  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<double>& out) const override {
-    out.resize(count);
-    family_.fill(seed, first, out.mutable_columns());
+  const TestDescription& test() const override { return family_.test(); }
+  std::size_t entry() const override { return family_.entry; }
+  template <class Real>
+  void fill_columns(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {
+    family_.fill(seed, first, out);
   }
 
  private:
@@ -49,13 +30,6 @@ class FamilySource final : public Source {
 };
 
 }  // namespace
-
-void Source::fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<float>& out) const {
-  fill_one_by_one(*this, seed, first, count, out);
-}
-void Source::fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<double>& out) const {
-  fill_one_by_one(*this, seed, first, count, out);
-}
 
 SourcePtr family_source(const Family& family) { return std::make_shared<FamilySource>(family); }
 

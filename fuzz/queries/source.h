@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "fuzz/queries/family.h"
 
@@ -38,12 +40,42 @@ class Source {
   virtual std::uint64_t base_triangles(Precision, std::uint64_t trials) const { return trials; }
   virtual std::optional<FileInfo> file() const { return std::nullopt; }
 
-  virtual void make(std::uint64_t seed, std::uint64_t position, Query<float>& out) const = 0;
-  virtual void make(std::uint64_t seed, std::uint64_t position, Query<double>& out) const = 0;
-  // Sets `out` to the queries at `first` to first + count - 1, which equal those of make(); `count` is at most its
+  // The test whose queries these are, and its entry in which their numbers are given.
+  virtual const TestDescription& test() const { return first_test(); }
+  virtual std::size_t entry() const { return 0; }
+  const std::vector<TestColumn>& columns() const { return test().entries[entry()].columns; }
+
+  // Sets `out`, which has these columns, to the queries at `first` to first + count - 1; `count` is at most its
   // capacity.
-  virtual void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<float>& out) const;
-  virtual void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<double>& out) const;
+  virtual void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<float>& out) const = 0;
+  virtual void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<double>& out) const = 0;
+  // The query at one position.
+  template <class Real>
+  Numbers<Real> make(std::uint64_t seed, std::uint64_t position) const {
+    QueryBatch<Real> one(1, columns().size());
+    fill(seed, position, 1, one);
+    return one[0];
+  }
+};
+
+// A source by one template: the class gives `void fill_columns(seed, first, const MutableColumns<Real>& out) const`,
+// which makes as many queries as the columns have.
+template <class Made>
+class ColumnSource : public Source {
+ public:
+  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<float>& out) const override {
+    fill_batch(seed, first, count, out);
+  }
+  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<double>& out) const override {
+    fill_batch(seed, first, count, out);
+  }
+
+ private:
+  template <class Real>
+  void fill_batch(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<Real>& out) const {
+    out.resize(count);
+    static_cast<const Made&>(*this).fill_columns(seed, first, out.mutable_columns());
+  }
 };
 
 using SourcePtr = std::shared_ptr<const Source>;
@@ -52,7 +84,9 @@ SourcePtr family_source(const Family& family);
 // Defined in fuzz/meshes/mesh.cpp: any format that assimp reads. Throws Error with the file and its fault.
 SourcePtr mesh_source(const std::string& path);
 // Defined in fuzz/files/query_source.cpp: JSON Lines or CSV, "-" for standard input; `csv_precision` applies to CSV,
-// which does not state one.
-SourcePtr query_file_source(const std::string& path, Precision csv_precision);
+// which does not state one, and `known` are the tests of which queries are understood. Throws Error if the queries have
+// not one test and one entry.
+SourcePtr query_file_source(const std::string& path, Precision csv_precision,
+                            std::span<const TestDescription* const> known = tests());
 
 }  // namespace axiscert

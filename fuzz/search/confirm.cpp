@@ -82,7 +82,7 @@ std::optional<SideErrors> Confirmer<Real>::errors(const Query<Real>& q) {
 
 template <class Real>
 std::optional<Decimal6> Confirmer<Real>::range(const Aim& aim, const Query<Real>& q) {
-  QueryBatch<Real> one(1);
+  QueryBatch<Real> one(1, coordinate_count);
   one.push_back(q);
   const auto m = range_left(implementation_, aim, one).front();
   if (!m) return std::nullopt;

@@ -84,7 +84,7 @@ TEST(Confirm, TheGuideIsNearTheTruth) {
   const auto near = [&]<class Real>(Real) {
     Evaluator<Real> evaluator(kernel, scalar_target);
     Confirmer<Real> confirmer(kernel, scalar_target);
-    QueryBatch<Real> batch(64);
+    QueryBatch<Real> batch(64, coordinate_count);
     for (const char* family : {"general", "sliver", "needle"}) {
       for (std::uint64_t i = 0; i < 8; ++i) {
         Query<Real> q = find_family(family).make<Real>(seed, i);
@@ -116,7 +116,7 @@ TEST(Confirm, RangeIsLeftAtTheExponentsOfTheFormulae) {
   // earlier.
   const Query<float> q{{0.5f, 0.5f, 0.5f}, {-0.5f, 0.5f, 0.25f}, {0.75f, -0.5f, 0.25f}, {0, 0, 0}, 0.5f};
   ASSERT_TRUE(has_good_shape(q));
-  QueryBatch<float> one(1);
+  QueryBatch<float> one(1, coordinate_count);
   one.push_back(q);
   const auto implementation = find_kernel("published").on<float>(scalar_target);
   const Aim up{Goal::overflow, Comparison::vertex_a_radius}, down{Goal::underflow, Comparison::vertex_a_radius};

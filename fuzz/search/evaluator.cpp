@@ -139,7 +139,7 @@ void Evaluator<Real>::evaluate_error(const Aim& aim, const QueryBatch<Real>& bat
   constexpr int digits = std::numeric_limits<Real>::digits;
   if constexpr (sizeof(Real) == 4) {
     if (wide_.explain) {
-      if (widened_.capacity() < batch.size()) widened_ = QueryBatch<double>(batch.capacity());
+      if (widened_.capacity() < batch.size()) widened_ = QueryBatch<double>(batch.capacity(), coordinate_count);
       widened_.resize(batch.size());
       const auto from = batch.columns();
       const auto to = widened_.mutable_columns();

@@ -3,6 +3,7 @@
 
 #include "fuzz/search/goal.h"
 #include "kernel/ask.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 
@@ -31,7 +32,7 @@ class Evaluator {
   Implementation<Real> implementation_;
   Implementation<double> wide_;  // the formulae in binary64, for binary32; empty if there is no lane form
   Reply<Real> reply_;
-  QueryBatch<double> widened_{0};
+  QueryBatch<double> widened_{0, coordinate_count};
   Answers<double> wide_answers_;
 };
 

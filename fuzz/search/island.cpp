@@ -60,7 +60,7 @@ void best_first(std::vector<ScoredQuery<Real>>& candidates) {
 template <class Real>
 std::vector<ScoredQuery<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim, Dice& random,
                                      const std::vector<Query<Real>>& starts, std::uint64_t evaluations) {
-  QueryBatch<Real> batch(walkers * children);
+  QueryBatch<Real> batch(walkers * children, coordinate_count);
   std::vector<double> scores;
   std::vector<ScoredQuery<Real>> found;
   for (Query<Real> q : starts) {

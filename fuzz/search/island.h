@@ -4,6 +4,7 @@
 
 #include "fuzz/search/dice.h"
 #include "fuzz/search/evaluator.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fuzz/search/dice.h"
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

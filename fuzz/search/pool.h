@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "exact/numbers/decimal6.h"
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

@@ -53,17 +53,17 @@ std::vector<std::optional<int>> range_left(const Implementation<Real>& kernel, c
   };
   std::vector<std::optional<int>> left(batch.size());
   std::vector<Scan> scans;
-  QueryBatch<Real> scaled(batch.size());
+  QueryBatch<Real> scaled(batch.size(), coordinate_count);
   Reply<Real> reply;
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    if (has_good_shape(batch[i])) scans.push_back({i, false});
+    if (has_good_shape(query_from(batch[i]))) scans.push_back({i, false});
   }
   const int step = aim.goal == Goal::overflow ? 1 : -1;
   const ExponentWindow scanned = scanned_exponents(precision_of<Real>);
   for (int m = 0; m >= scanned.low && m <= scanned.high && !scans.empty(); m += step) {
     scaled.clear();
-    std::erase_if(scans, [&](const Scan& scan) { return !scales_exactly(batch[scan.query], m); });
-    for (const Scan& scan : scans) scaled.push_back(at_scale(batch[scan.query], m));
+    std::erase_if(scans, [&](const Scan& scan) { return !scales_exactly(query_from(batch[scan.query]), m); });
+    for (const Scan& scan : scans) scaled.push_back(at_scale(query_from(batch[scan.query]), m));
     ask(kernel, scaled.columns(), reply);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < scans.size(); ++i) {

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <mutex>
 
+#include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/search/confirm.h"
 #include "fuzz/search/island.h"
 #include "fuzz/search/pool.h"
@@ -123,7 +124,7 @@ class Search {
   static Pool<Real> read(const Aim& aim, const std::vector<StoredQuery>& queries, Confirmer<Real>& confirmer) {
     Pool<Real> pool;
     for (const StoredQuery& stored : queries) {
-      const auto q = std::get<Query<Real>>(stored.query);
+      const auto q = sphere_triangle_query_in<Real>(stored);
       const auto value = confirmer.value(aim, q);
       if (!value) throw Error(fmt::format("the state to resume from: '{}' cannot be confirmed", stored.id));
       pool.put({*value, q});
@@ -196,7 +197,7 @@ class Search {
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (anew) {
         const auto& source = plan_.sources[random.below(plan_.sources.size())];
-        source->make(plan_.seed, random.below(1u << 31), all[i]);
+        all[i] = source->template make<Real>(plan_.seed, random.below(1u << 31));
       } else {
         const auto among = i == 0 || random.coin() ? lineage.size() : std::min<std::size_t>(lineage.size(), 3);
         all[i] = lineage[random.below(among)].query;
@@ -210,14 +211,14 @@ class Search {
     Evaluator<Real> evaluator(*plan_.kernel, plan_.target);
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     for (const Goal goal : {Goal::error, Goal::relative_error, Goal::overflow, Goal::underflow}) {
-      QueryBatch<Real> images(6 * comparison_count);
+      QueryBatch<Real> images(6 * comparison_count, coordinate_count);
       for (std::size_t i = 0; i < aims_.size(); ++i) {
         if (aims_[i].goal != goal || known[i].best.empty()) continue;
         const Query<Real>& q = known[i].best.best().query;
         for (const auto& [a, b, c] :
              {std::tuple(q.a, q.b, q.c), std::tuple(q.a, q.c, q.b), std::tuple(q.b, q.a, q.c),
               std::tuple(q.b, q.c, q.a), std::tuple(q.c, q.a, q.b), std::tuple(q.c, q.b, q.a)}) {
-          images.push_back({a, b, c, q.p, q.r});
+          images.push_back(Query<Real>{a, b, c, q.p, q.r});
         }
       }
       if (images.size() == 0) continue;
@@ -259,7 +260,7 @@ class Search {
       Find find{aim, value, {name(aim), plan_.precision, query}};
       if (is_about_range(aim.goal)) {
         find.range_exponent = range_exponent(aim.goal, plan_.precision, value.value());
-        find.witness.query = at_scale(query, find.range_exponent);
+        find.witness.numbers = at_scale(query, find.range_exponent);
       } else if (!is_about_a_comparison(aim.goal)) {
         find.links = confirmer.examine(query).judgement.verdict_links;
       }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/sphere_triangle/claims/examine.h"
+#include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/search/confirm.h"
 #include "kernel/base/error.h"
@@ -101,7 +102,7 @@ TEST(Search, EveryWitnessShowsWhatIsSaidOfIt) {
   Confirmer<float> confirmer(kernel, scalar_target);
   EXPECT_GT(result.finds.size(), 50u);
   for (const Find& find : result.finds) {
-    const auto q = std::get<Query<float>>(find.witness.query);
+    const auto q = sphere_triangle_query_in<float>(find.witness);
     if (is_about_range(find.aim.goal)) {
       // For the query as stored, already scaled.
       const Examination found = confirmer.examine(q);

@@ -4,7 +4,7 @@
 #include <compare>
 #include <cstdint>
 
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

@@ -14,7 +14,7 @@ namespace {
 constexpr int points = 4, axes = 3, numbers = static_cast<int>(coordinate_count), radius = numbers - 1;
 
 template <class Real>
-using Numbers = std::array<Real, coordinate_count>;
+using Coordinates = std::array<Real, coordinate_count>;
 
 // x rounded to `bits` significant bits; empty if it has no more than that.
 template <class Real>
@@ -34,7 +34,7 @@ Real last_unit(Real x) {
 }
 
 template <class Real>
-bool round_all(Numbers<Real>& v, int bits) {
+bool round_all(Coordinates<Real>& v, int bits) {
   bool changed = false;
   for (Real& x : v) {
     const auto down = rounded(x, bits, false), up = rounded(x, bits, true);
@@ -46,7 +46,7 @@ bool round_all(Numbers<Real>& v, int bits) {
 }
 
 template <class Real>
-void scale_point(Numbers<Real>& v, int point, int power) {
+void scale_point(Coordinates<Real>& v, int point, int power) {
   for (int axis = 0; axis < axes; ++axis) {
     const Real p = v[static_cast<std::size_t>(9 + axis)];
     Real& x = v[static_cast<std::size_t>(3 * point + axis)];
@@ -55,7 +55,7 @@ void scale_point(Numbers<Real>& v, int point, int power) {
 }
 
 template <class Real>
-bool apply(Numbers<Real>& v, const Move& move) {
+bool apply(Coordinates<Real>& v, const Move& move) {
   const int i = move.i, j = move.j;
   const auto number = [&](int k) -> Real& { return v[static_cast<std::size_t>(k)]; };
   const auto on_axis = [&](int axis, auto&& change) {
@@ -225,7 +225,7 @@ std::vector<Move> nudges() {
 
 template <class Real>
 std::optional<Query<Real>> moved(const Query<Real>& q, const Move& move) {
-  Numbers<Real> v = coordinates(q);
+  Coordinates<Real> v = coordinates(q);
   if (!apply(v, move)) return std::nullopt;
   const Query<Real> out = from_coordinates(v);
   return is_valid(out) ? std::optional(out) : std::nullopt;

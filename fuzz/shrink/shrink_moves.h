@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

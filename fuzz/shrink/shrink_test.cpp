@@ -54,7 +54,7 @@ TEST(DepthOrder, AgreesWithMpfr) {
   const Family& family = find_family("tangent");
   std::vector<ExactDepth> depths;
   for (std::uint64_t n = 0; n < 60; ++n) {
-    const auto q = family.make<float>(seed, n);
+    const Query<float> q = family.make<float>(seed, n);
     depths.push_back(depth_of(q));
     auto v = coordinates(q);  // eight times as large: equally deep
     for (float& x : v) x *= 8;
@@ -113,7 +113,7 @@ void shrink_the_first(const char* kernel_id, const char* family, int wanted, con
   const Kernel& kernel = find_kernel(kernel_id);
   Diagnosis<Real> diagnosis(kernel, scalar_target);
   for (std::uint64_t n = 0; n < trials && wanted > 0; ++n) {
-    const auto q = find_family(family).make<Real>(seed, n);
+    const Query<Real> q = find_family(family).make<Real>(seed, n);
     if (!is_valid(q)) continue;
     const auto flips = diagnosis.flips(q);
     if (flips.empty()) continue;
@@ -144,7 +144,7 @@ TEST(ShrinkLong, EveryKindOfKernelAndBothPrecisions) {
 }
 
 TEST(Shrink, KeepsTheErrorOfAComparison) {
-  const auto q = find_family("sliver").make<float>(seed, 1);
+  const Query<float> q = find_family("sliver").make<float>(seed, 1);
   for (const char* id : {"published", "ladder-0"}) {
     const Symptom error{.level = Level::comparison, .index = static_cast<std::uint8_t>(Comparison::edge_bc_radius)};
     expect_smaller_and_as_bad(q, error, find_kernel(id));
@@ -155,7 +155,7 @@ TEST(Shrink, TheLimitEndsItAndSaysSo) {
   const Kernel& kernel = find_kernel("published");
   Diagnosis<float> diagnosis(kernel, scalar_target);
   std::uint64_t n = 0;
-  const auto at = [&] { return find_family("tangent").make<float>(seed, n); };
+  const auto at = [&]() -> Query<float> { return find_family("tangent").make<float>(seed, n); };
   while (diagnosis.flips(at()).empty()) ++n;
   const auto found = shrink(at(), diagnosis.flips(at()).front(), kernel, scalar_target, 3);
   EXPECT_EQ(found.evaluations, 3u);

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::fuzzing {
 

@@ -77,7 +77,7 @@ class Look {
     check("integers", integer_signs(q_));
     check("grid", grid_signs(q_));
     check("wide margins", WideMargins(widened(q_)).signs());
-    QueryBatch<Real> one(1);
+    QueryBatch<Real> one(1, coordinate_count);
     one.push_back(q_);
     for (const std::string& target : available_targets()) {
       FilteredSigns lanes;

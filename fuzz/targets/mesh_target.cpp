@@ -42,10 +42,10 @@ std::string kind_of(std::string_view message) {
 
 template <class Real>
 void check_queries(const Source& source) {
-  QueryBatch<Real> batch(64);
+  QueryBatch<Real> batch(64, coordinate_count);
   source.fill(1, 0, batch.capacity(), batch);
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    if (!is_valid(batch[i]))
+    if (!is_valid(query_from(batch[i])))
       fault(fmt::format("query {} in {} of a mesh that was accepted is not valid", i, name(precision_of<Real>)));
   }
 }

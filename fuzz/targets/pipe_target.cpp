@@ -57,11 +57,11 @@ std::string stream_of(std::string_view input) {
   const std::uint64_t count = count_of(plan);
   plan.append(pipe::header_multiple - whole % pipe::header_multiple, ' ');
   const pipe::Head head{pipe::magic,
-                        pipe::version,
+                        pipe::first_version,
                         pipe::code_of(precision),
                         count,
                         static_cast<std::uint32_t>(sizeof(pipe::Head) + plan.size()),
-                        pipe::record_size_of(precision),
+                        pipe::record_size_of(precision, first_test().entries.front().columns.size()),
                         sha256(std::as_bytes(std::span(plan)))};
   std::string stream(sizeof head, '\0');
   std::memcpy(stream.data(), &head, sizeof head);
@@ -75,8 +75,8 @@ void check(const std::string& stream, const FilePlaces& places) {
     read = read_replies(in, "fuzzed", places);
   });
   if (!is_read) return;
-  if (read.replies.size() != read.plan.queries()) {
-    fault(fmt::format("{} replies to the {} queries of the plan", read.replies.size(), read.plan.queries()));
+  if (const auto size = read.replies.size() + read.wide_replies.size(); size != read.plan.queries()) {
+    fault(fmt::format("{} replies to the {} queries of the plan", size, read.plan.queries()));
   }
   std::string again;
   if (!accepts([&] { again = header_of(read.plan); })) fault("the header of a plan that was read cannot be written");
@@ -85,7 +85,7 @@ void check(const std::string& stream, const FilePlaces& places) {
   if (!accepts([&] { header = read_header(in, "written", places); })) fault("a header that was written cannot be read");
   if (header_of(header.plan) != again) fault("a header changes when it is written, read and written again");
 
-  const std::vector<pipe::ReplyRecord> replies = read.replies;
+  const ReplyStream replies = read;
   std::vector<ReplyStream> streams;
   streams.push_back(std::move(read));
   if (!accepts([&] { StoredReplies(std::vector(streams)); })) return;  // a source appears twice
@@ -98,7 +98,7 @@ void check(const std::string& stream, const FilePlaces& places) {
         if (one->name() == part.source->name()) source = one.get();
       }
       const Answer answer = stored.at(*source, header.plan.precision, i);
-      if (static_cast<std::uint8_t>(answer.verdict) != replies[next].verdict) fault("a reply is not at its position");
+      if (answer.verdict != replies.at(next).verdict) fault("a reply is not at its position");
     }
   }
 }

@@ -12,7 +12,7 @@ namespace axiscert::fuzzing {
 namespace {
 
 template <class Real>
-using Numbers = std::array<Real, coordinate_count>;
+using Coordinates = std::array<Real, coordinate_count>;
 constexpr std::size_t radius_place = coordinate_count - 1, points = 4;
 constexpr std::size_t place_of(std::size_t point, std::size_t axis) { return 3 * point + axis; }
 
@@ -51,7 +51,7 @@ Real special(Dice& dice) {
 }
 
 template <class Real>
-void move_exponent(Dice& dice, Numbers<Real>& v) {
+void move_exponent(Dice& dice, Coordinates<Real>& v) {
   const int far = std::numeric_limits<Real>::max_exponent;
   const auto by = static_cast<int>(dice.below(8) == 0 ? dice.integer(-far, far) : dice.integer(-4, 4));
   std::size_t first = 0, count = coordinate_count;
@@ -70,7 +70,7 @@ void move_exponent(Dice& dice, Numbers<Real>& v) {
 }
 
 template <class Real>
-void change_sign(Dice& dice, Numbers<Real>& v) {
+void change_sign(Dice& dice, Coordinates<Real>& v) {
   switch (dice.below(3)) {
     case 0: {
       Real& x = v[dice.below(coordinate_count)];
@@ -88,7 +88,7 @@ void change_sign(Dice& dice, Numbers<Real>& v) {
 }
 
 template <class Real>
-void repeat(Dice& dice, Numbers<Real>& v) {
+void repeat(Dice& dice, Coordinates<Real>& v) {
   const std::size_t to = dice.below(3), from = (to + 1 + dice.below(3)) % points;
   const bool on_line = dice.coin();
   const std::size_t other = (to + 1 + dice.below(2)) % 3;
@@ -100,7 +100,7 @@ void repeat(Dice& dice, Numbers<Real>& v) {
 }
 
 template <class Real>
-void swap(Dice& dice, Numbers<Real>& v) {
+void swap(Dice& dice, Coordinates<Real>& v) {
   const std::size_t i = dice.below(3), j = (i + 1 + dice.below(2)) % 3;
   if (dice.coin()) {
     for (std::size_t axis = 0; axis < 3; ++axis) std::swap(v[place_of(i, axis)], v[place_of(j, axis)]);
@@ -110,7 +110,7 @@ void swap(Dice& dice, Numbers<Real>& v) {
 }
 
 template <class Real>
-void to_tie(Dice& dice, Numbers<Real>& v) {
+void to_tie(Dice& dice, Coordinates<Real>& v) {
   Query<Real> q = from_coordinates(v);
   q.r = 0;  // the radius is not used, but it has to be valid
   if (!is_valid(q)) return;
@@ -130,7 +130,7 @@ void to_tie(Dice& dice, Numbers<Real>& v) {
 }
 
 template <class Real>
-void apply_to_numbers(QueryMove move, Dice& dice, Numbers<Real>& v) {
+void apply_to_numbers(QueryMove move, Dice& dice, Coordinates<Real>& v) {
   switch (move) {
     case QueryMove::ulps: {
       Real& x = v[dice.below(coordinate_count)];
@@ -174,7 +174,7 @@ void change_precision(FuzzedQuery& fuzzed) {
     return;
   }
   const auto wide = coordinates(std::get<Query<double>>(fuzzed.query));
-  Numbers<float> narrow;
+  Coordinates<float> narrow;
   for (std::size_t k = 0; k < coordinate_count; ++k) narrow[k] = static_cast<float>(wide[k]);
   fuzzed.query = from_coordinates(narrow);
 }

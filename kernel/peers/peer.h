@@ -14,7 +14,7 @@
 #include <concepts>
 
 #include "kernel/include/axiscert/plugin.h"
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::peer {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "kernel/include/axiscert/plugin.h"
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::peer {
 
@@ -66,11 +66,11 @@ Reply ask(const std::string& name, const std::vector<Query<Real>>& queries) {
     const axiscert_kernel* kernel = nullptr;
     for (std::uint32_t i = 0; (kernel = plugin(i)) != nullptr && kernel->precision != 8 * sizeof(Real);) ++i;
     if (kernel == nullptr) return "-";
-    QueryBatch<Real> batch(queries.size());
+    QueryBatch<Real> batch(queries.size(), coordinate_count);
     for (const Query<Real>& q : queries) batch.push_back(q);
     const QueryColumns<Real> columns = batch.columns();
     std::array<const void*, coordinate_count> column;
-    std::copy(columns.column.begin(), columns.column.end(), column.begin());
+    std::copy_n(columns.column.begin(), columns.count, column.begin());
     const axiscert_batch asked{sizeof asked, columns.size, column.size(), column.data()};
     std::vector<std::uint8_t> verdicts(queries.size(), 255);
     axiscert_answers answers{};

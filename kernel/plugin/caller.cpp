@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "kernel/base/error.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::plugin {
 namespace {

@@ -28,7 +28,7 @@ template <class Real>
 QueryBatch<Real> random_queries() {
   constexpr std::size_t count = 2021;  // two batches; the second does not fill whole vectors
   std::mt19937_64 random(3);
-  QueryBatch<Real> queries(count);
+  QueryBatch<Real> queries(count, coordinate_count);
   for (std::size_t i = 0; i < count; ++i) queries.push_back(random_query<Real>(random, i % 2 == 1));
   return queries;
 }
@@ -127,8 +127,8 @@ TEST(Interface, WhatCannotBeTrueIsOneLineThatSaysWhatWouldBe) {
 }
 
 TEST(Interface, ABitBeyondTheLastComparisonIsFound) {
-  QueryBatch<float> queries(1);
-  queries.push_back({{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 5000});
+  QueryBatch<float> queries(1, coordinate_count);
+  queries.push_back(Query<float>{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 5000});
   const Reply<float> reply =
       asked(find_kernel(fmt::format("plugin:{}/misbehaving/beyond_the_last.so", BUILD_FOLDER)), queries);
   ASSERT_EQ(reply.findings.size(), 1u);

@@ -12,6 +12,7 @@
 #include "kernel/base/error.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {
@@ -23,13 +24,13 @@ constexpr std::size_t wrong_query = 700;  // of the batch: the one that the cras
 // Spheres about the origin and triangles a unit away, so that half of them touch; one sphere is enormous.
 const QueryBatch<float>& queries() {
   static const QueryBatch<float> batch = [] {
-    QueryBatch<float> all(1021);  // no multiple of a vector's lanes
+    QueryBatch<float> all(1021, coordinate_count);  // no multiple of a vector's lanes
     std::mt19937 random(7);
     const auto uniform = [&] { return static_cast<float>(random()) * 0x1p-31f - 1; };
     for (std::size_t i = 0; i < 1021; ++i) {
       const auto vertex = [&] { return Vec3<float>{uniform() + 1.5f, uniform(), uniform()}; };
       const float r = i == wrong_query ? 1e30f : 0.5f + 0.4f * uniform();
-      all.push_back({vertex(), vertex(), vertex(), {0, 0, 0}, r});
+      all.push_back(Query<float>{vertex(), vertex(), vertex(), {0, 0, 0}, r});
     }
     return all;
   }();
@@ -119,7 +120,9 @@ TEST(Plugin, AProcessThatItLeavesBehindHidesNoCrash) {
   expect_right_but(seen, {wrong_query});
 }
 
-TEST(Plugin, ANameIsShownAsPlainText) { EXPECT_EQ(find_kernel("plugin:" + misbehaving_path("strange_name")).summary, "caf? "); }
+TEST(Plugin, ANameIsShownAsPlainText) {
+  EXPECT_EQ(find_kernel("plugin:" + misbehaving_path("strange_name")).summary, "caf? ");
+}
 
 TEST(Plugin, AFullStackIsSaid) {
   const Seen seen = supervise("stack_overflow");

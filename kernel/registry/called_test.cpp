@@ -84,7 +84,7 @@ TEST(Called, EveryFunctionIsCalledAsTheIdSays) {
     EXPECT_EQ(kernel.binary64, nullptr) << "it has none";
     seen.modes.clear();
     const Implementation<float> implementation = kernel.on<float>("asked");
-    const QueryBatch<float> batch(0);
+    const QueryBatch<float> batch(0, coordinate_count);
     Answers<float> answers;
     implementation.verdicts(batch.columns(), nullptr);
     implementation.explain(batch.columns(), answers);

@@ -60,7 +60,8 @@ std::optional<std::string> check_environment() {
 // all bits.
 template <class Real>
 QueryBatch<Real> check_queries() {
-  QueryBatch<Real> batch(67);  // not a multiple of a vector's length, so that the remainder loop is checked too
+  QueryBatch<Real> batch(
+      67, coordinate_count);  // not a multiple of a vector's length, so that the remainder loop is checked too
   std::uint64_t state = 1;
   const auto next = [&] {
     state = state * 6364136223846793005u + 1442695040888963407u;
@@ -114,7 +115,7 @@ std::optional<std::string> self_check(const Kernel& kernel, std::string_view tar
   answers.resize(batch.size(), comparison_count);
   implementation.explain(batch.columns(), answers);
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    const auto expected = stored_sides(kernel.formulae, batch[i]);
+    const auto expected = stored_sides(kernel.formulae, query_from(batch[i]));
     for (std::size_t k = 0; k < comparison_count; ++k) {
       const Real lhs = expected.lhs[k].value, rhs = expected.rhs[k].value;
       if (same(answers.lhs[k][i], lhs) && same(answers.rhs[k][i], rhs)) continue;

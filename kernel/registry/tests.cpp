@@ -23,13 +23,13 @@ std::span<const TestDescription* const> tests() { return all_tests(); }
 
 const TestDescription& first_test() { return *all_tests().front(); }
 
-const TestDescription& find_test(std::string_view id) {
-  std::vector<std::string_view> known;
-  for (const TestDescription* test : all_tests()) {
+const TestDescription& find_test(std::string_view id, std::span<const TestDescription* const> known) {
+  std::vector<std::string_view> ids;
+  for (const TestDescription* test : known) {
     if (test->id == id) return *test;
-    known.push_back(test->id);
+    ids.push_back(test->id);
   }
-  throw Error(fmt::format("unknown test '{}'; tests: {}", id, fmt::join(most_alike_first(id, std::move(known)), ", ")));
+  throw Error(fmt::format("unknown test '{}'; tests: {}", id, fmt::join(most_alike_first(id, std::move(ids)), ", ")));
 }
 
 }  // namespace axiscert

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/sphere_triangle/query.h"
 #include "kernel/testing/queries.h"
 #include "kernel/testing/table.h"
 

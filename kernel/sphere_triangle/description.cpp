@@ -1,7 +1,7 @@
 #include "kernel/sphere_triangle/description.h"
 
-#include "kernel/query.h"
 #include "kernel/sphere_triangle/names.h"
+#include "kernel/sphere_triangle/query.h"
 #include "kernel/test.h"
 
 namespace axiscert {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "kernel/ask.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::testing_support {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::testing_support {
 

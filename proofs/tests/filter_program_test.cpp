@@ -166,7 +166,7 @@ class FilterKernels : public testing::Test {
   // Queries of every kind: ordinary, at and beyond the ends of the window, with arbitrary bits.
   QueryBatch<Real> queries(std::size_t count) {
     constexpr int end = sizeof(Real) == 4 ? 19 : 168;
-    QueryBatch<Real> all(count);
+    QueryBatch<Real> all(count, coordinate_count);
     for (std::size_t i = 0; i < count; ++i) {
       const int exponent = static_cast<int>(random() % (2 * end + 9)) - end - 4;
       all.push_back(i % 4 == 0 ? random_query<Real>(random, true) : scaled(ordinary(), i % 4 == 1 ? 0 : exponent));
@@ -175,7 +175,7 @@ class FilterKernels : public testing::Test {
   }
   // Queries at which the program's answer changes, by each coordinate in turn.
   QueryBatch<Real> turns(FilterProgram<Real>& program, std::size_t count) {
-    QueryBatch<Real> all(2 * count);
+    QueryBatch<Real> all(2 * count, coordinate_count);
     for (std::size_t i = 0; all.size() < 2 * count; ++i) {
       const Query<Real> q = ordinary();
       const std::size_t coordinate = i % coordinate_count;

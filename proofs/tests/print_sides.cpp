@@ -32,6 +32,7 @@ void print_sides(const Kernel& kernel) {
       batch.column[i] = &numbers[i];
     }
     batch.size = 1;
+    batch.count = numbers.size();
     Answers<Real> answers;
     answers.resize(1, comparison_count);
     explain(batch, answers);

@@ -9,6 +9,7 @@
 
 #include "exact/sphere_triangle/claims/examine.h"
 #include "fuzz/files/query_line.h"
+#include "fuzz/files/sphere_triangle_query.h"
 #include "kernel/base/error.h"
 #include "fuzz/confirm/finding_record.h"
 #include "fuzz/confirm/record.h"
@@ -78,7 +79,8 @@ std::vector<Replayed> replay_witnesses(const Json& record, std::string_view targ
                                      : asked.absent;
       continue;
     }
-    const Examination found = std::visit([&](const auto& q) { return asked.examiner->examine(q); }, stored.query);
+    const Examination found =
+        std::visit([&](const auto& q) { return asked.examiner->examine(q); }, sphere_triangle_query(stored));
     const Json now = flips_json(*asked.kernel->test, found.judgement);
     replayed.outcome = outcome_of(witness["flips"], now);
     if (replayed.outcome != ReplayOutcome::as_before) replayed.note = flips_text(now);

@@ -147,8 +147,8 @@ Suite suite_of(const Run& run, const Json& kernel, const std::vector<Failure>& f
       return with_ratchet(run.ratchet, kernel, family, place, outcome);
     };
     suite.add(family + " verdict", held("verdict", verdict_outcome(plan["require"], failures, kernel, family)), counts);
-    for (const ComparisonInfo& info : comparisons) {
-      const std::string comparison(info.name);
+    for (const TestComparison& judged : test_of(plan).comparisons) {
+      const std::string comparison(judged.name);
       const Json tally = result["comparisons"].is_null() ? Json(nullptr) : result["comparisons"][comparison];
       const Json tolerance = plan["tolerance"].value(comparison, Json(nullptr));
       const std::string outcome = tolerance_outcome(tally, tolerance);

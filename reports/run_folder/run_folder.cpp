@@ -183,6 +183,11 @@ void check_run_info(const Json& info, const std::string& name) {
   check_schema(Json::parse(embedded::run_schema_json), info, name, advice);
 }
 
+const TestDescription& test_of(const Json& plan) {
+  const auto test = plan.find("test");
+  return test == plan.end() ? first_test() : find_test(test->get<std::string>());
+}
+
 Json read_json(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fuzz/text/json.h"
+#include "kernel/test.h"
 
 namespace axiscert {
 
@@ -15,6 +16,9 @@ struct Run {
   Json ratchet;                  // conforms to ratchet.schema.json; null where the run was not compared with one
   std::filesystem::path folder;  // may hold what other commands wrote next to these files
 };
+
+// The test that a record's plan is about; one that names none is about the first.
+const TestDescription& test_of(const Json& plan);
 
 // Reads a JSON file. Throws Error where it cannot be read or is not JSON.
 Json read_json(const std::filesystem::path& path);

@@ -9,7 +9,7 @@
 #include <optional>
 #include <set>
 
-#include "kernel/sphere_triangle/names.h"
+#include "kernel/test.h"
 #include "kernel/base/utf8.h"
 #include "reports/wording/finding.h"
 #include "reports/wording/summary.h"
@@ -61,11 +61,11 @@ std::optional<std::uint64_t> common_trials(const Json& plan) {
 }
 
 // Where every comparison has a tolerance, the most frequent one is given for all of them, followed by the exceptions.
-std::string tolerance_options(const Json& tolerances) {
+std::string tolerance_options(const Json& tolerances, const TestDescription& test) {
   std::map<std::string, std::size_t> uses;
   for (const Json& tolerance : tolerances) ++uses[tolerance];
   std::string common, options;
-  if (tolerances.size() == comparison_count) {
+  if (tolerances.size() == test.comparisons.size()) {
     common = std::max_element(uses.begin(), uses.end(), [](const auto& x, const auto& y) {
                return x.second < y.second;
              })->first;
@@ -162,7 +162,7 @@ std::string run_command(const Json& plan) {
   for (const Json& kernel : plan["kernels"]) command += " --kernel " + shell_word(kernel);
   command += source_options(plan);
   if (plan["precisions"].size() == 1) command += " --precision " + shell_word(plan["precisions"][0]);
-  command += tolerance_options(plan["tolerance"]);
+  command += tolerance_options(plan["tolerance"], test_of(plan));
   if (!plan["require"].is_null()) command += " --require " + shell_word(plan["require"]);
   return command;
 }
@@ -209,9 +209,8 @@ std::vector<std::string> not_checked(const Json& record) {
   std::vector<std::string> open = {"Proofs: a run observes; it proves nothing about a kernel."};
   if (plan["tolerance"].empty()) {
     open.push_back("Tolerance: none was given (--tolerance), so no comparison's error failed or passed.");
-  } else if (plan["tolerance"].size() < comparison_count) {
-    open.push_back(
-        fmt::format("Tolerance: given for {} of the {} comparisons.", plan["tolerance"].size(), comparison_count));
+  } else if (const std::size_t all = test_of(plan).comparisons.size(); plan["tolerance"].size() < all) {
+    open.push_back(fmt::format("Tolerance: given for {} of the {} comparisons.", plan["tolerance"].size(), all));
   }
   if (plan.contains("replies")) {
     open.push_back("Errors of the sides, and critical radii: replies were judged here, which contain neither.");

@@ -11,7 +11,7 @@
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "kernel/sphere_triangle/certified/numbers/integer.h"
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 #include "kernel/testing/random.h"
 
 namespace axiscert::testing_support {

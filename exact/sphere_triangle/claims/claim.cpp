@@ -31,7 +31,7 @@ const FormulaTruth* Claims<Real>::sides(Formulae formulae) {
   const FormulaTruth& truth = others_.emplace_back(formulae, formula_truth(formulae, query_)).second;
   if (kind_of(formulae) == FormulaeKind::rung) {
     if (const auto wrong = contradiction(truth, published_)) {
-      throw OracleDisagreement(fmt::format("formulae {}: {}", name(formulae), *wrong), query_);
+      throw OracleDisagreement(fmt::format("formulae {}: {}", name(formulae), *wrong), Numbers<Real>(query_));
     }
   }
   return &truth;

@@ -17,7 +17,7 @@ void require_same(const DecidedSigns& decided, const ExactTruth& truth, const Qu
                   "exact arithmetic {:016b} ties {:016b}, {}{}",
                   step_names[static_cast<std::size_t>(decided.step)], decided.signs.strict, decided.signs.ties,
                   exact.strict, exact.ties, name(truth.verdict), truth.touching ? ", touching" : ""),
-      q);
+      Numbers<Real>(q));
 }
 template void require_same(const DecidedSigns&, const ExactTruth&, const Query<float>&);
 template void require_same(const DecidedSigns&, const ExactTruth&, const Query<double>&);

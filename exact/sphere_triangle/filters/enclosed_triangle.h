@@ -9,7 +9,7 @@
 #include <cstddef>
 
 #include "exact/numbers/enclosed.h"
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include "exact/sphere_triangle/filters/gram.h"
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "exact/sphere_triangle/filters/signs.h"
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

@@ -21,7 +21,7 @@ using testing_support::random_query;
 template <class Real>
 QueryBatch<Real> mixed_batch(std::uint64_t seed, std::size_t count) {
   std::mt19937_64 random(seed);
-  QueryBatch<Real> batch(count);
+  QueryBatch<Real> batch(count, coordinate_count);
   for (std::size_t i = 0; i < count; ++i) {
     const int exponent = static_cast<int>(random() % 41) - 20;
     batch.push_back(i % 3 == 0 ? coarse_query<Real>(random, exponent) : random_query<Real>(random, i % 3 == 1));
@@ -34,7 +34,7 @@ QueryBatch<Real> mixed_batch(std::uint64_t seed, std::size_t count) {
 template <class Real>
 QueryBatch<Real> ordinary_batch(std::uint64_t seed, std::size_t count) {
   std::mt19937_64 random(seed);
-  QueryBatch<Real> batch(count);
+  QueryBatch<Real> batch(count, coordinate_count);
   for (std::size_t i = 0; i < count; ++i) {
     auto v = coordinates(random_query<Real>(random, false));
     v[12] = std::abs(v[12]);
@@ -55,8 +55,8 @@ template <class Real>
 void expect_exact(const QueryBatch<Real>& batch, double least_decided, std::size_t least_ties) {
   std::vector<Signs> exact(batch.size());
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    if (!is_valid(batch[i])) continue;
-    const FormulaTruth truth = formula_truth(batch[i]);
+    if (!is_valid(query_from(batch[i]))) continue;
+    const FormulaTruth truth = formula_truth(query_from(batch[i]));
     exact[i] = {truth.strict, truth.ties};
   }
   for (const std::string& target : simd_targets()) {
@@ -64,7 +64,7 @@ void expect_exact(const QueryBatch<Real>& batch, double least_decided, std::size
     filter_on<Real>(target).signs(batch.columns(), found.data());
     std::size_t decided = 0, ties = 0, valid = 0;
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      ASSERT_EQ(found[i].is_valid, is_valid(batch[i])) << target << " query " << i;
+      ASSERT_EQ(found[i].is_valid, is_valid(query_from(batch[i]))) << target << " query " << i;
       if (!found[i].is_valid) continue;
       ++valid;
       decided += found[i].is_decided();
@@ -110,8 +110,8 @@ TYPED_TEST(FilterTest, ErrorsArePassedOverRightly) {
       for (const SuspectError& suspect : suspects) by_query[suspect.query][suspect.comparison] = &suspect;
       std::size_t passed = 0;
       for (std::size_t i = 0; i < batch.size(); ++i) {
-        if (!is_valid(batch[i])) continue;
-        const FormulaTruth truth = formula_truth(kernel.formulae, batch[i]);
+        if (!is_valid(query_from(batch[i]))) continue;
+        const FormulaTruth truth = formula_truth(kernel.formulae, query_from(batch[i]));
         for (std::size_t k = 0; k < comparison_count; ++k) {
           const ComparisonError error(computed.lhs[k][i], computed.rhs[k][i], truth.comparison(k));
           const SuspectError* suspect = by_query[i][k];

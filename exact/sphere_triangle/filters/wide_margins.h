@@ -6,7 +6,7 @@
 
 #include "exact/sphere_triangle/filters/signs.h"
 #include "exact/numbers/wide_enclosed.h"
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

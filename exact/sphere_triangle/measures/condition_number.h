@@ -5,6 +5,7 @@
 
 #include "exact/numbers/decimal6.h"
 #include "kernel/kernel.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

@@ -28,7 +28,7 @@ Real ulp_of(Real x) {
 template <class Real>
 std::vector<Verdict> verdicts_at(const Implementation<Real>& kernel, Query<Real> query,
                                  const std::vector<BitsOf<Real>>& radii) {
-  QueryBatch<Real> batch(radii.size());
+  QueryBatch<Real> batch(radii.size(), coordinate_count);
   for (const auto radius : radii) {
     query.r = std::bit_cast<Real>(radius);
     batch.push_back(query);
@@ -77,7 +77,7 @@ std::vector<CriticalRadius<Real>> critical_radii(const Implementation<Real>& ker
   const Bits least = std::bit_cast<Bits>(range.least), greatest = std::bit_cast<Bits>(range.greatest);
   for (std::size_t i = 0; i < queries.size(); ++i) searches.push_back({i, least, greatest, greatest});
 
-  QueryBatch<Real> batch(queries.size());
+  QueryBatch<Real> batch(queries.size(), coordinate_count);
   std::vector<Verdict> verdicts(queries.size());
   for (bool is_first = true; !searches.empty(); is_first = false) {
     batch.clear();

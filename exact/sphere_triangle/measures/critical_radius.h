@@ -8,6 +8,7 @@
 #include "exact/sphere_triangle/measures/limits.h"
 #include "exact/numbers/rational.h"
 #include "kernel/kernel.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

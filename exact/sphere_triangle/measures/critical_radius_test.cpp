@@ -85,7 +85,7 @@ void expect_reversal(const Implementation<float>& kernel, const std::string& wha
       radius_reversal<float>(kernel, at_distance_two, critical_radius(kernel, at_distance_two).radius, 2.f);
   ASSERT_TRUE(found) << what;
   EXPECT_LT(found->contact, found->separated) << what;
-  QueryBatch<float> batch(2);
+  QueryBatch<float> batch(2, coordinate_count);
   for (const float r : {found->contact, found->separated}) {
     Query<float> q = at_distance_two;
     q.r = r;

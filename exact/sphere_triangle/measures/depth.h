@@ -2,7 +2,7 @@
 #pragma once
 
 #include "exact/numbers/rational.h"
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

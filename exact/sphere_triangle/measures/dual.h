@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

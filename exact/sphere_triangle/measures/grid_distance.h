@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

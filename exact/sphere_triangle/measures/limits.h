@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "kernel/kernel.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

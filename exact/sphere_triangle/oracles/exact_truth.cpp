@@ -59,7 +59,8 @@ ExactTruth exact_truth(const Query<Real>& q, bool with_second_opinion) {
   if (auto wrong = contradiction(q, geometric_order, formula, opinion)) {
     const SecondOpinion mpfr = second_opinion(q);
     throw OracleDisagreement(
-        fmt::format("{}; MPFR's own verdict is {}", *wrong, name(separated_if(mpfr.distance_order > 0))), q);
+        fmt::format("{}; MPFR's own verdict is {}", *wrong, name(separated_if(mpfr.distance_order > 0))),
+        Numbers<Real>(q));
   }
   return {{separated_if(geometric_order > 0), geometric_order == 0}, std::move(formula)};
 }

@@ -43,7 +43,7 @@ void expect_as_mpfr(int count) {
   constexpr int seed = 20261122;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
   std::mt19937_64 random(seed);
-  QueryBatch<Real> batch(static_cast<std::size_t>(count));
+  QueryBatch<Real> batch(static_cast<std::size_t>(count), coordinate_count);
   for (int i = 0; i < count; ++i) batch.push_back(query_of_any_size<Real>(random, i));
   std::vector<ComparisonBits> found(batch.size());
   int out_of_range = 0;
@@ -51,8 +51,8 @@ void expect_as_mpfr(int count) {
     for (const Strictness strictness : {Strictness::strict, Strictness::nonstrict}) {
       std::vector<ComparisonBits> expected;
       for (std::size_t i = 0; i < batch.size(); ++i) {
-        expected.push_back(*unbounded_by_mpfr(formulae, Arithmetic::plain, strictness, batch[i]).bits);
-        out_of_range += expected[i] != *reference(formulae, Arithmetic::plain, strictness, batch[i]).bits;
+        expected.push_back(*unbounded_by_mpfr(formulae, Arithmetic::plain, strictness, query_from(batch[i])).bits);
+        out_of_range += expected[i] != *reference(formulae, Arithmetic::plain, strictness, query_from(batch[i])).bits;
       }
       for (const std::string& target : simd_targets()) {
         range_free_on<Real>(target, formulae, strictness)(batch.columns(), found.data());

@@ -28,7 +28,9 @@ void ReferenceBatch<Real>::evaluate(const QueryColumns<Real>& batch) {
   if (std::fetestexcept(events) == 0) return;
   range_free_.resize(batch.size);
   for (std::size_t i = 0; i < left_range_.size(); ++i) {
-    QueryColumns<Real> part{{}, std::min(block, batch.size - i * block)};
+    QueryColumns<Real> part;
+    part.size = std::min(block, batch.size - i * block);
+    part.count = coordinate_count;
     for (std::size_t k = 0; k < coordinate_count; ++k) part.column[k] = batch.column[k] + i * block;
     std::feclearexcept(events);
     form_(part, bits_.data() + i * block);

@@ -38,8 +38,7 @@ void rethrow_fault(std::string_view message, int rank) {
   const Cbor json = Cbor::from_cbor(message);
   const auto kind = json.at(0).get<std::string>(), what = json.at(1).get<std::string>();
   if (kind == "disagreement") {
-    Query<float> none{};
-    OracleDisagreement disagreement("", none);
+    OracleDisagreement disagreement("", Numbers<float>());
     disagreement.precision = json.at(2).get<Precision>();
     json.at(3).get_to(disagreement.query);
     static_cast<HarnessFault&>(disagreement) = HarnessFault(what);

@@ -4,7 +4,7 @@
 // with a phantom contact; random floats are never collinear.
 #include "fuzz/queries/boundary.h"
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
-#include "fuzz/queries/family.h"
+#include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"
 
 namespace axiscert {
@@ -46,7 +46,7 @@ extern const Family collinear_family = {
     "three distinct vertices exactly on a line; radii below, at and above the distance",
     2,
     false,
-    collinear<float>,
-    collinear<double>};
+    one_by_one<collinear<float>>,
+    one_by_one<collinear<double>>};
 
 }  // namespace axiscert

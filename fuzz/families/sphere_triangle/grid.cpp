@@ -2,7 +2,7 @@
 // determinants that `on` leaves to rounding are exactly zero here. Iterations that wait for a sign can then run for
 // ever.
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
-#include "fuzz/queries/family.h"
+#include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"
 
 namespace axiscert {
@@ -32,7 +32,7 @@ extern const Family grid_family = {
     "small integers, the centre exactly on the face, a vertex or an edge in turn; r 0, -0, 1 and small integers",
     2,
     false,
-    grid<float>,
-    grid<double>};
+    one_by_one<grid<float>>,
+    one_by_one<grid<double>>};
 
 }  // namespace axiscert

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
-#include "fuzz/queries/family.h"
+#include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"
 
 namespace axiscert {
@@ -46,8 +46,11 @@ Query<Real> on(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family on_family = {
-    "on",      "centre exactly on the face, a vertex or an edge in turn; r of 0, -0, the least, tiny and small",
-    2,         false,
-    on<float>, on<double>};
+    "on",
+    "centre exactly on the face, a vertex or an edge in turn; r of 0, -0, the least, tiny and small",
+    2,
+    false,
+    one_by_one<on<float>>,
+    one_by_one<on<double>>};
 
 }  // namespace axiscert

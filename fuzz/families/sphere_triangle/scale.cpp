@@ -42,10 +42,11 @@ struct Scale {
   template <class Real>
   static void finish(std::uint64_t first, const MutableColumns<Real>& queries, const shapes::Wishes<Real>& wishes) {
     for (std::size_t i = 0; i < queries.size; ++i) {
-      const Real share = wishes[0][i], distance = radius_at_distance(queries[i]), times = size<Real>(first + i);
+      const Real share = wishes[0][i], distance = radius_at_distance(query_from(queries[i])),
+                 times = size<Real>(first + i);
       const bool separated = wishes[1][i] > 0 || distance >= Real(0.5);
       queries.column[12][i] = separated ? distance * share : distance * 2 + share;
-      for (Real* column : queries.column) column[i] *= times;
+      for (std::size_t k = 0; k < queries.count; ++k) queries.column[k][i] *= times;
     }
   }
 };

@@ -89,9 +89,9 @@ struct Seam {
       const std::uint64_t position = first + i;
       const auto k = static_cast<int>(wishes[0][i]);
       queries.column[static_cast<std::size_t>(9 + k)][i] =
-          step_ulps(coordinate_on_boundary(queries[i], side(position).comparison, k), ulps(position));
+          step_ulps(coordinate_on_boundary(query_from(queries[i]), side(position).comparison, k), ulps(position));
       if (!radius_at_boundary(position)) continue;
-      queries.column[12][i] = step_radius(radius_at_distance(queries[i]), static_cast<int>(wishes[1][i]));
+      queries.column[12][i] = step_radius(radius_at_distance(query_from(queries[i])), static_cast<int>(wishes[1][i]));
     }
   }
 };

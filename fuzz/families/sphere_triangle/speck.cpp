@@ -3,7 +3,7 @@
 // where products underflow: arithmetic that is exact except for underflow answers as if the specks were absent.
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/families/sphere_triangle/parts/ties.h"
-#include "fuzz/queries/family.h"
+#include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"
 
 namespace axiscert {
@@ -45,8 +45,8 @@ extern const Family speck_family = {
     "exact ties times powers of two, with specks for zeros: a rounding of them down to the least numbers there are",
     1,
     false,
-    specked_tie<float>,
-    specked_tie<double>,
+    one_by_one<specked_tie<float>>,
+    one_by_one<specked_tie<double>>,
     30};
 
 }  // namespace axiscert

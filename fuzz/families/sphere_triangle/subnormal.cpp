@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
-#include "fuzz/queries/family.h"
+#include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"
 
 namespace axiscert {
@@ -30,7 +30,7 @@ extern const Family subnormal_family = {
     "all subnormal, or within 2^12 of the least normal number; a quarter of the radii at the distance",
     2,
     false,
-    subnormal<float>,
-    subnormal<double>};
+    one_by_one<subnormal<float>>,
+    one_by_one<subnormal<double>>};
 
 }  // namespace axiscert

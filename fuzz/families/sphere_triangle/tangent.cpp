@@ -58,7 +58,7 @@ struct Tangent {
   static void finish(std::uint64_t first, const MutableColumns<Real>& queries, const shapes::Wishes<Real>&) {
     for (std::size_t i = 0; i < queries.size; ++i) {
       const Comparison which = radius_comparison(static_cast<Axis>(axis(first + i)));
-      queries.column[12][i] = step_radius(radius_on_boundary(queries[i], which), ulps(first + i));
+      queries.column[12][i] = step_radius(radius_on_boundary(query_from(queries[i]), which), ulps(first + i));
     }
   }
 };

@@ -1,7 +1,7 @@
 // Integers that touch exactly: the distance equals r, on each of the seven features in turn.
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/families/sphere_triangle/parts/ties.h"
-#include "fuzz/queries/family.h"
+#include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"
 
 namespace axiscert {
@@ -98,7 +98,7 @@ extern const Family tie_family = {
     "integers that touch exactly, on each of the seven features in turn; small ones and large ones",
     2,
     false,
-    touching_integers<float>,
-    touching_integers<double>};
+    one_by_one<touching_integers<float>>,
+    one_by_one<touching_integers<double>>};
 
 }  // namespace axiscert

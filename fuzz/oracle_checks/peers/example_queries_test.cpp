@@ -2,6 +2,7 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "fuzz/files/query_file.h"
+#include "fuzz/files/sphere_triangle_query.h"
 #include "kernel/peers/peers_testing.h"
 
 namespace axiscert {
@@ -12,7 +13,7 @@ TEST(CgalDoubleExamples, AreWrongInDoubleAndRightInEpick) {
   ASSERT_EQ(queries.size(), 3u);
   for (const StoredQuery& stored : queries) {
     ASSERT_EQ(stored.precision, Precision::binary32) << stored.id;
-    const Query<float>& q = std::get<Query<float>>(stored.query);
+    const Query<float> q = sphere_triangle_query_in<float>(stored);
     const int order = distance_order(q);
     EXPECT_EQ(second_opinion(q).distance_order, order) << stored.id;
     const std::string right(1, order > 0 ? 's' : 'c'), wrong(1, order > 0 ? 'c' : 's');

@@ -3,6 +3,7 @@
 #include "kernel/sphere_triangle/certified/answers.h"
 #include "kernel/sphere_triangle/certified/default_modes.h"
 #include "kernel/sphere_triangle/forms/simd.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

@@ -80,7 +80,7 @@ template <class Real>
 Told ask(const axiscert_kernel& kernel, const QueryColumns<Real>& queries) {
   Told told{std::vector<Verdict>(queries.size), std::vector<std::uint64_t>(queries.size)};
   std::array<const void*, coordinate_count> column;
-  std::copy(queries.column.begin(), queries.column.end(), column.begin());
+  std::copy_n(queries.column.begin(), queries.count, column.begin());
   const axiscert_batch batch{sizeof batch, queries.size, column.size(), column.data()};
   axiscert_answers answers{};
   answers.size = sizeof answers;
@@ -109,7 +109,7 @@ template <class Real>
 void expect_that_the_control_is_published() {
   constexpr std::size_t count = 200'000;
   std::mt19937_64 random(1);
-  QueryBatch<Real> queries(count);
+  QueryBatch<Real> queries(count, coordinate_count);
   for (std::size_t i = 0; i < count; ++i) queries.push_back(random_query<Real>(random, i % 2 == 1));
   const Told control = ask(plugin<Real>("none"), queries.columns()), published = ask_published(queries.columns());
   for (std::size_t i = 0; i < count; ++i) {
@@ -138,7 +138,7 @@ template <class Real>
 QueryBatch<Real> lattice() {
   constexpr std::size_t count = 50'000;
   std::mt19937_64 random(2);
-  QueryBatch<Real> queries(count);
+  QueryBatch<Real> queries(count, coordinate_count);
   while (queries.size() < count) {
     std::array<Real, coordinate_count> v;
     for (Real& x : v) x = static_cast<Real>(static_cast<int>(random() % 5) - 2);

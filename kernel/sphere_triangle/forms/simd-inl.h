@@ -2,6 +2,8 @@
 // compiling. The including file has defined AXISCERT_PER_TARGET and included the formulae.
 #include <cstring>
 
+#include "kernel/sphere_triangle/query.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace axiscert {
 namespace HWY_NAMESPACE {
@@ -78,7 +80,9 @@ AXISCERT_INLINE std::uint64_t separated_mask(const QueryColumns<Real>& batch, st
 template <class Real, std::size_t block, class Body>
 void with_padded_tail(const QueryColumns<Real>& batch, std::size_t begin, Body&& body) {
   Real storage[coordinate_count][block] = {};
-  QueryColumns<Real> tail{{}, batch.size - begin};
+  QueryColumns<Real> tail;
+  tail.size = batch.size - begin;
+  tail.count = coordinate_count;
   for (std::size_t k = 0; k < coordinate_count; ++k) {
     std::memcpy(storage[k], batch.column[k] + begin, tail.size * sizeof(Real));
     tail.column[k] = storage[k];

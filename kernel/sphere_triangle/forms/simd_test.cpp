@@ -84,7 +84,7 @@ TYPED_TEST(SimdTest, AgreesWithTheReferenceOnRandomAndOnArbitraryBits) {
   constexpr std::uint64_t seed = 20101230;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
   std::mt19937_64 random(seed);
-  QueryBatch<TypeParam> batch(20000);
+  QueryBatch<TypeParam> batch(20000, coordinate_count);
   for (int i = 0; i < 20000; ++i) batch.push_back(random_query<TypeParam>(random, i % 2 == 1));
   for_each_own_form(
       [&](const Kernel& kernel, const std::string& target) { expect_same_answers(batch, kernel, target); });
@@ -94,7 +94,7 @@ TYPED_TEST(SimdTest, EveryLaneAndEveryTailLengthWithGarbageInTheOthers) {
   std::mt19937_64 random(7);
   for (std::size_t size = 1; size <= 35; ++size) {
     for (std::size_t place = 0; place < size; ++place) {
-      QueryBatch<TypeParam> batch(size);
+      QueryBatch<TypeParam> batch(size, coordinate_count);
       for (std::size_t i = 0; i < size; ++i) {
         batch.push_back(i == place ? random_query<TypeParam>(random, false) : garbage<TypeParam>(i));
       }

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "kernel/sphere_triangle/reference/formulae_types.h"
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::mutants {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernel/sphere_triangle/decision.h"
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 #include "kernel/sphere_triangle/formulae.h"
 
 namespace axiscert {

@@ -36,7 +36,7 @@ template <class Real>
 void solve_aimed_radii(const MutableColumns<Real>& queries, const Wishes<Real>& wishes) {
   for (std::size_t i = 0; i < queries.size; ++i) {
     if (wishes[1][i] == 0) continue;
-    const Real distance = radius_at_distance(queries[i]);
+    const Real distance = radius_at_distance(query_from(queries[i]));
     queries.column[12][i] = step_radius(distance, static_cast<int>(wishes[0][i])) * wishes[1][i];
   }
 }

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "fuzz/queries/random.h"
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::shapes {
 

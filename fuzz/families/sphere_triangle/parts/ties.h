@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "fuzz/queries/random.h"
-#include "kernel/query.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

@@ -1,0 +1,174 @@
+// Streams of a test other than the first, which have version 2: forty columns, 33 comparisons.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <deque>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "fuzz/pipe/query_stream.h"
+#include "fuzz/pipe/replies.h"
+#include "fuzz/text/sha256.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+using pipe::WideReplyRecord;
+using testing::HasSubstr;
+
+const TestDescription& wide_test() {
+  static std::deque<std::string> names;
+  static const TestDescription test = [] {
+    TestDescription wide{.id = "wide",
+                         .asks = "nothing",
+                         .touching = "never",
+                         .wrong_answers = {},
+                         .entries = {{"first", "any", {{"y", Role::length, "y"}}}, {"numbers", "any", {}}},
+                         .comparisons = {},
+                         .clauses = {{"all", (std::uint64_t{1} << 33) - 1}},
+                         .measures = {}};
+    for (std::size_t k = 0; k < 40; ++k) {
+      wide.entries[1].columns.push_back({names.emplace_back(fmt::format("x{}", k)), Role::coordinate, "x"});
+    }
+    for (std::size_t k = 0; k < 33; ++k) wide.comparisons.push_back({names.emplace_back(fmt::format("c{}", k)), 0});
+    return checked(wide);
+  }();
+  return test;
+}
+const TestDescription* const known[] = {&first_test(), &wide_test()};
+
+// Two queries, of the numbers 0 to 39 and 1000 to 1039.
+class WideStream : public testing::Test {
+ protected:
+  void SetUp() override {
+    path_ = (std::filesystem::path(testing::TempDir()) / "axiscert_wide_stream.jsonl").string();
+    std::ofstream file(path_);
+    for (const int base : {0, 1000}) {
+      file << R"({"precision":"binary32","test":"wide","entry":"numbers","x":[)";
+      for (int k = 0; k < 40; ++k) file << (k == 0 ? "" : ",") << base + k;
+      file << "]}\n";
+    }
+  }
+  void TearDown() override { std::filesystem::remove(path_); }
+
+  PipePlan plan() const {
+    return {1, Precision::binary32, {{query_file_source(path_, Precision::binary32, known), 2}}};
+  }
+
+  std::string path_;
+};
+
+std::string bytes_of(const std::vector<WideReplyRecord>& replies) {
+  return {reinterpret_cast<const char*>(replies.data()), replies.size() * sizeof(WideReplyRecord)};
+}
+ReplyStream read(const std::string& bytes) {
+  std::istringstream in(bytes);
+  return read_replies(in, "r.bin", {}, known);
+}
+std::string refusal(const std::string& bytes) {
+  try {
+    read(bytes);
+    return "accepted";
+  } catch (const Error& wrong) {
+    return wrong.what();
+  }
+}
+
+// The header with another version, or with another plan whose hash is right.
+std::string changed(std::string header, std::uint32_t version, const std::string& from = "",
+                    const std::string& to = "") {
+  pipe::Head head;
+  std::memcpy(&head, header.data(), sizeof head);
+  if (!from.empty()) header.replace(header.find(from), from.size(), to);
+  header.resize(head.header_size, ' ');
+  head.plan_sha256 = sha256(std::as_bytes(std::span(header).subspan(sizeof head)));
+  head.version = version;
+  std::memcpy(header.data(), &head, sizeof head);
+  return header;
+}
+
+constexpr std::uint64_t all_bits = (std::uint64_t{1} << 33) - 1;
+
+TEST_F(WideStream, HasItsTestInTheHeaderAndFortyNumbersARecord) {
+  std::string stream;
+  write_queries(plan(), QueryEncoding::binary, 1, [&](std::string_view bytes) { stream += bytes; });
+  pipe::Head head;
+  std::memcpy(&head, stream.data(), sizeof head);
+  EXPECT_EQ(head.version, 2u);
+  EXPECT_EQ(head.record_size, 160u);
+  EXPECT_THAT(stream, HasSubstr(R"("precision":"binary32","test":"wide","entry":"numbers","columns":40,"sources":[)"));
+  ASSERT_EQ(stream.size(), head.header_size + 2 * 160u);
+  std::array<float, 80> numbers;
+  std::memcpy(numbers.data(), stream.data() + head.header_size, sizeof numbers);
+  EXPECT_EQ(numbers[39], 39);
+  EXPECT_EQ(numbers[40], 1000);
+}
+
+TEST_F(WideStream, RepliesHaveBitsBeyondSixteen) {
+  std::vector<ReplyStream> streams;
+  streams.push_back(read(header_of(plan()) + bytes_of({{1, 1, {}, all_bits}, {0, 1, {}, all_bits >> 1}})));
+  ASSERT_EQ(streams[0].wide_replies.size(), 2u);
+  EXPECT_EQ(streams[0].wide_replies[0].bits, all_bits);
+  const StoredReplies replies(std::move(streams));
+  const Source& source = *replies.sources()[0];
+  EXPECT_EQ(&source.test(), &wide_test());
+  EXPECT_EQ(source.entry(), 1u);
+  EXPECT_EQ(replies.at(source, Precision::binary32, 0).verdict, Verdict::separated);
+  EXPECT_EQ(replies.at(source, Precision::binary32, 1).verdict, Verdict::contact);
+}
+
+TEST_F(WideStream, AWrongReplyIsNamed) {
+  const std::string header = header_of(plan());
+  const auto expect_fault = [&](const WideReplyRecord& wrong, const std::string& part) {
+    EXPECT_EQ(refusal(header + bytes_of({{0, 1, {}, 0}, wrong})),
+              fmt::format("r.bin: reply 2 of 2, at byte {}: {}", header.size() + 16, part));
+  };
+  expect_fault({0, 1, {}, all_bits}, "contact, but its comparison bits 0x1ffffffff say separated");
+  expect_fault({1, 1, {0, 0, 0, 0, 0, 1}, all_bits}, "bytes 3 to 8 of the reply are not 0");
+  expect_fault({0, 1, {}, all_bits + 1},
+               "comparison bits 0x200000000, but the test wide has 33 comparisons; the other bits are 0");
+  EXPECT_THAT(refusal(header + bytes_of({{0, 1, {}, 0}})), HasSubstr("ends after 1 of 2 replies"));
+  EXPECT_THAT(refusal(header + bytes_of({{0, 1, {}, 0}}) + "1234"), HasSubstr("4 bytes of the next; a reply has 16"));
+}
+
+TEST_F(WideStream, VersionAndTestBelongTogether) {
+  const std::string header = header_of(plan()), replies = bytes_of({{0, 0, {}, 0}, {0, 0, {}, 0}});
+  EXPECT_EQ(refusal(changed(header, 2) + replies), "accepted");
+  EXPECT_THAT(refusal(changed(header, 1) + replies),
+              HasSubstr("version 1 of the format, but its plan is of the test wide, whose streams have version 2"));
+  EXPECT_THAT(refusal(changed(header, 3) + replies), HasSubstr("version 3 of the format; this axiscert knows"));
+  EXPECT_THAT(refusal(changed(header, 2, "\"wide\"", "\"sphere-triangle\"") + replies),
+              HasSubstr("version 2 of the format, but its plan is of the test sphere-triangle"));
+  EXPECT_THAT(refusal(changed(header, 2, "\"columns\":40", "\"columns\":39") + replies),
+              HasSubstr("its plan has 39 columns, but wide, entry numbers, has 40 here"));
+  EXPECT_THAT(
+      refusal(changed(header, 2, "\"numbers\",\"columns\":40", "\"first\",\"columns\":1") + replies),
+      HasSubstr("its plan is of the test wide, entry first, but queries/axiscert_wide_stream.jsonl has queries of "
+                "wide, entry numbers here"));
+  std::istringstream in(header + replies);
+  EXPECT_THAT([&] { read_replies(in, "r.bin", {}); }, testing::ThrowsMessage<Error>(HasSubstr("unknown test 'wide'")));
+}
+
+TEST_F(WideStream, SourcesOfTwoTestsAreNoStream) {
+  PipePlan mixed = plan();
+  mixed.parts.push_back({family_source(find_family("general")), 3});
+  EXPECT_THAT([&] { header_of(mixed); },
+              testing::ThrowsMessage<Error>("a stream is of one test and one entry: queries/axiscert_wide_stream.jsonl "
+                                            "has queries of wide, entry numbers, but general has queries of "
+                                            "sphere-triangle, entry vertices"));
+}
+
+TEST_F(WideStream, AFileOfTwoTestsIsNoSource) {
+  std::ofstream(path_, std::ios::app) << R"({"precision":"binary32","test":"wide","y":1})"
+                                      << "\n";
+  EXPECT_THAT([&] { plan(); }, testing::ThrowsMessage<Error>(
+                                   path_ + ":3: a query of wide, but those before it are of wide, entry numbers; "
+                                           "the queries of a file have one test and one entry"));
+}
+
+}  // namespace
+}  // namespace axiscert
