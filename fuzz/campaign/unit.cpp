@@ -34,7 +34,7 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
   KernelRuns<Real> kernels(plan, source, decider, standing, first, out.tallies);
   if (kernels.empty()) return;
   const std::size_t most = kernels.any_in_another_process() ? batch_size_for_processes : batch_size;
-  QueryBatch<Real> queries(most, coordinate_count);
+  QueryBatch<Real> queries(most, source.columns().size());
   StepCounts& steps = out.steps;
   for (std::uint64_t done = 0; done < size; done += queries.size()) {
     Stopwatch watch;
