@@ -32,7 +32,7 @@ struct Pixel {
   std::optional<Verdict> right;
 };
 
-bool is_set(unsigned bits, std::size_t i) { return ((bits >> i) & 1u) != 0; }
+bool is_set(ComparisonBits bits, std::size_t i) { return ((bits >> i) & 1u) != 0; }
 
 bool holds(AxisBits axes, std::size_t axis) { return is_set(axes, axis); }
 
@@ -254,7 +254,7 @@ void draw(const MapPlan& plan, std::vector<Canvas>& canvases) {
 }  // namespace
 
 std::string_view name(const MapSubject& subject) {
-  return name(Flip{subject.level, subject.index, FlipKind::false_separation, false, 0});
+  return name(first_test(), Flip{subject.level, subject.index, FlipKind::false_separation, false, 0});
 }
 
 std::vector<MapSubject> map_subjects() {

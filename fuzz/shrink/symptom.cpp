@@ -42,7 +42,7 @@ bool can_show(const Symptom& symptom, const Answer& answer) {
     return answer.verdict == (symptom.kind == FlipKind::false_separation ? Verdict::separated : Verdict::contact);
   }
   if (!answer.bits) return false;
-  const unsigned bits = symptom.level == Level::axis ? axes_of(*answer.bits) : *answer.bits;
+  const ComparisonBits bits = symptom.level == Level::axis ? axes_of(*answer.bits) : *answer.bits;
   return !symptom.kind || ((bits >> symptom.index) & 1u) == (symptom.kind == FlipKind::false_separation);
 }
 
@@ -83,7 +83,7 @@ bool shows(const Judgement& judgement, const Symptom& symptom) {
 
 }  // namespace
 
-std::string_view name(const Symptom& s) { return name(Flip{s.level, s.index, FlipKind{}, false, 0}); }
+std::string_view name(const Symptom& s) { return name(first_test(), Flip{s.level, s.index, FlipKind{}, false, 0}); }
 
 std::string text(const Symptom& s) {
   if (!s.kind) return fmt::format("{} error", name(s));
@@ -143,7 +143,7 @@ std::optional<Severity> Diagnosis<Real>::severity(const Query<Real>& q, const Sy
     const Fraction fraction = error.exact();
     return Severity{Rational(fraction.numerator) / Rational(fraction.denominator), shown};
   }
-  const Judgement judgement = judge(truth, claims.chain(kernel_), answer, kernel_.touching);
+  const Judgement judgement = judge(first_test(), truth, claims.chain(kernel_), answer, kernel_.touching);
   if (!shows(judgement, symptom)) return std::nullopt;
   switch (symptom.level) {
     case Level::verdict: {

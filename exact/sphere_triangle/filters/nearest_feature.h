@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "exact/sphere_triangle/filters/enclosed_triangle.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "kernel/sphere_triangle/query.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
 
