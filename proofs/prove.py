@@ -172,7 +172,7 @@ def check_emitted(build, jobs):
     """`-vos` reads definitions and statements and leaves out the proofs; `-vok` checks the proofs of one file with no more
     of the others than that."""
     make(build, jobs, "vos")
-    require_statements(build, "-vos")
+    require_statements(build, "-vok")
     for file in EMITTED:
         result = coqc(build, file, "-vok")
         if result.returncode:

@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 
 // A test of forty columns in one group, and of two boxes in another entry.
-const TestDescription& wide_test() {
+const TestDescription& two_entry_test() {
   static std::deque<std::string> names;
   static const TestDescription test = [] {
     TestDescription wide{.id = "wide",
@@ -42,13 +42,13 @@ const TestDescription& wide_test() {
   return test;
 }
 
-std::vector<StoredQuery> parse(const std::string& text) {
-  const TestDescription* const known[] = {&sphere_triangle_test(), &wide_test()};
+std::vector<StoredQuery> parse_known(const std::string& text) {
+  const TestDescription* const known[] = {&sphere_triangle_test(), &two_entry_test()};
   return parse_queries(text, "f", Precision::binary64, known);
 }
-std::string refusal(const std::string& text) {
+std::string known_refusal(const std::string& text) {
   try {
-    return fmt::format("accepted {} queries", parse(text).size());
+    return fmt::format("accepted {} queries", parse_known(text).size());
   } catch (const Error& wrong) {
     return wrong.what();
   }
@@ -63,9 +63,9 @@ std::string forty_numbers() {
 const std::string boxes = R"("precision":"binary64","m":[1,2],"a":"0x1p-1","t":7)";
 
 TEST(QueryOfTest, FortyColumnsAreOneArray) {
-  const auto queries = parse(R"({"test":"wide","precision":"binary32","x":[)" + forty_numbers() + "]}");
+  const auto queries = parse_known(R"({"test":"wide","precision":"binary32","x":[)" + forty_numbers() + "]}");
   ASSERT_EQ(queries.size(), 1u);
-  EXPECT_EQ(queries[0].test, &wide_test());
+  EXPECT_EQ(queries[0].test, &two_entry_test());
   EXPECT_EQ(queries[0].entry, 0u);
   const auto& numbers = std::get<Numbers<float>>(queries[0].numbers);
   ASSERT_EQ(numbers.size(), 40u);
@@ -75,9 +75,9 @@ TEST(QueryOfTest, FortyColumnsAreOneArray) {
 TEST(QueryOfTest, TestAndEntryMayComeLast) {
   for (const std::string& line :
        {"{" + boxes + R"(,"entry":"boxes","test":"wide"})", R"({"test":"wide","entry":"boxes",)" + boxes + "}"}) {
-    const auto queries = parse(line);
+    const auto queries = parse_known(line);
     ASSERT_EQ(queries.size(), 1u);
-    EXPECT_EQ(queries[0].test, &wide_test());
+    EXPECT_EQ(queries[0].test, &two_entry_test());
     EXPECT_EQ(queries[0].entry, 1u);
     const auto& numbers = std::get<Numbers<double>>(queries[0].numbers);
     EXPECT_THAT(std::vector<double>(numbers.begin(), numbers.end()), testing::ElementsAre(1, 2, 0.5, 7));
@@ -85,53 +85,53 @@ TEST(QueryOfTest, TestAndEntryMayComeLast) {
 }
 
 TEST(QueryOfTest, AWrittenLineReadsBackTheSame) {
-  const auto queries = parse("{" + boxes + R"(,"id":"q","entry":"boxes","test":"wide"})");
+  const auto queries = parse_known("{" + boxes + R"(,"id":"q","entry":"boxes","test":"wide"})");
   const std::string line = query_line(queries[0]);
   EXPECT_EQ(line, R"({"id":"q","precision":"binary64","test":"wide","entry":"boxes","m":["0x1p+0","0x1p+1"],)"
                   R"("a":"0x1p-1","t":"0x1.cp+2"})");
-  EXPECT_EQ(query_line(parse(line)[0]), line);
+  EXPECT_EQ(query_line(parse_known(line)[0]), line);
 }
 
 TEST(QueryOfTest, TheHeaderOfCsvTellsTestAndEntry) {
-  const auto rows = parse("id,mx,my,a,t\none,1,2,0.5,7\n");
+  const auto rows = parse_known("id,mx,my,a,t\none,1,2,0.5,7\n");
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].id, "one");
-  EXPECT_EQ(rows[0].test, &wide_test());
+  EXPECT_EQ(rows[0].test, &two_entry_test());
   EXPECT_EQ(rows[0].entry, 1u);
   EXPECT_EQ(std::get<Numbers<double>>(rows[0].numbers)[3], 7);
-  EXPECT_EQ(parse("ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r\n0,0,0,1,0,0,0,1,0,0,0,1,1\n")[0].test,
+  EXPECT_EQ(parse_known("ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r\n0,0,0,1,0,0,0,1,0,0,0,1,1\n")[0].test,
             &sphere_triangle_test());
 }
 
 TEST(QueryOfTest, AHeaderThatNoEntryHasIsMeasuredByTheNearest) {
-  EXPECT_THAT(refusal("mx,my,a\n"),
+  EXPECT_THAT(known_refusal("mx,my,a\n"),
               HasSubstr("f:1: field 't': column 4 of the header is ''; the header is [id,]mx,my,a,t"));
-  EXPECT_THAT(refusal("id,q\n"), HasSubstr("the header is [id,]ax,ay,az,bx"));
+  EXPECT_THAT(known_refusal("id,q\n"), HasSubstr("the header is [id,]ax,ay,az,bx"));
 }
 
 TEST(QueryOfTest, AMemberThatMattersIsGivenOnce) {
   const std::string line = R"("test":"wide","entry":"boxes",)" + boxes;
-  EXPECT_EQ(refusal("{" + line + R"(,"b":1,"b":2,"x":1,"x":2})"), "accepted 1 queries");
-  EXPECT_EQ(refusal("{" + line + R"(,"t":1})"), "f:1: field 't': given twice");
-  EXPECT_EQ(refusal("{" + line + R"(,"test":"wide"})"), "f:1: field 'test': given twice");
-  EXPECT_EQ(refusal(R"({"t":1,)" + line + R"(,"x":)"), "f:1: field 't': given twice");
+  EXPECT_EQ(known_refusal("{" + line + R"(,"b":1,"b":2,"x":1,"x":2})"), "accepted 1 queries");
+  EXPECT_EQ(known_refusal("{" + line + R"(,"t":1})"), "f:1: field 't': given twice");
+  EXPECT_EQ(known_refusal("{" + line + R"(,"test":"wide"})"), "f:1: field 'test': given twice");
+  EXPECT_EQ(known_refusal(R"({"t":1,)" + line + R"(,"x":)"), "f:1: field 't': given twice");
 }
 
 TEST(QueryOfTest, WhatIsWrongIsNamed) {
-  EXPECT_EQ(refusal("{" + boxes + R"(,"test":"wid"})"),
+  EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":"wid"})"),
             "f:1: field 'test': unknown test 'wid'; tests: wide, sphere-triangle");
-  EXPECT_EQ(refusal("{" + boxes + R"(,"test":3})"), "f:1: field 'test': a number; the id of a test belongs here");
-  EXPECT_EQ(refusal("{" + boxes + R"(,"test":"wide","entry":"box"})"),
+  EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":3})"), "f:1: field 'test': a number; the id of a test belongs here");
+  EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":"wide","entry":"box"})"),
             "f:1: field 'entry': test 'wide': unknown entry 'box'; entries: boxes, numbers");
-  EXPECT_EQ(refusal("{" + boxes + R"(,"test":"wide"})"),
+  EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":"wide"})"),
             "f:1: field 'x': missing; an array of 40 numbers belongs here");
-  EXPECT_EQ(refusal(R"({"precision":"binary64","test":"wide","entry":"boxes","m":[1],"a":1,"t":1})"),
+  EXPECT_EQ(known_refusal(R"({"precision":"binary64","test":"wide","entry":"boxes","m":[1],"a":1,"t":1})"),
             "f:1: field 'm': an array of 1; an array of two numbers belongs here");
-  EXPECT_EQ(refusal("{" + boxes + "}"), "f:1: field 'a': a string; an array of three numbers belongs here");
+  EXPECT_EQ(known_refusal("{" + boxes + "}"), "f:1: field 'a': a string; an array of three numbers belongs here");
 }
 
 TEST(QueryOfTest, CodeOfSphereTriangleTakesNoOther) {
-  const auto queries = parse("{" + boxes + R"(,"id":"q","entry":"boxes","test":"wide"})");
+  const auto queries = parse_known("{" + boxes + R"(,"id":"q","entry":"boxes","test":"wide"})");
   EXPECT_THAT(
       [&] { sphere_triangle_query(queries[0]); },
       testing::ThrowsMessage<Error>("q: a query of the test wide; only queries of sphere-triangle are served here"));

@@ -20,7 +20,7 @@ namespace {
 using pipe::WideReplyRecord;
 using testing::HasSubstr;
 
-const TestDescription& wide_test() {
+const TestDescription& piped_test() {
   static std::deque<std::string> names;
   static const TestDescription test = [] {
     TestDescription wide{.id = "wide",
@@ -39,7 +39,7 @@ const TestDescription& wide_test() {
   }();
   return test;
 }
-const TestDescription* const known[] = {&first_test(), &wide_test()};
+const TestDescription* const known[] = {&first_test(), &piped_test()};
 
 // Two queries, of the numbers 0 to 39 and 1000 to 1039.
 class WideStream : public testing::Test {
@@ -62,16 +62,16 @@ class WideStream : public testing::Test {
   std::string path_;
 };
 
-std::string bytes_of(const std::vector<WideReplyRecord>& replies) {
+std::string stream_bytes(const std::vector<WideReplyRecord>& replies) {
   return {reinterpret_cast<const char*>(replies.data()), replies.size() * sizeof(WideReplyRecord)};
 }
-ReplyStream read(const std::string& bytes) {
+ReplyStream read_stream(const std::string& bytes) {
   std::istringstream in(bytes);
   return read_replies(in, "r.bin", {}, known);
 }
-std::string refusal(const std::string& bytes) {
+std::string stream_refusal(const std::string& bytes) {
   try {
-    read(bytes);
+    read_stream(bytes);
     return "accepted";
   } catch (const Error& wrong) {
     return wrong.what();
@@ -110,12 +110,12 @@ TEST_F(WideStream, HasItsTestInTheHeaderAndFortyNumbersARecord) {
 
 TEST_F(WideStream, RepliesHaveBitsBeyondSixteen) {
   std::vector<ReplyStream> streams;
-  streams.push_back(read(header_of(plan()) + bytes_of({{1, 1, {}, all_bits}, {0, 1, {}, all_bits >> 1}})));
+  streams.push_back(read_stream(header_of(plan()) + stream_bytes({{1, 1, {}, all_bits}, {0, 1, {}, all_bits >> 1}})));
   ASSERT_EQ(streams[0].wide_replies.size(), 2u);
   EXPECT_EQ(streams[0].wide_replies[0].bits, all_bits);
   const StoredReplies replies(std::move(streams));
   const Source& source = *replies.sources()[0];
-  EXPECT_EQ(&source.test(), &wide_test());
+  EXPECT_EQ(&source.test(), &piped_test());
   EXPECT_EQ(source.entry(), 1u);
   EXPECT_EQ(replies.at(source, Precision::binary32, 0).verdict, Verdict::separated);
   EXPECT_EQ(replies.at(source, Precision::binary32, 1).verdict, Verdict::contact);
@@ -124,29 +124,29 @@ TEST_F(WideStream, RepliesHaveBitsBeyondSixteen) {
 TEST_F(WideStream, AWrongReplyIsNamed) {
   const std::string header = header_of(plan());
   const auto expect_fault = [&](const WideReplyRecord& wrong, const std::string& part) {
-    EXPECT_EQ(refusal(header + bytes_of({{0, 1, {}, 0}, wrong})),
+    EXPECT_EQ(stream_refusal(header + stream_bytes({{0, 1, {}, 0}, wrong})),
               fmt::format("r.bin: reply 2 of 2, at byte {}: {}", header.size() + 16, part));
   };
   expect_fault({0, 1, {}, all_bits}, "contact, but its comparison bits 0x1ffffffff say separated");
   expect_fault({1, 1, {0, 0, 0, 0, 0, 1}, all_bits}, "bytes 3 to 8 of the reply are not 0");
   expect_fault({0, 1, {}, all_bits + 1},
                "comparison bits 0x200000000, but the test wide has 33 comparisons; the other bits are 0");
-  EXPECT_THAT(refusal(header + bytes_of({{0, 1, {}, 0}})), HasSubstr("ends after 1 of 2 replies"));
-  EXPECT_THAT(refusal(header + bytes_of({{0, 1, {}, 0}}) + "1234"), HasSubstr("4 bytes of the next; a reply has 16"));
+  EXPECT_THAT(stream_refusal(header + stream_bytes({{0, 1, {}, 0}})), HasSubstr("ends after 1 of 2 replies"));
+  EXPECT_THAT(stream_refusal(header + stream_bytes({{0, 1, {}, 0}}) + "1234"), HasSubstr("4 bytes of the next; a reply has 16"));
 }
 
 TEST_F(WideStream, VersionAndTestBelongTogether) {
-  const std::string header = header_of(plan()), replies = bytes_of({{0, 0, {}, 0}, {0, 0, {}, 0}});
-  EXPECT_EQ(refusal(changed(header, 2) + replies), "accepted");
-  EXPECT_THAT(refusal(changed(header, 1) + replies),
+  const std::string header = header_of(plan()), replies = stream_bytes({{0, 0, {}, 0}, {0, 0, {}, 0}});
+  EXPECT_EQ(stream_refusal(changed(header, 2) + replies), "accepted");
+  EXPECT_THAT(stream_refusal(changed(header, 1) + replies),
               HasSubstr("version 1 of the format, but its plan is of the test wide, whose streams have version 2"));
-  EXPECT_THAT(refusal(changed(header, 3) + replies), HasSubstr("version 3 of the format; this axiscert knows"));
-  EXPECT_THAT(refusal(changed(header, 2, "\"wide\"", "\"sphere-triangle\"") + replies),
+  EXPECT_THAT(stream_refusal(changed(header, 3) + replies), HasSubstr("version 3 of the format; this axiscert knows"));
+  EXPECT_THAT(stream_refusal(changed(header, 2, "\"wide\"", "\"sphere-triangle\"") + replies),
               HasSubstr("version 2 of the format, but its plan is of the test sphere-triangle"));
-  EXPECT_THAT(refusal(changed(header, 2, "\"columns\":40", "\"columns\":39") + replies),
+  EXPECT_THAT(stream_refusal(changed(header, 2, "\"columns\":40", "\"columns\":39") + replies),
               HasSubstr("its plan has 39 columns, but wide, entry numbers, has 40 here"));
   EXPECT_THAT(
-      refusal(changed(header, 2, "\"numbers\",\"columns\":40", "\"first\",\"columns\":1") + replies),
+      stream_refusal(changed(header, 2, "\"numbers\",\"columns\":40", "\"first\",\"columns\":1") + replies),
       HasSubstr("its plan is of the test wide, entry first, but queries/axiscert_wide_stream.jsonl has queries of "
                 "wide, entry numbers here"));
   std::istringstream in(header + replies);

@@ -7,6 +7,7 @@
 
 #include "kernel/base/geometry.h"
 #include "kernel/query.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
 

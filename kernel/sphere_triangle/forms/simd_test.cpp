@@ -34,7 +34,7 @@ void expect_same_answers(const QueryBatch<Real>& batch, const Kernel& kernel, co
   kernel_there.verdicts(batch.columns(), found.data());
   for (std::size_t i = n; i < found.size(); ++i) ASSERT_EQ(found[i], Verdict::invalid) << "wrote past the batch";
   Answers<Real> reference, answers;
-  reference.resize(n);
+  reference.resize(n, comparison_count);
   answers.resize(n, comparison_count);
   scalar.explain(batch.columns(), reference);
   kernel_there.explain(batch.columns(), answers);
