@@ -39,9 +39,9 @@ TEST(Families, HaveANameOfTheirOwnAVersionAndAPurposeOfOneLine) {
 TEST(Families, EveryOneThatIsDefinedIsListed) {
   for (const auto& [name, file] :
        testing_support::defined_in("fuzz/families", R"(extern const Family (\w+)_family =)")) {
-    EXPECT_NO_THROW(find_family(name)) << file << " defines " << name
-                                       << "_family, for which the list of fuzz/queries/family.cpp lacks X(" << name
-                                       << ")";
+    EXPECT_NO_THROW(find_family(name))
+        << file << " defines " << name
+        << "_family, for which the list of fuzz/families/sphere_triangle/families.cpp lacks X(" << name << ")";
   }
 }
 
@@ -68,8 +68,8 @@ TEST(Families, MakeTheCommittedBytes) {
     }
   }
   if (!HasFailure())
-    EXPECT_EQ(committed, made) << path
-                               << ": other order than the list of fuzz/queries/family.cpp, or a line of no family";
+    EXPECT_EQ(committed, made)
+        << path << ": other order than the list of fuzz/families/sphere_triangle/families.cpp, or a line of no family";
 }
 
 TYPED_TEST(EveryFamily, RoundsNothingWhereItSaysSo) {

@@ -165,16 +165,16 @@ TYPED_TEST(BehaviourTest, RowsAreThoseOfTheRegistryInItsOrder) {
   for (const Kernel& kernel : kernels()) {
     ids.push_back(kernel.id);
     EXPECT_EQ(std::count(rows.begin(), rows.end(), kernel.id), 1)
-        << "kernel '" << kernel.id << "' of kernel/registry/registry.cpp: " << behaviours_place
+        << "kernel '" << kernel.id << "' of kernel/sphere_triangle/kernels.cpp: " << behaviours_place
         << " should have one row of it; where what the kernel answers is what it should, that is\n"
         << row_text(kernel.id, heard_of<TypeParam>(kernel));
   }
   for (const std::string& row : rows) {
     EXPECT_EQ(std::count(ids.begin(), ids.end(), row), 1)
-        << behaviours_place << ": row `" << row << "` is not of a kernel of kernel/registry/registry.cpp";
+        << behaviours_place << ": row `" << row << "` is not of a kernel of kernel/sphere_triangle/kernels.cpp";
   }
   if (!this->HasFailure()) {
-    EXPECT_EQ(rows, ids) << behaviours_place << ": other order than kernel/registry/registry.cpp";
+    EXPECT_EQ(rows, ids) << behaviours_place << ": other order than kernel/sphere_triangle/kernels.cpp";
   }
 }
 
