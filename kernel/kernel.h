@@ -107,6 +107,9 @@ struct Kernel {
   Formulae formulae = Formulae::published;
   Strictness strictness = Strictness::strict;
   Arithmetic arithmetic = Arithmetic::plain;
+  // The formulae that a kernel of another test claims to compute, by their name among that test's oracles; empty: none.
+  // Such a kernel has Formulae::none.
+  std::string claims = {};
   Exposure exposes = Exposure::sides;
   // Empty where the kernel does not exist in that precision. A kernel that has only one form runs it on every target.
   std::function<Implementation<float>(std::string_view target)> binary32;

@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/running/judged_run.h"
+#include "exact/trait/oracles.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
@@ -64,7 +65,7 @@ const Kernel& claimed(const char* option, const std::string& id, const StoredRep
   for (const Precision precision : replies.precisions()) {
     if (!kernel.has(precision)) throw Error(fmt::format("{} {}: does not exist in {}", option, id, name(precision)));
   }
-  if (replies.has_bits() && !has_comparisons(kernel.formulae)) {
+  if (replies.has_bits() && !has_comparisons(kernel.formulae) && kernel.claims.empty()) {
     throw Error(fmt::format("{} {}: it has no comparisons, but the replies give comparison bits", option, id));
   }
   return kernel;
@@ -83,9 +84,14 @@ Kernel program(const JudgeOptions& options, const StoredReplies& replies) {
   for (const Kernel& kernel : kernels()) {
     if (kernel.id == options.id) throw Error(fmt::format("--as {}: that is a built-in kernel", options.id));
   }
+  // Replies with bits are of the first formulae of their test, unless the command says which.
+  const TestDescription& test = replies.sources().empty() ? first_test() : replies.sources().front()->test();
+  const bool published = replies.has_bits() && &test == &first_test();
+  const std::string claims(replies.has_bits() && !published ? oracles_of(test).formulae().front() : "");
   Kernel kernel{.id = options.id,
                 .summary = "a program's replies, through a pipe",
-                .formulae = replies.has_bits() ? Formulae::published : Formulae::none,
+                .formulae = published ? Formulae::published : Formulae::none,
+                .claims = claims,
                 .exposes = replies.has_bits() ? Exposure::comparisons : Exposure::verdict,
                 .binary32 = {},
                 .binary64 = {},
@@ -99,6 +105,7 @@ Kernel program(const JudgeOptions& options, const StoredReplies& replies) {
                       id, id));
     }
     kernel.formulae = model.formulae;
+    kernel.claims = model.claims;
     kernel.strictness = model.strictness;
     kernel.arithmetic = model.arithmetic;
     kernel.is_reference = true;
@@ -106,6 +113,7 @@ Kernel program(const JudgeOptions& options, const StoredReplies& replies) {
   if (const std::string& id = options.claim.formulae; !id.empty()) {
     const Kernel& model = claimed("--formulae", id, replies);
     kernel.formulae = model.formulae;
+    kernel.claims = model.claims;
     kernel.strictness = model.strictness;
   }
   const auto touching = std::find(touching_names.begin(), touching_names.end(), options.touching);

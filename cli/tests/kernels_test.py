@@ -55,7 +55,7 @@ class Kernels(Case):
         named = {header: [row[0] for row in rows] for header, rows in tables.items()}
         listed = self.listed()
         ids, arithmetics = [k["id"] for k in listed], [c["arithmetic"] for c in listed[0]["arithmetics"]]
-        for first, expected, count, registry in (("kernel", ids, 2, "kernel/registry/registry.cpp"),
+        for first, expected, count, registry in (("kernel", ids, 2, "kernel/sphere_triangle/kernels.cpp"),
                                                  ("arithmetic", arithmetics, 1, "kernel/arithmetic/arithmetic_list.h")):
             found = {header: names for header, names in named.items() if header[0] == first}
             self.assertEqual(len(found), count, f"docs/kernels.md: tables whose first column is '{first}'")
@@ -95,7 +95,7 @@ class Kernels(Case):
             # difference has no known link.
             references = {"eigen": False} | {kernel["id"]: None for kernel in listed if kernel["formulae"] == ""}
             self.assertEqual(entry["reference"], references.get(entry["id"], True),
-                             f"kernel '{entry['id']}': is_reference in kernel/registry/registry.cpp, references of this test")
+                             f"kernel '{entry['id']}': is_reference in kernel/sphere_triangle/kernels.cpp, references of this test")
             for name, found in entry["families"].items():
                 links = found["verdict"]["links"]
                 self.assertEqual(links["implementation"], 0, (entry["id"], name))

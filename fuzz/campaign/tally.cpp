@@ -3,6 +3,8 @@
 #include <bit>
 
 #include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/trait/oracles.h"
+#include "exact/trait/side_error.h"
 
 namespace axiscert {
 namespace {
@@ -115,6 +117,32 @@ void keep_first_verdict(VerdictTally& tally, std::uint64_t position, bool touchi
     const bool is_explained = touching && static_cast<Link>(i) != Link::implementation;
     if (!is_explained) keep_first(tally.first_by_link[i], position);
   }
+}
+
+// Counts the error of one comparison's sides; returns whether it exceeds what is tolerated.
+template <class Error>
+bool count_error(ComparisonTally& comparison, std::uint64_t position, const Error& error,
+                 const std::optional<Rational>& tolerated) {
+  switch (error.kind()) {
+    case Error::Kind::range_event:
+      ++comparison.range_events;
+      break;
+    case Error::Kind::without_scale:
+      ++comparison.error_without_scale;
+      break;
+    case Error::Kind::finite:
+      // The bound only selects; what is compared and stored is the exact error. A smaller one may round up to the same
+      // decimal, at an earlier position.
+      if (error.upper() > 0 && error.upper() >= comparison.largest_error.best().value() * Decimal6::least_ratio) {
+        comparison.largest_error.offer({error.rounded_up(), position});
+      }
+      if (tolerated && error.exceeds(*tolerated)) {
+        ++comparison.tolerance_failures;
+        return true;
+      }
+      break;
+  }
+  return false;
 }
 
 }  // namespace
@@ -240,7 +268,8 @@ bool Standing::could_keep_depth(const Flip& flip, const Candidate<double>& at_mo
 
 Standing standing_of(const Tally& tally) {
   Standing standing;
-  for (const ComparisonTally& comparison : tally.comparisons) standing.largest_error.push_back(comparison.largest_error);
+  for (const ComparisonTally& comparison : tally.comparisons)
+    standing.largest_error.push_back(comparison.largest_error);
   standing.verdict.deepest_false_separation = tally.verdict.deepest_false_separation;
   standing.verdict.deepest_false_contact = tally.verdict.deepest_false_contact;
   standing.verdict.deepest_by_link = tally.verdict.deepest_by_link;
@@ -256,31 +285,31 @@ void count_errors(Tally& tally, std::uint64_t position, const FormulaTruth& exac
                   const Tolerances& tolerances) {
   AxisBits failing_axes = 0;
   for (std::size_t i = 0; i < comparison_count; ++i) {
-    ComparisonTally& comparison = tally.comparisons[i];
     const ComparisonError error(computed.lhs[i], computed.rhs[i], exact.comparison(i));
-    switch (error.kind()) {
-      case ComparisonError::Kind::range_event:
-        ++comparison.range_events;
-        break;
-      case ComparisonError::Kind::without_scale:
-        ++comparison.error_without_scale;
-        break;
-      case ComparisonError::Kind::finite:
-        // The bound only selects; what is compared and stored is the exact error. A smaller one may round up to the
-        // same decimal, at an earlier position.
-        if (error.upper() > 0 && error.upper() >= comparison.largest_error.best().value() * Decimal6::least_ratio) {
-          comparison.largest_error.offer({error.rounded_up(), position});
-        }
-        if (tolerances[i] && error.exceeds(*tolerances[i])) {
-          ++comparison.tolerance_failures;
-          failing_axes |= static_cast<AxisBits>(1u << static_cast<unsigned>(comparisons[i].axis));
-        }
-        break;
+    if (count_error(tally.comparisons[i], position, error, tolerances[i])) {
+      failing_axes |= static_cast<AxisBits>(1u << static_cast<unsigned>(comparisons[i].axis));
     }
   }
   for (std::size_t i = 0; i < axis_count; ++i) tally.axes[i].tolerance_failures += (failing_axes >> i) & 1u;
 }
 template void count_errors<float>(Tally&, std::uint64_t, const FormulaTruth&, const Sides<float>&, const Tolerances&);
 template void count_errors<double>(Tally&, std::uint64_t, const FormulaTruth&, const Sides<double>&, const Tolerances&);
+
+template <class Real>
+void count_errors(Tally& tally, std::uint64_t position, const TestDescription& test, const ExactSides& exact,
+                  const Answers<Real>& computed, std::size_t index, const Tolerances& tolerances) {
+  ClauseBits failing = 0;
+  for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
+    const SideError error(computed.lhs[i][index], computed.rhs[i][index], exact.lhs[i], exact.rhs[i]);
+    if (count_error(tally.comparisons[i], position, error, tolerances[i])) {
+      failing |= ClauseBits{1} << test.comparisons[i].clause;
+    }
+  }
+  for_each_bit(failing, [&](std::size_t i) { ++tally.axes[i].tolerance_failures; });
+}
+template void count_errors(Tally&, std::uint64_t, const TestDescription&, const ExactSides&, const Answers<float>&,
+                           std::size_t, const Tolerances&);
+template void count_errors(Tally&, std::uint64_t, const TestDescription&, const ExactSides&, const Answers<double>&,
+                           std::size_t, const Tolerances&);
 
 }  // namespace axiscert

@@ -17,6 +17,9 @@
 namespace axiscert {
 
 struct FormulaTruth;
+struct ExactSides;
+template <class Real>
+struct Answers;
 
 using LinkCounts = std::array<std::uint64_t, link_count>;
 
@@ -132,7 +135,7 @@ class DepthOf {
 // The leaders that other units of the same cell have found: a query that is certainly no greater is not evaluated.
 struct Standing {
   std::vector<Leaders<Decimal6>> largest_error;  // by comparison
-  VerdictTally verdict;  // its leaders
+  VerdictTally verdict;                          // its leaders
 
   bool could_keep_depth(const Flip& flip, const Candidate<double>& at_most) const;
 };
@@ -197,5 +200,10 @@ void count_finding(Tally& tally, FindingKind kind, std::uint64_t position, const
 template <class Real>
 void count_errors(Tally& tally, std::uint64_t position, const FormulaTruth& exact, const Sides<Real>& computed,
                   const Tolerances& tolerances);
+
+// Counts those of query `index` of a batch of any test, whose answers are `computed`, against its exact sides.
+template <class Real>
+void count_errors(Tally& tally, std::uint64_t position, const TestDescription& test, const ExactSides& exact,
+                  const Answers<Real>& computed, std::size_t index, const Tolerances& tolerances);
 
 }  // namespace axiscert

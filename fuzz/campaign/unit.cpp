@@ -4,14 +4,13 @@
 #include <cfenv>
 
 #include "fuzz/campaign/kernel_runs.h"
+#include "fuzz/campaign/plain_unit.h"
 #include "fuzz/campaign/thread_seconds.h"
 #include "kernel/base/stopwatch.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
-
-// Another process is asked seldom.
-constexpr std::size_t batch_size_for_processes = 1024;
 
 // The fault that is planted in the mode and not in the filter.
 class StaleRounding {
@@ -61,7 +60,8 @@ UnitResult run_unit(const Plan& plan, const Source& source, Precision precision,
   UnitResult result{std::vector<Tally>(plan.kernels.size(), Tally(*plan.test)), 0, 0, {}};
   const double start = thread_seconds();
   const std::uint64_t first = number * unit_size;
-  if (precision == Precision::binary32) run<float>(plan, source, first, size, standing, result);
+  if (plan.test != &sphere_triangle_test()) run_plain_unit(plan, source, precision, first, size, standing, result);
+  else if (precision == Precision::binary32) run<float>(plan, source, first, size, standing, result);
   else run<double>(plan, source, first, size, standing, result);
   result.core_seconds = thread_seconds() - start;
   return result;

@@ -9,6 +9,8 @@ namespace axiscert {
 // second. Odd, so that a vector kernel of any width is left with queries that fill no whole vector, in every batch and
 // in the last of a unit, which has 25: what it does with those is judged too.
 inline constexpr std::size_t batch_size = 251;
+// Another process is asked seldom.
+inline constexpr std::size_t batch_size_for_processes = 1024;
 
 struct UnitResult {
   std::vector<Tally> tallies;  // by kernel

@@ -15,6 +15,7 @@ Json replies_json(const Plan& plan) {
 
 Json plan_json(const Plan& plan, const CampaignResult& result, const std::string& require) {
   Json json = {{"axiscert", AXISCERT_VERSION}, {"seed", plan.seed}};
+  if (plan.test != &first_test()) json["test"] = plan.test->id;
   for (const char* list : {"kernels", "precisions", "families"}) json[list] = Json::array();
   for (const char* map : {"generators", "trials"}) json[map] = Json::object();
   json["files"] = Json::array();

@@ -189,12 +189,13 @@ Json record_of(const Plan& plan, const CampaignResult& result, const std::string
     put_loading_findings(findings, kernel);
     for (const Precision precision : plan.precisions) {
       if (!kernel.has(precision)) continue;
-      const bool claimed = kernel.formulae != Formulae::none;
+      const bool has_arithmetic = kernel.formulae != Formulae::none, claimed = has_arithmetic || !kernel.claims.empty();
+      const std::string formulae = has_arithmetic ? name(kernel.formulae) : kernel.claims;
       Json entry = {{"id", kernel.id},
                     {"precision", name(precision)},
                     {"summary", kernel.summary},
-                    {"formulae", claimed ? Json(name(kernel.formulae)) : Json(nullptr)},
-                    {"arithmetic", claimed ? Json(name(kernel.arithmetic)) : Json(nullptr)},
+                    {"formulae", claimed ? Json(formulae) : Json(nullptr)},
+                    {"arithmetic", has_arithmetic ? Json(name(kernel.arithmetic)) : Json(nullptr)},
                     {"strictness", has_comparisons(kernel.formulae) ? Json(name(kernel.strictness)) : Json(nullptr)},
                     {"reference", claimed ? Json(kernel.is_reference) : Json(nullptr)},
                     {"exposes", exposures_json(kernel)},

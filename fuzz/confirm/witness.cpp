@@ -5,6 +5,7 @@
 #include "fuzz/queries/address.h"
 #include "fuzz/text/number_text.h"
 #include "fuzz/confirm/witness_sides.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 
@@ -80,21 +81,37 @@ void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision pr
     note_pair(asymmetry->first_verdict, "verdict");
     note_pair(asymmetry->first_comparison, "comparison");
   }
-  if (!examiner_ || &examiner_->kernel() != &kernel) examiner_.emplace(kernel, plan_.target);
+  if (!examiner_ || &examiner_->kernel() != &kernel) {
+    examiner_.emplace(kernel, plan_.target);
+    oracle_examiner_.emplace(kernel, plan_.target);
+  }
   if (precision == Precision::binary32) write<float>(kernel, source, shown);
   else write<double>(kernel, source, shown);
+}
+
+template <class Real>
+WitnessWriter::Examined WitnessWriter::examined(const Kernel& kernel, const Source& source, std::uint64_t position,
+                                                const Numbers<Real>& numbers, const Reasons& why) {
+  std::optional<Answer> reply;
+  if (plan_.replies) reply = plan_.replies->at(source, precision_of<Real>, position);
+  if (plan_.test != &sphere_triangle_test()) {
+    const OracleExamination found =
+        reply ? examine_by_oracles(numbers, kernel, *reply) : oracle_examiner_->examine(numbers);
+    return {found.truth, found.answer, found.judgement, found.depth, nullptr};
+  }
+  const Query<Real> q = numbers;
+  const Examination found = reply ? examine(q, kernel, *reply) : examiner_->examine(q);
+  return {found.truth, found.answer, found.judgement, found.depth, sides_json(q, kernel, found, why.largest_errors)};
 }
 
 template <class Real>
 void WitnessWriter::write(const Kernel& kernel, const Source& source, const Shown& shown) {
   const TestDescription& test = *plan_.test;
   for (const auto& [position, what] : shown) {
-    const Query<Real> q = source.make<Real>(plan_.seed, position);
-    const Examination found = plan_.replies
-                                  ? examine(q, kernel, plan_.replies->at(source, precision_of<Real>, position))
-                                  : examiner_->examine(q);
+    const Numbers<Real> numbers = source.make<Real>(plan_.seed, position);
+    Examined found = examined(kernel, source, position, numbers, what);
     Json witness = {{"id", fmt::format("w{}", witnesses_.size() + 1)}, {"precision", name(precision_of<Real>)}};
-    put_query(witness, source.test().entries[source.entry()], Numbers<Real>(q));
+    put_query(witness, source.test().entries[source.entry()], numbers);
     witness["kernel"] = kernel.id;
     witness["family"] = source.name();
     witness["address"] = text(address_of(source, plan_.seed, precision_of<Real>, position));
@@ -108,7 +125,7 @@ void WitnessWriter::write(const Kernel& kernel, const Source& source, const Show
         found.answer.bits ? Json(bit_string(*found.answer.bits, test.comparisons.size())) : Json(nullptr);
     witness["shows"] = what.texts;
     witness["flips"] = flips_json(test, found.judgement);
-    witness["sides"] = sides_json(q, kernel, found, what.largest_errors);
+    witness["sides"] = std::move(found.sides);
     witnesses_.push_back(std::move(witness));
   }
 }

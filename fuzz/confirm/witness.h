@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "exact/sphere_triangle/claims/examine.h"
+#include "exact/trait/examine.h"
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/confirm/record.h"
 
@@ -29,11 +30,24 @@ class WitnessWriter {
     ComparisonBits largest_errors = 0;
   };
   using Shown = std::map<std::uint64_t, Reasons>;  // by position
+  // A query's examination by all oracles, as far as a witness of any test has it.
+  struct Examined {
+    Truth truth;
+    Answer answer;
+    Judgement judgement;
+    std::optional<double> depth;
+    Json sides;
+  };
+  template <class Real>
+  Examined examined(const Kernel& kernel, const Source& source, std::uint64_t position, const Numbers<Real>& numbers,
+                    const Reasons& why);
   template <class Real>
   void write(const Kernel& kernel, const Source& source, const Shown& shown);
 
   const Plan& plan_;
-  std::optional<Examiner> examiner_;  // for the kernel that was added last
+  // For the kernel that was added last; the second is for a test other than sphere-triangle.
+  std::optional<Examiner> examiner_;
+  std::optional<OracleExaminer> oracle_examiner_;
   Json witnesses_ = Json::array();
 };
 

@@ -21,7 +21,7 @@ const std::atomic<bool> not_interrupted = false;
 MutationPlan plan_of(std::string_view base, std::vector<const mutants::Mutant*> mutants, std::uint64_t trials) {
   MutationPlan plan{
       std::move(mutants), std::string(base), {}, {Precision::binary32, Precision::binary64}, trials, seed, 2};
-  for (const Family* family : families()) plan.families.push_back(family);
+  for (const Family* family : families_of(first_test())) plan.families.push_back(family);
   return plan;
 }
 MutationResult run(const MutationPlan& plan) {
@@ -38,7 +38,7 @@ template <class Real>
 void expect_base_bits(std::string_view base) {
   mutants::Mutant none;
   none.id = base;
-  for (const Family* family : families()) {
+  for (const Family* family : families_of(first_test())) {
     QueryBatch<Real> batch(100, coordinate_count);  // not a multiple of the number of lanes
     batch.resize(100);
     family->fill(seed, 0, batch.mutable_columns());

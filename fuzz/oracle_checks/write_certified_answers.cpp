@@ -98,7 +98,7 @@ int main(int argc, char** argv) {
   }
   try {
     std::vector<SourcePtr> sources;
-    for (const Family* family : families()) sources.push_back(family_source(*family));
+    for (const Family* family : families_of(first_test())) sources.push_back(family_source(*family));
     sources.push_back(corpus_source(argv[3]));
     for (int i = 4; i < argc; ++i) sources.push_back(mesh_source(argv[i]));
     write_file(argv[1], size, sources);

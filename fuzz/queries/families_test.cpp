@@ -39,9 +39,9 @@ TEST(Families, HaveANameOfTheirOwnAVersionAndAPurposeOfOneLine) {
 TEST(Families, EveryOneThatIsDefinedIsListed) {
   for (const auto& [name, file] :
        testing_support::defined_in("fuzz/families", R"(extern const Family (\w+)_family =)")) {
-    EXPECT_NO_THROW(find_family(name)) << file << " defines " << name
-                                       << "_family, for which the list of fuzz/queries/family.cpp lacks X(" << name
-                                       << ")";
+    EXPECT_NO_THROW(find_family(name))
+        << file << " defines " << name
+        << "_family, for which the list of fuzz/families/sphere_triangle/families.cpp lacks X(" << name << ")";
   }
 }
 
@@ -68,12 +68,12 @@ TEST(Families, MakeTheCommittedBytes) {
     }
   }
   if (!HasFailure())
-    EXPECT_EQ(committed, made) << path
-                               << ": other order than the list of fuzz/queries/family.cpp, or a line of no family";
+    EXPECT_EQ(committed, made)
+        << path << ": other order than the list of fuzz/families/sphere_triangle/families.cpp, or a line of no family";
 }
 
 TYPED_TEST(EveryFamily, RoundsNothingWhereItSaysSo) {
-  for (const Family* family : families()) {
+  for (const Family* family : families_of(first_test())) {
     if (!family->exact_arithmetic) continue;
     for_each_query<TypeParam>(family->name, 2000, [&](const Query<TypeParam>& q, std::uint64_t) {
       std::feclearexcept(FE_INEXACT);
@@ -85,7 +85,7 @@ TYPED_TEST(EveryFamily, RoundsNothingWhereItSaysSo) {
 }
 
 TYPED_TEST(EveryFamily, GivesAnAddressOneQueryAndAnotherSeedAnother) {
-  for (const Family* family : families()) {
+  for (const Family* family : families_of(first_test())) {
     const auto bytes = [&](std::uint64_t seed, std::uint64_t position) {
       const auto v = coordinates(query_from(family->make<TypeParam>(seed, position)));
       return std::string(reinterpret_cast<const char*>(v.data()), sizeof v);
@@ -102,7 +102,7 @@ TYPED_TEST(EveryFamily, GivesAnAddressOneQueryAndAnotherSeedAnother) {
 // CGAL and the exact formulae agree; exact_truth throws if they do not. The queries of all families but one are valid
 // throughout.
 TYPED_TEST(EveryFamily, IsAcceptedByTheOracles) {
-  for (const Family* family : families()) {
+  for (const Family* family : families_of(first_test())) {
     for_each_query<TypeParam>(family->name, 2000, [&](const Query<TypeParam>& q, std::uint64_t position) {
       EXPECT_NO_THROW(exact_truth(q, position % 512 == 0));
       EXPECT_TRUE(is_valid(q) || family->name == "nonfinite");
@@ -112,7 +112,7 @@ TYPED_TEST(EveryFamily, IsAcceptedByTheOracles) {
 
 // The generators solve with formulae of their own, which are compared here with the oracle's distance.
 TYPED_TEST(EveryFamily, RadiusAtDistanceIsTheOraclesDistance) {
-  for (const Family* family : families()) {
+  for (const Family* family : families_of(first_test())) {
     for_each_query<TypeParam>(family->name, 400, [&](const Query<TypeParam>& q, std::uint64_t) {
       if (is_valid(q)) {
         EXPECT_EQ(radius_at_distance(q), nearest_sqrt<TypeParam>(squared_distance(q)));

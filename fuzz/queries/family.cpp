@@ -1,4 +1,4 @@
-// The families that exist: one line each, in the order of the reports.
+// The families of all tests, in the order of the tests.
 #include "fuzz/queries/family.h"
 
 #include <fmt/format.h>
@@ -7,40 +7,25 @@
 #include <vector>
 
 #include "kernel/base/error.h"
-
-#define AXISCERT_FAMILIES(X) \
-  X(general)                 \
-  X(tangent)                 \
-  X(seam)                    \
-  X(sliver)                  \
-  X(needle)                  \
-  X(collinear)               \
-  X(repeated)                \
-  X(tie)                     \
-  X(speck)                   \
-  X(lattice)                 \
-  X(far)                     \
-  X(scale)                   \
-  X(ratio)                   \
-  X(on)                      \
-  X(grid)                    \
-  X(bits)                    \
-  X(subnormal)               \
-  X(nonfinite)               \
-  X(orders)                  \
-  X(axes)                    \
-  X(inverted)                \
-  X(scaled)                  \
-  X(translated)
+#include "kernel/test_list.h"
 
 namespace axiscert {
 
-#define AXISCERT_DECLARE(name) extern const Family name##_family;
-AXISCERT_FAMILIES(AXISCERT_DECLARE)
+#define AXISCERT_DECLARE(name) std::span<const Family* const> name##_families();
+AXISCERT_TESTS(AXISCERT_DECLARE)
+#undef AXISCERT_DECLARE
 
 std::span<const Family* const> families() {
-#define AXISCERT_POINT(name) &name##_family,
-  static const Family* const all[] = {AXISCERT_FAMILIES(AXISCERT_POINT)};
+  static const std::vector<const Family*> all = [] {
+    std::vector<const Family*> families;
+    const auto append = [&](std::span<const Family* const> more) {
+      families.insert(families.end(), more.begin(), more.end());
+    };
+#define AXISCERT_APPEND(name) append(name##_families());
+    AXISCERT_TESTS(AXISCERT_APPEND)
+#undef AXISCERT_APPEND
+    return families;
+  }();
   return all;
 }
 

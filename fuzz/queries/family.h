@@ -1,5 +1,5 @@
 // A family: a named generator of related queries. A new one is a file in the room of its test in fuzz/families and a
-// line in fuzz/queries/family.cpp.
+// line in that room's families.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,142 +1,42 @@
-// The registry: the kernels that exist, one line each.
+// The registry: the kernels of all tests in the order of the tests, and those that an id composes.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 #include <deque>
+#include <iterator>
 #include <mutex>
 
 #include "kernel/registry/called.h"
-#include "kernel/sphere_triangle/certified/kernels.h"
-#include "kernel/sphere_triangle/forms/eigen.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/certified_filter/kernels.h"
-#include "kernel/sphere_triangle/mutants/mutant.h"
-#include "kernel/sphere_triangle/forms/packed.h"
 #include "kernel/plugin/load.h"
-#include "kernel/sphere_triangle/reference/scalar_kernel.h"
 #include "kernel/sphere_triangle/forms/simd.h"
+#include "kernel/sphere_triangle/mutants/mutant.h"
+#include "kernel/sphere_triangle/reference/scalar_kernel.h"
+#include "kernel/test_list.h"
 
 namespace axiscert {
+
+#define AXISCERT_DECLARE(name) std::vector<Kernel> name##_kernels();
+AXISCERT_TESTS(AXISCERT_DECLARE)
+#undef AXISCERT_DECLARE
+
 namespace {
 
-constexpr auto strict = Strictness::strict, nonstrict = Strictness::nonstrict, not_less = Strictness::not_less;
-
-// A kernel with the scalar form only.
-template <Formulae formulae, Strictness strictness = strict>
-Kernel scalar(std::string id, std::string summary) {
-  return {.id = std::move(id),
-          .summary = std::move(summary),
-          .formulae = formulae,
-          .strictness = strictness,
-          .exposes = has_comparisons(formulae) ? Exposure::sides : Exposure::verdict,
-          .binary32 = [](std::string_view) { return scalar_implementation<formulae, strictness, float>(); },
-          .binary64 = [](std::string_view) { return scalar_implementation<formulae, strictness, double>(); },
-          .takes_arithmetic = kind_of(formulae) == FormulaeKind::rung};
-}
-
-// A kernel that evaluates the formulae as they stand: the scalar form, and one query in each lane on every other target
-// where forms/simd.cpp lists them.
-template <Formulae formulae, Strictness strictness = strict>
-Kernel evaluated(std::string id, std::string summary) {
-  Kernel kernel = scalar<formulae, strictness>(std::move(id), std::move(summary));
-  if (strictness == not_less || !has_simd_form(formulae)) return kernel;
-  kernel.has_simd = true;
-  kernel.binary32 = [](std::string_view target) {
-    return target == scalar_target ? scalar_implementation<formulae, strictness, float>()
-                                   : simd_forms(formulae)->on<float>(target, strictness);
-  };
-  kernel.binary64 = [](std::string_view target) {
-    return target == scalar_target ? scalar_implementation<formulae, strictness, double>()
-                                   : simd_forms(formulae)->on<double>(target, strictness);
-  };
-  return kernel;
-}
-
-template <Strictness strictness>
-Kernel packed(std::string id, std::string summary) {
-  Kernel kernel = scalar<Formulae::published, strictness>(std::move(id), std::move(summary));
-  kernel.takes_arithmetic = false;
-  kernel.binary32 = [](std::string_view) { return packed_implementation<strictness, float>(); };
-  kernel.binary64 = [](std::string_view) { return packed_implementation<strictness, double>(); };
-  return kernel;
-}
-
-Kernel eigen(std::string id, std::string summary) {
-  Kernel kernel = scalar<Formulae::published>(std::move(id), std::move(summary));
-  kernel.is_reference = false;
-  kernel.takes_arithmetic = false;
-  kernel.binary32 = [](std::string_view) { return eigen_implementation<float>(); };
-  kernel.binary64 = [](std::string_view) { return eigen_implementation<double>(); };
-  return kernel;
-}
-
-// The certified kernels show only a verdict, whatever they compute on the way.
-template <certified::Question question>
-Kernel certified_kernel(std::string id, std::string summary) {
-  return {.id = std::move(id),
-          .summary = std::move(summary),
-          .formulae = Formulae::none,
-          .exposes = Exposure::verdict,
-          .binary32 = [](std::string_view target) { return certified_implementation<float>(target, question); },
-          .binary64 = [](std::string_view target) { return certified_implementation<double>(target, question); },
-          .has_simd = true,
-          .is_reference = false};
-}
-
-// The filter of formulae whose non-strict form is right for every triangle. It shows only a verdict, whatever it
-// computes.
-template <FilterForm form>
-Kernel filter(std::string id, std::string summary) {
-  return {.id = std::move(id),
-          .summary = std::move(summary),
-          .formulae = Formulae::none,
-          .exposes = Exposure::verdict,
-          .binary32 = [](std::string_view target) { return filter_implementation<float>(form, target); },
-          .binary64 = [](std::string_view target) { return filter_implementation<double>(form, target); },
-          .has_simd = true,
-          .is_reference = false};
-}
-
-// clang-format off
 const std::vector<Kernel>& registry() {
-  using enum Formulae;
-  static const std::vector<Kernel> all = {
-      evaluated<published>("published", "the article's last block: sixteen strict comparisons, seven axes"),
-      evaluated<published, nonstrict>("nonstrict", "the same with >= in the nine side comparisons: right for degenerate triangles too"),
-      evaluated<reduced>("reduced", "edge axes of degree 4, |A x B|^2 > rr e: the published signs with less rounding"),
-      evaluated<reduced, nonstrict>("reduced-nonstrict", "the same with >= in the nine side comparisons: right for every triangle"),
-      evaluated<reduced_along>("reduced-along", "reduced, the edge normals along the edges: A x AB for A x B"),
-      evaluated<reduced_determinant>("reduced-determinant", "reduced, the plane's offset as a determinant: C.(A x B) for A.V"),
-      evaluated<reduced_shared>("reduced-shared", "reduced, V = A x B + B x C + C x A from the edges' normals: fewest operations"),
-      evaluated<reduced_shared, nonstrict>("reduced-shared-nonstrict", "the same with >= in the nine side comparisons"),
-      evaluated<ladder_0>("ladder-0", "nothing rewritten: normals of length 1, roots, divisions"),
-      evaluated<ladder_1>("ladder-1", "then the plane: squared, one division by |V|"),
-      evaluated<ladder_2>("ladder-2", "then the plane: no root, (A.V)^2 / (V.V) > rr"),
-      evaluated<ladder_3>("ladder-3", "then the plane: no division, cross-multiplied"),
-      evaluated<ladder_4>("ladder-4", "then the vertices: squared, differences distributed, A.B > A.A"),
-      evaluated<ladder_5>("ladder-5", "then the edges: squared"),
-      evaluated<ladder_6>("ladder-6", "then the edges: multiplied by e^2"),
-      evaluated<ladder_7>("ladder-7", "then the edges: no division, Q = A e + d AB"),
-      evaluated<ladder_8>("ladder-8", "then the edges: centred, d = A.AB"),
-      evaluated<ladder_9>("ladder-9", "then the edges: d = A.B - A.A; this is published, bit for bit"),
-      evaluated<minkowski>("minkowski", "the centre against three spheres, three cylinders and a prism; right for every triangle"),
-      evaluated<closest_point>("closest-point", "closest point by Voronoi regions, then a distance; A = B gives 0/0"),
-      evaluated<segments>("segments", "edge axes through the closest point of each segment, no vertex axes"),
-      packed<strict>("packed", "published, one pair at a time: sixteen comparisons in four 4-lane compares"),
-      packed<not_less>("packed-nonstrict", "the same with a >= b as !(b > a) in the sides: a NaN side holds"),
-      eigen("eigen", "published, written with Eigen's vectors, whose reductions choose their order"),
-      certified_kernel<certified::Question::closed_sphere>("certified", "exact always: filtered in the input's precision, then in doubles, then in integers"),
-      certified_kernel<certified::Question::conservative>("conservative", "never a missed contact; phantom depth at most 20 sqrt(u): 0.00489, in binary64 2.11e-7"),
-      filter<FilterForm::reduced>("certified-filter", "reduced with proved thresholds: separated, contact or undecided, and proved never wrong"),
-      filter<FilterForm::published>("certified-filter-published", "the same with the published formulae, whose thresholds are wider"),
-      evaluated<first_publication>("first-publication", "the article as first published: QC = C e + Q, wrong in exact arithmetic"),
-      evaluated<vertex_typo>("vertex-typo", "the vertex section as printed: ac = dot(B, B), wrong in exact arithmetic"),
-  };
+  static const std::vector<Kernel> all = [] {
+    std::vector<Kernel> kernels;
+    const auto append = [&](std::vector<Kernel> more) {
+      kernels.insert(kernels.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+    };
+#define AXISCERT_APPEND(name) append(name##_kernels());
+    AXISCERT_TESTS(AXISCERT_APPEND)
+#undef AXISCERT_APPEND
+    return kernels;
+  }();
   return all;
 }
-// clang-format on
 
 const Kernel* registered(std::string_view id) {
   for (const Kernel& kernel : registry()) {

@@ -1,19 +1,24 @@
-// The tests that exist: one line each.
+// The tests that exist, of the one list.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/description.h"
 #include "kernel/test.h"
+#include "kernel/test_list.h"
 
 namespace axiscert {
+
+#define AXISCERT_DECLARE(name) const TestDescription& name##_test();
+AXISCERT_TESTS(AXISCERT_DECLARE)
+#undef AXISCERT_DECLARE
+
 namespace {
 
 const std::vector<const TestDescription*>& all_tests() {
-  static const std::vector<const TestDescription*> all = {
-      &sphere_triangle_test(),
-  };
+#define AXISCERT_POINT(name) &name##_test(),
+  static const std::vector<const TestDescription*> all = {AXISCERT_TESTS(AXISCERT_POINT)};
+#undef AXISCERT_POINT
   return all;
 }
 

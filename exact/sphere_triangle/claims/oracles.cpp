@@ -1,0 +1,65 @@
+// sphere-triangle by the interface of all tests. Its campaign does not go this way: it has filters.
+#include "exact/trait/oracles.h"
+
+#include "exact/sphere_triangle/claims/claim.h"
+#include "exact/sphere_triangle/measures/depth.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "kernel/sphere_triangle/description.h"
+
+namespace axiscert {
+namespace {
+
+// Empty where a side is a root or does not exist.
+std::optional<ExactSides> rational_sides(const FormulaTruth& truth, Strictness strictness) {
+  if (truth.rooted != 0 || truth.undefined != 0) return std::nullopt;
+  ExactSides sides{{}, {}, truth.bits(strictness), truth.ties};
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    const ExactComparison comparison = truth.comparison(i);
+    const Rational denominator = rational(comparison.denominator);
+    sides.lhs.emplace_back(rational(comparison.lhs) / denominator);
+    sides.rhs.emplace_back(rational(comparison.rhs) / denominator);
+  }
+  return sides;
+}
+
+class SphereTriangleOracles final : public Oracles {
+ public:
+  const TestDescription& test() const override { return sphere_triangle_test(); }
+  std::vector<std::string_view> formulae() const override { return {}; }  // a kernel claims them by Kernel::formulae
+
+  Truth truth(const Numbers<float>& q) const override { return exact_truth<float>(q, true); }
+  Truth truth(const Numbers<double>& q) const override { return exact_truth<double>(q, true); }
+  std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<float>& q) const override {
+    return claimed_by<float>(kernel, q);
+  }
+  std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<double>& q) const override {
+    return claimed_by<double>(kernel, q);
+  }
+  std::optional<double> depth(const Numbers<float>& q) const override { return depth_of<float>(q); }
+  std::optional<double> depth(const Numbers<double>& q) const override { return depth_of<double>(q); }
+
+ private:
+  template <class Real>
+  static std::optional<Claimed> claimed_by(const Kernel& kernel, const Query<Real>& q) {
+    const FormulaTruth published = formula_truth(q);
+    Claims<Real> claims(q, published);
+    std::optional<Reference> chain = claims.chain(kernel);
+    if (!chain) return std::nullopt;
+    const FormulaTruth* own = claims.sides(kernel.formulae);
+    return Claimed{std::move(*chain), own ? rational_sides(*own, kernel.strictness) : std::nullopt};
+  }
+  template <class Real>
+  static double depth_of(const Query<Real>& q) {
+    return axiscert::depth(q, squared_distance(q));
+  }
+};
+
+}  // namespace
+
+const Oracles& sphere_triangle_oracles() {
+  static const SphereTriangleOracles oracles;
+  return oracles;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,36 @@
+#include "exact/trait/examine.h"
+
+#include "kernel/ask.h"
+
+namespace axiscert {
+
+template <class Real>
+OracleExamination OracleExaminer::examine(const Numbers<Real>& q) {
+  auto& implementation = std::get<std::optional<Implementation<Real>>>(begun_);
+  if (!implementation) implementation = kernel_.on<Real>(target_);
+  Reply<Real> reply = ask(*implementation, q);
+  OracleExamination out = examine_by_oracles(q, kernel_, reply.outcome(0));
+  out.findings = std::move(reply.findings);
+  if (out.answer.verdict == Verdict::unanswered) implementation.reset();
+  return out;
+}
+template OracleExamination OracleExaminer::examine(const Numbers<float>&);
+template OracleExamination OracleExaminer::examine(const Numbers<double>&);
+
+template <class Real>
+OracleExamination examine_by_oracles(const Numbers<Real>& q, const Kernel& kernel, const Answer& answer) {
+  const Oracles& oracles = oracles_of(*kernel.test);
+  OracleExamination out{oracles.truth(q), answer, {}, {}, {}, {}};
+  std::optional<Reference> chain;
+  if (out.truth.verdict != Verdict::invalid) {
+    out.claim = oracles.claimed(kernel, q);
+    if (out.claim) chain = out.claim->chain;
+  }
+  out.judgement = judge(*kernel.test, out.truth, chain, answer, kernel.touching);
+  if (out.judgement.verdict_flip) out.depth = oracles.depth(q);
+  return out;
+}
+template OracleExamination examine_by_oracles(const Numbers<float>&, const Kernel&, const Answer&);
+template OracleExamination examine_by_oracles(const Numbers<double>&, const Kernel&, const Answer&);
+
+}  // namespace axiscert

@@ -1,0 +1,56 @@
+// The oracles of one test, as code that serves every test sees them.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "exact/judge/judge.h"
+#include "exact/numbers/rational.h"
+#include "kernel/kernel.h"
+
+namespace axiscert {
+
+// The sides of formulae in exact arithmetic, by comparison.
+struct ExactSides {
+  std::vector<Rational> lhs, rhs;
+  ComparisonBits holds = 0, ties = 0;  // lhs > rhs; lhs == rhs
+};
+
+// A kernel's claim on one query: its chain, and the exact sides where these are rational.
+struct Claimed {
+  Reference chain;
+  std::optional<ExactSides> sides;
+};
+
+// Stateless: any thread may ask at any time. `numbers` are of the test's first entry. Each member throws
+// OracleDisagreement where two ways of finding one answer differ.
+class Oracles {
+ public:
+  virtual ~Oracles() = default;
+  virtual const TestDescription& test() const = 0;
+  // The names of the formulae that a kernel can claim.
+  virtual std::vector<std::string_view> formulae() const = 0;
+
+  // By geometry and by the exact formulae, compared.
+  virtual Truth truth(const Numbers<float>& numbers) const = 0;
+  virtual Truth truth(const Numbers<double>& numbers) const = 0;
+  // Empty for a kernel that claims no formulae; the numbers are a valid query. Throws HarnessFault if the kernel claims
+  // formulae that are not among formulae().
+  virtual std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<float>& numbers) const = 0;
+  virtual std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<double>& numbers) const = 0;
+  // The distance of a valid query from touching, relative to its scene and rounded once; empty if the test has none.
+  virtual std::optional<double> depth(const Numbers<float>& numbers) const = 0;
+  virtual std::optional<double> depth(const Numbers<double>& numbers) const = 0;
+
+  template <class Real>
+  std::optional<Reference> chain(const Kernel& kernel, const Numbers<Real>& numbers) const {
+    std::optional<Claimed> found = claimed(kernel, numbers);
+    if (!found) return std::nullopt;
+    return std::move(found->chain);
+  }
+};
+
+const Oracles& oracles_of(const TestDescription& test);
+
+}  // namespace axiscert

@@ -1,0 +1,126 @@
+// Oracles made of a test's trait. A test's room instantiates this once, in the file that defines NAME_oracles().
+#pragma once
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "exact/numbers/floating.h"
+#include "exact/trait/oracles.h"
+#include "exact/trait/trait.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+
+template <TestTrait Test>
+class OraclesOf final : public Oracles {
+ public:
+  const TestDescription& test() const override { return Test::description(); }
+  std::vector<std::string_view> formulae() const override { return names_of(typename Test::AllFormulae()); }
+
+  Truth truth(const Numbers<float>& q) const override { return truth_of(q); }
+  Truth truth(const Numbers<double>& q) const override { return truth_of(q); }
+  std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<float>& q) const override {
+    return claimed_by(kernel, q, typename Test::AllFormulae());
+  }
+  std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<double>& q) const override {
+    return claimed_by(kernel, q, typename Test::AllFormulae());
+  }
+  std::optional<double> depth(const Numbers<float>& q) const override { return depth_of(q); }
+  std::optional<double> depth(const Numbers<double>& q) const override { return depth_of(q); }
+
+ private:
+  template <class... F>
+  static std::vector<std::string_view> names_of(FormulaeList<F...>) {
+    return {F::name...};
+  }
+
+  // A float widens exactly.
+  template <class Real>
+  static Numbers<double> widened(const Numbers<Real>& q) {
+    Numbers<double> wide(q.size());
+    for (std::size_t k = 0; k < q.size(); ++k) wide[k] = static_cast<double>(q[k]);
+    return wide;
+  }
+
+  template <class T, class Real>
+  static auto problem_of(const Numbers<Real>& q) {
+    return Test::template problem<T>([&](std::size_t k) { return T(q[k]); });
+  }
+
+  template <class F, class Real>
+  static ExactSides exact_sides(const Numbers<Real>& q) {
+    const std::size_t count = Test::description().comparisons.size();
+    ExactSides sides{std::vector<Rational>(count), std::vector<Rational>(count)};
+    const auto keep = [&](std::size_t i, const ExactNumber& lhs, const ExactNumber& rhs) {
+      if (lhs.value == rhs.value) sides.ties |= ComparisonBits{1} << i;
+      sides.lhs[i] = lhs.value;
+      sides.rhs[i] = rhs.value;
+    };
+    sides.holds = bits_of<F, ExactNumber>(problem_of<ExactNumber>(q), keep);
+    return sides;
+  }
+  template <class First, class... Rest, class Real>
+  static ExactSides theorem_sides(const Numbers<Real>& q, FormulaeList<First, Rest...>) {
+    return exact_sides<First>(q);
+  }
+
+  template <class Real>
+  static Truth truth_of(const Numbers<Real>& q) {
+    const Numbers<double> wide = widened(q);
+    if (!Test::is_valid(wide)) return {Verdict::invalid, false};
+    const Truth truth = Test::geometric_truth(wide);
+    const ExactSides sides = theorem_sides(q, typename Test::AllFormulae());
+    const std::string wrong = Test::contradiction(wide, truth, sides.holds, sides.ties);
+    if (!wrong.empty()) throw OracleDisagreement(fmt::format("{}: {}", Test::description().id, wrong), q);
+    return truth;
+  }
+
+  template <class Real, class... F>
+  static std::optional<Claimed> claimed_by(const Kernel& kernel, const Numbers<Real>& q, FormulaeList<F...>) {
+    if (kernel.claims.empty()) return std::nullopt;
+    std::optional<Claimed> found;
+    const auto evaluate = [&]<class One>() {
+      if (!found && One::name == kernel.claims) found = evaluated<One>(kernel, q);
+    };
+    (evaluate.template operator()<F>(), ...);
+    if (found) return found;
+    throw HarnessFault(
+        fmt::format("kernel '{}' claims formulae '{}', which {} has not", kernel.id, kernel.claims, kernel.test->id));
+  }
+
+  // R-infinity is by MPFR, whose exponents have no end that a query could reach.
+  template <class F, class Real>
+  static Claimed evaluated(const Kernel& kernel, const Numbers<Real>& q) {
+    Claimed claim;
+    claim.sides = exact_sides<F>(q);
+    if (F::kind == FormulaeKind::rung) require_same_signs(F::name, *claim.sides, q);
+    claim.chain = {outcome(claim.sides->holds), std::nullopt, claim.sides->ties};
+    if (!kernel.is_reference) return claim;
+    constexpr auto ignore = [](std::size_t, const auto&, const auto&) {};
+    const FloatingScope scope({std::numeric_limits<Real>::digits, Rounding::nearest, {}});
+    claim.chain.rounded = Rounded{outcome(bits_of<F, Floating>(problem_of<Floating>(q), ignore)),
+                                  outcome(bits_of<F, Real>(problem_of<Real>(q), ignore))};
+    return claim;
+  }
+  static Outcome outcome(ComparisonBits bits) { return {verdict_of(Test::description(), bits), bits}; }
+
+  template <class Real>
+  static void require_same_signs(std::string_view name, const ExactSides& rung, const Numbers<Real>& q) {
+    const ExactSides first = theorem_sides(q, typename Test::AllFormulae());
+    if (rung.holds == first.holds && rung.ties == first.ties) return;
+    throw OracleDisagreement(
+        fmt::format("{}: formulae {} have the exact signs {:#b} ties {:#b}, the first formulae {:#b} ties {:#b} (bit 0 "
+                    "is the first comparison)",
+                    Test::description().id, name, rung.holds, rung.ties, first.holds, first.ties),
+        q);
+  }
+
+  template <class Real>
+  static std::optional<double> depth_of(const Numbers<Real>& q) {
+    if constexpr (HasDepth<Test>) return Test::depth(widened(q));
+    else return std::nullopt;
+  }
+};
+
+}  // namespace axiscert

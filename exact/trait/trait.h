@@ -1,0 +1,39 @@
+// The trait of a test: what has to be known about it at compile time for its oracles to exist. It derives from the
+// test's own type of kernel/ (kernel/plain_kernel.h) and adds geometry; exact/trait/oracles_of.h makes oracles of it.
+#pragma once
+
+#include <concepts>
+#include <string>
+
+#include "exact/judge/truth.h"
+#include "exact/trait/exact_number.h"
+#include "kernel/plain_kernel.h"
+#include "kernel/test.h"
+
+namespace axiscert {
+
+// `numbers` are doubles, to which floats widen exactly, in the order of the columns of the test's first entry; all but
+// is_valid() are asked about valid queries alone.
+//   AllFormulae        a FormulaeList; those of kind `rung` after the first have its signs on every query
+//   is_valid           whether the numbers are a query; else the truth is `invalid`
+//   geometric_truth    by an exact method that shares nothing with the formulae
+//   contradiction      the theorem that ties the first formulae to the geometry. `holds` and `ties` are their exact
+//                      signs, lhs > rhs and lhs == rhs; the result says what the theorem excludes, or is empty
+//   depth              optional: how far the query is from touching, relative to its scene: exact, rounded once
+template <class Test>
+concept TestTrait =
+    requires(const Numbers<double>& numbers, const Truth& truth, ComparisonBits holds, ComparisonBits ties) {
+      { Test::description() } -> std::same_as<const TestDescription&>;
+      typename Test::template Problem<ExactNumber>;
+      typename Test::AllFormulae;
+      { Test::is_valid(numbers) } -> std::same_as<bool>;
+      { Test::geometric_truth(numbers) } -> std::same_as<Truth>;
+      { Test::contradiction(numbers, truth, holds, ties) } -> std::same_as<std::string>;
+    };
+
+template <class Test>
+concept HasDepth = requires(const Numbers<double>& numbers) {
+  { Test::depth(numbers) } -> std::same_as<double>;
+};
+
+}  // namespace axiscert

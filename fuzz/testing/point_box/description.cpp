@@ -1,0 +1,39 @@
+#include "fuzz/testing/point_box/point_box.h"
+
+namespace axiscert {
+namespace {
+
+TestDescription point_box_described() {
+  constexpr Role place = Role::coordinate;
+  TestDescription test{
+      .id = "point-box",
+      .asks = "does a point lie in a closed box along the axes",
+      .touching = "the point is on the box's surface",
+      .wrong_answers = {{Verdict::separated, Verdict::contact, "missed contact"},
+                        {Verdict::contact, Verdict::separated, "phantom contact"}},
+      .entries = {{"corners",
+                   "every number finite, no corner `l` above its `h`",
+                   {{"px", place, "p"},
+                    {"py", place, "p"},
+                    {"pz", place, "p"},
+                    {"lx", place, "l"},
+                    {"ly", place, "l"},
+                    {"lz", place, "l"},
+                    {"hx", place, "h"},
+                    {"hy", place, "h"},
+                    {"hz", place, "h"}}}},
+      .comparisons = {{"x.below", 0}, {"x.above", 1}, {"y.below", 2}, {"y.above", 3}, {"z.below", 4}, {"z.above", 5}},
+      .clauses = {{"x_below", 1}, {"x_above", 2}, {"y_below", 4}, {"y_above", 8}, {"z_below", 16}, {"z_above", 32}},
+      .measures = {},
+  };
+  return checked(std::move(test));
+}
+
+}  // namespace
+
+const TestDescription& point_box_test() {
+  static const TestDescription test = point_box_described();
+  return test;
+}
+
+}  // namespace axiscert

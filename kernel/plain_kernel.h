@@ -1,0 +1,77 @@
+// Formulae of a test as a template over the number type, and the kernel that evaluates them as they stand: one query at
+// a time, every operation rounded once to the input's precision.
+//
+// A test's own type, in its room of kernel/, has
+//   static const TestDescription& description();
+//   template <class T> struct Problem;                            the query in the number type of the formulae
+//   template <class T> static Problem<T> problem(load);           load(k) is column k as a T: the only place that knows
+//                                                                 the order of the columns
+// and each set of formulae
+//   static constexpr std::string_view name;                       as a kernel claims it
+//   static constexpr FormulaeKind kind;                           rung or variant (kernel/formulae_list.h)
+//   template <class T, class Sink>
+//   static void comparisons(const Problem<T>&, Sink& sink);       sink(i, lhs, rhs) for each: comparison i is lhs > rhs
+// A number type has + - * and > alone, magnitude(x), and T(x) of a double x, so that each is exact in exact arithmetic.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "kernel/kernel.h"
+
+namespace axiscert {
+
+// The formulae of a test. The first are those of the theorem that ties them to the geometry.
+template <class... F>
+struct FormulaeList {};
+
+// The comparisons of formulae F that hold on one query. `see(i, lhs, rhs)` is shown both sides of each.
+template <class F, class T, class Problem, class See>
+ComparisonBits bits_of(const Problem& problem, See&& see) {
+  ComparisonBits bits = 0;
+  const auto sink = [&](std::size_t i, const T& lhs, const T& rhs) {
+    if (lhs > rhs) bits |= ComparisonBits{1} << i;
+    see(i, lhs, rhs);
+  };
+  F::template comparisons<T>(problem, sink);
+  return bits;
+}
+
+template <class Test, class F, class Real>
+Implementation<Real> plain_implementation() {
+  const auto bits_at = [](const QueryColumns<Real>& batch, std::size_t i, auto&& see) {
+    return bits_of<F, Real>(Test::template problem<Real>([&](std::size_t k) { return batch.column[k][i]; }), see);
+  };
+  Implementation<Real> plain;
+  plain.verdicts = [=](const QueryColumns<Real>& batch, Verdict* out) {
+    const TestDescription& test = Test::description();
+    for (std::size_t i = 0; i < batch.size; ++i) {
+      out[i] = verdict_of(test, bits_at(batch, i, [](std::size_t, Real, Real) {}));
+    }
+  };
+  plain.explain = [=](const QueryColumns<Real>& batch, Answers<Real>& out) {
+    for (std::size_t i = 0; i < batch.size; ++i) {
+      out.bits[i] = bits_at(batch, i, [&](std::size_t k, Real lhs, Real rhs) {
+        out.lhs[k][i] = lhs;
+        out.rhs[k][i] = rhs;
+      });
+    }
+  };
+  return plain;
+}
+
+// The kernel claims these formulae and the bits of the reference, which is itself.
+template <class Test, class F>
+Kernel plain_kernel(std::string id, std::string summary) {
+  Kernel kernel;
+  kernel.id = std::move(id);
+  kernel.summary = std::move(summary);
+  kernel.test = &Test::description();
+  kernel.formulae = Formulae::none;
+  kernel.claims = F::name;
+  kernel.binary32 = [](std::string_view) { return plain_implementation<Test, F, float>(); };
+  kernel.binary64 = [](std::string_view) { return plain_implementation<Test, F, double>(); };
+  return kernel;
+}
+
+}  // namespace axiscert
