@@ -64,9 +64,10 @@ const TestDescription& test_of_sources(const std::string& test, const std::vecto
   const TestDescription& given = test.empty() && !sources.empty() ? sources.front()->test() : test_given(test);
   for (const SourcePtr& source : sources) {
     if (&source->test() == &given) continue;
-    throw Error(fmt::format("{} is of the test {}, and {} of {}; queries of one test go together (--test)",
-                            shown_source(*source), source->test().id,
-                            test.empty() ? shown_source(*sources.front()) : "--test", given.id));
+    const std::string other = test.empty() ? fmt::format("{} of {}", shown_source(*sources.front()), given.id)
+                                           : fmt::format("--test is {}", given.id);
+    throw Error(fmt::format("{} is of the test {}, and {}; queries of one test go together{}", shown_source(*source),
+                            source->test().id, other, test.empty() ? " (--test)" : ""));
   }
   return given;
 }

@@ -122,5 +122,24 @@ TEST(RecordNames, NumbersAndBitsAreThoseOfTheTest) {
               HasSubstr("exact_comparisons is \"101\", but the test sphere-triangle has 16 comparisons"));
 }
 
+// Entries with the same names of groups differ in how many numbers a group has.
+TEST(RecordNames, TheEntryOfAQueryIsTheOneWhoseNumbersItHas) {
+  const TestDescription test =
+      checked({.id = "point-box",
+               .asks = "",
+               .touching = "",
+               .wrong_answers = {},
+               .entries = {{"flat", "any", {{"px", Role::coordinate, "p"}}},
+                           {"full", "any", {{"px", Role::coordinate, "p"}, {"py", Role::coordinate, "p"}}}},
+               .comparisons = {{"x.low", 0}},
+               .clauses = {{"x", 1}},
+               .measures = {}});
+  const Json number = "0x1p+0";
+  EXPECT_EQ(entry_of(test, {{"id", "w1"}, {"p", number}}), &test.entries[0]);
+  EXPECT_EQ(entry_of(test, {{"id", "w1"}, {"p", {number, number}}}), &test.entries[1]);
+  EXPECT_EQ(entry_of(test, {{"id", "w1"}, {"p", {number, number, number}}}), nullptr);
+  EXPECT_EQ(entry_of(test, {{"id", "w1"}}), nullptr);
+}
+
 }  // namespace
 }  // namespace axiscert
