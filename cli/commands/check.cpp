@@ -2,6 +2,7 @@
 
 #include "cli/running/check_output.h"
 #include "cli/commands.h"
+#include "cli/options/test_options.h"
 #include "exact/sphere_triangle/claims/examine.h"
 #include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/queries/address.h"
@@ -23,6 +24,7 @@ std::optional<SideErrors> errors_of(const StoredQuery& stored, const Kernel& ker
 
 int check(const CheckOptions& options) {
   const Kernel& kernel = find_kernel(options.kernel);
+  require_served("check", *kernel.test);
   require_loaded(kernel);
   const std::string target = resolve_target(options.target);
   const auto queries = read_query_file(options.file, parse_precision(options.precision));

@@ -8,7 +8,9 @@
 #include "cli/commands.h"
 #include "cli/running/terminal.h"
 #include "kernel/base/error.h"
+#include "kernel/base/utf8.h"
 #include "kernel/kernel.h"
+#include "reports/comparison/compare.h"
 #include "reports/comparison/show.h"
 #include "reports/run_folder/run_folder.h"
 
@@ -33,6 +35,7 @@ std::set<std::string> trusted_kernels(const CompareOptions& options, const Json&
 
 int compare(const CompareOptions& options) {
   const Run before = read_run(options.before), after = read_run(options.after);
+  require_same_test(before.record, after.record, as_utf8(options.before), as_utf8(options.after));
   const std::set<std::string> trusted = trusted_kernels(options, before.record);
   std::vector<Replayed> replayed;
   if (!options.no_replay) replayed = replay_witnesses(before.record, resolve_target("auto"), trusted);

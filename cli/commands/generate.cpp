@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/options/run_options.h"
+#include "cli/options/test_options.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/pipe/query_stream.h"
 #include "kernel/base/error.h"
@@ -56,9 +57,19 @@ class Output {
   int descriptor_ = STDOUT_FILENO;
 };
 
+// The test that `all` and the default mean: that of the first family that is named, where --test is not given.
+const TestDescription& test_of_families(const GenerateOptions& options) {
+  if (!options.test.empty()) return test_given(options.test);
+  for (const std::string& name : options.families) {
+    if (name != "all") return find_family(name).test();
+  }
+  return first_test();
+}
+
 PipePlan plan_of(const GenerateOptions& options) {
   PipePlan plan{options.seed, parse_precision(options.precision), {}};
-  const auto sources = sources_of(options, plan.precision);
+  const auto sources = sources_of(options, test_of_families(options), plan.precision);
+  test_of_sources(options.test, sources);
   say_what_is_left_out(sources, {plan.precision});
   for (const SourcePtr& source : sources) {
     const auto fixed = source->fixed_size(plan.precision);

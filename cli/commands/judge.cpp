@@ -62,6 +62,11 @@ const Kernel& claimed(const char* option, const std::string& id, const StoredRep
   if (plugin::plugin_path(id))
     throw Error(fmt::format("{} {}: not a built-in kernel; see `axiscert kernels`", option, id));
   const Kernel& kernel = find_kernel(id);
+  const Source& source = *replies.sources().front();
+  if (kernel.test != &source.test()) {
+    throw Error(fmt::format("{} {}: of the test {}, and the replies are to queries of {}", option, id, kernel.test->id,
+                            source.test().id));
+  }
   for (const Precision precision : replies.precisions()) {
     if (!kernel.has(precision)) throw Error(fmt::format("{} {}: does not exist in {}", option, id, name(precision)));
   }
@@ -96,6 +101,8 @@ Kernel program(const JudgeOptions& options, const StoredReplies& replies) {
                 .binary32 = {},
                 .binary64 = {},
                 .is_reference = false};
+  kernel.test = &replies.sources().front()->test();
+  kernel.entry = replies.sources().front()->entry();
   if (const std::string& id = options.claim.conforms_to; !id.empty()) {
     const Kernel& model = claimed("--conforms-to", id, replies);
     if (!model.is_reference) {
@@ -132,6 +139,7 @@ int judge_replies(const JudgeOptions& options) {
   const auto replies = std::make_shared<const StoredReplies>(read(options));
   const Kernel kernel = program(options, *replies);
   Plan plan;
+  plan.test = kernel.test;
   plan.seed = replies->seed();
   plan.kernels = {&kernel};
   plan.sources = replies->sources();

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.h"
+#include "cli/options/test_options.h"
 #include "kernel/registry/called.h"
 #include "kernel/plugin/load.h"
 #include "kernel/test.h"
@@ -25,11 +26,23 @@ std::vector<std::string_view> precisions_of(const Kernel& kernel) {
   return names;
 }
 
-// The plug-ins that come with axiscert, by their ids.
-std::vector<const Kernel*> shipped_kernels() {
+// The built-in kernels of a test.
+std::vector<const Kernel*> built_in_kernels(const TestDescription& test) {
+  std::vector<const Kernel*> all;
+  for (const Kernel& kernel : kernels()) {
+    if (kernel.test == &test) all.push_back(&kernel);
+  }
+  return all;
+}
+
+// The plug-ins of a test that come with axiscert, by their ids.
+std::vector<const Kernel*> shipped_kernels(const TestDescription& test) {
   std::vector<const Kernel*> all;
   for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
-    for (const std::string& name : shipped.names) all.push_back(&find_kernel(std::string(shipped.prefix) + name));
+    for (const std::string& name : shipped.names) {
+      const Kernel& kernel = find_kernel(std::string(shipped.prefix) + name);
+      if (kernel.test == &test) all.push_back(&kernel);
+    }
   }
   return all;
 }
@@ -39,16 +52,20 @@ void print_kernel(const Kernel& kernel, const std::string& targets) {
              targets, fmt::join(exposures_json(kernel).get<std::vector<std::string>>(), ", "));
 }
 
-void print_kernels() {
-  const auto targets = available_targets();
-  for (const Kernel& kernel : kernels()) {
-    print_kernel(kernel, kernel.has_simd ? fmt::format("{}", fmt::join(targets, " ")) : std::string(scalar_target));
-  }
+void print_arithmetics() {
   fmt::print(
       "\nKERNEL+ARITHMETIC, for each kernel from published to ladder-9, is its scalar form in another arithmetic:\n");
   for (const ArithmeticInfo& arithmetic : arithmetics()) {
     fmt::print("{:<20} {}; {}\n", "+" + arithmetic.name, arithmetic.summary, fmt::join(precisions_of(arithmetic), " "));
   }
+}
+
+void print_kernels(const TestDescription& test) {
+  const auto targets = available_targets();
+  for (const Kernel* kernel : built_in_kernels(test)) {
+    print_kernel(*kernel, kernel->has_simd ? fmt::format("{}", fmt::join(targets, " ")) : std::string(scalar_target));
+  }
+  if (&test == &first_test()) print_arithmetics();
   fmt::print(
       "\nKERNEL@CALL[,CALL...], for each of the above, is the kernel on a chosen instruction set ({}), or called in "
       "other "
@@ -57,7 +74,8 @@ void print_kernels() {
   for (const CallMode& mode : call_modes()) fmt::print("{:<20} {}\n", fmt::format("@{}", mode.name), mode.summary);
   fmt::print(
       "\nPlug-ins: plugin:PATH.so is one of your own; peer/ are libraries, fault/ kernels with a planted fault:\n");
-  for (const Kernel* kernel : shipped_kernels()) print_kernel(*kernel, "plug-in");
+  for (const Kernel* kernel : shipped_kernels(test)) print_kernel(*kernel, "plug-in");
+  if (&test != &first_test()) return;  // those that were not built are of the first
   for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
     for (const auto& absent : shipped.absent) {
       fmt::print("{:<20} NOT BUILT: the Debian package {} is missing\n",
@@ -105,17 +123,19 @@ Json kernel_json(const Kernel& kernel) {
           {"arithmetics", composed}};
 }
 
-int list_kernels(const std::string& format, const std::vector<std::string>& ids) {
+int list_kernels(const std::string& format, const std::vector<std::string>& ids, const std::string& test_id) {
   std::vector<const Kernel*> listed;
   for (const std::string& id : ids) listed.push_back(&find_kernel(id));
+  const TestDescription& test = test_given(test_id);
+  if (!test_id.empty()) test_of_kernels(test_id, listed);
   if (format == "text") {
     for (const Kernel* kernel : listed) print_one(*kernel);
-    if (ids.empty()) print_kernels();
+    if (ids.empty()) print_kernels(test);
     return exit_done;
   }
   if (ids.empty()) {
-    for (const Kernel& kernel : kernels()) listed.push_back(&kernel);
-    for (const Kernel* kernel : shipped_kernels()) listed.push_back(kernel);
+    listed = built_in_kernels(test);
+    for (const Kernel* kernel : shipped_kernels(test)) listed.push_back(kernel);
   }
   Json all = Json::array();
   for (const Kernel* kernel : listed) all.push_back(kernel_json(*kernel));
@@ -133,7 +153,10 @@ void add_kernels(CLI::App& app, Action& action) {
   auto ids = std::make_shared<std::vector<std::string>>();
   command->add_option("--kernel", *ids, "list this kernel alone, with its test and where its source is; repeatable")
       ->allow_extra_args(false);
-  command->callback([&action, format, ids] { action = [format, ids] { return list_kernels(*format, *ids); }; });
+  auto test = std::make_shared<std::string>();
+  add_test_option(*command, *test, "test whose kernels are listed (default: sphere-triangle)");
+  command->callback(
+      [&action, format, ids, test] { action = [format, ids, test] { return list_kernels(*format, *ids, *test); }; });
 }
 
 }  // namespace axiscert

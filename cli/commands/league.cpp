@@ -5,6 +5,7 @@
 
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
+#include "cli/options/test_options.h"
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/instruments/kernel_speed.h"
@@ -30,6 +31,7 @@ constexpr int repetitions = 5;
 
 void add_kernel(League& league, const std::string& id) {
   const Kernel& kernel = find_kernel(id);
+  require_served("league", *kernel.test);
   if (std::find(league.plan.kernels.begin(), league.plan.kernels.end(), &kernel) != league.plan.kernels.end()) return;
   league.plan.kernels.push_back(&kernel);
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "cli/options/address_query.h"
+#include "cli/options/test_options.h"
 #include "cli/commands.h"
 #include "cli/running/run_output.h"
 #include "fuzz/text/file_bytes.h"
@@ -98,6 +99,7 @@ std::string command_of(const MapOptions& options, const MapPlan& plan) {
 
 int draw(const MapOptions& options) {
   const Kernel& kernel = find_kernel(options.kernel);
+  require_served("map", *kernel.test);
   require_loaded(kernel);
   const StoredQuery witness = witness_of(options);
   if (!kernel.has(witness.precision)) {

@@ -7,6 +7,7 @@
 
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
+#include "cli/options/test_options.h"
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
@@ -55,11 +56,17 @@ int show_list(const MutationPlan& plan) {
 
 int mutate(const MutateOptions& options) {
   MutationPlan plan;
+  for (const Kernel& kernel : kernels()) {
+    if (kernel.id == options.kernel) require_served("mutate", *kernel.test);
+  }
   plan.mutants = mutants_asked(options);
   plan.base = options.kernel;
   if (options.list) return show_list(plan);
-  for (const std::string& name : options.families) plan.families.push_back(&find_family(name));
-  if (plan.families.empty()) plan.families.assign(families().begin(), families().end());
+  for (const std::string& name : options.families) {
+    plan.families.push_back(&find_family(name));
+    require_served("mutate", plan.families.back()->test());
+  }
+  if (plan.families.empty()) plan.families = families_of(first_test());
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};
   plan.trials = options.trials;

@@ -6,6 +6,7 @@
 
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
+#include "cli/options/test_options.h"
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/text/file_bytes.h"
@@ -43,6 +44,7 @@ Comparison parse_comparison(const std::string& given) {
 SearchPlan plan_of(const SearchOptions& options) {
   SearchPlan plan;
   plan.kernel = &find_kernel(options.kernel);
+  require_served("search", *plan.kernel->test);
   require_loaded(*plan.kernel);
   plan.precision = parse_precision(options.precision);
   if (!plan.kernel->has(plan.precision)) {
@@ -59,6 +61,7 @@ SearchPlan plan_of(const SearchOptions& options) {
   }
   std::sort(plan.comparisons.begin(), plan.comparisons.end());
   InstrumentOptions families;
+  families.command = "search";
   families.families = options.families;
   plan.sources = instrument_sources(
       families, {"general", "tangent", "seam", "sliver", "needle", "collinear", "repeated", "far", "ratio"});

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "cli/options/address_query.h"
+#include "cli/options/test_options.h"
 #include "cli/commands.h"
 #include "cli/running/shrunk.h"
 #include "fuzz/files/sphere_triangle_query.h"
@@ -117,6 +118,7 @@ void shrink_one(const Query<Real>& q, const StoredQuery& stored, const ShrinkOpt
 
 int shrink_all(const ShrinkOptions& options) {
   const Kernel& kernel = find_kernel(options.kernel);
+  require_served("shrink", *kernel.test);
   require_loaded(kernel);
   const std::string target = resolve_target(options.target);
   if (!options.what.empty() && !named(options.what)) {

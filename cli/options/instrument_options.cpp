@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "cli/options/test_options.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
@@ -23,6 +24,7 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
 }  // namespace
 
 void add_instrument_options(CLI::App& command, InstrumentOptions& o, std::uint64_t trials) {
+  o.command = command.get_name();
   o.trials = trials;
   command.add_option("--kernel", o.kernels, "kernel id, repeatable")->allow_extra_args(false);
   command.add_option("--family", o.families, "family, repeatable")->allow_extra_args(false);
@@ -44,6 +46,7 @@ std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, 
   std::vector<const Kernel*> kernels;
   for (const std::string& id : options.kernels.empty() ? defaults : options.kernels) {
     const Kernel& kernel = find_kernel(id);
+    require_served(options.command, *kernel.test);
     if (measures == Measures::formulae && !kernel.file.empty()) {
       throw Error(
           fmt::format("--kernel {}: this command measures built-in formulae; plug-ins are accepted by run, check, "
@@ -66,7 +69,9 @@ std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, 
 std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std::vector<std::string> defaults) {
   std::vector<SourcePtr> sources;
   for (const std::string& name : options.families.empty() ? defaults : options.families) {
-    sources.push_back(family_source(find_family(name)));
+    const Family& family = find_family(name);
+    require_served(options.command, family.test());
+    sources.push_back(family_source(family));
   }
   return sources;
 }

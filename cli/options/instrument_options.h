@@ -9,6 +9,7 @@
 namespace axiscert {
 
 struct InstrumentOptions {
+  std::string command;                         // its name, for messages
   std::vector<std::string> kernels, families;  // as given; empty: the subcommand's defaults
   std::uint64_t trials = 0, seed = 1;
   std::string precision = "binary32", format = "text", out;
@@ -19,11 +20,11 @@ void add_instrument_options(CLI::App& command, InstrumentOptions& options, std::
 
 // Whether an instrument uses only verdicts, or examines formulae, which only a built-in kernel is known to evaluate.
 enum class Measures { verdicts, formulae };
-// The kernels given by the options, or `defaults`. Throws Error for one that does not exist in the precision, or that
-// the instrument does not accept.
+// The kernels given by the options, or `defaults`. Throws Error for one that does not exist in the precision, that the
+// instrument does not accept, or of a test that it does not serve.
 std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, std::vector<std::string> defaults,
                                               Measures measures);
-// The families given by the options, or `defaults`.
+// The families given by the options, or `defaults`. Throws Error for one of a test that the command does not serve.
 std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std::vector<std::string> defaults);
 // The command line that produces the report again: "axiscert NAME --kernel ...".
 std::string instrument_command(const std::string& name, const InstrumentOptions& options);

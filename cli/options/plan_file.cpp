@@ -10,7 +10,9 @@
 #include "fuzz/text/whole_number.h"
 #include "kernel/base/error.h"
 #include "kernel/base/utf8.h"
+#include "kernel/sphere_triangle/description.h"
 #include "reports/run_folder/parsed_json.h"
+#include "reports/run_folder/record_version.h"
 #include "fuzz/confirm/plan.h"
 
 namespace axiscert {
@@ -21,6 +23,7 @@ constexpr const char* plan_schema = "axiscert-plan/1";
 // Calls visit(name, member) with each option that a record depends on.
 template <class Options, class Visit>
 void for_each_option(Options& o, Visit&& visit) {
+  visit("test", o.test);
   visit("kernels", o.kernels);
   visit("families", o.families);
   visit("meshes", o.meshes);
@@ -81,22 +84,24 @@ void look_beside(const std::string& plan_path, std::vector<std::string>& files) 
 
 std::string PlanFile::text() const { return json.dump(1) + "\n"; }
 
-PlanFile plan_file_of(const RunOptions& options, std::optional<std::uint64_t> units_each) {
-  for (const std::string& path : options.queries) {
+PlanFile plan_file_of(const RunOptions& given, std::optional<std::uint64_t> units_each) {
+  for (const std::string& path : given.queries) {
     if (path == "-") throw Error("--queries -: standard input cannot be read again; give a file");
   }
-  const Plan plan = plan_of(options);
+  const Plan plan = plan_of(given);
+  RunOptions options = given;
+  options.test = plan.test->id;
   const Stretches stretches(plan, units_each ? *units_each : Stretches::default_units_each(plan));
   PlanFile file{"the plan", {}, {}, options, stretches.units_each()};
   for (const auto* files : {&options.meshes, &options.queries}) {
     for (const std::string& path : *files) require_utf8(path, "file");
   }
   if (options.corpus) require_utf8(*options.corpus, "--corpus");
-  Json given = Json::object();
-  for_each_option(options, [&](const char* name, const auto& value) { put(given[name], value); });
+  Json stored = Json::object();
+  for_each_option(options, [&](const char* name, const auto& value) { put(stored[name], value); });
   file.json = {{"schema", plan_schema},
                {"plan", plan_of_record(plan, options.require)},
-               {"options", given},
+               {"options", stored},
                {"queries", stretches.queries()},
                {"units", stretches.units()},
                {"units_per_stretch", stretches.units_each()},
@@ -129,7 +134,13 @@ PlanFile read_plan_file(const std::string& path) {
                     path, file.digest, shown(digest.dump())));
   }
   try {
-    for_each_option(file.options, [&](const char* name, auto& value) { get_member(json.at("options"), name, value); });
+    // A plan that names no test is of a version that had one.
+    const Json& options = json.at("options");
+    for_each_option(file.options, [&](const char* name, auto& value) {
+      if (name != std::string_view("test") || !options.is_object() || options.contains(name))
+        get_member(options, name, value);
+    });
+    if (file.options.test.empty()) file.options.test = sphere_triangle_test().id;
     get_member(json, "units_per_stretch", file.units_each);
     std::uint64_t counted;  // computed again where the plan is taken
     for (const char* count : {"queries", "units", "stretches"}) get_member(json, count, counted);
@@ -146,7 +157,7 @@ Plan plan_of(const PlanFile& file) {
   look_beside(file.path, options.meshes);
   look_beside(file.path, options.queries);
   Plan plan = plan_of(options);
-  const std::string differs = difference(plan_of_record(plan, options.require), file.json["plan"]);
+  const std::string differs = difference(plan_of_record(plan, options.require), present_plan(file.json["plan"]));
   if (!differs.empty()) {
     throw Error(
         fmt::format("{}: cannot be run as planned: here {}; write a new plan, or use the axiscert and the "

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "fuzz/files/corpus.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -25,11 +26,11 @@ std::vector<std::string> preset_names() {
   return names;
 }
 
-void apply_preset(const std::string& name, RunOptions& options) {
+void apply_preset(const std::string& name, const TestDescription& test, RunOptions& options) {
   const auto preset =
       std::find_if(std::begin(presets), std::end(presets), [&](const Preset& p) { return p.name == name; });
   if (options.families.empty() && options.meshes.empty() && options.queries.empty()) options.families = {"all"};
-  if (!options.corpus) options.corpus = default_corpus_folder();
+  if (!options.corpus && &test == &sphere_triangle_test()) options.corpus = default_corpus_folder();
   if (!options.trials) options.trials = preset->trials;
 }
 

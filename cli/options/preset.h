@@ -9,7 +9,8 @@
 namespace axiscert {
 
 std::vector<std::string> preset_names();
-// Sets the options that were not given to the preset's values. The name is one of preset_names().
-void apply_preset(const std::string& name, RunOptions& options);
+// Sets the options that were not given to the preset's values for a run of this test, which may have no corpus. The
+// name is one of preset_names().
+void apply_preset(const std::string& name, const TestDescription& test, RunOptions& options);
 
 }  // namespace axiscert

@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/options/preset.h"
+#include "cli/options/test_options.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/text/file_bytes.h"
@@ -93,6 +94,15 @@ void drop_idle_precisions(Plan& plan, const std::string& asked) {
   });
 }
 
+// The kernel of a run that names none.
+const Kernel& default_kernel(const TestDescription& test) {
+  if (&test == &first_test()) return find_kernel("published");
+  for (const Kernel& kernel : kernels()) {
+    if (kernel.test == &test) return kernel;
+  }
+  throw Error(fmt::format("the test {} has no built-in kernel; give one with --kernel", test.id));
+}
+
 // Accepts digits only: CLI11 would take "-1" for the greatest number there is.
 std::string is_whole_number(const std::string& text) {
   const bool digits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
@@ -107,6 +117,9 @@ std::string is_above_zero(const std::string& text) {
 }  // namespace
 
 CLI::Option* add_source_options(CLI::App& command, SourceOptions& o) {
+  add_test_option(command, o.test,
+                  "test whose kernels and families are the defaults, and of which all others have to be; see `axiscert "
+                  "tests` (default: that of the kernels and families given, or sphere-triangle)");
   command.add_option("--family", o.families, "family, repeatable, or all (default: all unless files are given)")
       ->allow_extra_args(false);
   command.add_option("--mesh", o.meshes, "mesh file of any format assimp reads, repeatable")->allow_extra_args(false);
@@ -180,7 +193,9 @@ void add_run_options(CLI::App& command, RunOptions& o) {
   add_output_options(command, o);
 }
 
-std::vector<SourcePtr> sources_of(const SourceOptions& options, Precision csv_precision) {
+std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescription& test, Precision csv_precision) {
+  if (!options.meshes.empty()) require_served("--mesh", test);
+  if (options.corpus) require_served("--corpus", test);
   std::vector<SourcePtr> sources;
   const auto add = [&](SourcePtr source) {
     for (const SourcePtr& other : sources) {
@@ -196,7 +211,7 @@ std::vector<SourcePtr> sources_of(const SourceOptions& options, Precision csv_pr
   const bool all =
       nothing_given || std::find(options.families.begin(), options.families.end(), "all") != options.families.end();
   if (all) {
-    for (const Family* family : families()) add(family_source(*family));
+    for (const Family* family : families_of(test)) add(family_source(*family));
   }
   for (const std::string& name : options.families) {
     if (name != "all") add(family_source(find_family(name)));
@@ -237,7 +252,6 @@ Plan plan_of(const RunOptions& given) {
             fmt::format("--time with {} {}: it requires a fixed plan, so bound the run by --trials", name, value));
     }
   }
-  if (!options.preset.empty()) apply_preset(options.preset, options);
   Plan plan;
   plan.seed = options.seed;
   plan.target = resolve_target(options.target);
@@ -248,7 +262,11 @@ Plan plan_of(const RunOptions& given) {
     plan.kernels.push_back(kernel);
     add_plugin(*kernel, plan);
   }
-  if (plan.kernels.empty()) plan.kernels.push_back(&find_kernel("published"));
+  plan.test = &test_of_kernels(options.test, plan.kernels);
+  if (plan.kernels.empty()) plan.kernels.push_back(&default_kernel(*plan.test));
+  if (options.planted != RunOptions().planted) require_served("--plant", *plan.test);
+  if (options.shrink != 0) require_served("--shrink", *plan.test);
+  if (!options.preset.empty()) apply_preset(options.preset, *plan.test, options);
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};
   drop_idle_precisions(plan, options.precision);
@@ -259,8 +277,9 @@ Plan plan_of(const RunOptions& given) {
       std::find(filter_fault_names.begin(), filter_fault_names.end(), options.planted) - filter_fault_names.begin());
   plan.trials = [options](const Source& source, Precision precision) { return trials_of(options, source, precision); };
   plan.threads = threads_of(options.threads);
-  plan.sources =
-      sources_of(options, options.precision.empty() ? Precision::binary32 : parse_precision(options.precision));
+  plan.sources = sources_of(options, *plan.test,
+                            options.precision.empty() ? Precision::binary32 : parse_precision(options.precision));
+  require_one_test(plan.kernels, plan.sources);
   say_what_is_left_out(plan.sources, plan.precisions);
   return plan;
 }

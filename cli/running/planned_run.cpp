@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "cli/commands.h"
+#include "cli/options/test_options.h"
 #include "cli/running/judged_run.h"
 #include "cli/running/recheck.h"
 #include "cli/running/run_output.h"
@@ -202,6 +203,7 @@ int run_as(Ranks* ranks, const PlannedOptions& options, const RunOptions& run) {
   Plan plan = plan_of(file);
   plan.target = resolve_target(run.target);
   plan.exact_only = run.exact_only;
+  if (run.shrink != 0) require_served("--shrink", *plan.test);
   // A launcher starts one rank for each core, unless told otherwise.
   plan.threads = ranks && run.threads == 0 ? 1 : threads_of(run.threads);
   Plan again = plan;
@@ -229,8 +231,8 @@ void add_planned_options(CLI::App& command, PlannedOptions& o) {
       command.add_option("--plan", o.plan,
                          "plan file of `axiscert plan` to run, by all ranks where mpirun starts several; finished "
                          "stretches are kept in the folder's journal");
-  for (const char* settled : {"--kernel", "--family", "--mesh", "--queries", "--corpus", "--seed", "--trials", "--time",
-                              "--precision", "--tolerance", "--require", "--plant", "--preset"}) {
+  for (const char* settled : {"--test", "--kernel", "--family", "--mesh", "--queries", "--corpus", "--seed", "--trials",
+                              "--time", "--precision", "--tolerance", "--require", "--plant", "--preset"}) {
     plan->excludes(command.get_option(settled));
   }
   command.add_flag("--resume", o.resume, "continue the folder's journal, where there is one")->needs(plan);

@@ -59,7 +59,9 @@ class Compare(Case):
         bad, out = self.folder / "bad", self.folder / "compared"
         bad.mkdir()
         for text, says in {
-            good.replace("axiscert-record/1", "axiscert-record/2"): ["axiscert-record/2", "reads \"axiscert-record/1\""],
+            good.replace("axiscert-record/2", "axiscert-record/3"): ["axiscert-record/3",
+                                                                       "reads \"axiscert-record/1\" and \"axiscert-record/2\""],
+            good.replace('"test": "sphere-triangle"', '"test": "nosuch"'): ["/plan/test", "unknown test 'nosuch'", "sphere-triangle"],
             good[:-100]: ["cut off"],
             good.replace('"plane.radius"', '"plane.radios"', 1): ["plane.radi"],
             good.replace('"trials": 100', '"trials": 101'): ["do not add up"],
@@ -73,6 +75,23 @@ class Compare(Case):
                     self.assertFalse(out.exists(), "output was begun")
         self.refused("compare", self.folder / "out", self.folder / "none", says=["none/record.json", "does not exist"])
 
+
+    def test_a_record_of_version_1_is_the_same_run(self):
+        self.run_ok(*PLAN)
+        record = json.loads((self.folder / "out/record.json").read_text())
+        self.assertEqual((record["schema"], record["plan"]["test"]), ("axiscert-record/2", "sphere-triangle"))
+        record["schema"] = "axiscert-record/1"
+        del record["plan"]["test"]
+        (self.folder / "old").mkdir()
+        (self.folder / "old/record.json").write_text(json.dumps(record))
+        for pair in (("old", "out"), ("out", "old")):
+            text = self.compare(*pair)
+            self.assertTrue(text.startswith("axiscert compare: no change\n"), text)
+            self.assertNotIn("NOT COMPARED", text)
+        for folder in ("old", "out"):
+            self.assertEqual(axiscert("report", self.folder / folder).returncode, 0)
+        for name in ("ratchet.txt", "witnesses.jsonl"):
+            self.assertEqual((self.folder / "old" / name).read_text(), (self.folder / "out" / name).read_text(), name)
 
     def test_a_plugin_that_a_record_names_is_loaded_for_who_names_it_alone(self):
         source, kernel, loaded = (self.folder / name for name in ("kernel.c", "kernel.so", "loaded"))

@@ -29,9 +29,33 @@ class Tests(Case):
 
     def test_each_kernel_and_family_is_of_one_test(self):
         for member, command in (("kernels", "kernels"), ("families", "families")):
-            named = json.loads(axiscert(command, "--format", "json").stdout)
-            names = [one.get("id", one.get("name")) for one in named if "/" not in one.get("id", "")]
-            self.assertEqual([name for test in self.listed() for name in test[member]], names)
+            for test in self.listed():
+                named = json.loads(axiscert(command, "--test", test["id"], "--format", "json").stdout)
+                names = [one.get("id", one.get("name")) for one in named]
+                shipped = ("peer/", "fault/", test["id"] + "/peer/", test["id"] + "/fault/")
+                self.assertEqual(test[member], [name for name in names if not name.startswith(shipped)])
+                self.assertEqual({one["test"] for one in named}, {test["id"]} if named else set())
+
+    def test_the_first_test_is_the_default(self):
+        for command in ("kernels", "families"):
+            for form in ("text", "json"):
+                self.assertEqual(axiscert(command, "--format", form).stdout,
+                                 axiscert(command, "--test", "sphere-triangle", "--format", form).stdout)
+        options = ["--family", "tangent", "--trials", "100", "--precision", "binary32"]
+        self.assertEqual(axiscert("generate", *options).stdout,
+                         axiscert("generate", "--test", "sphere-triangle", *options).stdout)
+        for name, test in (("without", []), ("with", ["--test", "sphere-triangle"])):
+            self.run_ok(*options, *test, out=name)
+            self.assertEqual(axiscert("plan", *options, *test, "--out", self.folder / f"{name}.json").returncode, 0)
+        for file in ("record.json", "witnesses.jsonl", "ratchet.txt"):
+            self.assertEqual((self.folder / "without" / file).read_bytes(), (self.folder / "with" / file).read_bytes(), file)
+        self.assertEqual((self.folder / "without.json").read_bytes(), (self.folder / "with.json").read_bytes())
+
+    def test_an_unknown_test_is_one_clear_line(self):
+        for command in ("run", "plan", "generate", "kernels", "families"):
+            done = self.refused(command, "--test", "nosuch", says=["unknown test 'nosuch'; tests: sphere-triangle"])
+            self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+        self.refused("run", "--plan", "plan.json", "--test", "sphere-triangle", says=["--plan", "--test"])
 
     def test_the_text_has_each_name(self):
         text = axiscert("tests").stdout

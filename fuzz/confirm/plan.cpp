@@ -14,8 +14,7 @@ Json replies_json(const Plan& plan) {
 }  // namespace
 
 Json plan_json(const Plan& plan, const CampaignResult& result, const std::string& require) {
-  Json json = {{"axiscert", AXISCERT_VERSION}, {"seed", plan.seed}};
-  if (plan.test != &first_test()) json["test"] = plan.test->id;
+  Json json = {{"axiscert", AXISCERT_VERSION}, {"test", plan.test->id}, {"seed", plan.seed}};
   for (const char* list : {"kernels", "precisions", "families"}) json[list] = Json::array();
   for (const char* map : {"generators", "trials"}) json[map] = Json::object();
   json["files"] = Json::array();

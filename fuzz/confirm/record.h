@@ -8,7 +8,7 @@
 
 namespace axiscert {
 
-inline constexpr const char* record_schema = "axiscert-record/1";
+inline constexpr const char* record_schema = "axiscert-record/2";
 
 // record.json: contains no clock, host, thread count, target or compiler. `require` is the level as given, or empty.
 // Makes the witnesses' queries again and examines each by all oracles.

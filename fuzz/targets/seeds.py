@@ -90,12 +90,13 @@ def seeds(source):
     ]
 
     result["journal"] = [b"", b"\x01\x07", b"\x03\x00\x00\x07\x00\x80", bytes([0x40, 4]) + b"\x83\x00\x80\x40"]
-    options = {"kernels": ["published", "certified"], "families": ["tangent", "lattice"], "meshes": [], "queries": [],
+    options = {"test": "sphere-triangle", "kernels": ["published", "certified"], "families": ["tangent", "lattice"], "meshes": [], "queries": [],
                "corpus": None, "trials": 1000, "seed": 1, "precision": "binary32", "tolerances": ["plane.radius=2"], "require": "logic"}
     plan = {"schema": "axiscert-plan/1", "plan": {"seed": 1}, "options": options, "queries": 2000, "units": 2,
             "units_per_stretch": 1, "stretches": 2, "digest": ""}
     least = dict(options, kernels=["published+fma"], families=[], trials=2**64 - 1, seed=0, precision="", require="")
-    plans = [plan, dict(plan, options=least), dict(plan, options=least, plan={}), dict(plan, queries=1.8e19), {}]
+    first = {name: value for name, value in options.items() if name != "test"}  # a plan of a version that had one test
+    plans = [plan, dict(plan, options=first), dict(plan, options=least), dict(plan, options=least, plan={}), dict(plan, queries=1.8e19), {}]
     result["plan"] = [plan_text(one).encode() for one in plans]
 
     record = json.loads((source / "reports/testdata/record.json").read_text())
@@ -107,6 +108,7 @@ def seeds(source):
     result["plan"].append(deep)
     result["record"] = [
         (source / "reports/testdata/record.json").read_bytes(),
+        (source / "reports/testdata/record_1.json").read_bytes(),
         json.dumps(record).encode(),
         (source / "reports/testdata/run.json").read_bytes(),
         deep,

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "kernel/base/error.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -151,7 +152,16 @@ std::size_t RunComparison::count(Change change) const {
       std::count_if(cells.begin(), cells.end(), [&](const ComparedCell& cell) { return cell.change == change; }));
 }
 
+void require_same_test(const Json& before, const Json& after, const std::string& before_name,
+                       const std::string& after_name) {
+  const Json &old_test = before["plan"]["test"], &new_test = after["plan"]["test"];
+  if (old_test == new_test) return;
+  throw Error(fmt::format("{} is of the test {}, and {} of {}; only runs of one test can be compared", before_name,
+                          old_test.get<std::string>(), after_name, new_test.get<std::string>()));
+}
+
 RunComparison compare_records(const Json& before, const Json& after, std::vector<Replayed> replayed) {
+  require_same_test(before, after, "OLD", "NEW");
   return Comparer(before, after).run(std::move(replayed));
 }
 

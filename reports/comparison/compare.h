@@ -43,7 +43,12 @@ struct RunComparison {
   std::size_t count(Change change) const;
 };
 
-// Compares two records that read_run accepted; `replayed` holds OLD's witnesses and may be empty.
+// Throws Error where two records are of different tests; `before_name` and `after_name` are those that it shows.
+void require_same_test(const Json& before, const Json& after, const std::string& before_name,
+                       const std::string& after_name);
+
+// Compares two records of one test that read_run accepted; `replayed` holds OLD's witnesses and may be empty. Throws
+// Error as require_same_test does.
 RunComparison compare_records(const Json& before, const Json& after, std::vector<Replayed> replayed);
 
 }  // namespace axiscert

@@ -40,6 +40,14 @@ TEST(Compare, ARunWithItselfDoesNotDiffer) {
   EXPECT_EQ(answer(compare_records(record, other_seed(), {})), "no change");
 }
 
+TEST(Compare, RunsOfTwoTestsAreRefused) {
+  Json other = stored_record();
+  other["plan"]["test"] = "point-box";
+  EXPECT_THAT([&] { compare_records(stored_record(), other, {}); },
+              testing::ThrowsMessage<Error>(
+                  "OLD is of the test sphere-triangle, and NEW of point-box; only runs of one test can be compared"));
+}
+
 TEST(Compare, OnTheSameQueriesOneIsADifference) {
   const Json before = stored_record();
   Json after = before;

@@ -8,6 +8,8 @@
 #include "fuzz/text/number_text.h"
 #include "kernel/names.h"
 #include "reports/run_folder/attachments.h"
+#include "reports/run_folder/record_names.h"
+#include "reports/run_folder/run_folder.h"
 #include "reports/page/embedded.h"
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
@@ -49,10 +51,13 @@ std::string decimal(const Json& number, const Json& precision) {
 Json witness_card(const Json& witness, const Json& plan) {
   Json card = witness;
   Json& decimals = card["decimal"] = Json::object();
-  for (const char* point : {"a", "b", "c", "p"}) {
-    for (const Json& number : witness[point]) decimals[point].push_back(decimal(number, witness["precision"]));
+  for (const ColumnGroup& group : groups_of(*entry_of(test_of(plan), witness))) {
+    const std::string member(group.name);
+    const Json& numbers = witness[member];
+    if (numbers.is_string()) decimals[member] = decimal(numbers, witness["precision"]);
+    else
+      for (const Json& number : numbers) decimals[member].push_back(decimal(number, witness["precision"]));
   }
-  decimals["r"] = decimal(witness["r"], witness["precision"]);
   card["command"] = replay_command(witness, plan);
   return card;
 }

@@ -1,14 +1,23 @@
 // witnesses.jsonl: every witness as a line of a query file.
 #include "reports/formats/format.h"
+#include "reports/run_folder/record_names.h"
+#include "reports/run_folder/run_folder.h"
 
 namespace axiscert {
 namespace {
 
 std::string render_witnesses(const Run& run) {
+  const TestDescription& test = test_of(run.record["plan"]);
   std::string text;
   for (const Json& witness : run.record["witnesses"]) {
-    Json query;
-    for (const char* member : {"id", "precision", "a", "b", "c", "p", "r"}) query[member] = witness[member];
+    Json query = {{"id", witness["id"]}, {"precision", witness["precision"]}};
+    const TestEntry& entry = *entry_of(test, witness);
+    if (&test != &first_test()) query["test"] = test.id;
+    if (&entry != &test.entries.front()) query["entry"] = entry.name;
+    for (const ColumnGroup& group : groups_of(entry)) {
+      const std::string member(group.name);
+      query[member] = witness[member];
+    }
     text += query.dump() + "\n";
   }
   return text;

@@ -15,6 +15,7 @@
 #include "kernel/base/utf8.h"
 #include "reports/comparison/cells.h"
 #include "reports/formats/format.h"
+#include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -45,7 +46,10 @@ std::string name_of(const Json& key) {
   return fmt::format("{} {} on {}: {}", part(0), part(1), part(2), part(3));
 }
 
-std::string head(const std::string& plan) { return fmt::format("{} {}\n# {}\n", schema, plan, form); }
+// Files of the first test are those of versions that had no other.
+std::string head(const std::string& plan, const std::string& test) {
+  return fmt::format("{} {}{}\n# {}\n", schema, plan, test == first_test().id ? "" : " " + word(test), form);
+}
 
 struct Line {
   const std::string& file;
@@ -117,7 +121,8 @@ RatchetEntry entry_of(const std::vector<std::string>& words, const Line& line) {
 }  // namespace
 
 Ratchet parse_ratchet(std::string_view text, const std::string& name) {
-  Ratchet ratchet{name, "", {}};
+  Ratchet ratchet;
+  ratchet.name = name;
   std::size_t number = 0;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -129,11 +134,13 @@ Ratchet parse_ratchet(std::string_view text, const std::string& name) {
         content.starts_with('#') ? std::vector<std::string>() : words_of(content, line);
     if (words.empty()) continue;
     if (ratchet.plan.empty()) {
-      if (words[0] != schema || words.size() != 2) {
-        line.fail(fmt::format("begins with '{}', but a ratchet begins with '{} PLAN'; a run writes one as ratchet.txt",
-                              words[0].substr(0, 80), schema));
+      if (words[0] != schema || words.size() < 2 || words.size() > 3) {
+        line.fail(
+            fmt::format("begins with '{}', but a ratchet begins with '{} PLAN [TEST]'; a run writes one as ratchet.txt",
+                        words[0].substr(0, 80), schema));
       }
       ratchet.plan = words[1];
+      if (words.size() == 3) ratchet.test = words[2];
       continue;
     }
     RatchetEntry entry = entry_of(words, line);
@@ -156,6 +163,10 @@ Ratchet read_ratchet(const std::string& path) {
 }
 
 void require_plan(const Ratchet& ratchet, const Json& plan) {
+  if (const std::string_view test = test_of(plan).id; test != ratchet.test) {
+    throw Error(fmt::format("{}: of the test {}, and this run is of {}; figures of two tests are not comparable",
+                            ratchet.name, ratchet.test, test));
+  }
   const std::string given = plan_fingerprint(plan);
   if (given == ratchet.plan) return;
   throw Error(fmt::format(
@@ -167,7 +178,7 @@ void require_plan(const Ratchet& ratchet, const Json& plan) {
 RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, const std::string& today) {
   require_plan(ratchet, record["plan"]);
   RatchetOutcome outcome;
-  outcome.accepted = head(ratchet.plan);
+  outcome.accepted = head(ratchet.plan, ratchet.test);
   const auto fail = [&](const Json& key, std::string text) { outcome.failures.push_back({key, std::move(text)}); };
   std::set<Json> judged;  // kernel and precision
   for (const Json& kernel : record["kernels"]) judged.insert(Json::array({kernel["id"], kernel["precision"]}));
@@ -240,7 +251,7 @@ std::string ratchet_text(const Json& record) {
   const std::string plan = plan_fingerprint(record["plan"]);
   if (plan.empty())
     return "# The queries of this run depended on the time available: no other run can be compared with it.\n";
-  std::string text = head(plan);
+  std::string text = head(plan, std::string(test_of(record["plan"]).id));
   for (const Cell& cell : cells_of(record)) {
     if (is_held(cell)) text += open_line(cell) + "\n";
   }

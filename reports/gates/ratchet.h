@@ -1,10 +1,11 @@
 // The ratchet: a reviewed text file of the errors that are accepted, one line for each cell. A run may get better,
 // never worse.
 //
-//   axiscert-ratchet/1 PLAN
+//   axiscert-ratchet/1 PLAN [TEST]
 //   FINGERPRINT KERNEL PRECISION FAMILY CELL FIGURE EXPIRY OWNER REASON
 //
-// PLAN is plan_fingerprint(): figures over other queries are not compared. A word that contains spaces or quotes is a
+// PLAN is plan_fingerprint(): figures over other queries are not compared. TEST is the test of the run; sphere-triangle
+// is not written. A word that contains spaces or quotes is a
 // JSON string. CELL is a name of cells_of(), FIGURE its count, or its depth where it is a maximum; a cell without a
 // line is accepted at zero. Counts, findings and depths are checked; errors in u are not, since --tolerance makes a
 // count of them. EXPIRY is the last day of the waiver, YYYY-MM-DD in UTC, or `never`. Empty lines and lines that begin
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "fuzz/text/json.h"
+#include "kernel/test.h"
 
 namespace axiscert {
 
@@ -29,6 +31,7 @@ struct RatchetEntry {
 
 struct Ratchet {
   std::string name, plan;
+  std::string test = std::string(first_test().id);
   std::map<std::string, RatchetEntry> entries;  // by fingerprint
 };
 
@@ -36,7 +39,8 @@ struct Ratchet {
 Ratchet parse_ratchet(std::string_view text, const std::string& name);
 Ratchet read_ratchet(const std::string& path);
 
-// Throws Error where a record's `plan` is not the ratchet's, or cannot be repeated.
+// Throws Error where a record's `plan` is of another test than the ratchet, is not the ratchet's, or cannot be
+// repeated.
 void require_plan(const Ratchet& ratchet, const Json& plan);
 
 struct RatchetFailure {

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <vector>
@@ -16,6 +17,8 @@
 #include "reports/gates/ratchet.h"
 #include "reports/page/embedded.h"
 #include "reports/run_folder/parsed_json.h"
+#include "reports/run_folder/record_names.h"
+#include "reports/run_folder/record_version.h"
 #include "reports/run_folder/schema.h"
 
 namespace axiscert {
@@ -26,7 +29,8 @@ constexpr const char* advice = "run it again, or restore the file as it was writ
 // Conditions that the schema cannot express: sums, and names that refer to each other.
 class RecordCheck {
  public:
-  RecordCheck(const Json& record, const std::string& name) : record_(record), name_(name) {}
+  RecordCheck(const Json& record, const std::string& name)
+      : record_(record), name_(name), test_(test_of(record["plan"])) {}
 
   void check() const {
     const Json& plan = record_["plan"];
@@ -65,10 +69,12 @@ class RecordCheck {
       const std::string where =
           fmt::format("finding {} of kernel {}", finding["kind"].dump(), finding["kernel"].dump());
       const bool of_loading = finding["family"].is_null();
-      for (const char* member : {"precision", "address", "a", "b", "c", "p", "r"}) {
+      const auto goes_together = [&](const std::string& member) {
         require(finding[member].is_null() == of_loading, where,
                 fmt::format("family and {} go together: both are null, or neither", member));
-      }
+      };
+      for (const char* member : {"precision", "address"}) goes_together(member);
+      for (const ColumnGroup& group : groups_of(*entry_of(test_, finding))) goes_together(std::string(group.name));
       if (of_loading) {
         explained.insert(finding["kernel"]);
         continue;
@@ -136,7 +142,8 @@ class RecordCheck {
   }
 
   void check_numbers(const Json& witness, const std::string& where) const {
-    for (const char* member : {"a", "b", "c", "p", "r"}) {
+    for (const ColumnGroup& group : groups_of(*entry_of(test_, witness))) {
+      const std::string member(group.name);
       const Json list = witness[member].is_array() ? witness[member] : Json::array({witness[member]});
       for (const Json& number : list) {
         try {
@@ -170,12 +177,25 @@ class RecordCheck {
 
   const Json& record_;
   const std::string& name_;
+  const TestDescription& test_;
 };
+
+// Names first: the other conditions go by them.
+void check_names(const Json& record, const std::string& name) {
+  std::optional<std::string> fault;
+  try {
+    fault = fault_of_names(record);
+  } catch (const Error& unknown_test) {
+    throw Error(fmt::format("{}: /plan/test: {}", name, unknown_test.what()));
+  }
+  if (fault) throw Error(fmt::format("{}: {}; {}", name, *fault, advice));
+}
 
 }  // namespace
 
 void check_record(const Json& record, const std::string& name) {
   check_schema(Json::parse(embedded::record_schema_json), record, name, advice);
+  check_names(record, name);
   RecordCheck(record, name).check();
 }
 
@@ -211,7 +231,7 @@ Run read_run(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(record, ignored)) {
     throw Error(fmt::format("{}: does not exist; give the folder that `axiscert run --out` wrote", record.string()));
   }
-  Run run{read_json(record), nullptr, nullptr, folder};
+  Run run{present_record(read_json(record), record.string()), nullptr, nullptr, folder};
   check_record(run.record, record.string());
   if (const auto held = folder / ratchet_outcome_file; std::filesystem::exists(held, ignored)) {
     run.ratchet = read_json(held);

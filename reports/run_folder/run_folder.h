@@ -11,13 +11,14 @@
 namespace axiscert {
 
 struct Run {
-  Json record;                   // conforms to record.schema.json
+  Json record;                   // conforms to record.schema.json, whichever version the file has
   Json info;                     // conforms to run.schema.json; null where the folder has no run.json
   Json ratchet;                  // conforms to ratchet.schema.json; null where the run was not compared with one
   std::filesystem::path folder;  // may hold what other commands wrote next to these files
 };
 
-// The test that a record's plan is about; one that names none is about the first.
+// The test that a record's plan is about; one that names none is about the first. Throws Error where there is no such
+// test.
 const TestDescription& test_of(const Json& plan);
 
 // Reads a JSON file. Throws Error where it cannot be read or is not JSON.
@@ -25,7 +26,8 @@ Json read_json(const std::filesystem::path& path);
 // Throws Error that names the file and says what would be right: no record, not JSON, another schema, a member that the
 // schema does not allow, counts that contradict each other.
 Run read_run(const std::filesystem::path& folder);
-// The same checks for values already in memory; the names are those that an Error shows.
+// The same checks for values already in memory, a record of the present version; the names are those that an Error
+// shows.
 void check_record(const Json& record, const std::string& name);
 void check_run_info(const Json& info, const std::string& name);
 

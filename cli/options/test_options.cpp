@@ -1,0 +1,81 @@
+#include "cli/options/test_options.h"
+
+#include <fmt/format.h>
+
+#include "kernel/base/error.h"
+#include "kernel/sphere_triangle/description.h"
+
+namespace axiscert {
+namespace {
+
+// "family 'tangent'", "mesh/spider.obj".
+std::string shown_source(const Source& source) {
+  return source.file() ? source.name() : fmt::format("family '{}'", source.name());
+}
+
+std::string_view entry_name(const TestDescription& test, std::size_t entry) { return test.entries[entry].name; }
+
+}  // namespace
+
+CLI::Option* add_test_option(CLI::App& command, std::string& test, const std::string& use) {
+  return command.add_option("--test", test, use);
+}
+
+const TestDescription& test_given(const std::string& test) { return test.empty() ? first_test() : find_test(test); }
+
+const TestDescription& test_of_kernels(const std::string& test, const std::vector<const Kernel*>& kernels) {
+  if (!test.empty()) {
+    const TestDescription& given = find_test(test);
+    for (const Kernel* kernel : kernels) {
+      if (kernel->test == &given) continue;
+      throw Error(fmt::format("kernel '{}' is of the test {}, and --test is {}; a run judges kernels of one test",
+                              kernel->id, kernel->test->id, given.id));
+    }
+    return given;
+  }
+  for (const Kernel* kernel : kernels) {
+    if (kernel->test == kernels.front()->test) continue;
+    throw Error(fmt::format("kernel '{}' is of the test {}, and kernel '{}' of {}; a run judges kernels of one test",
+                            kernels.front()->id, kernels.front()->test->id, kernel->id, kernel->test->id));
+  }
+  return kernels.empty() ? first_test() : *kernels.front()->test;
+}
+
+void require_one_test(const std::vector<const Kernel*>& kernels, const std::vector<SourcePtr>& sources) {
+  for (const SourcePtr& source : sources) {
+    for (const Kernel* kernel : kernels) {
+      if (kernel->test != &source->test()) {
+        throw Error(
+            fmt::format("kernel '{}' is of the test {}, and {} of {}; a run judges kernels of one test (--test)",
+                        kernel->id, kernel->test->id, shown_source(*source), source->test().id));
+      }
+      if (kernel->entry != source->entry()) {
+        throw Error(fmt::format(
+            "kernel '{}' takes the entry {} of the test {}, and {} has {}; a kernel is judged on queries of its own "
+            "entry",
+            kernel->id, entry_name(*kernel->test, kernel->entry), kernel->test->id, shown_source(*source),
+            entry_name(source->test(), source->entry())));
+      }
+    }
+  }
+}
+
+const TestDescription& test_of_sources(const std::string& test, const std::vector<SourcePtr>& sources) {
+  const TestDescription& given = test.empty() && !sources.empty() ? sources.front()->test() : test_given(test);
+  for (const SourcePtr& source : sources) {
+    if (&source->test() == &given) continue;
+    const std::string other = test.empty() ? fmt::format("{} of {}", shown_source(*sources.front()), given.id)
+                                           : fmt::format("--test is {}", given.id);
+    throw Error(fmt::format("{} is of the test {}, and {}; queries of one test go together{}", shown_source(*source),
+                            source->test().id, other, test.empty() ? " (--test)" : ""));
+  }
+  return given;
+}
+
+void require_served(std::string_view command, const TestDescription& test) {
+  const TestDescription& served = sphere_triangle_test();
+  if (&test == &served) return;
+  throw Error(fmt::format("{} does not serve the test {} yet; it serves {}", command, test.id, served.id));
+}
+
+}  // namespace axiscert

@@ -1,0 +1,31 @@
+// The test of a command: `--test`, kernels and queries that have to be of one test, and commands that serve one alone.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+#include "fuzz/queries/source.h"
+#include "kernel/kernel.h"
+
+namespace axiscert {
+
+// Adds --test; `use` says what the command does with it.
+CLI::Option* add_test_option(CLI::App& command, std::string& test, const std::string& use);
+// The test that --test names; the first where it was not given. Throws Error that lists the tests.
+const TestDescription& test_given(const std::string& test);
+
+// The test that --test names; where it was not given that of the kernels, and of the first test where there are none.
+// Throws Error that names two kernels of different tests, or a kernel of another test than --test.
+const TestDescription& test_of_kernels(const std::string& test, const std::vector<const Kernel*>& kernels);
+// Throws Error that names a kernel and a source of different tests, or of different entries of one test.
+void require_one_test(const std::vector<const Kernel*>& kernels, const std::vector<SourcePtr>& sources);
+// The test that --test names; where it was not given that of the first source. Throws Error that names a source of
+// another test.
+const TestDescription& test_of_sources(const std::string& test, const std::vector<SourcePtr>& sources);
+
+// For a command, or an option of one, that serves sphere-triangle alone: throws Error for any other test.
+void require_served(std::string_view command, const TestDescription& test);
+
+}  // namespace axiscert
