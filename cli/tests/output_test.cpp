@@ -23,13 +23,13 @@ void crash(const Query<double>&, std::size_t i, Verdict& verdict, std::vector<Fi
   findings.push_back({FindingKind::crash, i, "signal 11"});
 }
 
-std::string checked(const Kernel& kernel, const Query<float>& q) {
+std::string line_of(const Kernel& kernel, const Query<float>& q) {
   return check_text("q", kernel, Examiner(kernel, scalar_target).examine(q));
 }
 
 TEST(CheckOutput, NoAnswerIsSaidWithTheFinding) {
   const Kernel kernel = supervised_kernel("mine", crash);
-  EXPECT_EQ(checked(kernel, apart), "q: exact separated, mine gave no answer; crash: signal 11");
+  EXPECT_EQ(line_of(kernel, apart), "q: exact separated, mine gave no answer; crash: signal 11");
   const Json json = check_json("q", kernel, Examiner(kernel, scalar_target).examine(apart));
   EXPECT_EQ(json["computed"]["verdict"], "unanswered");
   EXPECT_TRUE(json["computed"]["comparisons"].is_null());
@@ -54,11 +54,11 @@ TEST(CheckOutput, TheQueryAfterACrashIsAnswered) {
 
 TEST(CheckOutput, TouchingIsByTheKernelsConvention) {
   Kernel kernel = black_box("mine", no_fault);
-  EXPECT_EQ(checked(kernel, touching), "q: exact contact (touching), mine contact");
+  EXPECT_EQ(line_of(kernel, touching), "q: exact contact (touching), mine contact");
   kernel.touching = Touching::either;
-  EXPECT_EQ(checked(kernel, touching), "q: exact contact (touching, where mine may say either), mine contact");
+  EXPECT_EQ(line_of(kernel, touching), "q: exact contact (touching, where mine may say either), mine contact");
   kernel.touching = Touching::separated;
-  EXPECT_EQ(checked(kernel, touching),
+  EXPECT_EQ(line_of(kernel, touching),
             "q: exact contact (touching, which mine calls separated), mine contact, wrong by 0 of the scene; verdict "
             "false_contact [unattributed]");
 }
@@ -66,7 +66,7 @@ TEST(CheckOutput, TouchingIsByTheKernelsConvention) {
 TEST(CheckOutput, OutsideTheLimitsIsSaid) {
   Kernel kernel = black_box("mine", no_fault);
   kernel.limits.greatest_coordinate = 1;
-  EXPECT_EQ(checked(kernel, apart), "q: exact separated, mine separated (outside the limits that it declares)");
+  EXPECT_EQ(line_of(kernel, apart), "q: exact separated, mine separated (outside the limits that it declares)");
 }
 
 TEST(RunOutput, FindingsStandFirstThenWhatWasJudged) {

@@ -53,6 +53,10 @@ template <class Real>
 auto Caller<Real>::call(const QueryColumns<Real>& batch, std::size_t first, std::size_t size,
                         const Arrangement& arrangement, double seconds, Outputs<Real>& out) -> Result {
   const Shape shape = callee_.subject.shape();
+  if (batch.count != shape.columns) {
+    throw HarnessFault(fmt::format("plug-in {}: its test takes {} columns; the batch has {}", callee_.path,
+                                   shape.columns, batch.count));
+  }
   if (!process_) process_.emplace(callee_.path, callee_.subject);
   if (!process_->is_running()) seconds = std::max(seconds, first_seconds_);  // it may have tables to make
   const auto place = [&](std::size_t which) { return array(which, size, arrangement.placement); };

@@ -206,12 +206,27 @@ TEST(Interface, FortyColumnsThirtyThreeComparisonsAndTwoMeasures) {
   EXPECT_EQ(subject.array_name(shape.measure() + 1), "measure[1]");
 }
 
-// Queries have 13 columns as yet: a test of another shape has to come with its own caller.
-TEST(Interface, ACallerOfSphereTriangleTakesNoOtherTest) {
+TEST(Interface, ACallerTakesTheColumnsOfItsTestAndNoOthers) {
   plugin::Caller<double> caller({.path = layout_path("wide"), .index = 0, .abi = 2, .subject = {&wide_test()}}, 1);
   plugin::Outputs<double> outputs;
-  const auto call = [&] { caller.call(random_queries<double>().columns(), 0, 1, {}, 1, outputs); };
-  EXPECT_THAT(call, testing::ThrowsMessage<HarnessFault>(HasSubstr("40 columns and 33 comparisons")));
+  QueryBatch<double> queries(3, 40);
+  for (std::size_t i = 0; i < 3; ++i) {
+    Numbers<double> numbers(40);
+    for (std::size_t k = 0; k < 40; ++k) numbers[k] = static_cast<double>((k * (i + 3)) % 11);
+    queries.push_back(numbers);
+  }
+  const auto result = caller.call(queries.columns(), 0, 3, {.asked = Exposure::sides}, 1, outputs);
+  ASSERT_FALSE(result.stop) << result.stop->detail;
+  ASSERT_EQ(outputs.lhs.size(), 33u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Numbers<double> numbers = queries[i];
+    for (std::size_t k = 0; k < 33; ++k) {
+      EXPECT_EQ(outputs.lhs[k][i], numbers[k]);
+      EXPECT_EQ(outputs.bits[i] >> k & 1, std::uint64_t{numbers[k] > numbers[k + 7]});
+    }
+  }
+  const auto narrow = [&] { caller.call(random_queries<double>().columns(), 0, 1, {}, 1, outputs); };
+  EXPECT_THAT(narrow, testing::ThrowsMessage<HarnessFault>(HasSubstr("takes 40 columns; the batch has 13")));
 }
 
 }  // namespace
