@@ -30,7 +30,7 @@ using AxiscertPlugin = const axiscert_kernel*(std::uint32_t);
 inline Reply in_peer(const std::string& name, const std::function<std::string(AxiscertPlugin*)>& body) {
   const std::string path = BUILD_FOLDER "/peers/" + name + ".so";
   int ends[2];
-  if (pipe(ends) != 0) return {"pipe failed", -1};
+  if (::pipe(ends) != 0) return {"pipe failed", -1};
   const pid_t child = fork();
   if (child == 0) {
     const rlimit seconds{2, 3}, none{0, 0};
