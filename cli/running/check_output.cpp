@@ -67,11 +67,12 @@ std::string check_text(const std::string& id, const Kernel& kernel, const Examin
     for (std::size_t i = 0; i < link_count; ++i) {
       if ((flip.links >> i) & 1u) links.push_back(link_names[i]);
     }
-    line += fmt::format("; {} {}{} [{}]", name(*kernel.test, flip), flip_kind_names[static_cast<std::size_t>(flip.kind)],
-                        flip.level == Level::verdict ? ""
-                        : flip.decisive              ? " decisive"
-                                                     : " masked",
-                        fmt::join(links, " "));
+    line +=
+        fmt::format("; {} {}{} [{}]", name(*kernel.test, flip), flip_kind_names[static_cast<std::size_t>(flip.kind)],
+                    flip.level == Level::verdict ? ""
+                    : flip.decisive              ? " decisive"
+                                                 : " masked",
+                    fmt::join(links, " "));
   }
   for (const Finding& finding : found.findings) line += fmt::format("; {}: {}", name(finding.kind), finding.detail);
   return line;

@@ -70,8 +70,8 @@ struct Judgement {
   template <class Visit>
   void for_each_flip(Visit&& visit) const;
 
-  std::optional<ComparisonBits> exact;  // the kernel's own formulae in exact arithmetic
-  ClauseBits exact_axes = 0;            // the clauses that hold by them
+  std::optional<ComparisonBits> exact;              // the kernel's own formulae in exact arithmetic
+  ClauseBits exact_axes = 0;                        // the clauses that hold by them
   std::array<ComparisonBits, link_count> broken{};  // for each link, the comparisons at which it is broken
   std::array<ClauseBits, link_count> broken_axes{};
 };
@@ -82,13 +82,13 @@ std::optional<Verdict> right_verdict(const Truth& truth, Touching touching);
 // `reference` is empty for a kernel that claims no formulae: then only its verdict is judged. If the truth is `invalid`
 // or there is no answer, there is no flip.
 //
-// On a touching query a kernel is judged by its own convention, and so are formulae that it evaluates in its own way. The
-// two touch where a comparison of TestComparison::ties_at_touching (sphere-triangle's: of a radius) is a tie, and a
+// On a touching query a kernel is judged by its own convention, and so are formulae that it evaluates in its own way.
+// The two touch where a comparison of TestComparison::ties_at_touching (sphere-triangle's: of a radius) is a tie, and a
 // convention can only mean the relation, `>` or `>=`, that this comparison uses: with `separated`, such ties hold; with
-// `either`, they are as the kernel has them, and no link is broken. Otherwise each right answer would break links, and each rounding at a tie would count as a fault of the
-// specification. On any other query the formulae are taken as named: a `>=` that also separates a zero-area triangle by
-// 0 >= 0 is a fault. A bit-for-bit reference has a fixed relation, so a convention other than `contact` contradicts the
-// formulae of such a kernel: `specification`.
+// `either`, they are as the kernel has them, and no link is broken. Otherwise each right answer would break links, and
+// each rounding at a tie would count as a fault of the specification. On any other query the formulae are taken as
+// named: a `>=` that also separates a zero-area triangle by 0 >= 0 is a fault. A bit-for-bit reference has a fixed
+// relation, so a convention other than `contact` contradicts the formulae of such a kernel: `specification`.
 Judgement judge(const TestDescription& test, const Truth& truth, const std::optional<Reference>& reference,
                 const Answer& answer, Touching touching = Touching::contact);
 

@@ -132,7 +132,8 @@ TEST_F(WideStream, AWrongReplyIsNamed) {
   expect_fault({0, 1, {}, all_bits + 1},
                "comparison bits 0x200000000, but the test wide has 33 comparisons; the other bits are 0");
   EXPECT_THAT(stream_refusal(header + stream_bytes({{0, 1, {}, 0}})), HasSubstr("ends after 1 of 2 replies"));
-  EXPECT_THAT(stream_refusal(header + stream_bytes({{0, 1, {}, 0}}) + "1234"), HasSubstr("4 bytes of the next; a reply has 16"));
+  EXPECT_THAT(stream_refusal(header + stream_bytes({{0, 1, {}, 0}}) + "1234"),
+              HasSubstr("4 bytes of the next; a reply has 16"));
 }
 
 TEST_F(WideStream, VersionAndTestBelongTogether) {

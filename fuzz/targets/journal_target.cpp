@@ -75,7 +75,8 @@ void check_content(std::string_view content) {
       std::optional<Tally> read;
       if (!accepts([&] { read = decode_tally(tally, first_test()); })) continue;
       const std::string again = encode(*read);
-      if (encode(decode_tally(again, first_test())) != again) fault("a tally changes when it is written, read and written again");
+      if (encode(decode_tally(again, first_test())) != again)
+        fault("a tally changes when it is written, read and written again");
     }
     accepts([&] { encode(decode_costs(entry->costs)); });
   }

@@ -15,7 +15,7 @@ template <class Real>
 struct Outputs {
   std::vector<std::uint8_t> verdicts;
   // Empty unless asked for.
-  std::vector<std::uint64_t> bits;  // as wide as plugin.h has them
+  std::vector<std::uint64_t> bits;          // as wide as plugin.h has them
   std::vector<std::vector<Real>> lhs, rhs;  // by comparison
 };
 

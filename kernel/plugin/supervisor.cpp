@@ -197,11 +197,12 @@ void Supervisor<Real>::look_for_changed_environment(const Chunk& chunk, std::uin
   tell(chunk, FindingKind::environment, which, "left changed: " + changed_modes(changed));
 }
 
-// Whether a comparison's bit is one that its computed sides allow. The relation is known of sphere-triangle's kernels; in
-// other tests equal sides allow both.
+// Whether a comparison's bit is one that its computed sides allow. The relation is known of sphere-triangle's kernels;
+// in other tests equal sides allow both.
 template <class Real>
 bool could_follow(const Supervised& kernel, std::size_t comparison, Real lhs, Real rhs, bool bit) {
-  if (kernel.callee.subject.test == &first_test()) return holds(kernel.strictness, static_cast<Comparison>(comparison), lhs, rhs) == bit;
+  if (kernel.callee.subject.test == &first_test())
+    return holds(kernel.strictness, static_cast<Comparison>(comparison), lhs, rhs) == bit;
   return lhs == rhs || (lhs > rhs) == bit;
 }
 
@@ -215,7 +216,8 @@ void Supervisor<Real>::look_for_contradictions(const Chunk& chunk, const Outputs
     const std::size_t count = test.comparisons.size();
     const ComparisonBits bits = outputs.bits[i];
     if (const ComparisonBits beyond = bits & ~all_comparisons(test); beyond != 0) {
-      return fmt::format("its comparison bit {} is 1; there are comparisons 0 to {}", std::countr_zero(beyond), count - 1);
+      return fmt::format("its comparison bit {} is 1; there are comparisons 0 to {}", std::countr_zero(beyond),
+                         count - 1);
     }
     if (verdict != Verdict::contact && verdict != Verdict::separated) return {};
     if (const Verdict meant = verdict_of(test, bits); meant != verdict) {
@@ -225,8 +227,8 @@ void Supervisor<Real>::look_for_contradictions(const Chunk& chunk, const Outputs
       const Real lhs = outputs.lhs[k][i], rhs = outputs.rhs[k][i];
       const bool bit = ((bits >> k) & 1u) != 0;
       if (could_follow(kernel_, k, lhs, rhs, bit)) continue;
-      return fmt::format("comparison {} is {}, but its sides are {:a} and {:a}", test.comparisons[k].name, int{bit}, lhs,
-                         rhs);
+      return fmt::format("comparison {} is {}, but its sides are {:a} and {:a}", test.comparisons[k].name, int{bit},
+                         lhs, rhs);
     }
     return {};
   };

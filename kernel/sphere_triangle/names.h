@@ -1,4 +1,5 @@
-// The vocabulary of sphere-triangle: seven axes, sixteen comparisons. Every name that a report shows is defined here, once.
+// The vocabulary of sphere-triangle: seven axes, sixteen comparisons. Every name that a report shows is defined here,
+// once.
 #pragma once
 
 #include "kernel/names.h"
@@ -49,8 +50,8 @@ inline constexpr std::array<ComparisonInfo, comparison_count> comparisons = {{
 }};
 constexpr const ComparisonInfo& info(Comparison c) { return comparisons[static_cast<std::size_t>(c)]; }
 
-// Bit i is comparison i, or axis i: the bits of kernel/names.h in as few bytes as sixteen and seven take, where millions
-// are kept.
+// Bit i is comparison i, or axis i: the bits of kernel/names.h in as few bytes as sixteen and seven take, where
+// millions are kept.
 using SignBits = std::uint16_t;
 using AxisBits = std::uint8_t;
 

@@ -116,7 +116,8 @@ TEST(HandWorked, LinksThatCancelLeaveTheVerdictRight) {
   const ExactTruth truth = exact_truth(q, true);
   const auto separated = static_cast<ComparisonBits>(truth.formula->strict | comparisons_of(Axis::vertex_a));
   const Judgement judgement =
-      judge(first_test(), truth, Reference{outcome_of(truth.formula->strict), Rounded{outcome_of(separated), outcome_of(separated)}},
+      judge(first_test(), truth,
+            Reference{outcome_of(truth.formula->strict), Rounded{outcome_of(separated), outcome_of(separated)}},
             outcome_of(separated));
   EXPECT_FALSE(judgement.verdict_flip);
   EXPECT_EQ(judgement.verdict_links, link_bit(Link::specification) | link_bit(Link::rounding));
@@ -133,7 +134,8 @@ TEST(HandWorked, AFlipTheOtherWayIsMasked) {
   auto kernel = static_cast<ComparisonBits>(exact & ~(1u << static_cast<unsigned>(Comparison::edge_ab_radius)));
   kernel |= 1u << static_cast<unsigned>(Comparison::vertex_c_side_a);
   const Judgement judgement =
-      judge(first_test(), truth, Reference{outcome_of(exact), Rounded{outcome_of(kernel), outcome_of(kernel)}}, outcome_of(kernel));
+      judge(first_test(), truth, Reference{outcome_of(exact), Rounded{outcome_of(kernel), outcome_of(kernel)}},
+            outcome_of(kernel));
   EXPECT_EQ(told(judgement),
             (Lines{"verdict false_contact decisive rounding", "edge_ab missed_separation decisive rounding",
                    "vertex_c.side_a false_separation masked rounding",
@@ -149,13 +151,15 @@ TEST(Judge, InvalidTruthHasNoFlips) {
 
 TEST(Judge, AKernelWithoutAReferenceIsUnattributed) {
   const Query<float> q{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 2};
-  const Judgement judgement = judge(first_test(), exact_truth(q, true), std::nullopt, {Verdict::separated, std::nullopt});
+  const Judgement judgement =
+      judge(first_test(), exact_truth(q, true), std::nullopt, {Verdict::separated, std::nullopt});
   EXPECT_EQ(told(judgement), Lines{"verdict false_separation decisive unattributed"});
 }
 
 TEST(Judge, AnUndecidedKernelDoesNotFlip) {
   const Query<float> q{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 2};
-  EXPECT_TRUE(judge(first_test(), exact_truth(q, true), std::nullopt, {Verdict::undecided, std::nullopt}).flips().empty());
+  EXPECT_TRUE(
+      judge(first_test(), exact_truth(q, true), std::nullopt, {Verdict::undecided, std::nullopt}).flips().empty());
 }
 
 }  // namespace

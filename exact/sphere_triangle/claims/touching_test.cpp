@@ -101,7 +101,8 @@ TEST(Touching, AMethodFollowsTheConventionToo) {
   kernel.is_reference = false;
   const ExactTruth truth = exact_truth(touching, true);
   const auto chain = Claims(touching, *truth.formula).chain(kernel);
-  EXPECT_EQ(judge(first_test(), truth, chain, {Verdict::separated, std::nullopt}, Touching::separated).verdict_links, 0);
+  EXPECT_EQ(judge(first_test(), truth, chain, {Verdict::separated, std::nullopt}, Touching::separated).verdict_links,
+            0);
   EXPECT_EQ(judge(first_test(), truth, chain, {Verdict::contact, std::nullopt}, Touching::separated).verdict_links,
             link_bit(Link::unattributed));
   for (const Verdict verdict : {Verdict::contact, Verdict::separated}) {

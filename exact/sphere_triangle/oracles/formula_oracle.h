@@ -19,7 +19,7 @@ struct ExactComparison {
 };
 
 struct FormulaTruth {
-  Sides<Ring> sides;             // exact if the formulae are a ring; otherwise read them through comparison()
+  Sides<Ring> sides;       // exact if the formulae are a ring; otherwise read them through comparison()
   SignBits strict, ties;   // lhs > rhs; lhs == rhs
   SignBits undefined = 0;  // 0/0 in exact arithmetic: the comparison does not hold and has no sides
   SignBits rooted = 0;
