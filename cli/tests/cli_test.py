@@ -162,13 +162,13 @@ class RunLong(RunCase):
 
 class Run(RunCase):
     def test_the_record_does_not_depend_on_threads_or_target(self):
-        self.check_targets(500 // DIVISOR)
+        self.check_targets(150 // DIVISOR)
 
     def test_the_record_does_not_depend_on_the_filters(self):
-        self.check_filters(410 // DIVISOR, ["published", "packed-nonstrict", "closest-point"])
+        self.check_filters(150 // DIVISOR, ["published", "packed-nonstrict", "closest-point"])
 
     def test_record_and_run_info_satisfy_their_schemas(self):
-        self.run_ok("--trials", 500 // DIVISOR, "--kernel", "published", "--kernel", "nonstrict", "--tolerance",
+        self.run_ok("--trials", 100 // DIVISOR, "--kernel", "published", "--kernel", "nonstrict", "--tolerance",
                     "plane.radius=10")
         for name in ("record", "run"):
             done = subprocess.run([sys.executable, SCHEMAS / "validate.py", SCHEMAS / f"{name}.schema.json",

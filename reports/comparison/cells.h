@@ -38,12 +38,6 @@ std::vector<Cell> cells_of(const Json& record);
 // The first 16 hex digits of the SHA-256 of a cell's key: the same in every run that has the cell, whatever its figure.
 std::string fingerprint(const Json& key);
 
-// The settings that decide over which queries a family's cell was counted: seed or file, generator, trials. Null where
-// the number of queries depended on time. Equal texts mean equal queries.
-Json queries_of(const Json& plan, const std::string& family, const std::string& precision);
-// 16 hex digits over all families and tolerances of a plan, not over its kernels. Empty where the run depended on time.
-std::string plan_fingerprint(const Json& plan);
-
 // The witnesses of the record that show the cell.
 std::vector<const Json*> witnesses_of(const Json& record, const Cell& cell);
 

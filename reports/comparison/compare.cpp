@@ -7,6 +7,7 @@
 #include <set>
 
 #include "kernel/base/error.h"
+#include "reports/run_folder/plan_queries.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

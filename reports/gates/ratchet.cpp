@@ -14,7 +14,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/utf8.h"
 #include "reports/comparison/cells.h"
-#include "reports/formats/format.h"
+#include "reports/run_folder/plan_queries.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 
@@ -257,10 +257,5 @@ std::string ratchet_text(const Json& record) {
   }
   return text;
 }
-
-extern const Format ratchet_format = {"ratchet.txt", "the ratchet that would accept this run", [](const Run& run) {
-                                        return run.ratchet.is_null() ? ratchet_text(run.record)
-                                                                     : run.ratchet["accepted"].get<std::string>();
-                                      }};
 
 }  // namespace axiscert

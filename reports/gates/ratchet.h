@@ -56,8 +56,7 @@ struct RatchetOutcome {
 // Compares a record with the ratchet; `today` is YYYY-MM-DD. Throws Error as require_plan does.
 RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, const std::string& today);
 
-// The outcome for the reports of a run, ratchet.json in its folder: conforms to ratchet.schema.json.
-inline constexpr const char* ratchet_outcome_file = "ratchet.json";
+// The outcome for the reports of a run, `ratchet_outcome_file` in its folder: conforms to ratchet.schema.json.
 Json outcome_json(const Ratchet& ratchet, const RatchetOutcome& outcome);
 
 // The file that accepts the record as it is, with EXPIRY, OWNER and REASON left to fill in; only a comment where the

@@ -10,6 +10,9 @@
 
 namespace axiscert {
 
+// What a gate writes into the folder, for the reports.
+inline constexpr const char* ratchet_outcome_file = "ratchet.json";
+
 struct Run {
   Json record;                   // conforms to record.schema.json, whichever version the file has
   Json info;                     // conforms to run.schema.json; null where the folder has no run.json
