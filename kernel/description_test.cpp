@@ -40,7 +40,7 @@ TestDescription toy(std::size_t columns, std::size_t comparisons) {
   }
   for (std::size_t i = 0; i < comparisons; ++i) {
     if (i % 3 == 0) test.clauses.push_back({numbered("clause", i / 3), 0});
-    test.clauses.back().comparisons |= std::uint64_t{1} << i;
+    test.clauses.back().comparisons |= one_bit<ComparisonBits>(i);
     test.comparisons.push_back({numbered("comparison", i), i / 3});
   }
   return test;
@@ -50,12 +50,12 @@ TEST(Description, ThirtyThreeComparisonsAndFortyColumns) {
   const TestDescription test = checked(toy(40, 33));
   EXPECT_EQ(test.entries[0].columns[39].name, "column39");
   const std::uint64_t last = std::uint64_t{0b111} << 30;
-  EXPECT_EQ(clauses_of(test, last), 1u << 10);
+  EXPECT_EQ(clauses_of(test, last), one_bit<ClauseBits>(10));
   EXPECT_EQ(verdict_of(test, last), Verdict::separated);
   for (std::size_t i = 0; i < 33; ++i) {
-    const std::uint64_t alone = std::uint64_t{1} << i, all = (std::uint64_t{1} << 33) - 1;
+    const auto alone = one_bit<ComparisonBits>(i), all = (std::uint64_t{1} << 33) - 1;
     EXPECT_EQ(verdict_of(test, alone), Verdict::contact) << i;
-    EXPECT_EQ(clauses_of(test, all & ~alone), ((1u << 11) - 1) & ~(1u << (i / 3))) << i;
+    EXPECT_EQ(clauses_of(test, all & ~alone), ((1u << 11) - 1) & ~one_bit<ClauseBits>(i / 3)) << i;
   }
 }
 

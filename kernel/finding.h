@@ -1,11 +1,11 @@
 // Faults of a kernel other than a wrong answer, found while it ran.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+
+#include "kernel/base/enum_array.h"
 
 namespace axiscert {
 
@@ -20,11 +20,13 @@ enum class FindingKind : std::uint8_t {
   environment,       // left the floating-point environment changed
   inconsistent,      // a value that is not a verdict, or a verdict that its own comparisons contradict
 };
-inline constexpr std::size_t finding_kind_count = 9;
-inline constexpr std::array<std::string_view, finding_kind_count> finding_kind_names = {
+template <>
+inline constexpr std::size_t enum_count<FindingKind> = 9;
+inline constexpr std::size_t finding_kind_count = enum_count<FindingKind>;
+inline constexpr EnumArray<FindingKind, std::string_view> finding_kind_names = {
     "load",        "abi",         "crash", "hang", "out_of_bounds", "nondeterministic", "batch_dependent",
     "environment", "inconsistent"};
-constexpr std::string_view name(FindingKind kind) { return finding_kind_names[static_cast<std::size_t>(kind)]; }
+constexpr std::string_view name(FindingKind kind) { return finding_kind_names[kind]; }
 
 struct Finding {
   FindingKind kind;

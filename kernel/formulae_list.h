@@ -2,8 +2,9 @@
 // over the reals. All number types (exact, unbounded, floating-point) are instantiated from this list.
 #pragma once
 
-#include <array>
 #include <cstdint>
+
+#include "kernel/base/enum_array.h"
 
 // X(name, type, kind)
 //   rung     sixteen comparisons whose signs are those of the published ones on every query, where they are defined
@@ -41,14 +42,17 @@ enum class Formulae : std::uint8_t {
 #undef AXISCERT_NAME
       none,  // a kernel that claims no formulae: only its verdicts are judged
 };
-inline constexpr std::size_t formulae_count = static_cast<std::size_t>(Formulae::none);
+// `none` has no place in an array of formulae.
+template <>
+inline constexpr std::size_t enum_count<Formulae> = index_of(Formulae::none);
+inline constexpr std::size_t formulae_count = enum_count<Formulae>;
 
-inline constexpr std::array<FormulaeKind, formulae_count> formulae_kinds = {
+inline constexpr EnumArray<Formulae, FormulaeKind> formulae_kinds = {
 #define AXISCERT_KIND(name, type, kind) FormulaeKind::kind,
     AXISCERT_FORMULAE(AXISCERT_KIND)
 #undef AXISCERT_KIND
 };
-constexpr FormulaeKind kind_of(Formulae f) { return formulae_kinds[static_cast<std::size_t>(f)]; }
+constexpr FormulaeKind kind_of(Formulae f) { return formulae_kinds[f]; }
 constexpr bool has_comparisons(Formulae f) { return f != Formulae::none && kind_of(f) != FormulaeKind::method; }
 
 }  // namespace axiscert

@@ -96,7 +96,9 @@ struct Call {
 
 // The parts of an answer that a kernel shows besides its verdict. Each value includes the one before.
 enum class Exposure : std::uint8_t { verdict, comparisons, sides };
-inline constexpr std::array<std::string_view, 3> exposure_names = {"verdict", "comparisons", "sides"};
+template <>
+inline constexpr std::size_t enum_count<Exposure> = 3;
+inline constexpr EnumArray<Exposure, std::string_view> exposure_names = {"verdict", "comparisons", "sides"};
 
 struct Kernel {
   std::string id;

@@ -34,10 +34,7 @@ TEST(Names, BitsAreInTheOrderOfTheTable) {
 // Centre (1/4, 1/4, 2): A = (-1/4, -1/4, -2), and so on; every side is a small dyadic number, computed by hand.
 TEST(Formulae, AgreeWithAHandComputation) {
   const auto sides = reference_sides(unit_right_triangle<float>({0.25f, 0.25f, 2}, 1));
-  const auto at = [&](Comparison c) {
-    const auto k = static_cast<std::size_t>(c);
-    return std::pair{sides.lhs[k], sides.rhs[k]};
-  };
+  const auto at = [&](Comparison c) { return std::pair{sides.lhs[c], sides.rhs[c]}; };
   using enum Comparison;
   EXPECT_EQ(at(plane_radius), std::pair(4.f, 1.f));           // V = (0, 0, 1), d = -2
   EXPECT_EQ(at(vertex_a_radius), std::pair(4.125f, 1.f));     // 1/16 + 1/16 + 4
@@ -53,7 +50,7 @@ TEST(Formulae, TheArticlesAxesDecideTheirRegions) {
   const auto separating = [](Vec3<double> p, double r) {
     return axes_of(bits_of(reference_sides(unit_right_triangle<double>(p, r)), Strictness::strict));
   };
-  const auto bit = [](Axis a) { return 1u << static_cast<unsigned>(a); };
+  const auto bit = [](Axis a) { return one_bit<AxisBits>(a); };
   EXPECT_TRUE(separating({0.25, 0.25, 2}, 1) & bit(Axis::plane));
   EXPECT_TRUE(separating({-2, -2, 0}, 1) & bit(Axis::vertex_a));
   EXPECT_TRUE(separating({4, 0, 0}, 1) & bit(Axis::vertex_b));

@@ -2,10 +2,11 @@
 // description (kernel/test.h).
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <string_view>
+
+#include "kernel/base/bits.h"
+#include "kernel/base/enum_array.h"
 
 namespace axiscert {
 
@@ -16,19 +17,25 @@ using ClauseBits = std::uint64_t;
 // `contact` and `separated` are 0 and 1 so that a separation bit is a verdict. A kernel never answers `unanswered`: it
 // means that the kernel crashed, hung, or was not asked because of that.
 enum class Verdict : std::uint8_t { contact = 0, separated = 1, undecided = 2, invalid = 3, unanswered = 4 };
-inline constexpr std::array<std::string_view, 5> verdict_names = {"contact", "separated", "undecided", "invalid",
-                                                                  "unanswered"};
-constexpr std::string_view name(Verdict v) { return verdict_names[static_cast<std::size_t>(v)]; }
+template <>
+inline constexpr std::size_t enum_count<Verdict> = 5;
+inline constexpr EnumArray<Verdict, std::string_view> verdict_names = {"contact", "separated", "undecided", "invalid",
+                                                                       "unanswered"};
+constexpr std::string_view name(Verdict v) { return verdict_names[v]; }
 
 // The answer that a kernel means to give where the two touch; with `either`, neither answer is
 // wrong.
 enum class Touching : std::uint8_t { contact, separated, either };
-inline constexpr std::array<std::string_view, 3> touching_names = {"contact", "separated", "either"};
-constexpr std::string_view name(Touching t) { return touching_names[static_cast<std::size_t>(t)]; }
+template <>
+inline constexpr std::size_t enum_count<Touching> = 3;
+inline constexpr EnumArray<Touching, std::string_view> touching_names = {"contact", "separated", "either"};
+constexpr std::string_view name(Touching t) { return touching_names[t]; }
 
 enum class Precision : std::uint8_t { binary32, binary64 };
-inline constexpr std::array<std::string_view, 2> precision_names = {"binary32", "binary64"};
-constexpr std::string_view name(Precision p) { return precision_names[static_cast<std::size_t>(p)]; }
+template <>
+inline constexpr std::size_t enum_count<Precision> = 2;
+inline constexpr EnumArray<Precision, std::string_view> precision_names = {"binary32", "binary64"};
+constexpr std::string_view name(Precision p) { return precision_names[p]; }
 template <class Real>
 inline constexpr Precision precision_of = sizeof(Real) == 4 ? Precision::binary32 : Precision::binary64;
 

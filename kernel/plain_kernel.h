@@ -30,7 +30,7 @@ template <class F, class T, class Problem, class See>
 ComparisonBits bits_of(const Problem& problem, See&& see) {
   ComparisonBits bits = 0;
   const auto sink = [&](std::size_t i, const T& lhs, const T& rhs) {
-    if (lhs > rhs) bits |= ComparisonBits{1} << i;
+    if (lhs > rhs) bits |= one_bit<ComparisonBits>(i);
     see(i, lhs, rhs);
   };
   F::template comparisons<T>(problem, sink);

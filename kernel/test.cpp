@@ -58,7 +58,7 @@ TestDescription checked(TestDescription test) {
   require_at_most(test.id, "measures", test.measures, most_measures);
   for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
     const auto& [name, clause, ties_at_touching] = test.comparisons[i];
-    if (clause < test.clauses.size() && (test.clauses[clause].comparisons >> i & 1) != 0) continue;
+    if (clause < test.clauses.size() && has_bit(test.clauses[clause].comparisons, i)) continue;
     throw HarnessFault(fmt::format("test '{}': comparison '{}' is of clause {}, which {}", test.id, name, clause,
                                    clause < test.clauses.size() ? "does not need it" : "it does not have"));
   }
@@ -74,7 +74,7 @@ ClauseBits clauses_of(const TestDescription& test, ComparisonBits comparisons) {
   ClauseBits clauses = 0;
   for (std::size_t i = 0; i < test.clauses.size(); ++i) {
     const ComparisonBits needed = test.clauses[i].comparisons;
-    if ((comparisons & needed) == needed) clauses |= ClauseBits{1} << i;
+    if ((comparisons & needed) == needed) clauses |= one_bit<ClauseBits>(i);
   }
   return clauses;
 }

@@ -13,8 +13,10 @@ namespace axiscert {
 
 // The meaning of a column decides what may be done to it: a translation does not move a direction.
 enum class Role : std::uint8_t { coordinate, direction, length, time };
-inline constexpr std::array<std::string_view, 4> role_names = {"coordinate", "direction", "length", "time"};
-constexpr std::string_view name(Role role) { return role_names[static_cast<std::size_t>(role)]; }
+template <>
+inline constexpr std::size_t enum_count<Role> = 4;
+inline constexpr EnumArray<Role, std::string_view> role_names = {"coordinate", "direction", "length", "time"};
+constexpr std::string_view name(Role role) { return role_names[role]; }
 
 struct TestColumn {
   std::string_view name;

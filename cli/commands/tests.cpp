@@ -39,7 +39,7 @@ std::vector<std::string> group_texts(const TestEntry& entry) {
 std::vector<std::string_view> comparisons_of(const TestDescription& test, const TestClause& clause) {
   std::vector<std::string_view> names;
   for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
-    if (clause.comparisons >> i & 1) names.push_back(test.comparisons[i].name);
+    if (has_bit(clause.comparisons, i)) names.push_back(test.comparisons[i].name);
   }
   return names;
 }

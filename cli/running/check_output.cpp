@@ -63,16 +63,11 @@ std::string check_text(const std::string& id, const Kernel& kernel, const Examin
   if (!found.within_limits) line += " (outside the limits that it declares)";
   if (found.depth) line += fmt::format(", wrong by {:.3g} of the scene", *found.depth);
   for (const Flip& flip : found.judgement.flips()) {
-    std::vector<std::string_view> links;
-    for (std::size_t i = 0; i < link_count; ++i) {
-      if ((flip.links >> i) & 1u) links.push_back(link_names[i]);
-    }
-    line +=
-        fmt::format("; {} {}{} [{}]", name(*kernel.test, flip), flip_kind_names[static_cast<std::size_t>(flip.kind)],
-                    flip.level == Level::verdict ? ""
-                    : flip.decisive              ? " decisive"
-                                                 : " masked",
-                    fmt::join(links, " "));
+    line += fmt::format("; {} {}{} [{}]", name(*kernel.test, flip), flip_kind_names[flip.kind],
+                        flip.level == Level::verdict ? ""
+                        : flip.decisive              ? " decisive"
+                                                     : " masked",
+                        fmt::join(names(flip.links), " "));
   }
   for (const Finding& finding : found.findings) line += fmt::format("; {}: {}", name(finding.kind), finding.detail);
   return line;

@@ -67,8 +67,8 @@ int judged_run(const Plan& plan, const OutputOptions& output, const std::string&
     throw saved(folder, disagreement);
   }
   if (plan.planted != FilterFault::none) {
-    throw HarnessFault(fmt::format("--plant {}: the cross-checks did not find it in this run",
-                                   filter_fault_names[static_cast<std::size_t>(plan.planted)]));
+    throw HarnessFault(
+        fmt::format("--plant {}: the cross-checks did not find it in this run", filter_fault_names[plan.planted]));
   }
   return put_result(folder, plan, result, output, ratchet, target_asked, started);
 }

@@ -6,14 +6,10 @@ namespace axiscert {
 namespace {
 
 Json kept_json(const Symptom& s) {
-  Json links = Json::array();
-  for (std::size_t i = 0; i < link_count; ++i) {
-    if ((s.links >> i) & 1u) links.push_back(link_names[i]);
-  }
-  return {{"level", level_names[static_cast<std::size_t>(s.level)]},
+  return {{"level", level_names[s.level]},
           {"name", name(s)},
-          {"kind", s.kind ? Json(flip_kind_names[static_cast<std::size_t>(*s.kind)]) : Json("error")},
-          {"links", std::move(links)}};
+          {"kind", s.kind ? Json(flip_kind_names[*s.kind]) : Json("error")},
+          {"links", names(s.links)}};
 }
 
 }  // namespace

@@ -6,10 +6,10 @@ namespace {
 // For each link, the bits at which the chain E -> R-infinity -> R -> K breaks at one level; level(bits) is that level's
 // bits: those of the comparisons themselves, or of the clauses that hold by them.
 template <class LevelOf>
-std::array<std::uint64_t, link_count> broken_links(const Reference& chain, ComparisonBits kernel, LevelOf&& level) {
-  std::array<std::uint64_t, link_count> broken{};
+EnumArray<Link, std::uint64_t> broken_links(const Reference& chain, ComparisonBits kernel, LevelOf&& level) {
+  EnumArray<Link, std::uint64_t> broken{};
   const auto put = [&](Link link, ComparisonBits before, ComparisonBits after) {
-    broken[static_cast<std::size_t>(link)] = level(before) ^ level(after);
+    broken[link] = level(before) ^ level(after);
   };
   const ComparisonBits exact = *chain.exact.bits;
   if (!chain.rounded) {
@@ -23,10 +23,10 @@ std::array<std::uint64_t, link_count> broken_links(const Reference& chain, Compa
   return broken;
 }
 
-LinkBits verdict_links(Verdict right, const Reference& chain, Verdict kernel) {
-  LinkBits links = 0;
+LinkSet verdict_links(Verdict right, const Reference& chain, Verdict kernel) {
+  LinkSet links;
   const auto compare = [&](Verdict before, Verdict after, Link link) {
-    if (before != after) links |= link_bit(link);
+    if (before != after) links.insert(link);
   };
   compare(right, chain.exact.verdict, Link::specification);
   if (!chain.rounded) {
@@ -55,7 +55,7 @@ void judge_bits(const TestDescription& test, const Reference& chain, ComparisonB
   out.axis_decisive = out.axis_flips & (false_separation ? axes : out.exact_axes);
   ComparisonBits in_those_axes = 0;
   for (std::size_t i = 0; i < test.clauses.size(); ++i) {
-    if ((out.axis_decisive >> i) & 1u) in_those_axes |= test.clauses[i].comparisons;
+    if (has_bit(out.axis_decisive, i)) in_those_axes |= test.clauses[i].comparisons;
   }
   out.comparison_decisive = out.comparison_flips & in_those_axes & (false_separation ? bits : exact);
 }
@@ -68,7 +68,7 @@ Reference by_convention(const TestDescription& test, Reference chain, Touching t
   }
   ComparisonBits open = 0;
   for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
-    if (test.comparisons[i].ties_at_touching) open |= chain.ties & (ComparisonBits{1} << i);
+    if (test.comparisons[i].ties_at_touching) open |= chain.ties & one_bit<ComparisonBits>(i);
   }
   const ComparisonBits decided = touching == Touching::separated ? open : answer.bits.value_or(0);
   const ComparisonBits bits = (*chain.exact.bits & ~open) | (decided & open);
@@ -77,6 +77,12 @@ Reference by_convention(const TestDescription& test, Reference chain, Touching t
 }
 
 }  // namespace
+
+std::vector<std::string_view> names(LinkSet links) {
+  std::vector<std::string_view> all;
+  for (const Link link : links) all.push_back(link_names[link]);
+  return all;
+}
 
 std::string_view name(const TestDescription& test, const Flip& flip) {
   switch (flip.level) {
@@ -113,7 +119,7 @@ Judgement judge(const TestDescription& test, const Truth& truth, const std::opti
     out.verdict_flip = answer.verdict == Verdict::separated ? FlipKind::false_separation : FlipKind::false_contact;
   }
   if (!reference) {
-    if (out.verdict_flip) out.verdict_links = link_bit(Link::unattributed);
+    if (out.verdict_flip) out.verdict_links = {Link::unattributed};
     return out;
   }
   const bool conventional = truth.touching && touching != Touching::contact && !reference->rounded;

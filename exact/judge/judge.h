@@ -2,13 +2,13 @@
 // chain.
 #pragma once
 
-#include <array>
-#include <bit>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "exact/judge/truth.h"
+#include "kernel/base/bits.h"
+#include "kernel/base/enum_set.h"
 #include "kernel/outcome.h"
 #include "kernel/test.h"
 
@@ -16,29 +16,34 @@ namespace axiscert {
 
 // The links of the chain G -> E -> R-infinity -> R -> K, and `unattributed` for a kernel without a reference.
 enum class Link : std::uint8_t { specification, rounding, range, implementation, unattributed };
-inline constexpr std::size_t link_count = 5;
-inline constexpr std::array<std::string_view, link_count> link_names = {"specification", "rounding", "range",
-                                                                        "implementation", "unattributed"};
-// Bit i is link i.
-using LinkBits = std::uint8_t;
-constexpr LinkBits link_bit(Link link) { return static_cast<LinkBits>(1u << static_cast<unsigned>(link)); }
+template <>
+inline constexpr std::size_t enum_count<Link> = 5;
+inline constexpr std::size_t link_count = enum_count<Link>;
+inline constexpr EnumArray<Link, std::string_view> link_names = {"specification", "rounding", "range", "implementation",
+                                                                 "unattributed"};
+using LinkSet = EnumSet<Link, std::uint8_t>;
+std::vector<std::string_view> names(LinkSet links);
 
 // An axis is a clause, in the word of the tests by separating axes.
 enum class Level : std::uint8_t { verdict, axis, comparison };
-inline constexpr std::array<std::string_view, 3> level_names = {"verdict", "axis", "comparison"};
+template <>
+inline constexpr std::size_t enum_count<Level> = 3;
+inline constexpr EnumArray<Level, std::string_view> level_names = {"verdict", "axis", "comparison"};
 
 // `false_separation` exists at every level: the kernel wrongly says yes. Its opposite is `false_contact` for a verdict
 // and `missed_separation` for an axis or a comparison.
 enum class FlipKind : std::uint8_t { false_separation, false_contact, missed_separation };
-inline constexpr std::array<std::string_view, 3> flip_kind_names = {"false_separation", "false_contact",
-                                                                    "missed_separation"};
+template <>
+inline constexpr std::size_t enum_count<FlipKind> = 3;
+inline constexpr EnumArray<FlipKind, std::string_view> flip_kind_names = {"false_separation", "false_contact",
+                                                                          "missed_separation"};
 
 struct Flip {
   Level level;
   std::uint8_t index;  // index of the clause or comparison; 0 for the verdict
   FlipKind kind;
   bool decisive;
-  LinkBits links;
+  LinkSet links;
 };
 std::string_view name(const TestDescription& test, const Flip& flip);  // "verdict", "edge_ab", "edge_ab.radius"
 
@@ -62,7 +67,7 @@ struct Reference {
 
 struct Judgement {
   std::optional<FlipKind> verdict_flip;  // against right_verdict(); empty if the truth is `invalid`
-  LinkBits verdict_links = 0;            // links broken on the way, whether the verdict is wrong or right
+  LinkSet verdict_links;                 // links broken on the way, whether the verdict is wrong or right
   ComparisonBits comparison_flips = 0, comparison_decisive = 0;  // decisive is a subset of flips
   ClauseBits axis_flips = 0, axis_decisive = 0;
   std::vector<Flip> flips() const;  // in the order verdict, axes, comparisons
@@ -70,10 +75,10 @@ struct Judgement {
   template <class Visit>
   void for_each_flip(Visit&& visit) const;
 
-  std::optional<ComparisonBits> exact;              // the kernel's own formulae in exact arithmetic
-  ClauseBits exact_axes = 0;                        // the clauses that hold by them
-  std::array<ComparisonBits, link_count> broken{};  // for each link, the comparisons at which it is broken
-  std::array<ClauseBits, link_count> broken_axes{};
+  std::optional<ComparisonBits> exact;       // the kernel's own formulae in exact arithmetic
+  ClauseBits exact_axes = 0;                 // the clauses that hold by them
+  EnumArray<Link, ComparisonBits> broken{};  // for each link, the comparisons at which it is broken
+  EnumArray<Link, ClauseBits> broken_axes{};
 };
 
 // The right verdict on a valid query for a kernel with this convention; empty if neither answer is wrong.
@@ -95,18 +100,16 @@ Judgement judge(const TestDescription& test, const Truth& truth, const std::opti
 template <class Visit>
 void Judgement::for_each_flip(Visit&& visit) const {
   if (verdict_flip) visit(Flip{Level::verdict, 0, *verdict_flip, true, verdict_links});
-  const auto is_set = [](std::uint64_t bits, int i) { return ((bits >> i) & 1u) != 0; };
   const auto each = [&](Level level, std::uint64_t flips, std::uint64_t decisive, std::uint64_t exact_bits,
                         const auto& broken_at) {
-    for (std::uint64_t rest = flips; rest != 0; rest &= rest - 1) {
-      const int i = std::countr_zero(rest);
-      LinkBits links = 0;
-      for (std::size_t k = 0; k < link_count; ++k) {
-        if (is_set(broken_at[k], i)) links |= link_bit(static_cast<Link>(k));
+    for_each_bit(flips, [&](std::size_t i) {
+      LinkSet links;
+      for (const Link link : enumerators<Link>) {
+        if (has_bit(broken_at[link], i)) links.insert(link);
       }
-      const FlipKind kind = is_set(exact_bits, i) ? FlipKind::missed_separation : FlipKind::false_separation;
-      visit(Flip{level, static_cast<std::uint8_t>(i), kind, is_set(decisive, i), links});
-    }
+      const FlipKind kind = has_bit(exact_bits, i) ? FlipKind::missed_separation : FlipKind::false_separation;
+      visit(Flip{level, static_cast<std::uint8_t>(i), kind, has_bit(decisive, i), links});
+    });
   };
   each(Level::axis, axis_flips, axis_decisive, exact_axes, broken_axes);
   each(Level::comparison, comparison_flips, comparison_decisive, exact.value_or(0), broken);

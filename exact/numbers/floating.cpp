@@ -14,9 +14,9 @@ void set_widest_exponents() {
 }
 
 void put_in_force(const FloatingFormat& wanted) {
-  constexpr mpfr_rnd_t modes[] = {MPFR_RNDN, MPFR_RNDU, MPFR_RNDD, MPFR_RNDZ};
+  constexpr EnumArray<Rounding, mpfr_rnd_t> modes = {MPFR_RNDN, MPFR_RNDU, MPFR_RNDD, MPFR_RNDZ};
   format = wanted;
-  rounding = modes[static_cast<std::size_t>(wanted.rounding)];
+  rounding = modes[wanted.rounding];
   set_widest_exponents();
 }
 

@@ -53,7 +53,7 @@ class OraclesOf final : public Oracles {
     const std::size_t count = Test::description().comparisons.size();
     ExactSides sides{std::vector<Rational>(count), std::vector<Rational>(count)};
     const auto keep = [&](std::size_t i, const ExactNumber& lhs, const ExactNumber& rhs) {
-      if (lhs.value == rhs.value) sides.ties |= ComparisonBits{1} << i;
+      if (lhs.value == rhs.value) sides.ties |= one_bit<ComparisonBits>(i);
       sides.lhs[i] = lhs.value;
       sides.rhs[i] = rhs.value;
     };

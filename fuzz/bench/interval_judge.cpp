@@ -19,7 +19,7 @@ bool signs_within_guard(const Query<Real>& q, Signs& signs) {
   bool all = true;
   portable::published_comparisons(centred, Interval(0), [&](Comparison which, const Interval& l, const Interval& r) {
     const CGAL::Uncertain<CGAL::Comparison_result> order = CGAL::compare(l, r);
-    const auto bit = static_cast<ComparisonBits>(1u << static_cast<unsigned>(which));
+    const auto bit = one_bit<SignBits>(which);
     if (!CGAL::is_certain(order)) all = false;
     else if (CGAL::get_certain(order) == CGAL::LARGER) signs.strict |= bit;
     else if (CGAL::get_certain(order) == CGAL::EQUAL) signs.ties |= bit;

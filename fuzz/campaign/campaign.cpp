@@ -53,7 +53,7 @@ class UnitQueue {
 }  // namespace
 
 void StepCounts::merge(const StepCounts& other) {
-  for (std::size_t i = 0; i < step_count; ++i) {
+  for (const Step i : enumerators<Step>) {
     queries[i] += other.queries[i];
     steps[i] += other.steps[i];
     for (std::size_t k = 0; k < comparison_count; ++k) signs[k][i] += other.signs[k][i];

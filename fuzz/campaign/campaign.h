@@ -41,13 +41,13 @@ struct Plan {
 
 // How the queries of a cell were decided; no record holds it.
 struct StepCounts {
-  std::array<std::uint64_t, step_count> queries{};
-  std::array<std::array<std::uint64_t, step_count>, comparison_count> signs{};  // by comparison
+  EnumArray<Step, std::uint64_t> queries{};
+  EnumArray<Comparison, EnumArray<Step, std::uint64_t>> signs{};
   std::uint64_t checked = 0;  // decided by a filter, and by CGAL again
   std::uint64_t by_cgal = 0;  // verdicts that CGAL decided
   // Nanoseconds.
   double generation = 0, kernels = 0, errors = 0, judging = 0;
-  std::array<double, step_count> steps{};  // of the filters; `exact` is part of judging
+  EnumArray<Step, double> steps{};  // of the filters; `exact` is part of judging
 
   void merge(const StepCounts& other);
 };

@@ -31,7 +31,7 @@ CampaignResult run(const Plan& plan) {
 LinkCounts links(const CampaignResult& result, std::size_t kernel) {
   LinkCounts sum{};
   for (const CellResult& cell : result.cells) {
-    for (std::size_t i = 0; i < link_count; ++i) sum[i] += cell.tallies[kernel].verdict.links[i];
+    for (const Link link : enumerators<Link>) sum[link] += cell.tallies[kernel].verdict.links[link];
   }
   return sum;
 }
@@ -101,9 +101,8 @@ AXISCERT_PLANT(contracted);
 
 void expect_implementation_links(const Kernel& planted, const std::string& family) {
   const auto result = run(plan_of({&planted, &find_kernel("published")}, {family}, 20000 / TRIAL_DIVISOR));
-  constexpr auto implementation = static_cast<std::size_t>(Link::implementation);
-  EXPECT_GT(links(result, 0)[implementation], 0u) << planted.id << " on " << family;
-  EXPECT_EQ(links(result, 1)[implementation], 0u) << "the built-in kernel on " << family;
+  EXPECT_GT(links(result, 0)[Link::implementation], 0u) << planted.id << " on " << family;
+  EXPECT_EQ(links(result, 1)[Link::implementation], 0u) << "the built-in kernel on " << family;
 }
 
 TEST(PlantedKernel, ASwappedLaneIsAnImplementationFault) { expect_implementation_links(swapped_kernel, "general"); }

@@ -31,7 +31,7 @@ DecidedBatch<Real> Decider<Real>::decide(const MadeBatch<Real>& made) {
   const std::size_t size = made.size();
   attention_.assign(size, Attention::none);
   if (exact_only_) {
-    steps_.queries[static_cast<std::size_t>(Step::exact)] += size;
+    steps_.queries[Step::exact] += size;
     undecided_.resize(size);
     return {made, undecided_, attention_};
   }
@@ -48,17 +48,17 @@ DecidedBatch<Real> Decider<Real>::decide(const MadeBatch<Real>& made) {
     steps_.checked += is_checked;
     attention_[i] = is_checked ? Attention::checked : Attention::counted;
   }
-  steps_.queries[static_cast<std::size_t>(Step::lanes)] += in_lanes;
-  for (auto& signs : steps_.signs) signs[static_cast<std::size_t>(Step::lanes)] += in_lanes;
+  steps_.queries[Step::lanes] += in_lanes;
+  for (auto& signs : steps_.signs) signs[Step::lanes] += in_lanes;
   return {made, decided, attention_};
 }
 
 template <class Real>
 void Decider<Real>::count_step(const DecidedSigns& found) {
-  ++steps_.queries[static_cast<std::size_t>(found.step)];
+  ++steps_.queries[found.step];
   for (std::size_t k = 0; k < comparison_count; ++k) {
-    const bool in_lanes = ((found.certain_in_lanes >> k) & 1u) != 0;
-    ++steps_.signs[k][static_cast<std::size_t>(in_lanes ? Step::lanes : found.step)];
+    const bool in_lanes = has_bit(found.certain_in_lanes, k);
+    ++steps_.signs[k][in_lanes ? Step::lanes : found.step];
   }
 }
 
@@ -76,7 +76,7 @@ ExactTruth Decider<Real>::exact_truth_of(const DecidedBatch<Real>& batch, std::s
 template <class Real>
 void Decider<Real>::count_times() const {
   for (const Step step : {Step::lanes, Step::grid, Step::wide, Step::integers}) {
-    steps_.steps[static_cast<std::size_t>(step)] = cascade_.nanoseconds(step);
+    steps_.steps[step] = cascade_.nanoseconds(step);
   }
 }
 

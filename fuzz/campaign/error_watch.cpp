@@ -122,10 +122,10 @@ bool ErrorWatch<Real>::is_exactly_zero(std::size_t i, std::size_t comparison) {
     zero_[i] = 0;
     for (std::size_t k = 0; k < comparison_count && is_exact; ++k) {
       const bool is_same = computed_->lhs[k][i] == sides.lhs[k] && computed_->rhs[k][i] == sides.rhs[k];
-      *zero_[i] |= static_cast<ComparisonBits>(unsigned{is_same} << k);
+      *zero_[i] |= bit_if<ComparisonBits>(is_same, k);
     }
   }
-  return ((*zero_[i] >> comparison) & 1u) != 0;
+  return has_bit(*zero_[i], comparison);
 }
 
 template <class Real>
@@ -179,7 +179,7 @@ void ErrorWatch<Real>::judge(const SuspectError& suspect) {
     ++comparison.range_events;
     return;
   }
-  if (!std::isfinite(upper) && ((both_sides_zero(batch_->signs[i].signs) >> k) & 1u)) {
+  if (!std::isfinite(upper) && has_bit(both_sides_zero(batch_->signs[i].signs), k)) {
     comparison.error_without_scale += lhs != rhs;  // any difference is over |0| + |0|
     return;
   }
@@ -195,7 +195,7 @@ void ErrorWatch<Real>::judge(const SuspectError& suspect) {
   const auto exactly = [&] { return ComparisonError(lhs, rhs, exact_sides(i).comparison(k)); };
   const auto fail = [&] {
     ++comparison.tolerance_failures;
-    failing_[i] |= static_cast<ComparisonBits>(1u << k);
+    failing_[i] |= one_bit<ComparisonBits>(k);
     any_failing_ = true;
   };
   if (!std::isfinite(upper)) {

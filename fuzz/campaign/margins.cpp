@@ -63,7 +63,7 @@ void count_margins(MarginTally& tally, const FormulaTruth& sides, ComparisonBits
   const ComparisonBits wrong = exact ^ computed;
   for (std::size_t i = 0; i < comparison_count; ++i) {
     const std::optional<int> exponent = margin_exponent<Real>(sides.comparison(i));
-    const bool is_wrong = ((wrong >> i) & 1u) != 0;
+    const bool is_wrong = has_bit(wrong, i);
     if (exponent) tally.add(i, *exponent, {!is_wrong, is_wrong});
   }
 }

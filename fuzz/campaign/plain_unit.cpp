@@ -125,7 +125,7 @@ void run_plain(const Plan& plan, const Source& source, std::uint64_t first, std:
       ExactQuery<Real> query(oracles, queries[i]);
       for (PlainRun<Real>& run : runs) run.judge(i, query);
     }
-    steps.queries[static_cast<std::size_t>(Step::exact)] += queries.size();
+    steps.queries[Step::exact] += queries.size();
     steps.judging += watch.lap();
   }
 }

@@ -27,7 +27,7 @@ std::vector<Tally> tallies_of(const Plan& plan) {
   return run_campaign(plan, uncancelled, [](const Progress&) {}).cells[0].tallies;
 }
 
-const FindingTally& of(const Tally& tally, FindingKind kind) { return tally.findings[static_cast<std::size_t>(kind)]; }
+const FindingTally& of(const Tally& tally, FindingKind kind) { return tally.findings[kind]; }
 
 void no_fault(const Query<double>&, std::size_t, Verdict&, std::vector<Finding>&) {}
 
@@ -140,8 +140,8 @@ TEST(Supervised, TouchingIsHeldAgainstTheConvention) {
     std::vector<std::uint64_t> of_touching;
     for (const Tally& t : tallies) {
       EXPECT_EQ(t.verdict.false_separation + t.verdict.false_contact, t.verdict.touching_flips);
-      EXPECT_EQ(t.verdict.touching_links[static_cast<std::size_t>(Link::unattributed)], t.verdict.touching_flips);
-      EXPECT_FALSE(t.verdict.first_by_link[static_cast<std::size_t>(Link::unattributed)]) << "touching is apart";
+      EXPECT_EQ(t.verdict.touching_links[Link::unattributed], t.verdict.touching_flips);
+      EXPECT_FALSE(t.verdict.first_by_link[Link::unattributed]) << "touching is apart";
       of_touching.push_back(t.verdict.touching_flips == 0 ? 0 : t.verdict.touching_flips == t.touching ? 1 : 2);
     }
     return of_touching;
@@ -196,12 +196,12 @@ TEST(Supervised, TheFirstWrongVerdictOfALink) {
   const Kernel kernel = supervised_kernel("slip", no_fault, "first-publication");
   Plan plan = plan_of({&kernel}, "general", 5000);
   const Tally all = tallies_of(plan)[0];
-  const auto first = all.verdict.first_by_link[static_cast<std::size_t>(Link::specification)];
+  const auto first = all.verdict.first_by_link[Link::specification];
   ASSERT_TRUE(first);
   plan.trials = [&](const Source&, Precision) { return *first; };
-  EXPECT_FALSE(tallies_of(plan)[0].verdict.first_by_link[static_cast<std::size_t>(Link::specification)]);
+  EXPECT_FALSE(tallies_of(plan)[0].verdict.first_by_link[Link::specification]);
   plan.trials = [&](const Source&, Precision) { return *first + 1; };
-  EXPECT_EQ(tallies_of(plan)[0].verdict.first_by_link[static_cast<std::size_t>(Link::specification)], first);
+  EXPECT_EQ(tallies_of(plan)[0].verdict.first_by_link[Link::specification], first);
 }
 
 TEST(Supervised, AKernelThatCouldNotBeLoadedIsNotAsked) {

@@ -10,11 +10,11 @@ namespace axiscert {
 namespace {
 
 void add(LinkCounts& into, const LinkCounts& from) {
-  for (std::size_t i = 0; i < link_count; ++i) into[i] += from[i];
+  for (const Link link : enumerators<Link>) into[link] += from[link];
 }
 
-void add(LinkCounts& into, LinkBits links, std::uint64_t times) {
-  for (std::size_t i = 0; i < link_count; ++i) into[i] += ((links >> i) & 1u) * times;
+void add(LinkCounts& into, LinkSet links, std::uint64_t times) {
+  for (const Link link : enumerators<Link>) into[link] += links.contains(link) * times;
 }
 
 void merge_signs(SignTally& into, const SignTally& from) {
@@ -30,11 +30,6 @@ void count_flip(SignTally& tally, const Flip& flip, std::uint64_t times) {
   (flip.kind == FlipKind::false_separation ? tally.false_separation : tally.missed_separation) += times;
   (flip.decisive ? tally.decisive : tally.masked) += times;
   add(tally.links, flip.links, times);
-}
-
-template <class Visit>
-void for_each_bit(std::uint64_t bits, Visit&& visit) {
-  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
 void keep_first(std::optional<std::uint64_t>& first, std::optional<std::uint64_t> position) {
@@ -70,9 +65,9 @@ void merge_verdict(VerdictTally& into, const VerdictTally& from) {
   add(into.touching_links, from.touching_links);
   into.deepest_false_separation.merge(from.deepest_false_separation);
   into.deepest_false_contact.merge(from.deepest_false_contact);
-  for (std::size_t i = 0; i < link_count; ++i) {
-    into.deepest_by_link[i].merge(from.deepest_by_link[i]);
-    keep_first(into.first_by_link[i], from.first_by_link[i]);
+  for (const Link link : enumerators<Link>) {
+    into.deepest_by_link[link].merge(from.deepest_by_link[link]);
+    keep_first(into.first_by_link[link], from.first_by_link[link]);
   }
   merge_outside(into.outside_limits, from.outside_limits);
 }
@@ -91,9 +86,7 @@ void count_truth(Tally& tally, const Truth& truth, std::uint64_t times = 1) {
 template <class Tally, class Visit>
 void for_each_depth_leaders(Tally& tally, const Flip& flip, Visit&& visit) {
   visit(flip.kind == FlipKind::false_separation ? tally.deepest_false_separation : tally.deepest_false_contact);
-  for (std::size_t i = 0; i < link_count; ++i) {
-    if ((flip.links >> i) & 1u) visit(tally.deepest_by_link[i]);
-  }
+  for (const Link link : flip.links) visit(tally.deepest_by_link[link]);
 }
 
 bool could_keep(const VerdictTally& tally, const Flip& flip, const Candidate<double>& at_most) {
@@ -111,11 +104,10 @@ void count_verdict(VerdictTally& tally, bool touching, const Flip& flip, std::ui
 }
 
 void keep_first_verdict(VerdictTally& tally, std::uint64_t position, bool touching, const Flip& flip) {
-  for (std::size_t i = 0; i < link_count; ++i) {
-    if (!((flip.links >> i) & 1u)) continue;
+  for (const Link link : flip.links) {
     // No convention explains a difference from the reference.
-    const bool is_explained = touching && static_cast<Link>(i) != Link::implementation;
-    if (!is_explained) keep_first(tally.first_by_link[i], position);
+    const bool is_explained = touching && link != Link::implementation;
+    if (!is_explained) keep_first(tally.first_by_link[link], position);
   }
 }
 
@@ -173,7 +165,7 @@ void Tally::merge(const Tally& other) {
                                      other.critical_radius.errors_ulps.end());
   critical_radius.unbounded += other.critical_radius.unbounded;
   critical_radius.unanswered += other.critical_radius.unanswered;
-  for (std::size_t i = 0; i < finding_kind_count; ++i) merge_finding(findings[i], other.findings[i]);
+  for (const FindingKind kind : enumerators<FindingKind>) merge_finding(findings[kind], other.findings[kind]);
   margins.merge(other.margins);
 }
 
@@ -194,8 +186,7 @@ void count_numbers(Tally& tally, const Truth& truth, ComparisonBits ties, const 
   if (!judgement.verdict_flip) add(tally.verdict.masked_links, judgement.verdict_links, times);
 
   for_each_bit(ties, [&](std::size_t i) { tally.comparisons[i].ties += times; });
-  if (std::has_single_bit(judgement.exact_axes))
-    tally.axes[static_cast<std::size_t>(std::countr_zero(judgement.exact_axes))].sole_separator += times;
+  if (std::has_single_bit(judgement.exact_axes)) tally.axes[first_bit(judgement.exact_axes)].sole_separator += times;
 
   judgement.for_each_flip([&](const Flip& flip) {
     switch (flip.level) {
@@ -252,8 +243,7 @@ void CleanCount::add_to(Tally& tally) const {
   for (std::size_t axes = 0; axes < by_axes_.size(); ++axes) {
     tally.trials += by_axes_[axes];
     (axes != 0 ? tally.separated : tally.contact) += by_axes_[axes];
-    if (std::has_single_bit(axes))
-      tally.axes[static_cast<std::size_t>(std::countr_zero(axes))].sole_separator += by_axes_[axes];
+    if (std::has_single_bit(axes)) tally.axes[first_bit(axes)].sole_separator += by_axes_[axes];
   }
   tally.trials += separated_ + contact_;
   tally.separated += separated_;
@@ -277,7 +267,7 @@ Standing standing_of(const Tally& tally) {
 }
 
 void count_finding(Tally& tally, FindingKind kind, std::uint64_t position, const std::string& detail) {
-  merge_finding(tally.findings[static_cast<std::size_t>(kind)], {1, position, detail});
+  merge_finding(tally.findings[kind], {1, position, detail});
 }
 
 template <class Real>
@@ -287,10 +277,10 @@ void count_errors(Tally& tally, std::uint64_t position, const FormulaTruth& exac
   for (std::size_t i = 0; i < comparison_count; ++i) {
     const ComparisonError error(computed.lhs[i], computed.rhs[i], exact.comparison(i));
     if (count_error(tally.comparisons[i], position, error, tolerances[i])) {
-      failing_axes |= static_cast<AxisBits>(1u << static_cast<unsigned>(comparisons[i].axis));
+      failing_axes |= one_bit<AxisBits>(comparisons[i].axis);
     }
   }
-  for (std::size_t i = 0; i < axis_count; ++i) tally.axes[i].tolerance_failures += (failing_axes >> i) & 1u;
+  for (std::size_t i = 0; i < axis_count; ++i) tally.axes[i].tolerance_failures += has_bit(failing_axes, i);
 }
 template void count_errors<float>(Tally&, std::uint64_t, const FormulaTruth&, const Sides<float>&, const Tolerances&);
 template void count_errors<double>(Tally&, std::uint64_t, const FormulaTruth&, const Sides<double>&, const Tolerances&);
@@ -302,7 +292,7 @@ void count_errors(Tally& tally, std::uint64_t position, const TestDescription& t
   for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
     const SideError error(computed.lhs[i][index], computed.rhs[i][index], exact.lhs[i], exact.rhs[i]);
     if (count_error(tally.comparisons[i], position, error, tolerances[i])) {
-      failing |= ClauseBits{1} << test.comparisons[i].clause;
+      failing |= one_bit<ClauseBits>(test.comparisons[i].clause);
     }
   }
   for_each_bit(failing, [&](std::size_t i) { ++tally.axes[i].tolerance_failures; });

@@ -21,7 +21,7 @@ struct ExactSides;
 template <class Real>
 struct Answers;
 
-using LinkCounts = std::array<std::uint64_t, link_count>;
+using LinkCounts = EnumArray<Link, std::uint64_t>;
 
 // A query worth keeping, by its position in the source: the record makes it again. The greater rank wins, then the
 // earlier position, so that no order of merging changes what is kept.
@@ -88,9 +88,9 @@ struct VerdictTally {
   std::uint64_t touching_flips = 0;
   LinkCounts links{}, masked_links{}, touching_links{};                   // touching_links: those of touching_flips
   Leaders<double> deepest_false_separation{3}, deepest_false_contact{3};  // ranked by depth
-  std::array<Leaders<double>, link_count> deepest_by_link;                // the deepest with that link broken
+  EnumArray<Link, Leaders<double>> deepest_by_link;                       // the deepest with that link broken
   // The first wrong verdict with that link broken; but for `implementation`, on a query that does not touch.
-  std::array<std::optional<std::uint64_t>, link_count> first_by_link;
+  EnumArray<Link, std::optional<std::uint64_t>> first_by_link;
   OutsideTally outside_limits;
 };
 
@@ -116,8 +116,8 @@ struct Tally {
   std::vector<AxisTally> axes;  // by clause
   std::vector<ComparisonTally> comparisons;
   CriticalRadiusTally critical_radius;
-  std::array<FindingTally, finding_kind_count> findings;  // by FindingKind
-  MarginTally margins;                                    // of the source's first queries (has_margins)
+  EnumArray<FindingKind, FindingTally> findings;
+  MarginTally margins;  // of the source's first queries (has_margins)
 
   void merge(const Tally& other);
 };

@@ -37,7 +37,7 @@ void put_signs(Json& json, const SignTally& tally, bool has_tolerance, Decimal6 
   json["tolerance_failures"] = has_tolerance ? Json(tally.tolerance_failures) : Json(nullptr);
   json["max_error_u"] = json["smallest_passing_tolerance"] = number(max_error);
   // Flips are relative to the kernel's own exact formulae, so none is a specification fault.
-  json["links"] = link_counts(tally.links, static_cast<std::size_t>(Link::rounding), link_count - 1);
+  json["links"] = link_counts(tally.links, index_of(Link::rounding), link_count - 1);
 }
 
 Json margins_json(const MarginTally& tally, std::size_t comparison) {
@@ -165,7 +165,7 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
 
 Json exposures_json(const Kernel& kernel) {
   Json names = Json::array();
-  for (std::size_t i = 0; i <= static_cast<std::size_t>(kernel.exposes); ++i) names.push_back(exposure_names[i]);
+  for (std::size_t i = 0; i <= index_of(kernel.exposes); ++i) names.push_back(exposure_names[i]);
   return names;
 }
 

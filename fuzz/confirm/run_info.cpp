@@ -15,9 +15,9 @@ namespace {
 // queries, including those that it never saw or passed on.
 Json steps_json(const Plan& plan, const CellResult& cell) {
   const StepCounts& steps = cell.steps;
-  const auto by_step = [](const std::array<std::uint64_t, step_count>& counts) {
+  const auto by_step = [](const EnumArray<Step, std::uint64_t>& counts) {
     Json json = Json::object();
-    for (std::size_t i = 0; i < step_count; ++i) json[std::string(step_names[i])] = counts[i];
+    for (const Step step : enumerators<Step>) json[std::string(step_names[step])] = counts[step];
     return json;
   };
   Json signs = Json::object();
@@ -34,10 +34,10 @@ Json steps_json(const Plan& plan, const CellResult& cell) {
           {"nanoseconds_per_query",
            {{"generation", each(steps.generation)},
             {"kernels", each(steps.kernels)},
-            {"lanes", each(steps.steps[static_cast<std::size_t>(Step::lanes)])},
-            {"grid", each(steps.steps[static_cast<std::size_t>(Step::grid)])},
-            {"wide", each(steps.steps[static_cast<std::size_t>(Step::wide)])},
-            {"integers", each(steps.steps[static_cast<std::size_t>(Step::integers)])},
+            {"lanes", each(steps.steps[Step::lanes])},
+            {"grid", each(steps.steps[Step::grid])},
+            {"wide", each(steps.steps[Step::wide])},
+            {"integers", each(steps.steps[Step::integers])},
             {"sides", each(steps.errors)},
             {"judging", each(steps.judging)}}}};
 }

@@ -27,15 +27,11 @@ template void put_query<double>(Json&, const TestEntry&, const Numbers<double>&)
 Json flips_json(const TestDescription& test, const Judgement& judgement) {
   Json flips = Json::array();
   for (const Flip& flip : judgement.flips()) {
-    Json links = Json::array();
-    for (std::size_t i = 0; i < link_count; ++i) {
-      if ((flip.links >> i) & 1u) links.push_back(link_names[i]);
-    }
-    flips.push_back({{"level", level_names[static_cast<std::size_t>(flip.level)]},
+    flips.push_back({{"level", level_names[flip.level]},
                      {"name", name(test, flip)},
-                     {"kind", flip_kind_names[static_cast<std::size_t>(flip.kind)]},
+                     {"kind", flip_kind_names[flip.kind]},
                      {"decisive", flip.decisive},
-                     {"links", std::move(links)}});
+                     {"links", names(flip.links)}});
   }
   return flips;
 }
@@ -66,7 +62,7 @@ void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision pr
       return fmt::format("largest error of {}: {} u", test.comparisons[i].name, c.rank.text());
     });
     for (const auto& candidate : comparison.largest_error.candidates()) {
-      shown[candidate.position].largest_errors |= ComparisonBits{1} << i;
+      shown[candidate.position].largest_errors |= one_bit<ComparisonBits>(i);
     }
   }
   const auto note_pair = [&](const std::optional<AsymmetryWitness>& first, const char* what) {

@@ -116,7 +116,7 @@ Json sides_json(const Query<Real>& q, const Kernel& kernel, const Examination& f
   Json json = Json::object();
   const ComparisonBits which = worth_showing(found.judgement, largest_errors);
   for (std::size_t i = 0; i < comparison_count; ++i) {
-    if ((which >> i) & 1u) {
+    if (has_bit(which, i)) {
       json[std::string(comparisons[i].name)] = side_json<Real>(truth.comparison(i), found.sides, i);
     }
   }

@@ -110,7 +110,7 @@ class EntryReader {
     }
     ComparisonBits out = 0;
     for (std::size_t i = 0; i < comparison_count; ++i) {
-      if (given[i] == '1') out = static_cast<ComparisonBits>(out | 1u << i);
+      if (given[i] == '1') out |= one_bit<ComparisonBits>(i);
     }
     return out;
   }

@@ -43,9 +43,9 @@ struct CountingIterator {
 
 // The kinds of a value, as messages name them.
 enum class Kind { absent, null, boolean, number, string, array, object };
-constexpr std::array<std::string_view, 7> kind_names = {"missing",  "null",     "a boolean", "a number",
-                                                        "a string", "an array", "an object"};
-std::string_view name(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+constexpr EnumArray<Kind, std::string_view, 7> kind_names = {"missing",  "null",     "a boolean", "a number",
+                                                             "a string", "an array", "an object"};
+std::string_view name(Kind kind) { return kind_names[kind]; }
 
 struct Value {
   Kind kind = Kind::absent;

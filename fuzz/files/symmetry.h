@@ -28,7 +28,7 @@ Query<T> image(const Query<T>& q, const Symmetry& symmetry) {
     std::array<T, 3> to;
     for (std::size_t i = 0; i < 3; ++i) {
       const T& x = *from[symmetry.axes[i]];
-      to[i] = ((symmetry.signs >> i) & 1u) != 0 ? T(-x) : x;
+      to[i] = has_bit(symmetry.signs, i) ? T(-x) : x;
     }
     return Vec3<T>{to[0], to[1], to[2]};
   };

@@ -36,13 +36,11 @@ struct Findings {
   std::vector<KernelFindings> kernels;
 };
 
-constexpr bool has_bit(ComparisonBits bits, std::size_t i) { return ((bits >> i) & 1u) != 0; }
-
 // Removes from `flips` those whose count has reached the limit, and counts the rest.
 ComparisonBits within_limit(ComparisonBits flips, std::uint64_t limit, ByComparison& taken) {
   for (std::size_t i = 0; i < comparison_count; ++i) {
     if (!has_bit(flips, i)) continue;
-    if (taken[i] >= limit) flips = static_cast<ComparisonBits>(flips & ~(1u << i));
+    if (taken[i] >= limit) flips &= ~one_bit<ComparisonBits>(i);
     else ++taken[i];
   }
   return flips;
@@ -99,7 +97,7 @@ Findings search(const ConditionPlan& plan, const std::vector<Implementation<Real
 
 // One evaluated request: its contribution to its cell.
 struct Evaluated {
-  std::array<ConditionCounts, comparison_count> comparisons;
+  EnumArray<Comparison, ConditionCounts> comparisons;
   std::vector<Decimal6> flip_kappa_u;
 };
 

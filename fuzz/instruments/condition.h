@@ -1,7 +1,6 @@
 // Attribution of flipped comparisons to the query or to the formula, by the condition of the exact comparison.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -48,7 +47,7 @@ struct WrongVerdict {
 
 // One kernel on one source.
 struct ConditionCell {
-  std::array<ConditionCounts, comparison_count> comparisons;
+  EnumArray<Comparison, ConditionCounts> comparisons;
   // Wrong verdicts relative to the geometry.
   std::uint64_t false_separation = 0, false_contact = 0;
   std::vector<double> depths;           // depths of the wrong verdicts; sorted

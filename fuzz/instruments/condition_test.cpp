@@ -56,7 +56,7 @@ TEST(ConditionInstrument, AWrongBitOnWellConditionedQueriesIsUnstable) {
     auto plan = condition_plan({&planted}, {"general"});
     plan.precision = precision;
     const ConditionCell cell = measure_condition(plan).cells[0][0];
-    const ConditionCounts& wrong = cell.comparisons[static_cast<std::size_t>(Comparison::edge_bc_side_a)];
+    const ConditionCounts& wrong = cell.comparisons[Comparison::edge_bc_side_a];
     EXPECT_EQ(wrong.flips, plan.trials);
     EXPECT_EQ(wrong.evaluated, plan.flip_limit);
     EXPECT_EQ(wrong.unstable, plan.flip_limit);

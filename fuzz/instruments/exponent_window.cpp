@@ -47,13 +47,13 @@ AxisBits sound_axes(const Kernel& kernel, const Implementation<Real>& implementa
     if (kernel.exposes != Exposure::sides) continue;
     for (std::size_t k = 0; k < comparison_count; ++k) {
       if (!std::isfinite(answers.lhs[k][i]) || !std::isfinite(answers.rhs[k][i])) {
-        broken |= static_cast<ComparisonBits>(1u << k);
+        broken |= one_bit<ComparisonBits>(k);
       }
     }
   }
   AxisBits sound = 0;
   for (std::size_t i = 0; i < axis_count; ++i) {
-    if ((broken & axis_comparisons[i]) == 0) sound |= static_cast<AxisBits>(1u << i);
+    if ((broken & axis_comparisons[i]) == 0) sound |= one_bit<AxisBits>(i);
   }
   return sound;
 }
@@ -116,23 +116,18 @@ AxisWindows exponent_windows(const Kernel& kernel) {
   const Implementation<Real> implementation = kernel.on<Real>(scalar_target);
   const auto sound_at = [&](int m) { return sound_axes(kernel, implementation, scaled(queries, m), expected); };
   AxisWindows windows;
-  const auto each = [](AxisBits axes, auto&& visit) {
-    for (std::size_t i = 0; i < axis_count; ++i) {
-      if ((axes >> i) & 1u) visit(i);
-    }
-  };
   const AxisBits at_zero = sound_at(0);
-  each(at_zero, [&](std::size_t i) { windows[i] = ExponentWindow{0, 0}; });
+  for_each_bit(at_zero, [&](std::size_t i) { windows[i] = ExponentWindow{0, 0}; });
   const ExponentWindow scanned = scanned_exponents(precision_of<Real>);
   AxisBits sound = at_zero;
   for (int m = 1; m <= scanned.high && sound != 0; ++m) {
     sound &= sound_at(m);
-    each(sound, [&](std::size_t i) { windows[i]->high = m; });
+    for_each_bit(sound, [&](std::size_t i) { windows[i]->high = m; });
   }
   sound = at_zero;
   for (int m = -1; m >= scanned.low && sound != 0; --m) {
     sound &= sound_at(m);
-    each(sound, [&](std::size_t i) { windows[i]->low = m; });
+    for_each_bit(sound, [&](std::size_t i) { windows[i]->low = m; });
   }
   return windows;
 }

@@ -16,7 +16,7 @@ inline Kernel published_with_a_wrong_bit(Comparison which) {
     return Implementation<Real>{right.verdicts, [=](const QueryColumns<Real>& batch, Answers<Real>& out) {
                                   right.explain(batch, out);
                                   for (std::size_t i = 0; i < batch.size; ++i) {
-                                    out.bits[i] ^= static_cast<ComparisonBits>(1u << static_cast<unsigned>(which));
+                                    out.bits[i] ^= one_bit<ComparisonBits>(which);
                                   }
                                 }};
   };

@@ -60,8 +60,8 @@ void count_comparisons(KernelAccuracy& into, const Kernel& kernel, const Formula
   const ComparisonBits by_range = flips_by_range(flips, kernel, exact, q);
   for (std::size_t k = 0; k < comparison_count; ++k) {
     ComparisonAccuracy& comparison = into.comparisons[k];
-    if ((flips >> k) & 1u) ++((computed >> k) & 1u ? comparison.false_separation : comparison.missed_separation);
-    comparison.by_range += (by_range >> k) & 1u;
+    if (has_bit(flips, k)) ++(has_bit(computed, k) ? comparison.false_separation : comparison.missed_separation);
+    comparison.by_range += has_bit(by_range, k);
     if (kernel.exposes != Exposure::sides) continue;
     const ComparisonError error(answered.answers.lhs[k][i], answered.answers.rhs[k][i], truth.comparison(k));
     switch (error.kind()) {
@@ -148,9 +148,7 @@ void ComparisonAccuracy::merge(const ComparisonAccuracy& other) {
 
 ComparisonAccuracy KernelAccuracy::of(ComparisonBits which) const {
   ComparisonAccuracy sum;
-  for (std::size_t i = 0; i < comparison_count; ++i) {
-    if ((which >> i) & 1u) sum.merge(comparisons[i]);
-  }
+  for_each_bit(which, [&](std::size_t i) { sum.merge(comparisons[i]); });
   return sum;
 }
 

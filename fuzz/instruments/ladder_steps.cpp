@@ -44,22 +44,20 @@ double log10_of(Decimal6 error) { return std::log10(error.mantissa) + error.expo
 }  // namespace
 
 AxisBits axes_of_kind(AxisKind kind) {
-  constexpr AxisBits axes[] = {0b0000001, 0b0001110, 0b1110000};
-  return axes[static_cast<std::size_t>(kind)];
+  constexpr EnumArray<AxisKind, AxisBits> axes = {0b0000001, 0b0001110, 0b1110000};
+  return axes[kind];
 }
 
 ComparisonBits comparisons_of_kind(AxisKind kind) {
   ComparisonBits bits = 0;
-  for (std::size_t i = 0; i < axis_count; ++i) {
-    if ((axes_of_kind(kind) >> i) & 1u) bits |= axis_comparisons[i];
-  }
+  for_each_bit(axes_of_kind(kind), [&](std::size_t axis) { bits |= axis_comparisons[axis]; });
   return bits;
 }
 
 std::optional<ExponentWindow> common_window(const AxisWindows& windows, AxisBits axes) {
   std::optional<ExponentWindow> common;
   for (std::size_t i = 0; i < axis_count; ++i) {
-    if (!((axes >> i) & 1u)) continue;
+    if (!has_bit(axes, i)) continue;
     if (!windows[i]) return std::nullopt;
     if (!common) common = windows[i];
     *common = {std::max(common->low, windows[i]->low), std::min(common->high, windows[i]->high)};

@@ -9,8 +9,10 @@ namespace axiscert {
 
 // Kinds of axes that are rewritten in the same way.
 enum class AxisKind : std::uint8_t { plane, vertex, edge };
-inline constexpr std::size_t axis_kind_count = 3;
-inline constexpr std::array<std::string_view, axis_kind_count> axis_kind_names = {"plane", "vertex", "edge"};
+template <>
+inline constexpr std::size_t enum_count<AxisKind> = 3;
+inline constexpr std::size_t axis_kind_count = enum_count<AxisKind>;
+inline constexpr EnumArray<AxisKind, std::string_view> axis_kind_names = {"plane", "vertex", "edge"};
 // The axes of a kind, and their comparisons.
 AxisBits axes_of_kind(AxisKind kind);
 ComparisonBits comparisons_of_kind(AxisKind kind);

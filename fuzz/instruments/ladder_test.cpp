@@ -46,11 +46,11 @@ Implementation<Real> off_on_one_edge() {
   const auto explain = published.explain;
   published.explain = [explain](const QueryColumns<Real>& batch, Answers<Real>& out) {
     explain(batch, out);
-    constexpr auto k = static_cast<std::size_t>(Comparison::edge_bc_radius);
+    constexpr std::size_t k = index_of(Comparison::edge_bc_radius);
     for (std::size_t i = 0; i < batch.size; ++i) {
       out.lhs[k][i] *= Real(1 + 0x1p-10);
-      out.bits[i] = static_cast<ComparisonBits>(out.bits[i] & ~(1u << k));
-      if (out.lhs[k][i] > out.rhs[k][i]) out.bits[i] |= static_cast<ComparisonBits>(1u << k);
+      out.bits[i] &= ~one_bit<ComparisonBits>(k);
+      if (out.lhs[k][i] > out.rhs[k][i]) out.bits[i] |= one_bit<ComparisonBits>(k);
     }
   };
   return published;
@@ -72,7 +72,7 @@ TEST(Ladder, APlantedErrorShowsOnItsAxisAndNowhereElse) {
     EXPECT_GT(off.errors.quantile(50), sound.errors.quantile(50));
   }
   // 2^-10 of the left side is 2^14 u of it: between a half and all of that, relative to the sum of both sides.
-  const ComparisonAccuracy radius = entries[1].all.of(1u << static_cast<unsigned>(Comparison::edge_bc_radius));
+  const ComparisonAccuracy radius = entries[1].all.of(one_bit<ComparisonBits>(Comparison::edge_bc_radius));
   EXPECT_GT(radius.errors.worst().value(), 0x1p13);
   EXPECT_LT(radius.errors.worst().value(), 0x1p15);
 }

@@ -34,7 +34,7 @@ void count(PrecisionCounts& counts, const Outcome& found, const Outcome& exact, 
   count(counts.verdict, found.verdict, truth);
   if (!exact.bits) return;
   const auto flips = static_cast<ComparisonBits>(*found.bits ^ *exact.bits);
-  for (std::size_t i = 0; i < comparison_count; ++i) counts.comparisons[i] += (flips >> i) & 1u;
+  for (std::size_t i = 0; i < comparison_count; ++i) counts.comparisons[i] += has_bit(flips, i);
 }
 
 template <class Real>
@@ -53,8 +53,8 @@ void measure_kernel(const PrecisionPlan& plan, const Kernel& kernel, const Query
       }
     }
     PrecisionStep& step = out.steps[i];
-    count(step.ranges[static_cast<std::size_t>(unlimited)], found.unlimited, exact, truth);
-    count(step.ranges[static_cast<std::size_t>(limited)], found.limited, exact, truth);
+    count(step.ranges[unlimited], found.unlimited, exact, truth);
+    count(step.ranges[limited], found.limited, exact, truth);
     step.rounding += found.unlimited.verdict != exact.verdict;
     step.range += found.limited.verdict != found.unlimited.verdict;
   }
@@ -163,9 +163,7 @@ SufficientVerdictBits sufficient_verdict_bits(const PrecisionPlan& plan, const K
 std::optional<int> sufficient_bits(const PrecisionPlan& plan, const KernelPrecision& kernel, ComparisonBits which) {
   return sufficient(plan, kernel, [which](const PrecisionStep& step) {
     std::uint64_t flips = 0;
-    for (std::size_t i = 0; i < comparison_count; ++i) {
-      if ((which >> i) & 1u) flips += step.in(unlimited).comparisons[i];
-    }
+    for_each_bit(which, [&](std::size_t i) { flips += step.in(unlimited).comparisons[i]; });
     return flips;
   });
 }

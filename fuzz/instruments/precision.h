@@ -2,7 +2,6 @@
 // exponents, so that faults of rounding are distinguished from faults of range.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -14,7 +13,9 @@ namespace axiscert {
 
 // `unlimited` exponents are unbounded; `limited` ones are those of the plan's precision, with gradual underflow.
 enum class ExponentRange : std::uint8_t { unlimited, limited };
-inline constexpr std::array<std::string_view, 2> exponent_range_names = {"unlimited", "limited"};
+template <>
+inline constexpr std::size_t enum_count<ExponentRange> = 2;
+inline constexpr EnumArray<ExponentRange, std::string_view> exponent_range_names = {"unlimited", "limited"};
 
 struct PrecisionPlan {
   std::uint64_t seed = 1;
@@ -38,15 +39,15 @@ struct VerdictFlips {
 // One kernel's formulae at one number of bits, in one exponent range.
 struct PrecisionCounts {
   VerdictFlips verdict;
-  std::array<std::uint64_t, comparison_count> comparisons{};  // those that differ from the kernel's own exact ones
+  EnumArray<Comparison, std::uint64_t> comparisons{};  // those that differ from the kernel's own exact ones
   bool operator==(const PrecisionCounts&) const = default;
 };
 
 struct PrecisionStep {
-  std::array<PrecisionCounts, 2> ranges;  // by ExponentRange
+  EnumArray<ExponentRange, PrecisionCounts> ranges;
   // Verdicts that differ between exact arithmetic and unlimited exponents; and between unlimited and limited ones.
   std::uint64_t rounding = 0, range = 0;
-  const PrecisionCounts& in(ExponentRange range_) const { return ranges[static_cast<std::size_t>(range_)]; }
+  const PrecisionCounts& in(ExponentRange range_) const { return ranges[range_]; }
   bool operator==(const PrecisionStep&) const = default;
 };
 

@@ -115,7 +115,7 @@ void expect_no_flip_at_the_bit_length(const char* family, std::uint64_t queries)
       const int bits = std::max(least_bits, (*degrees)[k].bits->at(integer_bits(q)));
       ASSERT_LE(bits, greatest_bits);
       const Outcome found = at_precision(formulae, Strictness::strict, q, bits, std::nullopt);
-      EXPECT_EQ((*found.bits >> k) & 1u, (exact >> k) & 1u) << name(formulae) << " " << comparisons[k].name;
+      EXPECT_EQ(has_bit(*found.bits, k), has_bit(exact, k)) << name(formulae) << " " << comparisons[k].name;
       ++comparisons_checked;
     }
   });
@@ -174,18 +174,18 @@ TEST(MeasurePrecision, SufficientBitsAreTheLastRunWithoutAFlip) {
   PrecisionPlan plan = plan_of({"published"}, {}, 1);
   KernelPrecision kernel;
   kernel.steps.resize(plan.bits.size());
-  const auto side_c = static_cast<std::size_t>(Comparison::vertex_a_side_c);
+  const auto side_c = index_of(Comparison::vertex_a_side_c);
   auto& flips = kernel.steps[1].ranges[0];
   flips.comparisons[side_c] = 1;
   flips.verdict.false_contact = 1;
   kernel.steps[3].ranges[1].comparisons[side_c] = 1;  // limited exponents do not count
   kernel.steps[3].rounding = 1;
-  EXPECT_EQ(sufficient_bits(plan, kernel, ComparisonBits{1u << side_c}), 24);
-  EXPECT_EQ(sufficient_bits(plan, kernel, ComparisonBits{1u << (side_c + 1)}), 8);
+  EXPECT_EQ(sufficient_bits(plan, kernel, one_bit<ComparisonBits>(side_c)), 24);
+  EXPECT_EQ(sufficient_bits(plan, kernel, one_bit<ComparisonBits>(side_c + 1)), 8);
   EXPECT_EQ(sufficient_verdict_bits(plan, kernel).verdict, 24);
   EXPECT_EQ(sufficient_verdict_bits(plan, kernel).own_verdict, 256);
   kernel.steps[4].ranges[0].comparisons[side_c] = 1;
-  EXPECT_EQ(sufficient_bits(plan, kernel, ComparisonBits{1u << side_c}), std::nullopt);
+  EXPECT_EQ(sufficient_bits(plan, kernel, one_bit<ComparisonBits>(side_c)), std::nullopt);
 }
 
 TEST(MeasurePrecision, AnotherArithmeticIsRefused) {

@@ -32,9 +32,7 @@ struct Pixel {
   std::optional<Verdict> right;
 };
 
-bool is_set(ComparisonBits bits, std::size_t i) { return ((bits >> i) & 1u) != 0; }
-
-bool holds(AxisBits axes, std::size_t axis) { return is_set(axes, axis); }
+bool holds(AxisBits axes, std::size_t axis) { return has_bit(axes, axis); }
 
 // Whether the certain comparisons settle the axis: all of its comparisons are certain, or a certain one fails.
 bool is_axis_settled(std::size_t axis, ComparisonBits bits, ComparisonBits certain) {
@@ -81,10 +79,10 @@ Shown axis_shown(const Pixel& p, std::size_t axis) {
 }
 
 Shown comparison_shown(const Pixel& p, std::size_t k) {
-  const bool yes = is_set(p.exact, k);
+  const bool yes = has_bit(p.exact, k);
   std::optional<bool> said;
-  if (p.said.bits) said = is_set(*p.said.bits, k);
-  return {yes, is_set(p.ties, k), is_set(p.certain, k), said, yes, is_set(p.not_finite, k)};
+  if (p.said.bits) said = has_bit(*p.said.bits, k);
+  return {yes, has_bit(p.ties, k), has_bit(p.certain, k), said, yes, has_bit(p.not_finite, k)};
 }
 
 Shown shown(const MapSubject& subject, const Pixel& p) {
@@ -193,13 +191,13 @@ class Drawing {
   void look_at_sides(const Sides<Real>& sides, const Query<Real>& q, Pixel& p) const {
     const bool in_box = has_bounds_ && is_in_box(q);
     for (std::size_t k = 0; k < comparison_count; ++k) {
-      const auto bit = static_cast<ComparisonBits>(1u << k);
+      const auto bit = one_bit<ComparisonBits>(k);
       const double lhs = sides.lhs[k], rhs = sides.rhs[k];
       if (!std::isfinite(lhs) || !std::isfinite(rhs)) p.not_finite |= bit;
       if (!in_box || !bounds_[k]) continue;
       // Rounding is monotone: if the rounded difference exceeds a double, so does the exact one.
       bool certain = std::fabs(lhs - rhs) > *bounds_[k];
-      const bool is_wrong = is_set(*p.said.bits, k) != is_set(p.exact, k);
+      const bool is_wrong = has_bit(*p.said.bits, k) != has_bit(p.exact, k);
       // The bound is for the sides that the kernel claims to compute; those of foreign code may be others.
       if (certain && is_wrong && !are_as_claimed(sides, q)) certain = false;
       p.certain = static_cast<ComparisonBits>(certain ? p.certain | bit : p.certain & ~bit);
@@ -254,7 +252,7 @@ void draw(const MapPlan& plan, std::vector<Canvas>& canvases) {
 }  // namespace
 
 std::string_view name(const MapSubject& subject) {
-  return name(first_test(), Flip{subject.level, subject.index, FlipKind::false_separation, false, 0});
+  return name(first_test(), Flip{subject.level, subject.index, FlipKind::false_separation, false, {}});
 }
 
 std::vector<MapSubject> map_subjects() {
@@ -278,7 +276,7 @@ std::vector<MapPicture> draw_map(const MapPlan& plan) {
   for (std::size_t s = 0; s < canvases.size(); ++s) {
     mark_boundary(canvases[s], plan.plane.columns(), plan.plane.rows());
     MapPicture picture{plan.subjects[s], std::move(canvases[s].pixels), {}};
-    for (const PixelClass c : picture.pixels) ++picture.counts[static_cast<std::size_t>(c)];
+    for (const PixelClass c : picture.pixels) ++picture.counts[c];
     pictures.push_back(std::move(picture));
   }
   return pictures;

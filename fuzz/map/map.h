@@ -26,8 +26,10 @@ enum class PixelClass : std::uint8_t {
   yes,                // yes, certainly
   no,
 };
-inline constexpr std::size_t pixel_class_count = 11;
-inline constexpr std::array<std::string_view, pixel_class_count> pixel_class_names = {
+template <>
+inline constexpr std::size_t enum_count<PixelClass> = 11;
+inline constexpr std::size_t pixel_class_count = enum_count<PixelClass>;
+inline constexpr EnumArray<PixelClass, std::string_view> pixel_class_names = {
     "no_query", "false_separation", "missed_separation", "declined", "not_finite", "tie",
     "boundary", "yes_uncertain",    "no_uncertain",      "yes",      "no"};
 
@@ -54,7 +56,7 @@ bool has_comparison_maps(const Kernel& kernel);
 struct MapPicture {
   MapSubject subject;
   std::vector<PixelClass> pixels;  // row by row, the uppermost first
-  std::array<std::uint64_t, pixel_class_count> counts;
+  EnumArray<PixelClass, std::uint64_t> counts;
 };
 
 // Draws on all cores; the result is the same for any number of them. For every 4096th pixel, and for every 64th of

@@ -90,7 +90,7 @@ TYPED_TEST(Maps, ExponentsReachFromTheLeastSubnormalToTheGreatestBinade) {
 }
 
 TEST(MapNumbers, AreNamedOrRefused) {
-  EXPECT_EQ(parse_numbers("p.z").places, 1u << 11);
+  EXPECT_EQ(parse_numbers("p.z").places, one_bit<std::uint16_t>(11));
   EXPECT_EQ(parse_numbers("b").places, 7u << 3);
   EXPECT_EQ(parse_numbers("triangle").places, 0x1ffu);
   for (const char* wrong : {"", "a.w", "d", "a.", "r.x", "ax"}) EXPECT_THROW(parse_numbers(wrong), Error) << wrong;
@@ -180,7 +180,7 @@ TEST(MapPictures, ShowTheBoundaryTiesAndTheWrongBit) {
   const Kernel wrong = published_with_a_wrong_bit(Comparison::edge_bc_radius);
   plan.kernel = &wrong;
   for (const MapPicture& picture : draw_map(plan)) {
-    const auto count = [&](PixelClass c) { return picture.counts[static_cast<std::size_t>(c)]; };
+    const auto count = [&](PixelClass c) { return picture.counts[c]; };
     const bool is_it = name(picture.subject) == "edge_bc.radius";
     EXPECT_EQ(count(PixelClass::false_separation) + count(PixelClass::missed_separation) == 64, is_it)
         << name(picture.subject);

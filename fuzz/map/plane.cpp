@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint16_t every_place = (1u << coordinate_count) - 1, vertex_places = (1u << 9) - 1;
 
-bool moves(const PlaneSide& side, std::size_t place) { return ((side.numbers.places >> place) & 1u) != 0; }
+bool moves(const PlaneSide& side, std::size_t place) { return has_bit(side.numbers.places, place); }
 
 void require_different(const MovedNumbers& along, const MovedNumbers& across) {
   if (along.places != across.places) return;
@@ -28,7 +28,7 @@ int exponent_of(const Query<Real>& witness, const MovedNumbers& numbers) {
   Real greatest = 0;
   const auto v = coordinates(witness);
   for (std::size_t k = 0; k < coordinate_count; ++k) {
-    if (((numbers.places >> k) & 1u) != 0) greatest = std::max(greatest, std::fabs(v[k]));
+    if (has_bit(numbers.places, k)) greatest = std::max(greatest, std::fabs(v[k]));
   }
   if (greatest == 0) throw Error(fmt::format("{}: zero in this query, and so zero at every exponent", numbers.name));
   return std::ilogb(greatest);
@@ -50,13 +50,13 @@ PlaneSide exponent_side(const Query<Real>& witness, const MovedNumbers& numbers,
 MovedNumbers parse_numbers(std::string_view name) {
   constexpr std::string_view points = "abcp", xyz = "xyz";
   const std::string text(name);
-  if (name == "r") return {text, 1u << 12};
+  if (name == "r") return {text, one_bit<std::uint16_t>(12)};
   if (name == "scene") return {text, every_place};
   if (name == "triangle") return {text, vertex_places};
   const std::size_t point = name.empty() ? points.npos : points.find(name[0]);
   if (point != points.npos && name.size() == 1) return {text, static_cast<std::uint16_t>(7u << (3 * point))};
   const std::size_t axis = name.size() == 3 && name[1] == '.' ? xyz.find(name[2]) : xyz.npos;
-  if (point != points.npos && axis != xyz.npos) return {text, static_cast<std::uint16_t>(1u << (3 * point + axis))};
+  if (point != points.npos && axis != xyz.npos) return {text, one_bit<std::uint16_t>(3 * point + axis)};
   throw Error(fmt::format(
       "'{}' is not a name of numbers of a query; the names are a.x, a.y, a.z, b.x ... p.z, r and, with --exponents, a, "
       "b, c, p, triangle, scene",

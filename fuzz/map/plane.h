@@ -20,7 +20,9 @@ MovedNumbers parse_numbers(std::string_view name);
 
 // From pixel to pixel a number changes by ulps, through zero to the other sign; or by powers of two.
 enum class PlaneKind : std::uint8_t { ulps, exponents };
-inline constexpr std::array<std::string_view, 2> plane_kind_names = {"ulps", "exponents"};
+template <>
+inline constexpr std::size_t enum_count<PlaneKind> = 2;
+inline constexpr EnumArray<PlaneKind, std::string_view> plane_kind_names = {"ulps", "exponents"};
 
 struct PlaneSide {
   MovedNumbers numbers;

@@ -114,9 +114,9 @@ class MutationRun {
     Kernel kernel = mutants::kernel_of(mutant);
     const Examination found = examine(q, kernel, answer);
     const auto require = [&](const Examination& examined, Link link) {
-      if (examined.judgement.verdict_flip && (examined.judgement.verdict_links & link_bit(link)) != 0) return;
+      if (examined.judgement.verdict_flip && examined.judgement.verdict_links.contains(link)) return;
       throw HarnessFault(fmt::format("{} is wrong on {} at {}, but the judge does not attribute that to {}", mutant.id,
-                                     asked.family->name, first_ + i, link_names[static_cast<std::size_t>(link)]));
+                                     asked.family->name, first_ + i, link_names[link]));
     };
     require(found, Link::implementation);
     if (in_exact_arithmetic) {

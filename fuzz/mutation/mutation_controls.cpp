@@ -27,11 +27,10 @@ Kernel claiming_formulae_alone(Kernel kernel) {
 }
 
 std::uint64_t flagged(const VerdictTally& verdict, bool claims_bits, bool exact_arithmetic) {
-  const auto wrong = [&](Link link) { return verdict.links[static_cast<std::size_t>(link)]; };
+  const auto wrong = [&](Link link) { return verdict.links[link]; };
   if (claims_bits) return wrong(Link::specification) + wrong(Link::implementation);
   if (!exact_arithmetic) return wrong(Link::specification);
-  return wrong(Link::specification) + wrong(Link::unattributed) -
-         verdict.touching_links[static_cast<std::size_t>(Link::unattributed)];
+  return wrong(Link::specification) + wrong(Link::unattributed) - verdict.touching_links[Link::unattributed];
 }
 
 }  // namespace

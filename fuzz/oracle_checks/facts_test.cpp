@@ -24,9 +24,7 @@ AxisBits reference_axes(const Query<float>& q) { return axes_of(bits_of(referenc
 
 // The exponents at which the axis separates a clearly separated query, with everything scaled together.
 std::pair<int, int> window(const Query<float>& q, Axis axis) {
-  const auto separates = [&](int k) {
-    return ((reference_axes(scaled(q, k)) >> static_cast<unsigned>(axis)) & 1u) != 0;
-  };
+  const auto separates = [&](int k) { return has_bit(reference_axes(scaled(q, k)), axis); };
   int low = 0, high = 0;
   while (low > -120 && separates(low - 1)) --low;
   while (high < 120 && separates(high + 1)) ++high;
@@ -60,12 +58,11 @@ TEST(Facts, TheEdgeAxesNeedOnlyDegreeFour) {
       const auto expect_edge = [&](const Vec3<Ring>& x, const Vec3<Ring>& y, Comparison radius, Comparison side) {
         const Ring e = dot(y - x, y - x);
         const Vec3<Ring> n = cross(x, y);
-        EXPECT_TRUE(truth.sides.lhs[static_cast<std::size_t>(radius)] == e * dot(n, n)) << family << " " << position;
-        EXPECT_TRUE(truth.sides.lhs[static_cast<std::size_t>(side)] == Ring(0) - e * dot(n, normal))
-            << family << " " << position;
+        EXPECT_TRUE(truth.sides.lhs[radius] == e * dot(n, n)) << family << " " << position;
+        EXPECT_TRUE(truth.sides.lhs[side] == Ring(0) - e * dot(n, normal)) << family << " " << position;
         // The degree-4 pair has the signs of the published one, e = 0 included.
-        EXPECT_EQ(dot(n, n) > t.rr * e, has(truth.strict, radius));
-        EXPECT_EQ(dot(n, normal) < Ring(0), has(truth.strict, side));
+        EXPECT_EQ(dot(n, n) > t.rr * e, has_bit(truth.strict, radius));
+        EXPECT_EQ(dot(n, normal) < Ring(0), has_bit(truth.strict, side));
       };
       using enum Comparison;
       expect_edge(t.a, t.b, edge_ab_radius, edge_ab_side_c);

@@ -23,9 +23,8 @@ Real& coordinate_of(Vec3<Real>& v, int coordinate) {
 
 template <class Real>
 Rational margin(const Query<Real>& q, Comparison which) {
-  const auto k = static_cast<std::size_t>(which);
   const FormulaTruth truth = formula_truth(q);
-  return rational(truth.sides.lhs[k] - truth.sides.rhs[k]);
+  return rational(truth.sides.lhs[which] - truth.sides.rhs[which]);
 }
 
 template <class Real>
@@ -41,9 +40,8 @@ Real exact_radius_on_boundary(const Query<Real>& q, Comparison which) {
   auto centred = centred_as<Ring>(q, ring<Real>);
   centred.rr = Ring(1);
   const FormulaTruth truth = formula_truth(centred);
-  const auto k = static_cast<std::size_t>(which);
-  if (truth.sides.rhs[k].is_zero()) return 0;
-  return root_of<Real>({truth.sides.lhs[k], truth.sides.rhs[k]});
+  if (truth.sides.rhs[which].is_zero()) return 0;
+  return root_of<Real>({truth.sides.lhs[which], truth.sides.rhs[which]});
 }
 
 template <class Real>

@@ -32,7 +32,7 @@ TYPED_TEST(FamilyBoundaries, TangentFlipsBothWaysOnEveryAxis) {
     const Judgement judgement = judge_published(q);
     for (const Flip& flip : judgement.flips()) {
       if (flip.level != Level::axis || !flip.decisive) continue;
-      EXPECT_EQ(flip.links, link_bit(Link::rounding));
+      EXPECT_EQ(flip.links, LinkSet{Link::rounding});
       ++(flip.kind == FlipKind::false_separation ? false_separations : missed)[flip.index];
     }
   });
@@ -51,7 +51,7 @@ TYPED_TEST(FamilyBoundaries, SeamCentreIsWithinFourUlpOfASideBoundary) {
       Query<TypeParam> below = q, above = q;
       below.p.*coordinate = step_ulps(q.p.*coordinate, -5);
       above.p.*coordinate = step_ulps(q.p.*coordinate, 5);
-      changes |= has(formula_truth(below).strict, side) != has(formula_truth(above).strict, side);
+      changes |= has_bit(formula_truth(below).strict, side) != has_bit(formula_truth(above).strict, side);
     }
     EXPECT_TRUE(changes) << info(side).name;
     if (position / 9 % 2 == 0) {

@@ -105,7 +105,7 @@ TYPED_TEST(FamilyShapes, ZeroAreaShowsTheSpecificationFault) {
     std::size_t faults = 0;
     for_each_query<TypeParam>(family, 3000, [&](const Query<TypeParam>& q, std::uint64_t) {
       const Judgement judgement = judge_published(q);
-      if (!judgement.verdict_flip || (judgement.verdict_links & link_bit(Link::specification)) == 0) return;
+      if (!judgement.verdict_flip || !judgement.verdict_links.contains(Link::specification)) return;
       EXPECT_EQ(judgement.verdict_flip, FlipKind::false_contact);
       ++faults;
     });
@@ -121,7 +121,7 @@ TYPED_TEST(FamilyShapes, TieTouchesExactlyOnEachFeature) {
     const ExactTruth truth = exact_truth(q, false);
     EXPECT_TRUE(truth.touching);
     EXPECT_GT(q.r, 0);
-    EXPECT_TRUE(has(truth.formula->ties, radius_comparison(axis)));
+    EXPECT_TRUE(has_bit(truth.formula->ties, radius_comparison(axis)));
     const ComparisonBits sides = comparisons_of(axis) & side_comparisons;
     EXPECT_EQ(truth.formula->strict & sides, sides) << "P lies inside the region of its feature";
     EXPECT_TRUE(axis != Axis::plane || edge_lengths(q).height > 0);

@@ -12,8 +12,6 @@ namespace axiscert {
 
 using Reals = testing::Types<float, double>;
 
-inline bool has(ComparisonBits bits, Comparison which) { return ((bits >> static_cast<unsigned>(which)) & 1u) != 0; }
-
 // The judgement of the published kernel as the scalar reference computes it.
 template <class Real>
 Judgement judge_published(const Query<Real>& q) {

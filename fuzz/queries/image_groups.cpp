@@ -31,7 +31,7 @@ constexpr std::array<Meaning, comparison_count> meanings = {{{7, 3},  // plane
 Meaning in_base(const Meaning& image, const std::array<std::uint8_t, 3>& order) {
   Meaning base{0, image.side == 3 ? 3u : order[image.side]};
   for (unsigned i = 0; i < 3; ++i) {
-    if (((image.feature >> i) & 1u) != 0) base.feature |= 1u << order[i];
+    if (has_bit(image.feature, i)) base.feature |= one_bit<unsigned>(order[i]);
   }
   return base;
 }
@@ -46,15 +46,14 @@ const ImageGroup* image_group(std::string_view family) {
 }
 
 ComparisonBits bits_of_base(ComparisonBits image, const std::array<std::uint8_t, 3>& order) {
-  unsigned bits = 0;
-  for (std::size_t k = 0; k < comparison_count; ++k) {
-    if (((image >> k) & 1u) == 0) continue;
+  ComparisonBits bits = 0;
+  for_each_bit(image, [&](std::size_t k) {
     const Meaning meaning = in_base(meanings[k], order);
     std::size_t base = 0;
     while (meanings[base] != meaning) ++base;
-    bits |= 1u << base;
-  }
-  return static_cast<ComparisonBits>(bits);
+    bits |= one_bit<ComparisonBits>(base);
+  });
+  return bits;
 }
 
 }  // namespace axiscert

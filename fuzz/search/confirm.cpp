@@ -45,7 +45,7 @@ std::optional<Decimal6> Confirmer<Real>::value(const Aim& aim, const Query<Real>
       if (aim.goal == Goal::error && !is_in_box(q)) return std::nullopt;
       const auto all = errors(q);
       if (!all) return std::nullopt;
-      return (aim.goal == Goal::error ? all->absolute : all->relative)[static_cast<std::size_t>(aim.which)];
+      return (aim.goal == Goal::error ? all->absolute : all->relative)[aim.which];
     }
     case Goal::overflow:
     case Goal::underflow:
@@ -88,10 +88,10 @@ std::optional<Decimal6> Confirmer<Real>::range(const Aim& aim, const Query<Real>
   if (!m) return std::nullopt;
   const Query<Real> there = at_scale(q, *m);
   const Reply<Real> reply = ask(implementation_, there);
-  const auto k = static_cast<std::size_t>(aim.which);
+  const std::size_t k = index_of(aim.which);
   const bool finite = std::isfinite(reply.answers.lhs[k][0]) && std::isfinite(reply.answers.rhs[k][0]);
   const ComparisonBits expected = *unbounded(kernel_.formulae, kernel_.arithmetic, kernel_.strictness, there).bits;
-  if (finite && ((reply.answers.bits[0] ^ expected) >> k & 1u) == 0) return std::nullopt;
+  if (finite && !has_bit(reply.answers.bits[0] ^ expected, k)) return std::nullopt;
   return round_up(exact(range_score(aim.goal, precision_of<Real>, *m)));
 }
 

@@ -10,7 +10,7 @@ namespace axiscert {
 // The errors of the sixteen comparisons on one query, absolute and relative, both in u. Empty if a side is not finite
 // or the exact sides are undefined; a relative error is also empty if |l| + |r| = 0 and l^ - r^ is not 0.
 struct SideErrors {
-  std::array<std::optional<Decimal6>, comparison_count> absolute, relative;
+  EnumArray<Comparison, std::optional<Decimal6>> absolute, relative;
 };
 
 // Asks one kernel. Keeps a reference to it.

@@ -57,9 +57,8 @@ TEST(Confirm, ErrorsAreThoseOfTheFormulaeInRationals) {
       const auto found = confirmer.errors(q);
       ASSERT_TRUE(found);
       for (const auto& [which, margin] : margins(q)) {
-        const auto k = static_cast<std::size_t>(which);
-        const Rational error = abs(exact(computed.lhs[k]) - exact(computed.rhs[k]) - margin) * (1 << 24);
-        EXPECT_EQ(found->absolute[k], round_up(error))
+        const Rational error = abs(exact(computed.lhs[which]) - exact(computed.rhs[which]) - margin) * (1 << 24);
+        EXPECT_EQ(found->absolute[which], round_up(error))
             << family << " " << i << " " << info(which).name << ", seed " << seed;
       }
     }

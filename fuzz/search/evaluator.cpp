@@ -37,8 +37,7 @@ WideMargin wide_margin(const Floating& l, const Floating& r) {
 template <class F, class T, class Convert>
 WideMargin margin_in(Comparison which, const Query<double>& q, Convert&& convert) {
   const auto sides = sides_of<F>(problem_as<T>(q, convert));
-  const auto k = static_cast<std::size_t>(which);
-  return wide_margin(sides.lhs[k], sides.rhs[k]);
+  return wide_margin(sides.lhs[which], sides.rhs[which]);
 }
 
 // The margin for a binary64 query: rings in twice binary64, forms with roots or divisions by MPFR.
@@ -56,7 +55,7 @@ WideMargin twice_wide(Comparison which, const Query<double>& q) {
 }
 
 using WideFunction = WideMargin (*)(Comparison, const Query<double>&);
-constexpr std::array<WideFunction, formulae_count> twice_wide_of = {
+constexpr EnumArray<Formulae, WideFunction> twice_wide_of = {
 #define AXISCERT_WIDE(name, type, kind) twice_wide<Formulae::name>,
     AXISCERT_FORMULAE(AXISCERT_WIDE)
 #undef AXISCERT_WIDE
@@ -128,7 +127,7 @@ void Evaluator<Real>::evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vec
 
 template <class Real>
 void Evaluator<Real>::evaluate_error(const Aim& aim, const QueryBatch<Real>& batch, std::vector<double>& scores) {
-  const auto k = static_cast<std::size_t>(aim.which);
+  const auto k = index_of(aim.which);
   if (implementation_.explain) {
     reply_.answers.resize(batch.size(), comparison_count);
     implementation_.explain(batch.columns(), reply_.answers);
@@ -165,7 +164,7 @@ void Evaluator<Real>::evaluate_error(const Aim& aim, const QueryBatch<Real>& bat
       }
       margin = {l - r, 0, std::fabs(l) + std::fabs(r)};
     } else {
-      margin = twice_wide_of[static_cast<std::size_t>(kernel_.formulae)](aim.which, widened(batch[i]));
+      margin = twice_wide_of[kernel_.formulae](aim.which, widened(batch[i]));
     }
     const double error = difference(reply_.answers.lhs[k][i], reply_.answers.rhs[k][i], margin);
     scores[i] = score_of(aim, error, margin.size, digits);
@@ -215,8 +214,7 @@ template <class Real>
 double Evaluator<Real>::vanishing(Comparison which, const Query<Real>& q) const {
   Sides<double> sides;
   reference(kernel_.formulae, Arithmetic::plain, Strictness::strict, widened(q), &sides);
-  const auto k = static_cast<std::size_t>(which);
-  return info(which).is_radius ? sides.lhs[k] : sides.lhs[k] - sides.rhs[k];
+  return info(which).is_radius ? sides.lhs[which] : sides.lhs[which] - sides.rhs[which];
 }
 
 template class Evaluator<float>;

@@ -7,7 +7,7 @@
 namespace axiscert {
 
 std::string name(const Aim& aim) {
-  const auto goal = goal_names[static_cast<std::size_t>(aim.goal)];
+  const auto goal = goal_names[aim.goal];
   return is_about_a_comparison(aim.goal) ? fmt::format("{} {}", goal, info(aim.which).name) : std::string(goal);
 }
 

@@ -24,7 +24,9 @@ enum class Goal : std::uint8_t {
   // The kernel's critical radius relative to the exact distance, in ulps of the latter.
   critical_radius,
 };
-inline constexpr std::array<std::string_view, 7> goal_names = {
+template <>
+inline constexpr std::size_t enum_count<Goal> = 7;
+inline constexpr EnumArray<Goal, std::string_view> goal_names = {
     "error", "relative_error", "overflow", "underflow", "missed_contact", "phantom_contact", "critical_radius"};
 constexpr bool is_about_a_comparison(Goal goal) { return goal < Goal::missed_contact; }
 constexpr bool is_about_range(Goal goal) { return goal == Goal::overflow || goal == Goal::underflow; }

@@ -17,7 +17,7 @@ inline std::optional<Decimal6> proved_error(const Kernel& kernel, Precision /*pr
   const bool plain = kernel.arithmetic == Arithmetic::plain, fma = kernel.arithmetic == Arithmetic::fma;
   if (!kernel.is_reference || !(published || reduced) || !(plain || fma)) return std::nullopt;
   const auto row = (reduced ? 2u : 0u) + (fma ? 1u : 0u);
-  return round_up(Rational(proved_sixteenths[row][static_cast<std::size_t>(which)], 16));
+  return round_up(Rational(proved_sixteenths[row][index_of(which)], 16));
 }
 
 }  // namespace axiscert

@@ -45,8 +45,8 @@ template Query<double> at_scale(const Query<double>&, int);
 template <class Real>
 std::vector<std::optional<int>> range_left(const Implementation<Real>& kernel, const Aim& aim,
                                            const QueryBatch<Real>& batch) {
-  const auto k = static_cast<std::size_t>(aim.which);
-  const ComparisonBits bit = static_cast<ComparisonBits>(1u << k);
+  const std::size_t k = index_of(aim.which);
+  const auto bit = one_bit<ComparisonBits>(k);
   struct Scan {
     std::size_t query;
     bool holds;  // at m = 0

@@ -35,7 +35,7 @@ struct Find {
   Aim aim;
   Decimal6 value;  // not used for a goal of range
   StoredQuery witness;
-  LinkBits links = 0;      // for a wrong verdict
+  LinkSet links = {};      // for a wrong verdict
   int range_exponent = 0;  // for a goal of range: m
   bool operator==(const Find& other) const {
     return aim == other.aim && value == other.value && query_line(witness) == query_line(other.witness) &&

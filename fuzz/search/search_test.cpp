@@ -106,10 +106,10 @@ TEST(Search, EveryWitnessShowsWhatIsSaidOfIt) {
     if (is_about_range(find.aim.goal)) {
       // For the query as stored, already scaled.
       const Examination found = confirmer.examine(q);
-      const auto k = static_cast<std::size_t>(find.aim.which);
+      const Comparison which = find.aim.which;
       const Sides<float> sides = reference_sides(q);
-      EXPECT_TRUE((found.judgement.broken[static_cast<std::size_t>(Link::range)] >> k & 1u) != 0 ||
-                  !std::isfinite(sides.lhs[k]) || !std::isfinite(sides.rhs[k]))
+      EXPECT_TRUE(has_bit(found.judgement.broken[Link::range], which) || !std::isfinite(sides.lhs[which]) ||
+                  !std::isfinite(sides.rhs[which]))
           << name(find.aim);
     } else {
       EXPECT_EQ(confirmer.value(find.aim, q), find.value) << name(find.aim);

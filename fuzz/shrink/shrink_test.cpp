@@ -164,7 +164,7 @@ TEST(Shrink, TheLimitEndsItAndSaysSo) {
 
 TEST(Shrink, AQueryWithoutTheSymptomIsAnError) {
   const Query<float> q = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, 2};
-  const Symptom symptom{.kind = FlipKind::false_separation, .decisive = true, .links = link_bit(Link::rounding)};
+  const Symptom symptom{.kind = FlipKind::false_separation, .decisive = true, .links = {Link::rounding}};
   EXPECT_THROW(shrink(q, symptom, find_kernel("published"), scalar_target, 10), Error);
 }
 

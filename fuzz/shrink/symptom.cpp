@@ -43,15 +43,7 @@ bool can_show(const Symptom& symptom, const Answer& answer) {
   }
   if (!answer.bits) return false;
   const ComparisonBits bits = symptom.level == Level::axis ? axes_of(*answer.bits) : *answer.bits;
-  return !symptom.kind || ((bits >> symptom.index) & 1u) == (symptom.kind == FlipKind::false_separation);
-}
-
-std::string links_text(LinkBits links) {
-  std::vector<std::string_view> names;
-  for (std::size_t i = 0; i < link_count; ++i) {
-    if ((links >> i) & 1u) names.push_back(link_names[i]);
-  }
-  return fmt::format("{}", fmt::join(names, " "));
+  return !symptom.kind || has_bit(bits, symptom.index) == (symptom.kind == FlipKind::false_separation);
 }
 
 ComparisonBits causes_of(const Judgement& judgement, const Flip& flip) {
@@ -61,7 +53,7 @@ ComparisonBits causes_of(const Judgement& judgement, const Flip& flip) {
     case Level::axis:
       return judgement.comparison_flips & comparisons_of(static_cast<Axis>(flip.index));
     case Level::comparison:
-      return static_cast<ComparisonBits>(1u << flip.index);
+      return one_bit<ComparisonBits>(flip.index);
   }
   return 0;
 }
@@ -83,19 +75,19 @@ bool shows(const Judgement& judgement, const Symptom& symptom) {
 
 }  // namespace
 
-std::string_view name(const Symptom& s) { return name(first_test(), Flip{s.level, s.index, FlipKind{}, false, 0}); }
+std::string_view name(const Symptom& s) { return name(first_test(), Flip{s.level, s.index, FlipKind{}, false, {}}); }
 
 std::string text(const Symptom& s) {
   if (!s.kind) return fmt::format("{} error", name(s));
   std::vector<std::string_view> causes;
   for (std::size_t i = 0; i < comparison_count && s.level != Level::comparison; ++i) {
-    if ((s.causes >> i) & 1u) causes.push_back(comparisons[i].name);
+    if (has_bit(s.causes, i)) causes.push_back(comparisons[i].name);
   }
-  return fmt::format("{} {}{} [{}]{}{}", name(s), flip_kind_names[static_cast<std::size_t>(*s.kind)],
+  return fmt::format("{} {}{} [{}]{}{}", name(s), flip_kind_names[*s.kind],
                      s.level == Level::verdict ? ""
                      : s.decisive              ? " decisive"
                                                : " masked",
-                     links_text(s.links), causes.empty() ? "" : " by ", fmt::join(causes, ", "));
+                     fmt::join(names(s.links), " "), causes.empty() ? "" : " by ", fmt::join(causes, ", "));
 }
 
 bool is_no_less(const Severity& now, const Severity& then) {

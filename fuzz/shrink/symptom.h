@@ -15,7 +15,7 @@ struct Symptom {
   std::uint8_t index = 0;  // index of the axis or comparison
   std::optional<FlipKind> kind = {};
   bool decisive = false;
-  LinkBits links = 0;
+  LinkSet links = {};
   // For a wrong verdict the decisive comparison flips, for an axis its comparison flips: some of these have to remain,
   // if there are any, and no others may be added.
   ComparisonBits causes = 0;

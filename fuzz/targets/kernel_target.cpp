@@ -109,7 +109,7 @@ class Look {
     const Sides<Real> computed = reference_sides(q_);
     for (std::size_t i = 0; i < comparison_count; ++i) {
       const Real lhs = computed.lhs[i], rhs = computed.rhs[i];
-      const bool says = lhs > rhs, holds = ((exact.strict >> i) & 1u) != 0;
+      const bool says = lhs > rhs, holds = has_bit(exact.strict, i);
       const bool is_finite = std::isfinite(lhs) && std::isfinite(rhs);
       const SignKind kind = !is_finite      ? SignKind::not_finite
                             : says == holds ? SignKind::right
@@ -166,11 +166,10 @@ class Look {
 
   void see_verdict(const Kernel& kernel, const Judgement& judgement) const {
     const auto index = static_cast<std::size_t>(&kernel - kernels().data());
-    const std::size_t kind = judgement.verdict_flip ? 1 + static_cast<std::size_t>(*judgement.verdict_flip) : 0;
-    for (std::size_t link = 0; link < link_count; ++link) {
-      if (((judgement.verdict_links >> link) & 1u) == 0) continue;
-      const std::size_t of_kernel = static_cast<std::size_t>(precision_of<Real>) * most_kernels + index;
-      features[margin_counter_count + (of_kernel * 3 + kind) * link_count + link] = 1;
+    const std::size_t kind = judgement.verdict_flip ? 1 + index_of(*judgement.verdict_flip) : 0;
+    for (const Link link : judgement.verdict_links) {
+      const std::size_t of_kernel = index_of(precision_of<Real>) * most_kernels + index;
+      features[margin_counter_count + (of_kernel * 3 + kind) * link_count + index_of(link)] = 1;
     }
   }
 

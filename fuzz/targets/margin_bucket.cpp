@@ -20,10 +20,10 @@ std::size_t margin_bucket(const Ring& lhs, const Ring& rhs) {
 }
 
 std::size_t margin_counter(Precision precision, Comparison which, const Ring& lhs, const Ring& rhs, SignKind kind) {
-  std::size_t counter = static_cast<std::size_t>(precision) * comparison_count + static_cast<std::size_t>(which);
+  std::size_t counter = index_of(precision) * comparison_count + index_of(which);
   counter = counter * margin_bucket_count + margin_bucket(lhs, rhs);
   counter = counter * 2 + (lhs > rhs ? 1 : 0);
-  return counter * sign_kind_count + static_cast<std::size_t>(kind);
+  return counter * sign_kind_count + index_of(kind);
 }
 
 }  // namespace axiscert::fuzzing

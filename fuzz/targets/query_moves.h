@@ -2,7 +2,6 @@
 // always far from any boundary, and a flipped bit of an exponent leaves the boundary that was found.
 #pragma once
 
-#include <array>
 #include <string_view>
 
 #include "fuzz/search/dice.h"
@@ -23,7 +22,7 @@ enum class QueryMove : std::uint8_t {
   kernel,     // chooses another kernel
 };
 inline constexpr std::size_t query_move_count = 10;
-inline constexpr std::array<std::string_view, query_move_count> query_move_names = {
+inline constexpr EnumArray<QueryMove, std::string_view, query_move_count> query_move_names = {
     "ulps", "exponent", "sign", "special", "copy", "repeat", "swap", "tie", "precision", "kernel"};
 
 // Keeps the numbers but changes the precision: rounded to nearest, or widened.

@@ -32,7 +32,7 @@ TEST(FuzzedQuery, IsWhatItsBytesSayInBothPrecisions) {
     const FuzzedQuery fuzzed = usual(precision);
     const auto bytes = bytes_of(fuzzed);
     EXPECT_EQ(bytes.size(), precision == Precision::binary32 ? 54u : 106u);
-    EXPECT_EQ(fuzzed_query(bytes).query.index(), static_cast<std::size_t>(precision));
+    EXPECT_EQ(fuzzed_query(bytes).query.index(), index_of(precision));
     EXPECT_EQ(bytes_of(fuzzed_query(bytes)), bytes);
   }
 }
@@ -90,10 +90,10 @@ TYPED_TEST(QueryMoveTest, EachChangesTheQueryAndNoMoreOfItThanItSays) {
       apply(move, dice, after);
       ASSERT_EQ(after.query.index(), before.query.index());
       EXPECT_GE(kept<TypeParam>(before, after), least)
-          << query_move_names[static_cast<std::size_t>(move)] << ", seed " << moves_seed << ", position " << position;
+          << query_move_names[move] << ", seed " << moves_seed << ", position " << position;
       changes += bytes_of(after) != bytes_of(before);
     }
-    EXPECT_GT(changes, 50) << query_move_names[static_cast<std::size_t>(move)];
+    EXPECT_GT(changes, 50) << query_move_names[move];
   }
 }
 

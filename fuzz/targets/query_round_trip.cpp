@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -36,7 +35,7 @@ void check(std::string_view bytes, Precision csv_precision) {
   if (!accepts([&] { queries = parse_queries(bytes, "fuzzed", csv_precision); })) return;
   std::string lines;
   for (const StoredQuery& stored : queries) {
-    if (stored.numbers.index() != static_cast<std::size_t>(stored.precision)) {
+    if (stored.numbers.index() != index_of(stored.precision)) {
       fault(fmt::format("line {} says {} but has a query of the other precision", stored.line, name(stored.precision)));
     }
     lines += query_line(stored) + "\n";

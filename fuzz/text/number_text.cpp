@@ -169,7 +169,7 @@ template std::string format_number<double>(double);
 std::string bit_string(std::uint64_t bits, std::size_t count) {
   std::string text(count, '0');
   for (std::size_t i = 0; i < count; ++i) {
-    if ((bits >> i) & 1u) text[i] = '1';
+    if (has_bit(bits, i)) text[i] = '1';
   }
   return text;
 }

@@ -114,6 +114,12 @@ enum class Arithmetic : std::uint8_t {
   AXISCERT_ARITHMETICS(AXISCERT_NAME)
 #undef AXISCERT_NAME
 };
+template <>
+inline constexpr std::size_t enum_count<Arithmetic> = 0
+#define AXISCERT_ONE(name, type, summary) +1
+    AXISCERT_ARITHMETICS(AXISCERT_ONE)
+#undef AXISCERT_ONE
+    ;
 
 template <Arithmetic a>
 struct ArithmeticTypeOf;

@@ -4,6 +4,8 @@
 #include <cfenv>
 #include <cstdint>
 
+#include "kernel/base/enum_array.h"
+
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #endif
@@ -11,6 +13,8 @@
 namespace axiscert {
 
 enum class Rounding : std::uint8_t { nearest, upward, downward, toward_zero };
+template <>
+inline constexpr std::size_t enum_count<Rounding> = 4;
 
 // Sets a rounding mode and, if `flush`, makes subnormal results and operands zero (FTZ and DAZ); restores both. Code in
 // its scope must keep its operations there: call a function that reads its operands from memory and writes its results
@@ -18,8 +22,8 @@ enum class Rounding : std::uint8_t { nearest, upward, downward, toward_zero };
 class FloatingEnvironment {
  public:
   FloatingEnvironment(Rounding rounding, bool flush) : rounding_(std::fegetround()), control_(control()) {
-    constexpr int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    std::fesetround(modes[static_cast<std::size_t>(rounding)]);
+    constexpr EnumArray<Rounding, int> modes = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    std::fesetround(modes[rounding]);
     if (flush) set_control(control() | flush_bits);
   }
   ~FloatingEnvironment() {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <cmath>
 
 namespace axiscert::plugin {
@@ -27,8 +26,8 @@ std::optional<std::string> difference_at(const TestDescription& test, const Outp
   }
   if (b.bits.empty()) return std::nullopt;
   if (const std::uint64_t flipped = a.bits[i] ^ b.bits[j]) {
-    const auto which = static_cast<std::size_t>(std::countr_zero(flipped));
-    const int before = (a.bits[i] >> which) & 1;
+    const std::size_t which = first_bit(flipped);
+    const int before = has_bit(a.bits[i], which);
     return fmt::format("comparison {} {}, then {}", comparison_text(test, which), before, 1 - before);
   }
   for (std::size_t k = 0; k < b.lhs.size() && !b.lhs[k].empty(); ++k) {

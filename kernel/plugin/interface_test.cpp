@@ -222,7 +222,7 @@ TEST(Interface, ACallerTakesTheColumnsOfItsTestAndNoOthers) {
     const Numbers<double> numbers = queries[i];
     for (std::size_t k = 0; k < 33; ++k) {
       EXPECT_EQ(outputs.lhs[k][i], numbers[k]);
-      EXPECT_EQ(outputs.bits[i] >> k & 1, std::uint64_t{numbers[k] > numbers[k + 7]});
+      EXPECT_EQ(has_bit(outputs.bits[i], k), numbers[k] > numbers[k + 7]);
     }
   }
   const auto narrow = [&] { caller.call(random_queries<double>().columns(), 0, 1, {}, 1, outputs); };

@@ -71,9 +71,8 @@ auto Supervisor<Real>::ask(const Chunk& chunk, const Arrangement& arrangement, O
 template <class Real>
 void Supervisor<Real>::tell(const Chunk& chunk, FindingKind kind, std::size_t query, std::string detail) {
   const bool is_stop = kind == FindingKind::crash || kind == FindingKind::hang;
-  bool& told = told_[static_cast<std::size_t>(kind)];
-  if (!chunk.findings || (told && !is_stop)) return;
-  told = true;
+  if (!chunk.findings || (told_.contains(kind) && !is_stop)) return;
+  told_.insert(kind);
   chunk.findings->push_back({kind, chunk.first + query, std::move(detail)});
 }
 
@@ -185,7 +184,7 @@ void Supervisor<Real>::rearrange(const Chunk& chunk, const Outputs<Real>& output
 
 template <class Real>
 void Supervisor<Real>::look_for_changed_environment(const Chunk& chunk, std::uint32_t changed) {
-  if (told_[static_cast<std::size_t>(FindingKind::environment)]) return;
+  if (told_.contains(FindingKind::environment)) return;
   std::size_t which = 0;
   Outputs<Real> outputs;
   for (std::size_t i = 0; i < chunk.size && chunk.size > 1; ++i) {
@@ -225,7 +224,7 @@ void Supervisor<Real>::look_for_contradictions(const Chunk& chunk, const Outputs
     }
     for (std::size_t k = 0; k < count && !outputs.lhs[k].empty(); ++k) {
       const Real lhs = outputs.lhs[k][i], rhs = outputs.rhs[k][i];
-      const bool bit = ((bits >> k) & 1u) != 0;
+      const bool bit = has_bit(bits, k);
       if (could_follow(kernel_, k, lhs, rhs, bit)) continue;
       return fmt::format("comparison {} is {}, but its sides are {:a} and {:a}", test.comparisons[k].name, int{bit},
                          lhs, rhs);

@@ -3,6 +3,7 @@
 
 #include <mutex>
 
+#include "kernel/base/enum_set.h"
 #include "kernel/plugin/caller.h"
 
 namespace axiscert::plugin {
@@ -62,7 +63,7 @@ class Supervisor {
   bool asks_singly_ = false, rearranges_ = true;
   Anchor anchor_ = Anchor::end;
   std::uint64_t chunks_ = 0;
-  std::array<bool, finding_kind_count> told_ = {};
+  EnumSet<FindingKind, std::uint16_t> told_;
 };
 
 template <class Real>

@@ -105,16 +105,16 @@ std::string name(Formulae formulae) {
       AXISCERT_FORMULAE(AXISCERT_NAME)
 #undef AXISCERT_NAME
           ""};
-  return with_dashes(names[static_cast<std::size_t>(formulae)]);
+  return with_dashes(names[index_of(formulae)]);
 }
 
 std::string name(Arithmetic arithmetic) {
-  constexpr const char* names[] = {
+  constexpr EnumArray<Arithmetic, const char*> names = {
 #define AXISCERT_NAME(name, type, summary) #name,
       AXISCERT_ARITHMETICS(AXISCERT_NAME)
 #undef AXISCERT_NAME
   };
-  return with_dashes(names[static_cast<std::size_t>(arithmetic)]);
+  return with_dashes(names[arithmetic]);
 }
 
 std::span<const Kernel> kernels() { return registry(); }

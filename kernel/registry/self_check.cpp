@@ -96,12 +96,12 @@ constexpr StoredSides<Real> stored_function() {
 // The sides of any set of formulae that has comparisons, with every result stored.
 template <class Real>
 Sides<Stored<Real>> stored_sides(Formulae formulae, const Query<Real>& q) {
-  static constexpr StoredSides<Real> functions[] = {
+  static constexpr EnumArray<Formulae, StoredSides<Real>> functions = {
 #define AXISCERT_FUNCTION(name, type, kind) stored_function<type, Real>(),
       AXISCERT_FORMULAE(AXISCERT_FUNCTION)
 #undef AXISCERT_FUNCTION
   };
-  return functions[static_cast<std::size_t>(formulae)](q);
+  return functions[formulae](q);
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 // The sides that sphere-triangle's formulae compare, and the decision that follows from their bits.
 #pragma once
 
-#include <array>
-
 #include "kernel/outcome.h"
 #include "kernel/sphere_triangle/names.h"
 
@@ -11,7 +9,7 @@ namespace axiscert {
 // The two sides of every comparison `lhs > rhs`.
 template <class T>
 struct Sides {
-  std::array<T, comparison_count> lhs, rhs;
+  EnumArray<Comparison, T> lhs, rhs;
 };
 
 inline Outcome outcome_of(ComparisonBits bits) { return {verdict_of(axes_of(bits)), bits}; }

@@ -29,7 +29,7 @@ TestDescription described() {
       .measures = {},
   };
   for (const ComparisonInfo& comparison : comparisons) {
-    test.comparisons.push_back({comparison.name, static_cast<std::size_t>(comparison.axis), comparison.is_radius});
+    test.comparisons.push_back({comparison.name, index_of(comparison.axis), comparison.is_radius});
   }
   for (std::size_t i = 0; i < axis_count; ++i) test.clauses.push_back({axis_names[i], axis_comparisons[i]});
   return checked(std::move(test));

@@ -7,9 +7,11 @@
 namespace axiscert {
 
 enum class Axis : std::uint8_t { plane, vertex_a, vertex_b, vertex_c, edge_ab, edge_bc, edge_ca };
-inline constexpr std::size_t axis_count = 7;
-inline constexpr std::array<std::string_view, axis_count> axis_names = {"plane",   "vertex_a", "vertex_b", "vertex_c",
-                                                                        "edge_ab", "edge_bc",  "edge_ca"};
+template <>
+inline constexpr std::size_t enum_count<Axis> = 7;
+inline constexpr std::size_t axis_count = enum_count<Axis>;
+inline constexpr EnumArray<Axis, std::string_view> axis_names = {"plane",   "vertex_a", "vertex_b", "vertex_c",
+                                                                 "edge_ab", "edge_bc",  "edge_ca"};
 
 // A comparison `lhs > rhs`. `vertex_a_side_b`: B lies beyond the plane through A with normal A - P.
 // clang-format off
@@ -23,14 +25,16 @@ enum class Comparison : std::uint8_t {
   edge_ca_radius, edge_ca_side_b,
 };
 // clang-format on
-inline constexpr std::size_t comparison_count = 16;
+template <>
+inline constexpr std::size_t enum_count<Comparison> = 16;
+inline constexpr std::size_t comparison_count = enum_count<Comparison>;
 
 struct ComparisonInfo {
   std::string_view name;
   Axis axis;
   bool is_radius;  // seven comparisons are; the other nine are side comparisons
 };
-inline constexpr std::array<ComparisonInfo, comparison_count> comparisons = {{
+inline constexpr EnumArray<Comparison, ComparisonInfo> comparisons = {{
     {"plane.radius", Axis::plane, true},
     {"vertex_a.radius", Axis::vertex_a, true},
     {"vertex_a.side_b", Axis::vertex_a, false},
@@ -48,7 +52,7 @@ inline constexpr std::array<ComparisonInfo, comparison_count> comparisons = {{
     {"edge_ca.radius", Axis::edge_ca, true},
     {"edge_ca.side_b", Axis::edge_ca, false},
 }};
-constexpr const ComparisonInfo& info(Comparison c) { return comparisons[static_cast<std::size_t>(c)]; }
+constexpr const ComparisonInfo& info(Comparison c) { return comparisons[c]; }
 
 // Bit i is comparison i, or axis i: the bits of kernel/names.h in as few bytes as sixteen and seven take, where
 // millions are kept.
@@ -56,19 +60,17 @@ using SignBits = std::uint16_t;
 using AxisBits = std::uint8_t;
 
 // For each axis, the comparisons that must all hold for it to separate.
-inline constexpr std::array<ComparisonBits, axis_count> axis_comparisons = [] {
-  std::array<ComparisonBits, axis_count> bits{};
-  for (std::size_t i = 0; i < comparison_count; ++i) {
-    bits[static_cast<std::size_t>(comparisons[i].axis)] |= ComparisonBits{1} << i;
-  }
+inline constexpr EnumArray<Axis, ComparisonBits> axis_comparisons = [] {
+  EnumArray<Axis, ComparisonBits> bits{};
+  for (const Comparison c : enumerators<Comparison>) bits[info(c).axis] |= one_bit<ComparisonBits>(c);
   return bits;
 }();
-constexpr ComparisonBits comparisons_of(Axis axis) { return axis_comparisons[static_cast<std::size_t>(axis)]; }
+constexpr ComparisonBits comparisons_of(Axis axis) { return axis_comparisons[axis]; }
 
 inline constexpr ComparisonBits side_comparisons = [] {
   ComparisonBits bits = 0;
-  for (std::size_t i = 0; i < comparison_count; ++i) {
-    if (!comparisons[i].is_radius) bits |= ComparisonBits{1} << i;
+  for (const Comparison c : enumerators<Comparison>) {
+    if (!info(c).is_radius) bits |= one_bit<ComparisonBits>(c);
   }
   return bits;
 }();
@@ -76,7 +78,7 @@ inline constexpr ComparisonBits side_comparisons = [] {
 constexpr AxisBits axes_of(ComparisonBits bits) {
   AxisBits axes = 0;
   for (std::size_t i = 0; i < axis_count; ++i) {
-    if ((bits & axis_comparisons[i]) == axis_comparisons[i]) axes |= static_cast<AxisBits>(1u << i);
+    if ((bits & axis_comparisons[i]) == axis_comparisons[i]) axes |= one_bit<AxisBits>(i);
   }
   return axes;
 }
@@ -87,8 +89,10 @@ constexpr Verdict verdict_of(AxisBits axes) { return axes != 0 ? Verdict::separa
 // The relation that the nine side comparisons use; the seven radius comparisons use `>` in each case. `not_less` is
 // `>=` on hardware without that instruction, !(rhs > lhs): the same on numbers, but it holds if a side is NaN.
 enum class Strictness : std::uint8_t { strict, nonstrict, not_less };
-inline constexpr std::array<std::string_view, 3> strictness_names = {"strict", "nonstrict", "not_less"};
-constexpr std::string_view name(Strictness s) { return strictness_names[static_cast<std::size_t>(s)]; }
+template <>
+inline constexpr std::size_t enum_count<Strictness> = 3;
+inline constexpr EnumArray<Strictness, std::string_view> strictness_names = {"strict", "nonstrict", "not_less"};
+constexpr std::string_view name(Strictness s) { return strictness_names[s]; }
 
 template <Strictness strictness, class T>
 constexpr bool holds(Comparison which, const T& lhs, const T& rhs) {

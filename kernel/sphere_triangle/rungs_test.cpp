@@ -49,7 +49,7 @@ void PrintTo(const Pair& p, std::ostream* out) { *out << p.lhs << " > " << p.rhs
 template <class Real>
 Pair sides_at(std::string_view kernel, Vec3<Real> p, Real r, Comparison which) {
   const Sides<Real> sides = sides_in<Real>(find_kernel(kernel), {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, p, r});
-  return {sides.lhs[static_cast<std::size_t>(which)], sides.rhs[static_cast<std::size_t>(which)]};
+  return {sides.lhs[which], sides.rhs[which]};
 }
 
 // Centre (1, 1, 3), r = 2: V = (0, 0, 16), A.V = -48, V.V = 256.
@@ -100,12 +100,11 @@ TYPED_TEST(RungsTest, TheSlipsChangeTheirOwnComparisonsOnly) {
     const auto found = sides_in(find_kernel(id), q);
     ComparisonBits bits = 0;
     for (std::size_t k = 0; k < comparison_count; ++k) {
-      if (found.lhs[k] != published.lhs[k] || found.rhs[k] != published.rhs[k])
-        bits |= static_cast<ComparisonBits>(1u << k);
+      if (found.lhs[k] != published.lhs[k] || found.rhs[k] != published.rhs[k]) bits |= one_bit<ComparisonBits>(k);
     }
     return bits;
   };
-  const auto bit = [](Comparison c) { return 1u << static_cast<unsigned>(c); };
+  const auto bit = [](Comparison c) { return one_bit<ComparisonBits>(c); };
   EXPECT_EQ(changed("first-publication"), bit(edge_ab_side_c) | bit(edge_bc_side_a) | bit(edge_ca_side_b));
   EXPECT_EQ(changed("vertex-typo"), bit(vertex_a_side_c) | bit(vertex_c_side_a));
   // A = (-1, 3, 0), B = (3, 3, 0), C = (-1, 7, 0): Q = (0, 48, 0), C e = (-16, 112, 0); B.B = 18.
@@ -125,7 +124,7 @@ TEST(PackedNonstrict, ANaNSideMissesAContact) {
     EXPECT_EQ(answer(find_kernel("reduced-nonstrict"), q).verdict, Verdict::contact) << order;
   });
   const auto sides = sides_in(find_kernel("packed-nonstrict"), original);
-  EXPECT_TRUE(std::isnan(sides.lhs[static_cast<std::size_t>(edge_ab_side_c)]));
+  EXPECT_TRUE(std::isnan(sides.lhs[edge_ab_side_c]));
 }
 
 }  // namespace

@@ -3,12 +3,13 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "kernel/base/enum_array.h"
 
 namespace axiscert::testing_support {
 
@@ -22,8 +23,8 @@ enum class Says {
   declines,   // the truth or undecided
   varies,     // with the query or the order of its vertices
 };
-inline constexpr std::array<std::string_view, 8> says_names = {"right",   "wrong",     "contact",  "separated",
-                                                               "invalid", "undecided", "declines", "varies"};
+inline constexpr EnumArray<Says, std::string_view, 8> says_names = {"right",   "wrong",     "contact",  "separated",
+                                                                    "invalid", "undecided", "declines", "varies"};
 
 // From `repeated` to `infinite_centre` the sphere is clear of the triangle, or was so before a coordinate was replaced.
 struct Behaviour {
@@ -45,7 +46,7 @@ inline std::string row_text(std::string_view kernel, const Behaviour& b) {
   std::string row = "| `" + std::string(kernel) + "` |";
   for (const Says cell :
        {b.area, b.repeated, b.collinear, b.point, b.nan, b.infinite, b.infinite_centre, b.negative_radius}) {
-    row += " " + std::string(says_names[static_cast<std::size_t>(cell)]) + " |";
+    row += " " + std::string(says_names[cell]) + " |";
   }
   return row;
 }

@@ -16,8 +16,10 @@ inline constexpr double family_wise_error = 0.05;
 // fresh: none in OLD, some in NEW; fixed: some in OLD, none in NEW. For cells counted over different queries, a change
 // other than `unchanged` is reported only where chance does not explain it.
 enum class Change { fresh, worse, better, fixed, unchanged };
-inline constexpr std::array<std::string_view, 5> change_names = {"new", "worse", "better", "fixed", "unchanged"};
-constexpr std::string_view name(Change change) { return change_names[static_cast<std::size_t>(change)]; }
+template <>
+inline constexpr std::size_t enum_count<Change> = 5;
+inline constexpr EnumArray<Change, std::string_view> change_names = {"new", "worse", "better", "fixed", "unchanged"};
+constexpr std::string_view name(Change change) { return change_names[change]; }
 
 struct ComparedCell {
   Cell before, after;

@@ -1,13 +1,13 @@
 // Known witnesses, evaluated again by the kernels of this build and by all oracles.
 #pragma once
 
-#include <array>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "fuzz/text/json.h"
+#include "kernel/base/enum_array.h"
 
 namespace axiscert {
 
@@ -18,8 +18,10 @@ enum class ReplayOutcome {
   wrong_now,    // the verdict was right, and is wrong now
   not_replayed  // this build lacks the kernel, the plug-in is not trusted, or the answers came through a pipe
 };
-inline constexpr std::array<std::string_view, 5> replay_names = {"as before", "mended", "changed", "wrong now",
-                                                                 "not replayed"};
+template <>
+inline constexpr std::size_t enum_count<ReplayOutcome> = 5;
+inline constexpr EnumArray<ReplayOutcome, std::string_view> replay_names = {"as before", "mended", "changed",
+                                                                            "wrong now", "not replayed"};
 
 struct Replayed {
   std::string id, kernel, precision, family;

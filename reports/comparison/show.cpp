@@ -60,7 +60,7 @@ InstrumentTable kernels_table(const RunComparison& comparison) {
     auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.first == key; });
     if (row == rows.end()) row = rows.insert(rows.end(), {key, {}});
     const bool is_nowhere = cell.before.is_zero() && cell.after.is_zero();
-    ++row->second[is_nowhere ? change_names.size() : static_cast<std::size_t>(cell.change)];
+    ++row->second[is_nowhere ? change_names.size() : index_of(cell.change)];
   }
   for (const auto& [key, counts] : rows) {
     Row row = {key.first, key.second};
@@ -78,8 +78,7 @@ InstrumentTable replay_table(const RunComparison& comparison) {
   for (const bool alarms : {true, false}) {
     for (const Replayed& r : comparison.replayed) {
       if (r.outcome == ReplayOutcome::as_before || r.is_alarm() != alarms) continue;
-      table.rows.push_back({r.id, r.kernel, r.precision, r.family,
-                            std::string(replay_names[static_cast<std::size_t>(r.outcome)]), r.note});
+      table.rows.push_back({r.id, r.kernel, r.precision, r.family, std::string(replay_names[r.outcome]), r.note});
     }
   }
   return table;
@@ -131,7 +130,7 @@ std::vector<std::string> notes(const ComparedRuns& runs, const RunComparison& co
     for (const Replayed& r : comparison.replayed) ++by_outcome[r.outcome];
     std::vector<std::string> parts;
     for (const auto& [outcome, n] : by_outcome) {
-      parts.push_back(fmt::format("{} {}", thousands(n), replay_names[static_cast<std::size_t>(outcome)]));
+      parts.push_back(fmt::format("{} {}", thousands(n), replay_names[outcome]));
     }
     notes.push_back(fmt::format("Witnesses of OLD, evaluated again here: {}.", fmt::join(parts, ", ")));
   }
@@ -241,7 +240,7 @@ Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison) 
                         {"kernel", r.kernel},
                         {"precision", r.precision},
                         {"family", r.family},
-                        {"outcome", replay_names[static_cast<std::size_t>(r.outcome)]},
+                        {"outcome", replay_names[r.outcome]},
                         {"note", r.note}});
   }
   Json& absent = json["not_compared"] = Json::array();

@@ -91,14 +91,14 @@ class Search {
     // Formulae evaluated in an order of operations of the kernel's own: where they round, an unattributed difference
     // may be rounding and is not a fault of logic. In exact arithmetic it is one.
     if (!reference.get<bool>() && exact_arithmetic) {
-      const std::string name(link_names[static_cast<std::size_t>(Link::unattributed)]);
+      const std::string name(link_names[Link::unattributed]);
       add_link(Link::unattributed, verdict["links"], verdict["touching_links"][name].get<std::uint64_t>());
     }
   }
 
   // `apart`: the number of them that are touching queries, which do not count.
   void add_link(Link link, const Json& links, std::uint64_t apart) {
-    const std::string name(link_names[static_cast<std::size_t>(link)]);
+    const std::string name(link_names[link]);
     const bool in_exact_arithmetic = link == Link::unattributed;
     add(
         links[name].get<std::uint64_t>() - apart,

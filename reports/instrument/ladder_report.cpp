@@ -15,7 +15,7 @@ namespace {
 using Entries = std::vector<LadderEntry>;
 
 constexpr AxisKind all_kinds[] = {AxisKind::plane, AxisKind::vertex, AxisKind::edge};
-std::string name(AxisKind kind) { return std::string(axis_kind_names[static_cast<std::size_t>(kind)]); }
+std::string name(AxisKind kind) { return std::string(axis_kind_names[kind]); }
 
 bool has_sides(const LadderEntry& entry) { return entry.kernel->exposes == Exposure::sides; }
 

@@ -11,9 +11,7 @@
 namespace axiscert {
 namespace {
 
-std::uint64_t count_of(const Tally& tally, FindingKind kind) {
-  return tally.findings[static_cast<std::size_t>(kind)].count;
-}
+std::uint64_t count_of(const Tally& tally, FindingKind kind) { return tally.findings[kind].count; }
 std::uint64_t other_findings(const Tally& tally) {
   std::uint64_t all = 0;
   for (const FindingTally& finding : tally.findings) all += finding.count;
@@ -158,7 +156,7 @@ class LeagueReport {
 
   // Each claims the bits of the published test, so that its own fault is distinguished from rounding and range.
   static std::optional<std::uint64_t> caught(const Tally& tally) {
-    return tally.verdict.first_by_link[static_cast<std::size_t>(Link::implementation)];
+    return tally.verdict.first_by_link[Link::implementation];
   }
 
   InstrumentTable faults(Precision precision) const {

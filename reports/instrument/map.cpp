@@ -18,9 +18,8 @@ std::string text_of(const Colour& c) { return fmt::format("#{:02x}{:02x}{:02x}",
 Json legend_json() {
   Json legend = Json::array();
   for (const LegendEntry& entry : map_legend()) {
-    legend.push_back({{"class", pixel_class_names[static_cast<std::size_t>(entry.pixel)]},
-                      {"colour", text_of(entry.colour)},
-                      {"meaning", entry.meaning}});
+    legend.push_back(
+        {{"class", pixel_class_names[entry.pixel]}, {"colour", text_of(entry.colour)}, {"meaning", entry.meaning}});
   }
   return legend;
 }
@@ -67,7 +66,7 @@ Json map_json(const std::string& map_name, const MapPlan& plan, const std::vecto
               {"command", command},
               {"kernel", plan.kernel->id},
               {"precision", name(plan.witness.precision)},
-              {"kind", plane_kind_names[static_cast<std::size_t>(plan.plane.kind)]},
+              {"kind", plane_kind_names[plan.plane.kind]},
               {"along", side_json(plan.plane.along)},
               {"across", side_json(plan.plane.across)},
               {"witness", Json::parse(query_line(plan.witness))},
@@ -75,7 +74,7 @@ Json map_json(const std::string& map_name, const MapPlan& plan, const std::vecto
   for (const MapPicture& picture : pictures) {
     Json counts = Json::object();
     for (std::size_t c = 0; c < pixel_class_count; ++c) counts[std::string(pixel_class_names[c])] = picture.counts[c];
-    map["pictures"].push_back({{"level", level_names[static_cast<std::size_t>(picture.subject.level)]},
+    map["pictures"].push_back({{"level", level_names[picture.subject.level]},
                                {"name", name(picture.subject)},
                                {"file", picture_file(map_name, picture.subject)},
                                {"counts", counts}});
@@ -135,8 +134,8 @@ std::string map_text(const Json& map) {
   }
   report.tables.push_back(table);
   for (const LegendEntry& entry : map_legend()) {
-    report.notes.push_back(fmt::format("{} {}: {}", pixel_class_names[static_cast<std::size_t>(entry.pixel)],
-                                       text_of(entry.colour), entry.meaning));
+    report.notes.push_back(
+        fmt::format("{} {}: {}", pixel_class_names[entry.pixel], text_of(entry.colour), entry.meaning));
   }
   return instrument_text(report);
 }

@@ -211,7 +211,7 @@ class MutationReport {
     return {{"family", found->family->name},
             {"queries", found->queries},
             {"address", text(address_of(*source, plan_.seed, r.precision, found->position))},
-            {"kind", flip_kind_names[static_cast<std::size_t>(found->kind)]},
+            {"kind", flip_kind_names[found->kind]},
             {"depth", found->depth}};
   }
 

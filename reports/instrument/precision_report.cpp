@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -27,7 +26,7 @@ const std::array<Kind, 5>& kinds() {
     for (std::size_t i = 0; i < comparison_count; ++i) {
       const bool at_plane = comparisons[i].axis == Axis::plane, at_edge = comparisons[i].axis >= Axis::edge_ab;
       const std::size_t kind = at_plane ? 0 : (at_edge ? 3 : 1) + (comparisons[i].is_radius ? 0 : 1);
-      k[kind].comparisons |= static_cast<ComparisonBits>(1u << i);
+      k[kind].comparisons |= one_bit<ComparisonBits>(i);
     }
     return k;
   }();
@@ -42,7 +41,7 @@ std::string rate(std::uint64_t count, std::uint64_t queries) { return amount(per
 
 std::uint64_t flips(const PrecisionCounts& counts, ComparisonBits which) {
   std::uint64_t sum = 0;
-  for (std::size_t i = 0; i < comparison_count; ++i) sum += ((which >> i) & 1u) != 0 ? counts.comparisons[i] : 0;
+  for_each_bit(which, [&](std::size_t i) { sum += counts.comparisons[i]; });
   return sum;
 }
 
@@ -121,7 +120,7 @@ InstrumentTable sufficient_table(const PrecisionPlan& plan, const PrecisionTally
     const std::string& id = plan.kernels[k]->id;
     if (const auto degrees = degrees_of(plan.kernels[k]->formulae)) {
       for (const Kind& kind : kinds()) {
-        const auto first = static_cast<std::size_t>(std::countr_zero(kind.comparisons));
+        const std::size_t first = first_bit(kind.comparisons);
         const ComparisonDegree& d = (*degrees)[first];
         table.rows.push_back({id, std::string(kind.name), degree_text(d.lhs), degree_text(d.rhs),
                               d.bits ? fmt::format("{} b + {}", d.bits->per_bit, d.bits->constant) : "none",
@@ -209,7 +208,7 @@ Json sufficient_json(const PrecisionPlan& plan, const PrecisionTally& all) {
     if (const auto degrees = degrees_of(plan.kernels[k]->formulae)) {
       for (std::size_t i = 0; i < comparison_count; ++i) {
         const ComparisonDegree& d = (*degrees)[i];
-        const auto which = static_cast<ComparisonBits>(1u << i);
+        const auto which = one_bit<ComparisonBits>(i);
         kernel["comparisons"][comparisons[i].name] = {
             {"degree_lhs", or_null(d.lhs)},
             {"degree_rhs", or_null(d.rhs)},

@@ -82,13 +82,6 @@ class SearchReport {
     return table;
   }
 
-  static std::vector<std::string_view> links_of(const Find& find) {
-    std::vector<std::string_view> links;
-    for (std::size_t i = 0; i < link_count; ++i) {
-      if ((find.links >> i) & 1u) links.push_back(link_names[i]);
-    }
-    return links;
-  }
   static const char* unit(Goal goal) { return goal == Goal::critical_radius ? "ulps" : "depth"; }
 
   InstrumentTable verdict_table() const {
@@ -96,7 +89,7 @@ class SearchReport {
     for (const Goal goal : verdict_goals()) {
       const Find* found = find({goal});
       table.rows.push_back({name(Aim{goal}), error_cell(found), unit(goal),
-                            found ? fmt::format("{}", fmt::join(links_of(*found), " ")) : ""});
+                            found ? fmt::format("{}", fmt::join(names(found->links), " ")) : ""});
     }
     return table;
   }
@@ -127,7 +120,7 @@ class SearchReport {
       Json& entry = verdict[name(Aim{goal})] = nullptr;
       if (!found) continue;
       entry = {{unit(goal), number_json(found->value)}};
-      if (goal != Goal::critical_radius) entry["links"] = links_of(*found);
+      if (goal != Goal::critical_radius) entry["links"] = names(found->links);
       entry["witness"] = witness_json(*found);
     }
     for (const SourcePtr& source : plan_.sources) families.push_back(source->name());

@@ -51,7 +51,7 @@ std::uint64_t valid_queries(const Json& family) {
 
 }  // namespace
 
-const std::array<std::string_view, link_count> link_meanings = {
+const EnumArray<Link, std::string_view> link_meanings = {
     "The formulae are wrong even in exact arithmetic: no precision mends it.",
     "Rounding each operation to the precision changed the answer, exponents unlimited.",
     "Overflow or underflow changed the answer: with unlimited exponents it would not have.",

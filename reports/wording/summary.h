@@ -12,7 +12,7 @@
 namespace axiscert {
 
 // The meaning of a broken link, in one sentence; indexed by Link.
-extern const std::array<std::string_view, link_count> link_meanings;
+extern const EnumArray<Link, std::string_view> link_meanings;
 
 // Orders figures of a record: numbers, and texts of numbers too large for binary64.
 bool is_less(const Json& x, const Json& y);

@@ -178,7 +178,7 @@ TYPED_TEST(CertifiedTest, EveryShapeGivesTheSameAnswers) {
       for (std::size_t k = 0; k < 9; ++k) triangle[k] = columns[k][i];
       const int expected = certified::pair(triangle, sphere, closed);
       EXPECT_EQ(soa.verdict[i], expected);
-      EXPECT_EQ((soa.bits[i / 64] >> (i % 64)) & 1u, expected == AXISCERT_CONTACT ? 1u : 0u);
+      EXPECT_EQ(has_bit(soa.bits[i / 64], i % 64), expected == AXISCERT_CONTACT);
       if (expected != AXISCERT_CONTACT) continue;
       ASSERT_LT(next, soa.hits.size());
       EXPECT_EQ(soa.hits[next], i);

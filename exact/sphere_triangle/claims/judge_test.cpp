@@ -21,11 +21,9 @@ std::vector<std::string> told(const Judgement& judgement) {
   std::vector<std::string> lines;
   for (const Flip& flip : judgement.flips()) {
     std::string line(name(first_test(), flip));
-    line += " " + std::string(flip_kind_names[static_cast<std::size_t>(flip.kind)]);
+    line += " " + std::string(flip_kind_names[flip.kind]);
     line += flip.decisive ? " decisive" : " masked";
-    for (std::size_t i = 0; i < link_count; ++i) {
-      if ((flip.links >> i) & 1u) line += " " + std::string(link_names[i]);
-    }
+    for (const Link link : flip.links) line += " " + std::string(link_names[link]);
     lines.push_back(line);
   }
   return lines;
@@ -93,7 +91,7 @@ TEST(HandWorked, AFlipThatChangesNothingIsMasked) {
 TEST(HandWorked, TouchingIsContact) {
   const auto found = judged({{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 1});
   EXPECT_TRUE(found.truth.touching);
-  EXPECT_TRUE((found.truth.formula->ties >> static_cast<unsigned>(Comparison::vertex_a_radius)) & 1u);
+  EXPECT_TRUE(has_bit(found.truth.formula->ties, Comparison::vertex_a_radius));
   EXPECT_TRUE(found.judgement.flips().empty());
 }
 
@@ -120,7 +118,7 @@ TEST(HandWorked, LinksThatCancelLeaveTheVerdictRight) {
             Reference{outcome_of(truth.formula->strict), Rounded{outcome_of(separated), outcome_of(separated)}},
             outcome_of(separated));
   EXPECT_FALSE(judgement.verdict_flip);
-  EXPECT_EQ(judgement.verdict_links, link_bit(Link::specification) | link_bit(Link::rounding));
+  EXPECT_EQ(judgement.verdict_links, (LinkSet{Link::specification, Link::rounding}));
   // Relative to its own exact formulae the kernel's verdict did flip, and the axis that flipped it is decisive.
   EXPECT_EQ(told(judgement), (Lines{"vertex_a false_separation decisive rounding",
                                     "vertex_a.side_b false_separation decisive rounding"}));
@@ -131,8 +129,8 @@ TEST(HandWorked, AFlipTheOtherWayIsMasked) {
   const Query<float> q{{-1, 2, 0}, {1, 2, 0}, {0, 3, 0}, {0, 0, 0}, 1};
   const ExactTruth truth = exact_truth(q, true);
   const ComparisonBits exact = truth.formula->strict;
-  auto kernel = static_cast<ComparisonBits>(exact & ~(1u << static_cast<unsigned>(Comparison::edge_ab_radius)));
-  kernel |= 1u << static_cast<unsigned>(Comparison::vertex_c_side_a);
+  const ComparisonBits kernel = (exact & ~one_bit<ComparisonBits>(Comparison::edge_ab_radius)) |
+                                one_bit<ComparisonBits>(Comparison::vertex_c_side_a);
   const Judgement judgement =
       judge(first_test(), truth, Reference{outcome_of(exact), Rounded{outcome_of(kernel), outcome_of(kernel)}},
             outcome_of(kernel));

@@ -25,7 +25,7 @@ Judgement judged_by_verdict(const Query<float>& q, Touching touching, Verdict ve
 }
 
 ComparisonBits exact_bits(const Query<float>& q) { return exact_truth(q, true).formula->strict; }
-constexpr auto tie = static_cast<ComparisonBits>(1u << static_cast<unsigned>(Comparison::vertex_a_radius));
+constexpr auto tie = one_bit<ComparisonBits>(Comparison::vertex_a_radius);
 
 TEST(Touching, TheConventionSaysWhichVerdictIsWrong) {
   EXPECT_FALSE(judged_by_verdict(touching, Touching::contact, Verdict::contact).verdict_flip);
@@ -34,7 +34,7 @@ TEST(Touching, TheConventionSaysWhichVerdictIsWrong) {
   EXPECT_FALSE(judged_by_verdict(touching, Touching::separated, Verdict::separated).verdict_flip);
   const Judgement wrong = judged_by_verdict(touching, Touching::separated, Verdict::contact);
   EXPECT_EQ(wrong.verdict_flip, FlipKind::false_contact);
-  EXPECT_EQ(wrong.verdict_links, link_bit(Link::unattributed));
+  EXPECT_EQ(wrong.verdict_links, LinkSet{Link::unattributed});
   for (const Verdict verdict : {Verdict::contact, Verdict::separated}) {
     EXPECT_FALSE(judged_by_verdict(touching, Touching::either, verdict).verdict_flip);
   }
@@ -53,11 +53,11 @@ TEST(Touching, SeparatedMakesTheTieHold) {
   ASSERT_EQ(outcome_of(holds).verdict, Verdict::separated);
   const Judgement right = judged(touching, Touching::separated, outcome_of(holds));
   EXPECT_TRUE(right.flips().empty());
-  EXPECT_EQ(right.verdict_links, 0);
+  EXPECT_TRUE(right.verdict_links.empty());
   // A kernel that rounds at the tie is wrong, and its specification is not the cause.
   const Judgement rounded = judged(touching, Touching::separated, outcome_of(exact_bits(touching)));
   EXPECT_EQ(rounded.verdict_flip, FlipKind::false_contact);
-  EXPECT_EQ(rounded.verdict_links, link_bit(Link::unattributed));
+  EXPECT_EQ(rounded.verdict_links, LinkSet{Link::unattributed});
   EXPECT_EQ(rounded.comparison_flips, tie);
   EXPECT_EQ(rounded.comparison_decisive, tie);
 }
@@ -66,10 +66,9 @@ TEST(Touching, EitherLeavesTheTieOpenAndNothingElse) {
   for (const ComparisonBits bits : {exact_bits(touching), static_cast<ComparisonBits>(exact_bits(touching) | tie)}) {
     const Judgement open = judged(touching, Touching::either, outcome_of(bits));
     EXPECT_TRUE(open.flips().empty());
-    EXPECT_EQ(open.verdict_links, 0);
+    EXPECT_TRUE(open.verdict_links.empty());
   }
-  const auto wrong_side =
-      static_cast<ComparisonBits>(exact_bits(touching) ^ (1u << static_cast<unsigned>(Comparison::edge_bc_side_a)));
+  const ComparisonBits wrong_side = exact_bits(touching) ^ one_bit<ComparisonBits>(Comparison::edge_bc_side_a);
   EXPECT_EQ(judged(touching, Touching::either, outcome_of(wrong_side)).comparison_flips,
             exact_bits(touching) ^ wrong_side);
 }
@@ -81,7 +80,7 @@ TEST(Touching, AZeroAreaPlaneIsNotExcused) {
   for (const Touching touching : {Touching::separated, Touching::either}) {
     const Judgement wrong = judged(zero_area, touching, outcome_of(plane));
     EXPECT_EQ(wrong.verdict_flip, FlipKind::false_separation);
-    EXPECT_EQ(wrong.verdict_links, link_bit(Link::unattributed));
+    EXPECT_EQ(wrong.verdict_links, LinkSet{Link::unattributed});
     EXPECT_EQ(wrong.comparison_decisive, comparisons_of(Axis::plane));
   }
 }
@@ -90,7 +89,7 @@ TEST(Touching, AZeroAreaPlaneIsNotExcused) {
 TEST(Touching, AReferenceKeepsItsRelation) {
   const Judgement found = judged(touching, Touching::separated, outcome_of(exact_bits(touching)), true);
   EXPECT_EQ(found.verdict_flip, FlipKind::false_contact);
-  EXPECT_EQ(found.verdict_links, link_bit(Link::specification));
+  EXPECT_EQ(found.verdict_links, LinkSet{Link::specification});
   EXPECT_EQ(found.comparison_flips, 0);
   EXPECT_TRUE(judged(touching, Touching::contact, outcome_of(exact_bits(touching)), true).flips().empty());
 }
@@ -102,18 +101,18 @@ TEST(Touching, AMethodFollowsTheConventionToo) {
   const ExactTruth truth = exact_truth(touching, true);
   const auto chain = Claims(touching, *truth.formula).chain(kernel);
   EXPECT_EQ(judge(first_test(), truth, chain, {Verdict::separated, std::nullopt}, Touching::separated).verdict_links,
-            0);
+            LinkSet{});
   EXPECT_EQ(judge(first_test(), truth, chain, {Verdict::contact, std::nullopt}, Touching::separated).verdict_links,
-            link_bit(Link::unattributed));
+            LinkSet{Link::unattributed});
   for (const Verdict verdict : {Verdict::contact, Verdict::separated}) {
-    EXPECT_EQ(judge(first_test(), truth, chain, {verdict, std::nullopt}, Touching::either).verdict_links, 0);
+    EXPECT_EQ(judge(first_test(), truth, chain, {verdict, std::nullopt}, Touching::either).verdict_links, LinkSet{});
   }
 }
 
 TEST(Judge, NoAnswerIsNoFlip) {
   const Judgement none = judged(apart, Touching::contact, {Verdict::unanswered, std::nullopt});
   EXPECT_TRUE(none.flips().empty());
-  EXPECT_EQ(none.verdict_links, 0);
+  EXPECT_TRUE(none.verdict_links.empty());
 }
 
 }  // namespace

@@ -32,14 +32,14 @@ const std::vector<DecidedSigns>& Cascade<Real>::decide(const QueryBatch<Real>& b
                    found.is_valid ? found.certain : SignBits{0}};
     any_left |= !is_decided;
   }
-  nanoseconds_[static_cast<std::size_t>(Step::lanes)] += watch.lap();
+  nanoseconds_[Step::lanes] += watch.lap();
   if (!any_left) return decided_;
   try_left(batch, Step::grid, [](const Query<Real>& q) { return grid_signs(q); });
-  nanoseconds_[static_cast<std::size_t>(Step::grid)] += watch.lap();
+  nanoseconds_[Step::grid] += watch.lap();
   try_left(batch, Step::wide, [](const Query<Real>& q) { return WideMargins(widened(q)).signs(); });
-  nanoseconds_[static_cast<std::size_t>(Step::wide)] += watch.lap();
+  nanoseconds_[Step::wide] += watch.lap();
   try_left(batch, Step::integers, [](const Query<Real>& q) { return std::optional(integer_signs(q)); });
-  nanoseconds_[static_cast<std::size_t>(Step::integers)] += watch.lap();
+  nanoseconds_[Step::integers] += watch.lap();
   return decided_;
 }
 template class Cascade<float>;

@@ -1,7 +1,6 @@
 // The steps that decide the signs of a query, cheapest first; each step either is certain or passes the query on.
 #pragma once
 
-#include <array>
 #include <string_view>
 
 #include "exact/sphere_triangle/filters/lane_filter.h"
@@ -15,8 +14,9 @@ enum class Step : std::uint8_t {
   integers,  // integers of any size (exact/sphere_triangle/filters/grid_signs.h): every valid query that gets this far
   exact,     // arbitrary precision and CGAL: invalid queries, and all queries if no filter is used
 };
-inline constexpr std::size_t step_count = 5;
-inline constexpr std::array<std::string_view, step_count> step_names = {"lanes", "grid", "wide", "integers", "exact"};
+template <>
+inline constexpr std::size_t enum_count<Step> = 5;
+inline constexpr EnumArray<Step, std::string_view> step_names = {"lanes", "grid", "wide", "integers", "exact"};
 
 struct DecidedSigns {
   Signs signs;  // not set if the step is `exact`
@@ -34,7 +34,7 @@ class Cascade {
   // The signs of each query of the batch.
   const std::vector<DecidedSigns>& decide(const QueryBatch<Real>& batch);
   // Time spent so far, in nanoseconds.
-  double nanoseconds(Step step) const { return nanoseconds_[static_cast<std::size_t>(step)]; }
+  double nanoseconds(Step step) const { return nanoseconds_[step]; }
 
  private:
   // Calls signs_of for each valid query that no step has decided yet.
@@ -44,7 +44,7 @@ class Cascade {
   Filter<Real> filter_;
   std::vector<FilteredSigns> filtered_;
   std::vector<DecidedSigns> decided_;
-  std::array<double, step_count> nanoseconds_{};
+  EnumArray<Step, double> nanoseconds_{};
 };
 
 }  // namespace axiscert

@@ -15,8 +15,8 @@ void require_same(const DecidedSigns& decided, const ExactTruth& truth, const Qu
   throw OracleDisagreement(
       fmt::format("the step `{}` of the filter has the signs {:016b} ties {:016b} (bit 0 is the first comparison); "
                   "exact arithmetic {:016b} ties {:016b}, {}{}",
-                  step_names[static_cast<std::size_t>(decided.step)], decided.signs.strict, decided.signs.ties,
-                  exact.strict, exact.ties, name(truth.verdict), truth.touching ? ", touching" : ""),
+                  step_names[decided.step], decided.signs.strict, decided.signs.ties, exact.strict, exact.ties,
+                  name(truth.verdict), truth.touching ? ", touching" : ""),
       Numbers<Real>(q));
 }
 template void require_same(const DecidedSigns&, const ExactTruth&, const Query<float>&);

@@ -172,9 +172,9 @@ std::optional<Signs> signs_at_tiny_radius(const Query<Real>& q) {
     if (!signs) return std::nullopt;
     const AxisBits without_normal = axes_without_normal(*signs);
     for (std::size_t i = 0; i < comparison_count; ++i) {
-      const bool is_side = ((side_comparisons >> i) & 1u) != 0;
-      const bool is_zero = ((without_normal >> static_cast<unsigned>(comparisons[i].axis)) & 1u) != 0;
-      if (!is_side && !is_zero) signs->ties &= static_cast<SignBits>(~(1u << i));
+      const bool is_side = has_bit(side_comparisons, i);
+      const bool is_zero = has_bit(without_normal, comparisons[i].axis);
+      if (!is_side && !is_zero) signs->ties &= static_cast<SignBits>(~one_bit<SignBits>(i));
     }
     return signs;
   });

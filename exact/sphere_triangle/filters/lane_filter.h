@@ -42,8 +42,10 @@ enum class FilterFault : std::uint8_t {
   swapped_sign,        // the sign of edge_bc.side_a
   rounding_mode,       // rounding upwards, a mode that other code may have left set
 };
-inline constexpr std::size_t filter_fault_count = 5;
-inline constexpr std::array<std::string_view, filter_fault_count> filter_fault_names = {
+template <>
+inline constexpr std::size_t enum_count<FilterFault> = 5;
+inline constexpr std::size_t filter_fault_count = enum_count<FilterFault>;
+inline constexpr EnumArray<FilterFault, std::string_view> filter_fault_names = {
     "none", "small-bound", "no-underflow-guard", "swapped-sign", "rounding-mode"};
 
 // The filter on one instruction set.

@@ -1,6 +1,5 @@
 // The two passes over a batch: signs, and errors of computed sides. No guard: included once for each of Highway's
 // instruction sets.
-#include <bit>
 #include <cstring>
 #include <limits>
 
@@ -62,7 +61,7 @@ struct SignSink {
     const bool swapped = fault == FilterFault::swapped_sign && which == Comparison::edge_bc_side_a;
     const M strict = hn::And(decided, hn::Gt(swapped ? hn::Neg(value) : value, zero));
     const M tie = hn::Eq(plus(size, bound), zero);
-    const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(which);
+    const std::uint64_t bit = one_bit<std::uint64_t>(which);
     words = hn::Or(words, hn::Or(word(strict, bit), word(hn::Or(decided, tie), bit << certain_at)));
     words = hn::Or(words, word(tie, bit << ties_at));
     const V beyond = hn::Sub(size, times(bound, constant(0x1p10)));
@@ -101,7 +100,7 @@ struct PlainSignSink {
       if (fault == FilterFault::small_bound) bound = times(bound, constant(0x1p-12));
       if (fault == FilterFault::swapped_sign && which == Comparison::edge_bc_side_a) value = hn::Neg(value);
     }
-    words = hn::Or(words, word(hn::Gt(value, hn::Zero(D())), std::uint64_t{1} << static_cast<unsigned>(which)));
+    words = hn::Or(words, word(hn::Gt(value, hn::Zero(D())), one_bit<std::uint64_t>(which)));
     slack = hn::Min(slack, hn::Sub(hn::Abs(value), bound));
   }
 };
@@ -156,7 +155,7 @@ struct ErrorSink {
   M in_range;
 
   AXISCERT_INLINE void operator()(Comparison which, const Margin<T>& margin) {
-    const auto k = static_cast<std::size_t>(which);
+    const auto k = index_of(which);
     const V lhs = load_double(computed.lhs[k].data() + at), rhs = load_double(computed.rhs[k].data() + at);
     const T difference = T::difference(lhs, rhs);
     const V distance = hn::Abs((difference - margin.value).leading());
@@ -185,11 +184,11 @@ struct ErrorSink {
     hn::StoreMaskBits(d, in_range, ranged);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (std::size_t lane = 0; lane < count; ++lane) {
-      if ((passed[0] >> lane) & 1u) continue;
+      if (has_bit(passed[0], lane)) continue;
       SuspectError suspect{first + lane, k, 0, infinity};
       // About ten roundings, which a relative 2^-40 covers.
       const double least = scales[lane] - scale_bounds[lane];
-      if (((ranged[0] >> lane) & 1u) && least > 0) {
+      if (has_bit(ranged[0], lane) && least > 0) {
         suspect.upper = (distances[lane] + bounds[lane]) / least / u * (1 + 0x1p-40);
         const double low = (distances[lane] - bounds[lane]) / (scales[lane] + scale_bounds[lane]) / u * (1 - 0x1p-40);
         suspect.lower = low > 0 ? low : 0;
@@ -216,7 +215,7 @@ struct WithinSink {
   M fine;
 
   AXISCERT_INLINE void operator()(Comparison which, const Margin<T>& margin) {
-    const auto k = static_cast<std::size_t>(which);
+    const auto k = index_of(which);
     const V lhs = load_double(computed.lhs[k].data() + at), rhs = load_double(computed.rhs[k].data() + at);
     const V distance = hn::Abs((T::difference(lhs, rhs) - margin.value).leading());
     const V found = times_plus(margin.bound, constant(2), distance);

@@ -30,14 +30,12 @@ inline Verdict verdict_of(const Signs& signs) { return verdict_of(axes_of(signs.
 inline AxisBits axes_without_normal(const Signs& signs) {
   const auto all = [&](std::initializer_list<Comparison> which) {
     for (const Comparison c : which) {
-      if (!((signs.ties >> static_cast<unsigned>(c)) & 1u)) return false;
+      if (!has_bit(signs.ties, c)) return false;
     }
     return true;
   };
   using enum Comparison;
-  const auto bit = [](bool is_zero, Axis axis) {
-    return static_cast<AxisBits>(unsigned{is_zero} << static_cast<unsigned>(axis));
-  };
+  const auto bit = [](bool is_zero, Axis axis) { return bit_if<AxisBits>(is_zero, index_of(axis)); };
   return static_cast<AxisBits>(bit(all({edge_ab_side_c, edge_bc_side_a, edge_ca_side_b}), Axis::plane) |
                                bit(all({vertex_a_side_b, vertex_b_side_a}), Axis::edge_ab) |
                                bit(all({vertex_b_side_c, vertex_c_side_b}), Axis::edge_bc) |
@@ -49,12 +47,12 @@ inline AxisBits axes_without_normal(const Signs& signs) {
 // two zero sides exist and are not reported.
 inline SignBits both_sides_zero(const Signs& signs) {
   using enum Comparison;
-  const auto bit = [](Comparison c) { return static_cast<SignBits>(1u << static_cast<unsigned>(c)); };
+  const auto bit = [](Comparison c) { return one_bit<SignBits>(c); };
   const auto sides = static_cast<SignBits>(bit(edge_ab_side_c) | bit(edge_bc_side_a) | bit(edge_ca_side_b));
   SignBits zero = signs.ties & sides;
   const AxisBits without = axes_without_normal(signs);
   for (const Comparison radius : {plane_radius, edge_ab_radius, edge_bc_radius, edge_ca_radius}) {
-    if ((without >> static_cast<unsigned>(info(radius).axis)) & 1u) zero |= bit(radius);
+    if (has_bit(without, info(radius).axis)) zero |= bit(radius);
   }
   return zero;
 }

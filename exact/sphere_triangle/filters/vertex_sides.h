@@ -8,8 +8,8 @@ namespace axiscert {
 // Whether a comparison is one of the nine of the vertices, which are the same in the published formulae and in all
 // reduced forms.
 constexpr bool is_of_vertex(std::size_t comparison) {
-  return comparison >= static_cast<std::size_t>(Comparison::vertex_a_radius) &&
-         comparison <= static_cast<std::size_t>(Comparison::vertex_c_side_b);
+  constexpr std::size_t first = index_of(Comparison::vertex_a_radius), last = index_of(Comparison::vertex_c_side_b);
+  return comparison >= first && comparison <= last;
 }
 
 class VertexSides {
@@ -18,8 +18,8 @@ class VertexSides {
   template <class Real>
   VertexSides(const Query<Real>& q, std::size_t comparison) {
     // For each vertex: its radius, and the sides of the two others in their order.
-    const std::size_t of = (comparison - static_cast<std::size_t>(Comparison::vertex_a_radius)) / 3;
-    const std::size_t place = (comparison - static_cast<std::size_t>(Comparison::vertex_a_radius)) % 3;
+    const std::size_t number = comparison - index_of(Comparison::vertex_a_radius);
+    const std::size_t of = number / 3, place = number % 3;
     const std::array<const Vec3<Real>*, 3> vertices = {&q.a, &q.b, &q.c};
     const auto ring = [](Real x) { return Ring(static_cast<double>(x)); };
     const auto centred = [&](std::size_t i) {

@@ -51,7 +51,7 @@ WideMargins::WideMargins(const Query<double>& q) {
       narrowest(dot_product(vertex[0], normal), dot_product(vertex[1], normal), dot_product(vertex[2], normal));
   const auto emit = [&](Comparison which, const WideEnclosed& margin, const WideEnclosed& lhs, const WideEnclosed& rhs,
                         int along = -1) {
-    margins_[static_cast<std::size_t>(which)] = {margin, lhs, rhs, along};
+    margins_[which] = {margin, lhs, rhs, along};
   };
   const auto emit_radius = [&](Comparison which, const WideEnclosed& lhs, const WideEnclosed& rhs, int along = -1) {
     emit(which, lhs - rhs, lhs, rhs, along);
@@ -89,7 +89,7 @@ std::optional<Signs> WideMargins::signs() const {
   Signs signs;
   for (std::size_t k = 0; k < comparison_count; ++k) {
     const WideEnclosed& margin = margins_[k].difference;
-    const auto bit = static_cast<SignBits>(1u << k);
+    const auto bit = one_bit<SignBits>(k);
     if (margin.is_positive()) signs.strict |= bit;
     else if (margin.is_zero()) signs.ties |= bit;
     else if (!margin.is_negative()) return std::nullopt;
@@ -99,7 +99,7 @@ std::optional<Signs> WideMargins::signs() const {
 
 WideMargins::ErrorRange WideMargins::error(Comparison which, EdgeSides sides, double lhs, double rhs,
                                            int digits) const {
-  const Margin& of = margins_[static_cast<std::size_t>(which)];
+  const Margin& of = margins_[which];
   WideEnclosed difference = of.difference, scale = of.lhs.magnitude() + of.rhs;
   if (sides == EdgeSides::published && of.edge >= 0) {
     const WideEnclosed& e = edge_squares_[static_cast<std::size_t>(of.edge)];

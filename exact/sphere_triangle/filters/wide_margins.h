@@ -36,7 +36,7 @@ class WideMargins {
     WideEnclosed lhs, rhs;    // not negative, except the lhs of a side; the rhs of edge.side is 0
     int edge = -1;            // in the reduced form: published sides are these times the squared length of this edge
   };
-  std::array<Margin, comparison_count> margins_;
+  EnumArray<Comparison, Margin> margins_;
   std::array<WideEnclosed, 3> edge_squares_;  // AB, BC, CA
 };
 

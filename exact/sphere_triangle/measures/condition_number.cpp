@@ -115,22 +115,22 @@ Condition condition_of(const Dual<Surd>& lhs, const Dual<Surd>& rhs, const RingC
 }
 
 template <class F, class Real>
-std::array<Condition, comparison_count> conditions_of(const Query<Real>& q, ComparisonBits wanted) {
+EnumArray<Comparison, Condition> conditions_of(const Query<Real>& q, ComparisonBits wanted) {
   using Base = std::conditional_t<F::is_ring, Ring, Surd>;
   const auto sides = sides_of<F>(dual_problem<Base>(q, [](Real x) { return Base(Ring(static_cast<double>(x))); }));
   RingCoordinates x;
   const auto given = coordinates(q);
   for (std::size_t i = 0; i < coordinate_count; ++i) x[i] = Ring(static_cast<double>(given[i]));
-  std::array<Condition, comparison_count> found;
+  EnumArray<Comparison, Condition> found;
   for (std::size_t i = 0; i < comparison_count; ++i) {
-    if (((wanted >> i) & 1u) == 0) continue;
+    if (!has_bit(wanted, i)) continue;
     found[i] = condition_of(sides.lhs[i], sides.rhs[i], x, std::numeric_limits<Real>::digits);
   }
   return found;
 }
 
 template <class Real>
-using ConditionFunction = std::array<Condition, comparison_count> (*)(const Query<Real>&, ComparisonBits);
+using ConditionFunction = EnumArray<Comparison, Condition> (*)(const Query<Real>&, ComparisonBits);
 
 template <class F, class Real>
 constexpr ConditionFunction<Real> condition_function() {
@@ -141,15 +141,15 @@ constexpr ConditionFunction<Real> condition_function() {
 }  // namespace
 
 template <class Real>
-std::array<Condition, comparison_count> conditions(Formulae formulae, const Query<Real>& q, ComparisonBits wanted) {
-  static constexpr ConditionFunction<Real> functions[] = {
+EnumArray<Comparison, Condition> conditions(Formulae formulae, const Query<Real>& q, ComparisonBits wanted) {
+  static constexpr EnumArray<Formulae, ConditionFunction<Real>> functions = {
 #define AXISCERT_FUNCTION(name, type, kind) condition_function<type, Real>(),
       AXISCERT_FORMULAE(AXISCERT_FUNCTION)
 #undef AXISCERT_FUNCTION
   };
-  return functions[static_cast<std::size_t>(formulae)](q, wanted);
+  return functions[formulae](q, wanted);
 }
-template std::array<Condition, comparison_count> conditions<float>(Formulae, const Query<float>&, ComparisonBits);
-template std::array<Condition, comparison_count> conditions<double>(Formulae, const Query<double>&, ComparisonBits);
+template EnumArray<Comparison, Condition> conditions<float>(Formulae, const Query<float>&, ComparisonBits);
+template EnumArray<Comparison, Condition> conditions<double>(Formulae, const Query<double>&, ComparisonBits);
 
 }  // namespace axiscert

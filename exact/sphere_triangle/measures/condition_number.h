@@ -1,8 +1,6 @@
 // The condition of a comparison on one query: whether the question or the formula is to blame for a wrong answer.
 #pragma once
 
-#include <array>
-
 #include "exact/numbers/decimal6.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/query.h"
@@ -30,6 +28,6 @@ struct Condition {
 // The conditions of the comparisons in `wanted`; the others are left at `not_decided`. Requires that `formulae` have
 // comparisons and that q is valid; u is that of Real.
 template <class Real>
-std::array<Condition, comparison_count> conditions(Formulae formulae, const Query<Real>& q, ComparisonBits wanted);
+EnumArray<Comparison, Condition> conditions(Formulae formulae, const Query<Real>& q, ComparisonBits wanted);
 
 }  // namespace axiscert

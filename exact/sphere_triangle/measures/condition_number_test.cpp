@@ -22,8 +22,7 @@ using Kind = Condition::Kind;
 
 template <class Real>
 Condition condition(Formulae formulae, const Query<Real>& q, Comparison which) {
-  const auto i = static_cast<std::size_t>(which);
-  return conditions(formulae, q, static_cast<ComparisonBits>(1u << i))[i];
+  return conditions(formulae, q, one_bit<ComparisonBits>(which))[which];
 }
 
 // kappa u for u = 2^-24.

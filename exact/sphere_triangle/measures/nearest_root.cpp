@@ -90,7 +90,7 @@ std::optional<Real> solved(const Query<Real>& q, Solve&& solve) {
 
 template <class Real, class T>
 std::optional<Real> tie_radius(const EnclosedTriangle<T>& t, Axis axis) {
-  const auto number = static_cast<std::size_t>(axis);
+  const auto number = index_of(axis);
   if (axis == Axis::plane) {
     if (has_zero_edge(t)) return Real(0);
     return nearest_root<Real>(plane_square(t, enclosed_normal(t)), t.exponent);

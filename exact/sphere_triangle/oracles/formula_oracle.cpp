@@ -9,7 +9,7 @@ FormulaTruth with_signs(Sides<Ring>&& sides) {
   FormulaTruth truth{std::move(sides), 0, 0};
   for (std::size_t i = 0; i < comparison_count; ++i) {
     const CGAL::Comparison_result order = CGAL::compare(truth.sides.lhs[i], truth.sides.rhs[i]);
-    const auto bit = static_cast<SignBits>(1u << i);
+    const auto bit = one_bit<SignBits>(i);
     if (order == CGAL::LARGER) truth.strict |= bit;
     if (order == CGAL::EQUAL) truth.ties |= bit;
   }
@@ -22,7 +22,7 @@ FormulaTruth with_signs(const Sides<Surd>& sides) {
   truth.denominators.resize(comparison_count, Ring(1));
   for (std::size_t i = 0; i < comparison_count; ++i) {
     const Surd &lhs = sides.lhs[i], &rhs = sides.rhs[i];
-    const auto bit = static_cast<SignBits>(1u << i);
+    const auto bit = one_bit<SignBits>(i);
     if (lhs.is_undefined() || rhs.is_undefined()) {
       truth.undefined |= bit;
       continue;
@@ -69,18 +69,19 @@ Rational rational(const Ring& x) {
 
 ExactComparison FormulaTruth::comparison(std::size_t i) const {
   static const Ring one(1);
-  const auto has = [i](SignBits bits) { return ((bits >> i) & 1u) != 0; };
-  return {sides.lhs[i], sides.rhs[i], denominators.empty() ? one : denominators[i], has(rooted), has(undefined)};
+  return {sides.lhs[i], sides.rhs[i], denominators.empty() ? one : denominators[i], has_bit(rooted, i),
+          has_bit(undefined, i)};
 }
 
 template <class Real>
 FormulaTruth formula_truth(Formulae formulae, const Query<Real>& q) {
-  static constexpr FormulaTruth (*functions[])(const Query<Real>&) = {
+  using Function = FormulaTruth (*)(const Query<Real>&);
+  static constexpr EnumArray<Formulae, Function> functions = {
 #define AXISCERT_FUNCTION(name, type, kind) truth_function<type, Real>(),
       AXISCERT_FORMULAE(AXISCERT_FUNCTION)
 #undef AXISCERT_FUNCTION
   };
-  return functions[static_cast<std::size_t>(formulae)](q);
+  return functions[formulae](q);
 }
 template FormulaTruth formula_truth<float>(Formulae, const Query<float>&);
 template FormulaTruth formula_truth<double>(Formulae, const Query<double>&);

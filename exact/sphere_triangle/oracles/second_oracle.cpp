@@ -26,8 +26,8 @@ SecondOpinion second_opinion(const Query<Real>& q) {
   const auto sides = published_sides(centred, zero);
   for (std::size_t i = 0; i < comparison_count; ++i) {
     const int sign = order(sides.lhs[i], sides.rhs[i]);
-    if (sign > 0) opinion.strict |= static_cast<SignBits>(1u << i);
-    if (sign == 0) opinion.ties |= static_cast<SignBits>(1u << i);
+    if (sign > 0) opinion.strict |= one_bit<SignBits>(i);
+    if (sign == 0) opinion.ties |= one_bit<SignBits>(i);
   }
   if (mpfr_inexflag_p()) throw HarnessFault("the second oracle rounded: its precision is too small for this query");
   return opinion;

@@ -9,7 +9,7 @@ Outcome evaluate(Formulae formulae, Strictness strictness, const Query<double>& 
                  std::optional<Precision> exponents) {
   static const UnboundedTable& plain = unbounded_table_plain();
   const FloatingScope scope({bits, Rounding::nearest, exponents});
-  return plain.functions[static_cast<std::size_t>(formulae)](q, strictness);
+  return plain.functions[formulae](q, strictness);
 }
 
 }  // namespace

@@ -107,12 +107,11 @@ std::optional<ComparisonDegrees> found_degrees() {
   if constexpr (requires { F::separated(problem); }) {
     return std::nullopt;
   } else {
-    std::array<Found, comparison_count> found;
+    EnumArray<Comparison, Found> found;
     branches = Branches();
     do {
-      F::comparisons(problem, [&](Comparison which, const Degree& lhs, const Degree& rhs) {
-        found[static_cast<std::size_t>(which)].include(lhs, rhs);
-      });
+      F::comparisons(problem,
+                     [&](Comparison which, const Degree& lhs, const Degree& rhs) { found[which].include(lhs, rhs); });
     } while (branches.advance());
     ComparisonDegrees degrees;
     std::transform(found.begin(), found.end(), degrees.begin(), [](const Found& f) { return f.degree; });

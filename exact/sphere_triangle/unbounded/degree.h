@@ -2,7 +2,6 @@
 // that exact integer evaluation needs.
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "kernel/formulae_list.h"
@@ -25,7 +24,7 @@ struct ComparisonDegree {
   // comparison without rounding. Empty: the formulae divide or take a root, and no number of bits is enough.
   std::optional<BitLength> bits;
 };
-using ComparisonDegrees = std::array<ComparisonDegree, comparison_count>;
+using ComparisonDegrees = EnumArray<Comparison, ComparisonDegree>;
 
 // For each comparison, the greatest degrees and bits over all branches that its evaluation can take; empty for a
 // method, which has no comparisons. Found by evaluating the formulae over a number type that carries only these.

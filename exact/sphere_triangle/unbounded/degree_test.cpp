@@ -15,10 +15,10 @@ namespace {
 using enum Comparison;
 
 const ComparisonDegree& degree(Formulae formulae, Comparison which) {
-  static std::array<std::optional<ComparisonDegrees>, formulae_count> found;
-  auto& degrees = found[static_cast<std::size_t>(formulae)];
+  static EnumArray<Formulae, std::optional<ComparisonDegrees>> found;
+  auto& degrees = found[formulae];
   if (!degrees) degrees = degrees_of(formulae);
-  return (*degrees)[static_cast<std::size_t>(which)];
+  return (*degrees)[which];
 }
 
 void expect_degree(Formulae formulae, Comparison which, std::optional<double> lhs, std::optional<double> rhs,

@@ -120,7 +120,7 @@ struct RangeFreeSink {
     const V sign = T::difference_sign(lhs, rhs), zero = hn::Zero(D());
     const bool nonstrict = strictness == Strictness::nonstrict && !info(which).is_radius;
     const auto held = nonstrict ? hn::Ge(sign, zero) : hn::Gt(sign, zero);
-    const auto bit = word(std::uint64_t{1} << static_cast<unsigned>(which));
+    const auto bit = word(one_bit<std::uint64_t>(which));
     words = hn::Or(words, words_of(hn::IfThenElseZero(held, number_of(bit))));
   }
 };

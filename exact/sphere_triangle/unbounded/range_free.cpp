@@ -1,14 +1,12 @@
 // R-infinity of the published and the reduced formulae on every instruction set.
 #include "exact/sphere_triangle/unbounded/range_free.h"
 
-#include <array>
-
 #include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 
 namespace axiscert {
 template <class Real>
-using RangeFreeForms = std::array<RangeFreeBits<Real>, 2>;  // strict, nonstrict
+using RangeFreeForms = EnumArray<Strictness, RangeFreeBits<Real>>;  // null: not_less
 static_assert(static_cast<int>(Strictness::strict) == 0 && static_cast<int>(Strictness::nonstrict) == 1);
 }  // namespace axiscert
 
@@ -47,7 +45,7 @@ RangeFreeBits<Real> form_of(const SimdTable<RangeFreeForms<Real>>& published,
                             Strictness strictness) {
   const bool has_form = formulae == Formulae::published || formulae == Formulae::reduced;
   if (!has_form || strictness == Strictness::not_less) return nullptr;
-  return (formulae == Formulae::published ? published : reduced).on(target)[static_cast<std::size_t>(strictness)];
+  return (formulae == Formulae::published ? published : reduced).on(target)[strictness];
 }
 
 }  // namespace

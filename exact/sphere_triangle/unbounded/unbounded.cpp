@@ -16,12 +16,13 @@ AXISCERT_ARITHMETICS(AXISCERT_DECLARE)
 namespace {
 
 const UnboundedTable& table_of(Arithmetic arithmetic) {
-  static constexpr const UnboundedTable& (*tables[])() = {
+  using Table = const UnboundedTable& (*)();
+  static constexpr EnumArray<Arithmetic, Table> tables = {
 #define AXISCERT_TABLE(name, type, summary) unbounded_table_##name,
       AXISCERT_ARITHMETICS(AXISCERT_TABLE)
 #undef AXISCERT_TABLE
   };
-  return tables[static_cast<std::size_t>(arithmetic)]();
+  return tables[arithmetic]();
 }
 
 template <class F>
@@ -48,17 +49,17 @@ bool within_wide_range(Formulae formulae) {
 // correct.
 UnboundedFunction on_processor(Formulae formulae) {
   static const auto functions = [] {
-    std::array<UnboundedFunction, formulae_count> result = {
+    EnumArray<Formulae, UnboundedFunction> result = {
 #define AXISCERT_FUNCTION(name, type, kind) wide_range_function<Formulae::name>(),
         AXISCERT_FORMULAE(AXISCERT_FUNCTION)
 #undef AXISCERT_FUNCTION
     };
-    for (std::size_t i = 0; i < formulae_count; ++i) {
-      if (!within_wide_range(static_cast<Formulae>(i))) result[i] = nullptr;
+    for (const Formulae each : enumerators<Formulae>) {
+      if (!within_wide_range(each)) result[each] = nullptr;
     }
     return result;
   }();
-  return functions[static_cast<std::size_t>(formulae)];
+  return functions[formulae];
 }
 
 }  // namespace
@@ -66,8 +67,8 @@ UnboundedFunction on_processor(Formulae formulae) {
 template <class Real>
 Outcome unbounded_by_mpfr(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q) {
   const UnboundedTable& table = table_of(arithmetic);
-  const FloatingScope scope({table.digits[static_cast<std::size_t>(precision_of<Real>)], table.rounding, {}});
-  return table.functions[static_cast<std::size_t>(formulae)](widened(q), strictness);
+  const FloatingScope scope({table.digits[precision_of<Real>], table.rounding, {}});
+  return table.functions[formulae](widened(q), strictness);
 }
 template Outcome unbounded_by_mpfr<float>(Formulae, Arithmetic, Strictness, const Query<float>&);
 template Outcome unbounded_by_mpfr<double>(Formulae, Arithmetic, Strictness, const Query<double>&);
@@ -75,9 +76,9 @@ template Outcome unbounded_by_mpfr<double>(Formulae, Arithmetic, Strictness, con
 template <class Real>
 Outcome unbounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q) {
   const UnboundedTable& table = table_of(arithmetic);
-  const int digits = table.digits[static_cast<std::size_t>(precision_of<Real>)];
-  const UnboundedFunction function = table.functions[static_cast<std::size_t>(formulae)];
-  const bool plain = function == unbounded_table_plain().functions[static_cast<std::size_t>(formulae)];
+  const int digits = table.digits[precision_of<Real>];
+  const UnboundedFunction function = table.functions[formulae];
+  const bool plain = function == unbounded_table_plain().functions[formulae];
   if (plain && digits == 24 && table.rounding == Rounding::nearest) {
     if (const UnboundedFunction fast = on_processor(formulae)) return fast(widened(q), strictness);
   }

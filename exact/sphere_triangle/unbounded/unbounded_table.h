@@ -12,10 +12,10 @@ using UnboundedFunction = Outcome (*)(const Query<double>&, Strictness);  // a f
 
 // `digits` are the precision of the arithmetic's operations on queries in binary32 and in binary64.
 struct UnboundedTable {
-  int digits[2];
+  EnumArray<Precision, int> digits;
   Rounding rounding;
   bool flags_tell_range;
-  std::array<UnboundedFunction, formulae_count> functions{};  // null where the arithmetic does not exist
+  EnumArray<Formulae, UnboundedFunction> functions{};  // null where the arithmetic does not exist
 };
 
 template <class A>

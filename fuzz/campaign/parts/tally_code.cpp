@@ -90,8 +90,8 @@ class Encoder {
     all_.push_back(rank.mantissa);
   }
   void put(const std::optional<std::uint64_t>& value) { all_.push_back(value ? Cbor(*value) : Cbor(nullptr)); }
-  template <class Value, std::size_t size>
-  void put(const std::array<Value, size>& values) {
+  template <class Enum, class Value>
+  void put(const EnumArray<Enum, Value>& values) {
     for (const Value& value : values) put(value);
   }
   void put(const MarginTally& margins) {
@@ -145,8 +145,8 @@ class Decoder {
     const Cbor& json = next();
     value = json.is_null() ? std::nullopt : std::optional(whole_number<std::uint64_t>(json));
   }
-  template <class Value, std::size_t size>
-  void get(std::array<Value, size>& values) {
+  template <class Enum, class Value>
+  void get(EnumArray<Enum, Value>& values) {
     for (Value& value : values) get(value);
   }
   void get(MarginTally& margins) {

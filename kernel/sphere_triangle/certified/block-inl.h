@@ -137,7 +137,7 @@ class Steps {
 
   bool open_sphere() const noexcept { return question_ == Question::open_sphere; }
   AXISCERT_INLINE void add_contacts(std::uint64_t lanes, const std::uint16_t* index) noexcept {
-    for (; lanes != 0; lanes &= lanes - 1) set_bit(answer_.contact, index[std::countr_zero(lanes)]);
+    for (; lanes != 0; lanes &= lanes - 1) set_bit(answer_.contact, index[first_bit(lanes)]);
   }
 
   // The fine step, then the deep and the last step for the comparisons that it leaves open.
@@ -161,8 +161,8 @@ class Steps {
       open.add(j, pending & ~quick, found.known);  // after add_unasked, which would overwrite answers that this call
                                                    // adds
       for (std::uint64_t rest = queries & ~sound; rest != 0; rest &= rest - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-        unsound(block, j + lane, left.index[j + lane], ((valid >> lane) & 1u) != 0);
+        const std::size_t lane = first_bit(rest);
+        unsound(block, j + lane, left.index[j + lane], has_bit(valid, lane));
       }
     }
     conclude(open, [&](std::size_t place, std::size_t, double(&q)[13]) HWY_ATTR { widened(block, place, q); });

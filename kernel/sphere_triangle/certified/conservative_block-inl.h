@@ -11,7 +11,7 @@ template <class D, class Real = hn::TFromD<D>>
 HWY_NOINLINE void settle_conservatively(const Block<Real>& block, const std::uint64_t* pending, BlockAnswer& answer) {
   const D d;
   for (std::size_t i = 0; i < block.size; ++i) {
-    if (!((pending[i / 64] >> (i % 64)) & 1u)) continue;
+    if (!has_bit(pending[i / 64], i % 64)) continue;
     double q[13];
     widened(block, i, q);
     if (!is_valid(q)) {

@@ -82,7 +82,7 @@ struct Leftovers {
       hn::StoreU(packed(d, hn::LoadU(d, from.column[k] + at)), d, column[k] + size);
     }
     for (; mask != 0; mask &= mask - 1) {
-      index[size++] = static_cast<std::uint16_t>(number(static_cast<std::size_t>(std::countr_zero(mask))));
+      index[size++] = static_cast<std::uint16_t>(number(first_bit(mask)));
     }
   }
   // Adds `count` queries of the block itself, from `first` on.

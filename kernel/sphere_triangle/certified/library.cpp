@@ -33,8 +33,7 @@ class Results {
       if (to_.hits) {
         std::uint32_t* next = to_.hits + counts_.contacts;
         for (std::uint64_t rest = answer.contact[w]; rest != 0; rest &= rest - 1) {
-          *next++ =
-              static_cast<std::uint32_t>(name(first_ + w * 64 + static_cast<std::size_t>(std::countr_zero(rest))));
+          *next++ = static_cast<std::uint32_t>(name(first_ + w * 64 + first_bit(rest)));
         }
       }
       counts_.contacts += static_cast<std::size_t>(std::popcount(answer.contact[w]));

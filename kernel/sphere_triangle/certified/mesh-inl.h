@@ -140,14 +140,14 @@ class MeshSteps {
     for (std::size_t w = 0; w < words(mesh_.size); ++w) {
       answer_.contact[w] = answer_.invalid[w] = 0;
       for (std::uint64_t bits = rest[w]; bits != 0; bits &= bits - 1) {
-        place[count++] = static_cast<std::uint16_t>(w * 64 + static_cast<std::size_t>(std::countr_zero(bits)));
+        place[count++] = static_cast<std::uint16_t>(w * 64 + first_bit(bits));
       }
     }
     outcodes_.are_useful = 2 * count < mesh_.size;
     const auto scatter = [](const std::uint64_t* from, std::uint64_t* to, const std::uint16_t* at, std::size_t size) {
       for (std::size_t w = 0; w < words(size); ++w) {
         for (std::uint64_t bits = from[w]; bits != 0; bits &= bits - 1) {
-          set_bit(to, at[w * 64 + static_cast<std::size_t>(std::countr_zero(bits))]);
+          set_bit(to, at[w * 64 + first_bit(bits)]);
         }
       }
     };

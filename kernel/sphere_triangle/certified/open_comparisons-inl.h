@@ -85,7 +85,7 @@ class OpenComparisons {
                                       Visit&& visit) noexcept {
     if (mask == 0) return;
     hn::StoreU(known, hn::RebindToUnsigned<D>(), known_ + first);
-    for (; mask != 0; mask &= mask - 1) visit(first + static_cast<std::size_t>(std::countr_zero(mask)));
+    for (; mask != 0; mask &= mask - 1) visit(first + first_bit(mask));
   }
   AXISCERT_INLINE void list(std::size_t place) noexcept {
     place_[size_] = static_cast<std::uint16_t>(place);
@@ -101,7 +101,7 @@ class OpenComparisons {
     }
   }
   AXISCERT_INLINE void ask(Comparing what, int axis, std::size_t place) noexcept {
-    Queue& queue = queue_[static_cast<std::size_t>(what)];
+    Queue& queue = queue_[what];
     const std::size_t at = queue.size++;
     const auto copy = [&](std::size_t to, const Number* from) { queue.column[to][at] = *from; };
     const auto copy_vertex = [&](std::size_t to, std::size_t from) {
@@ -140,7 +140,7 @@ class OpenComparisons {
   }
   template <Comparing what>
   HWY_NOINLINE void flush(int group) noexcept {
-    Queue& queue = queue_[static_cast<std::size_t>(what)];
+    Queue& queue = queue_[what];
     const std::size_t end = (queue.size + lanes - 1) / lanes * lanes;
     for (std::size_t i = queue.size; i < end; ++i) {
       for (auto& column : queue.column) column[i] = 0;
@@ -160,8 +160,8 @@ class OpenComparisons {
     const std::size_t count = std::min(queue.size - first, lanes);
     for (std::size_t i = 0; i < count; ++i) {
       const int axis = queue.axis[first + i];
-      known_[queue.place[first + i]] |=
-          (((holds >> i) & 1u) << (group + axis)) | (((fails >> i) & 1u) << (Known::fails + axis));
+      known_[queue.place[first + i]] |= std::uint64_t{has_bit(holds, i)} << (group + axis) |
+                                        std::uint64_t{has_bit(fails, i)} << (Known::fails + axis);
     }
   }
 
@@ -172,7 +172,7 @@ class OpenComparisons {
   std::uint64_t known_[block_size + lanes];  // the bits of Known for the places in place_
   std::uint16_t place_[block_size], index_[block_size];
   std::size_t size_ = 0;
-  Queue queue_[comparing_count];
+  EnumArray<Comparing, Queue, comparing_count> queue_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "kernel/base/bits.h"
+
 namespace axiscert::certified {
 
 // The contact asked for: distance <= r; distance < r; or distance not shown to be greater than r (kernel
@@ -63,7 +65,7 @@ inline constexpr auto set_bits_first = [] {
   for (unsigned bits = 0; bits < 256; ++bits) {
     unsigned next = 0;
     for (std::uint8_t i = 0; i < 8; ++i) {
-      if ((bits >> i) & 1u) all[bits].place[next++] = i;
+      if (has_bit(bits, i)) all[bits].place[next++] = i;
     }
   }
   return all;

@@ -68,7 +68,7 @@ struct FilterSink {
   AXISCERT_INLINE explicit FilterSink(const T& m) : m2(m * m), m4(m2 * m2), m6(m4 * m2) {}
 
   AXISCERT_INLINE void operator()(Comparison which, const T& lhs, const T& rhs) {
-    const auto k = static_cast<std::size_t>(which);
+    const auto k = index_of(which);
     const auto [n, degree] = Filter::thresholds[k];
     constexpr Real u = sizeof(Real) == 4 ? static_cast<Real>(0x1p-24) : static_cast<Real>(0x1p-53);
     const T limit = constant_as(m2, static_cast<Real>(n) * u) * (degree == 2 ? m2 : degree == 4 ? m4 : m6);

@@ -15,10 +15,10 @@ using Verdicts = void (*)(const QueryColumns<Real>& batch, Verdict* out);
 
 // The filters on one instruction set, by FilterForm.
 struct FilterForms {
-  std::array<Verdicts<float>, 2> binary32;
-  std::array<Verdicts<double>, 2> binary64;
+  EnumArray<FilterForm, Verdicts<float>> binary32;
+  EnumArray<FilterForm, Verdicts<double>> binary64;
   template <class Real>
-  const std::array<Verdicts<Real>, 2>& of() const {
+  const EnumArray<FilterForm, Verdicts<Real>>& of() const {
     if constexpr (sizeof(Real) == 4) return binary32;
     else return binary64;
   }
@@ -134,7 +134,7 @@ template <class Real>
 Implementation<Real> filter_implementation(FilterForm form, std::string_view target) {
   static const SimdTable<FilterForms> table([] { return HWY_DYNAMIC_DISPATCH(filter_forms)(); });
   if (target == scalar_target) return {.verdicts = on_scalar<Real>(form)};
-  return {.verdicts = table.on(target).of<Real>()[static_cast<std::size_t>(form)]};
+  return {.verdicts = table.on(target).of<Real>()[form]};
 }
 template Implementation<float> filter_implementation<float>(FilterForm, std::string_view);
 template Implementation<double> filter_implementation<double>(FilterForm, std::string_view);

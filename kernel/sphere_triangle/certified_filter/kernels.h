@@ -6,6 +6,8 @@
 namespace axiscert {
 
 enum class FilterForm : std::uint8_t { published, reduced };
+template <>
+inline constexpr std::size_t enum_count<FilterForm> = 2;
 
 // `target` is one of available_targets(). The kernels give only verdicts: `separated`, `contact` or `undecided`.
 template <class Real>

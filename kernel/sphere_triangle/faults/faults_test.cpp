@@ -177,7 +177,7 @@ void expect_wrong_where_its_file_says(const Fault& fault) {
   std::set<std::string_view> names;
   EXPECT_EQ(differing >> comparison_count, 0u);
   for (std::size_t k = 0; k < comparison_count; ++k) {
-    if (differing >> k & 1) names.insert(comparisons[k].name);
+    if (has_bit(differing, k)) names.insert(comparisons[k].name);
   }
   EXPECT_EQ(names, fault.comparisons);
 }

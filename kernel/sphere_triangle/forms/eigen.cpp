@@ -49,7 +49,7 @@ void verdicts(const QueryColumns<Real>& batch, Verdict* out) {
   for (std::size_t i = 0; i < batch.size; ++i) {
     ComparisonBits bits = 0;
     comparisons(query_at(batch, i), [&](Comparison which, Real lhs, Real rhs) {
-      bits |= static_cast<ComparisonBits>((lhs > rhs) << static_cast<int>(which));
+      bits |= bit_if<ComparisonBits>(lhs > rhs, index_of(which));
     });
     out[i] = verdict_of(axes_of(bits));
   }
@@ -60,10 +60,10 @@ void explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
   for (std::size_t i = 0; i < batch.size; ++i) {
     out.bits[i] = 0;
     comparisons(query_at(batch, i), [&](Comparison which, Real lhs, Real rhs) {
-      const auto k = static_cast<std::size_t>(which);
+      const auto k = index_of(which);
       out.lhs[k][i] = lhs;
       out.rhs[k][i] = rhs;
-      out.bits[i] |= static_cast<ComparisonBits>((lhs > rhs) << k);
+      out.bits[i] |= bit_if<ComparisonBits>(lhs > rhs, k);
     });
   }
 }

@@ -95,7 +95,7 @@ constexpr auto bits_of_mask = [] {
   for (std::size_t i = 0; i < 4; ++i) {
     for (unsigned mask = 0; mask < 16; ++mask) {
       for (std::size_t k = 0; k < 4; ++k) {
-        if ((mask >> k) & 1u) bits[i][mask] |= static_cast<ComparisonBits>(1u << static_cast<unsigned>(layout[i][k]));
+        if (has_bit(mask, k)) bits[i][mask] |= one_bit<ComparisonBits>(layout[i][k]);
       }
     }
   }
@@ -128,8 +128,8 @@ void explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
     out.bits[i] = packed_bits<strictness>(sides);
     for (int j = 0; j < 4; ++j) {
       for (int k = 0; k < 4; ++k) {
-        out.lhs[static_cast<std::size_t>(layout[j][k])][i] = sides.lhs[j][k];
-        out.rhs[static_cast<std::size_t>(layout[j][k])][i] = sides.rhs[j][k];
+        out.lhs[index_of(layout[j][k])][i] = sides.lhs[j][k];
+        out.rhs[index_of(layout[j][k])][i] = sides.rhs[j][k];
       }
     }
   }

@@ -50,8 +50,7 @@ struct VerdictSink {
   AXISCERT_INLINE void operator()(Comparison which, const T& lhs, const T& rhs) {
     const M m = lanes_hold<strictness>(which, lhs, rhs);
     axis = info(which).is_radius ? m : hn::And(axis, m);
-    const bool last = static_cast<std::size_t>(which) + 1 == comparison_count ||
-                      comparisons[static_cast<std::size_t>(which) + 1].is_radius;
+    const bool last = index_of(which) + 1 == comparison_count || comparisons[index_of(which) + 1].is_radius;
     if (last) any = hn::Or(any, axis);
   }
 };
@@ -120,7 +119,7 @@ struct BitsSink {
   AXISCERT_INLINE BitsSink() : words(hn::Zero(Words())) {}
   template <class T>
   AXISCERT_INLINE void operator()(Comparison which, const T& lhs, const T& rhs) {
-    const auto bit = hn::Set(Words(), static_cast<hn::TFromD<Words>>(1u << static_cast<unsigned>(which)));
+    const auto bit = hn::Set(Words(), one_bit<hn::TFromD<Words>>(which));
     const auto held = hn::IfThenElseZero(lanes_hold<strictness>(which, lhs, rhs), hn::BitCast(D(), bit));
     words = hn::Or(words, hn::BitCast(Words(), held));
   }
@@ -159,7 +158,7 @@ struct ExplainSink : BitsSink<D, strictness> {
       : out(answers), i(first), count(queries) {}
   template <class T>
   AXISCERT_INLINE void operator()(Comparison which, const T& lhs, const T& rhs) {
-    const auto k = static_cast<std::size_t>(which);
+    const auto k = index_of(which);
     store_side(lhs.v, out.lhs[k]);
     store_side(rhs.v, out.rhs[k]);
     Base::operator()(which, lhs, rhs);

@@ -60,8 +60,8 @@ SimdForms::SimdForms(Implementation<float> (*binary32)(Strictness), Implementati
     : table_([&] {
         Forms forms;
         for (const Strictness s : {Strictness::strict, Strictness::nonstrict}) {
-          forms.binary32[static_cast<std::size_t>(s)] = binary32(s);
-          forms.binary64[static_cast<std::size_t>(s)] = binary64(s);
+          forms.binary32[s] = binary32(s);
+          forms.binary64[s] = binary64(s);
         }
         return forms;
       }) {}

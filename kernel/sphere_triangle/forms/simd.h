@@ -42,14 +42,14 @@ class SimdForms {
   template <class Real>
   Implementation<Real> on(std::string_view target, Strictness strictness) const {
     const Forms& forms = table_.on(target);
-    if constexpr (sizeof(Real) == 4) return forms.binary32[static_cast<std::size_t>(strictness)];
-    else return forms.binary64[static_cast<std::size_t>(strictness)];
+    if constexpr (sizeof(Real) == 4) return forms.binary32[strictness];
+    else return forms.binary64[strictness];
   }
 
  private:
   struct Forms {
-    Implementation<float> binary32[2];
-    Implementation<double> binary64[2];
+    EnumArray<Strictness, Implementation<float>> binary32;
+    EnumArray<Strictness, Implementation<double>> binary64;
   };
   SimdTable<Forms> table_;
 };

@@ -67,7 +67,7 @@ template <class F, class Real>
   Evaluation<Real> result;
   F::comparisons(problem, [&](Comparison which, const N& lhs, const N& rhs) {
     const bool is_radius = info(which).is_radius;
-    const auto place = static_cast<std::size_t>(which);
+    const auto place = index_of(which);
     const ComparisonFault fault = place == mutant.place ? mutant.comparison : ComparisonFault::none;
     for (std::size_t i = 0; i < Lanes<Real>::width; ++i) {
       const Real l = lhs.value.at[i], r = rhs.value.at[i];

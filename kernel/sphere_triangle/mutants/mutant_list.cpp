@@ -26,7 +26,7 @@ Described described(Fault fault) {
   static const std::vector<Described> comparisons = {AXISCERT_COMPARISON_FAULTS(AXISCERT_DESCRIBED)};
   static const std::vector<Described> kernels = {AXISCERT_KERNEL_FAULTS(AXISCERT_DESCRIBED)};
 #undef AXISCERT_DESCRIBED
-  const auto i = static_cast<std::size_t>(fault);
+  const auto i = index_of(fault);
   if constexpr (std::is_same_v<Fault, OperationFault>) return operations[i];
   else if constexpr (std::is_same_v<Fault, ComparisonFault>) return comparisons[i];
   else return kernels[i];
@@ -47,7 +47,7 @@ class List {
     }
     for (std::size_t i = 0; i < axis_count; ++i) add_kernel(KernelFault::drop, std::string(axis_names[i]), i);
     for (const Verdict verdict : {Verdict::contact, Verdict::separated}) {
-      Mutant& m = add_kernel(KernelFault::small_area, std::string(name(verdict)), static_cast<std::size_t>(verdict));
+      Mutant& m = add_kernel(KernelFault::small_area, std::string(name(verdict)), index_of(verdict));
       m.operation.kept = operations.squared_normal;
     }
     for (std::size_t lane = 0; lane < 8; ++lane) add_kernel(KernelFault::lane, std::to_string(lane), lane);

@@ -13,7 +13,7 @@ namespace {
 struct Recording {
   std::map<Key, Operation> operations;
   std::vector<std::array<Key, 3>> vectors;
-  std::array<std::pair<Key, Key>, comparison_count> sides{};
+  EnumArray<Comparison, std::pair<Key, Key>> sides{};
 };
 thread_local Recording* recording = nullptr;
 
@@ -114,7 +114,7 @@ Operations record_operations() {
   const auto centred = portable::centred(problem);
   for (const auto& [x, y, z] : {centred.a, centred.b, centred.c}) recorded.vectors.push_back({x.key, y.key, z.key});
   F::comparisons(problem, [&](Comparison which, const Component& lhs, const Component& rhs) {
-    recorded.sides[static_cast<std::size_t>(which)] = {lhs.key, rhs.key};
+    recorded.sides[which] = {lhs.key, rhs.key};
   });
   recording = nullptr;
   const Operation& plane = recorded.operations.at(recorded.sides[0].second);  // rr * e

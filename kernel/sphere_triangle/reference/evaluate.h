@@ -24,8 +24,8 @@ template <class F, class T>
 Sides<T> sides_of(const portable::Problem<T>& problem) {
   Sides<T> sides;
   F::comparisons(problem, [&](Comparison which, const T& lhs, const T& rhs) {
-    sides.lhs[static_cast<std::size_t>(which)] = lhs;
-    sides.rhs[static_cast<std::size_t>(which)] = rhs;
+    sides.lhs[which] = lhs;
+    sides.rhs[which] = rhs;
   });
   return sides;
 }
@@ -35,8 +35,8 @@ template <class T>
 Sides<T> published_sides(const portable::Centred<T>& centred, const T& zero) {
   Sides<T> sides;
   portable::published_comparisons(centred, zero, [&](Comparison which, const T& lhs, const T& rhs) {
-    sides.lhs[static_cast<std::size_t>(which)] = lhs;
-    sides.rhs[static_cast<std::size_t>(which)] = rhs;
+    sides.lhs[which] = lhs;
+    sides.rhs[which] = rhs;
   });
   return sides;
 }
@@ -45,9 +45,8 @@ Sides<T> published_sides(const portable::Centred<T>& centred, const T& zero) {
 template <class T>
 ComparisonBits bits_of(const Sides<T>& sides, Strictness strictness) {
   ComparisonBits bits = 0;
-  for (std::size_t i = 0; i < comparison_count; ++i) {
-    if (holds(strictness, static_cast<Comparison>(i), sides.lhs[i], sides.rhs[i]))
-      bits |= static_cast<ComparisonBits>(1u << i);
+  for (const Comparison c : enumerators<Comparison>) {
+    if (holds(strictness, c, sides.lhs[c], sides.rhs[c])) bits |= one_bit<ComparisonBits>(c);
   }
   return bits;
 }

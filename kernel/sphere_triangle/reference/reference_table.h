@@ -11,10 +11,10 @@ namespace axiscert {
 template <class Real>
 using ReferenceFunction = Outcome (*)(const Query<Real>&, Strictness, Sides<Real>*);
 
-// Functions by Formulae; null where the formulae do not exist in the arithmetic.
+// Null where the formulae do not exist in the arithmetic.
 struct ReferenceTable {
-  std::array<ReferenceFunction<float>, formulae_count> binary32{};
-  std::array<ReferenceFunction<double>, formulae_count> binary64{};
+  EnumArray<Formulae, ReferenceFunction<float>> binary32{};
+  EnumArray<Formulae, ReferenceFunction<double>> binary64{};
 };
 
 // The query translated to the sphere's centre, then scaled by the power of two that brings the greatest number to [1,

@@ -11,14 +11,15 @@ AXISCERT_ARITHMETICS(AXISCERT_DECLARE)
 template <class Real>
 Outcome reference(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q,
                   Sides<Real>* sides) noexcept {
-  static constexpr const ReferenceTable& (*tables[])() = {
+  using Table = const ReferenceTable& (*)();
+  static constexpr EnumArray<Arithmetic, Table> tables = {
 #define AXISCERT_TABLE(name, type, summary) reference_table_##name,
       AXISCERT_ARITHMETICS(AXISCERT_TABLE)
 #undef AXISCERT_TABLE
   };
-  const ReferenceTable& table = tables[static_cast<std::size_t>(arithmetic)]();
-  if constexpr (sizeof(Real) == 4) return table.binary32[static_cast<std::size_t>(formulae)](q, strictness, sides);
-  else return table.binary64[static_cast<std::size_t>(formulae)](q, strictness, sides);
+  const ReferenceTable& table = tables[arithmetic]();
+  if constexpr (sizeof(Real) == 4) return table.binary32[formulae](q, strictness, sides);
+  else return table.binary64[formulae](q, strictness, sides);
 }
 template Outcome reference<float>(Formulae, Arithmetic, Strictness, const Query<float>&, Sides<float>*) noexcept;
 template Outcome reference<double>(Formulae, Arithmetic, Strictness, const Query<double>&, Sides<double>*) noexcept;

@@ -27,10 +27,10 @@ void scalar_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
       out[i] = F::separated(problem) ? Verdict::separated : Verdict::contact;
     } else {
       // Bitwise, as in the article: a branch per comparison would cost more than it saves.
-      std::array<bool, axis_count> separates;
-      separates.fill(true);
+      EnumArray<Axis, bool> separates;
+      std::fill(separates.begin(), separates.end(), true);
       F::comparisons(problem, [&](Comparison which, Real lhs, Real rhs) {
-        separates[static_cast<std::size_t>(info(which).axis)] &= holds<strictness>(which, lhs, rhs);
+        separates[info(which).axis] &= holds<strictness>(which, lhs, rhs);
       });
       bool any = false;
       for (const bool axis : separates) any |= axis;

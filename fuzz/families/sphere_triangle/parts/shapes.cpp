@@ -8,7 +8,7 @@ namespace axiscert::shapes {
 
 std::array<std::int64_t, 3> weights(Stream& random, Axis axis, std::int64_t parts) {
   std::array<std::int64_t, 3> w{};
-  const auto number = static_cast<std::size_t>(axis);
+  const auto number = index_of(axis);
   if (axis == Axis::plane) {
     w[0] = random.integer(1, parts - 2);
     w[1] = random.integer(1, parts - 1 - w[0]);
