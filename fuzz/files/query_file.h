@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <span>
 #include <string>
@@ -36,6 +37,11 @@ struct StoredQuery {
 
   const TestEntry& columns() const { return test->entries[entry]; }
 };
+
+// Is told of each field of a query file that is not read and may be a slip, once a file and name:
+// "mine.jsonl:1: field 'Id' is not read; did you mean 'id'?". The command prints it; without one nobody is told.
+using QueryNotes = std::function<void(const std::string& note)>;
+void set_query_notes(QueryNotes notes);
 
 // Parses all queries or throws. The Error begins NAME:LINE: field 'FIELD': as far as these are known. `csv_precision`
 // is the precision of a CSV file, which does not state one; a line of JSON does. `known` are the tests of which queries
