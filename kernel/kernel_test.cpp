@@ -76,8 +76,8 @@ TEST(Registry, ListsEveryKernelOnceAndNamesThemForAnUnknownOne) {
     find_kernel("publishd");
     FAIL() << "an unknown kernel was found";
   } catch (const Error& e) {
-    EXPECT_EQ(std::string(e.what()).find("unknown kernel 'publishd'; plugin:PATH.so is one of your own; kernels: "
-                                         "published, nonstrict, "),
+    EXPECT_EQ(std::string(e.what()).find("unknown kernel 'publishd'; did you mean 'published'? plugin:PATH.so is one of "
+                                         "your own; kernels: published, "),
               0u);
   }
 }
