@@ -19,6 +19,7 @@
 #include "fuzz/confirm/plan.h"
 #include "reports/formats/render.h"
 #include "reports/gates/requirement.h"
+#include "reports/run_folder/run_folder.h"
 
 namespace axiscert {
 namespace {
