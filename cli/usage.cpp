@@ -54,9 +54,14 @@ std::string unknown_subcommand(const CLI::App& command, const std::string& given
 
 std::string unknown_option(const CLI::App& command, const std::string& given) {
   const std::string word = given.substr(0, given.find('='));
+  for (const CLI::App* part : command.get_subcommands({})) {
+    if (has_option(command, word) || !has_option(*part, word)) continue;
+    return fmt::format("{}: the option {} belongs after a subcommand, as in {} {} {}", full_name(command), word,
+                       full_name(command), part->get_name(), word);
+  }
   const std::vector<std::string> names = option_names(command);
-  return fmt::format("{}: unknown option '{}'{} options: {}", full_name(command), word, did_you_mean(word, views(names)),
-                     fmt::join(most_alike_first(word, views(names)), ", "));
+  return fmt::format("{}: unknown option '{}'{} options: {}", full_name(command), word,
+                     did_you_mean(word, views(names)), fmt::join(most_alike_first(word, views(names)), ", "));
 }
 
 // A word where none belongs, which may be the value of an option.
@@ -70,15 +75,18 @@ std::string unexpected_word(const CLI::App& command, const std::string& given) {
            given.starts_with("plugin:"))
     option = "--kernel";
   const bool is_value = !option.empty() && has_option(command, option);
-  return fmt::format("{}: '{}' is not expected here{}; `{} --help` shows what is", full_name(command), given,
-                     is_value ? fmt::format("; did you mean {} {}?", option, given) : "", full_name(command));
+  return fmt::format("{}: '{}' is not expected here; {}", full_name(command), given,
+                     is_value ? fmt::format("did you mean {} {}?", option, given)
+                              : fmt::format("`{} --help` shows what is", full_name(command)));
 }
 
 std::string unexpected(const CLI::App& command, const std::vector<std::string>& remaining) {
+  const bool lacks_subcommand = command.get_require_subcommand_min() > 0;
+  if (lacks_subcommand && !remaining.empty() && !remaining.front().starts_with('-'))
+    return unknown_subcommand(command, remaining.front());
   const auto option = std::find_if(remaining.begin(), remaining.end(),
                                    [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
   if (option != remaining.end()) return unknown_option(command, *option);
-  if (!remaining.empty() && command.get_require_subcommand_min() > 0) return unknown_subcommand(command, remaining.front());
   return unexpected_word(command, remaining.empty() ? "" : remaining.front());
 }
 
@@ -117,6 +125,8 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& refused) {
   if (dynamic_cast<const CLI::ExtrasError*>(&refused) != nullptr || (is_required && !remaining.empty()))
     return unexpected(command, remaining);
   if (is_required && command.get_require_subcommand_min() > 0) return unknown_subcommand(command, "");
+  if (dynamic_cast<const CLI::ValidationError*>(&refused) != nullptr)  // which says all, in the words of values.h
+    return fmt::format("{}: {}", full_name(command), refused.what());
   return fmt::format("{}: {}; `{} --help` shows what is accepted", full_name(command), refused.what(),
                      full_name(command));
 }

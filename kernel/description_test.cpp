@@ -142,16 +142,17 @@ TEST(Alike, TheNearestNameIsFirst) {
 
 TEST(Alike, ANameIsMeantWhereFewLettersDiffer) {
   const std::vector<std::string_view> names = {"run", "report", "edge_ab.radius", "r", "id", "test"};
-  for (const auto& [given, name] : std::initializer_list<std::pair<const char*, const char*>>{{"rum", "run"},
-                                                                                              {"runn", "run"},
-                                                                                              {"RUN", "run"},
-                                                                                              {"Id", "id"},
-                                                                                              {"repotr", "report"},
-                                                                                              {"edge_ab", "edge_ab.radius"},
-                                                                                              {"q", ""},
-                                                                                              {"ix", ""},
-                                                                                              {"", ""},
-                                                                                              {"frobnicate", ""}}) {
+  for (const auto& [given, name] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"rum", "run"},
+                                                                  {"runn", "run"},
+                                                                  {"RUN", "run"},
+                                                                  {"Id", "id"},
+                                                                  {"repotr", "report"},
+                                                                  {"edge_ab", "edge_ab.radius"},
+                                                                  {"q", ""},
+                                                                  {"ix", ""},
+                                                                  {"", ""},
+                                                                  {"frobnicate", ""}}) {
     EXPECT_EQ(meant(given, names), name) << given;
   }
   EXPECT_EQ(meant(std::string(1 << 20, 'r'), names), "");
@@ -162,8 +163,8 @@ TEST(Alike, AMessageNamesTheNearestFirst) {
             "unknown family 'tangnet'; did you mean 'tangent'? families: tangent, general");
   EXPECT_EQ(unknown_name("family", "families", "cube", {"general", "tangent"}),
             "unknown family 'cube'; families: general, tangent");
-  EXPECT_EQ(unknown_name("family", "families", "tangent,general", {"general", "tangent"}).find(
-                "unknown family 'tangent,general'; one name is given at a time, without commas; families: "),
+  EXPECT_EQ(unknown_name("family", "families", "tangent,general", {"general", "tangent"})
+                .find("unknown family 'tangent,general'; one name is given at a time, without commas; families: "),
             0u);
 }
 

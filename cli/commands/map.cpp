@@ -57,8 +57,8 @@ std::vector<MapSubject> subjects_of(const MapOptions& options, const Kernel& ker
   for (const MapSubject& subject : all) names.push_back(name(subject));
   for (const std::string& what : options.what) {
     if (std::find(names.begin(), names.end(), what) != names.end()) continue;
-    throw Error(fmt::format("--what {}: unknown{} kernel {} has maps of: {}", what, did_you_mean(what, names), kernel.id,
-                            fmt::join(most_alike_first(what, names), ", ")));
+    throw Error(fmt::format("--what {}: unknown{} kernel {} has maps of: {}", what, did_you_mean(what, names),
+                            kernel.id, fmt::join(most_alike_first(what, names), ", ")));
   }
   std::erase_if(all, [&](const MapSubject& subject) {
     return std::find(options.what.begin(), options.what.end(), name(subject)) == options.what.end();

@@ -21,8 +21,8 @@ void add_query(CLI::App& app, Action& action) {
     action = [options] {
       std::error_code ignored;
       if (std::filesystem::is_regular_file(options->address, ignored)) {
-        throw Error(fmt::format("ADDRESS '{}' is a file; `axiscert check {}` reads the queries of one", options->address,
-                                options->address));
+        throw Error(fmt::format("ADDRESS '{}' is a file; `axiscert check {}` reads the queries of one",
+                                options->address, options->address));
       }
       fmt::print("{}\n", query_line(query_at(parse_address(options->address), options->files)));
       return static_cast<int>(exit_done);

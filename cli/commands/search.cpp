@@ -88,6 +88,13 @@ int search(const SearchOptions& options) {
   std::optional<std::string> state;
   if (options.resume) {
     if (options.out.empty()) throw Error("--resume: give the folder of the search to resume with --out");
+    const std::filesystem::path stored = std::filesystem::path(options.out) / state_file;
+    std::error_code ignored;
+    if (!std::filesystem::exists(stored, ignored)) {
+      throw Error(
+          fmt::format("--resume --out {}: there is no {}; give the folder of a search that was begun with --out",
+                      options.out, stored.string()));
+    }
     state = read_bytes((std::filesystem::path(options.out) / state_file).string());
   }
   std::optional<OutputFolder> folder;

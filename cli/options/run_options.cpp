@@ -109,10 +109,13 @@ const Kernel& default_kernel(const TestDescription& test) {
 std::string depth_is_a_part(const std::string& level) {
   const std::size_t equals = level.find('=');
   double depth = 0;
-  if (equals == level.npos || !CLI::detail::lexical_cast(level.substr(equals + 1), depth) || !(depth > 1)) return "";
-  return fmt::format("'{}': D is a depth, a part of the scene from 0 to 1, as in conservative=0.001; `{}` alone sets no "
-                     "limit",
-                     level, level.substr(0, equals));
+  if (!level.starts_with("conservative=") || !CLI::detail::lexical_cast(level.substr(equals + 1), depth) ||
+      !(depth > 1))
+    return "";
+  return fmt::format(
+      "'{}': D is a depth, a part of the scene from 0 to 1, as in conservative=0.001; `{}` alone sets no "
+      "limit",
+      level, level.substr(0, equals));
 }
 
 }  // namespace
@@ -230,8 +233,7 @@ void say_what_is_left_out(const std::vector<SourcePtr>& sources, const std::vect
       const bool runs = std::find(precisions.begin(), precisions.end(), precision) != precisions.end();
       const std::uint64_t left_out = runs ? 0 : source->fixed_size(precision).value_or(0);
       if (left_out == 0) continue;
-      fmt::print(stderr, "axiscert: {}: {} {} queries in {}\n", source->name(), why, left_out,
-                 name(precision));
+      fmt::print(stderr, "axiscert: {}: {} {} queries in {}\n", source->name(), why, left_out, name(precision));
     }
   }
 }

@@ -25,8 +25,9 @@ std::optional<double> number_of(const std::string& text) {
 // The digits of a whole number that is written in another way, as 1e6, 2^20, 1,000 or 1_000; empty for anything else.
 std::string in_digits(const std::string& text) {
   const auto whole = [](double value) {
-    return value >= 0 && value < 0x1p53 && value == std::floor(value) ? fmt::format("{}", static_cast<std::uint64_t>(value))
-                                                                       : "";
+    return value >= 0 && value < 0x1p53 && value == std::floor(value)
+               ? fmt::format("{}", static_cast<std::uint64_t>(value))
+               : "";
   };
   if (text.starts_with("2^")) {
     const auto power = number_of(text.substr(2));
@@ -61,7 +62,9 @@ std::string wrong_whole_number(const std::string& text, std::uint64_t least, std
 CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
   const bool any = least == 0 && most == no_limit;
   return {[=](std::string& text) { return wrong_whole_number(text, least, most); },
-          any ? "" : most == no_limit ? fmt::format("UINT >= {}", least) : fmt::format("UINT in [{} - {}]", least, most)};
+          any                ? ""
+          : most == no_limit ? fmt::format("UINT >= {}", least)
+                             : fmt::format("UINT in [{} - {}]", least, most)};
 }
 
 CLI::Validator number_above_zero() {
@@ -87,7 +90,8 @@ CLI::Validator one_of(std::vector<std::string> words) {
   return {[words = std::move(words)](std::string& text) -> std::string {
             if (std::find(words.begin(), words.end(), text) != words.end()) return "";
             const std::vector<std::string_view> known(words.begin(), words.end());
-            return fmt::format("unknown value '{}'{} values: {}", text, did_you_mean(text, known), fmt::join(known, ", "));
+            return fmt::format("unknown value '{}'{} values: {}", text, did_you_mean(text, known),
+                               fmt::join(known, ", "));
           },
           std::move(description)};
 }

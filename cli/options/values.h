@@ -10,8 +10,8 @@
 
 namespace axiscert {
 
-// A number in digits, from `least` to `most`. "1e6" or "2^20" is told how it is written; CLI11 alone would take "-1" for
-// the greatest number there is, and any number beyond for it too.
+// A number in digits, from `least` to `most`. "1e6" or "2^20" is told how it is written; CLI11 alone would take "-1"
+// for the greatest number there is, and any number beyond for it too.
 CLI::Validator whole_number(std::uint64_t least = 0, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
 CLI::Validator number_above_zero();

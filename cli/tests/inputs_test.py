@@ -21,6 +21,8 @@ class Inputs(InputCase):
     def test_a_command_line_is_told_what_was_meant(self):
         for args, says in (([], ["a subcommand is missing", "run, plan"]),
                            (["runn"], ["unknown subcommand 'runn'; did you mean 'run'?"]),
+                           (["rum", "--family", "tangent"], ["unknown subcommand 'rum'; did you mean 'run'?"]),
+                           (["--kernel", "published"], ["the option --kernel belongs after a subcommand, as in axiscert run --kernel"]),
                            (["frobnicate"], ["unknown subcommand 'frobnicate'; subcommands:"]),
                            (["corpus", "lst"], ["axiscert corpus: unknown subcommand 'lst'; did you mean 'list'?"]),
                            (["--versoin"], ["unknown option '--versoin'; did you mean '--version'?"]),
@@ -104,7 +106,7 @@ class Inputs(InputCase):
     def test_a_directory_is_not_a_file(self):
         here = str(self.folder)
         for args in (["run", "--mesh", here], ["run", "--queries", here], ["check", here], ["shrink", here], ["map", here],
-                     ["judge", here], ["run", "--plan", here], ["corpus", "add", here, "--name", "x"]):
+                     ["judge", here], ["run", "--plan", here], ["corpus", "add", here, "--name", "x", "--provenance", "made:x", "--folder", here]):
             with self.subTest(args=args):
                 self.one_line(*args, says=[here, "is a directory"])
 
@@ -133,7 +135,7 @@ class Inputs(InputCase):
             message = self.one_line("check", "-", stdin=text + "\n1\n", says=["stdin:1:", says, header], not_says=["malformed JSON"])
             self.assertNotIn("malformed", message)
         for name, wrong, says in (("precision", "precison", "'precison' (did you mean 'precision'?)"),
-                                  ("r", "radius", "'radius' (did you mean 'r'?)"), ("p", "center", "it has what is not read: 'center'")):
+                                  ("r", "radius", "'radius' (did you mean 'r'?)"), ("p", "center", "'center' (did you mean 'p'?)")):
             self.one_line("check", "-", stdin=QUERY.replace(f'"{name}"', f'"{wrong}"') % 1, says=[f"field '{name}': missing", says])
 
     def test_fields_that_are_not_read_are_named_and_those_of_axiscert_are_not(self):
@@ -147,6 +149,15 @@ class Inputs(InputCase):
             self.assertEqual(axiscert("check", "-", stdin=lines).stderr, "")
         self.assertEqual(axiscert("run", "--corpus", "--out", self.folder / "corpus").stderr, "")
 
+    def test_a_folder_of_another_kind_is_told_what_writes_one(self):
+        here, nowhere = str(self.folder), str(self.folder / "nowhere")
+        for args, says in ((["merge", here], [here, "no part of a plan", "axiscert run --plan --shard --out"]),
+                           (["merge", nowhere], [nowhere, "does not exist"]), (["report", here], ["axiscert run --out"]),
+                           (["compare", here, here], ["axiscert run --out"]),
+                           (["search", "--resume", "--out", here], [f"there is no {here}/search.state", "--out"])):
+            with self.subTest(args=args):
+                self.one_line(*args, says=says)
+
     def test_a_preset_says_nothing_of_what_was_not_asked(self):
         def said(*args):
             done = axiscert("run", *args, "--trials", 4, "--precision", "binary32", "--out", self.folder / "out")
@@ -157,8 +168,8 @@ class Inputs(InputCase):
         self.assertIn("corpus: --precision leaves out", said("--corpus"))
 
     def test_a_finding_has_its_precision_and_family(self):
-        done = axiscert("run", "--kernel", f"plugin:{BUILD}/misbehaving/crash.so", *SMALL, "--require", "logic", "--out", self.folder / "out")
-        self.assertIn("crash.so binary32: crash on family general", done.stdout + done.stderr)
+        done = axiscert("run", "--kernel", f"plugin:{BUILD}/misbehaving/crash.so", "--family", "scale", "--precision", "binary32", "--trials", 3000, "--require", "logic", "--out", self.folder / "out")
+        self.assertIn("crash.so binary32: crash on family scale", done.stdout + done.stderr)
 
 
 if __name__ == "__main__":

@@ -93,7 +93,8 @@ void refuse_other_csv(std::string_view line, const Place& place, KnownTests know
   if (begins_like_a_number(given.front())) refuse("CSV without a header: its first line has numbers");
   if (text.find('"') != text.npos) refuse("CSV whose header is quoted; write its names without quotes");
   if (plain(given.front()) == csv_columns(known).substr(0, plain(given.front()).size())) {
-    refuse(fmt::format("column 1 of the header of CSV is '{}'; names of columns are in lower case", shown(given.front())));
+    refuse(
+        fmt::format("column 1 of the header of CSV is '{}'; names of columns are in lower case", shown(given.front())));
   }
   refuse(fmt::format("CSV with another header, '{}'", shown(text)));
 }
@@ -140,11 +141,12 @@ std::optional<CsvHeader> csv_header(std::string_view line, const Place& place, K
 StoredQuery query_of_csv(std::string_view line, const CsvHeader& header, Precision precision, const Place& place) {
   const auto cells = cells_of(line);
   if (cells.size() != width(header)) {
-    place.fail(cells.size() < width(header) ? column_name(header, cells.size()) : "",
-               fmt::format("{} cell{} under a header of {}{}", cells.size(), cells.size() == 1 ? "" : "s", width(header),
-                           separator_of(line) == ',' ? ""
-                                                     : fmt::format("; cells are separated by ',', not by {}",
-                                                                   in_words(separator_of(line)))));
+    place.fail(
+        cells.size() < width(header) ? column_name(header, cells.size()) : "",
+        fmt::format("{} cell{} under a header of {}{}", cells.size(), cells.size() == 1 ? "" : "s", width(header),
+                    separator_of(line) == ','
+                        ? ""
+                        : fmt::format("; cells are separated by ',', not by {}", in_words(separator_of(line)))));
   }
   const std::size_t first = header.has_id ? 1 : 0;
   if (header.has_id && cells[0].find('"') != std::string_view::npos) {

@@ -162,11 +162,11 @@ TEST(QueryFile, AMisspeltMemberIsNamedWithTheOneThatWasMeant) {
     std::string line = good;
     return line.replace(line.find("\"" + from + "\""), from.size() + 2, "\"" + to + "\"");
   };
-  for (const auto& [from, to, says] :
-       std::vector<BadLine>{{"precision", "precison", "it has what is not read: 'precison' (did you mean 'precision'?)"},
-                            {"a", "A", "it has what is not read: 'A' (did you mean 'a'?)"},
-                            {"r", "radius", "it has what is not read: 'radius' (did you mean 'r'?)"},
-                            {"p", "centre", "it has what is not read: 'centre'"}}) {
+  for (const auto& [from, to, says] : std::vector<BadLine>{
+           {"precision", "precison", "it has what is not read: 'precison' (did you mean 'precision'?)"},
+           {"a", "A", "it has what is not read: 'A' (did you mean 'a'?)"},
+           {"r", "radius", "it has what is not read: 'radius' (did you mean 'r'?)"},
+           {"p", "centre", "it has what is not read: 'centre' (did you mean 'p'?)"}}) {
     expect_message(refusal(renamed(from, to)), place(1, from), says);
   }
 }

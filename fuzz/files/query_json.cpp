@@ -67,10 +67,10 @@ std::string in_words(std::size_t count) {
 
 // What axiscert writes on a line beside the query: witnesses, what `check`, `shrink` and `search` print, the corpus.
 constexpr std::string_view written_beside_queries[] = {
-    "kernel", "family",   "address", "truth",      "computed", "touching", "depth", "exact_comparisons",
-    "shows",  "flips",    "sides",   "provenance", "note",     "expected", "exact", "computed_comparisons",
-    "errors", "findings", "within_limits",  "severity", "bits",     "nonzero",  "kept",
-    "before", "steps", "evaluations", "complete"};
+    "kernel", "family",      "address",       "truth",      "computed", "touching", "depth", "exact_comparisons",
+    "shows",  "flips",       "sides",         "provenance", "note",     "expected", "exact", "computed_comparisons",
+    "errors", "findings",    "within_limits", "severity",   "bits",     "nonzero",  "kept",  "before",
+    "steps",  "evaluations", "complete"};
 bool is_written_beside_queries(std::string_view field) {
   return std::find(std::begin(written_beside_queries), std::end(written_beside_queries), field) !=
          std::end(written_beside_queries);
@@ -189,14 +189,22 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
     return unread;
   }
 
-  // A member that is absent and whose name is near.
+  // A member whose name is near, one that is absent before others.
   std::string_view meant_member(std::string_view given, const std::vector<std::string_view>& names) const {
     std::vector<std::string_view> absent;
     for (const std::string_view name : names) {
       if (!fields_.contains(name)) absent.push_back(name);
     }
-    if (given == "radius" && std::find(absent.begin(), absent.end(), "r") != absent.end()) return "r";
-    return meant(given, absent);
+    // What other programs call these members.
+    for (const auto& [other, member] : {std::pair<std::string_view, std::string_view>{"radius", "r"},
+                                        {"center", "p"},
+                                        {"centre", "p"},
+                                        {"name", "id"}}) {
+      const auto found = std::find(absent.begin(), absent.end(), member);
+      if (given == other && found != absent.end()) return *found;
+    }
+    const std::string_view name = meant(given, absent);
+    return name.empty() ? meant(given, names) : name;
   }
 
   // The lexer has read one character beyond a number, unless the line ended.

@@ -63,10 +63,11 @@ MovedNumbers parse_numbers(std::string_view name) {
       if (name.size() >= 2 && name.front() == p && (name.back() | 0x20) == x) guess = fmt::format("{}.{}", p, x);
     }
   }
-  throw Error(fmt::format(
-      "'{}' is not a name of numbers of a query{} the names are a.x, a.y, a.z, b.x ... p.z, r and, with --exponents, a, "
-      "b, c, p, triangle, scene",
-      name, guess.empty() ? ";" : fmt::format("; did you mean '{}'?", guess)));
+  throw Error(
+      fmt::format("'{}' is not a name of numbers of a query{} the names are a.x, a.y, a.z, b.x ... p.z, r and, with "
+                  "--exponents, a, "
+                  "b, c, p, triangle, scene",
+                  name, guess.empty() ? ";" : fmt::format("; did you mean '{}'?", guess)));
 }
 
 Plane ulp_plane(const MovedNumbers& along, const MovedNumbers& across, std::size_t size, std::int64_t ulps) {

@@ -68,9 +68,8 @@ Precision parse_precision(std::string_view given) {
 
 Address parse_address(std::string_view given) {
   const auto fail = [&](const std::string& what) {
-    return Error(
-        fmt::format("address '{}': {}; the form is SEED:NAME:VERSION:PRECISION:UNIT:INDEX, for instance {}", given, what,
-                    example()));
+    return Error(fmt::format("address '{}': {}; the form is SEED:NAME:VERSION:PRECISION:UNIT:INDEX, for instance {}",
+                             given, what, example()));
   };
   const auto parts = split(given, ':');
   if (parts.size() != 6) throw fail(fmt::format("{} field{} instead of 6", parts.size(), parts.size() == 1 ? "" : "s"));

@@ -52,7 +52,8 @@ std::vector<std::string_view> most_alike_first(std::string_view given, std::vect
 std::string_view meant(std::string_view given, const std::vector<std::string_view>& names) {
   if (given.size() != word_of(given).size()) return {};
   const auto sorted = most_alike_first(given, names);
-  const auto near = std::find_if(sorted.begin(), sorted.end(), [&](std::string_view name) { return is_near(given, name); });
+  const auto near =
+      std::find_if(sorted.begin(), sorted.end(), [&](std::string_view name) { return is_near(given, name); });
   return near == sorted.end() ? std::string_view() : *near;
 }
 

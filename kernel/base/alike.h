@@ -10,8 +10,8 @@ namespace axiscert {
 // The measure is edit distance, where upper and lower case are one; names at equal distance keep their order.
 std::vector<std::string_view> most_alike_first(std::string_view given, std::vector<std::string_view> names);
 
-// The name that `given` may have been meant for: it differs in its case, begins so, or has few other letters. Empty where
-// no name is so near.
+// The name that `given` may have been meant for: it differs in its case, begins so, or has few other letters. Empty
+// where no name is so near.
 std::string_view meant(std::string_view given, const std::vector<std::string_view>& names);
 
 // "; did you mean 'NAME'?", or ";" where no name is so near: a message goes on with a space.

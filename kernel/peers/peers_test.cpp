@@ -60,8 +60,8 @@ std::vector<Expected> built() {
 }
 TEST(Peers, EachBuiltOneIsTested) {
   for (const std::string& name : built_names()) {
-    const bool has_row = std::any_of(std::begin(expected), std::end(expected),
-                                     [&](const Expected& row) { return row.name == name; });
+    const bool has_row =
+        std::any_of(std::begin(expected), std::end(expected), [&](const Expected& row) { return row.name == name; });
     EXPECT_TRUE(has_row) << "kernel peer/" << name << " has no row in kernel/peers/peers_test.cpp, table `expected`";
   }
 }

@@ -208,21 +208,21 @@ std::vector<std::string> shared_objects(const std::filesystem::path& folder) {
 void require_file(const std::string& id, const std::string& path) {
   if (std::filesystem::is_regular_file(path)) return;
   const auto refuse_path = [&](const std::string& what) {
-    throw Error(fmt::format("kernel '{}': {}; give the path of a plug-in's shared object, as in {}my_kernel.so", id, what,
-                            by_path));
+    throw Error(fmt::format("kernel '{}': {} Give the path of a plug-in's shared object, as in {}my_kernel.so", id,
+                            what, by_path));
   };
-  if (path.empty()) refuse_path(fmt::format("no path after '{}'", by_path));
+  if (path.empty()) refuse_path(fmt::format("no path after '{}'.", by_path));
   const std::filesystem::path given(path);
   const bool is_folder = std::filesystem::is_directory(given);
   const std::filesystem::path folder = is_folder ? given : given.parent_path();
   const std::vector<std::string> found = shared_objects(folder.empty() ? "." : folder);
   const std::vector<std::string_view> names(found.begin(), found.end());
   if (is_folder) {
-    refuse_path(fmt::format("{} is a directory{}", path,
+    refuse_path(fmt::format("{} is a directory{}.", path,
                             names.empty() ? "" : fmt::format(", which has {}", fmt::join(names, ", "))));
   }
   const std::string_view name = meant(given.filename().string(), names);
-  const std::string guess = name.empty() ? "" : fmt::format("; did you mean {}{}?", by_path, (folder / name).string());
+  const std::string guess = name.empty() ? "." : fmt::format("; did you mean {}{}?", by_path, (folder / name).string());
   if (std::filesystem::exists(given)) refuse_path(fmt::format("{} is not a file{}", path, guess));
   refuse_path(fmt::format("there is no file {}{}", path, guess));
 }
@@ -236,7 +236,8 @@ std::string misnamed_path(std::string_view id) {
                       [](char wanted, char given) { return wanted == (given | 0x20); });
   };
   if (id == by_path.substr(0, by_path.size() - 1)) return "PATH.so";
-  if (begins_alike() && id.size() > by_path.size() && !std::isalnum(static_cast<unsigned char>(id[by_path.size() - 1]))) {
+  if (begins_alike() && id.size() > by_path.size() &&
+      !std::isalnum(static_cast<unsigned char>(id[by_path.size() - 1]))) {
     return std::string(id.substr(by_path.size()));
   }
   if (id.ends_with(".so")) return std::string(id);
@@ -305,7 +306,8 @@ std::optional<std::string> plugin_path(std::string_view id) {
     const std::vector<std::string_view> names(known.names.begin(), known.names.end());
     const std::string_view guess = meant(name, names);
     throw Error(fmt::format("unknown kernel '{}'{} those of {}: {}", id,
-                            guess.empty() ? ";" : fmt::format("; did you mean '{}{}'?", kind.prefix, guess), kind.prefix,
+                            guess.empty() ? ";" : fmt::format("; did you mean '{}{}'?", kind.prefix, guess),
+                            kind.prefix,
                             names.empty() ? "none, this axiscert was built without them"
                                           : fmt::format("{}", fmt::join(most_alike_first(name, names), ", "))));
   }

@@ -53,7 +53,8 @@ Call parsed(std::string_view words, const std::string& id) {
     if (target != targets.end()) set(call.target, "", *target, "instruction sets");
     else if (word.empty()) refuse(fmt::format("a word is missing after '@' or ','; {}", known_words()));
     else if (mode == call_modes().end())
-      refuse(fmt::format("after '@', '{}' is not a way to call a kernel{} {}", word, guess(word, targets), known_words()));
+      refuse(
+          fmt::format("after '@', '{}' is not a way to call a kernel{} {}", word, guess(word, targets), known_words()));
     else if (mode->flush) set(call.flush, false, true, "");
     else set(call.rounding, Rounding::nearest, mode->rounding, "directions of rounding");
   }

@@ -173,8 +173,7 @@ const Kernel& find_kernel(std::string_view id) {
   }
   if (!rung || !rung->takes_arithmetic) {
     throw Error(fmt::format("kernel '{}': '{}' is not a rung that takes another arithmetic{} rungs that do: {}", id,
-                            rung_id, did_you_mean(rung_id, known),
-                            fmt::join(most_alike_first(rung_id, known), ", ")));
+                            rung_id, did_you_mean(rung_id, known), fmt::join(most_alike_first(rung_id, known), ", ")));
   }
   known.clear();
   for (const ArithmeticInfo& arithmetic : arithmetics()) {
@@ -201,7 +200,9 @@ std::string resolve_target(std::string_view name) {
   for (const std::string& target : available) {
     if (same_letters(name, target)) return target;
   }
-  throw Error(fmt::format("target '{}' is not on this machine; targets: auto, {}", name, fmt::join(available, ", ")));
+  const std::vector<std::string_view> known(available.begin(), available.end());
+  throw Error(fmt::format("target '{}' is not on this machine{} targets: auto, {}", name, did_you_mean(name, known),
+                          fmt::join(available, ", ")));
 }
 
 }  // namespace axiscert

@@ -130,11 +130,12 @@ TEST(Faults, EachSourceHasARow) {
   }
   for (const Fault& fault : faults) rows.emplace(fault.name);
   for (const std::string& source : sources) {
-    EXPECT_TRUE(rows.contains(source)) << "kernel fault/" << source
-                                       << " has no row in kernel/sphere_triangle/faults/faults_test.cpp, table `faults`";
+    EXPECT_TRUE(rows.contains(source))
+        << "kernel fault/" << source << " has no row in kernel/sphere_triangle/faults/faults_test.cpp, table `faults`";
   }
   for (const std::string& row : rows) {
-    EXPECT_TRUE(sources.contains(row)) << "row '" << row << "' of kernel/sphere_triangle/faults/faults_test.cpp: there is no "
+    EXPECT_TRUE(sources.contains(row)) << "row '" << row
+                                       << "' of kernel/sphere_triangle/faults/faults_test.cpp: there is no "
                                        << "kernel/sphere_triangle/faults/" << row << ".c";
   }
 }
