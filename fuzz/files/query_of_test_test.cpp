@@ -122,12 +122,12 @@ TEST(QueryOfTest, AMemberThatMattersIsGivenOnce) {
 
 TEST(QueryOfTest, WhatIsWrongIsNamed) {
   EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":"wid"})"),
-            "f:1: field 'test': unknown test 'wid'; tests: wide, sphere-triangle");
+            "f:1: field 'test': unknown test 'wid'; did you mean 'wide'? tests: wide, sphere-triangle");
   EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":3})"), "f:1: field 'test': a number; the id of a test belongs here");
   EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":"wide","entry":"box"})"),
-            "f:1: field 'entry': test 'wide': unknown entry 'box'; entries: boxes, numbers");
+            "f:1: field 'entry': test 'wide': unknown entry 'box'; did you mean 'boxes'? entries: boxes, numbers");
   EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":"wide"})"),
-            "f:1: field 'x': missing; an array of 40 numbers belongs here");
+            "f:1: field 'x': missing; an array of 40 numbers belongs here; it has what is not read: 'a', 'm', 't'");
   EXPECT_EQ(known_refusal(R"({"precision":"binary64","test":"wide","entry":"boxes","m":[1],"a":1,"t":1})"),
             "f:1: field 'm': an array of 1; an array of two numbers belongs here");
   EXPECT_EQ(known_refusal("{" + boxes + "}"), "f:1: field 'a': a string; an array of three numbers belongs here");
