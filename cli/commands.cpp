@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "cli/options/values.h"
+#include "cli/values.h"
 #include "exact/judge/truth.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/supervisor.h"

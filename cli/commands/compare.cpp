@@ -6,7 +6,7 @@
 #include <set>
 
 #include "cli/commands.h"
-#include "cli/options/values.h"
+#include "cli/values.h"
 #include "cli/running/terminal.h"
 #include "kernel/base/error.h"
 #include "kernel/base/utf8.h"

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/options/instrument_options.h"
-#include "cli/options/values.h"
+#include "cli/values.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
 #include "reports/instrument/condition_report.h"

@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "cli/commands.h"
-#include "cli/options/values.h"
+#include "cli/values.h"
 #include "cli/running/judged_run.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/text/file_bytes.h"

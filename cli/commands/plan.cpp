@@ -4,7 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/options/plan_file.h"
-#include "cli/options/values.h"
+#include "cli/values.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {

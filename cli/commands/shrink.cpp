@@ -7,7 +7,7 @@
 #include "cli/options/address_query.h"
 #include "cli/options/test_options.h"
 #include "cli/commands.h"
-#include "cli/options/values.h"
+#include "cli/values.h"
 #include "cli/running/shrunk.h"
 #include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/text/file_bytes.h"

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "cli/options/test_options.h"
-#include "cli/options/values.h"
+#include "cli/values.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"

@@ -9,7 +9,7 @@
 #include "cli/commands.h"
 #include "cli/options/preset.h"
 #include "cli/options/test_options.h"
-#include "cli/options/values.h"
+#include "cli/values.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/text/file_bytes.h"

@@ -8,7 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/options/test_options.h"
-#include "cli/options/values.h"
+#include "cli/values.h"
 #include "cli/running/judged_run.h"
 #include "cli/running/recheck.h"
 #include "cli/running/run_output.h"

@@ -1,4 +1,4 @@
-#include "cli/options/values.h"
+#include "cli/values.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
