@@ -179,8 +179,8 @@ Json limits_json(const Limits& limits) {
           {"greatest_radius", bound(limits.greatest_radius)}};
 }
 
-Json record_of(const Plan& plan, const CampaignResult& result, const std::string& require) {
-  Json record = {{"schema", record_schema}, {"complete", result.complete}, {"plan", plan_json(plan, result, require)}};
+Json record_of(const Plan& plan, const CampaignResult& result, const Required& required) {
+  Json record = {{"schema", record_schema}, {"complete", result.complete}, {"plan", plan_json(plan, result, required)}};
   Json& kernels = record["kernels"] = Json::array();
   WitnessWriter witnesses(plan);
   Json findings = Json::array();
