@@ -153,8 +153,10 @@ void check_required(const Required& required, const Plan& plan) {
   requirements_of(stated);
   for (const std::string& id : yardsticks_of(stated)) {
     const bool is_run = std::any_of(plan.kernels.begin(), plan.kernels.end(), [&](const Kernel* kernel) { return kernel->id == id; });
-    if (!is_run)
-      throw Error(fmt::format("--require no-worse-than={}: that kernel is not in this run; add --kernel {}", id, id));
+    if (is_run) continue;
+    throw Error(fmt::format("--require no-worse-than={}: {}", id,
+                            plan.replies ? "replies are of one program; only `run` judges two kernels on the same queries"
+                                         : fmt::format("that kernel is not in this run; add --kernel {}", id)));
   }
 }
 

@@ -34,7 +34,7 @@ Json notes() {
   const Json schema = Json::parse(embedded::record_schema_json);
   Json notes;
   for (const char* part : {"family", "truth", "verdict", "links", "axis", "comparison", "critical_radius", "axes",
-                           "comparisons", "outside_limits", "finding", "asymmetry"}) {
+                           "comparisons", "outside_limits", "finding", "asymmetry", "engine_like"}) {
     for (const auto& [member, rule] : schema["$defs"][part]["properties"].items()) {
       notes[part][member] = rule.value("description", "");
     }

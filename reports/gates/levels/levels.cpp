@@ -11,7 +11,8 @@
   X(range)                      \
   X(exact)                      \
   X(conservative)               \
-  X(depth)
+  X(depth)                      \
+  X(no_worse_than)
 
 namespace axiscert {
 
