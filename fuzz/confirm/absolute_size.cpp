@@ -41,7 +41,9 @@ QuantityValues values_of(const Query<Real>& base) {
     if (squared_distance_to(v[i], v[to]) < squared_distance_to(v[last], v[(last + 1) % 3])) next_to = i;
   }
   double greatest = 0;
-  for (const double x : coordinates(q)) greatest = std::max(greatest, std::abs(x));
+  for (const auto& point : {q.a, q.b, q.c, q.p}) {
+    greatest = std::max({greatest, std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+  }
   const double offset = dot(v[0], normal), ee = dot(normal, normal);
   const auto [least_edge, greatest_edge] = std::minmax_element(edges.begin(), edges.end());
   const auto [least_vertex, greatest_vertex] = std::minmax_element(vertices.begin(), vertices.end());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace {
 std::string compared_text(const Json& size) {
   const double least = size["least"].get<double>(), greatest = size["greatest"].get<double>();
   const double near = std::sqrt(least) * std::sqrt(greatest);
-  return fmt::format("near {} (squared {}), compared with {}", amount(near, 3), amount(near * near, 3),
+  return fmt::format("near {} (squared {}), compared with {}", amount(near, 4), amount(near * near, 4),
                      size["quantity"].get<std::string>());
 }
 
@@ -30,6 +31,24 @@ std::string direction_text(const Json& sizes, const std::string& where) {
 }
 
 }  // namespace
+
+const Json* changes_of(const Json& family, const std::string& kind) {
+  const auto invariance = family.find("invariance");
+  if (invariance == family.end()) return nullptr;
+  const auto found = invariance->find(kind);
+  return found == invariance->end() ? nullptr : &*found;
+}
+
+const Json* units_of(const Json& family) {
+  const Json* scale = changes_of(family, "scale");
+  return scale == nullptr || (*scale)["range"].is_null() ? nullptr : scale;
+}
+
+int least_size(const Json& by_size) {
+  int least = std::numeric_limits<int>::max();
+  for (const auto& [text, count] : by_size.items()) least = std::min(least, std::stoi(text));
+  return least;
+}
 
 std::string powers_text(const Json& by_size) {
   std::optional<int> down, up;  // the powers nearest to 1

@@ -14,37 +14,67 @@ namespace {
 template <class Real>
 constexpr int span_bits = sizeof(Real) == 4 ? 10 : 24;
 
-// Triangle and centre small, middling and large in turn; the triangle any, a needle with C beside A, and a sliver with C
-// beside the middle of AB.
+using Integers = Vec3<std::int64_t>;
+using IntegerVertices = std::array<Integers, 3>;
+
+constexpr std::int64_t beside = 2;
+// Small, middling and large.
 template <class Real>
-Query<Real> integer_query(Stream& random, std::uint64_t base) {
-  constexpr std::int64_t beside = 2;
-  constexpr std::array<std::int64_t, 3> sizes = {4, (std::int64_t{1} << span_bits<Real> / 2) - beside,
-                                                 (std::int64_t{1} << span_bits<Real>) - beside};
-  const std::int64_t size = sizes[base % 3], distance = sizes[base / 3 % 3];
-  const auto point = [&](std::int64_t most) { return shapes::integers(random, most); };
-  std::array<Vec3<std::int64_t>, 3> v;
-  for (auto& vertex : v) vertex = point(size);
-  switch (base / 9 % 3) {
+constexpr std::array<std::int64_t, 3> span_sizes = {4, (std::int64_t{1} << span_bits<Real> / 2) - beside,
+                                                    (std::int64_t{1} << span_bits<Real>)-beside};
+
+// In turn any triangle, a needle with C beside A, and a sliver with C beside the middle of AB.
+IntegerVertices integer_vertices(Stream& random, std::uint64_t turn, std::int64_t size) {
+  IntegerVertices v;
+  for (Integers& vertex : v) vertex = shapes::integers(random, size);
+  switch (turn % 3) {
     case 1:
-      v[2] = v[0] + point(beside);
+      v[2] = v[0] + shapes::integers(random, beside);
       break;
     case 2:
-      for (std::size_t i = 0; i < 2; ++i) v[i] = point(size / 2);
-      v[2] = v[0] + v[1] + point(beside);
+      for (std::size_t i = 0; i < 2; ++i) v[i] = shapes::integers(random, size / 2);
+      v[2] = v[0] + v[1] + shapes::integers(random, beside);
       for (std::size_t i = 0; i < 2; ++i) v[i] = v[i] + v[i];
       break;
     default:
       break;
   }
-  const auto rounded = [](const Vec3<std::int64_t>& p) {
-    return Vec3<Real>{static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z)};
+  return v;
+}
+
+template <class Real>
+Query<Real> rounded_query(Stream& random, const IntegerVertices& v, const Integers& p, std::int64_t greatest_radius) {
+  const auto rounded = [](const Integers& point) {
+    return Vec3<Real>{static_cast<Real>(point.x), static_cast<Real>(point.y), static_cast<Real>(point.z)};
   };
-  const shapes::Vertices<Real> vertices =
-      shapes::shuffled<Real>(random, {rounded(v[0]), rounded(v[1]), rounded(v[2])});
-  const auto p = rounded(point(distance));
-  const std::int64_t reach = random.coin() ? 4 : 2 * std::max(size, distance);
-  return shapes::query(vertices, p, static_cast<Real>(random.integer(0, 2 * reach)) / 2);
+  const auto vertices = shapes::shuffled<Real>(random, {rounded(v[0]), rounded(v[1]), rounded(v[2])});
+  return shapes::query(vertices, rounded(p), static_cast<Real>(random.integer(0, 2 * greatest_radius)) / 2);
+}
+
+// Anywhere in every other base; in the others the centre is beside a point of the face, a vertex or an edge in turn,
+// with a radius that reaches that feature or falls short, but seldom reaches another.
+template <class Real>
+Query<Real> integer_query(Stream& random, std::uint64_t base) {
+  const auto& sizes = span_sizes<Real>;
+  const std::uint64_t turn = base / 2;
+  const std::int64_t size = sizes[turn % 3];
+  if (base % 2 == 0) {
+    const std::int64_t distance = sizes[turn / 3 % 3];
+    const IntegerVertices v = integer_vertices(random, turn / 9, size);
+    const Integers p = shapes::integers(random, distance);
+    return rounded_query<Real>(random, v, p, random.coin() ? 4 : 2 * std::max(size, distance));
+  }
+  // Vertices that are four times integers have points in integers on each feature. They stay below three quarters of
+  // the size, and the centre below the size.
+  const auto w = shapes::weights(random, static_cast<Axis>(turn / 9 % axis_count), 4);
+  IntegerVertices v = integer_vertices(random, turn / 3, std::max<std::int64_t>(size * 3 / 16, 2));
+  const std::int64_t reach = std::max<std::int64_t>(size / 16, 1);
+  Integers p = shapes::integers(random, reach);
+  for (std::size_t i = 0; i < 3; ++i) {
+    p = p + v[i] * w[i];
+    v[i] = v[i] * std::int64_t{4};
+  }
+  return rounded_query<Real>(random, v, p, 2 * reach);
 }
 
 template <class Real>

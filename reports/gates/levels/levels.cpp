@@ -12,7 +12,8 @@
   X(exact)                      \
   X(conservative)               \
   X(depth)                      \
-  X(no_worse_than)
+  X(no_worse_than)              \
+  X(invariant)
 
 namespace axiscert {
 
