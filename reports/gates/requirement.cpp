@@ -20,6 +20,12 @@ const GateLevel* find_level(const std::string& name) {
 
 const GateLevel& level_of(const AskedLevel& asked) { return *find_level(asked.name); }
 
+std::vector<std::string> names() {
+  std::vector<std::string> names;
+  for (const GateLevel* level : gate_levels()) names.push_back(level->name());
+  return names;
+}
+
 std::string usages() {
   std::vector<std::string> usages;
   for (const GateLevel* level : gate_levels()) usages.emplace_back(level->usage);
@@ -153,7 +159,7 @@ AskedLevel parse_level(const std::string& text) {
   asked.has_argument = asked.name.size() != text.size();
   if (asked.has_argument) asked.argument = text.substr(asked.name.size() + 1);
   const GateLevel* level = find_level(asked.name);
-  if (level == nullptr) throw Error(fmt::format("unknown requirement '{}'; levels: {}", text, usages()));
+  if (level == nullptr) throw Error(fmt::format("unknown requirement '{}'{} levels: {}", text, did_you_mean(asked.name, names()), usages()));
   const std::string usage = level->usage;
   const bool takes_one = usage.find('=') != usage.npos, has_to = takes_one && usage.find('[') == usage.npos;
   if (asked.has_argument ? !takes_one : has_to)
