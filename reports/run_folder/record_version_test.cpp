@@ -103,8 +103,9 @@ TEST(RecordVersion, ADamagedFileIsToldByTheVersionThatItClaims) {
 }
 
 TEST(RecordNames, AnUnknownTestIsToldWithThoseThatThereAre) {
-  EXPECT_THAT(refusal([](Json& r) { r["plan"]["test"] = "sphere-triangel"; }),
-              HasSubstr("/plan/test: unknown test 'sphere-triangel'; tests: sphere-triangle"));
+  EXPECT_THAT(
+      refusal([](Json& r) { r["plan"]["test"] = "sphere-triangel"; }),
+      HasSubstr("/plan/test: unknown test 'sphere-triangel'; did you mean 'sphere-triangle'? tests: sphere-triangle"));
 }
 
 TEST(RecordNames, EveryComparisonAndAxisOfTheTestIsThereAndNoOther) {
