@@ -56,7 +56,7 @@ void Subject::add_pair(std::vector<Failure>& failures, const std::string& family
   if (count == 0) return;
   Failure failure{kernel_["id"], kernel_["precision"], family, count, what, ""};
   if (!pair.is_null()) {
-    failure.what += fmt::format(", first on {} beside {}", pair["image"].get<std::string>(), pair["base"].get<std::string>());
+    failure.what += fmt::format("; first on {} beside {}", pair["image"].get<std::string>(), pair["base"].get<std::string>());
     for (const Json& witness : record_["witnesses"]) {
       if (witness["address"] == pair["image"] && witness["kernel"] == kernel_["id"]) failure.witness = witness["id"];
     }
