@@ -182,8 +182,13 @@ function depths_table(entry) {
     return el('tr', '', th, ...entry.depths[kind].map((n) => el('td', n > 0 ? 'n' : 'n zero', count(n))));
   };
   const head = el('tr', '', el('th', '', 'wrong by'), ...entry.depths.columns.map(column));
-  return el('div', 'scroll', el('table', 'depths', el('caption', '', 'Wrong verdicts by depth, as a share of the scene: each ' +
-    'column from its depth to that of the next one'), el('thead', '', head), el('tbody', '', ...rows.map(row))));
+  const caption = 'Wrong verdicts by depth, as a share of the scene: each column from its depth to that of the next one';
+  const scroll = el('div', 'scroll', el('table', 'depths', el('caption', '', caption), el('thead', '', head),
+                                        el('tbody', '', ...rows.map(row))));
+  scroll.tabIndex = 0;
+  scroll.setAttribute('role', 'region');
+  scroll.setAttribute('aria-label', caption);
+  return scroll;
 }
 
 function more_facts(entry) {
