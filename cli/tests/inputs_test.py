@@ -39,8 +39,7 @@ class Inputs(InputCase):
                 self.one_line(*args, says=says)
 
     def test_a_repeated_option_is_told_its_values(self):
-        for option, first, second in (("--trials", 8, 9), ("--seed", 1, 2), ("--out", "o", "p"), ("--precision", "binary32", "binary64"),
-                                      ("--require", "logic", "range")):
+        for option, first, second in (("--trials", 8, 9), ("--seed", 1, 2), ("--out", "o", "p"), ("--precision", "binary32", "binary64")):
             self.one_line("run", "--family", "general", option, first, option, second,
                           says=[f"axiscert run: {option} is given 2 times ({first}, {second}); give it once"])
 
@@ -77,7 +76,13 @@ class Inputs(InputCase):
                 (["--precision", "64"], ["did you mean 'binary64'?"]), (["--precision", "binray32"], ["did you mean 'binary32'?"]),
                 (["--test", "sphere"], ["unknown test 'sphere'; did you mean 'sphere-triangle'?"]),
                 (["--tolerance", "edge_ab.radus=3"], ["unknown comparison 'edge_ab.radus'; did you mean 'edge_ab.radius'?"]),
-                (["--require", "conservative=2"], ["'conservative=2': D is a depth, a part of the scene from 0 to 1"])):
+                (["--require", "conservative=2"], ["'conservative=2': D is a depth, a part of the scene from 0 to 1"]),
+                (["--require", "depth=2"], ["'depth=2': D is a depth, a part of the scene from 0 to 1"]),
+                (["--require", "depth"], ["'depth': it is written depth=D"]),
+                (["--require", "logic=1"], ["'logic=1': it is written logic"]),
+                (["--require", "logc"], ["unknown requirement 'logc'; did you mean 'logic'? levels: logic"]),
+                (["--allow-unchecked", "range"], ["'range' may be left unchecked, but is not required"]),
+                (["--require", "no-worse-than=nonstrict"], ["that kernel is not in this run; add --kernel nonstrict"])):
             with self.subTest(args=args):
                 self.one_line("run", *args, "--out", self.folder / "out", says=says)
         self.assertFalse((self.folder / "out").exists(), "something was begun")

@@ -11,6 +11,7 @@
 #include "reports/run_folder/record_names.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/page/embedded.h"
+#include "reports/wording/depths.h"
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
 #include "reports/formats/raw_files.h"
@@ -34,7 +35,7 @@ Json notes() {
   const Json schema = Json::parse(embedded::record_schema_json);
   Json notes;
   for (const char* part : {"family", "truth", "verdict", "links", "axis", "comparison", "critical_radius", "axes",
-                           "comparisons", "outside_limits", "finding", "asymmetry"}) {
+                           "comparisons", "outside_limits", "finding", "asymmetry", "engine_like"}) {
     for (const auto& [member, rule] : schema["$defs"][part]["properties"].items()) {
       notes[part][member] = rule.value("description", "");
     }
@@ -85,8 +86,18 @@ Json kernel_data(const Json& kernel) {
   data["touching_text"] = touching_text(kernel);
   data["limits_text"] = limits_text(kernel);
   data["all"] = all_families(kernel);
-  if (data["all"].empty()) data["all"] = nullptr;
-  else data["all"]["zero_limit_per_million"] = limit(data["all"]);
+  if (data["all"].empty()) {
+    data["all"] = nullptr;
+    return data;
+  }
+  data["all"]["zero_limit_per_million"] = limit(data["all"]);
+  data["engine_text"] = engine_text(data["all"]);
+  data["bias_text"] = bias_text(data["all"]);
+  if (has_depths(data["all"])) {
+    data["depths"]["columns"] = depth_columns();
+    for (const char* kind : {"false_separation", "false_contact"})
+      data["depths"][kind] = depth_counts(data["all"]["verdict"]["depths"][kind]);
+  }
   return data;
 }
 
@@ -105,10 +116,16 @@ Json findings_data(const Json& record) {
 }
 
 Json requirement_data(const Json& record) {
-  const Json& require = record["plan"]["require"];
-  if (require.is_null()) return nullptr;
-  Json data = {{"level", require}, {"sentence", parse_requirement(require).sentence()}, {"failures", Json::array()}};
-  for (const Failure& f : unmet(record, require)) {
+  const Requirements required = requirements_of(record["plan"]);
+  if (required.levels.empty()) return nullptr;
+  const std::vector<LevelOutcome> outcomes = outcomes_of(record);
+  Json data = {{"levels", Json::array()},
+               {"passes", pass(outcomes)},
+               {"outcomes", outcomes_json(outcomes)},
+               {"failures", Json::array()}};
+  for (const AskedLevel& asked : required.levels)
+    data["levels"].push_back({{"level", asked.text}, {"sentence", sentence_of(asked)}});
+  for (const Failure& f : failures_of(outcomes)) {
     data["failures"].push_back({{"kernel", f.kernel},
                                 {"precision", f.precision},
                                 {"family", f.family},

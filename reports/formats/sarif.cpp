@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "reports/comparison/cells.h"
+#include "reports/wording/depths.h"
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
 #include "reports/wording/reproduce.h"
@@ -38,6 +39,8 @@ constexpr Rule rules[] = {
 constexpr Rule ratchet_rule = {
     "worse-than-accepted", "", false, "error",
     "A figure is worse than the ratchet accepts, its waiver has expired, or it was not checked."};
+constexpr Rule unchecked_rule = {"requirement-not-checked", "", false, "error",
+                                 "A level of --require was not checked, which does not pass."};
 constexpr Rule finding_rule = {"plug-in", "", false, "error", "A plug-in violated the rules for kernels."};
 
 const Rule* rule_of(const Cell& cell) {
@@ -56,14 +59,14 @@ Json rule_json(const Rule& rule) {
 
 class Log {
  public:
-  explicit Log(const Run& run) : record_(run.record), held_(run.ratchet) {
-    if (const Json& require = record_["plan"]["require"]; !require.is_null()) failures_ = unmet(record_, require);
+  explicit Log(const Run& run) : record_(run.record), held_(run.ratchet), outcomes_(outcomes_of(run.record)) {
+    failures_ = failures_of(outcomes_);
   }
 
   Json json() const {
     Json driver = {{"name", "axiscert"}, {"version", record_["plan"]["axiscert"]}, {"rules", Json::array()}};
     for (const Rule& rule : rules) driver["rules"].push_back(rule_json(rule));
-    for (const Rule* rule : {&finding_rule, &ratchet_rule}) driver["rules"].push_back(rule_json(*rule));
+    for (const Rule* rule : {&finding_rule, &ratchet_rule, &unchecked_rule}) driver["rules"].push_back(rule_json(*rule));
     Json results = Json::array();
     for (const Cell& cell : cells_of(record_)) {
       const Rule* rule = rule_of(cell);
@@ -71,6 +74,9 @@ class Log {
     }
     for (const Json& failure : held_.is_null() ? Json::array() : held_["failures"])
       results.push_back(ratchet_result(failure));
+    for (const LevelOutcome& outcome : outcomes_) {
+      if (outcome.state == LevelState::not_checked) results.push_back(unchecked_result(outcome));
+    }
     const Json invocation = {{"executionSuccessful", record_["complete"]}};
     const Json run = {{"tool", {{"driver", driver}}},
                       {"invocations", Json::array({invocation})},
@@ -89,6 +95,8 @@ class Log {
     std::string message = fmt::format("{}: {} of {} queries. {}", where, thousands(cell.count()),
                                       thousands(cell.of.trials), rule.sentence);
     if (cell.kind == Cell::Kind::finding) message = finding_message(cell);
+    if (const std::string depths = depths_of(cell); !depths.empty())
+      message += fmt::format(" By depth, of the scene: {}.", depths);
     if (worst != nullptr) message += " Reproduced by: " + replay_command(*worst, record_["plan"]);
     const bool is_unmet = std::any_of(failures_.begin(), failures_.end(), [&](const Failure& failure) {
       return cell.place == "verdict" && failure.kernel == cell.kernel && failure.precision == cell.precision &&
@@ -100,6 +108,17 @@ class Log {
             {"message", {{"text", message_text(message)}}},
             {"locations", Json::array({place_of(cell.key(), worst)})},
             {"partialFingerprints", {{"axiscertCell/v1", fingerprint(cell.key())}}}};
+  }
+
+  // The depths of a cell's wrong verdicts; empty for any other cell.
+  std::string depths_of(const Cell& cell) const {
+    if (cell.place != "verdict" || (cell.member != "false_separation" && cell.member != "false_contact")) return "";
+    for (const Json& kernel : record_["kernels"]) {
+      if (kernel["id"] != cell.kernel || kernel["precision"] != cell.precision) continue;
+      const Json& family = kernel["families"][cell.family];
+      return has_depths(family) ? depths_text(family["verdict"]["depths"][cell.member]) : "";
+    }
+    return "";
   }
 
   Json ratchet_result(const Json& failure) const {
@@ -114,6 +133,19 @@ class Log {
             {"message", {{"text", message_text(failure["text"])}}},
             {"locations", Json::array({place_of(key, worst)})},
             {"partialFingerprints", {{"axiscertRatchet/v1", failure["fingerprint"]}}}};
+  }
+
+  Json unchecked_result(const LevelOutcome& outcome) const {
+    const Json key = Json::array({outcome.kernel, outcome.precision, "", "requirement." + outcome.asked.text});
+    Json result = {{"ruleId", unchecked_rule.id},
+                   {"ruleIndex", std::size(rules) + 2},
+                   {"level", outcome.is_allowed ? "note" : unchecked_rule.level},
+                   {"message", {{"text", message_text(outcome.text())}}},
+                   {"locations", Json::array({place_of(key, nullptr)})},
+                   {"partialFingerprints", {{"axiscertRequirement/v1", fingerprint(key)}}}};
+    if (outcome.is_allowed)
+      result["suppressions"] = Json::array({{{"kind", "external"}, {"justification", "--allow-unchecked"}}});
+    return result;
   }
 
   // The line of the witness in witnesses.jsonl, or the first line where there is no witness; and the cell's name.
@@ -162,6 +194,7 @@ class Log {
   }
 
   const Json &record_, &held_;
+  std::vector<LevelOutcome> outcomes_;
   std::vector<Failure> failures_;
 };
 

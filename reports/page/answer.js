@@ -6,12 +6,34 @@ function failures_of(data, entry) {
     (f.precision === '' || f.precision === entry.precision)) ?? [];
 }
 
-function status_chip(data, failures, ran) {
+function outcomes_of(data, entry) {
+  return data.requirement?.outcomes.filter((o) => o.kernel === entry.id &&
+    (o.precision === null || o.precision === entry.precision)) ?? [];
+}
+
+// What came of one level for one kernel, or of all of them.
+function outcome_chip(data, outcome) {
+  const text = `requirement ${outcome.level}: `;
+  if (outcome.state === 'not met') return chip(`${text}not met`, 'bad');
+  if (outcome.state !== 'met') return chip(`${text}NOT CHECKED${outcome.allowed ? ', which is allowed' : ''}`, outcome.allowed ? 'warn' : 'bad');
+  return data.complete ? chip(`${text}met`, 'good') : chip(`${text}met so far`, 'warn');
+}
+
+function status_chip(data) {
   if (!data.requirement) return chip('no requirement given');
-  const level = data.requirement.level;
-  if (failures.length > 0) return chip(`requirement ${level}: not met`, 'bad');
-  if (!ran) return chip(`requirement ${level}: not checked`, 'warn');
-  return data.complete ? chip(`requirement ${level}: met`, 'good') : chip(`requirement ${level}: met so far`, 'warn');
+  const {levels, outcomes, passes} = data.requirement;
+  const level = levels.map((one) => one.level).join(', ');
+  const state = passes ? 'met' : outcomes.some((o) => o.state === 'not met') ? 'not met' : 'NOT CHECKED';
+  if (!passes) return outcome_chip(data, {level, state, allowed: false});
+  return outcome_chip(data, {level, state: outcomes.every((o) => o.state === 'met') ? 'met' : 'NOT CHECKED', allowed: true});
+}
+
+// What each level says of a kernel, and what it does not.
+function outcome_list(outcomes) {
+  const told = outcomes.filter((o) => o.state !== 'not met');
+  if (told.length === 0) return '';
+  return el('ul', 'sentences', ...told.map((o) => el('li', '', el('strong', '', `${o.level}: ${o.state}. `),
+    o.state === 'met' ? `Covers ${o.covers}. Leaves out ${o.leaves_out}.` : `${o.reason}.`)));
 }
 
 function failure_item(data, failure) {
@@ -149,6 +171,26 @@ function not_judged_card(data, id) {
             el('ul', 'failures', ...why.map((finding) => el('li', '', `${finding.kind}: ${finding.detail}`))));
 }
 
+// Wrong verdicts by depth, a row for each direction, where there are any.
+function depths_table(entry) {
+  const rows = [['missed', 'false_separation'], ['phantom', 'false_contact']].filter(([, kind]) => entry.all.verdict[kind] > 0);
+  if (!entry.depths || rows.length === 0) return '';
+  const column = (name) => { const th = el('th', 'n', name); th.scope = 'col'; return th; };
+  const row = ([label, kind]) => {
+    const th = el('th', '', label);
+    th.scope = 'row';
+    return el('tr', '', th, ...entry.depths[kind].map((n) => el('td', n > 0 ? 'n' : 'n zero', count(n))));
+  };
+  const head = el('tr', '', el('th', '', 'wrong by'), ...entry.depths.columns.map(column));
+  const caption = 'Wrong verdicts by depth, as a share of the scene: each column from its depth to that of the next one';
+  const scroll = el('div', 'scroll', el('table', 'depths', el('caption', '', caption), el('thead', '', head),
+                                        el('tbody', '', ...rows.map(row))));
+  scroll.tabIndex = 0;
+  scroll.setAttribute('role', 'region');
+  scroll.setAttribute('aria-label', caption);
+  return scroll;
+}
+
 function more_facts(entry) {
   const total = entry.all;
   const facts = el('dl', 'facts numbers');
@@ -164,6 +206,8 @@ function more_facts(entry) {
     fact('outside its limits', `${count(outside.trials)} queries, ` +
          `${count(outside.false_separation + outside.false_contact)} wrong, counted separately`);
   }
+  if (entry.engine_text) fact('engine-like', entry.engine_text);
+  if (entry.bias_text) fact('errs', entry.bias_text);
   fact('wrong on touching', count(total.verdict.touching_flips));
   fact('tolerance failures', tolerance_fact(total));
   fact('largest error', largest_error(total));
@@ -173,11 +217,11 @@ function more_facts(entry) {
 }
 
 function answer_card(data, entry) {
-  const failures = failures_of(data, entry);
+  const failures = failures_of(data, entry), outcomes = outcomes_of(data, entry);
   const total = entry.all;
-  const card = el('article', 'card', el('h3', '', el('span', 'name', entry.id), ' ', chip(entry.precision), ' ',
-                                        status_chip(data, failures, total !== null)),
-                  el('p', 'lead', entry.summary));
+  const chips = outcomes.length > 0 ? outcomes.map((o) => outcome_chip(data, o)) : [chip('nothing required')];
+  const card = el('article', 'card', el('h3', '', el('span', 'name', entry.id), ' ', chip(entry.precision), ' ', ...chips),
+                  el('p', 'lead', entry.summary), outcome_list(outcomes));
   if (total === null) {
     card.append(el('p', 'empty', 'Not checked: no family ran.'));
     return card;
@@ -187,7 +231,7 @@ function answer_card(data, entry) {
                                `${count(total.truth.invalid)} invalid.`),
               el('div', 'metrics', metric(data, entry, 'missed contacts', 'false_separation', 'bad'),
                  metric(data, entry, 'phantom contacts', 'false_contact', 'warn')),
-              links_bar(total.verdict.links) ?? '', link_sentences(data, entry), badges(data, entry), more_facts(entry));
+              depths_table(entry), links_bar(total.verdict.links) ?? '', link_sentences(data, entry), badges(data, entry), more_facts(entry));
   if (failures.length > 0) {
     const list = el('details', '',
                     el('summary', 'label', `Where the requirement is not met: ${count(failures.length)}`),
@@ -204,16 +248,14 @@ function show_answer(data) {
   document.getElementById('subtitle').textContent =
     `${plan.kernels.join(', ')} · ${plan.precisions.join(', ')} · ${count(plan.families.length)} families · ` +
     `seed ${seed} · axiscert ${plan.axiscert}`;
-  const any = data.kernels.some((entry) => entry.all !== null);
-  document.getElementById('status').append(status_chip(data, data.requirement?.failures ?? [], any));
+  document.getElementById('status').append(status_chip(data));
   if (!data.complete) {
     document.getElementById('banner').append(el('p', 'banner warn', el('strong', '', 'Incomplete. '),
       'The run was interrupted before its plan was done: the figures below cover only the queries that were run.'));
   }
   if (data.requirement) {
-    const {level, sentence} = data.requirement;
-    document.getElementById('answer-title').after(
-      el('p', 'lead', 'Required: ', el('strong', '', level), `, ${sentence}.`));
+    document.getElementById('answer-title').after(...data.requirement.levels.map(({level, sentence}) =>
+      el('p', 'lead', 'Required: ', el('strong', '', level), `, ${sentence}.`)));
   }
   document.getElementById('answer-cards').append(...data.not_judged.map((id) => not_judged_card(data, id)),
                                                  ...data.kernels.map((entry) => answer_card(data, entry)));
