@@ -13,7 +13,7 @@ Query<Rational> in_rationals(const Query<double>& q) {
   return from_coordinates(exact_numbers);
 }
 
-Rational power_of_two(int exponent) {
+Rational two_to(int exponent) {
   mpz_class power = 1;
   power <<= static_cast<mp_bitcnt_t>(std::abs(exponent));
   return exponent < 0 ? Rational(mpz_class(1), power) : Rational(power);
@@ -31,15 +31,15 @@ Rational extent_of(const Query<Rational>& q) {
 }
 
 // The exponent of a power of two; empty for other numbers.
-std::optional<int> exponent_of(const Rational& x) {
+std::optional<int> log2_of(const Rational& x) {
   const auto log2 = [](const mpz_class& n) { return static_cast<int>(mpz_sizeinbase(n.get_mpz_t(), 2)) - 1; };
   const int exponent = log2(x.get_num()) - log2(x.get_den());
-  return x == power_of_two(exponent) ? std::optional(exponent) : std::nullopt;
+  return x == two_to(exponent) ? std::optional(exponent) : std::nullopt;
 }
 
 Query<Rational> mapped(const ImageMap& map, const Query<Rational>& q) {
   auto v = coordinates(image(q, map.symmetry));
-  const Rational factor = power_of_two(map.exponent);
+  const Rational factor = two_to(map.exponent);
   for (std::size_t k = 0; k < coordinate_count; ++k) {
     v[k] *= factor;
     if (k + 1 < coordinate_count) v[k] += map.by[k % 3];
@@ -55,7 +55,7 @@ std::optional<ImageMap> map_between(const Query<Real>& base, const Query<Real>& 
   const Rational extent = extent_of(from), other = extent_of(to);
   if ((sgn(extent) == 0) != (sgn(other) == 0)) return std::nullopt;
   std::optional<int> exponent = 0;
-  if (sgn(extent) != 0) exponent = exponent_of(Rational(other / extent));
+  if (sgn(extent) != 0) exponent = log2_of(Rational(other / extent));
   if (!exponent) return std::nullopt;
   for (const Symmetry& symmetry : symmetries()) {
     ImageMap map{symmetry, *exponent, {}};
