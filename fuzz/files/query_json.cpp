@@ -91,7 +91,10 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
     std::vector<NumberText> numbers;
     for (const ColumnGroup& group : groups_of(of.columns())) take_group(group, of, numbers);
     unread_ = unread_fields(of);
-    return stored_query(id.kind == Kind::string ? id.text : place_.default_id(), precision, of, numbers, place_);
+    StoredQuery stored =
+        stored_query(id.kind == Kind::string ? id.text : place_.default_id(), precision, of, numbers, place_);
+    if (const Value& address = field("address").value; address.kind == Kind::string) stored.address = address.text;
+    return stored;
   }
 
   const std::vector<UnreadField>& unread() const { return unread_; }

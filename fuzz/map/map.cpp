@@ -86,7 +86,7 @@ Shown comparison_shown(const Pixel& p, std::size_t k) {
   return {yes, has_bit(p.ties, k), has_bit(p.certain, k), said, yes, has_bit(p.not_finite, k)};
 }
 
-Shown shown(const MapSubject& subject, const Pixel& p) {
+Shown subject_shown(const MapSubject& subject, const Pixel& p) {
   switch (subject.level) {
     case Level::verdict:
       return verdict_shown(p);
@@ -211,7 +211,7 @@ class Drawing {
 
   void put(std::size_t position, const Pixel& p) const {
     for (std::size_t s = 0; s < plan_.subjects.size(); ++s) {
-      const Shown what = shown(plan_.subjects[s], p);
+      const Shown what = subject_shown(plan_.subjects[s], p);
       canvases_[s].pixels[position] = class_of(what);
       canvases_[s].yes[position] = static_cast<char>(what.yes);
     }
