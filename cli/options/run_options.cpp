@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <thread>
 
 #include "cli/commands.h"
@@ -67,12 +68,25 @@ void add_plugin(const Kernel& kernel, Plan& plan) {
   FileInfo& file = plan.plugins.emplace_back();
   file.name = base_name(kernel.file);
   file.kind = "plugin";
+  file.kernel = kernel.id;
   try {
     const std::string bytes = read_bytes(kernel.file);
     file.sha256 = sha256_hex(std::as_bytes(std::span(bytes)));
   } catch (const Error&) {
     if (kernel.findings.empty()) throw;
   }
+}
+
+// Whether a plug-in's file is already one of the plan's, by another spelling of its path.
+bool is_file_of(const Kernel& kernel, const Plan& plan) {
+  if (!kernel.id.starts_with("plugin:")) return false;
+  for (const Kernel* other : plan.kernels) {
+    std::error_code none;
+    if (!other->id.starts_with("plugin:") || !std::filesystem::equivalent(kernel.file, other->file, none)) continue;
+    fmt::print(stderr, "axiscert: --kernel {}: the file of {}, which is judged once\n", kernel.id, other->id);
+    return true;
+  }
+  return false;
 }
 
 // Whether a kernel could not be loaded: it exists in no precision, whatever is requested.
@@ -259,6 +273,7 @@ Plan plan_of(const RunOptions& given) {
   for (const std::string& id : options.kernels) {
     const Kernel* kernel = &find_kernel(id);
     if (std::find(plan.kernels.begin(), plan.kernels.end(), kernel) != plan.kernels.end()) continue;
+    if (is_file_of(*kernel, plan)) continue;
     plan.kernels.push_back(kernel);
     add_plugin(*kernel, plan);
   }

@@ -18,7 +18,9 @@
 #include "reports/gates/ratchet.h"
 #include "fuzz/confirm/plan.h"
 #include "reports/formats/render.h"
+#include "reports/run_folder/run_folder.h"
 #include "reports/gates/requirement.h"
+#include "reports/gates/unjudged.h"
 
 namespace axiscert {
 namespace {
@@ -95,6 +97,10 @@ int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResul
   if (!output.quiet) fmt::print("{}{}/report.html\n", summary_text(record, seconds), output.out);
   if (!result.complete) return exit_interrupted;
   bool is_met = true;
+  for (const std::string& sentence : unjudged(record)) {
+    fmt::print(stderr, "axiscert: {}\n", sentence);
+    is_met = false;
+  }
   if (!output.require.empty()) {
     for (const auto& failure : unmet(record, output.require)) {
       fmt::print(stderr, "axiscert: --require {}: {}\n", output.require, failure.text());

@@ -178,7 +178,14 @@ class Lead {
   int say_what_a_part_did() const {
     fmt::print("{}: {} of the plan's {} units; `axiscert merge` joins the parts\n", path(journal_file),
                gathered_.units(), stretches_.units());
-    return interrupted_ ? exit_interrupted : exit_done;
+    if (interrupted_) return exit_interrupted;
+    const auto is_loaded = [](const Kernel* kernel) {
+      return kernel->has(Precision::binary32) || kernel->has(Precision::binary64);
+    };
+    for (const Kernel* kernel : plan_.kernels) {
+      if (!is_loaded(kernel)) fmt::print(stderr, "axiscert: {}: NOT JUDGED: it could not be loaded\n", kernel->id);
+    }
+    return std::all_of(plan_.kernels.begin(), plan_.kernels.end(), is_loaded) ? exit_done : exit_requirement_failed;
   }
 
   const PlannedOptions& options_;
