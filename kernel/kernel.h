@@ -11,8 +11,9 @@
 #include "kernel/arithmetic/arithmetic_list.h"
 #include "kernel/finding.h"
 #include "kernel/formulae_list.h"
+#include "kernel/names.h"
+#include "kernel/outcome.h"
 #include "kernel/query.h"
-#include "kernel/sphere_triangle/decision.h"
 #include "kernel/test.h"
 
 namespace axiscert {
@@ -31,17 +32,6 @@ struct Answers {
     }
   }
 };
-
-// The computed sides of one query of sphere-triangle.
-template <class Real>
-Sides<Real> sides_at(const Answers<Real>& answers, std::size_t query) {
-  Sides<Real> sides;
-  for (std::size_t k = 0; k < comparison_count; ++k) {
-    sides.lhs[k] = answers.lhs[k][query];
-    sides.rhs[k] = answers.rhs[k][query];
-  }
-  return sides;
-}
 
 // One kernel in one precision on one instruction set. The functions are total: they take any bits, do not trap and do
 // not allocate.

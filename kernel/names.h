@@ -39,4 +39,13 @@ constexpr std::string_view name(Precision p) { return precision_names[p]; }
 template <class Real>
 inline constexpr Precision precision_of = sizeof(Real) == 4 ? Precision::binary32 : Precision::binary64;
 
+// The relation that a kernel's comparisons use where its formulae leave the choice: of sphere-triangle's, the nine side
+// comparisons; the seven radius comparisons use `>` in each case. `not_less` is `>=` on hardware without that
+// instruction, !(rhs > lhs): the same on numbers, but it holds if a side is NaN.
+enum class Strictness : std::uint8_t { strict, nonstrict, not_less };
+template <>
+inline constexpr std::size_t enum_count<Strictness> = 3;
+inline constexpr EnumArray<Strictness, std::string_view> strictness_names = {"strict", "nonstrict", "not_less"};
+constexpr std::string_view name(Strictness s) { return strictness_names[s]; }
+
 }  // namespace axiscert

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "exact/sphere_triangle/measures/error_measure.h"
+#include "kernel/sphere_triangle/shown_sides.h"
 
 namespace axiscert {
 

@@ -7,6 +7,7 @@
 #include "fuzz/instruments/extreme.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "kernel/kernel.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
 

@@ -8,6 +8,7 @@
 
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
 

@@ -14,6 +14,7 @@
 #include "fuzz/search/moves.h"
 #include "fuzz/search/proved.h"
 #include "kernel/ask.h"
+#include "kernel/sphere_triangle/shown_sides.h"
 
 namespace axiscert {
 namespace {

@@ -11,6 +11,7 @@
 #include "fuzz/search/moves.h"
 #include "fuzz/search/range.h"
 #include "kernel/ask.h"
+#include "kernel/sphere_triangle/shown_sides.h"
 
 namespace axiscert {
 namespace {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernel/kernel.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
 

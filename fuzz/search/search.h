@@ -13,6 +13,7 @@
 #include "fuzz/search/goal.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/queries/source.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
 

@@ -9,6 +9,7 @@
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/measures/limits.h"
+#include "kernel/sphere_triangle/shown_sides.h"
 
 namespace axiscert {
 namespace {

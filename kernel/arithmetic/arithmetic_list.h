@@ -1,12 +1,13 @@
 // The arithmetics that can be put under a set of formulae, one line each.
 #pragma once
 
+#include <cstdint>
+
 #include "kernel/arithmetic/error_free.h"
 #include "kernel/arithmetic/fused.h"
 #include "kernel/arithmetic/machine.h"
 #include "kernel/arithmetic/reordered.h"
 #include "kernel/base/environment.h"
-#include "kernel/names.h"
 
 // X(name, type, summary)
 #define AXISCERT_ARITHMETICS(X)                                                                                    \

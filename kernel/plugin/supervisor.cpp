@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "kernel/plugin/difference.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert::plugin {
 namespace {

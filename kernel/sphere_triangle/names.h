@@ -86,14 +86,6 @@ constexpr AxisBits axes_of(ComparisonBits bits) {
 // One separating axis suffices.
 constexpr Verdict verdict_of(AxisBits axes) { return axes != 0 ? Verdict::separated : Verdict::contact; }
 
-// The relation that the nine side comparisons use; the seven radius comparisons use `>` in each case. `not_less` is
-// `>=` on hardware without that instruction, !(rhs > lhs): the same on numbers, but it holds if a side is NaN.
-enum class Strictness : std::uint8_t { strict, nonstrict, not_less };
-template <>
-inline constexpr std::size_t enum_count<Strictness> = 3;
-inline constexpr EnumArray<Strictness, std::string_view> strictness_names = {"strict", "nonstrict", "not_less"};
-constexpr std::string_view name(Strictness s) { return strictness_names[s]; }
-
 template <Strictness strictness, class T>
 constexpr bool holds(Comparison which, const T& lhs, const T& rhs) {
   if (strictness == Strictness::strict || info(which).is_radius) return lhs > rhs;

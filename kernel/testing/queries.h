@@ -7,6 +7,7 @@
 
 #include "kernel/ask.h"
 #include "kernel/sphere_triangle/query.h"
+#include "kernel/sphere_triangle/shown_sides.h"
 
 namespace axiscert::testing_support {
 

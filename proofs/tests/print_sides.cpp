@@ -10,6 +10,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/kernel.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "kernel/sphere_triangle/names.h"
 #include "reports/instrument/figures.h"
 
 namespace axiscert {

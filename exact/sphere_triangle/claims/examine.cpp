@@ -6,6 +6,7 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/measures/limits.h"
 #include "kernel/ask.h"
+#include "kernel/sphere_triangle/shown_sides.h"
 
 namespace axiscert {
 

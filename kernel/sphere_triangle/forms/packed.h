@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernel/kernel.h"
+#include "kernel/sphere_triangle/decision.h"
 
 namespace axiscert {
 

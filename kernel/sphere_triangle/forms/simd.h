@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kernel/kernel.h"
+#include "kernel/sphere_triangle/decision.h"
 
 namespace axiscert {
 
