@@ -160,7 +160,12 @@ void add_output_options(CLI::App& command, OutputOptions& o) {
   add_require_option(command, o.require);
   command.add_option(
       "--ratchet", o.ratchet,
-      "file of accepted errors, one line for each cell: exit 1 where anything is worse or a waiver has expired");
+      "file of accepted errors, as a run writes it: exit 1 where anything is worse or a waiver has expired");
+  command
+      .add_option("--source", o.sources,
+                  "[KERNEL=]FILE:LINE, where a kernel is written: the location of the results in report.sarif "
+                  "(default: as a plug-in says of itself); repeatable")
+      ->allow_extra_args(false);
   command.add_option("--out", o.out, "folder for record, reports and witnesses")->capture_default_str();
   command.add_flag("--quiet", o.quiet, "print only errors and failures");
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/options/source_place.h"
 #include "cli/running/run_output.h"
 #include "cli/running/shrunk.h"
 #include "cli/running/terminal.h"
@@ -64,6 +65,8 @@ std::optional<Ratchet> ratchet_of(const OutputOptions& output, const Plan& plan)
     throw Error(fmt::format("--ratchet {}: the run would overwrite it; keep the reviewed file outside of --out {}",
                             output.ratchet, output.out));
   }
+  // Where no kernel could be loaded, there is nothing to hold, and the run is no pass.
+  if (plan.precisions.empty()) return std::nullopt;
   require_plan(ratchet, plan_json(plan, planned(plan), output.require));
   return ratchet;
 }
@@ -73,6 +76,7 @@ HarnessFault saved(const OutputFolder& folder, const OracleDisagreement& disagre
 }
 
 int judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked) {
+  source_places(plan.kernels, output.sources);  // refuses what cannot be one, before anything runs
   const std::optional<Ratchet> ratchet = ratchet_of(output, plan);
   const OutputFolder folder(output.out);
   for (const std::string& target : targets_of(plan)) require_uncontracted(target);
@@ -107,6 +111,7 @@ int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResul
   if (held) folder.write(ratchet_outcome_file, outcome_json(*ratchet, *held));
   Json info = run_info(plan, result, target_asked, iso_time(started), seconds);
   if (!scale.is_null()) info["scale"] = scale;
+  info["sources"] = source_places(plan.kernels, output.sources);
   folder.write("run.json", info);
   if (output.shrink != 0 && result.complete)
     folder.write_text(shrunk_file, shrunk_witnesses(record, plan.target, output.shrink));

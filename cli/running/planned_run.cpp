@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "cli/commands.h"
+#include "cli/options/source_place.h"
 #include "cli/options/test_options.h"
 #include "cli/running/judged_run.h"
 #include "cli/running/recheck.h"
@@ -65,6 +66,7 @@ class Lead {
         distributor_(crew, ranks),
         is_whole_(options.shard.empty() && options.stretches.empty()),
         is_selected_([](std::uint64_t) { return true; }) {
+    source_places(plan.kernels, output.sources);  // refuses what cannot be one, before anything runs
     if (!options.shard.empty()) is_selected_ = shard_of(options.shard);
     if (!options.stretches.empty()) is_selected_ = listed_in(options.stretches, stretches.count());
   }

@@ -62,7 +62,10 @@ class Comparer {
     }
     correct();
     for (ComparedCell& cell : result_.cells) {
-      if (cell.is_compared()) ++kernel_of(cell.before, true)->cells;
+      if (cell.is_compared()) {
+        ++kernel_of(cell.before, true)->cells;
+        compared_.emplace(cell.before.kernel, cell.before.precision);
+      }
       if (!cell.is_alarm()) continue;
       for (const Json* witness : witnesses_of(after_, cell.after)) cell.witnesses.push_back((*witness)["id"]);
     }
@@ -159,15 +162,39 @@ class Comparer {
         say(kernel.before, is_in(unloaded_before, kernel.before)
                                ? "could not be loaded in OLD"
                                : "has no precision and family with valid queries in both runs");
+      } else {
+        for (const Json& precision : precisions_of(before_, kernel.before)) {
+          if (compared_.contains({kernel.before, precision})) continue;
+          say(fmt::format("{} {}", kernel.before, precision.get<std::string>()),
+              has_precision(after_, kernel.after, precision) ? "has no family with valid queries in both runs"
+                                                             : "is only in OLD");
+        }
+        for (const Json& precision : precisions_of(after_, kernel.after)) {
+          if (!has_precision(before_, kernel.before, precision))
+            absent_[fmt::format("{} {}", kernel.after, precision.get<std::string>())] = "is only in NEW";
+        }
       }
     }
   }
 
-  // Reports a missing family once, not once for each cell; a missing kernel is reported as one. A family's verdict comes
+  static std::vector<Json> precisions_of(const Json& record, const std::string& id) {
+    std::vector<Json> precisions;
+    for (const Json& kernel : record["kernels"]) {
+      if (kernel["id"] == id) precisions.push_back(kernel["precision"]);
+    }
+    return precisions;
+  }
+  static bool has_precision(const Json& record, const std::string& id, const Json& precision) {
+    const std::vector<Json> all = precisions_of(record, id);
+    return std::find(all.begin(), all.end(), precision) != all.end();
+  }
+
+  // Reports a missing family once, not once for each cell; a missing kernel, or one of its precisions, is reported as one. A family's verdict comes
   // first.
   void note_absent(const Cell& cell, bool is_before, const std::string& why) {
     const ComparedKernel& kernel = *kernel_of(cell, is_before);
     if (kernel.before.empty() || kernel.after.empty()) return;
+    if (!has_precision(is_before ? after_ : before_, is_before ? kernel.after : kernel.before, cell.precision)) return;
     const std::string family = fmt::format("{} {} on {}", cell.kernel, cell.precision, cell.family);
     if (cell.place == "verdict" || cell.kind == Cell::Kind::finding) absent_.emplace(family, why);
     else if (cell.member == "tolerance_failures") absent_.emplace(family + ": " + cell.name(), why);
@@ -232,6 +259,7 @@ class Comparer {
 
   const Json &before_, &after_;
   std::pair<Identities, Identities> identities_;
+  std::set<std::pair<std::string, std::string>> compared_;  // OLD's ids, and precisions
   RunComparison result_;
   std::map<std::string, std::string> absent_;
 };

@@ -56,8 +56,8 @@ struct RunComparison {
   std::vector<NotCompared> not_compared;
   std::size_t tested = 0;          // number of cells that Holm's correction covers
   std::vector<ComparedKernel> kernels;  // OLD's, then those that only NEW has
-  // Sentences on what was to be compared and could not be: a kernel of OLD of which no cell is, a kernel of NEW that
-  // could not be loaded, two runs without a common cell. Each forbids exit code 0.
+  // Sentences on what was to be compared and could not be: a kernel of OLD, or a precision of it, of which no cell
+  // is, a kernel of NEW that could not be loaded, two runs without a common cell. Each forbids exit code 0.
   std::vector<std::string> unchecked;
   std::vector<Replayed> replayed;  // OLD's witnesses
   std::size_t alarms() const;      // cells that are new or worse, and witnesses that were right and are now wrong
