@@ -10,7 +10,6 @@
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
-#include "reports/gates/requirement.h"
 
 namespace axiscert {
 namespace {
@@ -135,7 +134,6 @@ Kernel program(const JudgeOptions& options, const StoredReplies& replies) {
 }
 
 int judge_replies(const JudgeOptions& options) {
-  if (!options.require.empty()) parse_requirement(options.require);
   const auto replies = std::make_shared<const StoredReplies>(read(options));
   const Kernel kernel = program(options, *replies);
   Plan plan;
@@ -148,6 +146,7 @@ int judge_replies(const JudgeOptions& options) {
   plan.threads = threads_of(options.threads);
   plan.replies = replies;
   plan.claim = options.claim;
+  check_required(options.required, plan);
   return judged_run(plan, options, plan.target);
 }
 

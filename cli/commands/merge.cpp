@@ -68,7 +68,7 @@ int merge(const MergeOptions& options) {
   }
   OutputOptions output;
   output.out = options.out;
-  output.require = file.options.require;
+  output.required = file.options.required;
   const Json scale = {{"plan_digest", file.digest},
                       {"stretches", stretches.count()},
                       {"units_per_stretch", stretches.units_each()},

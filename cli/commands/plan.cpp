@@ -31,7 +31,7 @@ void add_plan(CLI::App& app, Action& action) {
       "plan", "Write a plan file, for `run --plan` in parts, on many machines, and again after an interruption");
   auto options = std::make_shared<PlanOptions>();
   add_plan_options(*command, *options);
-  add_require_option(*command, options->require);
+  add_require_options(*command, options->required);
   command
       ->add_option("--units-per-stretch", options->units_each,
                    "units handed out, journalled and repeated together (default: 1 in small plans, 16 in others, more "

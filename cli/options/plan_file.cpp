@@ -33,7 +33,6 @@ void for_each_option(Options& o, Visit&& visit) {
   visit("seed", o.seed);
   visit("precision", o.precision);
   visit("tolerances", o.tolerances);
-  visit("require", o.require);
 }
 
 template <class Value>
@@ -62,6 +61,18 @@ void get_member(const Json& object, const char* name, Value& value) {
   }
 }
 
+// Levels: one as text, as plans have it that were written when there could be only one; none as an empty text.
+void put_required(Json& options, const Required& required) {
+  const std::vector<std::string>& levels = required.levels;
+  options["require"] = levels.empty() ? Json("") : levels.size() == 1 ? Json(levels.front()) : Json(levels);
+  if (!required.allow_unchecked.empty()) options["allow_unchecked"] = required.allow_unchecked;
+}
+void get_required(const Json& options, Required& required) {
+  if (!options.at("require").is_string()) get_member(options, "require", required.levels);
+  else if (const std::string level = options["require"]; !level.empty()) required.levels = {level};
+  if (options.contains("allow_unchecked")) get_member(options, "allow_unchecked", required.allow_unchecked);
+}
+
 std::string digest_of(Json json) {
   json.erase("digest");
   const std::string text = json.dump();
@@ -69,7 +80,9 @@ std::string digest_of(Json json) {
 }
 
 // The plan as the record of a run with these options has it.
-Json plan_of_record(const Plan& plan, const std::string& require) { return plan_json(plan, planned(plan), require); }
+Json plan_of_record(const Plan& plan, const Required& required) {
+  return plan_json(plan, planned(plan), required);
+}
 
 // Replaces each file that does not exist by the file of the same base name next to the plan, where that exists.
 void look_beside(const std::string& plan_path, std::vector<std::string>& files) {
@@ -99,8 +112,9 @@ PlanFile plan_file_of(const RunOptions& given, std::optional<std::uint64_t> unit
   if (options.corpus) require_utf8(*options.corpus, "--corpus");
   Json stored = Json::object();
   for_each_option(options, [&](const char* name, const auto& value) { put(stored[name], value); });
+  put_required(stored, options.required);
   file.json = {{"schema", plan_schema},
-               {"plan", plan_of_record(plan, options.require)},
+               {"plan", plan_of_record(plan, options.required)},
                {"options", stored},
                {"queries", stretches.queries()},
                {"units", stretches.units()},
@@ -140,6 +154,7 @@ PlanFile read_plan_file(const std::string& path) {
       if (name != std::string_view("test") || !options.is_object() || options.contains(name))
         get_member(options, name, value);
     });
+    get_required(options, file.options.required);
     if (file.options.test.empty()) file.options.test = sphere_triangle_test().id;
     get_member(json, "units_per_stretch", file.units_each);
     std::uint64_t counted;  // computed again where the plan is taken
@@ -157,7 +172,7 @@ Plan plan_of(const PlanFile& file) {
   look_beside(file.path, options.meshes);
   look_beside(file.path, options.queries);
   Plan plan = plan_of(options);
-  const std::string differs = difference(plan_of_record(plan, options.require), present_plan(file.json["plan"]));
+  const std::string differs = difference(plan_of_record(plan, options.required), present_plan(file.json["plan"]));
   if (!differs.empty()) {
     throw Error(
         fmt::format("{}: cannot be run as planned: here {}; write a new plan, or use the axiscert and the "

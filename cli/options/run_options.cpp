@@ -137,13 +137,32 @@ void add_thread_option(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "worker threads (default: all cores)")->check(CLI::Range(1, 4096));
 }
 
-void add_require_option(CLI::App& command, std::string& require) {
-  command.add_option("--require", require, "logic, range, exact or conservative[=D]: exit 1 where it is not met");
+void add_require_options(CLI::App& command, Required& required) {
+  command
+      .add_option("--require", required.levels,
+                  fmt::format("level, repeatable: exit 1 where it is not met or not checked; {}", levels_help()))
+      ->allow_extra_args(false);
+  command
+      .add_option("--allow-unchecked", required.allow_unchecked,
+                  "level of --require that passes where these queries or this kernel cannot show it, repeatable")
+      ->allow_extra_args(false);
+}
+
+void check_required(const Required& required, const Plan& plan) {
+  const Json stated = plan_json(plan, CampaignResult(), required);
+  requirements_of(stated);
+  for (const std::string& id : yardsticks_of(stated)) {
+    const bool is_run = std::any_of(plan.kernels.begin(), plan.kernels.end(), [&](const Kernel* kernel) { return kernel->id == id; });
+    if (is_run) continue;
+    throw Error(fmt::format("--require no-worse-than={}: {}", id,
+                            plan.replies ? "replies are of one program; only `run` judges two kernels on the same queries"
+                                         : fmt::format("that kernel is not in this run; add --kernel {}", id)));
+  }
 }
 
 void add_output_options(CLI::App& command, OutputOptions& o) {
   add_thread_option(command, o.threads);
-  add_require_option(command, o.require);
+  add_require_options(command, o.required);
   command.add_option(
       "--ratchet", o.ratchet,
       "file of accepted errors, one line for each cell: exit 1 where anything is worse or a waiver has expired");
@@ -255,7 +274,6 @@ Plan plan_of(const RunOptions& given) {
   Plan plan;
   plan.seed = options.seed;
   plan.target = resolve_target(options.target);
-  if (!options.require.empty()) parse_requirement(options.require);
   for (const std::string& id : options.kernels) {
     const Kernel* kernel = &find_kernel(id);
     if (std::find(plan.kernels.begin(), plan.kernels.end(), kernel) != plan.kernels.end()) continue;
@@ -280,6 +298,7 @@ Plan plan_of(const RunOptions& given) {
   plan.sources = sources_of(options, *plan.test,
                             options.precision.empty() ? Precision::binary32 : parse_precision(options.precision));
   require_one_test(plan.kernels, plan.sources);
+  check_required(options.required, plan);
   say_what_is_left_out(plan.sources, plan.precisions);
   return plan;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/confirm/plan.h"
 
 namespace axiscert {
 
@@ -23,7 +24,8 @@ struct SourceOptions {
 
 // The use of the judged answers.
 struct OutputOptions {
-  std::string require, out = "out", ratchet;
+  Required required;
+  std::string out = "out", ratchet;
   bool quiet = false;
   std::uint64_t shrink = 0;  // evaluations to make each witness smaller; 0: they stay as they are
   int threads = 0;           // 0: all cores
@@ -43,7 +45,10 @@ struct RunOptions : SourceOptions, OutputOptions {
 CLI::Option* add_source_options(CLI::App& command, SourceOptions& options);
 // Adds the options that a plan file keeps: kernels, queries, precision, tolerances. Also returns --trials.
 CLI::Option* add_plan_options(CLI::App& command, RunOptions& options);
-void add_require_option(CLI::App& command, std::string& require);
+void add_require_options(CLI::App& command, Required& required);
+// Throws Error where a level does not exist, is not written as it has to be, or may be left unchecked and is not
+// required; and where a kernel that others are measured against is not among the plan's.
+void check_required(const Required& required, const Plan& plan);
 void add_thread_option(CLI::App& command, int& threads);
 void add_output_options(CLI::App& command, OutputOptions& options);
 void add_run_options(CLI::App& command, RunOptions& options);

@@ -26,6 +26,23 @@ namespace {
 
 constexpr const char* shrunk_file = "witnesses-shrunk.jsonl";
 
+// Prints what came of each level: what is met, with what that says, on standard output; the rest on standard error.
+// Returns whether all pass.
+bool shown(const std::vector<LevelOutcome>& outcomes, bool quiet) {
+  for (const LevelOutcome& outcome : outcomes) {
+    if (outcome.passes()) {
+      const bool is_met = outcome.state == LevelState::met;
+      if (!quiet) fmt::print("{}\n", coloured(outcome.text(), is_met ? TextColour::green : TextColour::yellow));
+      if (!quiet && is_met) fmt::print("  covers {};\n  not {}\n", outcome.covers, outcome.leaves_out);
+      continue;
+    }
+    for (const Failure& failure : outcome.failures)
+      fmt::print(stderr, "axiscert: --require {}: {}\n", outcome.asked.text, failure.text());
+    if (outcome.state == LevelState::not_checked) fmt::print(stderr, "axiscert: --require: {}\n", outcome.text());
+  }
+  return pass(outcomes);
+}
+
 // Prints what is worse and what is better; returns whether the ratchet is met.
 bool holds(const RatchetOutcome& outcome, bool quiet) {
   for (const std::string& better : outcome.better) {
@@ -45,7 +62,7 @@ std::optional<Ratchet> ratchet_of(const OutputOptions& output, const Plan& plan)
     throw Error(fmt::format("--ratchet {}: the run would overwrite it; keep the reviewed file outside of --out {}",
                             output.ratchet, output.out));
   }
-  require_plan(ratchet, plan_json(plan, planned(plan), output.require));
+  require_plan(ratchet, plan_json(plan, planned(plan), output.required));
   return ratchet;
 }
 
@@ -78,7 +95,7 @@ int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResul
                const std::optional<Ratchet>& ratchet, const std::string& target_asked,
                std::chrono::system_clock::time_point started, const Json& scale) {
   const double seconds = std::chrono::duration<double>(std::chrono::system_clock::now() - started).count();
-  const Json record = record_of(plan, result, output.require);
+  const Json record = record_of(plan, result, output.required);
   std::optional<RatchetOutcome> held;
   if (ratchet && result.complete)
     held = hold_against(*ratchet, record, iso_time(std::chrono::system_clock::now()).substr(0, 10));
@@ -88,6 +105,8 @@ int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResul
   if (held) folder.write(ratchet_outcome_file, outcome_json(*ratchet, *held));
   Json info = run_info(plan, result, target_asked, iso_time(started), seconds);
   if (!scale.is_null()) info["scale"] = scale;
+  const std::vector<LevelOutcome> outcomes = outcomes_of(record);
+  if (!outcomes.empty()) info["requirements"] = outcomes_json(outcomes);
   folder.write("run.json", info);
   if (output.shrink != 0 && result.complete)
     folder.write_text(shrunk_file, shrunk_witnesses(record, plan.target, output.shrink));
@@ -96,12 +115,7 @@ int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResul
   if (!output.quiet) fmt::print("{}{}/report.html\n", summary_text(record, seconds), output.out);
   if (!result.complete) return exit_interrupted;
   bool is_met = true;
-  if (!output.require.empty()) {
-    for (const auto& failure : unmet(record, output.require)) {
-      fmt::print(stderr, "axiscert: --require {}: {}\n", output.require, failure.text());
-      is_met = false;
-    }
-  }
+  if (!shown(outcomes, output.quiet)) is_met = false;
   if (held && !holds(*held, output.quiet)) is_met = false;
   return is_met ? exit_done : exit_requirement_failed;
 }

@@ -220,7 +220,7 @@ int run_as(Ranks* ranks, const PlannedOptions& options, const RunOptions& run) {
     return exit_done;
   }
   OutputOptions output = run;
-  output.require = file.options.require;
+  output.required = file.options.required;
   return Lead(options, output, file, plan, stretches, crew, ranks).run(run.target);
 }
 
@@ -232,7 +232,7 @@ void add_planned_options(CLI::App& command, PlannedOptions& o) {
                          "plan file of `axiscert plan` to run, by all ranks where mpirun starts several; finished "
                          "stretches are kept in the folder's journal");
   for (const char* settled : {"--test", "--kernel", "--family", "--mesh", "--queries", "--corpus", "--seed", "--trials",
-                              "--time", "--precision", "--tolerance", "--require", "--plant", "--preset"}) {
+                              "--time", "--precision", "--tolerance", "--require", "--allow-unchecked", "--plant", "--preset"}) {
     plan->excludes(command.get_option(settled));
   }
   command.add_flag("--resume", o.resume, "continue the folder's journal, where there is one")->needs(plan);

@@ -81,7 +81,7 @@ TEST(RunOutput, FindingsStandFirstThenWhatWasJudged) {
   plan.trials = [](const Source&, Precision) { return std::uint64_t{3}; };
   plan.target = std::string(scalar_target);
   const std::atomic<bool> never = false;
-  const std::string text = summary_text(record_of(plan, run_campaign(plan, never, [](const Progress&) {}), ""), 1);
+  const std::string text = summary_text(record_of(plan, run_campaign(plan, never, [](const Progress&) {}), {}), 1);
   EXPECT_EQ(text.find("plugin:x.so binary32: crash on family general, 3 times, first at 1:general:2:binary32:0:0: "
                       "signal 11\n  axiscert query '1:general:2:binary32:0:0' > witness.jsonl && axiscert check "
                       "witness.jsonl --kernel plugin:x.so\nplugin:gone.so: load: no such file\nplugin:gone.so: NOT "

@@ -39,6 +39,7 @@ class Oracles {
   // formulae that are not among formulae().
   virtual std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<float>& numbers) const = 0;
   virtual std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<double>& numbers) const = 0;
+  virtual bool has_depth() const = 0;
   // The distance of a valid query from touching, relative to its scene and rounded once; empty if the test has none.
   virtual std::optional<double> depth(const Numbers<float>& numbers) const = 0;
   virtual std::optional<double> depth(const Numbers<double>& numbers) const = 0;

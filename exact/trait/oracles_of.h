@@ -26,6 +26,7 @@ class OraclesOf final : public Oracles {
   std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<double>& q) const override {
     return claimed_by(kernel, q, typename Test::AllFormulae());
   }
+  bool has_depth() const override { return HasDepth<Test>; }
   std::optional<double> depth(const Numbers<float>& q) const override { return depth_of(q); }
   std::optional<double> depth(const Numbers<double>& q) const override { return depth_of(q); }
 

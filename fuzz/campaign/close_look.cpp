@@ -1,6 +1,7 @@
 #include "fuzz/campaign/close_look.h"
 
-#include "exact/sphere_triangle/measures/depth.h"
+#include <limits>
+
 #include "exact/sphere_triangle/measures/grid_distance.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 
@@ -18,9 +19,21 @@ std::optional<Real> LazyDistance<Real>::within(const RadiusRange<Real>& range) {
   return rounded_distance_within(*rounded_, range);
 }
 template <class Real>
+const DepthRange& LazyDistance<Real>::range() {
+  if (!range_) range_ = exact_only_ ? DepthRange{exactly(), exactly()} : depth_range(query_);
+  return *range_;
+}
+template <class Real>
+double LazyDistance<Real>::at_least() {
+  return range().low;
+}
+template <class Real>
 double LazyDistance<Real>::at_most() {
-  if (!at_most_) at_most_ = exact_only_ ? exactly() : depth_range(query_).high;
-  return *at_most_;
+  return range().high;
+}
+template <class Real>
+double LazyDistance<Real>::engine_threshold() {
+  return is_engine_like(query_) ? engine_depth<Real> : std::numeric_limits<double>::infinity();
 }
 template <class Real>
 double LazyDistance<Real>::exactly() {
@@ -30,7 +43,9 @@ double LazyDistance<Real>::exactly() {
 }
 template <class Real>
 void LazyDistance<Real>::is_zero() {
-  if (!exact_only_) at_most_ = depth_ = 0;
+  if (exact_only_) return;
+  range_ = DepthRange{0, 0};
+  depth_ = 0;
 }
 template class LazyDistance<float>;
 template class LazyDistance<double>;

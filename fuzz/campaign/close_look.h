@@ -6,6 +6,7 @@
 
 #include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
+#include "exact/sphere_triangle/measures/depth.h"
 #include "fuzz/campaign/decider.h"
 #include "fuzz/campaign/tally.h"
 
@@ -18,16 +19,21 @@ class LazyDistance final : public DepthOf {
   LazyDistance(const Query<Real>& q, bool exact_only) : query_(q), exact_only_(exact_only) {}
   const Rational& squared();
   std::optional<Real> within(const RadiusRange<Real>& range);  // correctly rounded; seldom needs the square
+  double at_least() override;
   double at_most() override;
   double exactly() override;
+  double engine_threshold() override;
   void is_zero();  // the depth: of a query that touches
 
  private:
+  const DepthRange& range();
+
   const Query<Real>& query_;
   bool exact_only_;
   std::optional<Rational> squared_;
   std::optional<Real> rounded_;
-  std::optional<double> at_most_, depth_;
+  std::optional<DepthRange> range_;
+  std::optional<double> depth_;
 };
 
 template <class Real>

@@ -91,6 +91,11 @@ void KernelRun<Real>::count_plain(const DecidedBatch<Real>& batch) {
 }
 
 template <class Real>
+void KernelRun<Real>::count_engine_like(std::uint64_t queries) {
+  if (!kernel_.limits.any()) tally_.verdict.engine.queries += queries;
+}
+
+template <class Real>
 void KernelRun<Real>::judge(const DecidedBatch<Real>& batch, std::size_t i, bool radius_is_zero,
                             CloseLooks<Real>& looks) {
   const Answer said = answer(i);
@@ -171,6 +176,7 @@ void KernelRun<Real>::judge_exactly(const Answer& answer, bool is_filtered, Clos
     count_outside(tally_, truth, answer, judgement, depth);
     return;
   }
+  if (kernel_.limits.any() && is_engine_like(look.query())) ++tally_.verdict.engine.queries;
   count(tally_, position_ + look.index(), truth, sides ? sides->ties : ComparisonBits{0}, answer, judgement, depth,
         standing_);
   if (answer.verdict != Verdict::unanswered && sides) check_sides(*sides, chain, is_filtered && by_signs_, look);
@@ -233,7 +239,8 @@ void KernelRun<Real>::finish() {
   for (std::size_t i = 0; i < critical.size(); ++i) {
     const CriticalRadiusError error = critical_radius_error(critical[i], distances_[i]);
     if (!error.answered) ++tally.unanswered;
-    else if (std::isfinite(*error.ulps)) tally.errors_ulps.push_back(*error.ulps);
+    else if (std::isfinite(*error.ulps))
+      tally.errors_ulps.push_back(*critical[i].radius < distances_[i] ? -*error.ulps : *error.ulps);
     else ++tally.unbounded;
   }
 }

@@ -28,6 +28,8 @@ class KernelRun {
   // Counts the queries on which no sign is a tie and nothing is wrong with the answer, unless exact arithmetic judges
   // them.
   void count_plain(const DecidedBatch<Real>& batch);
+  // Counts the engine-like queries of a batch, unless the kernel has limits: then judge() does.
+  void count_engine_like(std::uint64_t queries);
   bool has_counted(std::size_t i) const { return !counted_.empty() && counted_[i]; }
   // Judges and counts a query that count_plain left.
   void judge(const DecidedBatch<Real>& batch, std::size_t i, bool radius_is_zero, CloseLooks<Real>& looks);

@@ -40,7 +40,9 @@ WatchedBatch<Real> AnsweredBatch<Real>::look_at_errors(const DecidedBatch<Real>&
 template <class Real>
 void KernelRuns<Real>::count_plain(const DecidedBatch<Real>& batch) {
   open_.assign(batch.size(), false);
+  const std::uint64_t engine_like = engine_like_queries(batch.queries.columns());
   for (KernelRun<Real>& run : runs_) {
+    run.count_engine_like(engine_like);
     run.count_plain(batch);
     for (std::size_t i = 0; i < open_.size(); ++i) open_[i] |= static_cast<char>(!run.has_counted(i));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <limits>
 
 #include "exact/trait/oracles.h"
 #include "fuzz/campaign/stages.h"
@@ -30,7 +31,10 @@ class ExactQuery final : public DepthOf {
     return &known_.emplace_back(Known{&kernel, *oracles_.claimed(kernel, numbers_)}).claim;
   }
 
+  double at_least() override { return exactly(); }
   double at_most() override { return exactly(); }
+  // Engine-like is defined of the numbers of a sphere and a triangle.
+  double engine_threshold() override { return std::numeric_limits<double>::infinity(); }
   double exactly() override {
     if (truth_.touching) return 0;
     if (!depth_) depth_ = oracles_.depth(numbers_).value_or(0);

@@ -70,6 +70,9 @@ void merge_verdict(VerdictTally& into, const VerdictTally& from) {
     keep_first(into.first_by_link[link], from.first_by_link[link]);
   }
   merge_outside(into.outside_limits, from.outside_limits);
+  into.depths.merge(from.depths);
+  into.engine.queries += from.engine.queries;
+  into.engine.wrong.merge(from.engine.wrong);
 }
 
 void count_truth(Tally& tally, const Truth& truth, std::uint64_t times = 1) {
@@ -170,6 +173,7 @@ void Tally::merge(const Tally& other) {
 }
 
 void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth, const Standing& standing) {
+  count_depth(tally.verdict.depths, tally.verdict.engine, flip.kind, depth);
   const Candidate<double> at_most{depth.at_most(), position};
   if (!could_keep(tally.verdict, flip, at_most) || !standing.could_keep_depth(flip, at_most)) return;
   const Candidate<double> candidate{depth.exactly(), position};

@@ -10,6 +10,7 @@
 
 #include "exact/numbers/decimal6.h"
 #include "exact/judge/judge.h"
+#include "fuzz/campaign/depths.h"
 #include "fuzz/campaign/margins.h"
 #include "kernel/finding.h"
 #include "kernel/sphere_triangle/decision.h"
@@ -92,10 +93,14 @@ struct VerdictTally {
   // The first wrong verdict with that link broken; but for `implementation`, on a query that does not touch.
   EnumArray<Link, std::optional<std::uint64_t>> first_by_link;
   OutsideTally outside_limits;
+  DepthTally depths;
+  EngineTally engine;
 };
 
 struct CriticalRadiusTally {
-  std::vector<double> errors_ulps;  // unsorted; of a source at most 2^16 (has_critical_radius)
+  // Unsorted, of a source at most 2^16 (has_critical_radius); negative where the kernel says contact too early, at a
+  // radius below the exact distance.
+  std::vector<double> errors_ulps;
   std::uint64_t unbounded = 0;      // contact for no radius, finite and within the limits
   std::uint64_t unanswered = 0;     // not measured: a radius got no answer
 };
@@ -120,16 +125,6 @@ struct Tally {
   MarginTally margins;  // of the source's first queries (has_margins)
 
   void merge(const Tally& other);
-};
-
-// The depth of a wrong verdict: exact, and so only computed where it could be kept.
-class DepthOf {
- public:
-  virtual double at_most() = 0;  // certainly
-  virtual double exactly() = 0;
-
- protected:
-  ~DepthOf() = default;
 };
 
 // The leaders that other units of the same cell have found: a query that is certainly no greater is not evaluated.
@@ -165,7 +160,7 @@ void count(Tally& tally, std::uint64_t position, const Truth& truth, ComparisonB
 // The part of count() that adds up: the same for each of `times` queries with this judgement.
 void count_numbers(Tally& tally, const Truth& truth, ComparisonBits ties, const Answer& answer,
                    const Judgement& judgement, std::uint64_t times);
-// The part of count() that keeps the depth of a wrong verdict.
+// The part of count() that counts and keeps the depth of a wrong verdict.
 void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth, const Standing& standing);
 
 // Counts a valid query outside the kernel's limits.

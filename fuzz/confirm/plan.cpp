@@ -11,9 +11,15 @@ Json replies_json(const Plan& plan) {
           {"touching", name(plan.kernels.front()->touching)}};
 }
 
+// One level as text, as records of one level have it.
+Json require_json(const std::vector<std::string>& levels) {
+  if (levels.empty()) return nullptr;
+  return levels.size() == 1 ? Json(levels.front()) : Json(levels);
+}
+
 }  // namespace
 
-Json plan_json(const Plan& plan, const CampaignResult& result, const std::string& require) {
+Json plan_json(const Plan& plan, const CampaignResult& result, const Required& required) {
   Json json = {{"axiscert", AXISCERT_VERSION}, {"test", plan.test->id}, {"seed", plan.seed}};
   for (const char* list : {"kernels", "precisions", "families"}) json[list] = Json::array();
   for (const char* map : {"generators", "trials"}) json[map] = Json::object();
@@ -51,7 +57,8 @@ Json plan_json(const Plan& plan, const CampaignResult& result, const std::string
     }
   }
   json["tolerance"] = plan.tolerance_texts;
-  json["require"] = require.empty() ? Json(nullptr) : Json(require);
+  json["require"] = require_json(required.levels);
+  if (!required.allow_unchecked.empty()) json["allow_unchecked"] = required.allow_unchecked;
   json["margin_queries"] = margin_queries;
   // Without a time limit the trials determine the units; an interrupted run did only some of them.
   if (plan.replies) json["replies"] = replies_json(plan);

@@ -1,12 +1,20 @@
 // The plan of a run as its record states it.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/text/json.h"
 
 namespace axiscert {
 
-// `require` is the level as given, or empty. Only the cells' units and queries of the result are used.
-Json plan_json(const Plan& plan, const CampaignResult& result, const std::string& require);
+// What a run has to meet, as it was given: levels, and those of them that may be left unchecked.
+struct Required {
+  std::vector<std::string> levels = {}, allow_unchecked = {};
+};
+
+// Only the cells' units and queries of the result are used.
+Json plan_json(const Plan& plan, const CampaignResult& result, const Required& required);
 
 }  // namespace axiscert

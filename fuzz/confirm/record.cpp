@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "exact/trait/oracles.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/campaign/tally.h"
@@ -64,12 +66,24 @@ Json comparison_json(const ComparisonTally& tally, bool has_tolerance, Json marg
 Json critical_radius_json(CriticalRadiusTally tally) {
   std::vector<double>& errors = tally.errors_ulps;
   std::sort(errors.begin(), errors.end());
+  const auto count_if = [&](const auto& is) {
+    return static_cast<std::uint64_t>(std::count_if(errors.begin(), errors.end(), is));
+  };
+  const Json signed_median = errors.empty() ? Json(nullptr) : Json(errors[(errors.size() - 1) / 2]);
+  const std::uint64_t early = count_if([](double error) { return error < 0; });
+  // The least float that is not below the distance is up to one ulp above the distance's nearest.
+  const std::uint64_t late = count_if([](double error) { return error > 1; });
+  for (double& error : errors) error = std::abs(error);
+  std::sort(errors.begin(), errors.end());
   const auto at = [&](std::size_t i) { return errors.empty() ? Json(nullptr) : Json(errors[i]); };
   return {{"sampled", errors.size() + tally.unbounded},
           {"median_ulps", at((errors.size() - 1) / 2)},
           {"largest_ulps", at(errors.size() - 1)},
           {"unbounded", tally.unbounded},
-          {"unanswered", tally.unanswered}};
+          {"unanswered", tally.unanswered},
+          {"signed_median_ulps", signed_median},
+          {"early", early},
+          {"late", late}};
 }
 
 Json first_by_link_json(const VerdictTally& v) {
@@ -88,7 +102,30 @@ Json outside_json(const OutsideTally& outside) {
           {"deepest", outside.deepest}};
 }
 
-Json verdict_json(const VerdictTally& v, const Limits& limits) {
+Json decades_json(const DecadeCounts& counts) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < decade_count; ++i) {
+    if (counts[i] != 0) json[decade_name(i)] = counts[i];
+  }
+  return json;
+}
+
+Json depths_json(const DepthTally& depths) {
+  return {{"false_separation", decades_json(depths.false_separation)},
+          {"false_contact", decades_json(depths.false_contact)}};
+}
+
+Json engine_json(const EngineTally& engine) {
+  const auto sum = [](const DecadeCounts& counts) {
+    return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  };
+  return {{"queries", engine.queries},
+          {"false_separation", sum(engine.wrong.false_separation)},
+          {"false_contact", sum(engine.wrong.false_contact)},
+          {"depths", depths_json(engine.wrong)}};
+}
+
+Json verdict_json(const VerdictTally& v, const TestDescription& test, const Limits& limits) {
   const double separation = v.deepest_false_separation.best(), contact = v.deepest_false_contact.best();
   constexpr std::size_t last = link_count - 1;
   return {{"false_separation", v.false_separation},
@@ -104,7 +141,9 @@ Json verdict_json(const VerdictTally& v, const Limits& limits) {
           {"first_by_link", first_by_link_json(v)},
           {"touching_flips", v.touching_flips},
           {"touching_links", link_counts(v.touching_links, 0, last)},
-          {"outside_limits", limits.any() ? outside_json(v.outside_limits) : Json(nullptr)}};
+          {"outside_limits", limits.any() ? outside_json(v.outside_limits) : Json(nullptr)},
+          {"depths", oracles_of(test).has_depth() ? depths_json(v.depths) : Json(nullptr)},
+          {"engine_like", &test == &first_test() ? engine_json(v.engine) : Json(nullptr)}};
 }
 
 // `address` makes the text of a position's address.
@@ -133,7 +172,7 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
                  {"contact", tally.contact},
                  {"touching", tally.touching},
                  {"invalid", tally.invalid}}},
-               {"verdict", verdict_json(tally.verdict, kernel.limits)},
+               {"verdict", verdict_json(tally.verdict, *plan.test, kernel.limits)},
                {"axes", nullptr},
                {"comparisons", nullptr},
                {"critical_radius", critical_radius_json(tally.critical_radius)}};
@@ -179,8 +218,8 @@ Json limits_json(const Limits& limits) {
           {"greatest_radius", bound(limits.greatest_radius)}};
 }
 
-Json record_of(const Plan& plan, const CampaignResult& result, const std::string& require) {
-  Json record = {{"schema", record_schema}, {"complete", result.complete}, {"plan", plan_json(plan, result, require)}};
+Json record_of(const Plan& plan, const CampaignResult& result, const Required& required) {
+  Json record = {{"schema", record_schema}, {"complete", result.complete}, {"plan", plan_json(plan, result, required)}};
   Json& kernels = record["kernels"] = Json::array();
   WitnessWriter witnesses(plan);
   Json findings = Json::array();

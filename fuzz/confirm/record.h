@@ -4,15 +4,16 @@
 #include <string>
 
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/confirm/plan.h"
 #include "fuzz/text/json.h"
 
 namespace axiscert {
 
 inline constexpr const char* record_schema = "axiscert-record/2";
 
-// record.json: contains no clock, host, thread count, target or compiler. `require` is the level as given, or empty.
+// record.json: contains no clock, host, thread count, target or compiler.
 // Makes the witnesses' queries again and examines each by all oracles.
-Json record_of(const Plan& plan, const CampaignResult& result, const std::string& require);
+Json record_of(const Plan& plan, const CampaignResult& result, const Required& required);
 
 // run.json: times, throughput, machine, target, compiler and library versions. `started` is ISO 8601, UTC.
 Json run_info(const Plan& plan, const CampaignResult& result, const std::string& target_asked,

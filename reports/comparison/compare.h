@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/comparison/cells.h"
@@ -44,6 +45,10 @@ struct RunComparison {
   std::size_t alarms() const;      // cells that are new or worse, and witnesses that were right and are now wrong
   std::size_t count(Change change) const;
 };
+
+// The counts of both cells as independent trials: queries that share a triangle count as one, and the count of failures
+// is scaled down with them. A remaining fraction is rounded towards the other cell's rate, which never causes an alarm.
+std::pair<Proportion, Proportion> independent(const Cell& x, const Cell& y);
 
 // Throws Error where two records are of different tests; `before_name` and `after_name` are those that it shows.
 void require_same_test(const Json& before, const Json& after, const std::string& before_name,

@@ -24,7 +24,7 @@ Json run(const Sample& sample, const std::string& kernel, std::uint64_t seed) {
   plan.target = std::string(scalar_target);
   plan.threads = 2;
   const std::atomic<bool> never = false;
-  return record_of(plan, run_campaign(plan, never, [](const Progress&) {}), "");
+  return record_of(plan, run_campaign(plan, never, [](const Progress&) {}), {});
 }
 
 // The record with its kernel renamed, as a new version of that other kernel would give it.

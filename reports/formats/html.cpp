@@ -34,7 +34,7 @@ Json notes() {
   const Json schema = Json::parse(embedded::record_schema_json);
   Json notes;
   for (const char* part : {"family", "truth", "verdict", "links", "axis", "comparison", "critical_radius", "axes",
-                           "comparisons", "outside_limits", "finding", "asymmetry"}) {
+                           "comparisons", "outside_limits", "finding", "asymmetry", "engine_like"}) {
     for (const auto& [member, rule] : schema["$defs"][part]["properties"].items()) {
       notes[part][member] = rule.value("description", "");
     }
@@ -105,10 +105,16 @@ Json findings_data(const Json& record) {
 }
 
 Json requirement_data(const Json& record) {
-  const Json& require = record["plan"]["require"];
-  if (require.is_null()) return nullptr;
-  Json data = {{"level", require}, {"sentence", parse_requirement(require).sentence()}, {"failures", Json::array()}};
-  for (const Failure& f : unmet(record, require)) {
+  const Requirements required = requirements_of(record["plan"]);
+  if (required.levels.empty()) return nullptr;
+  const std::vector<LevelOutcome> outcomes = outcomes_of(record);
+  Json data = {{"levels", Json::array()},
+               {"passes", pass(outcomes)},
+               {"outcomes", outcomes_json(outcomes)},
+               {"failures", Json::array()}};
+  for (const AskedLevel& asked : required.levels)
+    data["levels"].push_back({{"level", asked.text}, {"sentence", sentence_of(asked)}});
+  for (const Failure& f : failures_of(outcomes)) {
     data["failures"].push_back({{"kernel", f.kernel},
                                 {"precision", f.precision},
                                 {"family", f.family},

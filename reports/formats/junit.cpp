@@ -1,6 +1,6 @@
 // junit.xml, by the schema of Ant's JUnit task, for CI systems: one suite for each kernel and precision. Its cases: one
-// for the verdict of each family, failed where the run's requirement is not met there; one for each finding, always
-// failed; one for each family and comparison, failed where an error exceeds its tolerance. A case also fails where it
+// for the verdict of each family, failed where a requirement is not met there; one for each requirement that is not
+// checked, failed unless that is allowed; one for each finding, always failed; one for each family and comparison, failed where an error exceeds its tolerance. A case also fails where it
 // is worse than the ratchet accepts, and is skipped, with the text NOT CHECKED, where nothing was required of it. The
 // ratchet's failures that belong to none of these cases have a suite of their own.
 #include <fmt/format.h>
@@ -74,17 +74,37 @@ std::string ratchet_outcome(const Json& held, const Json& kernel, const std::str
   return detail.empty() ? "" : failure("ratchet", "worse than accepted, or expired", detail);
 }
 
-std::string verdict_outcome(const Json& require, const std::vector<Failure>& failures, const Json& kernel,
-                            const std::string& family) {
-  if (require.is_null()) return skipped("no requirement was given (--require)");
-  std::string detail;
-  for (const Failure& f : failures) {
-    if (f.family == family && f.is_of(kernel)) detail += f.text() + "\n";
+std::string verdict_outcome(const std::vector<LevelOutcome>& outcomes, const Json& kernel, const std::string& family) {
+  std::string message, detail, why_skipped = "nothing is required of it (--require)";
+  bool is_seen = false;
+  for (const LevelOutcome& outcome : outcomes) {
+    if (!outcome.is_of(kernel)) continue;
+    std::string falls_short;
+    for (const Failure& f : outcome.failures) {
+      if (f.family == family) falls_short += f.text() + "\n";
+    }
+    if (!falls_short.empty()) {
+      message += fmt::format("{}requirement {} is not met: {}", message.empty() ? "" : "; ", outcome.asked.text,
+                             sentence_of(outcome.asked));
+      detail += falls_short;
+    }
+    const bool is_unseen = std::find(outcome.unseen.begin(), outcome.unseen.end(), family) != outcome.unseen.end();
+    if (outcome.state == LevelState::not_checked) why_skipped = outcome.reason;
+    else if (is_unseen) why_skipped = fmt::format("{}: this kernel's answers here cannot show it", outcome.asked.text);
+    else is_seen = true;
   }
-  if (detail.empty()) return "";
-  const std::string level = require;
-  return failure("requirement",
-                 fmt::format("requirement {} is not met: {}", level, parse_requirement(level).sentence()), detail);
+  if (!detail.empty()) return failure("requirement", message, detail);
+  return is_seen ? "" : skipped(why_skipped);
+}
+
+// A case for each level that is not checked: failed, or skipped where that is allowed.
+void add_unchecked(Suite& suite, const std::vector<LevelOutcome>& outcomes, const Json& kernel) {
+  for (const LevelOutcome& outcome : outcomes) {
+    if (!outcome.is_of(kernel) || outcome.state != LevelState::not_checked) continue;
+    const std::string test = "requirement " + outcome.asked.text;
+    if (outcome.is_allowed) suite.add(test, skipped(outcome.reason), Json::object());
+    else suite.add(test, failure("not checked", outcome.text(), outcome.text()), Json::object());
+  }
 }
 
 std::string tolerance_outcome(const Json& tally, const Json& tolerance) {
@@ -128,12 +148,13 @@ Suite suite_of_findings(const Run& run, const std::string& kernel) {
   return suite;
 }
 
-Suite suite_of(const Run& run, const Json& kernel, const std::vector<Failure>& failures) {
+Suite suite_of(const Run& run, const Json& kernel, const std::vector<LevelOutcome>& outcomes) {
   const Json& plan = run.record["plan"];
   Suite suite{fmt::format("{} {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>())};
   for (const Json& finding : run.record["findings"]) {
     if (is_about(finding, kernel)) add_finding(suite, finding, run.record["plan"]);
   }
+  add_unchecked(suite, outcomes, kernel);
   for (const Json& name : plan["families"]) {
     const std::string family = name;
     if (!kernel["families"].contains(family)) {
@@ -146,7 +167,7 @@ Suite suite_of(const Run& run, const Json& kernel, const std::vector<Failure>& f
     const auto held = [&](const std::string& place, const std::string& outcome) {
       return with_ratchet(run.ratchet, kernel, family, place, outcome);
     };
-    suite.add(family + " verdict", held("verdict", verdict_outcome(plan["require"], failures, kernel, family)), counts);
+    suite.add(family + " verdict", held("verdict", verdict_outcome(outcomes, kernel, family)), counts);
     for (const TestComparison& judged : test_of(plan).comparisons) {
       const std::string comparison(judged.name);
       const Json tally = result["comparisons"].is_null() ? Json(nullptr) : result["comparisons"][comparison];
@@ -197,13 +218,12 @@ std::string seconds(const Json& info) {
 }
 
 std::string render_junit(const Run& run) {
-  const Json& require = run.record["plan"]["require"];
-  const std::vector<Failure> failures = require.is_null() ? std::vector<Failure>() : unmet(run.record, require);
+  const std::vector<LevelOutcome> outcomes = outcomes_of(run.record);
   std::string suites;
   std::size_t id = 0;
   std::vector<Suite> listed;
   for (const std::string& kernel : not_judged(run.record)) listed.push_back(suite_of_findings(run, kernel));
-  for (const Json& kernel : run.record["kernels"]) listed.push_back(suite_of(run, kernel, failures));
+  for (const Json& kernel : run.record["kernels"]) listed.push_back(suite_of(run, kernel, outcomes));
   if (!run.ratchet.is_null()) {
     if (Suite rest = suite_of_ratchet(run); rest.tests != 0) listed.push_back(std::move(rest));
   }

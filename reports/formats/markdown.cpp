@@ -6,6 +6,7 @@
 
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
+#include "reports/formats/requirements_section.h"
 #include "reports/wording/markdown_text.h"
 #include "reports/wording/reproduce.h"
 #include "reports/gates/requirement.h"
@@ -32,8 +33,7 @@ std::string links(const Json& counts) {
 
 class MarkdownReport {
  public:
-  explicit MarkdownReport(const Run& run) : run_(run), record_(run.record), plan_(run.record["plan"]) {
-    if (!plan_["require"].is_null()) failures_ = unmet(record_, plan_["require"]);
+  explicit MarkdownReport(const Run& run) : run_(run), record_(run.record), plan_(run.record["plan"]), outcomes_(outcomes_of(run.record)) {
     for (const Json& kernel : record_["kernels"]) totals_.push_back(all_families(kernel));
   }
 
@@ -42,17 +42,15 @@ class MarkdownReport {
     if (!record_["complete"].get<bool>()) {
       text += "\n> **INCOMPLETE**: the run was interrupted. The figures below cover only the queries that were run.\n";
     }
-    return text + ratchet() + findings() + summary() + families() + outside() + asymmetries() + signs("axes", "axis") +
+    return text + ratchet() + findings() + requirements_section(record_, outcomes_) + summary() +
+           families() + outside() + asymmetries() + signs("axes", "axis") +
            signs("comparisons", "comparison") + broken_links() + witnesses() + critical_radius() + reproduce();
   }
 
  private:
   std::string requirement_of(const Json& kernel) const {
-    if (plan_["require"].is_null()) return "none given";
-    const bool is_met =
-        std::none_of(failures_.begin(), failures_.end(), [&](const Failure& failure) { return failure.is_of(kernel); });
-    if (is_met && kernel["families"].empty()) return "not checked";
-    return is_met ? "met" : "**not met**";
+    const LevelOutcome* worst = worst_of(outcomes_, kernel);
+    return worst == nullptr || worst->passes() ? state_text(worst) : fmt::format("**{}**", state_text(worst));
   }
 
   std::string ratchet() const {
@@ -117,19 +115,7 @@ class MarkdownReport {
         "\nDepth is a share of the scene: |d - r| / max(|A-P|, |B-P|, |C-P|, r). A limit for zero failures holds for "
         "this generator only. What a broken link of a wrong verdict means:\n");
     for (std::size_t i = 0; i < link_count; ++i) section.line(fmt::format("- {}: {}", link_names[i], link_meanings[i]));
-    if (!plan_["require"].is_null()) {
-      section.line(fmt::format("\nRequirement `{}`: {}. {}\n", plan_["require"].get<std::string>(),
-                               parse_requirement(plan_["require"]).sentence(),
-                               failures_.empty() ? "It is met." : "Not met:"));
-      for (const Failure& failure : failures_) section.line("- " + plain_failure(failure));
-    }
     return section.text();
-  }
-
-  static std::string plain_failure(const Failure& f) {
-    if (f.family.empty()) return fmt::format("{}: {}", plain(f.kernel), plain(f.what, 2000));
-    return fmt::format("{} {} on {}: {}: {}{}", plain(f.kernel), f.precision, plain(f.family), plain(f.what, 2000),
-                       thousands(f.count), f.witness.empty() ? "" : ", witness " + plain(f.witness));
   }
 
   template <class Visit>
@@ -321,7 +307,7 @@ class MarkdownReport {
   const Run& run_;
   const Json &record_, &plan_;
   std::vector<Json> totals_;
-  std::vector<Failure> failures_;
+  std::vector<LevelOutcome> outcomes_;
 };
 
 std::string render_markdown(const Run& run) { return MarkdownReport(run).text(); }

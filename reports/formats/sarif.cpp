@@ -38,6 +38,8 @@ constexpr Rule rules[] = {
 constexpr Rule ratchet_rule = {
     "worse-than-accepted", "", false, "error",
     "A figure is worse than the ratchet accepts, its waiver has expired, or it was not checked."};
+constexpr Rule unchecked_rule = {"requirement-not-checked", "", false, "error",
+                                 "A level of --require was not checked, which does not pass."};
 constexpr Rule finding_rule = {"plug-in", "", false, "error", "A plug-in violated the rules for kernels."};
 
 const Rule* rule_of(const Cell& cell) {
@@ -56,14 +58,14 @@ Json rule_json(const Rule& rule) {
 
 class Log {
  public:
-  explicit Log(const Run& run) : record_(run.record), held_(run.ratchet) {
-    if (const Json& require = record_["plan"]["require"]; !require.is_null()) failures_ = unmet(record_, require);
+  explicit Log(const Run& run) : record_(run.record), held_(run.ratchet), outcomes_(outcomes_of(run.record)) {
+    failures_ = failures_of(outcomes_);
   }
 
   Json json() const {
     Json driver = {{"name", "axiscert"}, {"version", record_["plan"]["axiscert"]}, {"rules", Json::array()}};
     for (const Rule& rule : rules) driver["rules"].push_back(rule_json(rule));
-    for (const Rule* rule : {&finding_rule, &ratchet_rule}) driver["rules"].push_back(rule_json(*rule));
+    for (const Rule* rule : {&finding_rule, &ratchet_rule, &unchecked_rule}) driver["rules"].push_back(rule_json(*rule));
     Json results = Json::array();
     for (const Cell& cell : cells_of(record_)) {
       const Rule* rule = rule_of(cell);
@@ -71,6 +73,9 @@ class Log {
     }
     for (const Json& failure : held_.is_null() ? Json::array() : held_["failures"])
       results.push_back(ratchet_result(failure));
+    for (const LevelOutcome& outcome : outcomes_) {
+      if (outcome.state == LevelState::not_checked) results.push_back(unchecked_result(outcome));
+    }
     const Json invocation = {{"executionSuccessful", record_["complete"]}};
     const Json run = {{"tool", {{"driver", driver}}},
                       {"invocations", Json::array({invocation})},
@@ -114,6 +119,19 @@ class Log {
             {"message", {{"text", message_text(failure["text"])}}},
             {"locations", Json::array({place_of(key, worst)})},
             {"partialFingerprints", {{"axiscertRatchet/v1", failure["fingerprint"]}}}};
+  }
+
+  Json unchecked_result(const LevelOutcome& outcome) const {
+    const Json key = Json::array({outcome.kernel, outcome.precision, "", "requirement." + outcome.asked.text});
+    Json result = {{"ruleId", unchecked_rule.id},
+                   {"ruleIndex", std::size(rules) + 2},
+                   {"level", outcome.is_allowed ? "note" : unchecked_rule.level},
+                   {"message", {{"text", message_text(outcome.text())}}},
+                   {"locations", Json::array({place_of(key, nullptr)})},
+                   {"partialFingerprints", {{"axiscertRequirement/v1", fingerprint(key)}}}};
+    if (outcome.is_allowed)
+      result["suppressions"] = Json::array({{{"kind", "external"}, {"justification", "--allow-unchecked"}}});
+    return result;
   }
 
   // The line of the witness in witnesses.jsonl, or the first line where there is no witness; and the cell's name.
@@ -162,6 +180,7 @@ class Log {
   }
 
   const Json &record_, &held_;
+  std::vector<LevelOutcome> outcomes_;
   std::vector<Failure> failures_;
 };
 

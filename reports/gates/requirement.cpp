@@ -1,194 +1,264 @@
 #include "reports/gates/requirement.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
-#include <functional>
 
-#include "exact/judge/judge.h"
 #include "kernel/base/error.h"
+#include "reports/wording/finding.h"
 
 namespace axiscert {
 namespace {
 
-using Shows = std::function<bool(const Json& verdict_flip)>;
+const GateLevel* find_level(const std::string& name) {
+  for (const GateLevel* level : gate_levels()) {
+    if (level->name() == name) return level;
+  }
+  return nullptr;
+}
 
-class Search {
- public:
-  explicit Search(const Json& record) : record_(record) {}
+const GateLevel& level_of(const AskedLevel& asked) { return *find_level(asked.name); }
 
-  std::vector<Failure> run(const Requirement& requirement) {
-    for (const Json& finding : record_["findings"]) add_finding(finding);
-    for (const Json& kernel : record_["kernels"]) {
-      kernel_ = &kernel;
-      for (const auto& [family, result] : kernel["families"].items()) {
-        family_ = family;
-        add(result["verdict"]["unanswered"].get<std::uint64_t>(), "valid queries without an answer", nothing);
-        add(result["critical_radius"]["unanswered"].get<std::uint64_t>(),
-            "searches for a critical radius without an answer", nothing);
-        search(requirement, result);
+std::string usages() {
+  std::vector<std::string> usages;
+  for (const GateLevel* level : gate_levels()) usages.emplace_back(level->usage);
+  return fmt::format("{}", fmt::join(usages, ", "));
+}
+
+Failure failure_of_finding(const Json& finding) {
+  const auto text = [&](const char* member) {
+    return finding[member].is_null() ? "" : finding[member].get<std::string>();
+  };
+  return {text("kernel"), text("precision"), text("family"), finding["count"].get<std::uint64_t>(),
+          fmt::format("{}: {}", text("kind"), text("detail")), ""};
+}
+
+// What fails every level.
+std::vector<Failure> failures_anywhere(const Json& record, const Subject& subject) {
+  std::vector<Failure> failures;
+  for (const Json& finding : record["findings"]) {
+    if (is_about(finding, subject.kernel())) failures.push_back(failure_of_finding(finding));
+  }
+  const auto nothing = [](const Json&) { return false; };  // such an answer is not a flip
+  for (const auto& [family, result] : subject.families().items()) {
+    subject.add(failures, family, result["verdict"]["unanswered"].get<std::uint64_t>(),
+                "valid queries without an answer", nothing);
+    subject.add(failures, family, result["critical_radius"]["unanswered"].get<std::uint64_t>(),
+                "searches for a critical radius without an answer", nothing);
+  }
+  return failures;
+}
+
+// Why a kernel entry shows nothing, or not all that was asked for; empty where it does.
+std::string gap_of(const Json& record, const Subject& subject) {
+  const Json& plan = record["plan"];
+  if (subject.families().empty()) {
+    return fmt::format("no query of it was run in {}", subject.kernel()["precision"].get<std::string>());
+  }
+  if (subject.decided() == 0) return "it called no valid query within its limits separated or contact";
+  // Files have the queries that they have; anything else without a query was not reached.
+  std::vector<std::string> empty;
+  for (const auto& [family, by_precision] : plan["trials"].items()) {
+    std::uint64_t queries = 0;
+    for (const Json& count : by_precision) queries += count.get<std::uint64_t>();
+    const auto here = by_precision.find(subject.kernel()["precision"].get<std::string>());
+    const bool is_file = family.starts_with("queries/") || family == "corpus";
+    const bool is_reached = is_file || here == by_precision.end() || *here != 0;
+    if (queries == 0 || !is_reached) empty.push_back(family);
+  }
+  return empty.empty() ? "" : fmt::format("no query was run of {}", fmt::join(empty, ", "));
+}
+
+LevelOutcome outcome_of(const Json& record, const Json& kernel, const AskedLevel& asked) {
+  const Subject subject(record, kernel);
+  LevelOutcome outcome{asked, kernel["id"], kernel["precision"]};
+  outcome.failures = failures_anywhere(record, subject);
+  LevelFindings found = level_of(asked).judge(asked, subject);
+  outcome.unseen = std::move(found.unseen);
+  outcome.failures.insert(outcome.failures.end(), found.failures.begin(), found.failures.end());
+  if (!outcome.failures.empty()) {
+    outcome.state = LevelState::not_met;
+    return outcome;
+  }
+  const std::string gap = gap_of(record, subject);
+  outcome.reason = gap.empty() ? found.not_checked : gap;
+  if (!outcome.reason.empty()) {
+    outcome.state = LevelState::not_checked;
+    return outcome;
+  }
+  outcome.covers = std::move(found.covers);
+  outcome.leaves_out = std::move(found.leaves_out);
+  return outcome;
+}
+
+std::vector<LevelOutcome> outcomes(const Json& record, const Requirements& required) {
+  std::vector<LevelOutcome> all;
+  const std::vector<std::string> unloaded = not_judged(record), exempt = yardsticks_of(record["plan"]);
+  for (const AskedLevel& asked : required.levels) {
+    for (const std::string& id : unloaded) {
+      LevelOutcome outcome{asked, id, "", LevelState::not_met};
+      for (const Json& finding : record["findings"]) {
+        if (finding["kernel"] == id) outcome.failures.push_back(failure_of_finding(finding));
       }
+      all.push_back(std::move(outcome));
     }
-    return std::move(failures_);
-  }
-
- private:
-  static bool nothing(const Json&) { return false; }  // such an answer is not a flip
-
-  void add_finding(const Json& finding) {
-    const auto text = [&](const char* member) {
-      return finding[member].is_null() ? "" : finding[member].get<std::string>();
-    };
-    failures_.push_back({text("kernel"), text("precision"), text("family"), finding["count"].get<std::uint64_t>(),
-                         fmt::format("{}: {}", text("kind"), text("detail")), ""});
-  }
-
-  void search(const Requirement& requirement, const Json& result) {
-    const Json& verdict = result["verdict"];
-    const auto count = [&](const char* member) { return verdict[member].get<std::uint64_t>(); };
-    const std::uint64_t missed = count("false_separation"), phantom = count("false_contact");
-    const Shows is_missed = [](const Json& flip) { return flip["kind"] == "false_separation"; };
-    const Shows is_phantom = [](const Json& flip) { return flip["kind"] == "false_contact"; };
-    switch (requirement.level) {
-      case RequirementLevel::logic:
-        return search_links({Link::specification, Link::implementation}, result);
-      case RequirementLevel::range:
-        return search_links({Link::specification, Link::implementation, Link::range}, result);
-      case RequirementLevel::exact:
-        add(missed, "missed contacts", is_missed);
-        add(phantom, "phantom contacts", is_phantom);
-        add(count("invalid"), "answers `invalid` to valid queries", nothing);
-        return;
-      case RequirementLevel::conservative:
-        add(missed, "missed contacts", is_missed);
-        add(count("invalid"), "answers `invalid` to valid queries", nothing);
-        const double deepest = verdict["deepest_false_contact"].get<double>();
-        if (deepest > requirement.deepest) {
-          add(phantom,
-              fmt::format("phantom contacts, the deepest by {:.4g} of the scene: {} is allowed", deepest,
-                          requirement.deepest),
-              is_phantom);
-        }
+    const std::size_t before = all.size();
+    for (const Json& kernel : record["kernels"]) {
+      if (std::find(exempt.begin(), exempt.end(), kernel["id"].get<std::string>()) == exempt.end())
+        all.push_back(outcome_of(record, kernel, asked));
+    }
+    if (all.size() != before || !unloaded.empty()) continue;
+    for (const Json& kernel : record["kernels"]) {
+      LevelOutcome outcome{asked, kernel["id"], kernel["precision"], LevelState::not_checked};
+      outcome.reason = "others are measured against it, and no other kernel was run";
+      all.push_back(std::move(outcome));
     }
   }
-
-  void search_links(std::initializer_list<Link> links, const Json& result) {
-    const Json &verdict = result["verdict"], &reference = (*kernel_)["reference"];
-    const bool exact_arithmetic = result["exact_arithmetic"].get<bool>();
-    const auto number = [&](const char* member) { return verdict[member].get<std::uint64_t>(); };
-    if (reference.is_null()) {
-      // Without formulae to compare with, a wrong verdict in exact arithmetic is wrong logic. A method of the kernel's
-      // own may still round there, and for a touching sphere any rounding shows.
-      if (!exact_arithmetic) return;
-      const std::uint64_t wrong = number("false_separation") + number("false_contact");
-      add(
-          wrong - number("touching_flips"), "wrong verdicts in exact arithmetic, touching spheres not counted",
-          [](const Json&) { return true; }, false);
-      return;
-    }
-    for (const Link link : links) add_link(link, verdict["links"], 0);
-    // Formulae evaluated in an order of operations of the kernel's own: where they round, an unattributed difference
-    // may be rounding and is not a fault of logic. In exact arithmetic it is one.
-    if (!reference.get<bool>() && exact_arithmetic) {
-      const std::string name(link_names[Link::unattributed]);
-      add_link(Link::unattributed, verdict["links"], verdict["touching_links"][name].get<std::uint64_t>());
-    }
+  for (LevelOutcome& outcome : all) {
+    const auto is_it = [&](const std::string& name) { return name == outcome.asked.text || name == outcome.asked.name; };
+    outcome.is_allowed = outcome.state == LevelState::not_checked &&
+                         std::any_of(required.allowed.begin(), required.allowed.end(), is_it);
   }
-
-  // `apart`: the number of them that are touching queries, which do not count.
-  void add_link(Link link, const Json& links, std::uint64_t apart) {
-    const std::string name(link_names[link]);
-    const bool in_exact_arithmetic = link == Link::unattributed;
-    add(
-        links[name].get<std::uint64_t>() - apart,
-        in_exact_arithmetic
-            ? "wrong verdicts in exact arithmetic that its formulae do not give, touching spheres not counted"
-            : fmt::format("wrong verdicts with a broken {} link", name),
-        [name](const Json& flip) {
-          return std::find(flip["links"].begin(), flip["links"].end(), name) != flip["links"].end();
-        },
-        !in_exact_arithmetic);
-  }
-
-  void add(std::uint64_t count, const std::string& what, const Shows& shows, bool touching_counts = true) {
-    if (count == 0) return;
-    const Json* deepest = nullptr;
-    for (const Json& witness : record_["witnesses"]) {
-      const bool is_of_family = witness["family"].get_ref<const std::string&>() == family_ &&
-                                witness["kernel"] == (*kernel_)["id"] &&
-                                witness["precision"] == (*kernel_)["precision"];
-      if (!is_of_family || witness["depth"].is_null()) continue;
-      if (witness["touching"].get<bool>() && !touching_counts) continue;
-      const bool is_shown = std::any_of(witness["flips"].begin(), witness["flips"].end(),
-                                        [&](const Json& flip) { return flip["level"] == "verdict" && shows(flip); });
-      if (is_shown && (deepest == nullptr || witness["depth"] > (*deepest)["depth"])) deepest = &witness;
-    }
-    failures_.push_back({(*kernel_)["id"], (*kernel_)["precision"], family_, count, what,
-                         deepest == nullptr ? "" : (*deepest)["id"].get<std::string>()});
-  }
-
-  const Json& record_;
-  const Json* kernel_ = nullptr;
-  std::string family_;
-  std::vector<Failure> failures_;
-};
+  return all;
+}
 
 }  // namespace
 
-std::string Requirement::sentence() const {
-  const std::string verdicts_only =
-      "for a kernel that claims no formulae, or evaluates them in its own way: none in exact arithmetic that its "
-      "formulae "
-      "do not give, touching spheres not counted";
-  const std::string always = "; no finding, and an answer to every query within its limits";
-  switch (level) {
-    case RequirementLevel::logic:
-      return "no wrong verdict with a broken specification or implementation link; " + verdicts_only + always;
-    case RequirementLevel::range:
-      return "no wrong verdict with a broken specification, implementation or range link; " + verdicts_only + always;
-    case RequirementLevel::exact:
-      return "no wrong verdict" + always;
-    case RequirementLevel::conservative:
+std::string_view name(LevelState state) {
+  switch (state) {
+    case LevelState::met:
+      return "met";
+    case LevelState::not_met:
+      return "not met";
+    case LevelState::not_checked:
       break;
   }
-  const bool any_depth = deepest == std::numeric_limits<double>::infinity();
-  return "no missed contact" +
-         (any_depth ? "" : fmt::format(", and no phantom contact deeper than {} of the scene", deepest)) + always;
+  return "NOT CHECKED";
 }
 
-Requirement parse_requirement(const std::string& text) {
-  if (text == "logic") return {RequirementLevel::logic};
-  if (text == "range") return {RequirementLevel::range};
-  if (text == "exact") return {RequirementLevel::exact};
-  if (text == "conservative") return {RequirementLevel::conservative};
-  const std::string prefix = "conservative=";
-  if (!text.starts_with(prefix)) {
-    throw Error(
-        fmt::format("unknown requirement '{}'; levels: logic, range, exact, conservative, conservative=D", text));
-  }
-  Requirement requirement{RequirementLevel::conservative};
-  const char* const end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data() + prefix.size(), end, requirement.deepest);
-  if (problem != std::errc() || stop != end || !(requirement.deepest >= 0)) {
-    throw Error(fmt::format("requirement '{}': D is a depth, a number from 0 on, as in conservative=0.001", text));
-  }
-  return requirement;
-}
-
-bool Failure::is_of(const Json& entry) const {
+bool LevelOutcome::is_of(const Json& entry) const {
   return entry["id"].get_ref<const std::string&>() == kernel &&
          (precision.empty() || entry["precision"].get_ref<const std::string&>() == precision);
 }
 
-std::string Failure::text() const {
-  const std::string shown_by = witness.empty() ? "" : fmt::format(" (witness {})", witness);
-  if (family.empty()) return fmt::format("{}: {}", kernel, what);
-  return fmt::format("{} {} on {}: {}: {}{}", kernel, precision, family, what, count, shown_by);
+std::string LevelOutcome::text() const {
+  const std::string who = precision.empty() ? kernel : fmt::format("{} {}", kernel, precision);
+  const std::string because = reason.empty() ? "" : ": " + reason;
+  return fmt::format("{}: {} is {}{}{}", who, asked.text, name(state), is_allowed ? ", which is allowed" : "", because);
+}
+
+AskedLevel parse_level(const std::string& text) {
+  AskedLevel asked{text, text.substr(0, text.find('='))};
+  asked.has_argument = asked.name.size() != text.size();
+  if (asked.has_argument) asked.argument = text.substr(asked.name.size() + 1);
+  const GateLevel* level = find_level(asked.name);
+  if (level == nullptr) throw Error(fmt::format("unknown requirement '{}'; levels: {}", text, usages()));
+  const std::string usage = level->usage;
+  const bool takes_one = usage.find('=') != usage.npos, has_to = takes_one && usage.find('[') == usage.npos;
+  if (asked.has_argument ? !takes_one : has_to)
+    throw Error(fmt::format("requirement '{}': it is written {}", text, usage));
+  level->check(asked);
+  return asked;
+}
+
+std::string sentence_of(const AskedLevel& asked) {
+  return level_of(asked).sentence(asked) + "; no finding, and an answer to every query within its limits";
+}
+
+std::string levels_help() {
+  std::string text;
+  for (const GateLevel* level : gate_levels())
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", level->usage, level->meaning);
+  return text;
+}
+
+Requirements requirements_of(const Json& plan) {
+  Requirements required;
+  const Json& given = plan["require"];
+  for (const Json& level : given.is_null() || given.is_array() ? given : Json::array({given}))
+    required.levels.push_back(parse_level(level));
+  for (const Json& level : plan.value("allow_unchecked", Json::array())) {
+    const std::string name = level;
+    const bool is_required = std::any_of(required.levels.begin(), required.levels.end(), [&](const AskedLevel& asked) {
+      return asked.text == name || asked.name == name;
+    });
+    if (!is_required)
+      throw Error(fmt::format("'{}' may be left unchecked, but is not required: give it to --require too", name));
+    required.allowed.push_back(name);
+  }
+  return required;
+}
+
+std::vector<std::string> yardsticks_of(const Json& plan) {
+  std::vector<std::string> kernels;
+  for (const AskedLevel& asked : requirements_of(plan).levels) {
+    if (const auto yardstick = level_of(asked).yardstick) kernels.push_back(yardstick(asked));
+  }
+  return kernels;
+}
+
+std::vector<LevelOutcome> outcomes_of(const Json& record) { return outcomes(record, requirements_of(record["plan"])); }
+
+std::vector<LevelOutcome> outcomes_at(const Json& record, const std::string& level) {
+  return outcomes(record, {{parse_level(level)}, {}});
+}
+
+const LevelOutcome* worst_of(const std::vector<LevelOutcome>& outcomes, const Json& kernel) {
+  const auto badness = [](const LevelOutcome& outcome) {
+    if (outcome.state == LevelState::not_checked) return outcome.is_allowed ? 1 : 2;
+    return outcome.state == LevelState::met ? 0 : 3;
+  };
+  const LevelOutcome* worst = nullptr;
+  for (const LevelOutcome& outcome : outcomes) {
+    if (outcome.is_of(kernel) && (worst == nullptr || badness(outcome) > badness(*worst))) worst = &outcome;
+  }
+  return worst;
+}
+
+std::string state_text(const LevelOutcome* worst) {
+  if (worst == nullptr) return "none given";
+  return fmt::format("{}{}", name(worst->state), worst->is_allowed ? ", which is allowed" : "");
+}
+
+bool pass(const std::vector<LevelOutcome>& outcomes) {
+  return std::all_of(outcomes.begin(), outcomes.end(), [](const LevelOutcome& outcome) { return outcome.passes(); });
+}
+
+std::vector<Failure> failures_of(const std::vector<LevelOutcome>& outcomes) {
+  std::vector<Failure> all;
+  for (const LevelOutcome& outcome : outcomes) {
+    for (const Failure& failure : outcome.failures) {
+      const bool is_known = std::any_of(all.begin(), all.end(), [&](const Failure& other) {
+        return other.text() == failure.text();
+      });
+      if (!is_known) all.push_back(failure);
+    }
+  }
+  return all;
+}
+
+Json outcomes_json(const std::vector<LevelOutcome>& outcomes) {
+  Json all = Json::array();
+  for (const LevelOutcome& outcome : outcomes) {
+    Json& json = all.emplace_back(Json{{"level", outcome.asked.text},
+                                       {"kernel", outcome.kernel},
+                                       {"precision", outcome.precision.empty() ? Json(nullptr) : Json(outcome.precision)},
+                                       {"state", name(outcome.state)},
+                                       {"allowed", outcome.is_allowed},
+                                       {"reason", outcome.reason},
+                                       {"covers", outcome.covers},
+                                       {"leaves_out", outcome.leaves_out},
+                                       {"failures", Json::array()}});
+    for (const Failure& f : outcome.failures) {
+      json["failures"].push_back({{"family", f.family}, {"count", f.count}, {"what", f.what}, {"witness", f.witness}});
+    }
+  }
+  return all;
 }
 
 std::vector<Failure> unmet(const Json& record, const std::string& level) {
-  return Search(record).run(parse_requirement(level));
+  return failures_of(outcomes_at(record, level));
 }
 
 }  // namespace axiscert

@@ -43,6 +43,12 @@ std::string family_cell(const Tally& tally) {
 
 std::string depth(double value) { return value == 0 ? "0" : fmt::format("{:.3g}", value); }
 
+// Errors without their signs.
+std::vector<double> sizes(std::vector<double> errors) {
+  for (double& error : errors) error = std::abs(error);
+  return errors;
+}
+
 struct Radii {
   std::string median = "none", largest = "none";
 };
@@ -128,7 +134,7 @@ class LeagueReport {
     if (certified) table.columns.emplace_back("where certified takes 1");
     for_each_contender(precision, [&](std::size_t k) {
       const Tally all = sum(k, precision);
-      const auto radius = radii(all.critical_radius.errors_ulps, all.critical_radius.unbounded);
+      const auto radius = radii(sizes(all.critical_radius.errors_ulps), all.critical_radius.unbounded);
       auto& row = table.rows.emplace_back(std::vector<std::string>{
           plan_.kernels[k]->id, thousands(answered(all)), thousands(all.verdict.false_separation),
           depth(all.verdict.deepest_false_separation.best()), thousands(all.verdict.false_contact),
@@ -234,7 +240,7 @@ class LeagueReport {
 
   static Json family_json(const Tally& tally) {
     const VerdictTally& verdict = tally.verdict;
-    std::vector<double> errors = tally.critical_radius.errors_ulps;
+    std::vector<double> errors = sizes(tally.critical_radius.errors_ulps);
     std::sort(errors.begin(), errors.end());
     const auto error = [&](std::size_t i) { return errors.empty() ? Json(nullptr) : Json(errors[i]); };
     const auto position = caught(tally);

@@ -6,12 +6,34 @@ function failures_of(data, entry) {
     (f.precision === '' || f.precision === entry.precision)) ?? [];
 }
 
-function status_chip(data, failures, ran) {
+function outcomes_of(data, entry) {
+  return data.requirement?.outcomes.filter((o) => o.kernel === entry.id &&
+    (o.precision === null || o.precision === entry.precision)) ?? [];
+}
+
+// What came of one level for one kernel, or of all of them.
+function outcome_chip(data, outcome) {
+  const text = `requirement ${outcome.level}: `;
+  if (outcome.state === 'not met') return chip(`${text}not met`, 'bad');
+  if (outcome.state !== 'met') return chip(`${text}NOT CHECKED${outcome.allowed ? ', which is allowed' : ''}`, outcome.allowed ? 'warn' : 'bad');
+  return data.complete ? chip(`${text}met`, 'good') : chip(`${text}met so far`, 'warn');
+}
+
+function status_chip(data) {
   if (!data.requirement) return chip('no requirement given');
-  const level = data.requirement.level;
-  if (failures.length > 0) return chip(`requirement ${level}: not met`, 'bad');
-  if (!ran) return chip(`requirement ${level}: not checked`, 'warn');
-  return data.complete ? chip(`requirement ${level}: met`, 'good') : chip(`requirement ${level}: met so far`, 'warn');
+  const {levels, outcomes, passes} = data.requirement;
+  const level = levels.map((one) => one.level).join(', ');
+  const state = passes ? 'met' : outcomes.some((o) => o.state === 'not met') ? 'not met' : 'NOT CHECKED';
+  if (!passes) return outcome_chip(data, {level, state, allowed: false});
+  return outcome_chip(data, {level, state: outcomes.every((o) => o.state === 'met') ? 'met' : 'NOT CHECKED', allowed: true});
+}
+
+// What each level says of a kernel, and what it does not.
+function outcome_list(outcomes) {
+  const told = outcomes.filter((o) => o.state !== 'not met');
+  if (told.length === 0) return '';
+  return el('ul', 'sentences', ...told.map((o) => el('li', '', el('strong', '', `${o.level}: ${o.state}. `),
+    o.state === 'met' ? `Covers ${o.covers}. Leaves out ${o.leaves_out}.` : `${o.reason}.`)));
 }
 
 function failure_item(data, failure) {
@@ -173,11 +195,11 @@ function more_facts(entry) {
 }
 
 function answer_card(data, entry) {
-  const failures = failures_of(data, entry);
+  const failures = failures_of(data, entry), outcomes = outcomes_of(data, entry);
   const total = entry.all;
-  const card = el('article', 'card', el('h3', '', el('span', 'name', entry.id), ' ', chip(entry.precision), ' ',
-                                        status_chip(data, failures, total !== null)),
-                  el('p', 'lead', entry.summary));
+  const chips = outcomes.length > 0 ? outcomes.map((o) => outcome_chip(data, o)) : [chip('nothing required')];
+  const card = el('article', 'card', el('h3', '', el('span', 'name', entry.id), ' ', chip(entry.precision), ' ', ...chips),
+                  el('p', 'lead', entry.summary), outcome_list(outcomes));
   if (total === null) {
     card.append(el('p', 'empty', 'Not checked: no family ran.'));
     return card;
@@ -204,16 +226,14 @@ function show_answer(data) {
   document.getElementById('subtitle').textContent =
     `${plan.kernels.join(', ')} · ${plan.precisions.join(', ')} · ${count(plan.families.length)} families · ` +
     `seed ${seed} · axiscert ${plan.axiscert}`;
-  const any = data.kernels.some((entry) => entry.all !== null);
-  document.getElementById('status').append(status_chip(data, data.requirement?.failures ?? [], any));
+  document.getElementById('status').append(status_chip(data));
   if (!data.complete) {
     document.getElementById('banner').append(el('p', 'banner warn', el('strong', '', 'Incomplete. '),
       'The run was interrupted before its plan was done: the figures below cover only the queries that were run.'));
   }
   if (data.requirement) {
-    const {level, sentence} = data.requirement;
-    document.getElementById('answer-title').after(
-      el('p', 'lead', 'Required: ', el('strong', '', level), `, ${sentence}.`));
+    document.getElementById('answer-title').after(...data.requirement.levels.map(({level, sentence}) =>
+      el('p', 'lead', 'Required: ', el('strong', '', level), `, ${sentence}.`)));
   }
   document.getElementById('answer-cards').append(...data.not_judged.map((id) => not_judged_card(data, id)),
                                                  ...data.kernels.map((entry) => answer_card(data, entry)));

@@ -13,7 +13,7 @@
 
 namespace axiscert {
 
-inline constexpr std::size_t section_limit = 88 * 1024;  // bytes; at most eleven sections: 1 MiB
+inline constexpr std::size_t section_limit = 72 * 1024;  // bytes; at most fourteen sections: 1 MiB
 
 // A text that is safe at any place of a document: one line, cut short, with nothing that Markdown or HTML would
 // interpret, or that a forge would take for a mention, an issue or an address.

@@ -77,6 +77,16 @@ std::string tolerance_options(const Json& tolerances, const TestDescription& tes
   return options;
 }
 
+std::string require_options(const Json& plan) {
+  const Json& given = plan["require"];
+  std::string options;
+  for (const Json& level : given.is_null() || given.is_array() ? given : Json::array({given}))
+    options += " --require " + shell_word(level);
+  for (const Json& level : plan.value("allow_unchecked", Json::array()))
+    options += " --allow-unchecked " + shell_word(level);
+  return options;
+}
+
 std::string joined(const Json& names) {
   return fmt::format("{}", fmt::join(names.get<std::vector<std::string>>(), ", "));
 }
@@ -128,7 +138,7 @@ std::string pipe_command(const Json& plan) {
     if (has_two) files += fmt::format(" {}.replies", precision);
   }
   command += judge_command(plan) + files;
-  if (!plan["require"].is_null()) command += " --require " + shell_word(plan["require"]);
+  command += require_options(plan);
   return command;
 }
 
@@ -163,7 +173,7 @@ std::string run_command(const Json& plan) {
   command += source_options(plan);
   if (plan["precisions"].size() == 1) command += " --precision " + shell_word(plan["precisions"][0]);
   command += tolerance_options(plan["tolerance"], test_of(plan));
-  if (!plan["require"].is_null()) command += " --require " + shell_word(plan["require"]);
+  command += require_options(plan);
   return command;
 }
 

@@ -68,7 +68,7 @@ bool is_less(const Json& x, const Json& y) {
 Json all_families(const Json& kernel) {
   Json total;
   for (Json family : kernel["families"]) {
-    family["critical_radius"].erase("median_ulps");
+    for (const char* median : {"median_ulps", "signed_median_ulps"}) family["critical_radius"].erase(median);
     family["verdict"].erase("first_by_link");  // places in a family cannot be added up
     family.erase("asymmetry");                 // exists for a few families only
     merge(total, family, "");

@@ -36,6 +36,7 @@ class SphereTriangleOracles final : public Oracles {
   std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<double>& q) const override {
     return claimed_by<double>(kernel, q);
   }
+  bool has_depth() const override { return true; }
   std::optional<double> depth(const Numbers<float>& q) const override { return depth_of<float>(q); }
   std::optional<double> depth(const Numbers<double>& q) const override { return depth_of<double>(q); }
 

@@ -24,14 +24,24 @@ void visit_signs(Archive& archive, Tally& tally) {
 }
 
 template <class Archive, class Tally>
+void visit_depths(Archive& archive, Tally& tally) {
+  auto& [false_separation, false_contact] = tally;
+  archive(false_separation, false_contact);
+}
+
+template <class Archive, class Tally>
 void visit_verdict(Archive& archive, Tally& tally) {
   auto& [false_separation, false_contact, undecided, invalid, unanswered, touching_flips, links, masked_links,
-         touching_links, deepest_false_separation, deepest_false_contact, deepest_by_link, first_by_link, outside] =
-      tally;
+         touching_links, deepest_false_separation, deepest_false_contact, deepest_by_link, first_by_link, outside,
+         depths, engine] = tally;
   archive(false_separation, false_contact, undecided, invalid, unanswered, touching_flips, links, masked_links,
           touching_links, deepest_false_separation, deepest_false_contact, deepest_by_link, first_by_link);
   auto& [trials, outside_separation, outside_contact, outside_unanswered, deepest] = outside;
   archive(trials, outside_separation, outside_contact, outside_unanswered, deepest);
+  auto& [engine_queries, engine_wrong] = engine;
+  archive(engine_queries);
+  visit_depths(archive, depths);
+  visit_depths(archive, engine_wrong);
 }
 
 template <class Archive, class Tally>

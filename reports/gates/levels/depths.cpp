@@ -1,0 +1,94 @@
+// The levels of wrong verdicts whatever their cause: exact, conservative and depth.
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "exact/trait/oracles.h"
+#include "reports/gates/levels/level.h"
+#include "reports/run_folder/run_folder.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+struct Allowed {
+  double missed, phantom;  // the deepest wrong verdict that is allowed, as a share of the scene; below 0: none
+  bool invalid;            // whether answers `invalid` to valid queries are allowed
+};
+constexpr double no_wrong = -1, any_depth = std::numeric_limits<double>::infinity();
+
+bool is_missed(const Json& flip) { return flip["kind"] == "false_separation"; }
+bool is_phantom(const Json& flip) { return flip["kind"] == "false_contact"; }
+bool is_no_flip(const Json&) { return false; }
+
+LevelFindings judge_depths(const Subject& subject, const Allowed& allowed) {
+  LevelFindings found;
+  for (const auto& [family, result] : subject.families().items()) {
+    const Json& verdict = result["verdict"];
+    const auto check = [&](const std::string& kind, const std::string& what, double most, const Subject::Shows& shows) {
+      const double deepest = verdict["deepest_" + kind].get<double>();
+      if (deepest <= most) return;
+      const std::string how_deep =
+          most == no_wrong ? "" : fmt::format(", the deepest by {:.4g} of the scene: {} is allowed", deepest, most);
+      subject.add(found.failures, family, verdict[kind].get<std::uint64_t>(), what + how_deep, shows);
+    };
+    check("false_separation", "missed contacts", allowed.missed, is_missed);
+    check("false_contact", "phantom contacts", allowed.phantom, is_phantom);
+    if (!allowed.invalid) {
+      subject.add(found.failures, family, verdict["invalid"].get<std::uint64_t>(),
+                  "answers `invalid` to valid queries", is_no_flip);
+    }
+  }
+  found.covers = fmt::format("{} queries of {}, each judged exactly", thousands(subject.decided()),
+                             subject.list_of_families());
+  found.leaves_out = "queries that these families do not make";
+  return found;
+}
+
+LevelFindings judge_to_depth(const Subject& subject, const Allowed& allowed) {
+  LevelFindings found = judge_depths(subject, allowed);
+  const TestDescription& test = test_of(subject.record()["plan"]);
+  if (!oracles_of(test).has_depth())
+    found.not_checked = fmt::format("the test {} states no depth of a wrong verdict", test.id);
+  return found;
+}
+
+void check_conservative(const AskedLevel& asked) {
+  if (asked.has_argument) depth_argument(asked);
+}
+double deepest_phantom(const AskedLevel& asked) { return asked.has_argument ? depth_argument(asked) : any_depth; }
+
+std::string conservative_sentence(const AskedLevel& asked) {
+  return "no missed contact" +
+         (asked.has_argument ? fmt::format(", and no phantom contact deeper than {} of the scene", depth_argument(asked))
+                             : "");
+}
+
+}  // namespace
+
+extern const GateLevel exact_level = {
+    "exact", "no wrong verdict", no_argument, [](const AskedLevel&) { return std::string("no wrong verdict"); },
+    [](const AskedLevel&, const Subject& subject) {
+      return judge_depths(subject, {no_wrong, no_wrong, false});
+    }};
+
+extern const GateLevel conservative_level = {"conservative[=D]", "no missed contact, no phantom contact deeper than D",
+                                             check_conservative, conservative_sentence,
+                                             [](const AskedLevel& asked, const Subject& subject) {
+                                               const Allowed allowed{no_wrong, deepest_phantom(asked), false};
+                                               return asked.has_argument ? judge_to_depth(subject, allowed)
+                                                                         : judge_depths(subject, allowed);
+                                             }};
+
+extern const GateLevel depth_level = {"depth=D", "no wrong verdict deeper than D of the scene, either way",
+                                      [](const AskedLevel& asked) { depth_argument(asked); },
+                                      [](const AskedLevel& asked) {
+                                        return fmt::format("no wrong verdict deeper than {} of the scene, either way",
+                                                           depth_argument(asked));
+                                      },
+                                      [](const AskedLevel& asked, const Subject& subject) {
+                                        const double most = depth_argument(asked);
+                                        return judge_to_depth(subject, {most, most, true});
+                                      }};
+
+}  // namespace axiscert

@@ -1,0 +1,122 @@
+// logic: no wrong verdict by specification or implementation.
+#include "reports/gates/levels/logic.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "fuzz/queries/family.h"
+#include "reports/run_folder/run_folder.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+using Evidence = Subject::Evidence;
+
+// The families of exact arithmetic that ran, and their queries that count: decided, and not touching.
+struct ExactFamilies {
+  std::vector<std::string> names;
+  std::uint64_t queries = 0;
+};
+ExactFamilies exact_families_of(const Subject& subject) {
+  ExactFamilies exact;
+  for (const auto& [family, result] : subject.families().items()) {
+    if (!result["exact_arithmetic"].get<bool>()) continue;
+    const std::uint64_t decided = decided_queries(result);
+    const auto touching = result["truth"]["touching"].get<std::uint64_t>();
+    if (decided <= touching) continue;
+    exact.names.push_back(family);
+    exact.queries += decided - touching;
+  }
+  return exact;
+}
+
+// The families that a run without one could have had.
+std::string families_to_add(const Subject& subject) {
+  std::vector<std::string> options;
+  for (const Family* family : families_of(test_of(subject.record()["plan"]))) {
+    if (family->exact_arithmetic) options.push_back(fmt::format("--family {}", family->name));
+  }
+  return options.empty() ? "this test has none" : "add " + fmt::format("{}", fmt::join(options, " "));
+}
+
+void find_logic_failures(const Subject& subject, const std::string& family, const Json& result,
+                         std::vector<Failure>& failures) {
+  const Json& verdict = result["verdict"];
+  const bool exact_arithmetic = result["exact_arithmetic"].get<bool>();
+  const auto number = [&](const char* member) { return verdict[member].get<std::uint64_t>(); };
+  const auto of_link = [&](Link link) { return verdict["links"][std::string(link_names[link])].get<std::uint64_t>(); };
+  if (subject.evidence() == Evidence::verdicts) {
+    // Without formulae to compare with, a wrong verdict in exact arithmetic is wrong logic. A method of the kernel's
+    // own may still round there, and for a touching sphere any rounding shows.
+    if (!exact_arithmetic) return;
+    const std::uint64_t wrong = number("false_separation") + number("false_contact");
+    subject.add(
+        failures, family, wrong - number("touching_flips"),
+        "wrong verdicts in exact arithmetic, touching spheres not counted", [](const Json&) { return true; }, false);
+    return;
+  }
+  for (const Link link : {Link::specification, Link::implementation})
+    subject.add_link(failures, family, link, of_link(link));
+  // Formulae evaluated in an order of operations of the kernel's own: where they round, an unattributed difference
+  // may be rounding and is not a fault of logic. In exact arithmetic it is one.
+  if (subject.evidence() == Evidence::formulae && exact_arithmetic) {
+    const std::string name(link_names[Link::unattributed]);
+    const auto touching = verdict["touching_links"][name].get<std::uint64_t>();
+    subject.add_link(failures, family, Link::unattributed, of_link(Link::unattributed) - touching);
+  }
+}
+
+std::string logic_sentence(const AskedLevel&) {
+  return "no wrong verdict with a broken specification or implementation link; for a kernel that claims no formulae, or "
+         "evaluates them in its own way: none in exact arithmetic that its formulae do not give, touching spheres not "
+         "counted";
+}
+
+LevelFindings judge_logic(const AskedLevel&, const Subject& subject) { return logic_findings(subject); }
+
+}  // namespace
+
+LevelFindings logic_findings(const Subject& subject) {
+  LevelFindings found;
+  for (const auto& [family, result] : subject.families().items())
+    find_logic_failures(subject, family, result, found.failures);
+  const std::string queries = thousands(subject.decided());
+  if (subject.evidence() == Evidence::reference) {
+    found.covers = fmt::format(
+        "every wrong verdict on {} queries of {}, each compared with the kernel's own formulae, exact and as its "
+        "reference computes them",
+        queries, subject.list_of_families());
+    found.leaves_out = "rounding and range, and queries that these families do not make";
+    return found;
+  }
+  const ExactFamilies exact = exact_families_of(subject);
+  const bool has_formulae = subject.evidence() == Evidence::formulae;
+  if (!has_formulae) {
+    for (const auto& [family, result] : subject.families().items()) {
+      if (!result["exact_arithmetic"].get<bool>()) found.unseen.push_back(family);
+    }
+  }
+  const std::string cause = has_formulae ? "a difference from the formulae that it claims" : "a wrong verdict";
+  if (exact.queries == 0) {
+    found.not_checked = fmt::format(
+        "no query of a family of exact arithmetic was decided, and elsewhere {} may be of rounding; {}", cause,
+        families_to_add(subject));
+    return found;
+  }
+  found.covers =
+      fmt::format("verdicts on the {} queries of {} that do not touch, where a right method has nothing to round",
+                  thousands(exact.queries), fmt::join(exact.names, ", "));
+  if (has_formulae)
+    found.covers += fmt::format("; its formulae, exact, on {} queries of {}", queries, subject.list_of_families());
+  found.leaves_out = fmt::format("{} on any other query: {} wrong verdicts of this run have no known cause", cause,
+                                 thousands(subject.wrong_verdicts()));
+  return found;
+}
+
+extern const GateLevel logic_level = {"logic", "no wrong verdict by specification or implementation", no_argument,
+                                      logic_sentence, judge_logic};
+
+}  // namespace axiscert

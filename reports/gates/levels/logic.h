@@ -1,0 +1,10 @@
+// What `logic` finds, for the levels that require it too.
+#pragma once
+
+#include "reports/gates/levels/level.h"
+
+namespace axiscert {
+
+LevelFindings logic_findings(const Subject& subject);
+
+}  // namespace axiscert

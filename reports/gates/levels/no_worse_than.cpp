@@ -1,0 +1,92 @@
+// no-worse-than=KERNEL: on no family more wrong verdicts than another kernel of the run, beyond what chance explains.
+#include <fmt/format.h>
+
+#include "kernel/base/error.h"
+#include "reports/comparison/compare.h"
+#include "reports/comparison/two_proportions.h"
+#include "reports/gates/levels/level.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+void check_other(const AskedLevel& asked) {
+  if (asked.argument.empty())
+    throw Error(fmt::format("requirement '{}': it is written no-worse-than=KERNEL, KERNEL as it is given to --kernel",
+                            asked.text));
+}
+
+// A count of this kernel beside the other's on the same queries.
+struct Pair {
+  Cell mine, others;
+  double p;
+};
+
+// The other kernel's cell of the same precision, family and name; null where it was not run there.
+const Cell* counterpart(const std::vector<Cell>& cells, const Cell& mine, const std::string& other) {
+  for (const Cell& cell : cells) {
+    const bool is_it = cell.kernel == other && cell.precision == mine.precision && cell.family == mine.family &&
+                       cell.name() == mine.name();
+    if (is_it) return &cell;
+  }
+  return nullptr;
+}
+
+std::string rate_text(const Cell& cell) {
+  return fmt::format("{} of {}", thousands(cell.of.failures), thousands(cell.of.trials));
+}
+
+LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subject) {
+  LevelFindings found;
+  const std::string &other = asked.argument, kernel = subject.kernel()["id"], precision = subject.kernel()["precision"];
+  const std::vector<Cell> cells = cells_of(subject.record());
+  std::vector<Pair> pairs;
+  std::vector<double> p;
+  for (const Cell& cell : cells) {
+    const bool is_mine = cell.kernel == kernel && cell.precision == precision && cell.place == "verdict";
+    if (!is_mine || (cell.member != "false_separation" && cell.member != "false_contact")) continue;
+    const Cell* theirs = counterpart(cells, cell, other);
+    if (theirs == nullptr) {
+      found.not_checked = fmt::format("{} was not run on {} in {}", other, cell.family, precision);
+      return found;
+    }
+    const auto [x, y] = independent(cell, *theirs);
+    pairs.push_back({cell, *theirs, fisher_two_sided(x, y)});
+    p.push_back(pairs.back().p);
+  }
+  const std::vector<double> corrected = holm(p);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [mine, others, alone] = pairs[i];
+    const double rate = static_cast<double>(mine.of.failures) / static_cast<double>(std::max<std::uint64_t>(mine.of.trials, 1));
+    const double other_rate =
+        static_cast<double>(others.of.failures) / static_cast<double>(std::max<std::uint64_t>(others.of.trials, 1));
+    if (corrected[i] > family_wise_error || rate <= other_rate) continue;
+    const std::string kind = mine.member;
+    subject.add(found.failures, mine.family, mine.of.failures,
+                fmt::format("{} contacts, {}, more than {} with {} (p = {:.2g} after Holm's correction)",
+                            kind == "false_separation" ? "missed" : "phantom", rate_text(mine), other,
+                            rate_text(others), corrected[i]),
+                [kind](const Json& flip) { return flip["kind"] == kind; });
+  }
+  found.covers = fmt::format(
+      "missed and phantom contacts of {}, each count beside that of {} on the same queries, by Fisher's exact test with "
+      "Holm's correction over {} counts at 5 %",
+      subject.list_of_families(), other, pairs.size());
+  found.leaves_out = "depths, and differences that chance explains";
+  return found;
+}
+
+}  // namespace
+
+extern const GateLevel no_worse_than_level = {
+    "no-worse-than=KERNEL",
+    "on no family more wrong verdicts than that kernel of the run",
+    check_other,
+    [](const AskedLevel& asked) {
+      return fmt::format("on no family more missed or phantom contacts than {}, beyond what chance explains",
+                         asked.argument);
+    },
+    judge_no_worse_than,
+    [](const AskedLevel& asked) { return asked.argument; }};
+
+}  // namespace axiscert

@@ -1,0 +1,49 @@
+// range: nor by range.
+#include <fmt/format.h>
+
+#include "reports/gates/levels/logic.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+std::string range_sentence(const AskedLevel&) {
+  return "no wrong verdict with a broken specification, implementation or range link; for a kernel that claims no "
+         "formulae, or evaluates them in its own way: no wrong verdict of unknown cause";
+}
+
+LevelFindings judge_range(const AskedLevel&, const Subject& subject) {
+  LevelFindings found = logic_findings(subject);
+  if (subject.evidence() == Subject::Evidence::reference) {
+    for (const auto& [family, result] : subject.families().items()) {
+      const auto broken = result["verdict"]["links"][std::string(link_names[Link::range])].get<std::uint64_t>();
+      subject.add_link(found.failures, family, Link::range, broken);
+    }
+    found.leaves_out = "rounding, and queries that these families do not make";
+    return found;
+  }
+  if (!found.not_checked.empty()) return found;
+  const std::string wrong = thousands(subject.wrong_verdicts());
+  if (subject.wrong_verdicts() == 0) {
+    found.unseen.clear();
+    found.covers = fmt::format("{} queries of {}: no verdict is wrong, so none is by range",
+                               thousands(subject.decided()), subject.list_of_families());
+    found.leaves_out = "queries that these families do not make";
+  } else if (subject.evidence() == Subject::Evidence::verdicts) {
+    found.not_checked = fmt::format(
+        "the kernel shows verdicts alone: a wrong verdict ({} of them) cannot be told to be of range or of rounding",
+        wrong);
+  } else {
+    found.not_checked = fmt::format(
+        "the kernel evaluates its formulae in its own way: a wrong verdict ({} of them) cannot be told to be of range "
+        "or of rounding",
+        wrong);
+  }
+  return found;
+}
+
+}  // namespace
+
+extern const GateLevel range_level = {"range", "nor by range", no_argument, range_sentence, judge_range};
+
+}  // namespace axiscert

@@ -1,0 +1,61 @@
+// A kernel in one precision, as a level judges it: its entry of a record, with what the levels ask of it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "exact/judge/judge.h"
+#include "fuzz/text/json.h"
+
+namespace axiscert {
+
+// One way in which a kernel falls short.
+struct Failure {
+  std::string kernel, precision, family;  // precision and family are empty for a kernel that could not be loaded
+  std::uint64_t count;                    // number of wrong verdicts, or of the cases that `what` names
+  std::string what;                       // for example "missed contacts"
+  std::string witness;                    // the deepest one that shows it; empty where none was stored
+
+  std::string text() const;
+};
+
+// The queries of a family's results that can show a wrong verdict: valid, within the kernel's limits, and called
+// separated or contact.
+std::uint64_t decided_queries(const Json& family);
+
+class Subject {
+ public:
+  // `kernel` is an entry of the record's "kernels". Both have to outlive the subject.
+  Subject(const Json& record, const Json& kernel) : record_(record), kernel_(kernel) {}
+
+  const Json& record() const { return record_; }
+  const Json& kernel() const { return kernel_; }
+  const Json& families() const { return kernel_["families"]; }  // by name
+
+  // The evidence that there is of the cause of a wrong verdict.
+  enum class Evidence {
+    reference,  // its formulae and their bits: every link is told apart
+    formulae,   // its formulae, evaluated in its own way: range, rounding and implementation are not told apart
+    verdicts    // nothing but the verdict
+  };
+  Evidence evidence() const;
+
+  using Shows = std::function<bool(const Json& verdict_flip)>;
+  // Adds a failure of this kernel, unless `count` is 0; its witness is the deepest of which a flip of the verdict
+  // `shows` it.
+  void add(std::vector<Failure>& failures, const std::string& family, std::uint64_t count, const std::string& what,
+           const Shows& shows, bool touching_counts = true) const;
+  // The same for wrong verdicts with a broken link, of which `apart` do not count.
+  void add_link(std::vector<Failure>& failures, const std::string& family, Link link, std::uint64_t count) const;
+
+  std::uint64_t wrong_verdicts() const;  // over all families
+  std::uint64_t decided() const;         // over all families
+  std::string list_of_families() const;  // "general, tangent", or "26 families"
+
+ private:
+  const Json &record_, &kernel_;
+};
+
+}  // namespace axiscert
