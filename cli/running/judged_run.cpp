@@ -33,7 +33,7 @@ bool shown(const std::vector<LevelOutcome>& outcomes, bool quiet) {
     if (outcome.passes()) {
       const bool is_met = outcome.state == LevelState::met;
       if (!quiet) fmt::print("{}\n", coloured(outcome.text(), is_met ? TextColour::green : TextColour::yellow));
-      if (!quiet && is_met) fmt::print("  covers {};\n  not {}\n", outcome.covers, outcome.leaves_out);
+      if (!quiet && is_met) fmt::print("  covers {}\n  leaves out {}\n", outcome.covers, outcome.leaves_out);
       continue;
     }
     for (const Failure& failure : outcome.failures)

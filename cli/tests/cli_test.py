@@ -242,6 +242,25 @@ class Run(RunCase):
         self.run_ok("--family", "scale", "--precision", "binary32", "--trials", 2000, "--require", "range", code=1)
         self.run_ok("--family", "general", "--precision", "binary32", "--trials", 2000, "--require", "exact", code=0)
 
+    def test_each_level_given_has_to_be_met_and_is_told_of_each_kernel(self):
+        plan = ["--kernel", "published", "--kernel", "nonstrict", "--family", "repeated", "--precision", "binary32", "--trials", 2000]
+        record = self.run_ok(*plan, "--require", "logic", "--require", "depth=1", code=1)
+        self.assertEqual(record["plan"]["require"], ["logic", "depth=1"])
+        told = json.loads((self.folder / "out/run.json").read_text())["requirements"]
+        self.assertEqual([(o["level"], o["kernel"], o["state"]) for o in told],
+                         [("logic", "published", "not met"), ("logic", "nonstrict", "met"),
+                          ("depth=1", "published", "met"), ("depth=1", "nonstrict", "met")])
+        self.assertIn("its reference computes them", told[1]["covers"])
+        self.assertIn("rounding and range", told[1]["leaves_out"])
+
+    def test_no_worse_than_another_kernel_of_the_run(self):
+        plan = ["--kernel", "published", "--kernel", "nonstrict", "--family", "repeated", "--precision", "binary32", "--trials", 2000]
+        self.run_ok(*plan, "--require", "no-worse-than=published", "--require", "logic")  # published itself need not meet it
+        done = axiscert("run", *plan, "--require", "no-worse-than=nonstrict", "--out", self.folder / "out")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"published binary32 on repeated: phantom contacts, \d+ of 2,000, more than nonstrict with \d+ of")
+        self.assertIn("after Holm's correction", done.stderr)
+
     def test_a_witness_replays_from_its_address_to_the_same_flips(self):
         record = self.run_ok("--family", "sliver", "--trials", 3000, "--mesh", MODELS / "OBJ/spider.obj")
         self.assertTrue(record["witnesses"])

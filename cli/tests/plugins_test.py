@@ -127,6 +127,33 @@ class Plugins(Case):
                 self.assertEqual(done.returncode, 1, (name, level, done.stderr))
                 self.assertIn(name, done.stderr)
 
+    def test_what_verdicts_alone_cannot_show_is_not_checked_and_does_not_pass(self):
+        plan = ["run", "--kernel", self.compiled("other"), "--family", "scale", "--precision", "binary32", "--trials", "4000",
+                "--out", self.folder / "out"]
+        done = axiscert(*plan, "--require", "logic")
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertIn("logic is NOT CHECKED: no query of a family of exact arithmetic was decided", done.stderr)
+        self.assertIn("add --family lattice", done.stderr)
+        plan += ["--family", "lattice"]
+        done = axiscert(*plan, "--require", "range")
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertIn("range is NOT CHECKED: the kernel shows verdicts alone: a wrong verdict (", done.stderr)
+        self.assertIn("phantom  ", done.stdout)  # the table of depths
+        done = axiscert(*plan, "--require", "range", "--require", "logic", "--allow-unchecked", "range")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("range is NOT CHECKED, which is allowed: the kernel shows verdicts alone", done.stdout)
+        self.assertIn("logic is met\n  covers verdicts on the ", done.stdout)
+        self.assertIn("\n  leaves out a wrong verdict on any other query: ", done.stdout)
+
+    def test_a_file_that_is_no_plugin_passes_no_gate(self):
+        text = self.folder / "text.so"
+        text.write_text("this is text\n")
+        for level in ("logic", "depth=1", "no-worse-than=published"):
+            done = axiscert("run", "--kernel", f"plugin:{text}", "--kernel", "published", "--family", "lattice", "--trials", "500",
+                            "--require", level, "--allow-unchecked", level, "--out", self.folder / "out")
+            self.assertEqual(done.returncode, 1, (level, done.stderr))
+            self.assertIn("text.so", done.stderr)
+
     def test_the_macros_take_no_name_from_their_users(self):
         """The compilers that built axiscert give no warning, in C or in C++."""
         cache = (BUILD / "CMakeCache.txt").read_text()

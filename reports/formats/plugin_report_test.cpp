@@ -2,11 +2,12 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/supervised_testing.h"
 #include "fuzz/confirm/record.h"
+#include "reports/wording/depths.h"
 #include "reports/wording/finding.h"
 #include "reports/wording/reproduce.h"
 #include "reports/gates/requirement.h"
 #include "reports/wording/summary.h"
-#include "reports/formats/test_run.h"
+#include "reports/testing/test_run.h"
 
 namespace axiscert {
 namespace {
@@ -36,7 +37,7 @@ Json record_with(std::vector<const Kernel*> kernels, const std::vector<std::stri
   plan.plugins = {{.name = "mine.so", .kind = "plugin", .sha256 = std::string(64, 'a')},
                   {.name = "gone.so", .kind = "plugin"}};
   const std::atomic<bool> never = false;
-  const Json record = record_of(plan, run_campaign(plan, never, [](const Progress&) {}), require);
+  const Json record = record_of(plan, run_campaign(plan, never, [](const Progress&) {}), require.empty() ? Required{} : Required{{require}, {}});
   check_record(record, "record.json");
   return record;
 }
@@ -131,6 +132,27 @@ TEST(PluginRequirement, WhatIsOutsideTheLimitsIsNoRequirement) {
   const Json record = record_with({&kernel}, {"scale"}, 1000);
   EXPECT_TRUE(unmet(record, "conservative").empty());
   EXPECT_GT(record["kernels"][0]["families"]["scale"]["verdict"]["outside_limits"]["unanswered"], 0);
+}
+
+// A kernel that says contact too late misses contacts, one that says it too early invents them.
+TEST(PluginRecord, SaysToWhichSideAKernelErrs) {
+  for (const double factor : {0.99, 1.01}) {
+    const Kernel kernel = black_box("plugin:mine.so", [factor](const Query<double>& q, auto, Verdict& verdict, auto&) {
+      Query<double> other = q;
+      other.r *= factor;
+      if (is_valid(q)) verdict = distance_order(other) > 0 ? Verdict::separated : Verdict::contact;
+    });
+    const Json record = record_with({&kernel}, {"general"}, 2048);
+    const Json &family = record["kernels"][0]["families"]["general"], &radius = family["critical_radius"];
+    const bool is_late = factor < 1;
+    EXPECT_EQ(radius[is_late ? "late" : "early"], radius["sampled"]);
+    EXPECT_EQ(radius[is_late ? "early" : "late"], 0);
+    EXPECT_EQ(radius["signed_median_ulps"].get<double>() > 0, is_late);
+    EXPECT_THAT(bias_text(family), HasSubstr(is_late ? "missed contacts alone; critical radius early on 0, late on 8"
+                                                     : "phantom contacts alone; critical radius early on 8, late on 0"));
+    EXPECT_THAT(engine_text(family), HasSubstr(" on 2,048 engine-like queries"));
+    EXPECT_GT(family["verdict"]["engine_like"][is_late ? "false_separation" : "false_contact"], 0);
+  }
 }
 
 // Right formulae in another order, or fused: what they round is not a fault of logic. A slip in them is one, and so is
@@ -236,6 +258,9 @@ TEST(PluginFolder, FindingsThatContradictTheRecordAreRefused) {
   EXPECT_THAT(error_after([&](Json& r) { verdict(r)["unanswered"] = 2049; }), HasSubstr("unanswered"));
   EXPECT_THAT(error_after([&](Json& r) { verdict(r)["first_by_link"]["range"] = 7; }), HasSubstr("first_by_link"));
   EXPECT_THAT(error_after([&](Json& r) { verdict(r)["touching_links"]["range"] = 7; }), HasSubstr("touching"));
+  EXPECT_THAT(error_after([&](Json& r) { verdict(r)["depths"]["false_contact"]["-1"] = 9999; }), HasSubstr("add up"));
+  EXPECT_THAT(error_after([&](Json& r) { verdict(r)["engine_like"]["queries"] = 2049; }), HasSubstr("engine-like"));
+  EXPECT_THAT(error_after([&](Json& r) { verdict(r)["depths"]["false_contact"]["-21"] = 1; }), HasSubstr("-21"));
   EXPECT_THAT(error_after([](Json& r) { r["kernels"][1]["reference"] = true; }), HasSubstr("reference"));
 }
 

@@ -1,6 +1,6 @@
 // Records that each level of --require accepts and refuses.
 #include "reports/gates/requirement.h"
-#include "reports/formats/test_run.h"
+#include "reports/testing/test_run.h"
 
 namespace axiscert {
 namespace {
@@ -84,21 +84,34 @@ TEST(Requirement, ConservativeAllowsNoMissedContact) {
 TEST(Requirement, UnknownLevelIsAnErrorThatListsTheLevels) {
   for (const char* text : {"", "exakt", "logic ", "conservative0.1"}) {
     try {
-      parse_requirement(text);
+      parse_level(text);
       ADD_FAILURE() << "accepted '" << text << "'";
     } catch (const Error& error) {
-      EXPECT_THAT(error.what(), HasSubstr("logic, range, exact, conservative"));
+      EXPECT_THAT(error.what(), HasSubstr("logic, range, exact, conservative[=D], depth=D"));
     }
   }
 }
 
 TEST(Requirement, DepthHasToBeANumberFromZeroOn) {
-  for (const char* text :
-       {"conservative=", "conservative=-1", "conservative=nan", "conservative=0.1x", "conservative= 1"}) {
-    EXPECT_THROW(parse_requirement(text), Error) << text;
+  for (const std::string level : {"conservative", "depth"}) {
+    for (const char* argument : {"=", "=-1", "=nan", "=0.1x", "= 1"})
+      EXPECT_THROW(parse_level(level + argument), Error) << level << argument;
+    EXPECT_EQ(depth_argument(parse_level(level + "=1e-3")), 0.001);
+    EXPECT_EQ(depth_argument(parse_level(level + "=0")), 0);
   }
-  EXPECT_EQ(parse_requirement("conservative=1e-3").deepest, 0.001);
-  EXPECT_EQ(parse_requirement("conservative=0").deepest, 0);
+  EXPECT_THROW(parse_level("depth"), Error);
+  EXPECT_THROW(parse_level("logic=1"), Error);
+  EXPECT_THROW(parse_level("no-worse-than="), Error);
+}
+
+TEST(Requirement, DepthAllowsWrongVerdictsUpToItEitherWay) {
+  Json record = stored_record();
+  record["kernels"].erase(1);
+  EXPECT_TRUE(unmet(record, "depth=0.25").empty());
+  EXPECT_EQ(texts(record, "depth=0.2"),
+            std::vector<std::string>{"published binary32 on tangent: missed contacts, the deepest by 0.25 of the scene: "
+                                     "0.2 is allowed: 40 (witness w2)"});
+  EXPECT_EQ(unmet(record, "depth=0.1").size(), 2u) << "phantom contacts too";
 }
 
 }  // namespace

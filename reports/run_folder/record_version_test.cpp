@@ -5,7 +5,7 @@
 
 #include "reports/comparison/compare.h"
 #include "reports/comparison/show.h"
-#include "reports/formats/test_run.h"
+#include "reports/testing/test_run.h"
 #include "reports/gates/ratchet.h"
 #include "reports/run_folder/record_names.h"
 
@@ -15,6 +15,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 const std::string testdata = SOURCE_FOLDER "/reports/testdata/";
 
@@ -91,6 +92,14 @@ TEST(RecordVersion, AMemberOfThePresentOneIsNotInTheFirst) {
   EXPECT_THAT(refusal(record), HasSubstr("/plan"));
   record.erase("plan");
   EXPECT_THAT(refusal(record), HasSubstr("without \"plan\""));
+}
+
+TEST(RecordVersion, ADamagedFileIsToldByTheVersionThatItClaims) {
+  Json first = first_version(), present = stored_record();
+  for (Json* record : {&first, &present}) tangent_counts(*record).erase("truth");
+  EXPECT_THAT(refusal(first), AllOf(HasSubstr("does not conform to axiscert-record/1: /kernels/0"),
+                                    Not(HasSubstr("axiscert-record/2"))));
+  EXPECT_THAT(refusal(present), HasSubstr("does not conform to axiscert-record/2: /kernels/0"));
 }
 
 TEST(RecordNames, AnUnknownTestIsToldWithThoseThatThereAre) {

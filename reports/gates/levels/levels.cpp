@@ -27,8 +27,8 @@ std::span<const GateLevel* const> gate_levels() {
   return all;
 }
 
-std::string GateLevel::name() const {
-  const std::string text = usage;
+std::string_view GateLevel::name() const {
+  const std::string_view text = usage;
   return text.substr(0, text.find_first_of("[="));
 }
 
