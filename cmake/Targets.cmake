@@ -190,7 +190,8 @@ function(axiscert_script_test name)
   elseif(arg_NEEDS)
     add_dependencies(axiscert_quick ${arg_NEEDS})
   endif()
-  set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT ${arg_TIMEOUT})
+  # Scripts take longest: begun first, none of them is the last to end, alone on one core.
+  set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT ${arg_TIMEOUT} COST 1000)
 endfunction()
 
 # axiscert_require_tests(): fails where a `_test.cpp` or `_test.py` of the tree belongs to no test, in a build that has all of them.
@@ -263,12 +264,16 @@ function(axiscert_instances variable list template result)
   set(${result} ${sources} PARENT_SCOPE)
 endfunction()
 
-# axiscert_c_plugin(folder name options...): NAME.c as a plug-in with a fault, ${PROJECT_BINARY_DIR}/FOLDER/NAME.so. Never
+# axiscert_c_plugin(folder name options...): NAME.c, or NAME.cpp, as a plug-in with a fault, ${PROJECT_BINARY_DIR}/FOLDER/NAME.so. Never
 # sanitized: what is wrong with it is for axiscert to find, and the process that loads it need not be sanitized.
 function(axiscert_c_plugin folder name)
   set(target ${folder}_${name})
-  add_library(${target} MODULE ${name}.c)
-  set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${name} C_VISIBILITY_PRESET hidden
+  set(source ${name}.c)
+  if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp)
+    set(source ${name}.cpp)
+  endif()
+  add_library(${target} MODULE ${source})
+  set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${name} C_VISIBILITY_PRESET hidden CXX_VISIBILITY_PRESET hidden
                                              LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_options(${target} PRIVATE -fno-sanitize=all -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/= ${ARGN})

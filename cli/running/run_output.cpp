@@ -14,6 +14,7 @@
 #include "fuzz/files/query_file.h"
 #include "kernel/base/error.h"
 #include "reports/wording/aligned_table.h"
+#include "reports/wording/depths.h"
 #include "reports/wording/finding.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"
@@ -80,7 +81,7 @@ std::string OutputFolder::save(const OracleDisagreement& d) const {
     std::transform(d.query.begin(), d.query.end(), values.begin(), [](double x) { return static_cast<Real>(x); });
     return values;
   };
-  StoredQuery stored{"disagreement", d.precision, numbers(double())};
+  StoredQuery stored{"disagreement", d.precision, numbers(double()), 0, d.test};
   if (d.precision == Precision::binary32) stored.numbers = numbers(float());
   write_text("disagreement.jsonl", query_line(stored) + "\n");
   return (path_ / "disagreement.jsonl").string();
@@ -148,6 +149,32 @@ std::string kernels_table(const Json& kernels) {
   return text;
 }
 
+// How deep the wrong verdicts are, by kernel and direction, then on engine-like queries and to which side. Empty where
+// nothing is wrong, and for a record of a test without depths.
+std::string depths_table(const Json& record) {
+  std::vector<std::string> columns = {"kernel", "precision", "wrong by, of the scene"};
+  columns.insert(columns.end(), depth_columns().begin(), depth_columns().end());
+  std::vector<std::vector<std::string>> rows;
+  std::string sentences;
+  for (const Json& kernel : record["kernels"]) {
+    const Json total = all_families(kernel);
+    if (!has_depths(total)) continue;
+    bool is_wrong = false;
+    for (const auto& [kind, what] : {std::pair("false_separation", "missed"), {"false_contact", "phantom"}}) {
+      if (total["verdict"][kind] == 0) continue;
+      is_wrong = true;
+      auto& row = rows.emplace_back(std::vector<std::string>{kernel["id"], kernel["precision"], what});
+      for (const std::uint64_t count : depth_counts(total["verdict"]["depths"][kind])) row.push_back(thousands(count));
+    }
+    if (!is_wrong) continue;
+    const std::string who = fmt::format("{} {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>());
+    for (const std::string& told : {engine_text(total), bias_text(total)}) {
+      if (!told.empty()) sentences += fmt::format("{}: {}\n", who, told);
+    }
+  }
+  return rows.empty() ? "" : aligned_table(columns, rows) + sentences;
+}
+
 }  // namespace
 
 std::string summary_text(const Json& record, double seconds) {
@@ -161,6 +188,7 @@ std::string summary_text(const Json& record, double seconds) {
   for (const std::string& kernel : not_judged(record))
     text += fmt::format("{}: NOT JUDGED: it could not be loaded\n", kernel);
   text += kernels_table(record["kernels"]);
+  text += depths_table(record);
   text += fmt::format("{}{:.1f} s\n", record["complete"].get<bool>() ? "" : "interrupted; ", seconds);
   return text;
 }

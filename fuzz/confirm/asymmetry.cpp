@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "exact/sphere_triangle/measures/limits.h"
-#include "fuzz/queries/image_groups.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
@@ -46,21 +45,28 @@ class AsymmetryBlock {
   }
 
   void count_group(std::uint64_t position, std::size_t in_batch) {
-    const auto base = answer(position, in_batch);
-    if (!base) return;
-    for (std::size_t i = 1; i < group_.size; ++i) {
+    queries_.clear();
+    verdicts_.clear();
+    std::optional<Outcome> base;
+    for (std::size_t i = 0; i < group_.size; ++i) {
       const auto image = answer(position + i, in_batch + i);
-      if (!image) continue;
-      ++found_.images;
-      const AsymmetryWitness witness{position, position + i};
-      if (image->verdict != base->verdict) {
-        ++found_.verdicts;
-        if (!found_.first_verdict) found_.first_verdict = witness;
-      }
-      if (image->bits && base->bits && bits_of_base(*image->bits, group_.order(i)) != *base->bits) {
-        ++found_.comparisons;
-        if (!found_.first_comparison) found_.first_comparison = witness;
-      }
+      if (i == 0) base = image;
+      else if (base && image) count_image(*base, *image, {position, position + i}, i);
+      queries_.push_back(query_from(batch_[in_batch + i]));
+      verdicts_.push_back(image ? std::optional(image->verdict) : std::nullopt);
+    }
+    count_invariance<Real>(found_.invariance, {group_, position, queries_, verdicts_});
+  }
+
+  void count_image(const Outcome& base, const Outcome& image, const ImagePair& pair, std::size_t i) {
+    ++found_.images;
+    if (image.verdict != base.verdict) {
+      ++found_.verdicts;
+      if (!found_.first_verdict) found_.first_verdict = pair;
+    }
+    if (image.bits && base.bits && bits_of_base(*image.bits, group_.order(i)) != *base.bits) {
+      ++found_.comparisons;
+      if (!found_.first_comparison) found_.first_comparison = pair;
     }
   }
 
@@ -71,6 +77,8 @@ class AsymmetryBlock {
   Implementation<Real> implementation_;
   QueryBatch<Real> batch_;
   Reply<Real> reply_;
+  std::vector<Query<Real>> queries_;  // of the group at hand
+  std::vector<std::optional<Verdict>> verdicts_;
   Asymmetry found_;
 };
 
@@ -99,6 +107,10 @@ std::optional<Asymmetry> asymmetry_of(const Plan& plan, const Kernel& kernel, co
     all.comparisons += block.comparisons;
     if (!all.first_verdict) all.first_verdict = block.first_verdict;
     if (!all.first_comparison) all.first_comparison = block.first_comparison;
+    all.invariance.merge(block.invariance);
+  }
+  for (auto* flips : {&all.invariance.units.small, &all.invariance.units.large}) {
+    narrow(plan, kernel, source, precision, *flips);
   }
   return all;
 }

@@ -3,19 +3,16 @@
 #pragma once
 
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/confirm/invariance.h"
 
 namespace axiscert {
-
-// An image and its base, by position.
-struct AsymmetryWitness {
-  std::uint64_t base, image;
-};
 
 struct Asymmetry {
   std::uint64_t images = 0;       // compared with their base; both answered and within the kernel's limits
   std::uint64_t verdicts = 0;     // images whose verdict differs
   std::uint64_t comparisons = 0;  // images with a comparison that differs, by the base's names, whatever the verdict
-  std::optional<AsymmetryWitness> first_verdict, first_comparison;
+  std::optional<ImagePair> first_verdict, first_comparison;
+  Invariance invariance;  // the same images by kind and size
 };
 
 // A long run is not repeated in full: this many queries are examined, or all if there are fewer.

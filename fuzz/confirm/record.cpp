@@ -9,6 +9,7 @@
 #include "exact/trait/oracles.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/confirm/asymmetry.h"
+#include "fuzz/confirm/asymmetry_record.h"
 #include "fuzz/campaign/tally.h"
 #include "fuzz/confirm/finding_record.h"
 #include "fuzz/confirm/plan.h"
@@ -146,20 +147,6 @@ Json verdict_json(const VerdictTally& v, const TestDescription& test, const Limi
           {"engine_like", &test == &first_test() ? engine_json(v.engine) : Json(nullptr)}};
 }
 
-// `address` makes the text of a position's address.
-template <class AddressOf>
-Json asymmetry_json(const Asymmetry& asymmetry, const AddressOf& address) {
-  const auto witness = [&](const std::optional<AsymmetryWitness>& first) -> Json {
-    if (!first) return nullptr;
-    return {{"base", address(first->base)}, {"image", address(first->image)}};
-  };
-  return {{"images", asymmetry.images},
-          {"verdicts", asymmetry.verdicts},
-          {"comparisons", asymmetry.comparisons},
-          {"first_verdict", witness(asymmetry.first_verdict)},
-          {"first_comparison", witness(asymmetry.first_comparison)}};
-}
-
 Json family_json(const Plan& plan, const Source& source, Precision precision, const Kernel& kernel, const Tally& tally,
                  const std::optional<Asymmetry>& asymmetry) {
   const Tolerances& tolerances = plan.tolerances;
@@ -176,7 +163,11 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
                {"axes", nullptr},
                {"comparisons", nullptr},
                {"critical_radius", critical_radius_json(tally.critical_radius)}};
-  if (asymmetry) json["asymmetry"] = asymmetry_json(*asymmetry, address);
+  if (asymmetry) {
+    json["asymmetry"] = asymmetry_json(*asymmetry, address);
+    json["invariance"] = invariance_json(asymmetry->invariance, *image_group(source.name()), precision, address,
+                                         [&](const auto& flips) { return absolute_sizes(plan, source, precision, flips); });
+  }
   Json &axes = json["axes"], &all = json["comparisons"];
   if (kernel.exposes == Exposure::verdict) return json;
   axes = all = Json::object();

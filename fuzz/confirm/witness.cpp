@@ -65,24 +65,44 @@ void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision pr
       shown[candidate.position].largest_errors |= one_bit<ComparisonBits>(i);
     }
   }
-  const auto note_pair = [&](const std::optional<AsymmetryWitness>& first, const char* what) {
-    if (!first) return;
-    const auto address = [&](std::uint64_t at) { return text(address_of(source, plan_.seed, precision, at)); };
-    shown[first->base].texts.push_back(
-        fmt::format("asymmetry: another {} than of its image {}", what, address(first->image)));
-    shown[first->image].texts.push_back(
-        fmt::format("asymmetry: another {} than of its base {}", what, address(first->base)));
-  };
-  if (asymmetry) {
-    note_pair(asymmetry->first_verdict, "verdict");
-    note_pair(asymmetry->first_comparison, "comparison");
-  }
+  if (asymmetry) add_pairs(source, precision, *asymmetry, shown);
   if (!examiner_ || &examiner_->kernel() != &kernel) {
     examiner_.emplace(kernel, plan_.target);
     oracle_examiner_.emplace(kernel, plan_.target);
   }
   if (precision == Precision::binary32) write<float>(kernel, source, shown);
   else write<double>(kernel, source, shown);
+}
+
+void WitnessWriter::add_pairs(const Source& source, Precision precision, const Asymmetry& asymmetry,
+                              Shown& shown) const {
+  const auto address = [&](std::uint64_t at) { return text(address_of(source, plan_.seed, precision, at)); };
+  const auto note = [&](const std::optional<ImagePair>& pair, auto&& of_base, auto&& of_image) {
+    if (!pair) return;
+    shown[pair->base].texts.push_back(of_base(address(pair->image)));
+    shown[pair->image].texts.push_back(of_image(address(pair->base)));
+  };
+  const auto note_difference = [&](const std::optional<ImagePair>& pair, const std::string& what) {
+    note(
+        pair,
+        [&](const std::string& image) { return fmt::format("asymmetry: another {} than of its image {}", what, image); },
+        [&](const std::string& base) { return fmt::format("asymmetry: another {} than of its base {}", what, base); });
+  };
+  note_difference(asymmetry.first_verdict, "verdict");
+  note_difference(asymmetry.first_comparison, "comparison");
+  const Invariance& invariance = asymmetry.invariance;
+  for (const ImageKind kind : enumerators<ImageKind>) {
+    note_difference(invariance.kinds[kind].first, fmt::format("verdict by {}", image_kind_names[kind]));
+  }
+  const ImageChanges& wrong = invariance.units.wrong;
+  note(
+      wrong.first,
+      [&](const std::string& image) {
+        return fmt::format("right, and wrong times 2^{}: its image {}", wrong.first_size, image);
+      },
+      [&](const std::string& base) {
+        return fmt::format("wrong times 2^{} of its base {}, which is right", wrong.first_size, base);
+      });
 }
 
 template <class Real>

@@ -17,7 +17,8 @@ class WitnessWriter {
  public:
   explicit WitnessWriter(const Plan& plan) : plan_(plan) {}
   // Adds the deepest wrong verdicts of each kind and with each broken link; for each comparison a flip of each kind, a
-  // decisive one if there is one, and the largest error; for an asymmetry the first image and its base. A query that
+  // decisive one if there is one, and the largest error; for an asymmetry, and for each way in which answers change with an image, the first
+  // image and its base. A query that
   // shows several of these is stored once.
   void add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally,
            const std::optional<Asymmetry>& asymmetry);
@@ -38,6 +39,7 @@ class WitnessWriter {
     std::optional<double> depth;
     Json sides;
   };
+  void add_pairs(const Source& source, Precision precision, const Asymmetry& asymmetry, Shown& shown) const;
   template <class Real>
   Examined examined(const Kernel& kernel, const Source& source, std::uint64_t position, const Numbers<Real>& numbers,
                     const Reasons& why);

@@ -69,6 +69,8 @@ Allowed allowed(std::string_view family) {
                            {"tie", 0, 0, 30},
                            {"speck", 2, 2, 40},
                            {"lattice", 12, 50, 110},
+                           {"units", 12, 50, 110},
+                           {"spans", 30, 60, 110},
                            {"far", 0, 0, 12},
                            {"scale", 5, 6, 10},
                            {"on", 573, 573, 0},

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "exact/sphere_triangle/measures/depth.h"
+#include "fuzz/families/sphere_triangle/parts/lattice_bounds.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
@@ -147,6 +149,47 @@ TYPED_TEST(FamilyShapes, LatticeNeverRounds) {
   EXPECT_GE(zero_area, 50u);
   EXPECT_GE(with_ties, 500u);
   EXPECT_GE(separated, 1000u);
+}
+
+// At the ends of the range as in the middle; and one power further a form of degree 6 could leave it.
+TYPED_TEST(FamilyShapes, UnitsAndSpansStayInTheRangeOfDegreeSixAndReachItsEnds) {
+  using Limits = std::numeric_limits<TypeParam>;
+  const std::pair<const char*, std::int64_t> families[] = {{"units", LatticeBounds<TypeParam>::m},
+                                                           {"spans", std::int64_t{1} << (sizeof(TypeParam) == 4 ? 10 : 24)}};
+  for (const auto& [family, m] : families) {
+    const ImageGroup& group = *image_group(family);
+    const PowerRange range = group.range(precision_of<TypeParam>);
+    std::set<int> exponents;
+    for_each_query<TypeParam>(family, 500 * group.size, [&](const Query<TypeParam>& q, std::uint64_t position) {
+      const std::size_t image = position % group.size;
+      std::feclearexcept(FE_ALL_EXCEPT);
+      const Sides<TypeParam> computed = reference_sides(q);
+      EXPECT_EQ(std::fetestexcept(FE_OVERFLOW | FE_UNDERFLOW), 0) << computed.lhs[0];
+      if (image == 0 || group.kind(image) != ImageKind::scale) return;
+      const int exponent = group.exponent(precision_of<TypeParam>, position / group.size, image);
+      exponents.insert(exponent);
+      const TypeParam bound = std::ldexp(static_cast<TypeParam>(m), exponent);
+      for (const TypeParam x : coordinates(q)) EXPECT_LE(std::abs(x), 4 * bound);
+    });
+    EXPECT_EQ(*exponents.begin(), range.least) << family;
+    EXPECT_EQ(*exponents.rbegin(), range.greatest) << family;
+    EXPECT_EQ(exponents.size(), static_cast<std::size_t>(range.greatest - range.least)) << family << ": all but 2^0";
+    const TypeParam six = std::ldexp(static_cast<TypeParam>(m), range.greatest + 1);
+    EXPECT_TRUE(std::isinf(3456 * six * six * six * six * six * six)) << family;
+    EXPECT_LT(std::ldexp(TypeParam(1), 6 * (range.least - 1) - 2), Limits::min()) << family;
+  }
+}
+
+TYPED_TEST(FamilyShapes, SpansHaveClearQueriesOnBothSidesOfEachFeature) {
+  std::array<std::array<std::size_t, 2>, axis_count> clear{};
+  for_each_query<TypeParam>("spans", 12 * 2 * 9 * axis_count * 8, [&](const Query<TypeParam>& q, std::uint64_t position) {
+    const std::uint64_t base = position / 12;
+    if (position % 12 != 0 || base % 2 == 0 || depth_range(q).low < 0x1p-10) return;
+    ++clear[base / 2 / 9 % axis_count][distance_order(q) > 0];
+  });
+  for (std::size_t axis = 0; axis < axis_count; ++axis) {
+    EXPECT_GE(std::min(clear[axis][0], clear[axis][1]), 5u) << "axis " << axis;
+  }
 }
 
 TYPED_TEST(FamilyShapes, OnIsAtDistanceZero) {

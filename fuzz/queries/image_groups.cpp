@@ -39,8 +39,8 @@ Meaning in_base(const Meaning& image, const std::array<std::uint8_t, 3>& order) 
 }  // namespace
 
 const ImageGroup* image_group(std::string_view family) {
-  for (const ImageGroup& group : image_groups()) {
-    if (group.family == family) return &group;
+  for (const ImageGroup* group : image_groups()) {
+    if (group->family == family) return group;
   }
   return nullptr;
 }

@@ -7,6 +7,6 @@
 
 namespace axiscert {
 
-std::span<const ImageGroup> image_groups();
+std::span<const ImageGroup* const> image_groups();
 
 }  // namespace axiscert

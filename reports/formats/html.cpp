@@ -11,6 +11,7 @@
 #include "reports/run_folder/record_names.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/page/embedded.h"
+#include "reports/wording/depths.h"
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
 #include "reports/formats/raw_files.h"
@@ -85,8 +86,18 @@ Json kernel_data(const Json& kernel) {
   data["touching_text"] = touching_text(kernel);
   data["limits_text"] = limits_text(kernel);
   data["all"] = all_families(kernel);
-  if (data["all"].empty()) data["all"] = nullptr;
-  else data["all"]["zero_limit_per_million"] = limit(data["all"]);
+  if (data["all"].empty()) {
+    data["all"] = nullptr;
+    return data;
+  }
+  data["all"]["zero_limit_per_million"] = limit(data["all"]);
+  data["engine_text"] = engine_text(data["all"]);
+  data["bias_text"] = bias_text(data["all"]);
+  if (has_depths(data["all"])) {
+    data["depths"]["columns"] = depth_columns();
+    for (const char* kind : {"false_separation", "false_contact"})
+      data["depths"][kind] = depth_counts(data["all"]["verdict"]["depths"][kind]);
+  }
   return data;
 }
 

@@ -6,6 +6,7 @@
 
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
+#include "reports/formats/depths_section.h"
 #include "reports/formats/requirements_section.h"
 #include "reports/wording/markdown_text.h"
 #include "reports/wording/reproduce.h"
@@ -43,7 +44,7 @@ class MarkdownReport {
       text += "\n> **INCOMPLETE**: the run was interrupted. The figures below cover only the queries that were run.\n";
     }
     return text + ratchet() + findings() + requirements_section(record_, outcomes_) + summary() +
-           families() + outside() + asymmetries() + signs("axes", "axis") +
+           depths_section(record_) + families() + outside() + asymmetries() + signs("axes", "axis") +
            signs("comparisons", "comparison") + broken_links() + witnesses() + critical_radius() + reproduce();
   }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "reports/comparison/cells.h"
+#include "reports/wording/depths.h"
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
 #include "reports/wording/reproduce.h"
@@ -94,6 +95,8 @@ class Log {
     std::string message = fmt::format("{}: {} of {} queries. {}", where, thousands(cell.count()),
                                       thousands(cell.of.trials), rule.sentence);
     if (cell.kind == Cell::Kind::finding) message = finding_message(cell);
+    if (const std::string depths = depths_of(cell); !depths.empty())
+      message += fmt::format(" By depth, of the scene: {}.", depths);
     if (worst != nullptr) message += " Reproduced by: " + replay_command(*worst, record_["plan"]);
     const bool is_unmet = std::any_of(failures_.begin(), failures_.end(), [&](const Failure& failure) {
       return cell.place == "verdict" && failure.kernel == cell.kernel && failure.precision == cell.precision &&
@@ -105,6 +108,17 @@ class Log {
             {"message", {{"text", message_text(message)}}},
             {"locations", Json::array({place_of(cell.key(), worst)})},
             {"partialFingerprints", {{"axiscertCell/v1", fingerprint(cell.key())}}}};
+  }
+
+  // The depths of a cell's wrong verdicts; empty for any other cell.
+  std::string depths_of(const Cell& cell) const {
+    if (cell.place != "verdict" || (cell.member != "false_separation" && cell.member != "false_contact")) return "";
+    for (const Json& kernel : record_["kernels"]) {
+      if (kernel["id"] != cell.kernel || kernel["precision"] != cell.precision) continue;
+      const Json& family = kernel["families"][cell.family];
+      return has_depths(family) ? depths_text(family["verdict"]["depths"][cell.member]) : "";
+    }
+    return "";
   }
 
   Json ratchet_result(const Json& failure) const {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "reports/wording/finding.h"
 
@@ -19,6 +20,12 @@ const GateLevel* find_level(const std::string& name) {
 }
 
 const GateLevel& level_of(const AskedLevel& asked) { return *find_level(asked.name); }
+
+std::vector<std::string_view> level_names() {
+  std::vector<std::string_view> names;
+  for (const GateLevel* level : gate_levels()) names.push_back(level->name());
+  return names;
+}
 
 std::string usages() {
   std::vector<std::string> usages;
@@ -153,7 +160,10 @@ AskedLevel parse_level(const std::string& text) {
   asked.has_argument = asked.name.size() != text.size();
   if (asked.has_argument) asked.argument = text.substr(asked.name.size() + 1);
   const GateLevel* level = find_level(asked.name);
-  if (level == nullptr) throw Error(fmt::format("unknown requirement '{}'; levels: {}", text, usages()));
+  if (level == nullptr) {
+    throw Error(fmt::format("unknown requirement '{}'{} levels: {}", text, did_you_mean(asked.name, level_names()),
+                            usages()));
+  }
   const std::string usage = level->usage;
   const bool takes_one = usage.find('=') != usage.npos, has_to = takes_one && usage.find('[') == usage.npos;
   if (asked.has_argument ? !takes_one : has_to)

@@ -171,6 +171,21 @@ function not_judged_card(data, id) {
             el('ul', 'failures', ...why.map((finding) => el('li', '', `${finding.kind}: ${finding.detail}`))));
 }
 
+// Wrong verdicts by depth, a row for each direction, where there are any.
+function depths_table(entry) {
+  const rows = [['missed', 'false_separation'], ['phantom', 'false_contact']].filter(([, kind]) => entry.all.verdict[kind] > 0);
+  if (!entry.depths || rows.length === 0) return '';
+  const column = (name) => { const th = el('th', 'n', name); th.scope = 'col'; return th; };
+  const row = ([label, kind]) => {
+    const th = el('th', '', label);
+    th.scope = 'row';
+    return el('tr', '', th, ...entry.depths[kind].map((n) => el('td', n > 0 ? 'n' : 'n zero', count(n))));
+  };
+  const head = el('tr', '', el('th', '', 'wrong by'), ...entry.depths.columns.map(column));
+  return el('div', 'scroll', el('table', 'depths', el('caption', '', 'Wrong verdicts by depth, as a share of the scene: each ' +
+    'column from its depth to that of the next one'), el('thead', '', head), el('tbody', '', ...rows.map(row))));
+}
+
 function more_facts(entry) {
   const total = entry.all;
   const facts = el('dl', 'facts numbers');
@@ -186,6 +201,8 @@ function more_facts(entry) {
     fact('outside its limits', `${count(outside.trials)} queries, ` +
          `${count(outside.false_separation + outside.false_contact)} wrong, counted separately`);
   }
+  if (entry.engine_text) fact('engine-like', entry.engine_text);
+  if (entry.bias_text) fact('errs', entry.bias_text);
   fact('wrong on touching', count(total.verdict.touching_flips));
   fact('tolerance failures', tolerance_fact(total));
   fact('largest error', largest_error(total));
@@ -209,7 +226,7 @@ function answer_card(data, entry) {
                                `${count(total.truth.invalid)} invalid.`),
               el('div', 'metrics', metric(data, entry, 'missed contacts', 'false_separation', 'bad'),
                  metric(data, entry, 'phantom contacts', 'false_contact', 'warn')),
-              links_bar(total.verdict.links) ?? '', link_sentences(data, entry), badges(data, entry), more_facts(entry));
+              depths_table(entry), links_bar(total.verdict.links) ?? '', link_sentences(data, entry), badges(data, entry), more_facts(entry));
   if (failures.length > 0) {
     const list = el('details', '',
                     el('summary', 'label', `Where the requirement is not met: ${count(failures.length)}`),

@@ -70,7 +70,8 @@ Json all_families(const Json& kernel) {
   for (Json family : kernel["families"]) {
     for (const char* median : {"median_ulps", "signed_median_ulps"}) family["critical_radius"].erase(median);
     family["verdict"].erase("first_by_link");  // places in a family cannot be added up
-    family.erase("asymmetry");                 // exists for a few families only
+    family.erase("asymmetry");                 // exist for a few families only
+    family.erase("invariance");
     merge(total, family, "");
   }
   if (total.is_null()) return Json::object();

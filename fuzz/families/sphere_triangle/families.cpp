@@ -12,6 +12,8 @@
   X(tie)                     \
   X(speck)                   \
   X(lattice)                 \
+  X(units)                   \
+  X(spans)                   \
   X(far)                     \
   X(scale)                   \
   X(ratio)                   \

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fuzz/families/sphere_triangle/parts/image_fill.h"
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
@@ -77,9 +78,7 @@ Query<Real> inverted_image(const Query<Real>& base, std::size_t i, Stream&) {
 }
 template <class Real>
 Query<Real> scaled_image(const Query<Real>& base, std::size_t i, Stream&) {
-  auto v = coordinates(base);
-  for (Real& x : v) x = std::ldexp(x, powers<Real>[i]);
-  return from_coordinates(v);
+  return times_power(base, powers<Real>[i]);
 }
 template <class Real>
 Query<Real> translated_image(const Query<Real>& base, std::size_t i, Stream& random) {
@@ -92,27 +91,29 @@ Query<Real> translated_image(const Query<Real>& base, std::size_t i, Stream& ran
 
 using Order = std::array<std::uint8_t, 3>;
 Order same_order(std::size_t) { return {0, 1, 2}; }
+template <ImageKind kind>
+constexpr ImageKind always(std::size_t) {
+  return kind;
+}
+// Eight choices of signs for each order of the axes.
+ImageKind kind_on_axes(std::size_t image) { return image < 8 ? ImageKind::mirror : ImageKind::axes; }
+int power_of(Precision precision, std::uint64_t, std::size_t image) {
+  return precision == Precision::binary32 ? powers<float>[image] : powers<double>[image];
+}
 constexpr std::array<ImageGroup, 5> groups = {{
-    {"orders", 6, [](std::size_t image) -> Order { return symmetries()[48 * image].vertices; }},
-    {"axes", 48, same_order},
-    {"inverted", 2, same_order},
-    {"scaled", 8, same_order},
-    {"translated", 4, same_order},
+    {"orders", 6, [](std::size_t image) -> Order { return symmetries()[48 * image].vertices; },
+     always<ImageKind::order>},
+    {"axes", 48, same_order, kind_on_axes},
+    {"inverted", 2, same_order, always<ImageKind::mirror>},
+    {"scaled", 8, same_order, always<ImageKind::scale>, power_of},
+    {"translated", 4, same_order, always<ImageKind::translation>},
 }};
 
-// The images from `first` on of groups of `size`. An image draws after its base, from the base's stream.
+// The images from `first` on.
 template <class Real, std::size_t group, Query<Real> (*make_image)(const Query<Real>&, std::size_t, Stream&)>
 void fill(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
-  constexpr std::uint64_t size = groups[group].size;
-  for (std::size_t i = 0; i < out.size;) {
-    const std::uint64_t base = (first + i) / size;
-    Stream random(name, base);
-    const Query<Real> q = base_query<Real>(random, base);
-    for (; i < out.size && (first + i) / size == base; ++i) {
-      Stream after = random;
-      out.set(i, make_image(q, (first + i) % size, after));
-    }
-  }
+  fill_groups(name, first, out, groups[group].size, base_query<Real>,
+              [](Stream& after, const Query<Real>& q, std::uint64_t, std::size_t i) { return make_image(q, i, after); });
 }
 
 template <std::size_t group, auto image_binary32, auto image_binary64>
@@ -123,7 +124,13 @@ constexpr Family family_of_images(std::string_view purpose) {
 
 }  // namespace
 
-std::span<const ImageGroup> image_groups() { return groups; }
+extern const ImageGroup units_group, spans_group;  // of the files of their families
+
+std::span<const ImageGroup* const> image_groups() {
+  static const ImageGroup* const all[] = {&groups[0], &groups[1],  &groups[2],  &groups[3],
+                                          &groups[4], &units_group, &spans_group};
+  return all;
+}
 
 extern const Family orders_family = family_of_images<0, order_image<float>, order_image<double>>(
     "a query near tangency in the six orders of its vertices");

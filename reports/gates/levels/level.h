@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reports/gates/levels/subject.h"
@@ -38,7 +39,7 @@ struct GateLevel {
   // The kernel that others are measured against, which itself has to meet no level; null where there is none.
   std::string (*yardstick)(const AskedLevel&) = nullptr;
 
-  std::string name() const;
+  std::string_view name() const;
 };
 
 // In the order in which they are listed.

@@ -12,7 +12,8 @@
   X(exact)                      \
   X(conservative)               \
   X(depth)                      \
-  X(no_worse_than)
+  X(no_worse_than)              \
+  X(invariant)
 
 namespace axiscert {
 
@@ -27,8 +28,8 @@ std::span<const GateLevel* const> gate_levels() {
   return all;
 }
 
-std::string GateLevel::name() const {
-  const std::string text = usage;
+std::string_view GateLevel::name() const {
+  const std::string_view text = usage;
   return text.substr(0, text.find_first_of("[="));
 }
 

@@ -51,6 +51,19 @@ void Subject::add(std::vector<Failure>& failures, const std::string& family, std
                       deepest == nullptr ? "" : (*deepest)["id"].get<std::string>()});
 }
 
+void Subject::add_pair(std::vector<Failure>& failures, const std::string& family, std::uint64_t count,
+                       const std::string& what, const Json& pair) const {
+  if (count == 0) return;
+  Failure failure{kernel_["id"], kernel_["precision"], family, count, what, ""};
+  if (!pair.is_null()) {
+    failure.what += fmt::format(", first on {} beside {}", pair["image"].get<std::string>(), pair["base"].get<std::string>());
+    for (const Json& witness : record_["witnesses"]) {
+      if (witness["address"] == pair["image"] && witness["kernel"] == kernel_["id"]) failure.witness = witness["id"];
+    }
+  }
+  failures.push_back(std::move(failure));
+}
+
 void Subject::add_link(std::vector<Failure>& failures, const std::string& family, Link link,
                        std::uint64_t count) const {
   const std::string name(link_names[link]);

@@ -50,6 +50,11 @@ class Subject {
   // The same for wrong verdicts with a broken link, of which `apart` do not count.
   void add_link(std::vector<Failure>& failures, const std::string& family, Link link, std::uint64_t count) const;
 
+  // Adds a failure of this kernel that two queries show together, unless `count` is 0. `pair` has the addresses of
+  // "base" and "image", of which the witness is the second; null: none is known.
+  void add_pair(std::vector<Failure>& failures, const std::string& family, std::uint64_t count, const std::string& what,
+                const Json& pair) const;
+
   std::uint64_t wrong_verdicts() const;  // over all families
   std::uint64_t decided() const;         // over all families
   std::string list_of_families() const;  // "general, tangent", or "26 families"

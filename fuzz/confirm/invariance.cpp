@@ -1,0 +1,130 @@
+#include "fuzz/confirm/invariance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "exact/sphere_triangle/measures/depth.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+
+namespace axiscert {
+namespace {
+
+bool differ(Verdict x, Verdict y) { return x != y && x != Verdict::undecided && y != Verdict::undecided; }
+
+template <class Real>
+int image_size(ImageKind kind, const AnsweredGroup<Real>& answered, std::size_t image) {
+  const ImageGroup& group = answered.group;
+  if (kind == ImageKind::scale) return group.exponent(precision_of<Real>, answered.position / group.size, image);
+  if (kind != ImageKind::translation) return 0;
+  const auto by = answered.queries[image].p - answered.queries[0].p;
+  const Real greatest = std::max({std::abs(by.x), std::abs(by.y), std::abs(by.z)});
+  return greatest == 0 ? 0 : std::ilogb(greatest);
+}
+
+// The right verdict on a clear query; empty if it is not clear.
+template <class Real>
+std::optional<Verdict> clear_verdict(const Query<Real>& q) {
+  const DepthRange range = depth_range(q);
+  const double threshold = std::ldexp(1.0, clear_depth_exponent);
+  if (range.high <= threshold) return std::nullopt;
+  if (!(range.low > threshold)) {
+    const ExactDepth least{0, 1, Rational(mpz_class(1) << (-2 * clear_depth_exponent))};
+    if (compare(exact_depth(q, squared_distance(q)), least) <= 0) return std::nullopt;
+  }
+  return distance_order(q) > 0 ? Verdict::separated : Verdict::contact;
+}
+
+struct ScaledAnswer {
+  int exponent;
+  bool is_right;
+};
+
+// The first change on the way from the base to one end, whose answers are in this order.
+void keep_flip(UnitFaults& faults, std::uint64_t position, Verdict right, std::span<const ScaledAnswer> outwards) {
+  for (std::size_t i = 1; i < outwards.size(); ++i) {
+    const ScaledAnswer &near = outwards[i - 1], &far = outwards[i];
+    if (near.is_right == far.is_right) continue;
+    const int wrong = near.is_right ? far.exponent : near.exponent, other = near.is_right ? near.exponent : far.exponent;
+    std::vector<UnitFlip>& flips = wrong < other ? faults.small : faults.large;
+    if (flips.size() < most_unit_flips) flips.push_back({position, right, other, wrong});
+    return;
+  }
+}
+
+template <class Real>
+void count_units(UnitFaults& faults, const AnsweredGroup<Real>& answered) {
+  const std::optional<Verdict> right = clear_verdict(answered.queries[0]);
+  if (!right) return;
+  std::vector<ScaledAnswer> answers;
+  const bool base_is_right = *answered.verdicts[0] == *right;
+  for (std::size_t i = 0; i < answered.verdicts.size(); ++i) {
+    if (i != 0 && answered.group.kind(i) != ImageKind::scale) continue;
+    const auto said = answered.verdicts[i];
+    const int exponent = i == 0 ? 0 : image_size(ImageKind::scale, answered, i);
+    if (!said || *said == Verdict::undecided) continue;
+    answers.push_back({exponent, *said == *right});
+    if (i != 0) faults.wrong.add(exponent, {answered.position, answered.position + i}, base_is_right && *said != *right);
+  }
+  std::sort(answers.begin(), answers.end(), [](const auto& x, const auto& y) { return x.exponent < y.exponent; });
+  const auto base = std::find_if(answers.begin(), answers.end(), [](const auto& x) { return x.exponent == 0; });
+  if (base == answers.end()) return;
+  keep_flip(faults, answered.position, *right, {base, answers.end()});
+  std::reverse(answers.begin(), base + 1);
+  keep_flip(faults, answered.position, *right, {answers.begin(), base + 1});
+}
+
+void append(std::vector<UnitFlip>& into, const std::vector<UnitFlip>& later) {
+  const std::size_t room = most_unit_flips - into.size();
+  into.insert(into.end(), later.begin(), later.begin() + static_cast<std::ptrdiff_t>(std::min(room, later.size())));
+}
+
+}  // namespace
+
+void ImageChanges::add(int size, const ImagePair& pair, bool is_changed) {
+  ++images;
+  if (!is_changed) return;
+  ++changed;
+  ++by_size[size];
+  if (first && std::abs(size) >= std::abs(first_size)) return;
+  first = pair;
+  first_size = size;
+}
+
+void ImageChanges::merge(const ImageChanges& later) {
+  images += later.images;
+  changed += later.changed;
+  for (const auto& [size, count] : later.by_size) by_size[size] += count;
+  if (!later.first || (first && std::abs(later.first_size) >= std::abs(first_size))) return;
+  first = later.first;
+  first_size = later.first_size;
+}
+
+void Invariance::merge(const Invariance& later) {
+  for (const ImageKind kind : enumerators<ImageKind>) kinds[kind].merge(later.kinds[kind]);
+  units.wrong.merge(later.units.wrong);
+  append(units.small, later.units.small);
+  append(units.large, later.units.large);
+}
+
+template <class Real>
+void count_invariance(Invariance& into, const AnsweredGroup<Real>& answered) {
+  const ImageGroup& group = answered.group;
+  const auto base = answered.verdicts[0];
+  if (!base) return;
+  bool any_unit = false;
+  for (std::size_t i = 1; i < group.size; ++i) {
+    const auto said = answered.verdicts[i];
+    if (!said) continue;
+    const ImageKind kind = group.kind(i);
+    const int size = image_size(kind, answered, i);
+    const bool is_changed = differ(*said, *base);
+    into.kinds[kind].add(size, {answered.position, answered.position + i}, is_changed);
+    any_unit |= is_changed && kind == ImageKind::scale;
+  }
+  if (any_unit && group.range) count_units(into.units, answered);
+}
+template void count_invariance(Invariance&, const AnsweredGroup<float>&);
+template void count_invariance(Invariance&, const AnsweredGroup<double>&);
+
+}  // namespace axiscert
