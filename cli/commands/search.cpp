@@ -30,6 +30,8 @@ struct SearchOptions {
 
 // The number of evaluations where none is given: a few seconds.
 constexpr std::uint64_t default_evaluations = std::uint64_t{1} << 24;
+// Queries of each family in the run from which a search begins: together a second or two.
+constexpr std::uint64_t first_queries = std::uint64_t{1} << 13;
 constexpr const char* state_file = "search.state";
 
 Comparison parse_comparison(const std::string& given) {
@@ -65,6 +67,11 @@ SearchPlan plan_of(const SearchOptions& options) {
   families.families = options.families;
   plan.sources = instrument_sources(
       families, {"general", "tangent", "seam", "sliver", "needle", "collinear", "repeated", "far", "ratio"});
+  // The run from which it begins has every family, as `axiscert run` does, unless some are given.
+  plan.first_queries = first_queries;
+  if (!options.families.empty()) plan.first_sources = plan.sources;
+  else
+    for (const Family* family : families_of(*plan.kernel->test)) plan.first_sources.push_back(family_source(*family));
   plan.seed = options.seed;
   plan.seconds = options.seconds;
   plan.evaluations = options.evaluations;
@@ -127,7 +134,8 @@ void add_search(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   auto* evaluations = command
                           ->add_option("--evaluations", o.evaluations,
-                                       "queries to evaluate, rounded up to whole islands (default: 2^24)")
+                                       "queries to evaluate, rounded up to whole islands (default: 2^24); the "
+                                       "short run from which it begins is not counted")
                           ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 48));
   command->add_option("--time", o.seconds, "seconds to search instead")
       ->check(CLI::PositiveNumber)

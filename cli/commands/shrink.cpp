@@ -12,6 +12,7 @@
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "fuzz/confirm/finding_record.h"
+#include "fuzz/shrink/pair.h"
 
 namespace axiscert {
 namespace {
@@ -20,17 +21,19 @@ struct ShrinkOptions {
   std::vector<std::string> queries;
   std::string kernel = "published", target = "auto", precision = "binary32", what, format = "text";
   std::uint64_t evaluations = 1000000;
+  bool any_class = false;
   AddressFiles files;
 };
 
-// "COMPARISON:error" keeps the error, whether or not the sign is wrong.
-constexpr std::string_view error_suffix = ":error";
+// "COMPARISON:error" keeps the error, whether or not the sign is wrong; "asymmetry" the difference between the answers
+// to a query and to an image of it.
+constexpr std::string_view error_suffix = ":error", asymmetry_name = "asymmetry";
 
 std::string known_symptoms() {
   std::vector<std::string_view> names = {"verdict"};
   names.insert(names.end(), axis_names.begin(), axis_names.end());
   for (const ComparisonInfo& c : comparisons) names.push_back(c.name);
-  return fmt::format("{}, and COMPARISON{}", fmt::join(names, ", "), error_suffix);
+  return fmt::format("{}, COMPARISON{} and {}", fmt::join(names, ", "), error_suffix, asymmetry_name);
 }
 
 // The symptom of that name, without the parts that have to be determined from a query; empty where there is no such
@@ -72,8 +75,9 @@ Symptom wanted(const Query<Real>& q, const StoredQuery& stored, const ShrinkOpti
   const std::vector<Symptom> flips = diagnosis.flips(q);
   if (options.what.empty()) {
     if (!flips.empty()) return flips.front();
-    throw fail(fmt::format("{} is not wrong on it: {}; to keep the error of a comparison, give --what COMPARISON{}",
-                           kernel.id, joined(flips), error_suffix));
+    throw fail(fmt::format("{} is not wrong on it: {}{}; to keep the error of a comparison, give --what COMPARISON{}",
+                           kernel.id, joined(flips),
+                           stored.address.empty() ? "" : ", and it answers no image of it differently", error_suffix));
   }
   const Symptom asked = *named(options.what);
   if (!std::string_view(options.what).ends_with(error_suffix)) {
@@ -90,27 +94,87 @@ Symptom wanted(const Query<Real>& q, const StoredQuery& stored, const ShrinkOpti
                   options.what, kernel.id));
 }
 
+Keeping keeping(const ShrinkOptions& options) {
+  return options.any_class ? Keeping::symptom : Keeping::symptom_and_class;
+}
+
 template <class Real>
-void print_text(const StoredQuery& stored, const StoredQuery& smaller, const Symptom& kept, const Shrunk<Real>& found,
-                const Kernel& kernel) {
+void print_before_and_after(const StoredQuery& stored, const StoredQuery& smaller, const Shrunk<Real>& found) {
   const auto row = [](const char* when, const QuerySize& size, const Severity& severity, const StoredQuery& q) {
     fmt::print("  {:<7} {:>3} bits in {:>2} numbers, {}: {}\n", when, size.bits, size.nonzero, severity.text,
                query_line(q));
   };
-  fmt::print("{}: {} keeps {}\n", stored.id, kernel.id, text(kept));
   row("before", found.sizes.front(), found.before, stored);
   row("after", found.sizes.back(), found.after, smaller);
+}
+
+// "; input of class near_tie": what is kept besides the symptom.
+template <class Real>
+std::string class_text(const Shrunk<Real>& found) {
+  const auto& classes = found.kept.classes();
+  return classes ? fmt::format("; input of class {}", input_class_names[class_of(*classes)]) : "";
+}
+
+template <class Real>
+void print_steps(const Shrunk<Real>& found) {
   fmt::print("  {} steps, {} queries evaluated{}\n", found.sizes.size() - 1, found.evaluations,
              found.complete ? ", no step makes it smaller" : ": the limit; --evaluations raises it");
+  if (found.sizes.size() > 1 || !found.complete || !found.kept.classes()) return;
+  fmt::print("  cannot be made smaller with its class and a depth of at most {} times its own; --any-class lets both go\n",
+             depth_factor);
+}
+
+template <class Real>
+void print_text(const StoredQuery& stored, const StoredQuery& smaller, const Symptom& kept, const Shrunk<Real>& found,
+                const Kernel& kernel) {
+  fmt::print("{}: {} keeps {}{}\n", stored.id, kernel.id, text(kept), class_text(found));
+  print_before_and_after(stored, smaller, found);
+  print_steps(found);
   fmt::print("  check   echo '{}' | axiscert check - --kernel {}\n", query_line(smaller), kernel.id);
+}
+
+template <class Real>
+void print_pair(const StoredQuery& stored, const StoredQuery& smaller, const StoredQuery& image,
+                const PairSymptom& kept, const ShrunkPair<Real>& found, const Kernel& kernel) {
+  fmt::print("{}: {} keeps asymmetry: {}{}\n", stored.id, kernel.id, text(kept), class_text(found.query));
+  print_before_and_after(stored, smaller, found.query);
+  fmt::print("  image   {}\n", query_line(image));
+  print_steps(found.query);
+  fmt::print("  check   printf '%s\\n' '{}' '{}' | axiscert check - --kernel {}\n", query_line(smaller),
+             query_line(image), kernel.id);
+}
+
+template <class Real>
+void shrink_as_pair(const Pair<Real>& pair, const StoredQuery& stored, const ShrinkOptions& options,
+                    const Kernel& kernel, std::string_view target) {
+  const auto found = shrink_pair(pair, kernel, target, options.evaluations, keeping(options));
+  const StoredQuery smaller{"shrunk-" + stored.id, stored.precision, found.query.query};
+  const StoredQuery image{smaller.id + "-image", stored.precision, found.image};
+  if (options.format == "text") print_pair(stored, smaller, image, pair.symptom, found, kernel);
+  else fmt::print("{}\n", shrunk_pair_json(stored, pair, found, kernel).dump());
 }
 
 template <class Real>
 void shrink_one(const Query<Real>& q, const StoredQuery& stored, const ShrinkOptions& options, const Kernel& kernel,
                 std::string_view target) {
+  const bool wants_pair = options.what == asymmetry_name;
+  // Without --what, a query that is right by itself is half of a pair, if it is in one.
+  if (wants_pair || (options.what.empty() && is_valid(q) && Diagnosis<Real>(kernel, target).flips(q).empty())) {
+    if (const auto pair = asymmetric_pair<Real>(stored.address, kernel, target)) {
+      shrink_as_pair(*pair, stored, options, kernel, target);
+      std::fflush(stdout);
+      return;
+    }
+  }
+  if (wants_pair) {
+    throw NothingToKeep(fmt::format(
+        "query '{}': --what {}: {}", stored.id, asymmetry_name,
+        stored.address.empty() ? "give an address, or a witness, of a family of images: it states no address"
+                               : kernel.id + " answers no image of it differently, or its family has none"));
+  }
   const Symptom kept = wanted(q, stored, options, kernel, target);
-  const auto found = shrink(q, kept, kernel, target, options.evaluations);
-  const StoredQuery smaller{"shrunk-" + stored.id, stored.precision, found.query, 0};
+  const auto found = shrink(q, kept, kernel, target, options.evaluations, keeping(options));
+  const StoredQuery smaller{"shrunk-" + stored.id, stored.precision, found.query};
   if (options.format == "text") print_text(stored, smaller, kept, found, kernel);
   else fmt::print("{}\n", shrunk_json(stored, kept, found, kernel).dump());
   std::fflush(stdout);
@@ -121,7 +185,7 @@ int shrink_all(const ShrinkOptions& options) {
   require_served("shrink", *kernel.test);
   require_loaded(kernel);
   const std::string target = resolve_target(options.target);
-  if (!options.what.empty() && !named(options.what)) {
+  if (!options.what.empty() && options.what != asymmetry_name && !named(options.what)) {
     throw Error(fmt::format("--what {}: unknown; possible values: {}", options.what, known_symptoms()));
   }
   const auto queries = queries_given(options.queries, options.precision, options.files);
@@ -158,8 +222,12 @@ void add_shrink(CLI::App& app, Action& action) {
   command->add_option("--precision", options->precision, "precision of a CSV file, which does not state it")
       ->capture_default_str();
   command->add_option("--what", options->what,
-                      "what to keep: verdict, an axis or a comparison that is wrong, or COMPARISON:error (default: the "
-                      "first that is wrong, in this order)");
+                      "what to keep: verdict, an axis or a comparison that is wrong, COMPARISON:error, or asymmetry: "
+                      "another answer to an image of the query (default: the first that is wrong, in this order)");
+  command->add_flag("--any-class", options->any_class,
+                    fmt::format("as small as it goes: keep neither the class of the input nor a depth of at most {} "
+                                "times the given one",
+                                depth_factor));
   command->add_option("--evaluations", options->evaluations, "most smaller queries to evaluate, for each query")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
       ->capture_default_str();

@@ -14,6 +14,7 @@
 #include "fuzz/files/query_file.h"
 #include "kernel/base/error.h"
 #include "reports/wording/aligned_table.h"
+#include "reports/wording/classes.h"
 #include "reports/wording/finding.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"
@@ -148,6 +149,26 @@ std::string kernels_table(const Json& kernels) {
   return text;
 }
 
+// Why kernels are wrong whose links do not say it, with the deepest witness of each class.
+std::string classes_table(const Json& kernels) {
+  const std::vector<std::string> columns = {"why",     "precision",        "input is", "missed contacts",
+                                            "deepest", "phantom contacts", "deepest witness"};
+  std::vector<std::vector<std::string>> rows;
+  std::string nearest;
+  for (const Json& kernel : kernels) {
+    for (const ClassRow& row : class_rows(kernel)) {
+      rows.push_back({kernel["id"], kernel["precision"], std::string(input_class_names[row.which]),
+                      thousands(row.missed), amount(row.deepest, 3), thousands(row.phantom), row.witness});
+    }
+    if (const std::string sentence = nearest_sentence(kernel); !sentence.empty()) {
+      nearest += plain_line(fmt::format("{} {}: {}", kernel["id"].get<std::string>(),
+                                        kernel["precision"].get<std::string>(), sentence)) +
+                 "\n";
+    }
+  }
+  return rows.empty() ? "" : aligned_table(columns, rows) + nearest;
+}
+
 }  // namespace
 
 std::string summary_text(const Json& record, double seconds) {
@@ -161,6 +182,7 @@ std::string summary_text(const Json& record, double seconds) {
   for (const std::string& kernel : not_judged(record))
     text += fmt::format("{}: NOT JUDGED: it could not be loaded\n", kernel);
   text += kernels_table(record["kernels"]);
+  text += classes_table(record["kernels"]);
   text += fmt::format("{}{:.1f} s\n", record["complete"].get<bool>() ? "" : "interrupted; ", seconds);
   return text;
 }

@@ -5,6 +5,15 @@
 namespace axiscert {
 namespace {
 
+// What is kept besides the symptom: the class of the input and the definitions of classes that it meets.
+void put_classes(Json& kept, const Keep& keep) {
+  kept["class"] = kept["classes"] = nullptr;
+  if (!keep.classes()) return;
+  kept["class"] = input_class_names[class_of(*keep.classes())];
+  Json& classes = kept["classes"] = Json::array();
+  for (const InputClass which : *keep.classes()) classes.push_back(input_class_names[which]);
+}
+
 Json kept_json(const Symptom& s) {
   return {{"level", level_names[s.level]},
           {"name", name(s)},
@@ -12,13 +21,12 @@ Json kept_json(const Symptom& s) {
           {"links", names(s.links)}};
 }
 
-}  // namespace
-
 template <class Real>
-Json shrunk_json(const StoredQuery& stored, const Symptom& kept, const Shrunk<Real>& found, const Kernel& kernel) {
-  Json line = Json::parse(query_line({"shrunk-" + stored.id, stored.precision, found.query, 0}));
+Json line_of(const StoredQuery& stored, Json kept, const Shrunk<Real>& found, const Kernel& kernel) {
+  Json line = Json::parse(query_line({"shrunk-" + stored.id, stored.precision, found.query}));
+  put_classes(kept, found.kept);
   line["kernel"] = kernel.id;
-  line["kept"] = kept_json(kept);
+  line["kept"] = std::move(kept);
   line["before"] = Json::parse(query_line(stored));
   line["severity"] = {{"before", found.before.text}, {"after", found.after.text}};
   line["bits"] = {{"before", found.sizes.front().bits}, {"after", found.sizes.back().bits}};
@@ -28,18 +36,50 @@ Json shrunk_json(const StoredQuery& stored, const Symptom& kept, const Shrunk<Re
   line["complete"] = found.complete;
   return line;
 }
+
+}  // namespace
+
+template <class Real>
+Json shrunk_json(const StoredQuery& stored, const Symptom& kept, const Shrunk<Real>& found, const Kernel& kernel) {
+  return line_of(stored, kept_json(kept), found, kernel);
+}
 template Json shrunk_json(const StoredQuery&, const Symptom&, const Shrunk<float>&, const Kernel&);
 template Json shrunk_json(const StoredQuery&, const Symptom&, const Shrunk<double>&, const Kernel&);
+
+template <class Real>
+Json shrunk_pair_json(const StoredQuery& stored, const Pair<Real>& pair, const ShrunkPair<Real>& found,
+                      const Kernel& kernel) {
+  const PairSymptom& symptom = pair.symptom;
+  const Level level = symptom.which ? Level::comparison : Level::verdict;
+  Json line = line_of(stored,
+                      {{"level", level_names[level]},
+                       {"name", symptom.which ? info(*symptom.which).name : "verdict"},
+                       {"kind", "asymmetry"},
+                       {"links", Json::array()}},
+                      found.query, kernel);
+  line["answers"] = {name(symptom.of_query), name(symptom.of_image)};
+  line["image"] = Json::parse(query_line({"shrunk-" + stored.id + "-image", stored.precision, found.image}));
+  line["before"]["image"] = Json::parse(query_line({stored.id + "-image", stored.precision, pair.image}));
+  return line;
+}
+template Json shrunk_pair_json(const StoredQuery&, const Pair<float>&, const ShrunkPair<float>&, const Kernel&);
+template Json shrunk_pair_json(const StoredQuery&, const Pair<double>&, const ShrunkPair<double>&, const Kernel&);
 
 std::string shrunk_witnesses(const Json& record, const std::string& target, std::uint64_t evaluations) {
   std::string text;
   for (const Json& witness : record["witnesses"]) {
-    if (witness["flips"].empty()) continue;  // kept as an extreme, nothing is wrong
     const Kernel& kernel = find_kernel(witness["kernel"].get<std::string>());
     const std::string id = witness["id"];
     const StoredQuery stored = parse_queries(witness.dump(), id, Precision::binary32).front();
     std::visit(
         [&]<class Real>(const Query<Real>& q) {
+          if (witness["flips"].empty()) {  // half of a pair, or kept as an extreme
+            if (const auto pair = asymmetric_pair<Real>(stored.address, kernel, target)) {
+              const auto found = shrink_pair(*pair, kernel, target, evaluations);
+              text += shrunk_pair_json(stored, *pair, found, kernel).dump() + "\n";
+            }
+            return;
+          }
           Diagnosis<Real> diagnosis(kernel, target);
           const auto flips = diagnosis.flips(q);
           // Somebody else's code may give another answer today.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "fuzz/files/query_file.h"
+#include "fuzz/shrink/pair.h"
 #include "fuzz/shrink/shrink.h"
 #include "fuzz/text/json.h"
 
@@ -14,8 +15,14 @@ namespace axiscert {
 template <class Real>
 Json shrunk_json(const StoredQuery& stored, const Symptom& kept, const Shrunk<Real>& found, const Kernel& kernel);
 
+// The same for a pair: the line has the smaller query's image as its member `image`, and the given one's in `before`.
+template <class Real>
+Json shrunk_pair_json(const StoredQuery& stored, const Pair<Real>& pair, const ShrunkPair<Real>& found,
+                      const Kernel& kernel);
+
 // One line for every witness of a record on which its kernel is wrong: the first symptom that it shows (verdict before
-// axes before comparisons), made smaller with at most this many evaluations.
+// axes before comparisons), made smaller with at most this many evaluations; and for every other witness of an
+// asymmetry, the pair.
 std::string shrunk_witnesses(const Json& record, const std::string& target, std::uint64_t evaluations);
 
 }  // namespace axiscert

@@ -26,7 +26,8 @@ class Shrink(Case):
     def test_a_wrong_verdict_is_kept_and_check_confirms_it(self):
         found = self.shrunk(PHANTOM)
         self.assertEqual(found["kept"], {"level": "verdict", "name": "verdict", "kind": "false_contact",
-                                         "links": ["specification"]})
+                                         "links": ["specification"], "class": "collinear",
+                                         "classes": ["collinear"]})
         self.assertLess(found["bits"]["after"], found["bits"]["before"])
         self.assertTrue(found["complete"])
         flip = check(found)["flips"][0]
@@ -59,6 +60,38 @@ class Shrink(Case):
         limited = axiscert("shrink", "-", "--evaluations", 2, stdin=json.dumps(PHANTOM))
         self.assertIn("--evaluations", limited.stdout)
 
+    def test_the_class_of_the_input_is_kept_unless_it_is_let_go(self):
+        record = self.run_ok("--family", "tangent", "--trials", 20000, "--precision", "binary32")
+        witness = min((w for w in record["witnesses"] if w["flips"] and w["flips"][0]["level"] == "verdict" and w["depth"]),
+                      key=lambda w: w["depth"])
+        kept = self.shrunk(witness, "--evaluations", 3000)
+        self.assertEqual(kept["kept"]["class"], "near_tie")
+        self.assertLessEqual(float(kept["severity"]["after"].split()[0]), 4.01 * witness["depth"])
+        free = self.shrunk(witness, "--evaluations", 3000, "--any-class")
+        self.assertIsNone(free["kept"]["class"])
+        self.assertGreater(float(free["severity"]["after"].split()[0]), 4.01 * witness["depth"])
+        least = self.shrunk(PHANTOM)
+        text = axiscert("shrink", "-", stdin=json.dumps(least)).stdout
+        self.assertIn("0 steps", text)
+        self.assertIn("cannot be made smaller with its class", text)
+
+    def test_witnesses_of_an_asymmetry_are_made_smaller_as_pairs(self):
+        record = self.run_ok("--family", "axes", "--family", "scaled", "--trials", 20000, "--precision", "binary32")
+        halves = [w for w in record["witnesses"] if not w["flips"] and any("asymmetry" in s for s in w["shows"])]
+        self.assertTrue(halves)
+        for witness in halves[:2]:
+            found = self.shrunk(witness, "--evaluations", 2000)
+            self.assertEqual(found["kept"]["kind"], "asymmetry")
+            self.assertLessEqual(found["bits"]["after"], found["bits"]["before"])
+            if found["kept"]["level"] == "verdict":
+                said = [json.loads(axiscert("check", "-", "--format", "jsonl", stdin=json.dumps(q)).stdout)["computed"]["verdict"]
+                        for q in (found, found["image"])]
+                self.assertEqual(said, found["answers"])
+        alone = axiscert("shrink", halves[0]["address"], "--evaluations", 500)
+        self.assertEqual(alone.returncode, 0, alone.stderr)
+        self.assertIn("keeps asymmetry", alone.stdout)
+        self.refused("shrink", "-", "--what", "asymmetry", stdin=json.dumps(PHANTOM), says=["asymmetry", "address"])
+
     def test_one_that_shows_nothing_does_not_stop_the_others(self):
         both = json.dumps(RIGHT) + "\n" + json.dumps(PHANTOM)
         done = axiscert("shrink", "-", "--format", "jsonl", stdin=both)
@@ -84,7 +117,7 @@ class Shrink(Case):
 
     def test_run_makes_its_witnesses_smaller(self):
         record = self.run_ok("--family", "repeated", "--trials", 200, "--precision", "binary32", "--shrink", 300)
-        wrong = {w["id"]: w for w in record["witnesses"] if w["flips"]}
+        wrong = {w["id"]: w for w in record["witnesses"] if w["flips"]}  # `repeated` makes no images
         lines = (self.folder / "out/witnesses-shrunk.jsonl").read_text().splitlines()
         self.assertEqual([json.loads(line)["id"] for line in lines], [f"shrunk-{name}" for name in wrong])
         for found in map(json.loads, lines):

@@ -31,6 +31,8 @@ KernelRun<Real>::KernelRun(const Kernel& kernel, const Plan& plan, const Source&
       tally_(tally),
       implementation_(kernel.on<Real>(plan.target)),
       radii_(radii_within<Real>(kernel.limits)),
+      has_classes_(has_input_classes(kernel)),
+      exact_only_(plan.exact_only),
       by_signs_(!plan.exact_only && !kernel.limits.any() &&
                 (kernel.formulae == Formulae::none || has_filtered_errors(kernel.formulae))),
       reference_(kernel),
@@ -151,6 +153,7 @@ void KernelRun<Real>::judge_by_signs(const Signs& signs, const Answer& answer, C
   const Judgement judgement = axiscert::judge(*kernel_.test, truth, chain, answer, kernel_.touching);
   if (truth.touching) depth.is_zero();
   count(tally_, position_ + i, truth, chain ? signs.ties : ComparisonBits{0}, answer, judgement, depth, standing_);
+  count_wrong_input(look, judgement, truth.touching);
   if (repeated) *repeated = {repeated->pattern, truth.verdict, truth.touching, answer, judgement, true, 0};
 }
 
@@ -172,7 +175,15 @@ void KernelRun<Real>::judge_exactly(const Answer& answer, bool is_filtered, Clos
   }
   count(tally_, position_ + look.index(), truth, sides ? sides->ties : ComparisonBits{0}, answer, judgement, depth,
         standing_);
+  count_wrong_input(look, judgement, truth.touching);
   if (answer.verdict != Verdict::unanswered && sides) check_sides(*sides, chain, is_filtered && by_signs_, look);
+}
+
+template <class Real>
+void KernelRun<Real>::count_wrong_input(CloseLook<Real>& look, const Judgement& judgement, bool is_touching) {
+  if (!has_classes_ || !judgement.verdict_flip) return;
+  count_class(tally_.classes, position_ + look.index(), *judgement.verdict_flip, look.query(), is_touching,
+              look.distance(), !exact_only_);
 }
 
 template <class Real>

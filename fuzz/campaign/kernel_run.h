@@ -51,6 +51,8 @@ class KernelRun {
   // Judges by the exact truth. Where a filter decided the query too, what it and the SIMD reference said is checked:
   // throws OracleDisagreement.
   void judge_exactly(const Answer& answer, bool is_filtered, CloseLook<Real>& look);
+  // Counts the class of the input of a wrong verdict.
+  void count_wrong_input(CloseLook<Real>& look, const Judgement& judgement, bool is_touching);
   // Counts the errors of the computed sides of a query with a valid truth; `is_checked`: compares them and the SIMD
   // reference with what the filters said.
   void check_sides(const FormulaTruth& exact, const std::optional<Reference>& chain, bool is_checked,
@@ -64,6 +66,7 @@ class KernelRun {
   Tally& tally_;
   Implementation<Real> implementation_;
   RadiusRange<Real> radii_;
+  bool has_classes_, exact_only_;
   bool by_signs_;               // the signs are all that judging it takes: the filters have them
   std::uint64_t position_ = 0;  // of the batch's first query
   Reply<Real> reply_;

@@ -7,6 +7,7 @@
 
 #include "fuzz/queries/address.h"
 #include "fuzz/confirm/asymmetry.h"
+#include "fuzz/confirm/class_record.h"
 #include "fuzz/campaign/tally.h"
 #include "fuzz/confirm/finding_record.h"
 #include "fuzz/confirm/plan.h"
@@ -138,6 +139,7 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
                {"comparisons", nullptr},
                {"critical_radius", critical_radius_json(tally.critical_radius)}};
   if (asymmetry) json["asymmetry"] = asymmetry_json(*asymmetry, address);
+  if (has_input_classes(kernel)) json["classes"] = classes_json(tally.classes, address);
   Json &axes = json["axes"], &all = json["comparisons"];
   if (kernel.exposes == Exposure::verdict) return json;
   axes = all = Json::object();
@@ -204,6 +206,7 @@ Json record_of(const Plan& plan, const CampaignResult& result, const std::string
                     {"critical_radius", nullptr},
                     {"families", Json::object()}};
       CriticalRadiusTally radii;
+      std::vector<TalliedSource> tallied;
       for (std::size_t s = 0; s < plan.sources.size(); ++s) {
         for (const CellResult& cell : result.cells) {
           if (cell.source != s || cell.precision != precision || cell.tallies[k].trials == 0) continue;
@@ -219,9 +222,11 @@ Json record_of(const Plan& plan, const CampaignResult& result, const std::string
                                    tally.critical_radius.errors_ulps.end());
           put_findings(findings, kernel, plan.seed, *plan.sources[s], precision, tally);
           witnesses.add(kernel, *plan.sources[s], precision, tally, asymmetry);
+          tallied.push_back({plan.sources[s].get(), cell.queries, &tally});
         }
       }
       entry["critical_radius"] = critical_radius_json(std::move(radii));
+      if (has_input_classes(kernel)) entry["nearest"] = nearest_json(nearest_kernel(plan, kernel, precision, tallied));
       kernels.push_back(std::move(entry));
     }
   }

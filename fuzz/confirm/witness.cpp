@@ -48,6 +48,14 @@ void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision pr
     note(tally.verdict.deepest_by_link[i],
          [i](const auto&) { return fmt::format("deepest wrong verdict with a broken {} link", link_names[i]); });
   }
+  for (const InputClass which : enumerators<InputClass>) {
+    note(tally.classes.classes[which].deepest, [which](const auto&) {
+      return fmt::format("deepest wrong verdict on input of class {}", input_class_names[which]);
+    });
+    for (const auto& candidate : tally.classes.classes[which].deepest.candidates()) {
+      shown[candidate.position].input_class = which;
+    }
+  }
   const TestDescription& test = *plan_.test;
   for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
     const ComparisonTally& comparison = tally.comparisons[i];
@@ -93,11 +101,22 @@ WitnessWriter::Examined WitnessWriter::examined(const Kernel& kernel, const Sour
   if (plan_.test != &sphere_triangle_test()) {
     const OracleExamination found =
         reply ? examine_by_oracles(numbers, kernel, *reply) : oracle_examiner_->examine(numbers);
-    return {found.truth, found.answer, found.judgement, found.depth, nullptr};
+    return {found.truth, found.answer, found.judgement, found.depth, {}, nullptr};
   }
   const Query<Real> q = numbers;
   const Examination found = reply ? examine(q, kernel, *reply) : examiner_->examine(q);
-  return {found.truth, found.answer, found.judgement, found.depth, sides_json(q, kernel, found, why.largest_errors)};
+  std::optional<InputClass> input_class;
+  if (has_input_classes(kernel) && found.judgement.verdict_flip) {
+    input_class = class_of(input_classes(q, *found.squared_distance));
+    if (why.input_class && input_class != why.input_class) {
+      throw OracleDisagreement(fmt::format("the input was counted as {}, and is {}", input_class_names[*why.input_class],
+                                           input_class_names[*input_class]),
+                               numbers);
+    }
+  }
+  return {found.truth, found.answer,
+          found.judgement, found.depth,
+          input_class,     sides_json(q, kernel, found, why.largest_errors)};
 }
 
 template <class Real>
@@ -115,6 +134,7 @@ void WitnessWriter::write(const Kernel& kernel, const Source& source, const Show
     witness["computed"] = name(found.answer.verdict);
     witness["touching"] = found.truth.touching;
     witness["depth"] = found.depth ? Json(*found.depth) : Json(nullptr);
+    if (found.input_class) witness["class"] = input_class_names[*found.input_class];
     witness["exact_comparisons"] =
         found.judgement.exact ? Json(bit_string(*found.judgement.exact, test.comparisons.size())) : Json(nullptr);
     witness["computed_comparisons"] =

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "exact/sphere_triangle/claims/examine.h"
+#include "exact/sphere_triangle/measures/input_class.h"
 #include "exact/trait/examine.h"
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/confirm/record.h"
@@ -16,7 +17,7 @@ namespace axiscert {
 class WitnessWriter {
  public:
   explicit WitnessWriter(const Plan& plan) : plan_(plan) {}
-  // Adds the deepest wrong verdicts of each kind and with each broken link; for each comparison a flip of each kind, a
+  // Adds the deepest wrong verdicts of each kind, with each broken link and on input of each class; for each comparison a flip of each kind, a
   // decisive one if there is one, and the largest error; for an asymmetry the first image and its base. A query that
   // shows several of these is stored once.
   void add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally,
@@ -28,6 +29,7 @@ class WitnessWriter {
   struct Reasons {
     std::vector<std::string> texts;
     ComparisonBits largest_errors = 0;
+    std::optional<InputClass> input_class = {};  // as which it was counted
   };
   using Shown = std::map<std::uint64_t, Reasons>;  // by position
   // A query's examination by all oracles, as far as a witness of any test has it.
@@ -36,6 +38,7 @@ class WitnessWriter {
     Answer answer;
     Judgement judgement;
     std::optional<double> depth;
+    std::optional<InputClass> input_class;  // of a wrong verdict of a kernel with classes
     Json sides;
   };
   template <class Real>

@@ -77,7 +77,10 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
     if (id.kind != Kind::absent && id.kind != Kind::string) wrong_kind("id", id.kind, "a string");
     std::vector<NumberText> numbers;
     for (const ColumnGroup& group : groups_of(of.columns())) take_group(group, numbers);
-    return stored_query(id.kind == Kind::string ? id.text : place_.default_id(), precision, of, numbers, place_);
+    StoredQuery stored =
+        stored_query(id.kind == Kind::string ? id.text : place_.default_id(), precision, of, numbers, place_);
+    if (const Value& address = field("address").value; address.kind == Kind::string) stored.address = address.text;
+    return stored;
   }
 
   bool null() override { return scalar(Kind::null, {}); }

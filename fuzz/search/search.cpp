@@ -9,8 +9,10 @@
 #include <mutex>
 
 #include "fuzz/files/sphere_triangle_query.h"
+#include "fuzz/search/beginning.h"
 #include "fuzz/search/confirm.h"
 #include "fuzz/search/island.h"
+#include "fuzz/search/moves.h"
 #include "fuzz/search/pool.h"
 #include "fuzz/search/range.h"
 #include "fuzz/search/state.h"
@@ -106,8 +108,25 @@ class Search {
     }
   }
 
+  // What the short run found is the best so far, as it was found. Islands start from it in the box of Goal::error, where
+  // it still shows something there.
+  void begin(const std::atomic<bool>& interrupted) {
+    const auto found = first_found<Real>(plan_, aims_, interrupted);
+    Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
+    for (std::size_t i = 0; i < aims_.size(); ++i) {
+      for (const Query<Real>& q : found[i]) {
+        if (const auto value = confirmer.value(aims_[i], q)) known_[i].best.put({*value, q});
+        Query<Real> start = q;
+        settle(start);
+        const auto value = confirmer.value(aims_[i], start);
+        if (!value) continue;
+        known_[i].best.put({*value, start});
+        known_[i].lineage.put({*value, start});
+      }
+    }
+  }
+
   SearchResult run(const std::atomic<bool>& interrupted, const std::function<void(const SearchProgress&)>& report) {
-    start_ = std::chrono::steady_clock::now();
     SearchResult result;
     tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(plan_.threads));
     tbb::task_arena arena(plan_.threads);
@@ -273,7 +292,7 @@ class Search {
   std::vector<Slot> slots_;
   std::uint64_t islands_ = 0, epoch_begin_ = 0, evaluations_ = 0;
   std::vector<Known<Real>> known_;  // by aim
-  std::chrono::steady_clock::time_point start_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 template <class Real>
@@ -281,6 +300,7 @@ SearchResult search_in(const SearchPlan& plan, const std::optional<std::string>&
                        const std::atomic<bool>& interrupted, const std::function<void(const SearchProgress&)>& report) {
   Search<Real> search(plan);
   if (state) search.resume(*state);
+  else search.begin(interrupted);
   return search.run(interrupted, report);
 }
 

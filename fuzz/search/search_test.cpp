@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/sphere_triangle/claims/examine.h"
+#include "fuzz/campaign/supervised_testing.h"
 #include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/search/confirm.h"
@@ -130,6 +131,55 @@ TEST(Search, TheOtherPrecisionAndFormsWithRootsAreHuntedToo) {
   const SearchResult rooted = found_by(plan_of("ladder-0", {Comparison::vertex_a_radius}, 200'000));
   ASSERT_TRUE(find(rooted, {Goal::error, Comparison::vertex_a_radius}));
   EXPECT_GT(find(rooted, {Goal::error, Comparison::vertex_a_radius})->value.value(), 1);
+}
+
+// A kernel that shows verdicts alone and is wrong, but for rounding, on a rare input: two equal vertices and a radius in
+// an interval that a climb does not come by. Without a run before it, a search does not find that; with one it reports
+// no less than the run's deepest.
+TEST(Search, BeginsFromWhatAShortRunFoundAndReportsNoLess) {
+  const auto rare = [](const Query<double>& q, std::size_t, Verdict& verdict, std::vector<Finding>&) {
+    if (q.b.x == q.c.x && q.b.y == q.c.y && q.r > 0.25 && q.r < 0.5) verdict = Verdict::contact;
+  };
+  const Kernel kernel = black_box("rare", rare, "certified");
+  SearchPlan plan = plan_of("published", {}, 1);
+  plan.kernel = &kernel;
+  plan.sources = {family_source(find_family("general"))};
+  const Find* without = nullptr;
+  const SearchResult climbed = found_by(plan);
+  without = find(climbed, {Goal::phantom_contact});
+  EXPECT_TRUE(!without || without->value.value() < 0.01) << without->value.text();
+
+  plan.first_sources = {family_source(find_family("general")), family_source(find_family("repeated"))};
+  plan.first_queries = 2000;
+  double deepest = 0;
+  Examiner examiner(kernel, scalar_target);
+  for (std::uint64_t n = 0; n < plan.first_queries; ++n) {
+    const Examination seen = examiner.examine(Query<float>(plan.first_sources[1]->make<float>(plan.seed, n)));
+    if (seen.judgement.verdict_flip == FlipKind::false_contact) deepest = std::max(deepest, *seen.depth);
+  }
+  ASSERT_GT(deepest, 0.1);
+  const SearchResult result = found_by(plan);
+  ASSERT_TRUE(find(result, {Goal::phantom_contact}));
+  EXPECT_GE(find(result, {Goal::phantom_contact})->value.value(), deepest);
+  EXPECT_EQ(result.evaluations, climbed.evaluations) << "the run is not counted";
+  EXPECT_EQ(found_by(plan, result.state).state, result.state) << "nor run again when it is resumed";
+  plan.first_queries = 0;
+  EXPECT_THROW(found_by(plan, result.state), Error) << "another beginning is another search";
+}
+
+TEST(Search, BeginsFromTheLargestErrorsOfARunToo) {
+  SearchPlan plan = plan_of("published", {Comparison::edge_ab_radius}, 1);
+  plan.first_sources = plan.sources;
+  plan.first_queries = 2000;
+  Decimal6 largest;
+  Confirmer<float> confirmer(*plan.kernel, scalar_target);
+  const Aim aim{Goal::relative_error, Comparison::edge_ab_radius};
+  for (const SourcePtr& source : plan.first_sources) {
+    for (std::uint64_t n = 0; n < plan.first_queries / 10; ++n) {
+      if (const auto error = confirmer.value(aim, source->make<float>(plan.seed, n))) largest = std::max(largest, *error);
+    }
+  }
+  EXPECT_GE(find(found_by(plan), aim)->value, largest);
 }
 
 TEST(Search, AStateOfAnotherPlanIsRefused) {

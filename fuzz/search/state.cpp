@@ -12,13 +12,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Has to be raised whenever the same plan would give a different result.
-constexpr int search_version = 1;
+constexpr int search_version = 2;
 
 // The part of the plan that has to be the same for a search to continue.
 Json plan_json(const SearchPlan& plan) {
-  Json sources = Json::array(), comparison_names = Json::array();
-  for (const SourcePtr& source : plan.sources)
-    sources.push_back(fmt::format("{}:{}", source->name(), source->version()));
+  Json comparison_names = Json::array();
+  const auto versions = [](const std::vector<SourcePtr>& sources) {
+    Json all = Json::array();
+    for (const SourcePtr& source : sources) all.push_back(fmt::format("{}:{}", source->name(), source->version()));
+    return all;
+  };
   for (const Comparison which : plan.comparisons) comparison_names.push_back(info(which).name);
   return {{"schema", "axiscert-search-state/1"},
           {"search_version", search_version},
@@ -26,7 +29,9 @@ Json plan_json(const SearchPlan& plan) {
           {"precision", name(plan.precision)},
           {"seed", plan.seed},
           {"comparisons", comparison_names},
-          {"families", sources}};
+          {"families", versions(plan.sources)},
+          {"first_queries", plan.first_queries},
+          {"first_families", versions(plan.first_sources)}};
 }
 
 // The pools of an aim, and the beginnings of the ids of their queries.

@@ -18,11 +18,11 @@ constexpr std::uint64_t seed = 1, attempts = 400000, most_moves = 6, most_nudges
 template <class Real>
 class Walk {
  public:
-  Walk(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target, std::uint64_t limit)
-      : symptom_(symptom), diagnosis_(kernel, target), limit_(limit) {
-    const auto given = diagnosis_.severity(q, symptom);
-    if (!given) throw Error(fmt::format("the query does not show {} of {}", text(symptom), kernel.id));
-    out_ = {q, *given, *given, {size_of(q)}, 0, true};
+  Walk(const Query<Real>& q, const SeverityOn<Real>& severity, Keeping keeping, std::uint64_t limit)
+      : severity_(severity), limit_(limit) {
+    const Severity given = *severity(q);
+    const Keep keep = keeping == Keeping::symptom ? Keep() : Keep(q, given);
+    out_ = {q, given, given, keep, {size_of(q)}, 0, true};
   }
 
   Shrunk<Real> run() && {
@@ -64,16 +64,15 @@ class Walk {
       return false;
     }
     ++out_.evaluations;
-    auto severity = diagnosis_.severity(*q, symptom_);
-    if (!severity || !is_no_less(*severity, out_.before)) return false;
+    auto severity = severity_(*q);
+    if (!severity || !is_no_less(*severity, out_.before) || !out_.kept.allows(*q, *severity)) return false;
     out_.query = *q;
     out_.after = std::move(*severity);
     out_.sizes.push_back(size);
     return true;
   }
 
-  const Symptom& symptom_;
-  Diagnosis<Real> diagnosis_;
+  const SeverityOn<Real>& severity_;
   std::uint64_t limit_;
   const std::vector<Move> moves_ = moves<Real>(), nudges_ = nudges();
   Shrunk<Real> out_;
@@ -82,13 +81,25 @@ class Walk {
 }  // namespace
 
 template <class Real>
+Shrunk<Real> shrink(const Query<Real>& q, const SeverityOn<Real>& severity, Keeping keeping, std::uint64_t limit) {
+  return Walk<Real>(q, severity, keeping, limit).run();
+}
+template Shrunk<float> shrink(const Query<float>&, const SeverityOn<float>&, Keeping, std::uint64_t);
+template Shrunk<double> shrink(const Query<double>&, const SeverityOn<double>&, Keeping, std::uint64_t);
+
+template <class Real>
 Shrunk<Real> shrink(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
-                    std::uint64_t limit) {
-  return Walk<Real>(q, symptom, kernel, target, limit).run();
+                    std::uint64_t limit, Keeping keeping) {
+  Diagnosis<Real> diagnosis(kernel, target);
+  if (!diagnosis.severity(q, symptom)) {
+    throw Error(fmt::format("the query does not show {} of {}", text(symptom), kernel.id));
+  }
+  return shrink<Real>(q, SeverityOn<Real>([&](const Query<Real>& at) { return diagnosis.severity(at, symptom); }),
+                      keeping, limit);
 }
 template Shrunk<float> shrink<float>(const Query<float>&, const Symptom&, const Kernel&, std::string_view,
-                                     std::uint64_t);
+                                     std::uint64_t, Keeping);
 template Shrunk<double> shrink<double>(const Query<double>&, const Symptom&, const Kernel&, std::string_view,
-                                       std::uint64_t);
+                                       std::uint64_t, Keeping);
 
 }  // namespace axiscert

@@ -1,6 +1,9 @@
 // A smaller query on which a kernel is wrong in the same way and no less severely.
 #pragma once
 
+#include <functional>
+
+#include "fuzz/shrink/keep.h"
 #include "fuzz/shrink/query_size.h"
 #include "fuzz/shrink/symptom.h"
 
@@ -10,17 +13,29 @@ template <class Real>
 struct Shrunk {
   Query<Real> query;
   Severity before, after;
+  Keep kept;  // besides the symptom
   std::vector<QuerySize> sizes;   // size of the given query, then after each accepted step: strictly decreasing
   std::uint64_t evaluations = 0;  // smaller queries that the kernel was asked about
   bool complete = true;           // no step makes it smaller; otherwise the limit was reached
 };
 
+// The severity of what has to be kept, on a valid query; empty if the query does not show it.
+template <class Real>
+using SeverityOn = std::function<std::optional<Severity>(const Query<Real>&)>;
+
+// Whether a smaller query keeps the class of the given one, and its depth within depth_factor (fuzz/shrink/keep.h).
+enum class Keeping : std::uint8_t { symptom_and_class, symptom };
+
 // Tries all ways to change one thing (fuzz/shrink/shrink_moves.h) and accepts each that makes the query smaller by
-// QuerySize and keeps the symptom with a severity not below that of the given query; ends after a round in which none
-// does. It always ends, since sizes cannot decrease for ever; `limit` bounds the time. Throws Error if the given query
-// does not show the symptom; HarnessFault if the oracles contradict their earlier answer.
+// QuerySize and keeps what has to be kept with a severity not below that of the given query; ends after a round in
+// which none does. It always ends, since sizes cannot decrease for ever; `limit` bounds the time. Precondition: the
+// given query shows it. Throws HarnessFault if the oracles contradict their earlier answer.
+template <class Real>
+Shrunk<Real> shrink(const Query<Real>& q, const SeverityOn<Real>& severity, Keeping keeping, std::uint64_t limit);
+
+// The same for a symptom of a kernel. Throws Error if the given query does not show it.
 template <class Real>
 Shrunk<Real> shrink(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
-                    std::uint64_t limit);
+                    std::uint64_t limit, Keeping keeping = Keeping::symptom_and_class);
 
 }  // namespace axiscert

@@ -9,9 +9,12 @@
 #include <deque>
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "fuzz/campaign/supervised_testing.h"
+#include "fuzz/queries/address.h"
 #include "fuzz/queries/family.h"
-#include "fuzz/shrink/shrink_moves.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/shrink/pair.h"
+#include "fuzz/shrink/shrink_moves.h"
 
 namespace axiscert {
 namespace {
@@ -102,7 +105,12 @@ void expect_smaller_and_as_bad(const Query<Real>& q, const Symptom& symptom, con
   if (symptom.kind) {
     EXPECT_TRUE(shows(found.query, symptom, kernel));
   }
+  const InputClassSet before = input_classes(q, squared_distance(q));
+  const InputClassSet after = input_classes(found.query, squared_distance(found.query));
+  EXPECT_EQ(class_of(after), class_of(before));
+  EXPECT_TRUE(before.contains_all(after));
   if (symptom.level == Level::verdict) {
+    EXPECT_LE(depth(found.query, squared_distance(found.query)), depth_factor * depth(q, squared_distance(q)) * 1.001);
     EXPECT_GE(WideDepth(depth_of(found.query)).order(WideDepth(depth_of(q))), 0);
   }
 }
@@ -160,6 +168,89 @@ TEST(Shrink, TheLimitEndsItAndSaysSo) {
   const auto found = shrink(at(), diagnosis.flips(at()).front(), kernel, scalar_target, 3);
   EXPECT_EQ(found.evaluations, 3u);
   EXPECT_FALSE(found.complete);
+}
+
+// An exact kernel with a fault of rounding, and a deep one on triangles with equal vertices.
+Kernel two_faults() {
+  return black_box(
+      "two faults",
+      [](const Query<double>& q, std::size_t, Verdict& verdict, std::vector<Finding>&) {
+        if (!is_valid(q)) return;
+        const InputClassSet meets = input_classes(q, squared_distance(q));
+        if (meets.contains(InputClass::repeated) || class_of(meets) == InputClass::near_tie) verdict = Verdict::separated;
+      },
+      "certified");
+}
+
+// A missed contact of an ulp on an ordinary triangle: as small as it goes, it is another fault.
+TEST(Shrink, KeepsTheClassOfTheInputAndTheDepth) {
+  const Kernel kernel = two_faults();
+  const Query<double> q = {{1, 0.25, 1}, {-0.5, 1, 1}, {-1, -1.25, 1}, {0.125, 0.0625, 0}, 1 + 0x1p-50};
+  const Symptom missed{.kind = FlipKind::false_separation, .decisive = true, .links = {Link::unattributed}};
+  const auto kept = shrink(q, missed, kernel, scalar_target, 3000);
+  EXPECT_EQ(input_classes(kept.query, squared_distance(kept.query)), InputClassSet{InputClass::near_tie});
+  EXPECT_EQ(*kept.kept.classes(), InputClassSet{InputClass::near_tie});
+  EXPECT_LT(kept.sizes.back(), kept.sizes.front());
+  EXPECT_LT(depth(kept.query, squared_distance(kept.query)), 4e-15);
+  const auto free = shrink(q, missed, kernel, scalar_target, 3000, Keeping::symptom);
+  EXPECT_FALSE(free.kept.classes());
+  EXPECT_GT(depth(free.query, squared_distance(free.query)), 0.01) << "what the class is kept against";
+  EXPECT_TRUE(shape_classes(free.query).contains(InputClass::repeated));
+}
+
+TEST(ImageMaps, AreFoundFromThePairAlone) {
+  for (const char* family : {"orders", "axes", "inverted", "scaled", "translated"}) {
+    const ImageGroup& group = *image_group(family);
+    const auto query = [&](std::uint64_t n) -> Query<float> { return find_family(family).make<float>(seed, n); };
+    for (std::uint64_t base = 0; base < 8 * group.size; base += group.size) {
+      for (std::uint64_t n = base; n < base + group.size; ++n) {
+        const auto map = map_between(query(base), query(n)), back = map_between(query(n), query(base));
+        ASSERT_TRUE(map && back) << family << ", seed " << seed << ", position " << n;
+        EXPECT_EQ(coordinates(*image_by(*map, query(base))), coordinates(query(n)));
+        EXPECT_EQ(coordinates(*image_by(*back, query(n))), coordinates(query(base)));
+      }
+    }
+    EXPECT_FALSE(map_between(query(0), query(group.size))) << "another base";
+  }
+}
+
+TEST(ImageMaps, AnImageThatThePrecisionCannotHoldIsNone) {
+  const Query<float> q = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, 0x1p-24f};
+  ImageMap map{symmetries()[0], 0, {Rational(1), Rational(1), Rational(1)}};
+  EXPECT_TRUE(image_by(map, q));
+  map.by[1] = Rational(1, 3);
+  EXPECT_FALSE(image_by(map, q));
+  map = {symmetries()[0], -140, {}};
+  EXPECT_FALSE(image_by(map, q)) << "r underflows";
+}
+
+// A kernel with an absolute epsilon is right about a query and wrong about its image: neither alone shows why.
+TEST(ShrinkPairs, TheAnswersToTheSmallerQueryAndItsImageStillDiffer) {
+  const auto epsilon = [](const Query<double>& q, std::size_t, Verdict& verdict, std::vector<Finding>&) {
+    if (std::fabs(q.a.x - q.p.x) < 1e-4 && q.r > 0) verdict = Verdict::contact;
+  };
+  const Kernel kernel = black_box("epsilon", epsilon, "certified");
+  const ImageGroup& group = *image_group("scaled");
+  int pairs = 0, right_alone = 0;
+  for (std::uint64_t n = 0; n < 400 && pairs < 4; ++n) {
+    const std::string address = text(Address{seed, "scaled", find_family("scaled").version, Precision::binary32, 0, n});
+    const auto pair = asymmetric_pair<float>(address, kernel, scalar_target);
+    if (!pair) continue;
+    ++pairs;
+    right_alone += Diagnosis<float>(kernel, scalar_target).flips(pair->query).empty();
+    EXPECT_NE(pair->symptom.of_query, pair->symptom.of_image);
+    const auto found = shrink_pair(*pair, kernel, scalar_target, 3000);
+    EXPECT_LT(found.query.sizes.back(), found.query.sizes.front()) << address;
+    Examiner examiner(kernel, scalar_target);
+    EXPECT_EQ(examiner.examine(found.query.query).answer.verdict, pair->symptom.of_query);
+    EXPECT_EQ(examiner.examine(found.image).answer.verdict, pair->symptom.of_image);
+    EXPECT_EQ(map_between(found.query.query, found.image)->exponent, pair->map.exponent);
+    n += group.size;
+  }
+  EXPECT_EQ(pairs, 4) << "seed " << seed;
+  EXPECT_GT(right_alone, 0);
+  EXPECT_FALSE(asymmetric_pair<float>("1:general:2:binary32:0:1", kernel, scalar_target));
+  EXPECT_FALSE(asymmetric_pair<float>("at home", kernel, scalar_target));
 }
 
 TEST(Shrink, AQueryWithoutTheSymptomIsAnError) {

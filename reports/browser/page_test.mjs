@@ -295,6 +295,25 @@ test('says so where a record has no margins', async () => {
   await close();
 });
 
+test('says by the class of the input why a kernel is wrong that shows only verdicts', async () => {
+  const silent = folder('silent');
+  const record = JSON.parse(fs.readFileSync(path.join(testdata, 'record.json'), 'utf8'));
+  record.kernels = record.kernels.filter(({id}) => id === '<script>');
+  record.plan.kernels = ['<script>'];
+  record.witnesses = record.witnesses.filter(({kernel}) => kernel === '<script>');
+  fs.writeFileSync(path.join(silent, 'record.json'), JSON.stringify(record));
+  render(silent);
+  const {page, close} = await opened(silent);
+  const why = await page.locator('#links-table').innerText();
+  for (const part of ['near_tie', 'sliver', 'ordinary', 'rounding alone may explain it', 'published, wrong on 60 % of the queries']) assert.ok(why.includes(part), `${part}: ${why}`);
+  assert.equal(await page.locator('#links-table a[href="#witness-w5"]').count(), 1);
+  const where = page.locator('#heat table');
+  assert.match(await where.locator('tr', {hasText: 'ordinary'}).innerText(), /0\s+2/);
+  assert.match(await page.locator('#bounds table').innerText(), /sliver\s+0.001/);
+  for (const section of ['#heat', '#bounds', '#origins']) assert.doesNotMatch(await page.locator(section).innerText(), /unattributed/);
+  await close();
+});
+
 test('quotes names in commands as a shell reads them', async () => {
   const {page, close} = await opened(real);
   const names = ['published', 'plugin:/my kernel.so', "it's", '$(touch x)', 'a\nb\'\\', '<script>', '*', ''];

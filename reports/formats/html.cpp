@@ -11,6 +11,7 @@
 #include "reports/run_folder/record_names.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/page/embedded.h"
+#include "reports/wording/classes.h"
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
 #include "reports/formats/raw_files.h"
@@ -84,6 +85,7 @@ Json kernel_data(const Json& kernel) {
   for (Json& family : data["families"]) family["zero_limit_per_million"] = limit(family);
   data["touching_text"] = touching_text(kernel);
   data["limits_text"] = limits_text(kernel);
+  data["classes"] = classes_data(kernel);
   data["all"] = all_families(kernel);
   if (data["all"].empty()) data["all"] = nullptr;
   else data["all"]["zero_limit_per_million"] = limit(data["all"]);
@@ -200,7 +202,7 @@ Json page_data(const Run& run) {
 // In an order in which each may use those before it.
 std::string scripts() {
   using namespace embedded;
-  const std::string_view all[] = {chart_min_js, chart_js,     table_js,   answer_js,   heat_js,
+  const std::string_view all[] = {chart_min_js, chart_js,     table_js,   answer_js,   classes_js, heat_js,
                                   bounds_js,    origins_js,   maps_js,    margins_js,  scene_js,
                                   snippets_js,  witnesses_js, results_js, appendix_js, report_js};
   return fmt::format("{}", fmt::join(all, "\n"));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "reports/wording/classes.h"
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
 #include "reports/wording/markdown_text.h"
@@ -42,7 +43,7 @@ class MarkdownReport {
     if (!record_["complete"].get<bool>()) {
       text += "\n> **INCOMPLETE**: the run was interrupted. The figures below cover only the queries that were run.\n";
     }
-    return text + ratchet() + findings() + summary() + families() + outside() + asymmetries() + signs("axes", "axis") +
+    return text + ratchet() + findings() + summary() + classes() + families() + outside() + asymmetries() + signs("axes", "axis") +
            signs("comparisons", "comparison") + broken_links() + witnesses() + critical_radius() + reproduce();
   }
 
@@ -159,6 +160,31 @@ class MarkdownReport {
       section.row(cells);
     });
     return section.text();
+  }
+
+  std::string classes() const {
+    Section section("Why, by the class of the input");
+    section.line(
+        "Kernels whose links do not say why they are wrong: each wrong verdict is in the first of these classes whose "
+        "definition its input meets.\n");
+    bool any = false;
+    section.head({"kernel", "precision", "class", "what it says", "deepest witness", "missed contacts",
+                  "phantom contacts", "deepest"},
+                 5);
+    for (const Json& kernel : record_["kernels"]) {
+      for (const ClassRow& row : class_rows(kernel)) {
+        any = true;
+        section.row({plain(kernel["id"]), kernel["precision"], std::string(input_class_names[row.which]),
+                     std::string(class_meanings[row.which]), plain(row.witness), thousands(row.missed),
+                     thousands(row.phantom), amount(row.deepest, 4)});
+      }
+    }
+    for (const Json& kernel : record_["kernels"]) {
+      const std::string nearest = nearest_sentence(kernel);
+      if (nearest.empty()) continue;
+      section.line(fmt::format("\n{} {}: {}.", plain(kernel["id"]), kernel["precision"].get<std::string>(), nearest));
+    }
+    return any ? section.text() : "";
   }
 
   std::string outside() const {

@@ -37,6 +37,12 @@ class SearchReport {
         "confirmed by exact arithmetic. All of these are lower bounds of the worst: a search proves nothing about what "
         "it "
         "does not find."};
+    if (plan_.first_queries != 0) {
+      report.notes.push_back(
+          fmt::format("It began from a run of {} queries of each of {} families, and reports nothing less severe than "
+                      "that run found.",
+                      thousands(plan_.first_queries), plan_.first_sources.size()));
+    }
     if (InstrumentTable table = comparison_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
     if (InstrumentTable table = verdict_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
     report.data = data();
@@ -124,10 +130,12 @@ class SearchReport {
       entry["witness"] = witness_json(*found);
     }
     for (const SourcePtr& source : plan_.sources) families.push_back(source->name());
+    Json first_families = Json::array();
+    for (const SourcePtr& source : plan_.first_sources) first_families.push_back(source->name());
     return {{"schema", search_schema},    {"axiscert", AXISCERT_VERSION},       {"complete", result_.complete},
             {"kernel", plan_.kernel->id}, {"precision", name(plan_.precision)}, {"seed", plan_.seed},
             {"families", families},       {"evaluations", result_.evaluations}, {"comparisons", comparisons_json},
-            {"verdict", verdict}};
+            {"verdict", verdict},         {"begun_from", {{"queries", plan_.first_queries}, {"families", first_families}}}};
   }
 
   const SearchPlan& plan_;

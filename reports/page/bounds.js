@@ -91,8 +91,14 @@ function not_run(what, text) {
 function show_bounds(data) {
   const place = document.getElementById('bounds-table');
   const shown = data.kernels.filter((entry) => entry.all !== null && entry.all.comparisons !== null);
+  const silent = data.kernels.filter((entry) => entry.all !== null && entry.all.comparisons === null && entry.classes !== null);
+  if (silent.length > 0) {
+    document.getElementById('bounds').append(
+      el('p', 'lead', `${silent.map(entry_name).join('; ')}: no sides are shown. How deep the wrong verdicts are instead:`),
+      ...silent.map((entry) => class_depths(data, entry)));
+  }
   if (shown.length === 0) {
-    place.append(el('p', 'empty', 'No kernel here exposes comparisons.'));
+    if (silent.length === 0) place.append(el('p', 'empty', 'No kernel here exposes comparisons.'));
     return;
   }
   const missing = document.getElementById('bounds-missing');

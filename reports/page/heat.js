@@ -96,8 +96,8 @@ function show_heat(data) {
   const shown = data.kernels.filter((entry) => entry.all !== null && entry.all.comparisons !== null);
   const silent = data.kernels.filter((entry) => entry.all?.comparisons === null);
   if (silent.length > 0) {
-    document.getElementById('heat').append(el('p', 'empty', `Not exposed by ${silent.map(entry_name).join('; ')}: ` +
-      'such a kernel shows only verdicts.'));
+    document.getElementById('heat').append(el('p', 'lead', `${silent.map(entry_name).join('; ')}: only verdicts are shown, ` +
+      'so no comparison can be named. By the class of the input:'), ...silent.filter(({classes}) => classes !== null).map(class_heat_table));
   }
   if (shown.length === 0) return;
   let entry = shown[0];

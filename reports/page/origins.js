@@ -152,7 +152,13 @@ function show_origins(data) {
   const shown = data.kernels.filter((entry) => entry.all !== null);
   if (shown.length > 0) {
     const place = document.getElementById('links-table');
-    const show = (index) => place.replaceChildren(origins_table(shown[index]));
+    const show = (index) => {
+      const entry = shown[index];
+      const has_other_links = Object.entries(entry.all.verdict.links).some(([link, n]) => link !== 'unattributed' && n > 0);
+      // Where no link says why, a table of links would say `unattributed` in every row.
+      if (entry.classes === null) place.replaceChildren(origins_table(entry));
+      else place.replaceChildren(classes_box(data, entry), ...(has_other_links ? [origins_table(entry)] : []));
+    };
     document.getElementById('links-controls').append(choice('Kernel', shown.map(entry_name), show));
     show(0);
   }

@@ -16,6 +16,7 @@
 #include "reports/page/embedded.h"
 #include "reports/run_folder/parsed_json.h"
 #include "reports/run_folder/plan_queries.h"
+#include "reports/run_folder/record_classes.h"
 #include "reports/run_folder/record_names.h"
 #include "reports/run_folder/record_version.h"
 #include "reports/run_folder/schema.h"
@@ -164,6 +165,8 @@ class RecordCheck {
     require(number(truth["touching"]) <= contact, where, "more touching queries than contacts");
     require(number(family["base_triangles"]) <= trials, where, "more base_triangles than trials");
     check_verdict(kernel, family, where);
+    const auto fault = fault_of_classes(kernel, family);
+    require(!fault, where, fault.value_or(""));
     for (const char* level : {"axes", "comparisons"}) {
       if (family[level].is_null()) continue;
       for (const auto& [sign, tally] : family[level].items()) {

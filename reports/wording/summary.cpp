@@ -71,6 +71,7 @@ Json all_families(const Json& kernel) {
     family["critical_radius"].erase("median_ulps");
     family["verdict"].erase("first_by_link");  // places in a family cannot be added up
     family.erase("asymmetry");                 // exists for a few families only
+    family.erase("classes");                   // added up in reports/wording/classes.cpp
     merge(total, family, "");
   }
   if (total.is_null()) return Json::object();

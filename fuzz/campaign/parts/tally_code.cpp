@@ -37,7 +37,7 @@ void visit_verdict(Archive& archive, Tally& tally) {
 template <class Archive, class Tally>
 void visit_tally(Archive& archive, Tally& tally) {
   auto& [trials, separated, contact, touching, invalid, verdict, axes, comparisons, critical_radius, findings,
-         margins] = tally;
+         margins, classes] = tally;
   archive(trials, separated, contact, touching, invalid);
   visit_verdict(archive, verdict);
   using Signs = std::conditional_t<std::is_const_v<Tally>, const SignTally, SignTally>;
@@ -57,6 +57,12 @@ void visit_tally(Archive& archive, Tally& tally) {
     archive(count, first, detail);
   }
   archive(margins);
+  auto& [by_class, first_wrong] = classes;
+  for (auto& of : by_class) {
+    auto& [false_separation, false_contact, deepest] = of;
+    archive(false_separation, false_contact, deepest);
+  }
+  archive(first_wrong);
 }
 
 template <class Archive, class Of>
@@ -89,6 +95,7 @@ class Encoder {
     all_.push_back(rank.exponent);
     all_.push_back(rank.mantissa);
   }
+  void put(const std::vector<std::uint64_t>& positions) { all_.push_back(positions); }
   void put(const std::optional<std::uint64_t>& value) { all_.push_back(value ? Cbor(*value) : Cbor(nullptr)); }
   template <class Enum, class Value>
   void put(const EnumArray<Enum, Value>& values) {
@@ -169,6 +176,11 @@ class Decoder {
       (*this)(candidate.rank, candidate.position);
       leaders.offer(candidate);
     }
+  }
+  void get(std::vector<std::uint64_t>& positions) {
+    const Cbor& all = next();
+    if (!all.is_array() || all.size() > nearest_queries) throw Error("the bytes are not a tally: too many positions");
+    for (const Cbor& position : all) positions.push_back(whole_number<std::uint64_t>(position));
   }
   void get(std::vector<double>& values) {
     const Cbor& runs = next();

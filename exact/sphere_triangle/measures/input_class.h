@@ -1,0 +1,74 @@
+// The class of a query's input: why a kernel without formulae may be wrong on it, where no link of the chain says so.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+#include "exact/numbers/rational.h"
+#include "kernel/base/enum_set.h"
+#include "kernel/sphere_triangle/query.h"
+
+namespace axiscert {
+
+// A query may meet several of these definitions, which docs/error_model.md states too. Its class is the first that it
+// meets. All are decided exactly: on the numbers as given, in the maximum norm unless something else is said.
+//
+// L is the greatest |coordinate of A - P, B - P, C - P| or r, E the greatest |coordinate of B - A, C - B, A - C|.
+enum class InputClass : std::uint8_t {
+  tie,        // the sphere touches: the distance is exactly r
+  near_tie,   // the depth, as reported, is at most 64 u
+  scale,      // L or E, where not zero, outside ScaleWindow; or r, where not zero, below ScaleWindow::least_radius
+  repeated,   // two of A, B, C are equal
+  collinear,  // A, B, C are three points of a line
+  sliver,     // the triangle's least height is below 2^-10 of its longest edge (Euclidean lengths)
+  far,        // a coordinate of A, B, C or P is at least 64 L: the origin is far away
+  ordinary,   // none of these
+};
+template <>
+inline constexpr std::size_t enum_count<InputClass> = 8;
+inline constexpr EnumArray<InputClass, std::string_view> input_class_names = {
+    "tie", "near_tie", "scale", "repeated", "collinear", "sliver", "far", "ordinary"};
+using InputClassSet = EnumSet<InputClass, std::uint8_t>;
+
+// Precondition: the set is not empty.
+inline InputClass class_of(InputClassSet meets) { return *meets.begin(); }
+
+// Lengths for which a formula of degree 6 keeps to the normal numbers. The greatest value that the published formulae
+// form is below 2592 L^6 < 2^11.4 L^6 (the side comparison of an edge), which is finite for L <= `greatest`. A side of
+// the size of `least`^6 has its last bit at u least^6, which is normal. The square of `least_radius` is the least
+// normal number.
+template <class Real>
+struct ScaleWindow {
+  using Limits = std::numeric_limits<Real>;
+  static constexpr int greatest_exponent = (Limits::max_exponent - 12) / 6;
+  static constexpr int least_exponent = (Limits::min_exponent - 1 + Limits::digits) / 6;
+  static constexpr int least_radius_exponent = (Limits::min_exponent - 1) / 2;
+};
+static_assert(ScaleWindow<float>::greatest_exponent == 19 && ScaleWindow<float>::least_exponent == -17 &&
+              ScaleWindow<float>::least_radius_exponent == -63);
+static_assert(ScaleWindow<double>::greatest_exponent == 168 && ScaleWindow<double>::least_exponent == -161 &&
+              ScaleWindow<double>::least_radius_exponent == -511);
+
+// 64 u: 2^-18 or 2^-47.
+template <class Real>
+inline constexpr double near_tie_depth = 32 * double(std::numeric_limits<Real>::epsilon());
+
+inline constexpr int sliver_bits = 10;        // least height over longest edge: 2^-10
+inline constexpr double far_from_origin = 64;  // greatest coordinate over L
+
+// The definitions that a valid query meets, `ordinary` if none. `is_touching`: its distance is exactly r; `depth`: as
+// axiscert::depth() gives it.
+template <class Real>
+InputClassSet input_classes(const Query<Real>& q, bool is_touching, double depth);
+
+// The same from the exact squared distance between P and the triangle.
+template <class Real>
+InputClassSet input_classes(const Query<Real>& q, const Rational& squared_distance);
+
+// Those from `scale` on, to which the distance from P does not matter; empty if none. `use_filter`: tries enclosures
+// before exact arithmetic, with the same result.
+template <class Real>
+InputClassSet shape_classes(const Query<Real>& q, bool use_filter = true);
+
+}  // namespace axiscert

@@ -1,0 +1,58 @@
+#include "fuzz/campaign/class_tally.h"
+
+#include <algorithm>
+
+#include "exact/sphere_triangle/measures/depth.h"
+#include "fuzz/campaign/tally.h"
+#include "kernel/sphere_triangle/description.h"
+
+namespace axiscert {
+namespace {
+
+template <class Real>
+bool is_near_tie(const Query<Real>& q, DepthOf& depth, bool use_filter) {
+  if (depth.at_most() <= near_tie_depth<Real>) return true;
+  if (use_filter && depth_range(q).low > near_tie_depth<Real>) return false;
+  return depth.exactly() <= near_tie_depth<Real>;
+}
+
+// class_of(input_classes()), without the depth and the shape where they do not decide.
+template <class Real>
+InputClass class_of_wrong(const Query<Real>& q, bool is_touching, DepthOf& depth, bool use_filter) {
+  if (is_touching) return InputClass::tie;
+  if (is_near_tie(q, depth, use_filter)) return InputClass::near_tie;
+  const InputClassSet shape = shape_classes(q, use_filter);
+  return shape.empty() ? InputClass::ordinary : class_of(shape);
+}
+
+}  // namespace
+
+bool has_input_classes(const Kernel& kernel) {
+  return kernel.test == &sphere_triangle_test() && (kernel.formulae == Formulae::none || !kernel.is_reference);
+}
+
+void ClassTally::merge(const ClassTally& other) {
+  for (const InputClass which : enumerators<InputClass>) {
+    ClassCount& into = classes[which];
+    const ClassCount& from = other.classes[which];
+    into.false_separation += from.false_separation;
+    into.false_contact += from.false_contact;
+    into.deepest.merge(from.deepest);
+  }
+  const auto middle = static_cast<std::ptrdiff_t>(first_wrong.size());
+  first_wrong.insert(first_wrong.end(), other.first_wrong.begin(), other.first_wrong.end());
+  std::inplace_merge(first_wrong.begin(), first_wrong.begin() + middle, first_wrong.end());
+}
+
+template <class Real>
+void count_class(ClassTally& tally, std::uint64_t position, FlipKind kind, const Query<Real>& q, bool is_touching,
+                 DepthOf& depth, bool use_filter) {
+  ClassCount& count = tally.classes[class_of_wrong(q, is_touching, depth, use_filter)];
+  ++(kind == FlipKind::false_separation ? count.false_separation : count.false_contact);
+  if (count.deepest.could_keep({depth.at_most(), position})) count.deepest.offer({depth.exactly(), position});
+  if (position < nearest_queries) tally.first_wrong.push_back(position);
+}
+template void count_class(ClassTally&, std::uint64_t, FlipKind, const Query<float>&, bool, DepthOf&, bool);
+template void count_class(ClassTally&, std::uint64_t, FlipKind, const Query<double>&, bool, DepthOf&, bool);
+
+}  // namespace axiscert

@@ -1,0 +1,137 @@
+#include "fuzz/confirm/nearest_kernel.h"
+
+#include <algorithm>
+#include <set>
+
+#include "exact/sphere_triangle/filters/cascade.h"
+#include "exact/sphere_triangle/measures/limits.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::size_t most_at_once = 1024;
+
+// Positions of wrong verdicts that a tally keeps beyond the first queries.
+std::set<std::uint64_t> deep_positions(const Tally& tally, std::uint64_t from) {
+  std::set<std::uint64_t> all;
+  const auto add = [&](const Leaders<double>& leaders) {
+    for (const auto& [rank, position] : leaders.candidates()) {
+      if (position >= from) all.insert(position);
+    }
+  };
+  add(tally.verdict.deepest_false_separation);
+  add(tally.verdict.deepest_false_contact);
+  for (const ClassCount& count : tally.classes.classes) add(count.deepest);
+  return all;
+}
+
+// A built-in kernel, asked about the same queries.
+template <class Real>
+struct Other {
+  const Kernel* kernel;
+  Implementation<Real> implementation;
+  std::uint64_t wrong = 0, both = 0;
+};
+
+template <class Real>
+class NearestSearch {
+ public:
+  NearestSearch(const Plan& plan, const Kernel& kernel)
+      : plan_(plan), kernel_(kernel), cascade_(filter_on<Real>(plan.target)), batch_(most_at_once, coordinate_count) {
+    for (const Kernel& other : kernels()) {
+      if (other.id == kernel.id || other.test != kernel.test || !other.has(precision_of<Real>)) continue;
+      others_.push_back({&other, other.on<Real>(plan.target)});
+    }
+  }
+
+  void compare(const TalliedSource& of) {
+    const std::uint64_t first = std::min(nearest_queries, of.queries);
+    const std::vector<std::uint64_t>& wrong = of.tally->classes.first_wrong;
+    for (std::uint64_t position = 0; position < first; ++position) {
+      add(*of.source, position, std::binary_search(wrong.begin(), wrong.end(), position));
+    }
+    for (const std::uint64_t position : deep_positions(*of.tally, first)) add(*of.source, position, true);
+    compare_batch();
+  }
+
+  std::optional<NearestKernel> nearest() const {
+    std::optional<NearestKernel> best;
+    for (const Other<Real>& other : others_) {
+      const NearestKernel found{other.kernel, queries_, wrong_, other.both, other.wrong + wrong_ - other.both};
+      if (found.both == 0) continue;
+      // Shares as fractions: both / either.
+      if (!best || found.both * best->either > best->both * found.either) best = found;
+    }
+    return best;
+  }
+
+ private:
+  void add(const Source& source, std::uint64_t position, bool is_wrong) {
+    const Query<Real> q = source.make<Real>(plan_.seed, position);
+    if (!is_valid(q) || (kernel_.limits.any() && !is_within(kernel_.limits, q))) return;
+    batch_.push_back(q);
+    is_wrong_.push_back(is_wrong);
+    if (batch_.size() == batch_.capacity()) compare_batch();
+  }
+
+  void compare_batch() {
+    if (batch_.size() == 0) return;
+    const std::vector<Verdict> truth = truths();
+    std::vector<Verdict> said(batch_.size());
+    for (Other<Real>& other : others_) {
+      other.implementation.verdicts(batch_.columns(), said.data());
+      for (std::size_t i = 0; i < said.size(); ++i) {
+        const bool decided = said[i] == Verdict::separated || said[i] == Verdict::contact;
+        const bool is_wrong = decided && said[i] != truth[i];
+        other.wrong += is_wrong;
+        other.both += is_wrong && is_wrong_[i];
+      }
+    }
+    queries_ += batch_.size();
+    wrong_ += static_cast<std::uint64_t>(std::count(is_wrong_.begin(), is_wrong_.end(), true));
+    batch_.clear();
+    is_wrong_.clear();
+  }
+
+  std::vector<Verdict> truths() {
+    const std::vector<DecidedSigns>& decided = cascade_.decide(batch_);
+    std::vector<Verdict> truth(batch_.size());
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      truth[i] = decided[i].step != Step::exact ? verdict_of(decided[i].signs)
+                                                : exact_truth(query_from(batch_[i]), false).verdict;
+    }
+    return truth;
+  }
+
+  const Plan& plan_;
+  const Kernel& kernel_;
+  Cascade<Real> cascade_;
+  QueryBatch<Real> batch_;
+  std::vector<bool> is_wrong_;  // by query of the batch: the given kernel
+  std::vector<Other<Real>> others_;
+  std::uint64_t queries_ = 0, wrong_ = 0;
+};
+
+template <class Real>
+std::optional<NearestKernel> nearest_in(const Plan& plan, const Kernel& kernel,
+                                        const std::vector<TalliedSource>& sources) {
+  NearestSearch<Real> search(plan, kernel);
+  for (const TalliedSource& source : sources) search.compare(source);
+  return search.nearest();
+}
+
+bool is_ever_wrong(const TalliedSource& of) {
+  return of.tally->verdict.false_separation + of.tally->verdict.false_contact != 0;
+}
+
+}  // namespace
+
+std::optional<NearestKernel> nearest_kernel(const Plan& plan, const Kernel& kernel, Precision precision,
+                                            const std::vector<TalliedSource>& sources) {
+  if (!has_input_classes(kernel) || std::none_of(sources.begin(), sources.end(), is_ever_wrong)) return std::nullopt;
+  return precision == Precision::binary32 ? nearest_in<float>(plan, kernel, sources)
+                                          : nearest_in<double>(plan, kernel, sources);
+}
+
+}  // namespace axiscert

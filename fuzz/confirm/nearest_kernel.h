@@ -1,0 +1,33 @@
+// The built-in kernel that fails on most of the queries on which another kernel fails.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fuzz/campaign/campaign.h"
+
+namespace axiscert {
+
+// Compared on the first nearest_queries of each source and on the deepest wrong verdicts that a run kept.
+struct NearestKernel {
+  const Kernel* kernel;
+  std::uint64_t queries;  // compared
+  std::uint64_t wrong;    // on which the given kernel is wrong
+  std::uint64_t both;     // on which both are
+  std::uint64_t either;   // on which one of them or both are
+};
+
+// One source of a run, and the tally of the kernel on it.
+struct TalliedSource {
+  const Source* source;
+  std::uint64_t queries;  // that were run
+  const Tally* tally;
+};
+
+// The kernel of kernels() with the greatest share `both` / `either`, the first of those with the same share. Empty if
+// the given kernel has no classes (fuzz/campaign/class_tally.h), is never wrong here, or no other one is wrong where it
+// is. A touching query is right as contact for the built-in kernels, and by its own convention for the given one.
+std::optional<NearestKernel> nearest_kernel(const Plan& plan, const Kernel& kernel, Precision precision,
+                                            const std::vector<TalliedSource>& sources);
+
+}  // namespace axiscert

@@ -1,0 +1,77 @@
+#include "fuzz/search/beginning.h"
+
+#include <algorithm>
+
+#include "fuzz/campaign/campaign.h"
+#include "fuzz/search/pool.h"
+
+namespace axiscert {
+namespace {
+
+// A query of the run by its place, with the severity of what it showed.
+template <class Rank>
+struct Shown {
+  Rank rank;
+  const Source* source;
+  std::uint64_t position;
+};
+
+template <class Rank>
+void add(std::vector<Shown<Rank>>& all, const Leaders<Rank>& leaders, const Source& source) {
+  for (const auto& [rank, position] : leaders.candidates()) all.push_back({rank, &source, position});
+}
+
+// The most severe first; of equals the one whose source and position come first.
+template <class Real, class Rank>
+std::vector<Query<Real>> most_severe(std::vector<Shown<Rank>> all, std::uint64_t seed) {
+  std::stable_sort(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.rank > y.rank; });
+  all.resize(std::min(all.size(), Pool<Real>::capacity));
+  std::vector<Query<Real>> queries;
+  for (const auto& [rank, source, position] : all) queries.push_back(source->template make<Real>(seed, position));
+  return queries;
+}
+
+}  // namespace
+
+template <class Real>
+std::vector<std::vector<Query<Real>>> first_found(const SearchPlan& plan, const std::vector<Aim>& aims,
+                                                  const std::atomic<bool>& interrupted) {
+  std::vector<std::vector<Query<Real>>> found(aims.size());
+  if (plan.first_queries == 0 || plan.first_sources.empty()) return found;
+  Plan run;
+  run.seed = plan.seed;
+  run.kernels = {plan.kernel};
+  run.sources = plan.first_sources;
+  run.precisions = {plan.precision};
+  run.trials = [&](const Source&, Precision) { return plan.first_queries; };
+  run.target = plan.target;
+  run.threads = plan.threads;
+  const CampaignResult result = run_campaign(run, interrupted, [](const Progress&) {});
+  for (std::size_t i = 0; i < aims.size(); ++i) {
+    const Aim& aim = aims[i];
+    std::vector<Shown<double>> wrong;
+    std::vector<Shown<Decimal6>> errors;
+    for (const CellResult& cell : result.cells) {
+      const Source& source = *run.sources[cell.source];
+      const Tally& tally = cell.tallies.front();
+      if (aim.goal == Goal::missed_contact || aim.goal == Goal::critical_radius) {
+        add(wrong, tally.verdict.deepest_false_separation, source);
+      }
+      if (aim.goal == Goal::phantom_contact || aim.goal == Goal::critical_radius) {
+        add(wrong, tally.verdict.deepest_false_contact, source);
+      }
+      if (aim.goal == Goal::error || aim.goal == Goal::relative_error) {
+        add(errors, tally.comparisons[index_of(aim.which)].largest_error, source);
+      }
+    }
+    found[i] = is_about_a_comparison(aim.goal) ? most_severe<Real>(std::move(errors), plan.seed)
+                                               : most_severe<Real>(std::move(wrong), plan.seed);
+  }
+  return found;
+}
+template std::vector<std::vector<Query<float>>> first_found(const SearchPlan&, const std::vector<Aim>&,
+                                                            const std::atomic<bool>&);
+template std::vector<std::vector<Query<double>>> first_found(const SearchPlan&, const std::vector<Aim>&,
+                                                             const std::atomic<bool>&);
+
+}  // namespace axiscert

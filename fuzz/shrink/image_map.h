@@ -1,0 +1,29 @@
+// The exact map from a query to an image of it: another order of the vertices, a permutation and reflection of the
+// axes, a power of two, a translation. No exact answer changes, except for the names of vertices.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "exact/numbers/rational.h"
+#include "fuzz/files/symmetry.h"
+
+namespace axiscert {
+
+// image = 2^exponent symmetry(query) + by, the translation for points only.
+struct ImageMap {
+  Symmetry symmetry;
+  int exponent = 0;
+  std::array<Rational, 3> by;
+};
+
+// The first map, in the order of symmetries(), that makes `image` of `base`, exactly; both are valid. Empty if none
+// does.
+template <class Real>
+std::optional<ImageMap> map_between(const Query<Real>& base, const Query<Real>& image);
+
+// The image of a valid query; empty if the precision cannot represent it.
+template <class Real>
+std::optional<Query<Real>> image_by(const ImageMap& map, const Query<Real>& q);
+
+}  // namespace axiscert

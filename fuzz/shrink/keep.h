@@ -1,0 +1,36 @@
+// What a smaller query keeps besides its symptom: the class of its input, and a depth that is not another fault's.
+#pragma once
+
+#include <optional>
+
+#include "exact/sphere_triangle/measures/input_class.h"
+#include "fuzz/shrink/symptom.h"
+
+namespace axiscert {
+
+// A depth may grow to this many times that of the given query: a missed contact by an ulp does not become one by a
+// fifth of the scene, which would be another fault.
+inline constexpr int depth_factor = 4;
+
+class Keep {
+ public:
+  // Keeps nothing besides the symptom: as small as it goes.
+  Keep() = default;
+  // Keeps the class of this valid query, which has this severity.
+  template <class Real>
+  Keep(const Query<Real>& q, const Severity& severity);
+
+  // Whether a smaller query has the same class and meets no definition of a class that the given one does not, and a
+  // depth of at most depth_factor times the given one's. Only a depth is limited, not a margin or an error.
+  template <class Real>
+  bool allows(const Query<Real>& q, const Severity& severity) const;
+
+  // Those of the given query; empty if nothing is kept.
+  const std::optional<InputClassSet>& classes() const { return classes_; }
+
+ private:
+  std::optional<InputClassSet> classes_;
+  std::optional<ExactDepth> greatest_;
+};
+
+}  // namespace axiscert

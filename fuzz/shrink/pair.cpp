@@ -1,0 +1,118 @@
+#include "fuzz/shrink/pair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "exact/sphere_triangle/measures/limits.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "fuzz/queries/address.h"
+#include "fuzz/queries/image_groups.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+// Asks one kernel about a query and its image.
+template <class Real>
+class PairDiagnosis {
+ public:
+  PairDiagnosis(const Kernel& kernel, std::string_view target) : kernel_(kernel), target_(target) {}
+
+  // Empty if the answers do not differ, or one is missing.
+  std::optional<PairSymptom> symptom(const Query<Real>& q, const Query<Real>& image_of_it, const ImageMap& map) {
+    for (const Query<Real>* each : {&q, &image_of_it}) {
+      if (!is_valid(*each) || !is_within(kernel_.limits, *each)) return std::nullopt;
+    }
+    const Outcome of_query = answer(q), of_image = answer(image_of_it);
+    if (of_query.verdict == Verdict::unanswered || of_image.verdict == Verdict::unanswered) return std::nullopt;
+    PairSymptom found{of_query.verdict, of_image.verdict, std::nullopt};
+    if (of_query.verdict != of_image.verdict) return found;
+    if (!of_query.bits || !of_image.bits) return std::nullopt;
+    const auto differing = static_cast<ComparisonBits>(
+        bits_of_base(static_cast<SignBits>(*of_image.bits), map.symmetry.vertices) ^ *of_query.bits);
+    if (differing == 0) return std::nullopt;
+    found.which = static_cast<Comparison>(first_bit(differing));
+    return found;
+  }
+
+ private:
+  Outcome answer(const Query<Real>& q) {
+    if (!implementation_) implementation_ = kernel_.on<Real>(target_);
+    const Reply<Real> reply = ask(*implementation_, q);
+    if (reply.verdicts[0] == Verdict::unanswered) implementation_.reset();
+    return reply.outcome(0);
+  }
+
+  const Kernel& kernel_;
+  std::string_view target_;
+  std::optional<Implementation<Real>> implementation_;
+};
+
+bool is_same(const PairSymptom& x, const PairSymptom& y) {
+  return x.of_query == y.of_query && x.of_image == y.of_image && x.which == y.which;
+}
+
+template <class Real>
+Severity severity_of(const Query<Real>& q, const PairSymptom& symptom) {
+  if (symptom.which) return {Rational(0), "no depth: the verdicts are the same"};
+  const Rational squared = squared_distance(q);
+  return {exact_depth(q, squared), fmt::format("{:.6g} of the scene", depth(q, squared))};
+}
+
+}  // namespace
+
+std::string text(const PairSymptom& symptom) {
+  if (!symptom.which) return fmt::format("{}, and {} of its image", name(symptom.of_query), name(symptom.of_image));
+  return fmt::format("{} of both, but {} differs", name(symptom.of_query), info(*symptom.which).name);
+}
+
+template <class Real>
+std::optional<Pair<Real>> asymmetric_pair(const std::string& given, const Kernel& kernel, std::string_view target) {
+  // A query file may state anything as its address.
+  if (std::count(given.begin(), given.end(), ':') != 5) return std::nullopt;
+  const Address address = parse_address(given);
+  const ImageGroup* group = image_group(address.name);
+  if (group == nullptr || address.precision != precision_of<Real>) return std::nullopt;
+  const SourcePtr source = family_source(find_family(address.name));
+  if (source->version() != address.version || source->test().id != kernel.test->id) return std::nullopt;
+  const std::uint64_t position = address.position(), base = position - position % group->size;
+  const Query<Real> q = source->template make<Real>(address.seed, position);
+  PairDiagnosis<Real> diagnosis(kernel, target);
+  for (std::uint64_t other = base; other < base + group->size; ++other) {
+    if (other == position) continue;
+    if (position != base && other != base) break;
+    const Query<Real> image_of_it = source->template make<Real>(address.seed, other);
+    if (!is_valid(q) || !is_valid(image_of_it)) continue;
+    const auto map = map_between(q, image_of_it);
+    if (!map) continue;
+    if (const auto symptom = diagnosis.symptom(q, image_of_it, *map)) return Pair<Real>{q, image_of_it, *map, *symptom};
+  }
+  return std::nullopt;
+}
+template std::optional<Pair<float>> asymmetric_pair(const std::string&, const Kernel&, std::string_view);
+template std::optional<Pair<double>> asymmetric_pair(const std::string&, const Kernel&, std::string_view);
+
+template <class Real>
+ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::string_view target, std::uint64_t limit,
+                             Keeping keeping) {
+  PairDiagnosis<Real> diagnosis(kernel, target);
+  const auto severity = [&](const Query<Real>& q) -> std::optional<Severity> {
+    const auto image_of_it = image_by(pair.map, q);
+    if (!image_of_it) return std::nullopt;
+    const auto symptom = diagnosis.symptom(q, *image_of_it, pair.map);
+    if (!symptom || !is_same(*symptom, pair.symptom)) return std::nullopt;
+    return severity_of(q, *symptom);
+  };
+  if (!severity(pair.query)) {
+    throw Error(fmt::format("{} does not answer the query and its image differently: {}", kernel.id,
+                            text(pair.symptom)));
+  }
+  ShrunkPair<Real> found{shrink<Real>(pair.query, SeverityOn<Real>(severity), keeping, limit), {}};
+  found.image = *image_by(pair.map, found.query.query);
+  return found;
+}
+template ShrunkPair<float> shrink_pair(const Pair<float>&, const Kernel&, std::string_view, std::uint64_t, Keeping);
+template ShrunkPair<double> shrink_pair(const Pair<double>&, const Kernel&, std::string_view, std::uint64_t, Keeping);
+
+}  // namespace axiscert
