@@ -161,6 +161,16 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
   return json;
 }
 
+// The digests of the files of which somebody else's kernel consists; null for a kernel that comes with axiscert.
+Json digest_json(const Plan& plan, const Kernel& kernel) {
+  Json digest;
+  for (const FileInfo& file : plan.plugins) {
+    if (file.kernel == kernel.id && !file.sha256.empty())
+      digest.push_back({{"kind", file.kind}, {"sha256", file.sha256}});
+  }
+  return digest;
+}
+
 }  // namespace
 
 Json exposures_json(const Kernel& kernel) {
@@ -187,11 +197,14 @@ Json record_of(const Plan& plan, const CampaignResult& result, const std::string
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     const Kernel& kernel = *plan.kernels[k];
     put_loading_findings(findings, kernel);
+    const Json digest = digest_json(plan, kernel);
     for (const Precision precision : plan.precisions) {
       if (!kernel.has(precision)) continue;
       const bool has_arithmetic = kernel.formulae != Formulae::none, claimed = has_arithmetic || !kernel.claims.empty();
       const std::string formulae = has_arithmetic ? name(kernel.formulae) : kernel.claims;
       Json entry = {{"id", kernel.id},
+                    {"name", kernel.declared_name.empty() || digest.is_null() ? Json(nullptr) : Json(kernel.declared_name)},
+                    {"digest", digest},
                     {"precision", name(precision)},
                     {"summary", kernel.summary},
                     {"formulae", claimed ? Json(formulae) : Json(nullptr)},
