@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "cli/values.h"
 #include "exact/judge/truth.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/supervisor.h"
@@ -14,7 +15,7 @@ namespace axiscert {
 
 CLI::Option* add_format(CLI::App& command, std::string& format, const std::string& machine_format) {
   return command.add_option("--format", format, "text, or " + machine_format + " for programs")
-      ->check(CLI::IsMember({std::string("text"), machine_format}))
+      ->check(one_of({"text", machine_format}))
       ->capture_default_str();
 }
 
@@ -43,7 +44,7 @@ void add_plugin_seconds(CLI::App& command) {
   command
       .add_option("--plugin-seconds", plugin::batch_seconds,
                   "processor time that a plug-in may take for a batch of 1024 queries before it counts as hung")
-      ->check(CLI::Range(1e-3, 1e6))
+      ->check(number_between(1e-3, 1e6))
       ->capture_default_str();
 }
 

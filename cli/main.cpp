@@ -1,7 +1,10 @@
 // axiscert: certifies floating-point sphere-triangle kernels against exact arithmetic.
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include "cli/commands.h"
+#include "cli/usage.h"
+#include "fuzz/files/query_file.h"
 
 int main(int argc, char** argv) {
   using namespace axiscert;
@@ -18,6 +21,7 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 done; 1 a requirement failed; 2 bad usage or input, or a target this machine lacks;\n"
       "3 the oracles disagree, or the harness found a fault in itself; 130 interrupted.");
+  set_query_notes([](const std::string& note) { fmt::print(stderr, "axiscert: {}\n", note); });
   Action action;
   for (const auto add : {
            add_run,    add_plan,      add_merge,     add_check,           add_shrink, add_corpus,
@@ -28,9 +32,10 @@ int main(int argc, char** argv) {
     add(app, action);
   try {
     app.parse(argc, argv);
+    require_values(app);
     return action();
   } catch (const CLI::ParseError& usage) {
-    return app.exit(usage) == 0 ? exit_done : exit_bad_input;
+    return tell_usage(app, usage);
   } catch (...) {
     return tell(std::current_exception());
   }

@@ -190,7 +190,8 @@ function(axiscert_script_test name)
   elseif(arg_NEEDS)
     add_dependencies(axiscert_quick ${arg_NEEDS})
   endif()
-  set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT ${arg_TIMEOUT})
+  # Scripts take longest: begun first, none of them is the last to end, alone on one core.
+  set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT ${arg_TIMEOUT} COST 1000)
 endfunction()
 
 # axiscert_require_tests(): fails where a `_test.cpp` or `_test.py` of the tree belongs to no test, in a build that has all of them.

@@ -131,13 +131,41 @@ TEST(Description, ATestIsFoundByItsId) {
   EXPECT_EQ(find_entry(sphere_triangle_test(), ""), 0u);
   EXPECT_EQ(find_entry(toy(1, 1), "other"), 1u);
   EXPECT_THAT([] { find_entry(toy(1, 1), "othr"); },
-              ThrowsMessage<Error>("test 'toy': unknown entry 'othr'; entries: other, numbers"));
+              ThrowsMessage<Error>("test 'toy': unknown entry 'othr'; did you mean 'other'? entries: other, numbers"));
 }
 
 TEST(Alike, TheNearestNameIsFirst) {
   EXPECT_THAT(most_alike_first("box-bx", {"sphere-triangle", "box-triangle", "box-box"}),
               ElementsAre("box-box", "box-triangle", "sphere-triangle"));
   EXPECT_THAT(most_alike_first("", {"b", "a"}), ElementsAre("b", "a"));
+}
+
+TEST(Alike, ANameIsMeantWhereFewLettersDiffer) {
+  const std::vector<std::string_view> names = {"run", "report", "edge_ab.radius", "r", "id", "test"};
+  for (const auto& [given, name] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"rum", "run"},
+                                                                  {"runn", "run"},
+                                                                  {"RUN", "run"},
+                                                                  {"Id", "id"},
+                                                                  {"repotr", "report"},
+                                                                  {"edge_ab", "edge_ab.radius"},
+                                                                  {"q", ""},
+                                                                  {"ix", ""},
+                                                                  {"", ""},
+                                                                  {"frobnicate", ""}}) {
+    EXPECT_EQ(meant(given, names), name) << given;
+  }
+  EXPECT_EQ(meant(std::string(1 << 20, 'r'), names), "");
+}
+
+TEST(Alike, AMessageNamesTheNearestFirst) {
+  EXPECT_EQ(unknown_name("family", "families", "tangnet", {"general", "tangent"}),
+            "unknown family 'tangnet'; did you mean 'tangent'? families: tangent, general");
+  EXPECT_EQ(unknown_name("family", "families", "cube", {"general", "tangent"}),
+            "unknown family 'cube'; families: general, tangent");
+  EXPECT_EQ(unknown_name("family", "families", "tangent,general", {"general", "tangent"})
+                .find("unknown family 'tangent,general'; one name is given at a time, without commas; families: "),
+            0u);
 }
 
 }  // namespace

@@ -89,8 +89,7 @@ std::size_t find_entry(const TestDescription& test, std::string_view name) {
   if (name.empty()) return 0;
   const auto found = std::find(known.begin(), known.end(), name);
   if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
-  throw Error(fmt::format("test '{}': unknown entry '{}'; entries: {}", test.id, name,
-                          fmt::join(most_alike_first(name, known), ", ")));
+  throw Error(fmt::format("test '{}': {}", test.id, unknown_name("entry", "entries", name, known)));
 }
 
 }  // namespace axiscert

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/values.h"
 #include "cli/running/terminal.h"
 #include "kernel/base/error.h"
 #include "kernel/base/utf8.h"
@@ -98,7 +99,7 @@ void add_compare(CLI::App& app, Action& action) {
   command->add_option("OLD", options->before, "the folder of the earlier run")->required();
   command->add_option("NEW", options->after, "the folder of the later run")->required();
   command->add_option("--format", options->format, "format of the output: text, json or markdown")
-      ->check(CLI::IsMember({"text", "json", "markdown"}))
+      ->check(one_of({"text", "json", "markdown"}))
       ->capture_default_str();
   command->add_option("--out", options->out, "folder for compare.md, compare.json and compare.html");
   command

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/options/instrument_options.h"
+#include "cli/values.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
 #include "reports/instrument/condition_report.h"
@@ -41,7 +42,7 @@ void add_condition(CLI::App& app, Action& action) {
       "condition", "Distinguish flips caused by the query's condition from those caused by the formula");
   auto options = std::make_shared<ConditionOptions>();
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
-  const CLI::Range count(std::uint64_t{0}, std::uint64_t{1} << 32);
+  const CLI::Validator count = whole_number(0, std::uint64_t{1} << 32);
   command->add_option("--flips", options->flips, "flips evaluated per kernel, family and comparison")
       ->check(count)
       ->capture_default_str();

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "cli/commands.h"
+#include "cli/values.h"
 #include "cli/running/judged_run.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/text/file_bytes.h"
@@ -171,7 +172,7 @@ void add_judge(CLI::App& app, Action& action) {
   command
       ->add_option("--touching", options->touching,
                    "the program's intended answer for a sphere that touches the triangle")
-      ->check(CLI::IsMember({"contact", "separated", "either"}))
+      ->check(one_of({"contact", "separated", "either"}))
       ->capture_default_str();
   command->add_option("--mesh", options->meshes, "present path of a mesh of the queries, repeatable")
       ->allow_extra_args(false);

@@ -7,8 +7,10 @@
 #include "cli/options/address_query.h"
 #include "cli/options/test_options.h"
 #include "cli/commands.h"
+#include "cli/values.h"
 #include "cli/running/run_output.h"
 #include "fuzz/text/file_bytes.h"
+#include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
 #include "fuzz/confirm/finding_record.h"
@@ -55,7 +57,8 @@ std::vector<MapSubject> subjects_of(const MapOptions& options, const Kernel& ker
   for (const MapSubject& subject : all) names.push_back(name(subject));
   for (const std::string& what : options.what) {
     if (std::find(names.begin(), names.end(), what) != names.end()) continue;
-    throw Error(fmt::format("--what {}: kernel {} has maps of: {}", what, kernel.id, fmt::join(names, ", ")));
+    throw Error(fmt::format("--what {}: unknown{} kernel {} has maps of: {}", what, did_you_mean(what, names),
+                            kernel.id, fmt::join(most_alike_first(what, names), ", ")));
   }
   std::erase_if(all, [&](const MapSubject& subject) {
     return std::find(options.what.begin(), options.what.end(), name(subject)) == options.what.end();
@@ -137,9 +140,9 @@ void add_map(CLI::App& app, Action& action) {
   command->add_option("--across", o.across, "the number that changes upwards (default: r)");
   auto* exponents = command->add_flag("--exponents", o.exponents, "every power of two instead of ulps");
   command->add_option("--size", o.size, "pixels each way (default: 256; with --exponents at most these, default: 4096)")
-      ->check(CLI::Range(std::size_t{2}, greatest_map));
+      ->check(whole_number(2, greatest_map));
   command->add_option("--ulps", o.ulps, "ulps from pixel to pixel")
-      ->check(CLI::Range(std::int64_t{1}, greatest_ulps))
+      ->check(whole_number(1, greatest_ulps))
       ->excludes(exponents)
       ->capture_default_str();
   command->add_option("--what", o.what, "verdict, an axis or a comparison, repeatable (default: all)")

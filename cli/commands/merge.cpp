@@ -31,7 +31,18 @@ void require_same_plan(const PlanFile& file, const std::string& folder) {
   throw Error(fmt::format("{}: part of another plan than {}: there {}", folder, file.path, differs));
 }
 
+void require_shard(const std::string& folder) {
+  std::error_code ignored;
+  if (fs::exists(in(folder, plan_copy), ignored)) return;
+  throw Error(fmt::format("{}: {}; give folders that `axiscert run --plan --shard --out` wrote", folder,
+                          !fs::exists(folder, ignored) ? "does not exist"
+                          : fs::is_directory(folder, ignored)
+                              ? fmt::format("no part of a plan: it has no {}", plan_copy)
+                              : "not a folder"));
+}
+
 int merge(const MergeOptions& options) {
+  for (const std::string& folder : options.folders) require_shard(folder);
   const PlanFile file = read_plan_file(options.plan.empty() ? in(options.folders.front(), plan_copy) : options.plan);
   for (const std::string& folder : options.folders) require_same_plan(file, folder);
   Plan plan = plan_of(file);

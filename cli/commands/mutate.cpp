@@ -8,6 +8,7 @@
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/test_options.h"
+#include "cli/values.h"
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
@@ -123,9 +124,9 @@ void add_mutate(CLI::App& app, Action& action) {
   command->add_option("--mutant", o.mutants, "id or fault, repeatable (default: all)")->allow_extra_args(false);
   command->add_option("--family", o.families, "family, repeatable (default: all)")->allow_extra_args(false);
   command->add_option("--trials", o.trials, "queries per family and precision")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 48))
+      ->check(whole_number(1, std::uint64_t{1} << 48))
       ->capture_default_str();
-  command->add_option("--seed", o.seed, "seed of every family")->capture_default_str();
+  command->add_option("--seed", o.seed, "seed of every family")->check(whole_number())->capture_default_str();
   command->add_option("--precision", o.precision, "binary32 or binary64")->default_str("both");
   command->add_flag("--list", o.list, "list the mutants and run no queries");
   command->add_flag("--no-controls", o.no_controls, "leave out the controls, which are correct kernels");

@@ -4,6 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/options/plan_file.h"
+#include "cli/values.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {
@@ -36,7 +37,7 @@ void add_plan(CLI::App& app, Action& action) {
       ->add_option("--units-per-stretch", options->units_each,
                    "units handed out, journalled and repeated together (default: 1 in small plans, 16 in others, more "
                    "where the journal would have more than 2^22 entries)")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
+      ->check(whole_number(1, std::uint64_t{1} << 40));
   command->add_option("--out", options->file, "the file")->capture_default_str();
   command->callback([&action, options] { action = [options] { return plan(*options); }; });
 }

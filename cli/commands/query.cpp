@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "cli/options/address_query.h"
 #include "cli/commands.h"
+#include "kernel/base/error.h"
 
 namespace axiscert {
 
@@ -16,6 +19,11 @@ void add_query(CLI::App& app, Action& action) {
   add_address_files(*command, options->files);
   command->callback([&action, options] {
     action = [options] {
+      std::error_code ignored;
+      if (std::filesystem::is_regular_file(options->address, ignored)) {
+        throw Error(fmt::format("ADDRESS '{}' is a file; `axiscert check {}` reads the queries of one",
+                                options->address, options->address));
+      }
       fmt::print("{}\n", query_line(query_at(parse_address(options->address), options->files)));
       return static_cast<int>(exit_done);
     };

@@ -7,9 +7,11 @@
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/test_options.h"
+#include "cli/values.h"
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/text/file_bytes.h"
+#include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
 #include "fuzz/confirm/finding_record.h"
@@ -33,12 +35,12 @@ constexpr std::uint64_t default_evaluations = std::uint64_t{1} << 24;
 constexpr const char* state_file = "search.state";
 
 Comparison parse_comparison(const std::string& given) {
-  std::string known;
+  std::vector<std::string_view> known;
   for (std::size_t k = 0; k < comparison_count; ++k) {
     if (comparisons[k].name == given) return static_cast<Comparison>(k);
-    known += fmt::format("{}{}", k == 0 ? "" : ", ", comparisons[k].name);
+    known.push_back(comparisons[k].name);
   }
-  throw Error(fmt::format("--comparison {}: unknown; comparisons: {}", given, known));
+  throw Error(fmt::format("--comparison {}: {}", given, unknown_name("comparison", "comparisons", given, known)));
 }
 
 SearchPlan plan_of(const SearchOptions& options) {
@@ -86,6 +88,13 @@ int search(const SearchOptions& options) {
   std::optional<std::string> state;
   if (options.resume) {
     if (options.out.empty()) throw Error("--resume: give the folder of the search to resume with --out");
+    const std::filesystem::path stored = std::filesystem::path(options.out) / state_file;
+    std::error_code ignored;
+    if (!std::filesystem::exists(stored, ignored)) {
+      throw Error(
+          fmt::format("--resume --out {}: there is no {}; give the folder of a search that was begun with --out",
+                      options.out, stored.string()));
+    }
     state = read_bytes((std::filesystem::path(options.out) / state_file).string());
   }
   std::optional<OutputFolder> folder;
@@ -128,11 +137,11 @@ void add_search(CLI::App& app, Action& action) {
   auto* evaluations = command
                           ->add_option("--evaluations", o.evaluations,
                                        "queries to evaluate, rounded up to whole islands (default: 2^24)")
-                          ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 48));
+                          ->check(whole_number(1, std::uint64_t{1} << 48));
   command->add_option("--time", o.seconds, "seconds to search instead")
-      ->check(CLI::PositiveNumber)
+      ->check(number_above_zero())
       ->excludes(evaluations);
-  command->add_option("--seed", o.seed, "seed of all random choices")->capture_default_str();
+  command->add_option("--seed", o.seed, "seed of all random choices")->check(whole_number())->capture_default_str();
   command->add_flag("--resume", o.resume, "continue from the state in the folder of --out");
   command->add_option("--target", o.target, "instruction set, or auto")->capture_default_str();
   add_thread_option(*command, o.threads);

@@ -7,9 +7,11 @@
 #include "cli/options/address_query.h"
 #include "cli/options/test_options.h"
 #include "cli/commands.h"
+#include "cli/values.h"
 #include "cli/running/shrunk.h"
 #include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/text/file_bytes.h"
+#include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "fuzz/confirm/finding_record.h"
 
@@ -26,11 +28,15 @@ struct ShrinkOptions {
 // "COMPARISON:error" keeps the error, whether or not the sign is wrong.
 constexpr std::string_view error_suffix = ":error";
 
-std::string known_symptoms() {
+std::string unknown_symptom(std::string_view given) {
   std::vector<std::string_view> names = {"verdict"};
   names.insert(names.end(), axis_names.begin(), axis_names.end());
   for (const ComparisonInfo& c : comparisons) names.push_back(c.name);
-  return fmt::format("{}, and COMPARISON{}", fmt::join(names, ", "), error_suffix);
+  const std::string_view suffix = given.find(':') == given.npos ? "" : error_suffix;
+  const std::string_view word = given.substr(0, given.find(':')), guess = meant(word, names);
+  return fmt::format("--what {}: unknown{} possible values: {}, and COMPARISON{}", given,
+                     guess.empty() ? ";" : fmt::format("; did you mean '{}{}'?", guess, suffix),
+                     fmt::join(most_alike_first(word, names), ", "), error_suffix);
 }
 
 // The symptom of that name, without the parts that have to be determined from a query; empty where there is no such
@@ -122,7 +128,7 @@ int shrink_all(const ShrinkOptions& options) {
   require_loaded(kernel);
   const std::string target = resolve_target(options.target);
   if (!options.what.empty() && !named(options.what)) {
-    throw Error(fmt::format("--what {}: unknown; possible values: {}", options.what, known_symptoms()));
+    throw Error(unknown_symptom(options.what));
   }
   const auto queries = queries_given(options.queries, options.precision, options.files);
   for (const StoredQuery& stored : queries) {
@@ -161,7 +167,7 @@ void add_shrink(CLI::App& app, Action& action) {
                       "what to keep: verdict, an axis or a comparison that is wrong, or COMPARISON:error (default: the "
                       "first that is wrong, in this order)");
   command->add_option("--evaluations", options->evaluations, "most smaller queries to evaluate, for each query")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
+      ->check(whole_number(1, std::uint64_t{1} << 40))
       ->capture_default_str();
   add_address_files(*command, options->files);
   add_plugin_seconds(*command);

@@ -3,18 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "fuzz/files/corpus.h"
+#include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
 namespace {
 
+const Family& family_of(const Address& address) {
+  try {
+    return find_family(address.name);
+  } catch (const Error& unknown) {
+    throw Error(fmt::format("address '{}': {}", text(address), unknown.what()));
+  }
+}
+
 // The source that an address names: a family, or the given file if its SHA-256 is the address's.
 SourcePtr source_of(const Address& address, const AddressFiles& files) {
   const auto is_into = [&](const char* kind) { return address.name.starts_with(kind); };
   const bool is_mesh = is_into("mesh-"), is_corpus = is_into("corpus-");
-  if (!is_mesh && !is_corpus && !is_into("queries-")) return family_source(find_family(address.name));
+  if (!is_mesh && !is_corpus && !is_into("queries-")) return family_source(family_of(address));
   const std::string& path = is_mesh ? files.mesh : is_corpus ? files.corpus : files.queries;
   const char* option = is_mesh ? "--mesh" : is_corpus ? "--corpus" : "--queries";
   if (path.empty() && !is_corpus) {
@@ -57,6 +67,8 @@ std::vector<StoredQuery> queries_given(const std::vector<std::string>& given, co
       all.push_back(query_at(parse_address(each), files));
       continue;
     }
+    std::error_code ignored;
+    if (each.find(':') != each.npos && !std::filesystem::exists(each, ignored)) parse_address(each);  // which says what
     for (StoredQuery& stored : read_query_file(each, parse_precision(csv_precision))) all.push_back(std::move(stored));
   }
   return all;

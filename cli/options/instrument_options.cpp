@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "cli/options/test_options.h"
+#include "cli/values.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
@@ -29,9 +30,9 @@ void add_instrument_options(CLI::App& command, InstrumentOptions& o, std::uint64
   command.add_option("--kernel", o.kernels, "kernel id, repeatable")->allow_extra_args(false);
   command.add_option("--family", o.families, "family, repeatable")->allow_extra_args(false);
   command.add_option("--trials", o.trials, "queries per family")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 48))
+      ->check(whole_number(1, std::uint64_t{1} << 48))
       ->capture_default_str();
-  command.add_option("--seed", o.seed, "seed of every family")->capture_default_str();
+  command.add_option("--seed", o.seed, "seed of every family")->check(whole_number())->capture_default_str();
   auto* precision = command.add_option("--precision", o.precision, "binary32 or binary64");
   if (o.precision.empty()) precision->default_str("both");
   else precision->capture_default_str();

@@ -10,10 +10,12 @@
 #include "cli/commands.h"
 #include "cli/options/preset.h"
 #include "cli/options/test_options.h"
+#include "cli/values.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/sha256.h"
+#include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "reports/gates/requirement.h"
 
@@ -43,7 +45,8 @@ void add_tolerance(const std::string& given, Plan& plan) {
   try {
     value = parse_decimal(number);
   } catch (const Error& wrong) {
-    throw Error(fmt::format("--tolerance {}: {}", given, wrong.what()));
+    throw Error(fmt::format("--tolerance {}: {}; the form is T, or COMPARISON=T as in edge_ab.radius=1000", given,
+                            wrong.what()));
   }
   if (sgn(*value) < 0) throw Error(fmt::format("--tolerance {}: a tolerance is not negative", given));
   bool found = false;
@@ -57,8 +60,7 @@ void add_tolerance(const std::string& given, Plan& plan) {
   if (found) return;
   std::vector<std::string_view> names;
   for (const TestComparison& c : comparisons) names.push_back(c.name);
-  throw Error(
-      fmt::format("--tolerance {}: unknown comparison '{}'; comparisons: {}", given, which, fmt::join(names, ", ")));
+  throw Error(fmt::format("--tolerance {}: {}", given, unknown_name("comparison", "comparisons", which, names)));
 }
 
 // Adds the record's entry for a plug-in that was given by its path. A plug-in that cannot be read has no hash: a
@@ -117,15 +119,17 @@ const Kernel& default_kernel(const TestDescription& test) {
   throw Error(fmt::format("the test {} has no built-in kernel; give one with --kernel", test.id));
 }
 
-// Accepts digits only: CLI11 would take "-1" for the greatest number there is.
-std::string is_whole_number(const std::string& text) {
-  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
-  return digits ? "" : fmt::format("'{}' is not a whole number >= 0", text);
-}
-
-std::string is_above_zero(const std::string& text) {
-  double value = 0;
-  return CLI::detail::lexical_cast(text, value) && value > 0 ? "" : fmt::format("'{}' is not a number > 0", text);
+// A depth beyond the scene is met by any kernel; a record that has one is read all the same.
+std::string depth_is_a_part(const std::string& level) {
+  const std::size_t equals = level.find('=');
+  double depth = 0;
+  if (!level.starts_with("conservative=") || !CLI::detail::lexical_cast(level.substr(equals + 1), depth) ||
+      !(depth > 1))
+    return "";
+  return fmt::format(
+      "'{}': D is a depth, a part of the scene from 0 to 1, as in conservative=0.001; `{}` alone sets no "
+      "limit",
+      level, level.substr(0, equals));
 }
 
 }  // namespace
@@ -139,20 +143,20 @@ CLI::Option* add_source_options(CLI::App& command, SourceOptions& o) {
   command.add_option("--mesh", o.meshes, "mesh file of any format assimp reads, repeatable")->allow_extra_args(false);
   command.add_option("--queries", o.queries, "query file, JSON Lines or CSV, - for standard input, repeatable")
       ->allow_extra_args(false);
-  command.add_option("--seed", o.seed, "seed of every family")->check(is_whole_number)->capture_default_str();
+  command.add_option("--seed", o.seed, "seed of every family")->check(whole_number())->capture_default_str();
   return command
       .add_option("--trials", o.trials,
                   fmt::format("queries per family and precision (default: {})", default_trials_text()))
-      ->check(is_whole_number)
-      ->check(is_above_zero);
+      ->check(whole_number(1, std::uint64_t{1} << 48));
 }
 
 void add_thread_option(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "worker threads (default: all cores)")->check(CLI::Range(1, 4096));
+  command.add_option("--threads", threads, "worker threads (default: all cores)")->check(whole_number(1, 4096));
 }
 
 void add_require_option(CLI::App& command, std::string& require) {
-  command.add_option("--require", require, "logic, range, exact or conservative[=D]: exit 1 where it is not met");
+  command.add_option("--require", require, "logic, range, exact or conservative[=D]: exit 1 where it is not met")
+      ->check(depth_is_a_part);
 }
 
 void add_output_options(CLI::App& command, OutputOptions& o) {
@@ -192,22 +196,22 @@ void add_run_options(CLI::App& command, RunOptions& o) {
   command
       .add_option("--time", o.seconds,
                   "seconds to run instead of a number of trials; units that were begun are finished")
-      ->check(is_above_zero)
+      ->check(number_above_zero())
       ->excludes(trials);
   command.add_option("--target", o.target, "instruction set, see `axiscert kernels`")->capture_default_str();
   command.add_option("--shrink", o.shrink, "also make the witnesses smaller, with at most this many evaluations each")
       ->expected(0, 1)
       ->default_str("1000")
-      ->check(is_whole_number);
+      ->check(whole_number());
   command.add_flag("--exact-only", o.exact_only,
                    "judge every query by CGAL, arbitrary precision and MPFR, without filters: the record is the same");
   command.add_option("--plant", o.planted, "break the filter on purpose, to test that this is caught: exit 3")
-      ->check(CLI::IsMember(std::vector<std::string>(filter_fault_names.begin(), filter_fault_names.end())))
+      ->check(one_of(std::vector<std::string>(filter_fault_names.begin(), filter_fault_names.end())))
       ->excludes("--exact-only");
   command
       .add_option("--preset", o.preset,
                   "ci: all families and the corpus with 2^14 queries each; other options override it")
-      ->check(CLI::IsMember(preset_names()));
+      ->check(one_of(preset_names()));
   add_plugin_seconds(command);
   add_output_options(command, o);
 }
@@ -241,14 +245,14 @@ std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescri
   return sources;
 }
 
-void say_what_is_left_out(const std::vector<SourcePtr>& sources, const std::vector<Precision>& precisions) {
+void say_what_is_left_out(const std::vector<SourcePtr>& sources, const std::vector<Precision>& precisions,
+                          std::string_view why) {
   for (const SourcePtr& source : sources) {
     for (const Precision precision : {Precision::binary32, Precision::binary64}) {
       const bool runs = std::find(precisions.begin(), precisions.end(), precision) != precisions.end();
       const std::uint64_t left_out = runs ? 0 : source->fixed_size(precision).value_or(0);
       if (left_out == 0) continue;
-      fmt::print(stderr, "axiscert: {}: --precision leaves out {} queries in {}\n", source->name(), left_out,
-                 name(precision));
+      fmt::print(stderr, "axiscert: {}: {} {} queries in {}\n", source->name(), why, left_out, name(precision));
     }
   }
 }
@@ -300,7 +304,11 @@ Plan plan_of(const RunOptions& given) {
   plan.sources = sources_of(options, *plan.test,
                             options.precision.empty() ? Precision::binary32 : parse_precision(options.precision));
   require_one_test(plan.kernels, plan.sources);
-  say_what_is_left_out(plan.sources, plan.precisions);
+  // Only of files that were asked for: the corpus of a preset was not.
+  std::vector<SourcePtr> asked = plan.sources;
+  if (!given.corpus) std::erase_if(asked, [](const SourcePtr& source) { return source->name() == "corpus"; });
+  say_what_is_left_out(asked, plan.precisions,
+                       options.precision.empty() ? "no kernel of this run takes the" : "--precision leaves out");
   return plan;
 }
 

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/options/source_place.h"
 #include "cli/options/test_options.h"
+#include "cli/values.h"
 #include "cli/running/judged_run.h"
 #include "cli/running/recheck.h"
 #include "cli/running/run_output.h"
@@ -255,7 +256,7 @@ void add_planned_options(CLI::App& command, PlannedOptions& o) {
   auto* recheck = command.add_option("--recheck", o.recheck,
                                      "fraction of the finished stretches to repeat in another way; a difference is "
                                      "exit 3");
-  recheck->needs(plan)->check(CLI::Range(0.0, 1.0));
+  recheck->needs(plan)->check(number_between(0, 1));
   command.add_option("--recheck-seed", o.recheck_seed, "seed that selects them (default: chosen anew, and printed)")
       ->needs(recheck);
   auto* target =

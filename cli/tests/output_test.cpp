@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <iterator>
 #include <sstream>
 
@@ -96,6 +97,32 @@ TEST(RunOutput, FindingsStandFirstThenWhatWasJudged) {
   EXPECT_EQ(row("plugin:x.so").at(7), "3");
   EXPECT_EQ(row("plugin:box.so").at(8), "3");
   EXPECT_EQ(row("plugin:box.so").at(9), "0");
+}
+
+TEST(RunOutput, ADisagreementIsSavedAsAQueryOfItsTest) {
+  const OutputFolder folder(testing::TempDir() + "axiscert_disagreement");
+  const auto saved = [&](const OracleDisagreement& disagreement) {
+    std::ifstream file(folder.save(disagreement));
+    std::string line;
+    std::getline(file, line);
+    return Json::parse(line);
+  };
+  const TestDescription interval =
+      checked({.id = "point-interval",
+               .asks = "",
+               .touching = "",
+               .wrong_answers = {},
+               .entries = {{"ends", "any", {{"low", Role::coordinate, "i"}, {"high", Role::coordinate, "i"}}}},
+               .comparisons = {{"low", 0}},
+               .clauses = {{"x", 1}},
+               .measures = {}});
+  const Json other = saved({"two", Numbers<float>{1, 2}, interval});
+  EXPECT_EQ(other["test"], "point-interval");
+  EXPECT_EQ(other["precision"], "binary32");
+  EXPECT_EQ(other["i"], (Json{"0x1p+0", "0x1p+1"}));
+  const Json first = saved({"two", Numbers<float>(apart)});
+  EXPECT_FALSE(first.contains("test")) << "the first test need not be named";
+  EXPECT_EQ(first["r"], "0x1p-1");
 }
 
 }  // namespace

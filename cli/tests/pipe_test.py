@@ -219,7 +219,7 @@ class Pipe(Case):
         self.refused("generate", "--queries", mine, "--precision", "binary64", says=["no queries in binary64"])
         self.refused("generate", "--binary", "--queries", "-", stdin=QUERY % 1, says=["--queries -", "give a file"])
         self.refused("generate", "--precision", "binary16", says=["binary16"])
-        self.refused("generate", "--trials", 1 << 62, "--family", "tie", says=["more queries"])
+        self.refused("generate", "--trials", 1 << 62, "--family", "tie", says=["--trials", "too large"])
         self.refused("generate", "-o", self.folder / "none/q.bin", says=["none/q.bin", "cannot be written"])
         self.refused("generate", "-o", "/dev/full", "--family", "tie", "--trials", 9, says=["No space left"])
         primary, secondary = pty.openpty()

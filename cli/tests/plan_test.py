@@ -76,7 +76,7 @@ class Plan(PlanCase):
         for shard in ("0/3", "4/3", "1", "a/b", "1/2/3", "-1/2"):
             self.refused(*run, self.plan, "--shard", shard, says=["--shard", "I/N"])
         self.refused("plan", "--queries", "-", says=["standard input"])
-        self.refused("plan", "--trials", 2**50, "--units-per-stretch", 1, says=["at least", "units per stretch"])
+        self.refused("plan", "--trials", 2**48, "--units-per-stretch", 1, says=["at least", "units per stretch"])
 
     def test_a_mesh_that_has_changed_is_told_and_one_that_has_moved_is_found(self):
         mesh = self.folder / "mesh.obj"

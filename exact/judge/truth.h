@@ -6,6 +6,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/query.h"
+#include "kernel/test.h"
 
 namespace axiscert {
 
@@ -15,11 +16,15 @@ struct Truth {
 };
 
 // Two oracles differ, or one contradicts the theorem. Carries the query so that it can be saved (a float widens
-// exactly).
+// exactly): the numbers of the first entry of `of`.
 struct OracleDisagreement : HarnessFault {
   template <class Real>
-  OracleDisagreement(const std::string& what, const Numbers<Real>& q)
-      : HarnessFault("the oracles disagree: " + what), precision(precision_of<Real>), query(q.begin(), q.end()) {}
+  OracleDisagreement(const std::string& what, const Numbers<Real>& q, const TestDescription& of = first_test())
+      : HarnessFault("the oracles disagree: " + what),
+        test(&of),
+        precision(precision_of<Real>),
+        query(q.begin(), q.end()) {}
+  const TestDescription* test;
   Precision precision;
   std::vector<double> query;
 };

@@ -72,7 +72,9 @@ class OraclesOf final : public Oracles {
     const Truth truth = Test::geometric_truth(wide);
     const ExactSides sides = theorem_sides(q, typename Test::AllFormulae());
     const std::string wrong = Test::contradiction(wide, truth, sides.holds, sides.ties);
-    if (!wrong.empty()) throw OracleDisagreement(fmt::format("{}: {}", Test::description().id, wrong), q);
+    if (!wrong.empty()) {
+      throw OracleDisagreement(fmt::format("{}: {}", Test::description().id, wrong), q, Test::description());
+    }
     return truth;
   }
 
@@ -113,7 +115,7 @@ class OraclesOf final : public Oracles {
         fmt::format("{}: formulae {} have the exact signs {:#b} ties {:#b}, the first formulae {:#b} ties {:#b} (bit 0 "
                     "is the first comparison)",
                     Test::description().id, name, rung.holds, rung.ties, first.holds, first.ties),
-        q);
+        q, Test::description());
   }
 
   template <class Real>

@@ -49,6 +49,56 @@ std::string columns_text(const TestEntry& entry) {
   return text;
 }
 
+// Text without the quotes and case in which a header may differ.
+std::string plain(std::string_view cell) {
+  std::string text;
+  for (const char c : cell) {
+    if (c != '"' && c != '\'') text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return text;
+}
+
+// What separates the cells of a line: the most frequent of what other programs write.
+char separator_of(std::string_view line) {
+  char most = ',';
+  for (const char c : {';', '\t', ' '}) {
+    const auto count = [&](char each) { return std::count(line.begin(), line.end(), each); };
+    if (count(c) > count(most)) most = c;
+  }
+  return most;
+}
+
+// A separator as messages say it.
+std::string in_words(char separator) {
+  return separator == '\t' ? "tabs" : separator == ' ' ? "spaces" : fmt::format("'{}'", separator);
+}
+
+bool begins_like_a_number(std::string_view cell) {
+  return !cell.empty() && std::string_view("+-.0123456789").find(cell.front()) != std::string_view::npos;
+}
+
+// Fails where a first line that is no header is CSV all the same: in words that say what to change.
+void refuse_other_csv(std::string_view line, const Place& place, KnownTests known) {
+  const std::string_view text = trimmed(line);
+  if (text.empty() || text.front() == '{' || text.front() == '[') return;
+  const char separator = separator_of(text);
+  const auto cells = static_cast<std::size_t>(std::count(text.begin(), text.end(), separator)) + 1;
+  if (cells < (separator == ' ' ? 4u : 2u)) return;
+  const std::string header = fmt::format("the header is [id,]{}", csv_columns(known));
+  const auto refuse = [&](const std::string& what) { place.fail("", fmt::format("{}; {}", what, header)); };
+  if (separator != ',') {
+    refuse(fmt::format("CSV whose cells are separated by {}, not by ','", in_words(separator)));
+  }
+  const auto given = cells_of(text);
+  if (begins_like_a_number(given.front())) refuse("CSV without a header: its first line has numbers");
+  if (text.find('"') != text.npos) refuse("CSV whose header is quoted; write its names without quotes");
+  if (plain(given.front()) == csv_columns(known).substr(0, plain(given.front()).size())) {
+    refuse(
+        fmt::format("column 1 of the header of CSV is '{}'; names of columns are in lower case", shown(given.front())));
+  }
+  refuse(fmt::format("CSV with another header, '{}'", shown(text)));
+}
+
 }  // namespace
 
 std::string csv_columns(KnownTests known) { return columns_text(known.front()->entries.front()); }
@@ -70,7 +120,12 @@ std::optional<CsvHeader> csv_header(std::string_view line, const Place& place, K
       if (!header || right > right_cells(cells, *header)) header = candidate;
     }
   }
-  if (!begins_like_one) return std::nullopt;
+  const std::string_view first = trimmed(line);
+  const bool has_cells = cells.size() > 1 || separator_of(first) == ',';
+  if (!begins_like_one || !has_cells) {
+    refuse_other_csv(line, place, known);
+    return std::nullopt;
+  }
   for (std::size_t i = 0; i < std::max(cells.size(), width(*header)); ++i) {
     const std::string_view expected = column_name(*header, i);
     const std::string_view given = i < cells.size() ? cells[i] : std::string_view();
@@ -86,8 +141,12 @@ std::optional<CsvHeader> csv_header(std::string_view line, const Place& place, K
 StoredQuery query_of_csv(std::string_view line, const CsvHeader& header, Precision precision, const Place& place) {
   const auto cells = cells_of(line);
   if (cells.size() != width(header)) {
-    place.fail(cells.size() < width(header) ? column_name(header, cells.size()) : "",
-               fmt::format("{} cells under a header of {}", cells.size(), width(header)));
+    place.fail(
+        cells.size() < width(header) ? column_name(header, cells.size()) : "",
+        fmt::format("{} cell{} under a header of {}{}", cells.size(), cells.size() == 1 ? "" : "s", width(header),
+                    separator_of(line) == ','
+                        ? ""
+                        : fmt::format("; cells are separated by ',', not by {}", in_words(separator_of(line)))));
   }
   const std::size_t first = header.has_id ? 1 : 0;
   if (header.has_id && cells[0].find('"') != std::string_view::npos) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <set>
 #include <sstream>
 
 #include "fuzz/text/file_bytes.h"
@@ -26,6 +27,21 @@ Numbers<Real> numbers_of(const std::vector<NumberText>& texts, const Place& plac
   return values;
 }
 
+QueryNotes& query_notes() {
+  static QueryNotes notes;
+  return notes;
+}
+
+// Tells of the fields of one line that no line before it had.
+void tell_unread(const std::vector<UnreadField>& unread, const Place& place, std::set<std::string>& told) {
+  constexpr std::size_t most = 8;  // names of one file
+  for (const UnreadField& field : unread) {
+    if (told.size() == most || !told.insert(field.name).second || !query_notes()) continue;
+    query_notes()(fmt::format("{}:{}: field '{}' is not read{}", place.file, place.line, shown(field.name),
+                              field.meant.empty() ? "" : fmt::format("; did you mean '{}'?", field.meant)));
+  }
+}
+
 // The next line without its end; empty if there is none. A last line without an end is a line; the empty rest after the
 // last end is not.
 std::optional<std::string_view> take_line(std::string_view& rest) {
@@ -38,6 +54,8 @@ std::optional<std::string_view> take_line(std::string_view& rest) {
 }
 
 }  // namespace
+
+void set_query_notes(QueryNotes notes) { query_notes() = std::move(notes); }
 
 std::string Place::default_id() const { return fmt::format("line-{}", line); }
 
@@ -67,6 +85,7 @@ std::vector<StoredQuery> parse_queries(std::string_view bytes, std::string_view 
   std::optional<CsvHeader> csv;
   bool first = true;
   Place place{name, 0};
+  std::set<std::string> told;
   while (const auto line = take_line(bytes)) {
     ++place.line;
     if (line->find_first_not_of(" \t") == line->npos) continue;
@@ -77,7 +96,10 @@ std::vector<StoredQuery> parse_queries(std::string_view bytes, std::string_view 
       csv = csv_header(*line, place, known);
       if (csv) continue;
     }
-    queries.push_back(csv ? query_of_csv(*line, *csv, csv_precision, place) : query_of_json(*line, place, known));
+    std::vector<UnreadField> unread;
+    queries.push_back(csv ? query_of_csv(*line, *csv, csv_precision, place)
+                          : query_of_json(*line, place, known, &unread));
+    tell_unread(unread, place, told);
   }
   if (queries.empty()) {
     throw Error(

@@ -5,13 +5,15 @@
 // `test` is the id of the query's test (default: the first), and `entry` the entry in which its numbers are given
 // (default: the first of the test). The numbers' members are the groups of the entry's columns: an array, or a number
 // where the group has one column. A number is text for parse_number: a JSON string, or the characters of a JSON number.
-// `id` is optional (default "line-N") and need not be unique. Other fields are ignored: a witness is a query too.
+// `id` is optional (default "line-N") and need not be unique. Other fields are not read, since a witness is a
+// query too; those that axiscert does not itself write beside a query are told (set_query_notes).
 // CSV begins with a header of column names, [id,]ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r for the first test, in this
 // order; which names they are tells test and entry. Cells are not quoted.
 // Either format may begin with a UTF-8 byte order mark, end its lines in CRLF and contain blank lines.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <span>
 #include <string>
@@ -36,6 +38,11 @@ struct StoredQuery {
 
   const TestEntry& columns() const { return test->entries[entry]; }
 };
+
+// Is told of each field of a query file that is not read and may be a slip, once a file and name:
+// "mine.jsonl:1: field 'Id' is not read; did you mean 'id'?". The command prints it; without one nobody is told.
+using QueryNotes = std::function<void(const std::string& note)>;
+void set_query_notes(QueryNotes notes);
 
 // Parses all queries or throws. The Error begins NAME:LINE: field 'FIELD': as far as these are known. `csv_precision`
 // is the precision of a CSV file, which does not state one; a line of JSON does. `known` are the tests of which queries

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <filesystem>
@@ -132,7 +133,7 @@ TEST(QueryFile, AnErrorNamesFileLineAndField) {
       {with("c", "{}"), "c", "an object; an array of three"},
       {with("precision", ""), "precision", "missing; \"binary32\" or \"binary64\" belongs here"},
       {with("precision", "32"), "precision", "a number; \"binary32\" or"},
-      {with("precision", "\"float\""), "precision", "unknown precision 'float'; precisions: binary32, binary64"},
+      {with("precision", "\"float\""), "precision", "unknown precision 'float'; did you mean 'binary32'? precisions"},
       {with("id", "7"), "id", "a number; a string belongs here"},
       {with("r", "1,\"r\":2"), "r", "given twice"},
       {with("r", "1,\"\\u0061\":2"), "a", "given twice"},
@@ -154,6 +155,54 @@ TEST(QueryFile, AnErrorNamesFileLineAndField) {
     SCOPED_TRACE(b.line);
     expect_message(refusal(good + "\n\n" + b.line + "\n" + good), place(3, b.field), b.reason);
   }
+}
+
+TEST(QueryFile, AMisspeltMemberIsNamedWithTheOneThatWasMeant) {
+  const auto renamed = [](const std::string& from, const std::string& to) {
+    std::string line = good;
+    return line.replace(line.find("\"" + from + "\""), from.size() + 2, "\"" + to + "\"");
+  };
+  for (const auto& [from, to, says] : std::vector<BadLine>{
+           {"precision", "precison", "it has what is not read: 'precison' (did you mean 'precision'?)"},
+           {"a", "A", "it has what is not read: 'A' (did you mean 'a'?)"},
+           {"r", "radius", "it has what is not read: 'radius' (did you mean 'r'?)"},
+           {"p", "centre", "it has what is not read: 'centre' (did you mean 'p'?)"}}) {
+    expect_message(refusal(renamed(from, to)), place(1, from), says);
+  }
+}
+
+TEST(QueryFile, AFieldThatIsNotReadIsToldOnce) {
+  std::vector<std::string> told;
+  set_query_notes([&](const std::string& note) { told.push_back(note); });
+  const std::string more = with("id", "").insert(1, R"("colour":1,"Id":"x","flips":[],"depth":0,)");
+  EXPECT_EQ(parse(good + "\n" + more + "\n" + more).size(), 3u);
+  set_query_notes({});
+  EXPECT_EQ(told, (std::vector<std::string>{"f.jsonl:2: field 'Id' is not read; did you mean 'id'?",
+                                            "f.jsonl:2: field 'colour' is not read"}));
+}
+
+TEST(QueryFile, CsvOfAnotherKindIsNotMalformedJson) {
+  std::string semicolons = header, tabs = header, spaces = header, upper = header, quoted = "\"" + header + "\"";
+  std::replace(semicolons.begin(), semicolons.end(), ',', ';');
+  std::replace(tabs.begin(), tabs.end(), ',', '\t');
+  std::replace(spaces.begin(), spaces.end(), ',', ' ');
+  for (char& c : upper) c = c == ',' ? c : static_cast<char>(c & ~0x20);
+  for (const auto& [text, says, ignored] :
+       std::vector<BadLine>{{semicolons, "CSV whose cells are separated by ';', not by ','", ""},
+                            {"id;" + semicolons, "CSV whose cells are separated by ';', not by ','", ""},
+                            {tabs, "CSV whose cells are separated by tabs", ""},
+                            {spaces, "CSV whose cells are separated by spaces", ""},
+                            {quoted, "CSV whose header is quoted", ""},
+                            {upper, "column 1 of the header of CSV is 'AX'; names of columns are in lower case", ""},
+                            {"0,0,0,1,0,0,0,1,0,0,0,1,1", "CSV without a header: its first line has numbers", ""},
+                            {"0;0;0;1;0;0;0;1;0;0;0;1;1", "CSV whose cells are separated by ';'", ""},
+                            {"x0,y0,z0", "CSV with another header, 'x0,y0,z0'", ""}}) {
+    SCOPED_TRACE(text);
+    expect_message(refusal(text + "\n1\n"), place(1, ""), says);
+    expect_message(refusal(text), place(1, ""), "the header is [id,]" + header);
+  }
+  expect_message(refusal(header + "\n0;0;0;1;0;0;0;1;0;0;0;1;1\n"), place(2, "ay"),
+                 "1 cell under a header of 13; cells are separated by ',', not by ';'");
 }
 
 TEST(QueryFile, EveryTruncationOfALineIsAnErrorThatNamesTheLine) {

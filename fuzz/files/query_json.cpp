@@ -1,6 +1,7 @@
 // JSON Lines by nlohmann's lexer and grammar, but with the characters of each number instead of the library's value,
 // which has gone through double.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -11,6 +12,7 @@
 #include "fuzz/queries/address.h"
 #include "fuzz/text/number_text.h"
 #include "fuzz/files/query_line.h"
+#include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -63,6 +65,17 @@ std::string in_words(std::size_t count) {
   return count < words.size() ? words[count] : std::to_string(count);
 }
 
+// What axiscert writes on a line beside the query: witnesses, what `check`, `shrink` and `search` print, the corpus.
+constexpr std::string_view written_beside_queries[] = {
+    "kernel", "family",      "address",       "truth",      "computed", "touching", "depth", "exact_comparisons",
+    "shows",  "flips",       "sides",         "provenance", "note",     "expected", "exact", "computed_comparisons",
+    "errors", "findings",    "within_limits", "severity",   "bits",     "nonzero",  "kept",  "before",
+    "steps",  "evaluations", "complete"};
+bool is_written_beside_queries(std::string_view field) {
+  return std::find(std::begin(written_beside_queries), std::end(written_beside_queries), field) !=
+         std::end(written_beside_queries);
+}
+
 class LineHandler : public nlohmann::json_sax<nlohmann::json> {
  public:
   LineHandler(std::string_view line, const Place& place, KnownTests known)
@@ -72,13 +85,16 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
     const CountingIterator begin{line_.data(), &consumed_}, end{line_.data() + line_.size(), nullptr};
     nlohmann::json::sax_parse(begin, end, this);
     const EntryOfTest of = entry_given_once();
-    const Precision precision = precision_of_line();
+    const Precision precision = precision_of_line(of);
     const Value& id = field("id").value;
     if (id.kind != Kind::absent && id.kind != Kind::string) wrong_kind("id", id.kind, "a string");
     std::vector<NumberText> numbers;
-    for (const ColumnGroup& group : groups_of(of.columns())) take_group(group, numbers);
+    for (const ColumnGroup& group : groups_of(of.columns())) take_group(group, of, numbers);
+    unread_ = unread_fields(of);
     return stored_query(id.kind == Kind::string ? id.text : place_.default_id(), precision, of, numbers, place_);
   }
+
+  const std::vector<UnreadField>& unread() const { return unread_; }
 
   bool null() override { return scalar(Kind::null, {}); }
   bool boolean(bool) override { return scalar(Kind::boolean, {}); }
@@ -133,12 +149,62 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
     }
     std::string line(reason.substr(0, 300));
     if (depth_ == 0) line += outside_object();
+    else if (trimmed_end() <= position) line += "; a query is one whole line";
     place_.fail(key_, fmt::format("malformed JSON at column {}: {}", position, line));
   }
 
  private:
   std::string outside_object() const {
     return fmt::format("; a line is one JSON object, or the file is CSV under the header [id,]{}", csv_columns(known_));
+  }
+
+  // The length of the line without white space at its end.
+  std::size_t trimmed_end() const { return line_.find_last_not_of(" \t") + 1; }
+
+  // The names of the members that a query of this entry has.
+  std::vector<std::string_view> member_names(const EntryOfTest& of) const {
+    std::vector<std::string_view> names = {"id", "precision", "test", "entry"};
+    for (const ColumnGroup& group : groups_of(of.columns())) names.push_back(group.name);
+    return names;
+  }
+
+  // "; it has what is not read: 'radius' (did you mean 'r'?)", for a line that lacks a member.
+  std::string unknown_fields(const EntryOfTest& of) const {
+    std::vector<std::string> texts;
+    for (const UnreadField& field : unread_fields(of)) {
+      if (texts.size() == 4) break;
+      texts.push_back(fmt::format("'{}'{}", shown(field.name),
+                                  field.meant.empty() ? "" : fmt::format(" (did you mean '{}'?)", field.meant)));
+    }
+    return texts.empty() ? "" : fmt::format("; it has what is not read: {}", fmt::join(texts, ", "));
+  }
+
+  std::vector<UnreadField> unread_fields(const EntryOfTest& of) const {
+    const std::vector<std::string_view> names = member_names(of);
+    std::vector<UnreadField> unread;
+    for (const auto& [given, ignored] : fields_) {
+      if (std::find(names.begin(), names.end(), given) != names.end() || is_written_beside_queries(given)) continue;
+      unread.push_back({given, std::string(meant_member(given, names))});
+    }
+    return unread;
+  }
+
+  // A member whose name is near, one that is absent before others.
+  std::string_view meant_member(std::string_view given, const std::vector<std::string_view>& names) const {
+    std::vector<std::string_view> absent;
+    for (const std::string_view name : names) {
+      if (!fields_.contains(name)) absent.push_back(name);
+    }
+    // What other programs call these members.
+    for (const auto& [other, member] : {std::pair<std::string_view, std::string_view>{"radius", "r"},
+                                        {"center", "p"},
+                                        {"centre", "p"},
+                                        {"name", "id"}}) {
+      const auto found = std::find(absent.begin(), absent.end(), member);
+      if (given == other && found != absent.end()) return *found;
+    }
+    const std::string_view name = meant(given, absent);
+    return name.empty() ? meant(given, names) : name;
   }
 
   // The lexer has read one character beyond a number, unless the line ended.
@@ -167,8 +233,11 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
     return found == fields_.end() ? absent : found->second;
   }
 
-  [[noreturn]] void wrong_kind(std::string_view blamed, Kind given, std::string_view expected) const {
-    place_.fail(blamed, fmt::format("{}; {} belongs here", name(given), expected));
+  // `of` is the line's, where a member of it may be missing.
+  [[noreturn]] void wrong_kind(std::string_view blamed, Kind given, std::string_view expected,
+                               const EntryOfTest* of = nullptr) const {
+    place_.fail(blamed, fmt::format("{}; {} belongs here{}", name(given), expected,
+                                    given == Kind::absent && of != nullptr ? unknown_fields(*of) : ""));
   }
 
   // The test and the entry of the line. Fails if a member that matters to these was given twice.
@@ -205,9 +274,9 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
     return of;
   }
 
-  Precision precision_of_line() const {
+  Precision precision_of_line(const EntryOfTest& of) const {
     const Value& given = field("precision").value;
-    if (given.kind != Kind::string) wrong_kind("precision", given.kind, "\"binary32\" or \"binary64\"");
+    if (given.kind != Kind::string) wrong_kind("precision", given.kind, "\"binary32\" or \"binary64\"", &of);
     try {
       return parse_precision(shown(given.text));
     } catch (const Error& unknown) {
@@ -215,27 +284,29 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
     }
   }
 
-  std::string number_text(std::string_view blamed, std::string_view element, const Value& value) const {
+  std::string number_text(std::string_view blamed, std::string_view element, const Value& value,
+                          const EntryOfTest& of) const {
     if (value.kind != Kind::number && value.kind != Kind::string) {
-      place_.fail(blamed, fmt::format("{}{}; a number belongs here", element, name(value.kind)));
+      place_.fail(blamed, fmt::format("{}{}; a number belongs here{}", element, name(value.kind),
+                                      value.kind == Kind::absent ? unknown_fields(of) : ""));
     }
     return value.text;
   }
 
-  void take_group(const ColumnGroup& group, std::vector<NumberText>& numbers) const {
+  void take_group(const ColumnGroup& group, const EntryOfTest& of, std::vector<NumberText>& numbers) const {
     const Field& given = field(group.name);
     if (group.size == 1) {
-      numbers.push_back({std::string(group.name), "", number_text(group.name, "", given.value)});
+      numbers.push_back({std::string(group.name), "", number_text(group.name, "", given.value, of)});
       return;
     }
     const std::string due = fmt::format("an array of {} numbers", in_words(group.size));
-    if (given.value.kind != Kind::array) wrong_kind(group.name, given.value.kind, due);
+    if (given.value.kind != Kind::array) wrong_kind(group.name, given.value.kind, due, &of);
     if (given.elements.size() != group.size) {
       place_.fail(group.name, fmt::format("an array of {}; {} belongs here", given.elements.size(), due));
     }
     for (std::size_t i = 0; i < group.size; ++i) {
       const std::string element = fmt::format("element {}: ", i + 1);
-      numbers.push_back({std::string(group.name), element, number_text(group.name, element, given.elements[i])});
+      numbers.push_back({std::string(group.name), element, number_text(group.name, element, given.elements[i], of)});
     }
   }
 
@@ -247,6 +318,7 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
   Field* current_ = nullptr;  // the field of key_
   std::map<std::string, Field, std::less<>> fields_;
   std::vector<std::string> repeated_;  // names that were given again, in their order
+  std::vector<UnreadField> unread_;
   KnownTests known_;
 };
 
@@ -269,8 +341,12 @@ std::string json_numbers(const TestEntry& entry, const Numbers<Real>& numbers) {
 
 }  // namespace
 
-StoredQuery query_of_json(std::string_view line, const Place& place, KnownTests known) {
-  return LineHandler(line, place, known).parse();
+StoredQuery query_of_json(std::string_view line, const Place& place, KnownTests known,
+                          std::vector<UnreadField>* unread) {
+  LineHandler handler(line, place, known);
+  StoredQuery stored = handler.parse();
+  if (unread != nullptr) unread->insert(unread->end(), handler.unread().begin(), handler.unread().end());
+  return stored;
 }
 
 std::string query_line(const StoredQuery& stored) {

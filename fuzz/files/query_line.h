@@ -42,7 +42,14 @@ struct NumberText {
 StoredQuery stored_query(std::string id, Precision precision, const EntryOfTest& of,
                          const std::vector<NumberText>& numbers, const Place& place);
 
-StoredQuery query_of_json(std::string_view line, const Place& place, KnownTests known = tests());
+// The name of a member that is neither the query's nor one that axiscert writes beside it, and the member that may have
+// been meant, or nothing.
+struct UnreadField {
+  std::string name, meant;
+};
+// Adds to `unread`, where it is given, the fields that were passed over.
+StoredQuery query_of_json(std::string_view line, const Place& place, KnownTests known = tests(),
+                          std::vector<UnreadField>* unread = nullptr);
 
 struct CsvHeader {
   bool has_id;

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <deque>
+#include <filesystem>
+#include <fstream>
 
 #include "fuzz/files/query_file.h"
 #include "fuzz/files/sphere_triangle_query.h"
+#include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/description.h"
 
@@ -119,12 +122,12 @@ TEST(QueryOfTest, AMemberThatMattersIsGivenOnce) {
 
 TEST(QueryOfTest, WhatIsWrongIsNamed) {
   EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":"wid"})"),
-            "f:1: field 'test': unknown test 'wid'; tests: wide, sphere-triangle");
+            "f:1: field 'test': unknown test 'wid'; did you mean 'wide'? tests: wide, sphere-triangle");
   EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":3})"), "f:1: field 'test': a number; the id of a test belongs here");
   EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":"wide","entry":"box"})"),
-            "f:1: field 'entry': test 'wide': unknown entry 'box'; entries: boxes, numbers");
+            "f:1: field 'entry': test 'wide': unknown entry 'box'; did you mean 'boxes'? entries: boxes, numbers");
   EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":"wide"})"),
-            "f:1: field 'x': missing; an array of 40 numbers belongs here");
+            "f:1: field 'x': missing; an array of 40 numbers belongs here; it has what is not read: 'a', 'm', 't'");
   EXPECT_EQ(known_refusal(R"({"precision":"binary64","test":"wide","entry":"boxes","m":[1],"a":1,"t":1})"),
             "f:1: field 'm': an array of 1; an array of two numbers belongs here");
   EXPECT_EQ(known_refusal("{" + boxes + "}"), "f:1: field 'a': a string; an array of three numbers belongs here");
@@ -135,6 +138,17 @@ TEST(QueryOfTest, CodeOfSphereTriangleTakesNoOther) {
   EXPECT_THAT(
       [&] { sphere_triangle_query(queries[0]); },
       testing::ThrowsMessage<Error>("q: a query of the test wide; only queries of sphere-triangle are served here"));
+}
+
+TEST(QueriesOfTests, ARepeatedQueryIsNotIndependent) {
+  const std::string path = testing::TempDir() + "axiscert_repeated.jsonl";
+  const std::string head = R"({"test":"wide","entry":"boxes","precision":"binary64","m":[1,2],"a":3,"t":)";
+  std::ofstream(path, std::ios::binary) << head << "4}\n" << head << "5}\n" << head << "4}\n";
+  const TestDescription* const known[] = {&sphere_triangle_test(), &two_entry_test()};
+  const SourcePtr source = query_file_source(path, Precision::binary64, known);
+  EXPECT_EQ(source->base_triangles(Precision::binary64, 3), 2u) << "the last numbers differ";
+  EXPECT_EQ(source->base_triangles(Precision::binary64, 1), 1u);
+  std::filesystem::remove(path);
 }
 
 }  // namespace

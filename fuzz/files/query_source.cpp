@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <iostream>
+#include <set>
 
 #include "fuzz/files/corpus.h"
 #include "fuzz/text/file_bytes.h"
@@ -32,18 +33,18 @@ class Rows {
   std::vector<Real> numbers_;
 };
 
-// The triangles of sphere-triangle: its first nine numbers.
+// How many queries differ, bit for bit, in their first `columns` numbers.
 template <class Real>
-std::uint64_t distinct_triangles(const Rows<Real>& queries) {
-  std::vector<std::array<std::uint64_t, 9>> triangles;
+std::uint64_t distinct(const Rows<Real>& queries, std::size_t columns) {
+  std::set<std::vector<std::uint64_t>> found;
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    auto& bits = triangles.emplace_back();
-    for (std::size_t k = 0; k < bits.size(); ++k) {
+    std::vector<std::uint64_t> bits(columns);
+    for (std::size_t k = 0; k < columns; ++k) {
       bits[k] = std::bit_cast<std::uint64_t>(static_cast<double>(queries[i][k]));
     }
+    found.insert(std::move(bits));
   }
-  std::sort(triangles.begin(), triangles.end());
-  return static_cast<std::uint64_t>(std::unique(triangles.begin(), triangles.end()) - triangles.begin());
+  return found.size();
 }
 
 std::string described(const StoredQuery& stored) {
@@ -78,9 +79,11 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
           break;
       }
     }
-    const bool has_triangles = &test_ == &sphere_triangle_test();
-    triangles32_ = has_triangles ? distinct_triangles(binary32_) : binary32_.size();
-    triangles64_ = has_triangles ? distinct_triangles(binary64_) : binary64_.size();
+    // Queries of sphere-triangle that share the triangle, their first nine numbers, are not independent; those of
+    // another test only where they are the same.
+    const std::size_t columns = &test_ == &sphere_triangle_test() ? 9 : queries.front().columns().columns.size();
+    independent32_ = distinct(binary32_, columns);
+    independent64_ = distinct(binary64_, columns);
     file_.kind = "queries";
     file_.sha256 = sha256_hex(std::as_bytes(std::span(bytes)));
     file_.queries = binary32_.size() + binary64_.size();
@@ -103,7 +106,7 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
     return std::nullopt;
   }
   std::uint64_t base_triangles(Precision precision, std::uint64_t trials) const override {
-    return std::min(trials, precision == Precision::binary32 ? triangles32_ : triangles64_);
+    return std::min(trials, precision == Precision::binary32 ? independent32_ : independent64_);
   }
   std::optional<FileInfo> file() const override { return file_; }
 
@@ -133,7 +136,7 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
   std::size_t entry_;
   Rows<float> binary32_;
   Rows<double> binary64_;
-  std::uint64_t triangles32_, triangles64_;
+  std::uint64_t independent32_, independent64_;
   FileInfo file_;
 };
 

@@ -57,10 +57,17 @@ MovedNumbers parse_numbers(std::string_view name) {
   if (point != points.npos && name.size() == 1) return {text, static_cast<std::uint16_t>(7u << (3 * point))};
   const std::size_t axis = name.size() == 3 && name[1] == '.' ? xyz.find(name[2]) : xyz.npos;
   if (point != points.npos && axis != xyz.npos) return {text, one_bit<std::uint16_t>(3 * point + axis)};
-  throw Error(fmt::format(
-      "'{}' is not a name of numbers of a query; the names are a.x, a.y, a.z, b.x ... p.z, r and, with --exponents, a, "
-      "b, c, p, triangle, scene",
-      name));
+  std::string guess;  // "ax" and "a.X" are near
+  for (const char p : points) {
+    for (const char x : xyz) {
+      if (name.size() >= 2 && name.front() == p && (name.back() | 0x20) == x) guess = fmt::format("{}.{}", p, x);
+    }
+  }
+  throw Error(
+      fmt::format("'{}' is not a name of numbers of a query{} the names are a.x, a.y, a.z, b.x ... p.z, r and, with "
+                  "--exponents, a, "
+                  "b, c, p, triangle, scene",
+                  name, guess.empty() ? ";" : fmt::format("; did you mean '{}'?", guess)));
 }
 
 Plane ulp_plane(const MovedNumbers& along, const MovedNumbers& across, std::size_t size, std::int64_t ulps) {

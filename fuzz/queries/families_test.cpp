@@ -1,15 +1,15 @@
 // Properties of every family: the registry, the same bytes everywhere, oracles that agree; and that the families about
 // sizes reach the sizes they claim.
+#include <algorithm>
 #include <cfenv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <set>
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/queries/boundary.h"
-#include "fuzz/queries/digest.h"
+#include "fuzz/queries/digest_testing.h"
 #include "fuzz/queries/family_testing.h"
 #include "kernel/testing/sources.h"
 #include "kernel/base/error.h"
@@ -45,31 +45,16 @@ TEST(Families, EveryOneThatIsDefinedIsListed) {
   }
 }
 
-// The committed digests are those of every compiler and machine.
+// Each test's digests.txt is beside the list of its families, in the room that the test may share with others.
 TEST(Families, MakeTheCommittedBytes) {
-  const std::string path = "fuzz/families/sphere_triangle/digests.txt";
-  std::ifstream file(SOURCE_FOLDER "/" + path);
-  ASSERT_TRUE(file) << path;
-  std::vector<std::string> committed, made;
-  for (std::string line; std::getline(file, line);) committed.push_back(line);
-  for (const Family* family : families()) {
-    for (const Precision precision : {Precision::binary32, Precision::binary64}) {
-      made.push_back(digest_line(*family, precision));
-      if (std::count(committed.begin(), committed.end(), made.back()) == 1) continue;
-      const std::string name(family->name);
-      const bool is_new = std::none_of(committed.begin(), committed.end(),
-                                       [&](const std::string& line) { return line.starts_with(name + " "); });
-      ADD_FAILURE() << path
-                    << (is_new ? " has no line of '" + name + "'; it would be\n"
-                               : ": '" + name +
-                                     "' makes other queries at this version. Raise the version where "
-                                     "that is meant; where not, this compiler or machine computes differently. Now\n")
-                    << made.back() << "\nwrite it anew: build/release/write_digests > " << path;
-    }
+  const auto lists = testing_support::defined_in("fuzz/families", R"((\w+)_families\(\) \{)");
+  for (const TestDescription* test : tests()) {
+    std::string name(test->id);
+    std::replace(name.begin(), name.end(), '-', '_');
+    ASSERT_TRUE(lists.contains(name)) << "no source in fuzz/families defines " << name << "_families()";
+    const std::string& list = lists.at(name);
+    expect_committed_digests(*test, list.substr(0, list.rfind('/')) + "/digests.txt");
   }
-  if (!HasFailure())
-    EXPECT_EQ(committed, made)
-        << path << ": other order than the list of fuzz/families/sphere_triangle/families.cpp, or a line of no family";
 }
 
 TYPED_TEST(EveryFamily, RoundsNothingWhereItSaysSo) {

@@ -1,11 +1,9 @@
 // The families of all tests, in the order of the tests.
 #include "fuzz/queries/family.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <vector>
 
+#include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "kernel/test_list.h"
 
@@ -43,7 +41,7 @@ const Family& find_family(std::string_view name) {
     if (family->name == name) return *family;
     known.push_back(family->name);
   }
-  throw Error(fmt::format("unknown family '{}'; families: {}", name, fmt::join(known, ", ")));
+  throw Error(unknown_name("family", "families", name, known));
 }
 
 }  // namespace axiscert

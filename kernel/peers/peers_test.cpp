@@ -58,7 +58,13 @@ std::vector<Expected> built() {
   }
   return rows;
 }
-TEST(Peers, EachBuiltOneIsTested) { EXPECT_EQ(built().size(), built_names().size()) << PEER_NAMES; }
+TEST(Peers, EachBuiltOneIsTested) {
+  for (const std::string& name : built_names()) {
+    const bool has_row =
+        std::any_of(std::begin(expected), std::end(expected), [&](const Expected& row) { return row.name == name; });
+    EXPECT_TRUE(has_row) << "kernel peer/" << name << " has no row in kernel/peers/peers_test.cpp, table `expected`";
+  }
+}
 
 INSTANTIATE_TEST_SUITE_P(All, Peer, testing::ValuesIn(built()), [](const auto& parameter) {
   std::string name = parameter.param.name;

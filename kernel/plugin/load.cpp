@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
+#include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "kernel/include/axiscert/plugin.h"
 #include "kernel/plugin/interface_1.h"
@@ -191,13 +193,64 @@ Shipped shipped(const Kind& kind) {
   return found;
 }
 
+// The shared objects of a folder, by their names, at most a hundred.
+std::vector<std::string> shared_objects(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code unreadable;
+  for (std::filesystem::directory_iterator at(folder, unreadable), end; !unreadable && at != end && names.size() < 100;
+       at.increment(unreadable)) {
+    if (at->path().extension() == ".so") names.push_back(at->path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// Throws Error, which guesses what file was meant, where the path is not that of a file.
+void require_file(const std::string& id, const std::string& path) {
+  if (std::filesystem::is_regular_file(path)) return;
+  const auto refuse_path = [&](const std::string& what) {
+    throw Error(fmt::format("kernel '{}': {} Give the path of a plug-in's shared object, as in {}my_kernel.so", id,
+                            what, by_path));
+  };
+  if (path.empty()) refuse_path(fmt::format("no path after '{}'.", by_path));
+  const std::filesystem::path given(path);
+  const bool is_folder = std::filesystem::is_directory(given);
+  const std::filesystem::path folder = is_folder ? given : given.parent_path();
+  const std::vector<std::string> found = shared_objects(folder.empty() ? "." : folder);
+  const std::vector<std::string_view> names(found.begin(), found.end());
+  if (is_folder) {
+    refuse_path(fmt::format("{} is a directory{}.", path,
+                            names.empty() ? "" : fmt::format(", which has {}", fmt::join(names, ", "))));
+  }
+  const std::string_view name = meant(given.filename().string(), names);
+  const std::string guess = name.empty() ? "." : fmt::format("; did you mean {}{}?", by_path, (folder / name).string());
+  if (std::filesystem::exists(given)) refuse_path(fmt::format("{} is not a file{}", path, guess));
+  refuse_path(fmt::format("there is no file {}{}", path, guess));
+}
+
 }  // namespace
+
+std::string misnamed_path(std::string_view id) {
+  const auto begins_alike = [&] {
+    return id.size() >= by_path.size() - 1 &&
+           std::equal(by_path.begin(), by_path.end() - 1, id.begin(),
+                      [](char wanted, char given) { return wanted == (given | 0x20); });
+  };
+  if (id == by_path.substr(0, by_path.size() - 1)) return "PATH.so";
+  if (begins_alike() && id.size() > by_path.size() &&
+      !std::isalnum(static_cast<unsigned char>(id[by_path.size() - 1]))) {
+    return std::string(id.substr(by_path.size()));
+  }
+  if (id.ends_with(".so")) return std::string(id);
+  std::error_code ignored;
+  const std::string beside = std::string(id) + ".so";
+  if (!id.empty() && std::filesystem::is_regular_file(beside, ignored)) return beside;
+  return id.find('/') != id.npos && std::filesystem::exists(id, ignored) ? std::string(id) : "";
+}
 
 Kernel load_plugin(std::string id, const std::string& path) {
   require_utf8(id, "kernel");
-  if (!std::filesystem::is_regular_file(path)) {
-    throw Error(fmt::format("kernel '{}': there is no file {}; give the path of a plug-in's shared object", id, path));
-  }
+  require_file(id, path);
   // With a slash, so that it is this file and not one of that name in the library path.
   const std::string absolute = std::filesystem::absolute(path).string();
   Kernel kernel;
@@ -238,7 +291,6 @@ std::vector<Shipped> shipped_plugins() {
 }
 
 std::optional<std::string> plugin_path(std::string_view id) {
-  constexpr std::string_view by_path = "plugin:";
   if (id.starts_with(by_path)) return std::string(id.substr(by_path.size()));
   for (const Kind& kind : kinds) {
     if (!id.starts_with(kind.prefix)) continue;
@@ -252,9 +304,13 @@ std::optional<std::string> plugin_path(std::string_view id) {
         throw Error(fmt::format("kernel '{}' was not built, for want of the Debian package {}", id, absent.package));
       }
     }
-    throw Error(fmt::format("unknown kernel '{}'; those of {}: {}", id, kind.prefix,
-                            known.names.empty() ? "none, this axiscert was built without them"
-                                                : fmt::format("{}", fmt::join(known.names, ", "))));
+    const std::vector<std::string_view> names(known.names.begin(), known.names.end());
+    const std::string_view guess = meant(name, names);
+    throw Error(fmt::format("unknown kernel '{}'{} those of {}: {}", id,
+                            guess.empty() ? ";" : fmt::format("; did you mean '{}{}'?", kind.prefix, guess),
+                            kind.prefix,
+                            names.empty() ? "none, this axiscert was built without them"
+                                          : fmt::format("{}", fmt::join(most_alike_first(name, names), ", "))));
   }
   return std::nullopt;
 }

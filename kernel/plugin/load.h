@@ -10,6 +10,8 @@
 
 namespace axiscert::plugin {
 
+inline constexpr std::string_view by_path = "plugin:";  // begins the id of a plug-in that is given by its file
+
 // The kernel of the shared object at `path`, under the id as given. What is wrong with it is among its findings, and it
 // then exists in no precision. Throws Error where there is no such file.
 Kernel load_plugin(std::string id, const std::string& path);
@@ -28,5 +30,9 @@ std::vector<Shipped> shipped_plugins();
 // The file of an id "plugin:PATH", "peer/NAME" or "fault/NAME"; nothing for any other id. Throws Error where there is
 // no such peer or fault.
 std::optional<std::string> plugin_path(std::string_view id);
+
+// The path that an id of no kernel looks like: "my_kernel.so" without "plugin:", "Plugin:my_kernel.so", "my_kernel"
+// where that file with ".so" is here. Empty for any other.
+std::string misnamed_path(std::string_view id);
 
 }  // namespace axiscert::plugin

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
 
@@ -28,6 +29,13 @@ std::string known_words() {
                      fmt::join(modes, ", "));
 }
 
+// What the word may have been meant for, before known_words.
+std::string guess(std::string_view word, const std::vector<std::string>& targets) {
+  std::vector<std::string_view> known(targets.begin(), targets.end());
+  for (const CallMode& mode : call_modes()) known.push_back(mode.name);
+  return did_you_mean(word, known);
+}
+
 // The call that "WORD,WORD" describes. Throws Error with a message that begins with `id`.
 Call parsed(std::string_view words, const std::string& id) {
   const auto refuse = [&](const std::string& why) { throw Error(fmt::format("kernel '{}': {}", id, why)); };
@@ -45,7 +53,8 @@ Call parsed(std::string_view words, const std::string& id) {
     if (target != targets.end()) set(call.target, "", *target, "instruction sets");
     else if (word.empty()) refuse(fmt::format("a word is missing after '@' or ','; {}", known_words()));
     else if (mode == call_modes().end())
-      refuse(fmt::format("after '@', '{}' is not a way to call a kernel; {}", word, known_words()));
+      refuse(
+          fmt::format("after '@', '{}' is not a way to call a kernel{} {}", word, guess(word, targets), known_words()));
     else if (mode->flush) set(call.flush, false, true, "");
     else set(call.rounding, Rounding::nearest, mode->rounding, "directions of rounding");
   }

@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "kernel/registry/called.h"
+#include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
 #include "kernel/sphere_triangle/forms/simd.h"
@@ -92,6 +93,26 @@ const Kernel& found_as_called(std::string_view id, std::string_view call) {
   return kept(kernel.id, [&] { return std::move(kernel); });
 }
 
+// What to say of an id that names no kernel: that a plug-in's file wants "plugin:", or which kernels there are.
+std::string unknown_kernel(std::string_view id) {
+  std::vector<std::string_view> known;
+  for (const Kernel& kernel : registry()) known.push_back(kernel.id);
+  if (const std::string path = plugin::misnamed_path(id); !path.empty()) {
+    return fmt::format("unknown kernel '{}'; a plug-in is given by its file, with 'plugin:' before the path: {}{}", id,
+                       plugin::by_path, path);
+  }
+  std::vector<std::string> shipped;
+  for (const plugin::Shipped& kind : plugin::shipped_plugins()) {
+    for (const std::string& name : kind.names) shipped.push_back(fmt::format("{}{}", kind.prefix, name));
+  }
+  std::vector<std::string_view> guessed = known;
+  guessed.insert(guessed.end(), shipped.begin(), shipped.end());
+  const bool is_list = id.find(',') != id.npos;
+  return fmt::format("unknown kernel '{}'{} plugin:PATH.so is one of your own; kernels: {}", id,
+                     is_list ? "; one kernel is given at a time, without commas;" : did_you_mean(id, guessed),
+                     fmt::join(most_alike_first(id, known), ", "));
+}
+
 std::string with_dashes(std::string name) {
   std::replace(name.begin(), name.end(), '_', '-');
   return name;
@@ -142,10 +163,7 @@ const Kernel& find_kernel(std::string_view id) {
   if (id.find('~') != id.npos) return kept(id, [&] { return mutants::kernel_of(mutants::find_mutant(id)); });
   const std::size_t plus = id.find('+');
   if (plus == id.npos) {
-    std::vector<std::string_view> known;
-    for (const Kernel& kernel : registry()) known.push_back(kernel.id);
-    throw Error(
-        fmt::format("unknown kernel '{}'; plugin:PATH.so is one of your own; kernels: {}", id, fmt::join(known, ", ")));
+    throw Error(unknown_kernel(id));
   }
   const std::string_view rung_id = id.substr(0, plus), arithmetic_name = id.substr(plus + 1);
   const Kernel* rung = registered(rung_id);
@@ -154,16 +172,15 @@ const Kernel& find_kernel(std::string_view id) {
     if (kernel.takes_arithmetic) known.push_back(kernel.id);
   }
   if (!rung || !rung->takes_arithmetic) {
-    throw Error(fmt::format("kernel '{}': '{}' is not a rung that takes another arithmetic; rungs that do: {}", id,
-                            rung_id, fmt::join(known, ", ")));
+    throw Error(fmt::format("kernel '{}': '{}' is not a rung that takes another arithmetic{} rungs that do: {}", id,
+                            rung_id, did_you_mean(rung_id, known), fmt::join(most_alike_first(rung_id, known), ", ")));
   }
   known.clear();
   for (const ArithmeticInfo& arithmetic : arithmetics()) {
     if (arithmetic.name == arithmetic_name) return kept(id, [&] { return composed(id, *rung, arithmetic); });
     known.push_back(arithmetic.name);
   }
-  throw Error(fmt::format("kernel '{}': unknown arithmetic '{}'; arithmetics: {}", id, arithmetic_name,
-                          fmt::join(known, ", ")));
+  throw Error(fmt::format("kernel '{}': {}", id, unknown_name("arithmetic", "arithmetics", arithmetic_name, known)));
 }
 
 bool same_letters(std::string_view a, std::string_view b) {
@@ -183,7 +200,9 @@ std::string resolve_target(std::string_view name) {
   for (const std::string& target : available) {
     if (same_letters(name, target)) return target;
   }
-  throw Error(fmt::format("target '{}' is not on this machine; targets: auto, {}", name, fmt::join(available, ", ")));
+  const std::vector<std::string_view> known(available.begin(), available.end());
+  throw Error(fmt::format("target '{}' is not on this machine{} targets: auto, {}", name, did_you_mean(name, known),
+                          fmt::join(available, ", ")));
 }
 
 }  // namespace axiscert

@@ -1,7 +1,4 @@
 // The tests that exist, of the one list.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "kernel/test.h"
@@ -34,7 +31,7 @@ const TestDescription& find_test(std::string_view id, std::span<const TestDescri
     if (test->id == id) return *test;
     ids.push_back(test->id);
   }
-  throw Error(fmt::format("unknown test '{}'; tests: {}", id, fmt::join(most_alike_first(id, std::move(ids)), ", ")));
+  throw Error(unknown_name("test", "tests", id, ids));
 }
 
 }  // namespace axiscert

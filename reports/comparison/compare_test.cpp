@@ -2,7 +2,7 @@
 #include "reports/comparison/compare.h"
 
 #include "reports/comparison/show.h"
-#include "reports/formats/test_run.h"
+#include "reports/testing/test_run.h"
 
 namespace axiscert {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "kernel/testing/sources.h"
-#include "reports/formats/test_run.h"
+#include "reports/testing/test_run.h"
 
 namespace axiscert {
 namespace {

@@ -6,7 +6,7 @@
 #include "reports/wording/reproduce.h"
 #include "reports/gates/requirement.h"
 #include "reports/wording/summary.h"
-#include "reports/formats/test_run.h"
+#include "reports/testing/test_run.h"
 
 namespace axiscert {
 namespace {

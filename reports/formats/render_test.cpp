@@ -1,5 +1,5 @@
 // The contents of the reports; no name in a record may become markup.
-#include "reports/formats/test_run.h"
+#include "reports/testing/test_run.h"
 
 #include <fmt/format.h>
 

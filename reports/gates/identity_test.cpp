@@ -5,7 +5,7 @@
 
 #include "reports/comparison/compare.h"
 #include "reports/comparison/show.h"
-#include "reports/formats/test_run.h"
+#include "reports/testing/test_run.h"
 #include "reports/gates/ratchet_text.h"
 #include "reports/gates/unjudged.h"
 

@@ -1,6 +1,6 @@
 // Records that each level of --require accepts and refuses.
 #include "reports/gates/requirement.h"
-#include "reports/formats/test_run.h"
+#include "reports/testing/test_run.h"
 
 namespace axiscert {
 namespace {

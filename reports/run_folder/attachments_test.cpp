@@ -1,7 +1,7 @@
 // Files next to a record: shown where they have the form that is read, one clear error where they do not.
 #include "reports/run_folder/attachments.h"
 
-#include "reports/formats/test_run.h"
+#include "reports/testing/test_run.h"
 
 namespace axiscert {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "reports/comparison/compare.h"
 #include "reports/comparison/show.h"
-#include "reports/formats/test_run.h"
 #include "reports/gates/ratchet_text.h"
+#include "reports/testing/test_run.h"
 #include "reports/run_folder/record_names.h"
 
 namespace axiscert {
@@ -15,6 +15,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 const std::string testdata = SOURCE_FOLDER "/reports/testdata/";
 
@@ -100,9 +101,18 @@ TEST(RecordVersion, AMemberOfThePresentOneIsNotInTheFirst) {
   EXPECT_THAT(refusal(record), HasSubstr("without \"plan\""));
 }
 
+TEST(RecordVersion, ADamagedFileIsToldByTheVersionThatItClaims) {
+  Json first = first_version(), present = stored_record();
+  for (Json* record : {&first, &present}) tangent_counts(*record).erase("truth");
+  EXPECT_THAT(refusal(first), AllOf(HasSubstr("does not conform to axiscert-record/1: /kernels/0"),
+                                    Not(HasSubstr("axiscert-record/2"))));
+  EXPECT_THAT(refusal(present), HasSubstr("does not conform to axiscert-record/2: /kernels/0"));
+}
+
 TEST(RecordNames, AnUnknownTestIsToldWithThoseThatThereAre) {
-  EXPECT_THAT(refusal([](Json& r) { r["plan"]["test"] = "sphere-triangel"; }),
-              HasSubstr("/plan/test: unknown test 'sphere-triangel'; tests: sphere-triangle"));
+  EXPECT_THAT(
+      refusal([](Json& r) { r["plan"]["test"] = "sphere-triangel"; }),
+      HasSubstr("/plan/test: unknown test 'sphere-triangel'; did you mean 'sphere-triangle'? tests: sphere-triangle"));
 }
 
 TEST(RecordNames, EveryComparisonAndAxisOfTheTestIsThereAndNoOther) {

@@ -192,8 +192,8 @@ void check_names(const Json& record, const std::string& name) {
 
 }  // namespace
 
-void check_record(const Json& record, const std::string& name) {
-  check_schema(Json::parse(embedded::record_schema_json), record, name, advice);
+void check_record(const Json& record, const std::string& name, const std::string& claimed) {
+  check_schema(Json::parse(embedded::record_schema_json), record, name, advice, claimed);
   check_names(record, name);
   RecordCheck(record, name).check();
 }
@@ -230,8 +230,9 @@ Run read_run(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(record, ignored)) {
     throw Error(fmt::format("{}: does not exist; give the folder that `axiscert run --out` wrote", record.string()));
   }
-  Run run{present_record(read_json(record), record.string()), nullptr, nullptr, folder};
-  check_record(run.record, record.string());
+  const Json stored = read_json(record);
+  Run run{present_record(stored, record.string()), nullptr, nullptr, folder};
+  check_record(run.record, record.string(), stored.is_object() ? stored.value("schema", "") : "");
   if (const auto held = folder / ratchet_outcome_file; std::filesystem::exists(held, ignored)) {
     run.ratchet = read_json(held);
     check_schema(Json::parse(embedded::ratchet_schema_json), run.ratchet, held.string(), advice);

@@ -30,8 +30,8 @@ Json read_json(const std::filesystem::path& path);
 // schema does not allow, counts that contradict each other.
 Run read_run(const std::filesystem::path& folder);
 // The same checks for values already in memory, a record of the present version; the names are those that an Error
-// shows.
-void check_record(const Json& record, const std::string& name);
+// shows, `claimed` the version that the record's file has (default: the present one).
+void check_record(const Json& record, const std::string& name, const std::string& claimed = {});
 void check_run_info(const Json& info, const std::string& name);
 
 // Replaces the named files of the folder: every text is on disk before the first file changes. Throws Error.

@@ -2,7 +2,7 @@
 #include <functional>
 
 #include "reports/run_folder/run_folder.h"
-#include "reports/formats/test_run.h"
+#include "reports/testing/test_run.h"
 
 namespace axiscert {
 namespace {

@@ -16,7 +16,10 @@ std::string times(const Json& count) { return count == 1 ? "once" : thousands(co
 
 std::string finding_text(const Json& finding) {
   const auto text = [&](const char* member) { return finding[member].get<std::string>(); };
-  if (finding["family"].is_null()) return fmt::format("{}: {}: {}", text("kernel"), text("kind"), text("detail"));
+  if (finding["family"].is_null()) {
+    const std::string in = finding["precision"].is_null() ? "" : " " + text("precision");
+    return fmt::format("{}{}: {}: {}", text("kernel"), in, text("kind"), text("detail"));
+  }
   return fmt::format("{} {}: {} on family {}, {}, first at {}: {}", text("kernel"), text("precision"), text("kind"),
                      text("family"), times(finding["count"]), text("address"), text("detail"));
 }

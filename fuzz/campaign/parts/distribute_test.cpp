@@ -124,6 +124,7 @@ TEST(Distribute, AFaultOfAnotherRankIsToldHere) {
   Query<float> q{};
   q.r = 0x1.8p-140f;
   expect_told<OracleDisagreement>({"two of them", Numbers<float>(q)}, [&](const OracleDisagreement& told) {
+    EXPECT_EQ(told.test, &first_test());
     EXPECT_EQ(told.precision, Precision::binary32);
     EXPECT_THAT(told.query, testing::ElementsAreArray(coordinates(widened(q))));
   });

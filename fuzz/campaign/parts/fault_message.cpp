@@ -16,7 +16,7 @@ Cbor json_of(const std::exception_ptr& fault) {
   try {
     std::rethrow_exception(fault);
   } catch (const OracleDisagreement& d) {
-    return {"disagreement", d.what(), d.precision, d.query};
+    return {"disagreement", d.what(), d.precision, d.query, d.test->id};
   } catch (const HarnessFault& f) {
     return {"harness", f.what()};
   } catch (const Error& e) {
@@ -38,7 +38,7 @@ void rethrow_fault(std::string_view message, int rank) {
   const Cbor json = Cbor::from_cbor(message);
   const auto kind = json.at(0).get<std::string>(), what = json.at(1).get<std::string>();
   if (kind == "disagreement") {
-    OracleDisagreement disagreement("", Numbers<float>());
+    OracleDisagreement disagreement("", Numbers<float>(), find_test(json.at(4).get<std::string>()));
     disagreement.precision = json.at(2).get<Precision>();
     json.at(3).get_to(disagreement.query);
     static_cast<HarnessFault&>(disagreement) = HarnessFault(what);

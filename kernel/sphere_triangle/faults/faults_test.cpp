@@ -129,7 +129,15 @@ TEST(Faults, EachSourceHasARow) {
     if (entry.path().extension() == ".c") sources.insert(entry.path().stem());
   }
   for (const Fault& fault : faults) rows.emplace(fault.name);
-  EXPECT_EQ(sources, rows);
+  for (const std::string& source : sources) {
+    EXPECT_TRUE(rows.contains(source))
+        << "kernel fault/" << source << " has no row in kernel/sphere_triangle/faults/faults_test.cpp, table `faults`";
+  }
+  for (const std::string& row : rows) {
+    EXPECT_TRUE(sources.contains(row)) << "row '" << row
+                                       << "' of kernel/sphere_triangle/faults/faults_test.cpp: there is no "
+                                       << "kernel/sphere_triangle/faults/" << row << ".c";
+  }
 }
 
 // Coordinates in [-2, 2], radius in [0, 4], area not zero: every intermediate result of the test is an integer below

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/mutants/mutant.h"
 
@@ -140,8 +141,9 @@ const std::vector<Mutant>& list_of(std::size_t base) {
 std::size_t base_index(std::string_view base) {
   const auto found = std::find(bases.begin(), bases.end(), base);
   if (found == bases.end()) {
-    throw Error(
-        fmt::format("'{}' is not a kernel that mutants are made of; such kernels: {}", base, fmt::join(bases, ", ")));
+    const std::vector<std::string_view> known(bases.begin(), bases.end());
+    throw Error(fmt::format("'{}' is not a kernel that mutants are made of{} such kernels: {}", base,
+                            did_you_mean(base, known), fmt::join(bases, ", ")));
   }
   return static_cast<std::size_t>(found - bases.begin());
 }
@@ -156,14 +158,19 @@ const Mutant& find_mutant(std::string_view id) {
   const std::span<const Mutant> all = mutants_of(id.substr(0, id.find('~')));
   const auto found = std::find_if(all.begin(), all.end(), [&](const Mutant& m) { return m.id == id; });
   if (found != all.end()) return *found;
-  std::vector<std::string> faults;
+  std::vector<std::string_view> faults;
   for (const Mutant& m : all) {
     if (std::find(faults.begin(), faults.end(), m.fault) == faults.end()) faults.push_back(m.fault);
   }
+  const std::size_t tilde = id.find('~');
+  const std::string_view place = tilde == id.npos ? std::string_view() : id.substr(tilde + 1);
+  const std::string_view fault = place.substr(0, place.find(':'));
+  const bool is_known = std::find(faults.begin(), faults.end(), fault) != faults.end();
   throw Error(
-      fmt::format("unknown mutant '{}'; it is BASE~FAULT:PLACE, as in {}; faults: {}; `axiscert mutate --list` has "
+      fmt::format("unknown mutant '{}'{} it is BASE~FAULT:PLACE, as in {}; faults: {}; `axiscert mutate --list` has "
                   "all",
-                  id, all.front().id, fmt::join(faults, ", ")));
+                  id, is_known ? ";" : did_you_mean(fault, faults), all.front().id,
+                  fmt::join(most_alike_first(fault, faults), ", ")));
 }
 
 }  // namespace axiscert::mutants

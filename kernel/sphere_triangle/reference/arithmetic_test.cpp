@@ -2,6 +2,7 @@
 // them; the names by which they are found.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -209,20 +210,24 @@ std::string refusal(std::string_view id) {
 }
 
 TEST(ArithmeticNames, AnUnknownOneIsRefusedWithWhatThereIs) {
-  const auto listed = [](std::string list, const std::string& name) {
-    return list.empty() ? name : list + ", " + name;
-  };
-  std::string known, rungs;
-  for (const ArithmeticInfo& arithmetic : arithmetics()) known = listed(known, arithmetic.name);
+  std::vector<std::string> known, rungs;
+  for (const ArithmeticInfo& arithmetic : arithmetics()) known.push_back(arithmetic.name);
   for (const Kernel& kernel : kernels()) {
-    if (kernel.takes_arithmetic) rungs = listed(rungs, kernel.id);
+    if (kernel.takes_arithmetic) rungs.push_back(kernel.id);
   }
-  EXPECT_EQ(known.find("plain, fma, kahan, "), 0u) << known;
-  EXPECT_EQ(rungs.find("published, nonstrict, reduced, "), 0u) << rungs;
-  EXPECT_EQ(refusal("published+nope"), "kernel 'published+nope': unknown arithmetic 'nope'; arithmetics: " + known);
-  const std::string says = "is not a rung that takes another arithmetic; rungs that do: " + rungs;
-  EXPECT_EQ(refusal("minkowski+fma"), "kernel 'minkowski+fma': 'minkowski' " + says);
-  EXPECT_EQ(refusal("nope+fma"), "kernel 'nope+fma': 'nope' " + says);
+  ASSERT_GT(known.size(), 3u);
+  ASSERT_GT(rungs.size(), 3u);
+  // The nearest name comes first; every name comes.
+  const auto expect_all = [](const std::string& id, const std::string& says, const std::vector<std::string>& names) {
+    const std::string message = refusal(id), list = ", " + message.substr(std::min(says.size(), message.size())) + ", ";
+    EXPECT_EQ(message.find(says), 0u) << message;
+    for (const std::string& name : names)
+      EXPECT_NE(list.find(", " + name + ", "), std::string::npos) << name << message;
+  };
+  expect_all("published+nope", "kernel 'published+nope': unknown arithmetic 'nope'; arithmetics: ", known);
+  const std::string says = " is not a rung that takes another arithmetic; rungs that do: ";
+  expect_all("minkowski+fma", "kernel 'minkowski+fma': 'minkowski'" + says, rungs);
+  expect_all("nope+fma", "kernel 'nope+fma': 'nope'" + says, rungs);
 }
 
 TEST(ArithmeticNames, AComposedKernelIsMadeOnceAndSaysWhatItIs) {

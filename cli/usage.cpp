@@ -1,0 +1,144 @@
+#include "cli/usage.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "cli/commands.h"
+#include "fuzz/queries/family.h"
+#include "kernel/base/alike.h"
+#include "kernel/base/error.h"
+#include "kernel/kernel.h"
+
+namespace axiscert {
+namespace {
+
+// The subcommand that was reached: the innermost one that the command line names.
+const CLI::App& reached(const CLI::App& app) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  return chosen.empty() ? app : reached(*chosen.front());
+}
+
+// "axiscert corpus add".
+std::string full_name(const CLI::App& command) {
+  return command.get_parent() == nullptr ? "axiscert" : full_name(*command.get_parent()) + " " + command.get_name();
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::vector<std::string_view> views(const std::vector<std::string>& texts) { return {texts.begin(), texts.end()}; }
+
+bool has_option(const CLI::App& command, std::string_view name) {
+  const std::vector<std::string> names = option_names(command);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string unknown_subcommand(const CLI::App& command, const std::string& given) {
+  std::vector<std::string> names;
+  for (const CLI::App* part : command.get_subcommands({})) {
+    if (!part->get_group().empty()) names.push_back(part->get_name());
+  }
+  if (given.empty()) {
+    return fmt::format("{}: a subcommand is missing; subcommands: {}", full_name(command), fmt::join(names, ", "));
+  }
+  return fmt::format("{}: {}", full_name(command), unknown_name("subcommand", "subcommands", given, views(names)));
+}
+
+std::string unknown_option(const CLI::App& command, const std::string& given) {
+  const std::string word = given.substr(0, given.find('='));
+  for (const CLI::App* part : command.get_subcommands({})) {
+    if (has_option(command, word) || !has_option(*part, word)) continue;
+    return fmt::format("{}: the option {} belongs after a subcommand, as in {} {} {}", full_name(command), word,
+                       full_name(command), part->get_name(), word);
+  }
+  const std::vector<std::string> names = option_names(command);
+  return fmt::format("{}: unknown option '{}'{} options: {}", full_name(command), word,
+                     did_you_mean(word, views(names)), fmt::join(most_alike_first(word, views(names)), ", "));
+}
+
+// A word where none belongs, which may be the value of an option.
+std::string unexpected_word(const CLI::App& command, const std::string& given) {
+  const auto is_named = [&](const auto& all, auto&& name) {
+    return std::any_of(all.begin(), all.end(), [&](const auto& each) { return name(each) == given; });
+  };
+  std::string option;
+  if (is_named(families(), [](const Family* family) { return family->name; })) option = "--family";
+  else if (is_named(kernels(), [](const Kernel& kernel) { return std::string_view(kernel.id); }) ||
+           given.starts_with("plugin:"))
+    option = "--kernel";
+  const bool is_value = !option.empty() && has_option(command, option);
+  return fmt::format("{}: '{}' is not expected here; {}", full_name(command), given,
+                     is_value ? fmt::format("did you mean {} {}?", option, given)
+                              : fmt::format("`{} --help` shows what is", full_name(command)));
+}
+
+std::string unexpected(const CLI::App& command, const std::vector<std::string>& remaining) {
+  const bool lacks_subcommand = command.get_require_subcommand_min() > 0;
+  if (lacks_subcommand && !remaining.empty() && !remaining.front().starts_with('-'))
+    return unknown_subcommand(command, remaining.front());
+  const auto option = std::find_if(remaining.begin(), remaining.end(),
+                                   [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
+  if (option != remaining.end()) return unknown_option(command, *option);
+  return unexpected_word(command, remaining.empty() ? "" : remaining.front());
+}
+
+// The option whose value is another's name; empty where there is none.
+std::string missing_value(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (!value.starts_with("--") || !has_option(command, value)) continue;
+      return fmt::format("{}: {} has no value: the option {} follows it; write {} VALUE", full_name(command),
+                         option->get_name(), value, option->get_name());
+    }
+  }
+  return "";
+}
+
+// The option that takes one value and has more; empty where there is none.
+std::string repeated(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_items_expected_max() != 1 || option->results().size() < 2) continue;
+    return fmt::format("{}: {} is given {} times ({}); give it once", full_name(command), option->get_name(),
+                       option->results().size(), fmt::join(option->results(), ", "));
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string usage_message(const CLI::App& app, const CLI::ParseError& refused) {
+  const CLI::App& command = reached(app);
+  const std::vector<std::string> remaining = command.remaining();
+  if (const std::string text = missing_value(command); !text.empty()) return text;
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&refused) != nullptr) {
+    if (const std::string text = repeated(command); !text.empty()) return text;
+  }
+  const bool is_required = dynamic_cast<const CLI::RequiredError*>(&refused) != nullptr;
+  if (dynamic_cast<const CLI::ExtrasError*>(&refused) != nullptr || (is_required && !remaining.empty()))
+    return unexpected(command, remaining);
+  if (is_required && command.get_require_subcommand_min() > 0) return unknown_subcommand(command, "");
+  if (dynamic_cast<const CLI::ValidationError*>(&refused) != nullptr)  // which says all, in the words of values.h
+    return fmt::format("{}: {}", full_name(command), refused.what());
+  return fmt::format("{}: {}; `{} --help` shows what is accepted", full_name(command), refused.what(),
+                     full_name(command));
+}
+
+int tell_usage(const CLI::App& app, const CLI::ParseError& refused) {
+  if (refused.get_exit_code() == 0) return app.exit(refused);
+  fmt::print(stderr, "{}\n", plain_line(usage_message(app, refused)));
+  return exit_bad_input;
+}
+
+void require_values(const CLI::App& app) {
+  if (const std::string text = missing_value(reached(app)); !text.empty()) throw Error(text);
+}
+
+}  // namespace axiscert

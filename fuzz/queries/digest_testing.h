@@ -1,0 +1,51 @@
+// Compares the bytes that families make with the committed digests, which are those of every compiler and machine.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/queries/digest.h"
+
+namespace axiscert {
+
+// Fails where the lines of the test's families in the file, a path in the repository, are not those of digest_lines();
+// each failure says how the file is written. Lines of other tests that exist may stand between them.
+inline void expect_committed_digests(const TestDescription& test, const std::string& path) {
+  std::ifstream file(SOURCE_FOLDER "/" + path);
+  ASSERT_TRUE(file) << path << ": cannot be read, and has to hold the digests of the families of " << test.id;
+  std::vector<std::string> committed;
+  const auto name_in = [](std::string_view line) { return line.substr(0, line.find(' ')); };
+  const auto is_of = [&](std::span<const Family* const> some, std::string_view line) {
+    return std::any_of(some.begin(), some.end(), [&](const Family* f) { return f->name == name_in(line); });
+  };
+  for (std::string line; std::getline(file, line);) {
+    const bool is_known = is_of(families(), line);
+    EXPECT_TRUE(is_known) << path << ": a line of no family: " << line;
+    if (is_of(families_of(test), line)) committed.push_back(line);
+  }
+  const std::vector<std::string> made = digest_lines(test);
+  const std::string command = "build/release/write_digests" +
+                              (&test == &first_test() ? std::string() : " " + std::string(test.id)) + " > " + path;
+  for (const std::string& line : made) {
+    if (std::count(committed.begin(), committed.end(), line) == 1) continue;
+    const std::string name(name_in(line));
+    const bool is_new = std::none_of(committed.begin(), committed.end(),
+                                     [&](const std::string& other) { return name_in(other) == name; });
+    ADD_FAILURE() << path
+                  << (is_new ? " has no line of '" + name + "'; it would be\n"
+                             : ": '" + name +
+                                   "' makes other queries at this version. Raise the version where that is meant; "
+                                   "where not, this compiler or machine computes differently. Now\n")
+                  << line << "\nwrite it anew: " << command;
+  }
+  if (testing::Test::HasFailure()) return;
+  EXPECT_EQ(committed, made) << path << ": other order than the list of the families; write it anew: " << command;
+}
+
+}  // namespace axiscert
