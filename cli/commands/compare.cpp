@@ -49,8 +49,9 @@ std::string named_kernel(const std::string& given, const CompareOptions& options
       if (!declares.empty() && identity == "plugin/" + declares) return id;
     }
   }
-  throw Error(fmt::format("--kernel {}: not in {}, which has: {}{}", given, options.before, fmt::join(known, ", "),
-                          declares.empty() ? "" : fmt::format("; it declares the name '{}', which none of them does", declares)));
+  throw Error(fmt::format(
+      "--kernel {}: not in {}, which has: {}{}", given, options.before, fmt::join(known, ", "),
+      declares.empty() ? "" : fmt::format("; it declares the name '{}', which none of them does", declares)));
 }
 
 TrustedPlugins trusted_kernels(const CompareOptions& options, const Json& record) {
@@ -93,8 +94,9 @@ int compare(const CompareOptions& options) {
 
 void add_compare(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
-      "compare", "Compare two runs: what is new, worse, better, fixed; exit 1 where anything is new or worse, or "
-                 "where nothing of a kernel could be compared");
+      "compare",
+      "Compare two runs: what is new, worse, better, fixed; exit 1 where anything is new or worse, or "
+      "where nothing of a kernel could be compared");
   auto options = std::make_shared<CompareOptions>();
   command->add_option("OLD", options->before, "the folder of the earlier run")->required();
   command->add_option("NEW", options->after, "the folder of the later run")->required();

@@ -24,8 +24,8 @@ std::optional<Json> place_of(const std::string& text) {
   if (problem != std::errc() || stop != end || line == 0) return std::nullopt;
   fs::path file = fs::path(text.substr(0, colon)).lexically_normal();
   std::error_code none;
-  if (const fs::path inside = file.lexically_relative(fs::current_path(none)); file.is_absolute() && !inside.empty() &&
-                                                                             *inside.begin() != "..")
+  if (const fs::path inside = file.lexically_relative(fs::current_path(none));
+      file.is_absolute() && !inside.empty() && *inside.begin() != "..")
     file = inside;
   return Json{{"file", file.string()}, {"line", line}};
 }
@@ -50,13 +50,14 @@ Json source_places(const std::vector<const Kernel*>& kernels, const std::vector<
     }
     const auto place = place_of(where);
     if (!place) {
-      throw Error(fmt::format("--source {}: give FILE:LINE, as in src/my_kernel.c:12, or KERNEL=FILE:LINE for one kernel",
-                              as_utf8(value)));
+      throw Error(fmt::format(
+          "--source {}: give FILE:LINE, as in src/my_kernel.c:12, or KERNEL=FILE:LINE for one kernel", as_utf8(value)));
     }
     if (!fs::is_regular_file(where.substr(0, where.rfind(':')))) {
-      throw Error(fmt::format("--source {}: there is no file {}; give a path from the folder in which axiscert runs, or "
-                              "KERNEL=FILE:LINE with a kernel of this run",
-                              value, where.substr(0, where.rfind(':'))));
+      throw Error(
+          fmt::format("--source {}: there is no file {}; give a path from the folder in which axiscert runs, or "
+                      "KERNEL=FILE:LINE with a kernel of this run",
+                      value, where.substr(0, where.rfind(':'))));
     }
     for (const std::string& id : about) places[id] = *place;
   }

@@ -35,21 +35,25 @@ constexpr std::size_t most_lines = 40;
 // Prints what is worse, the worst first, and what is better; returns whether the ratchet is met.
 bool holds(const RatchetOutcome& outcome, const OutputOptions& output) {
   const auto more = [&](std::size_t all) {
-    return all <= most_lines ? "" : fmt::format("{} more, in {}/{}", all - most_lines, output.out, ratchet_outcome_file);
+    return all <= most_lines ? ""
+                             : fmt::format("{} more, in {}/{}", all - most_lines, output.out, ratchet_outcome_file);
   };
   if (!output.quiet) {
-    for (const std::string& changed : outcome.changed) fmt::print("changed since the ratchet was written: {}\n", changed);
+    for (const std::string& changed : outcome.changed)
+      fmt::print("changed since the ratchet was written: {}\n", changed);
     for (std::size_t i = 0; i < std::min(most_lines, outcome.better.size()); ++i)
       fmt::print("{}\n", coloured("better: " + outcome.better[i], TextColour::green));
     if (const std::string rest = more(outcome.better.size()); !rest.empty()) fmt::print("better: {}\n", rest);
-    if (!outcome.better.empty()) fmt::print("{}/ratchet.txt has what is accepted with the figures of now\n", output.out);
+    if (!outcome.better.empty())
+      fmt::print("{}/ratchet.txt has what is accepted with the figures of now\n", output.out);
   }
   for (std::size_t i = 0; i < std::min(most_lines, outcome.failures.size()); ++i)
     fmt::print(stderr, "axiscert: --ratchet: {}\n", outcome.failures[i].text);
   if (const std::string rest = more(outcome.failures.size()); !rest.empty())
     fmt::print(stderr, "axiscert: --ratchet: {}\n", rest);
   if (!outcome.failures.empty()) {
-    fmt::print(stderr, "axiscert: {} is not met; {}/ratchet.txt would accept this run, once its accept: lines are filled in\n",
+    fmt::print(stderr,
+               "axiscert: {} is not met; {}/ratchet.txt would accept this run, once its accept: lines are filled in\n",
                output.ratchet, output.out);
   }
   return outcome.failures.empty();

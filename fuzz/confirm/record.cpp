@@ -202,20 +202,21 @@ Json record_of(const Plan& plan, const CampaignResult& result, const std::string
       if (!kernel.has(precision)) continue;
       const bool has_arithmetic = kernel.formulae != Formulae::none, claimed = has_arithmetic || !kernel.claims.empty();
       const std::string formulae = has_arithmetic ? name(kernel.formulae) : kernel.claims;
-      Json entry = {{"id", kernel.id},
-                    {"name", kernel.declared_name.empty() || digest.is_null() ? Json(nullptr) : Json(kernel.declared_name)},
-                    {"digest", digest},
-                    {"precision", name(precision)},
-                    {"summary", kernel.summary},
-                    {"formulae", claimed ? Json(formulae) : Json(nullptr)},
-                    {"arithmetic", has_arithmetic ? Json(name(kernel.arithmetic)) : Json(nullptr)},
-                    {"strictness", has_comparisons(kernel.formulae) ? Json(name(kernel.strictness)) : Json(nullptr)},
-                    {"reference", claimed ? Json(kernel.is_reference) : Json(nullptr)},
-                    {"exposes", exposures_json(kernel)},
-                    {"touching", name(kernel.touching)},
-                    {"limits", limits_json(kernel.limits)},
-                    {"critical_radius", nullptr},
-                    {"families", Json::object()}};
+      Json entry = {
+          {"id", kernel.id},
+          {"name", kernel.declared_name.empty() || digest.is_null() ? Json(nullptr) : Json(kernel.declared_name)},
+          {"digest", digest},
+          {"precision", name(precision)},
+          {"summary", kernel.summary},
+          {"formulae", claimed ? Json(formulae) : Json(nullptr)},
+          {"arithmetic", has_arithmetic ? Json(name(kernel.arithmetic)) : Json(nullptr)},
+          {"strictness", has_comparisons(kernel.formulae) ? Json(name(kernel.strictness)) : Json(nullptr)},
+          {"reference", claimed ? Json(kernel.is_reference) : Json(nullptr)},
+          {"exposes", exposures_json(kernel)},
+          {"touching", name(kernel.touching)},
+          {"limits", limits_json(kernel.limits)},
+          {"critical_radius", nullptr},
+          {"families", Json::object()}};
       CriticalRadiusTally radii;
       for (std::size_t s = 0; s < plan.sources.size(); ++s) {
         for (const CellResult& cell : result.cells) {

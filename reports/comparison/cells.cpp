@@ -10,7 +10,8 @@
 namespace axiscert {
 namespace {
 
-constexpr std::string_view verdict_counts[] = {"false_separation", "false_contact", "undecided", "invalid", "unanswered"};
+constexpr std::string_view verdict_counts[] = {"false_separation", "false_contact", "undecided", "invalid",
+                                               "unanswered"};
 constexpr std::string_view verdict_maxima[] = {"deepest_false_separation", "deepest_false_contact"};
 constexpr std::string_view comparison_counts[] = {"false_separation", "missed_separation", "tolerance_failures"};
 
@@ -53,7 +54,8 @@ class Collector {
 
  private:
   Cell& add(const std::string& place, std::string_view member, Cell::Kind kind) {
-    return cells_.emplace_back(Cell{kernel_, precision_, family_, place, std::string(member), kind, 0, {}, 0, identity()});
+    return cells_.emplace_back(
+        Cell{kernel_, precision_, family_, place, std::string(member), kind, 0, {}, 0, identity()});
   }
   void add_count(const std::string& place, std::string_view member, const Json& figure, std::uint64_t among,
                  std::uint64_t bases) {

@@ -99,7 +99,8 @@ class Comparer {
   }
 
   void list_kernels() {
-    for (const Json& id : before_["plan"]["kernels"]) result_.kernels.push_back({identity(id, true), id, "", "", false, 0});
+    for (const Json& id : before_["plan"]["kernels"])
+      result_.kernels.push_back({identity(id, true), id, "", "", false, 0});
     for (const Json& id : after_["plan"]["kernels"]) {
       const std::string& name = identity(id, false);
       if (ComparedKernel* both = kernel_called(name)) both->after = id;
@@ -148,8 +149,9 @@ class Comparer {
       absent_[who] = why;
     };
     if (result_.compared() == 0) {
-      result_.unchecked.emplace_back("nothing was compared: the two runs have no kernel, precision and family with valid "
-                                     "queries in common");
+      result_.unchecked.emplace_back(
+          "nothing was compared: the two runs have no kernel, precision and family with valid "
+          "queries in common");
     }
     for (const ComparedKernel& kernel : result_.kernels) {
       if (!kernel.after.empty() && is_in(unloaded, kernel.after)) {
@@ -189,8 +191,8 @@ class Comparer {
     return std::find(all.begin(), all.end(), precision) != all.end();
   }
 
-  // Reports a missing family once, not once for each cell; a missing kernel, or one of its precisions, is reported as one. A family's verdict comes
-  // first.
+  // Reports a missing family once, not once for each cell; a missing kernel, or one of its precisions, is reported as
+  // one. A family's verdict comes first.
   void note_absent(const Cell& cell, bool is_before, const std::string& why) {
     const ComparedKernel& kernel = *kernel_of(cell, is_before);
     if (kernel.before.empty() || kernel.after.empty()) return;

@@ -54,7 +54,7 @@ struct NotCompared {
 struct RunComparison {
   std::vector<ComparedCell> cells;  // in OLD's order, then the cells that only findings of NEW have
   std::vector<NotCompared> not_compared;
-  std::size_t tested = 0;          // number of cells that Holm's correction covers
+  std::size_t tested = 0;               // number of cells that Holm's correction covers
   std::vector<ComparedKernel> kernels;  // OLD's, then those that only NEW has
   // Sentences on what was to be compared and could not be: a kernel of OLD, or a precision of it, of which no cell
   // is, a kernel of NEW that could not be loaded, two runs without a common cell. Each forbids exit code 0.

@@ -63,8 +63,7 @@ struct Asked {
 
 }  // namespace
 
-std::vector<Replayed> replay_witnesses(const Json& record, std::string_view target,
-                                       const TrustedPlugins& trusted) {
+std::vector<Replayed> replay_witnesses(const Json& record, std::string_view target, const TrustedPlugins& trusted) {
   const TestDescription& test = test_of(record["plan"]);
   std::map<std::string, Asked> kernels;
   std::vector<Replayed> all;

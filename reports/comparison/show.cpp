@@ -146,13 +146,15 @@ std::vector<std::string> notes(const ComparedRuns& runs, const RunComparison& co
     notes.push_back(fmt::format("Witnesses of OLD, evaluated again here: {}.", fmt::join(parts, ", ")));
   }
   notes.push_back(fmt::format(
-      "{} cells, {} of them counts that could be compared. {} were counted over the same queries, where any difference counts. {} were counted over different "
+      "{} cells, {} of them counts that could be compared. {} were counted over the same queries, where any difference "
+      "counts. {} were counted over different "
       "queries: "
       "Fisher's exact test, two-sided, queries that share a triangle counted as one, and Holm's correction over these "
       "cells; two runs that differ in chance alone give an alarm in at most {:.0f} % of cases. Maxima are compared on "
       "the "
       "same queries only. Limits are Clopper and Pearson's, each alone, for this generator only.",
-      thousands(comparison.cells.size()), thousands(comparison.compared()), thousands(same), thousands(comparison.tested), 100 * family_wise_error));
+      thousands(comparison.cells.size()), thousands(comparison.compared()), thousands(same),
+      thousands(comparison.tested), 100 * family_wise_error));
   return notes;
 }
 
@@ -182,10 +184,10 @@ InstrumentReport comparison_report(const ComparedRuns& runs, const RunComparison
   report.title = "axiscert compare: " + answer(comparison);
   report.command = compare_command(runs.before_name, runs.after_name);
   report.notes = notes(runs, comparison);
-  for (InstrumentTable& table : std::vector<InstrumentTable>{
-           cells_table("New and worse", comparison, true), replay_table(comparison), witness_table(runs, comparison),
-           cells_table("Better and fixed", comparison, false), kernels_table(comparison), plugins_table(comparison),
-           absent_table(comparison)}) {
+  for (InstrumentTable& table :
+       std::vector<InstrumentTable>{cells_table("New and worse", comparison, true), replay_table(comparison),
+                                    witness_table(runs, comparison), cells_table("Better and fixed", comparison, false),
+                                    kernels_table(comparison), plugins_table(comparison), absent_table(comparison)}) {
     if (!table.rows.empty()) report.tables.push_back(std::move(table));
   }
   report.data = comparison_json(runs, comparison);
@@ -229,7 +231,10 @@ Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison) 
   for (const ComparedKernel& kernel : comparison.kernels) {
     const auto id = [](const std::string& given) { return given.empty() ? Json(nullptr) : Json(given); };
     Json& entry = json["kernels"].emplace_back();
-    entry = {{"name", kernel.name}, {"old", id(kernel.before)}, {"new", id(kernel.after)}, {"compared", kernel.cells},
+    entry = {{"name", kernel.name},
+             {"old", id(kernel.before)},
+             {"new", id(kernel.after)},
+             {"compared", kernel.cells},
              {"changed", kernel.has_digests ? Json(!kernel.digest_change.empty()) : Json(nullptr)}};
   }
   for (std::size_t i = 0; i < change_names.size(); ++i) {

@@ -1,8 +1,8 @@
 // junit.xml, by the schema of Ant's JUnit task, for CI systems: one suite for each kernel and precision. Its cases: one
 // for the verdict of each family, failed where the run's requirement is not met there; one for each finding, always
-// failed; one for each family and comparison that the kernel shows, failed where an error exceeds its tolerance. A case also fails where it
-// is worse than the ratchet accepts, and is skipped, with the text NOT CHECKED, where nothing was required of it. The
-// ratchet's failures that belong to none of these cases have a suite of their own.
+// failed; one for each family and comparison that the kernel shows, failed where an error exceeds its tolerance. A case
+// also fails where it is worse than the ratchet accepts, and is skipped, with the text NOT CHECKED, where nothing was
+// required of it. The ratchet's failures that belong to none of these cases have a suite of their own.
 #include <fmt/format.h>
 
 #include <algorithm>

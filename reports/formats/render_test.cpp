@@ -237,8 +237,8 @@ TEST(Junit, FailsWhereTheRequirementOrATolerancePasses) {
   render_reports(folder.path());
   const std::string text = folder.read("junit.xml");
   // published: tangent's verdict and plane.radius; skipped: fifteen comparisons without a tolerance on three families.
-  // <script>: lattice's verdict; skipped: its comparisons, once, as it does not show them, and its mesh, on which it was
-  // not run.
+  // <script>: lattice's verdict; skipped: its comparisons, once, as it does not show them, and its mesh, on which it
+  // was not run.
   EXPECT_THAT(text, HasSubstr("tests=\"51\" failures=\"2\" errors=\"0\" skipped=\"45\""));
   EXPECT_THAT(text, HasSubstr("tests=\"4\" failures=\"1\" errors=\"0\" skipped=\"2\""));
   EXPECT_THAT(text, HasSubstr("name=\"tangent plane.radius\""));
@@ -333,7 +333,8 @@ TEST(Sarif, WhatTheRatchetAcceptsIsASuppressedNote) {
   text.replace(at, 29, "deepest_false_separation=0.125");
   const Ratchet ratchet = parse_ratchet(text, "accepted.txt");
   const auto results = sarif_results(nullptr, outcome_json(ratchet, hold_against(ratchet, record, "2026-06-15")));
-  // The requirement logic, which the stored run does not meet on tangent and lattice, has nothing to do with comparisons.
+  // The requirement logic, which the stored run does not meet on tangent and lattice, has nothing to do with
+  // comparisons.
   const Json& held = results.at("published/binary32/tangent/edge_ab.side_c.false_separation");
   EXPECT_EQ(held["level"], "note");
   EXPECT_EQ(held["suppressions"][0],

@@ -108,10 +108,12 @@ class Log {
     });
     const Json* const waiver = is_unmet ? nullptr : waiver_of(cell);
     Json json = {{"ruleId", rule.id},
-            {"ruleIndex", &rule == &finding_rule ? std::size(rules) : static_cast<std::size_t>(&rule - rules)},
-            {"level", is_unmet ? "error" : waiver != nullptr ? "note" : rule.level},
-            {"message", {{"text", message_text(message)}}},
-            {"partialFingerprints", {{"axiscertCell/v1", fingerprint(cell.key())}}}};
+                 {"ruleIndex", &rule == &finding_rule ? std::size(rules) : static_cast<std::size_t>(&rule - rules)},
+                 {"level", is_unmet            ? "error"
+                           : waiver != nullptr ? "note"
+                                               : rule.level},
+                 {"message", {{"text", message_text(message)}}},
+                 {"partialFingerprints", {{"axiscertCell/v1", fingerprint(cell.key())}}}};
     put_places(json, cell.kernel, cell.key(), worst);
     put_suppressions(json, waiver);
     return json;
@@ -158,8 +160,8 @@ class Log {
     return json;
   }
 
-  // Where the kernel is written and, as a related place, the line of the witness in witnesses.jsonl. Without a source the
-  // latter is the place; without a witness, the first line.
+  // Where the kernel is written and, as a related place, the line of the witness in witnesses.jsonl. Without a source
+  // the latter is the place; without a witness, the first line.
   void put_places(Json& result, const std::string& kernel, const Json& key, const Json* witness) const {
     std::size_t line = 1;
     for (const Json& other : record_["witnesses"]) {
@@ -178,9 +180,8 @@ class Log {
       }
       shown = place(uri_of((*source)["file"]), (*source)["line"]);
     }
-    shown["logicalLocations"] =
-        Json::array({{{"name", part(3)},
-                      {"fullyQualifiedName", fmt::format("{}/{}/{}/{}", part(0), part(1), part(2), part(3))}}});
+    shown["logicalLocations"] = Json::array(
+        {{{"name", part(3)}, {"fullyQualifiedName", fmt::format("{}/{}/{}/{}", part(0), part(1), part(2), part(3))}}});
     result["locations"] = Json::array({std::move(shown)});
   }
 
@@ -189,7 +190,8 @@ class Log {
   static std::string uri_of(const std::string& path) {
     std::string uri;
     for (const char c : path) {
-      const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string_view("-._~/:@!$&'()*+,;=").find(c) != std::string_view::npos;
+      const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                            std::string_view("-._~/:@!$&'()*+,;=").find(c) != std::string_view::npos;
       if (is_plain) uri += c;
       else uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));
     }
@@ -229,8 +231,8 @@ class Log {
 
   const Json &record_, &held_;
   std::vector<Cell> cells_;
-  Json sources_ = Json::object();  // by the kernel's id
-  std::set<std::string> failed_;   // fingerprints
+  Json sources_ = Json::object();               // by the kernel's id
+  std::set<std::string> failed_;                // fingerprints
   std::map<std::string, const Json*> waivers_;  // by fingerprint of what they accept
   std::vector<Failure> failures_;
 };

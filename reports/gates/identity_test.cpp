@@ -20,7 +20,8 @@ using testing::IsEmpty;
 const std::string one_digest(64, '1'), other_digest(64, '2');
 
 // Kernel number `index` of a record, made a plug-in: everywhere.
-void make_plugin(Json& record, std::size_t index, const std::string& id, const std::string& name, const std::string& sha256) {
+void make_plugin(Json& record, std::size_t index, const std::string& id, const std::string& name,
+                 const std::string& sha256) {
   const std::string old = record["kernels"][index]["id"];
   for (Json& entry : record["kernels"]) {
     if (entry["id"] == old) {
@@ -115,7 +116,8 @@ TEST(Identity, OtherBytesOfTheSameNameAreAChange) {
   EXPECT_EQ(comparison_json({before, after, "old", "new"}, found)["kernels"][0]["changed"], true);
   const RatchetOutcome outcome = hold_against(ratchet_of(before), after, "2026-06-15");
   EXPECT_THAT(outcome.failures, IsEmpty());
-  EXPECT_THAT(outcome.changed, ElementsAre("plugin/mine: its plugin was SHA-256 111111111111..., and is 222222222222..."));
+  EXPECT_THAT(outcome.changed,
+              ElementsAre("plugin/mine: its plugin was SHA-256 111111111111..., and is 222222222222..."));
   EXPECT_THAT(outcome.accepted, HasSubstr("kernel: plugin/mine plugin:" + other_digest + "\n"));
 }
 
@@ -137,9 +139,10 @@ TEST(Identity, RecordsWithoutNamesPairByIds) {
     EXPECT_EQ(answer(found), "no change");
     EXPECT_TRUE(found.passes());
   }
-  EXPECT_THAT(compare_records(old, moved, {}).unchecked,
-              ElementsAre("plugin:k.so: is only in OLD; OLD is of a version that wrote no names, so kernels are known by "
-                          "their ids"));
+  EXPECT_THAT(
+      compare_records(old, moved, {}).unchecked,
+      ElementsAre("plugin:k.so: is only in OLD; OLD is of a version that wrote no names, so kernels are known by "
+                  "their ids"));
 }
 
 // A ratchet that was written before there were names has a plug-in by its id.
@@ -162,8 +165,9 @@ TEST(Unchecked, TwoRunsWithNothingInCommonAreNoPass) {
   EXPECT_EQ(found.compared(), 0u);
   EXPECT_FALSE(found.passes());
   EXPECT_THAT(answer(found), testing::StartsWith("NOT COMPARED: nothing was compared"));
-  EXPECT_THAT(comparison_markdown({before, after, "old", "new"}, found),
-              testing::AllOf(HasSubstr("| plugin:a.so | is only in OLD |"), HasSubstr("| plugin:b.so | is only in NEW |")));
+  EXPECT_THAT(
+      comparison_markdown({before, after, "old", "new"}, found),
+      testing::AllOf(HasSubstr("| plugin:a.so | is only in OLD |"), HasSubstr("| plugin:b.so | is only in NEW |")));
   const Json json = comparison_json({before, after, "old", "new"}, found);
   EXPECT_EQ(json["compared"], 0);
   EXPECT_EQ(json["unchecked"].size(), 2u);
@@ -192,22 +196,26 @@ TEST(Unchecked, NoValidQueryIsNoComparison) {
   }
   EXPECT_EQ(compare_records(record, record, {}).compared(), 0u);
   EXPECT_FALSE(compare_records(record, record, {}).passes());
-  EXPECT_THAT(unjudged(record), ElementsAre("published: NOT JUDGED on tangent, lattice, mesh/a|b.obj: no valid query in a "
-                                            "precision in which it exists"));
+  EXPECT_THAT(unjudged(record),
+              ElementsAre("published: NOT JUDGED on tangent, lattice, mesh/a|b.obj: no valid query in a "
+                          "precision in which it exists"));
 }
 
 TEST(Unjudged, IsAKernelThatDidNotLoadAndAFamilyWithoutQueries) {
-  EXPECT_THAT(unjudged(stored_record()), ElementsAre(HasSubstr("<script>: NOT JUDGED on mesh/a|b.obj: no valid query")));
+  EXPECT_THAT(unjudged(stored_record()),
+              ElementsAre(HasSubstr("<script>: NOT JUDGED on mesh/a|b.obj: no valid query")));
   Json record = stored_record();
   record["plan"]["kernels"].push_back("plugin:text.so");
   record["findings"].push_back({{"kernel", "plugin:text.so"}, {"kind", "load"}, {"detail", "file too short"}});
   EXPECT_THAT(unjudged(record), Contains("plugin:text.so: NOT JUDGED: it could not be loaded: file too short"));
   record = stored_record();
   for (Json& family : record["kernels"][0]["families"]) {
-    const std::uint64_t valid = family["truth"]["separated"].get<std::uint64_t>() + family["truth"]["contact"].get<std::uint64_t>();
+    const std::uint64_t valid =
+        family["truth"]["separated"].get<std::uint64_t>() + family["truth"]["contact"].get<std::uint64_t>();
     family["verdict"]["outside_limits"] = {{"trials", valid}};
   }
-  EXPECT_THAT(unjudged(record), Contains("published: NOT JUDGED: every valid query is outside the limits that it declares"));
+  EXPECT_THAT(unjudged(record),
+              Contains("published: NOT JUDGED: every valid query is outside the limits that it declares"));
 }
 
 }  // namespace

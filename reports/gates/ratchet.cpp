@@ -97,7 +97,9 @@ class Holder {
     return nullptr;
   }
 
-  void accept(const Json& key, const Json& figure, const Waiver& waiver) { accepted_.push_back({key, figure, waiver, 0}); }
+  void accept(const Json& key, const Json& figure, const Waiver& waiver) {
+    accepted_.push_back({key, figure, waiver, 0});
+  }
 
   void hold(const Cell& cell) {
     const RatchetEntry* const entry = entry_of(cell);
@@ -125,10 +127,13 @@ class Holder {
     return outcome_.held.emplace_back(waiver, std::vector<std::string>()).second;
   }
 
-  bool is_expired(const RatchetEntry& entry) const { return entry.waiver.expiry != "never" && entry.waiver.expiry < today_; }
+  bool is_expired(const RatchetEntry& entry) const {
+    return entry.waiver.expiry != "never" && entry.waiver.expiry < today_;
+  }
   void check_expiry(const RatchetEntry& entry) {
     if (!is_expired(entry)) return;
-    expired_[{entry.key[0], entry.key[1], entry.waiver.expiry, entry.waiver.owner, entry.waiver.reason}].push_back(&entry);
+    expired_[{entry.key[0], entry.key[1], entry.waiver.expiry, entry.waiver.owner, entry.waiver.reason}].push_back(
+        &entry);
   }
 
   // A finding made in loading has no precision: nothing was judged because of it, or it is gone.
@@ -160,7 +165,8 @@ class Holder {
 
   void tell_groups() {
     std::vector<std::string> known;
-    for (const auto& [id, identity] : identities_) known.push_back(identity == id ? id : fmt::format("{} as {}", id, identity));
+    for (const auto& [id, identity] : identities_)
+      known.push_back(identity == id ? id : fmt::format("{} as {}", id, identity));
     for (const auto& [key, group] : not_checked_) {
       fail(group,
            fmt::format("NOT CHECKED: this run did not judge {} {}, of which it has: {}; the kernels of this run: {}",
@@ -208,8 +214,8 @@ RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, const st
 }
 
 Json outcome_json(const Ratchet& ratchet, const RatchetOutcome& outcome) {
-  Json json = {{"schema", "axiscert-held/1"}, {"file", ratchet.name},         {"plan", ratchet.plan},
-               {"failures", Json::array()},   {"better", outcome.better},     {"changed", outcome.changed},
+  Json json = {{"schema", "axiscert-held/1"}, {"file", ratchet.name},        {"plan", ratchet.plan},
+               {"failures", Json::array()},   {"better", outcome.better},    {"changed", outcome.changed},
                {"held", Json::array()},       {"accepted", outcome.accepted}};
   for (const auto& [key, kernel, text] : outcome.failures) {
     json["failures"].push_back({{"fingerprint", fingerprint(key)},

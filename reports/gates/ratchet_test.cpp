@@ -81,8 +81,9 @@ TEST(Ratchet, AnExpiredWaiverFailsFromTheDayAfter) {
   const Json record = stored_record();
   EXPECT_THAT(hold_against(parse_ratchet(reviewed(today), "r.txt"), record, today).failures, IsEmpty());
   const auto failures = hold_against(parse_ratchet(reviewed("2026-06-14"), "r.txt"), record, today).failures;
-  EXPECT_THAT(texts(failures), ElementsAre(HasSubstr("expired on 2026-06-14 (mk, rounds, see docs): 9 figures of published"),
-                                           HasSubstr("8 figures of <script> binary32 (r.txt:")))
+  EXPECT_THAT(texts(failures),
+              ElementsAre(HasSubstr("expired on 2026-06-14 (mk, rounds, see docs): 9 figures of published"),
+                          HasSubstr("8 figures of <script> binary32 (r.txt:")))
       << "one line for each kernel and precision, whatever number of figures has expired";
 }
 
@@ -236,23 +237,29 @@ TEST(Ratchet, BadLinesAreNamed) {
   EXPECT_THAT(with("\"rounds, see docs\"", "rounds, see docs"), HasSubstr("5 words after accept:"));
   EXPECT_THAT(with("see docs\"", "see docs"), HasSubstr("a quotation mark"));
   EXPECT_THAT(with("false_separation=40", "false_separation=-40"), HasSubstr("FIGURE '-40'"));
-  EXPECT_THAT(with("verdict false_separation=40", "verdict missed=40"),
-              HasSubstr("'missed=40' is not FIGURE=NUMBER with a figure of 'verdict': false_separation, false_contact"));
+  EXPECT_THAT(
+      with("verdict false_separation=40", "verdict missed=40"),
+      HasSubstr("'missed=40' is not FIGURE=NUMBER with a figure of 'verdict': false_separation, false_contact"));
   EXPECT_THAT(with("vertex_a.radius false", "vertex_a.radios false"), HasSubstr("'vertex_a.radios' is no place"));
   EXPECT_THAT(with("family: binary32", "family: binary16"), HasSubstr("PRECISION 'binary16'"));
-  EXPECT_THAT(with("kernel: published", "kernel: published plugin:1234"), HasSubstr("'plugin:1234' is not FILE:SHA256"));
-  EXPECT_THAT(with("accept: never mk \"rounds, see docs\"\n", ""), HasSubstr("'verdict' before accept: says until when"));
+  EXPECT_THAT(with("kernel: published", "kernel: published plugin:1234"),
+              HasSubstr("'plugin:1234' is not FILE:SHA256"));
+  EXPECT_THAT(with("accept: never mk \"rounds, see docs\"\n", ""),
+              HasSubstr("'verdict' before accept: says until when"));
   EXPECT_THAT(with("kernel: published\n", ""), HasSubstr("'verdict' before kernel: says whose"));
   EXPECT_THAT(with("family: binary32 lattice\n", ""), HasSubstr("appears twice"));
 }
 
 TEST(Ratchet, BadLinesOfVersion1AreNamed) {
   const std::string head = "axiscert-ratchet/1 4aeb095a46bd0b2d\n";
-  const auto line = [&](const std::string& rest) { return error_of(head + "ef4246591683df37 published binary32 " + rest + "\n"); };
+  const auto line = [&](const std::string& rest) {
+    return error_of(head + "ef4246591683df37 published binary32 " + rest + "\n");
+  };
   EXPECT_EQ(line("tangent verdict.false_separation 40 never mk why"), "");
   EXPECT_THAT(line("tangent verdict.false_separation 40 never mk rounds, see docs"), HasSubstr("11 words"));
   EXPECT_THAT(line("tangent verdict.false_separation -40 never mk why"), HasSubstr("FIGURE '-40'"));
-  EXPECT_THAT(line("general verdict.false_separation 40 never mk why"), HasSubstr("is not that of published binary32 on general"));
+  EXPECT_THAT(line("general verdict.false_separation 40 never mk why"),
+              HasSubstr("is not that of published binary32 on general"));
 }
 
 }  // namespace

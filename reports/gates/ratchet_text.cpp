@@ -91,13 +91,14 @@ class Lines {
 
   void add_first(const std::vector<std::string>& words, const Line& line) {
     if (words.size() != 9) {
-      line.fail(fmt::format("{} words, but a line has nine: {}; put words with spaces in \"...\"", words.size(),
-                            first_form));
+      line.fail(
+          fmt::format("{} words, but a line has nine: {}; put words with spaces in \"...\"", words.size(), first_form));
     }
     const Json key = Json::array({words[1], words[2], words[3], words[4]});
     if (const std::string own = fingerprint(key); own != words[0]) {
-      line.fail(fmt::format("fingerprint {} is not that of {} {} on {}: {}, which is {}; take whole lines from ratchet.txt",
-                            words[0], words[1], words[2], words[3], words[4], own));
+      line.fail(
+          fmt::format("fingerprint {} is not that of {} {} on {}: {}, which is {}; take whole lines from ratchet.txt",
+                      words[0], words[1], words[2], words[3], words[4], own));
     }
     const Json figure = figure_of(words[5], line);
     put({key, figure, waiver_of(words[6], words[7], words[8], line), line.number}, line);
@@ -107,8 +108,8 @@ class Lines {
     const std::string& first = words[0];
     const auto has = [&](std::size_t n, const char* form) {
       if (words.size() != n + 1) {
-        line.fail(fmt::format("{} words after {}, but it has {}: {}; put words with spaces in \"...\"", words.size() - 1,
-                              first, n, form));
+        line.fail(fmt::format("{} words after {}, but it has {}: {}; put words with spaces in \"...\"",
+                              words.size() - 1, first, n, form));
       }
     };
     if (first == "accept:") {
@@ -147,8 +148,11 @@ class Lines {
 
   void add_figures(const std::vector<std::string>& words, const Line& line) {
     if (!waiver_ || !kernel_ || !family_) {
-      line.fail(fmt::format("'{}' before {} says {}", words[0], !waiver_ ? "accept:" : !kernel_ ? "kernel:" : "family:",
-                            !waiver_    ? "until when and why it is accepted"
+      line.fail(fmt::format("'{}' before {} says {}", words[0],
+                            !waiver_   ? "accept:"
+                            : !kernel_ ? "kernel:"
+                                       : "family:",
+                            !waiver_   ? "until when and why it is accepted"
                             : !kernel_ ? "whose error it is"
                                        : "on which queries"));
     }
@@ -177,9 +181,10 @@ class Lines {
       return;
     }
     if (std::find(known.begin(), known.end(), place) != known.end()) return;
-    line.fail(fmt::format("'{}' is no place of a figure; those are: {}; other lines begin with accept:, kernel:, "
-                          "family: or loading:",
-                          place, fmt::join(known, ", ")));
+    line.fail(
+        fmt::format("'{}' is no place of a figure; those are: {}; other lines begin with accept:, kernel:, "
+                    "family: or loading:",
+                    place, fmt::join(known, ", ")));
   }
 
   void put(RatchetEntry entry, const Line& line) {
@@ -220,9 +225,10 @@ Ratchet parse_ratchet(std::string_view text, const std::string& name) {
     if (words.empty()) continue;
     if (ratchet.plan.empty()) {
       if ((words[0] != schema && words[0] != first_schema) || words.size() < 2 || words.size() > 3) {
-        line.fail(fmt::format("begins with '{}', but a ratchet begins with '{} PLAN [TEST]', or with '{}'; a run writes "
-                              "one as ratchet.txt",
-                              words[0].substr(0, 80), schema, first_schema));
+        line.fail(
+            fmt::format("begins with '{}', but a ratchet begins with '{} PLAN [TEST]', or with '{}'; a run writes "
+                        "one as ratchet.txt",
+                        words[0].substr(0, 80), schema, first_schema));
       }
       is_first_version = words[0] == first_schema;
       ratchet.plan = words[1];
@@ -252,8 +258,8 @@ std::string ratchet_file(const std::string& plan, const std::string& test, const
                          const std::map<std::string, Json>& digests) {
   // Files of the first test are those of versions that had no other.
   std::string text = fmt::format(
-      "{} {}{}\n# accept: until when, by whom, why; kernel: and family: of the figures below them; docs/ci.md\n", schema,
-      plan, test == first_test().id ? "" : " " + word(test));
+      "{} {}{}\n# accept: until when, by whom, why; kernel: and family: of the figures below them; docs/ci.md\n",
+      schema, plan, test == first_test().id ? "" : " " + word(test));
   std::vector<Waiver> waivers;
   for (const bool are_open : {false, true}) {
     for (const RatchetEntry& entry : entries) {
@@ -277,8 +283,9 @@ std::string ratchet_file(const std::string& plan, const std::string& test, const
         family.clear();
       }
       const std::string precision = entry.key[1];
-      std::string now = precision.empty() ? "loading:"
-                                          : fmt::format("family: {} {}", precision, word(entry.key[2].get<std::string>()));
+      std::string now = precision.empty()
+                            ? "loading:"
+                            : fmt::format("family: {} {}", precision, word(entry.key[2].get<std::string>()));
       if (now != family) {
         family = std::move(now);
         text += "\n" + family;

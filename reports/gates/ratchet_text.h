@@ -9,11 +9,11 @@
 // PLAN is plan_fingerprint(): figures over other queries are not compared. TEST is the test of the run; sphere-triangle
 // is not written. Each line that ends its first word with a colon is about all lines below it, up to the next of its
 // kind; `kernel:` also ends the family. KERNEL is the identity of a kernel, with the digests of its files where it has
-// any: they tell of a change and are not required to be the same. `loading:` stands for the family of findings that were
-// made in loading. PLACE and FIGURE are the two parts of the name of a cell of cells_of(), NUMBER is its count, or its
-// depth where it is a maximum; a cell that is not there is accepted at zero. Counts, findings and depths are checked;
-// errors in u are not, since --tolerance makes a count of them. A word that contains spaces or quotes is a JSON string.
-// Empty lines and lines that begin with # are comments.
+// any: they tell of a change and are not required to be the same. `loading:` stands for the family of findings that
+// were made in loading. PLACE and FIGURE are the two parts of the name of a cell of cells_of(), NUMBER is its count, or
+// its depth where it is a maximum; a cell that is not there is accepted at zero. Counts, findings and depths are
+// checked; errors in u are not, since --tolerance makes a count of them. A word that contains spaces or quotes is a
+// JSON string. Empty lines and lines that begin with # are comments.
 //
 // Version 1 is read as well. It has one line for each cell:
 //

@@ -54,7 +54,8 @@ std::vector<std::string> unjudged(const Json& record) {
       sentences.push_back(fmt::format("{}: NOT JUDGED on {}: no valid query in a precision in which it exists", kernel,
                                       fmt::join(empty, ", ")));
     } else if (queries_of_kernel(record, id, nullptr).within_limits == 0) {
-      sentences.push_back(fmt::format("{}: NOT JUDGED: every valid query is outside the limits that it declares", kernel));
+      sentences.push_back(
+          fmt::format("{}: NOT JUDGED: every valid query is outside the limits that it declares", kernel));
     }
   }
   return sentences;

@@ -9,8 +9,8 @@
 
 namespace axiscert {
 
-// Sentences, one for each kernel of the plan that could not be loaded, that has a family without a valid query in any of
-// its precisions, or that has valid queries outside its limits only. Empty where the whole plan was judged.
+// Sentences, one for each kernel of the plan that could not be loaded, that has a family without a valid query in any
+// of its precisions, or that has valid queries outside its limits only. Empty where the whole plan was judged.
 std::vector<std::string> unjudged(const Json& record);
 
 }  // namespace axiscert

@@ -14,7 +14,8 @@ constexpr std::size_t shown_digits = 12;  // of a digest, in a sentence
 
 const Json* kernel_entry(const Json& record, const std::string& id) {
   const Json& kernels = record["kernels"];
-  const auto found = std::find_if(kernels.begin(), kernels.end(), [&](const Json& kernel) { return kernel["id"] == id; });
+  const auto found =
+      std::find_if(kernels.begin(), kernels.end(), [&](const Json& kernel) { return kernel["id"] == id; });
   return found == kernels.end() ? nullptr : &*found;
 }
 
@@ -79,7 +80,8 @@ std::string digest_change(const Json& before, const Json& after) {
     const std::string kind = now["kind"];
     const Json* const then = part_of(before, kind);
     if (then == nullptr) parts.push_back(fmt::format("its {} is new", kind));
-    else if (*then != now) parts.push_back(fmt::format("its {} was SHA-256 {}..., and is {}...", kind, digest(*then), digest(now)));
+    else if (*then != now)
+      parts.push_back(fmt::format("its {} was SHA-256 {}..., and is {}...", kind, digest(*then), digest(now)));
   }
   for (const Json& then : before) {
     const std::string kind = then["kind"];

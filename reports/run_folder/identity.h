@@ -11,8 +11,8 @@
 namespace axiscert {
 
 // By id, for all kernels of a record's plan: "plugin/NAME" for a plug-in that declares NAME, and its id for any other
-// kernel: one that comes with axiscert, one that could not be loaded, one of a record that has no names, and plug-ins of
-// one run that declare the same name.
+// kernel: one that comes with axiscert, one that could not be loaded, one of a record that has no names, and plug-ins
+// of one run that declare the same name.
 using Identities = std::map<std::string, std::string>;
 Identities identities_of(const Json& record);
 
