@@ -11,7 +11,7 @@ namespace axiscert {
 
 enum ExitCode {
   exit_done = 0,
-  exit_requirement_failed = 1,
+  exit_requirement_failed = 1,  // or something that was to be judged or compared was not
   exit_bad_input = 2,
   exit_harness_fault = 3,
   exit_interrupted = 130

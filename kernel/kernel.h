@@ -113,8 +113,9 @@ struct Kernel {
   Touching touching = Touching::contact;
   Limits limits = {};
   Call call = {};
-  std::string file = {};               // path of a plug-in
-  std::string source = {};             // of a plug-in: FILE:LINE among its author's sources; empty: unknown
+  std::string file = {};           // path of a plug-in
+  std::string declared_name = {};  // of a plug-in: its own name for its first kernel; empty: built in, or not loaded
+  std::string source = {};         // of a plug-in: FILE:LINE among its author's sources; empty: unknown
   std::vector<Finding> findings = {};  // faults found when it was loaded, independent of any query
 
   template <class Real>

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 
 #include "cli/commands.h"
 #include "cli/values.h"
@@ -13,6 +12,7 @@
 #include "kernel/kernel.h"
 #include "reports/comparison/compare.h"
 #include "reports/comparison/show.h"
+#include "reports/run_folder/identity.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {
@@ -24,20 +24,46 @@ struct CompareOptions {
   bool no_replay = false, quiet = false;
 };
 
-// The kernels that the user names. Each must be in OLD, since naming another would have no effect.
-std::set<std::string> trusted_kernels(const CompareOptions& options, const Json& record) {
+constexpr std::string_view plugin_prefix = "plugin:";
+
+// Whether two ids are of one plug-in, given by two spellings of one path.
+bool is_same_path(const std::string& x, const std::string& y) {
+  const auto normal = [](const std::string& id) {
+    return std::filesystem::path(id.substr(plugin_prefix.size())).lexically_normal();
+  };
+  return x.starts_with(plugin_prefix) && y.starts_with(plugin_prefix) && normal(x) == normal(y);
+}
+
+// The kernel of OLD that the user names: by its id, by another spelling of its path, or, loaded, by the name that it
+// declares, wherever it is now. Each has to be in OLD, since naming another would have no effect.
+std::string named_kernel(const std::string& given, const CompareOptions& options, const Json& record) {
   const auto known = record["plan"]["kernels"].get<std::vector<std::string>>();
-  for (const std::string& id : options.kernels) {
-    if (std::find(known.begin(), known.end(), id) == known.end())
-      throw Error(fmt::format("--kernel {}: not in {}, which has: {}", id, options.before, fmt::join(known, ", ")));
+  if (std::find(known.begin(), known.end(), given) != known.end()) return given;
+  for (const std::string& id : known) {
+    if (is_same_path(id, given)) return id;
   }
-  return {options.kernels.begin(), options.kernels.end()};
+  std::string declares;
+  if (given.starts_with(plugin_prefix) && std::filesystem::is_regular_file(given.substr(plugin_prefix.size()))) {
+    declares = find_kernel(given).declared_name;
+    for (const auto& [id, identity] : identities_of(record)) {
+      if (!declares.empty() && identity == "plugin/" + declares) return id;
+    }
+  }
+  throw Error(fmt::format(
+      "--kernel {}: not in {}, which has: {}{}", given, options.before, fmt::join(known, ", "),
+      declares.empty() ? "" : fmt::format("; it declares the name '{}', which none of them does", declares)));
+}
+
+TrustedPlugins trusted_kernels(const CompareOptions& options, const Json& record) {
+  TrustedPlugins trusted;
+  for (const std::string& given : options.kernels) trusted[named_kernel(given, options, record)] = given;
+  return trusted;
 }
 
 int compare(const CompareOptions& options) {
   const Run before = read_run(options.before), after = read_run(options.after);
   require_same_test(before.record, after.record, as_utf8(options.before), as_utf8(options.after));
-  const std::set<std::string> trusted = trusted_kernels(options, before.record);
+  const TrustedPlugins trusted = trusted_kernels(options, before.record);
   std::vector<Replayed> replayed;
   if (!options.no_replay) replayed = replay_witnesses(before.record, resolve_target("auto"), trusted);
   const RunComparison comparison = compare_records(before.record, after.record, std::move(replayed));
@@ -50,7 +76,6 @@ int compare(const CompareOptions& options) {
                               {"compare.md", markdown},
                               {"compare.html", instrument_page(report)}});
   }
-  const std::size_t alarms = comparison.alarms();
   if (!options.quiet) {
     if (options.format == "json") fmt::print("{}\n", report.data.dump(1));
     else if (options.format == "markdown") fmt::print("{}", markdown);
@@ -58,18 +83,20 @@ int compare(const CompareOptions& options) {
       // The first line is the answer.
       const std::string text = instrument_text(report);
       const std::size_t end = text.find('\n') + 1;
-      fmt::print("{}{}", coloured(text.substr(0, end), alarms != 0 ? TextColour::red : TextColour::green),
+      fmt::print("{}{}", coloured(text.substr(0, end), comparison.passes() ? TextColour::green : TextColour::red),
                  text.substr(end));
     }
   }
-  return alarms == 0 ? exit_done : exit_requirement_failed;
+  return comparison.passes() ? exit_done : exit_requirement_failed;
 }
 
 }  // namespace
 
 void add_compare(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
-      "compare", "Compare two runs: what is new, worse, better, fixed; exit 1 where anything is new or worse");
+      "compare",
+      "Compare two runs: what is new, worse, better, fixed; exit 1 where anything is new or worse, or "
+      "where nothing of a kernel could be compared");
   auto options = std::make_shared<CompareOptions>();
   command->add_option("OLD", options->before, "the folder of the earlier run")->required();
   command->add_option("NEW", options->after, "the folder of the later run")->required();
@@ -79,8 +106,8 @@ void add_compare(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "folder for compare.md, compare.json and compare.html");
   command
       ->add_option("--kernel", options->kernels,
-                   "plugin:PATH.so of OLD, which is loaded to evaluate the witnesses of OLD again; no plug-in that a "
-                   "record names is loaded without it; repeatable")
+                   "plugin:PATH.so of OLD, or one that declares the same name, which is loaded to evaluate the "
+                   "witnesses of OLD again; no plug-in that a record names is loaded without it; repeatable")
       ->allow_extra_args(false);
   command->add_flag("--no-replay", options->no_replay, "do not evaluate the witnesses of OLD again");
   add_plugin_seconds(*command);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <thread>
 
 #include "cli/commands.h"
@@ -69,12 +70,25 @@ void add_plugin(const Kernel& kernel, Plan& plan) {
   FileInfo& file = plan.plugins.emplace_back();
   file.name = base_name(kernel.file);
   file.kind = "plugin";
+  file.kernel = kernel.id;
   try {
     const std::string bytes = read_bytes(kernel.file);
     file.sha256 = sha256_hex(std::as_bytes(std::span(bytes)));
   } catch (const Error&) {
     if (kernel.findings.empty()) throw;
   }
+}
+
+// Whether a plug-in's file is already one of the plan's, by another spelling of its path.
+bool is_file_of(const Kernel& kernel, const Plan& plan) {
+  if (!kernel.id.starts_with("plugin:")) return false;
+  for (const Kernel* other : plan.kernels) {
+    std::error_code none;
+    if (!other->id.starts_with("plugin:") || !std::filesystem::equivalent(kernel.file, other->file, none)) continue;
+    fmt::print(stderr, "axiscert: --kernel {}: the file of {}, which is judged once\n", kernel.id, other->id);
+    return true;
+  }
+  return false;
 }
 
 // Whether a kernel could not be loaded: it exists in no precision, whatever is requested.
@@ -169,7 +183,12 @@ void add_output_options(CLI::App& command, OutputOptions& o) {
   add_require_options(command, o.required);
   command.add_option(
       "--ratchet", o.ratchet,
-      "file of accepted errors, one line for each cell: exit 1 where anything is worse or a waiver has expired");
+      "file of accepted errors, as a run writes it: exit 1 where anything is worse or a waiver has expired");
+  command
+      .add_option("--source", o.sources,
+                  "[KERNEL=]FILE:LINE, where a kernel is written: the location of the results in report.sarif "
+                  "(default: as a plug-in says of itself); repeatable")
+      ->allow_extra_args(false);
   command.add_option("--out", o.out, "folder for record, reports and witnesses")->capture_default_str();
   command.add_flag("--quiet", o.quiet, "print only errors and failures");
 }
@@ -281,6 +300,7 @@ Plan plan_of(const RunOptions& given) {
   for (const std::string& id : options.kernels) {
     const Kernel* kernel = &find_kernel(id);
     if (std::find(plan.kernels.begin(), plan.kernels.end(), kernel) != plan.kernels.end()) continue;
+    if (is_file_of(*kernel, plan)) continue;
     plan.kernels.push_back(kernel);
     add_plugin(*kernel, plan);
   }

@@ -27,6 +27,7 @@ struct SourceOptions {
 struct OutputOptions {
   Required required;
   std::string out = "out", ratchet;
+  std::vector<std::string> sources;  // [KERNEL=]FILE:LINE
   bool quiet = false;
   std::uint64_t shrink = 0;  // evaluations to make each witness smaller; 0: they stay as they are
   int threads = 0;           // 0: all cores

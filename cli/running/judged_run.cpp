@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/options/source_place.h"
 #include "cli/running/run_output.h"
 #include "cli/running/shrunk.h"
 #include "cli/running/terminal.h"
@@ -18,7 +19,9 @@
 #include "reports/gates/ratchet.h"
 #include "fuzz/confirm/plan.h"
 #include "reports/formats/render.h"
+#include "reports/gates/ratchet_text.h"
 #include "reports/gates/requirement.h"
+#include "reports/gates/unjudged.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {
@@ -43,12 +46,33 @@ bool shown(const std::vector<LevelOutcome>& outcomes, bool quiet) {
   return pass(outcomes);
 }
 
-// Prints what is worse and what is better; returns whether the ratchet is met.
-bool holds(const RatchetOutcome& outcome, bool quiet) {
-  for (const std::string& better : outcome.better) {
-    if (!quiet) fmt::print("{}\n", coloured("better: " + better, TextColour::green));
+// Lines of one kind that are printed; ratchet.json in the run's folder has all of them.
+constexpr std::size_t most_lines = 40;
+
+// Prints what is worse, the worst first, and what is better; returns whether the ratchet is met.
+bool holds(const RatchetOutcome& outcome, const OutputOptions& output) {
+  const auto more = [&](std::size_t all) {
+    return all <= most_lines ? ""
+                             : fmt::format("{} more, in {}/{}", all - most_lines, output.out, ratchet_outcome_file);
+  };
+  if (!output.quiet) {
+    for (const std::string& changed : outcome.changed)
+      fmt::print("changed since the ratchet was written: {}\n", changed);
+    for (std::size_t i = 0; i < std::min(most_lines, outcome.better.size()); ++i)
+      fmt::print("{}\n", coloured("better: " + outcome.better[i], TextColour::green));
+    if (const std::string rest = more(outcome.better.size()); !rest.empty()) fmt::print("better: {}\n", rest);
+    if (!outcome.better.empty())
+      fmt::print("{}/ratchet.txt has what is accepted with the figures of now\n", output.out);
   }
-  for (const RatchetFailure& failure : outcome.failures) fmt::print(stderr, "axiscert: --ratchet: {}\n", failure.text);
+  for (std::size_t i = 0; i < std::min(most_lines, outcome.failures.size()); ++i)
+    fmt::print(stderr, "axiscert: --ratchet: {}\n", outcome.failures[i].text);
+  if (const std::string rest = more(outcome.failures.size()); !rest.empty())
+    fmt::print(stderr, "axiscert: --ratchet: {}\n", rest);
+  if (!outcome.failures.empty()) {
+    fmt::print(stderr,
+               "axiscert: {} is not met; {}/ratchet.txt would accept this run, once its accept: lines are filled in\n",
+               output.ratchet, output.out);
+  }
   return outcome.failures.empty();
 }
 
@@ -62,6 +86,8 @@ std::optional<Ratchet> ratchet_of(const OutputOptions& output, const Plan& plan)
     throw Error(fmt::format("--ratchet {}: the run would overwrite it; keep the reviewed file outside of --out {}",
                             output.ratchet, output.out));
   }
+  // Where no kernel could be loaded, there is nothing to hold, and the run is no pass.
+  if (plan.precisions.empty()) return std::nullopt;
   require_plan(ratchet, plan_json(plan, planned(plan), output.required));
   return ratchet;
 }
@@ -71,6 +97,7 @@ HarnessFault saved(const OutputFolder& folder, const OracleDisagreement& disagre
 }
 
 int judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked) {
+  source_places(plan.kernels, output.sources);  // refuses what cannot be one, before anything runs
   const std::optional<Ratchet> ratchet = ratchet_of(output, plan);
   const OutputFolder folder(output.out);
   for (const std::string& target : targets_of(plan)) require_uncontracted(target);
@@ -105,6 +132,7 @@ int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResul
   if (held) folder.write(ratchet_outcome_file, outcome_json(*ratchet, *held));
   Json info = run_info(plan, result, target_asked, iso_time(started), seconds);
   if (!scale.is_null()) info["scale"] = scale;
+  info["sources"] = source_places(plan.kernels, output.sources);
   const std::vector<LevelOutcome> outcomes = outcomes_of(record);
   if (!outcomes.empty()) info["requirements"] = outcomes_json(outcomes);
   folder.write("run.json", info);
@@ -115,8 +143,12 @@ int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResul
   if (!output.quiet) fmt::print("{}{}/report.html\n", summary_text(record, seconds), output.out);
   if (!result.complete) return exit_interrupted;
   bool is_met = true;
+  for (const std::string& sentence : unjudged(record)) {
+    fmt::print(stderr, "axiscert: {}\n", sentence);
+    is_met = false;
+  }
   if (!shown(outcomes, output.quiet)) is_met = false;
-  if (held && !holds(*held, output.quiet)) is_met = false;
+  if (held && !holds(*held, output)) is_met = false;
   return is_met ? exit_done : exit_requirement_failed;
 }
 

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "cli/commands.h"
+#include "cli/options/source_place.h"
 #include "cli/options/test_options.h"
 #include "cli/values.h"
 #include "cli/running/judged_run.h"
@@ -66,6 +67,7 @@ class Lead {
         distributor_(crew, ranks),
         is_whole_(options.shard.empty() && options.stretches.empty()),
         is_selected_([](std::uint64_t) { return true; }) {
+    source_places(plan.kernels, output.sources);  // refuses what cannot be one, before anything runs
     if (!options.shard.empty()) is_selected_ = shard_of(options.shard);
     if (!options.stretches.empty()) is_selected_ = listed_in(options.stretches, stretches.count());
   }
@@ -179,7 +181,14 @@ class Lead {
   int say_what_a_part_did() const {
     fmt::print("{}: {} of the plan's {} units; `axiscert merge` joins the parts\n", path(journal_file),
                gathered_.units(), stretches_.units());
-    return interrupted_ ? exit_interrupted : exit_done;
+    if (interrupted_) return exit_interrupted;
+    const auto is_loaded = [](const Kernel* kernel) {
+      return kernel->has(Precision::binary32) || kernel->has(Precision::binary64);
+    };
+    for (const Kernel* kernel : plan_.kernels) {
+      if (!is_loaded(kernel)) fmt::print(stderr, "axiscert: {}: NOT JUDGED: it could not be loaded\n", kernel->id);
+    }
+    return std::all_of(plan_.kernels.begin(), plan_.kernels.end(), is_loaded) ? exit_done : exit_requirement_failed;
   }
 
   const PlannedOptions& options_;

@@ -193,7 +193,7 @@ class Plugins(Case):
 
     def test_a_plugin_for_another_version_leaves_the_run_whole(self):
         record = self.run_ok("--kernel", f"plugin:{BUILD}/misbehaving/wrong_abi.so", "--kernel", "published", "--family",
-                             "general", "--trials", "2000")
+                             "general", "--trials", "2000", code=1)
         (finding,) = record["findings"]
         self.assertEqual((finding["kind"], finding["address"]), ("abi", None))
         self.assertEqual(family(record, "general")["trials"], 2000)

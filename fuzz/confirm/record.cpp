@@ -193,6 +193,16 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
   return json;
 }
 
+// The digests of the files of which somebody else's kernel consists; null for a kernel that comes with axiscert.
+Json digest_json(const Plan& plan, const Kernel& kernel) {
+  Json digest;
+  for (const FileInfo& file : plan.plugins) {
+    if (file.kernel == kernel.id && !file.sha256.empty())
+      digest.push_back({{"kind", file.kind}, {"sha256", file.sha256}});
+  }
+  return digest;
+}
+
 }  // namespace
 
 Json exposures_json(const Kernel& kernel) {
@@ -219,22 +229,26 @@ Json record_of(const Plan& plan, const CampaignResult& result, const Required& r
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     const Kernel& kernel = *plan.kernels[k];
     put_loading_findings(findings, kernel);
+    const Json digest = digest_json(plan, kernel);
     for (const Precision precision : plan.precisions) {
       if (!kernel.has(precision)) continue;
       const bool has_arithmetic = kernel.formulae != Formulae::none, claimed = has_arithmetic || !kernel.claims.empty();
       const std::string formulae = has_arithmetic ? name(kernel.formulae) : kernel.claims;
-      Json entry = {{"id", kernel.id},
-                    {"precision", name(precision)},
-                    {"summary", kernel.summary},
-                    {"formulae", claimed ? Json(formulae) : Json(nullptr)},
-                    {"arithmetic", has_arithmetic ? Json(name(kernel.arithmetic)) : Json(nullptr)},
-                    {"strictness", has_comparisons(kernel.formulae) ? Json(name(kernel.strictness)) : Json(nullptr)},
-                    {"reference", claimed ? Json(kernel.is_reference) : Json(nullptr)},
-                    {"exposes", exposures_json(kernel)},
-                    {"touching", name(kernel.touching)},
-                    {"limits", limits_json(kernel.limits)},
-                    {"critical_radius", nullptr},
-                    {"families", Json::object()}};
+      Json entry = {
+          {"id", kernel.id},
+          {"name", kernel.declared_name.empty() || digest.is_null() ? Json(nullptr) : Json(kernel.declared_name)},
+          {"digest", digest},
+          {"precision", name(precision)},
+          {"summary", kernel.summary},
+          {"formulae", claimed ? Json(formulae) : Json(nullptr)},
+          {"arithmetic", has_arithmetic ? Json(name(kernel.arithmetic)) : Json(nullptr)},
+          {"strictness", has_comparisons(kernel.formulae) ? Json(name(kernel.strictness)) : Json(nullptr)},
+          {"reference", claimed ? Json(kernel.is_reference) : Json(nullptr)},
+          {"exposes", exposures_json(kernel)},
+          {"touching", name(kernel.touching)},
+          {"limits", limits_json(kernel.limits)},
+          {"critical_radius", nullptr},
+          {"families", Json::object()}};
       CriticalRadiusTally radii;
       std::vector<TalliedSource> tallied;
       for (std::size_t s = 0; s < plan.sources.size(); ++s) {

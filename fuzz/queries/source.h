@@ -22,6 +22,7 @@ struct FileInfo {
   std::string sha256 = {};                                                        // hash of the bytes, 64 hex digits
   std::uint64_t queries = 0;                                                      // for kind "queries"
   std::uint64_t triangles = 0, degenerate_triangles = 0, skipped_primitives = 0;  // for kind "mesh"
+  std::string kernel = {};  // for kind "plugin": the id of the kernel that it is
 };
 
 // Random access without state: any thread may ask for any position at any time.

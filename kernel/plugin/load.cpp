@@ -147,7 +147,8 @@ void add(const Description& d, std::uint32_t index, const std::string& path, Ker
   described.touching = one_of<Touching>(d.touching, touching_names.size(), "touching convention");
   described.limits = limits_of(d);
   described.summary = d.summary[0] != 0 ? fmt::format("{}: {}", text_of(d.name), text_of(d.summary)) : text_of(d.name);
-  if (described.summary.empty()) refuse("it has no name");
+  if (d.name[0] == 0) refuse("it has no name");
+  described.declared_name = kernel.declared_name.empty() ? text_of(d.name) : kernel.declared_name;
   claim(d, described);
   const bool is_first = !kernel.binary32 && !kernel.binary64;
   if (!is_first &&

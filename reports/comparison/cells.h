@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reports/comparison/two_proportions.h"
@@ -24,13 +25,19 @@ struct Cell {
   Json figure = 0;                // a maximum may be the text of a number that binary64 cannot hold
   Proportion of;                  // for a count: the number of queries among which it was counted
   std::uint64_t independent = 0;  // how many of these queries do not share a triangle
+  std::string identity = {};      // what other runs know the kernel by; `kernel` is its id in this record
 
   std::string name() const { return place + "." + member; }
   std::uint64_t count() const { return figure.get<std::uint64_t>(); }
   bool is_zero() const { return figure == 0; }
-  // Kernel, precision, family and name: they identify the cell in two records.
-  Json key() const { return Json::array({kernel, precision, family, name()}); }
+  // The kernel's identity, precision, family and name: they identify the cell in two records.
+  Json key() const { return key_of(identity); }
+  // The same with another text for the kernel.
+  Json key_of(const std::string& known_by) const { return Json::array({known_by, precision, family, name()}); }
 };
+
+// The figures of a place, but for errors in u: of "verdict", of "finding", or of any comparison.
+std::vector<std::string_view> members_of(std::string_view place);
 
 // The cells in the record's order, including those with the figure zero. `record` must be one that read_run accepted.
 std::vector<Cell> cells_of(const Json& record);

@@ -7,7 +7,9 @@
 #include <set>
 
 #include "kernel/base/error.h"
+#include "reports/run_folder/identity.h"
 #include "reports/run_folder/plan_queries.h"
+#include "reports/wording/finding.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -20,36 +22,162 @@ Change direction(const Cell& before, const Cell& after, bool grew) {
 
 class Comparer {
  public:
-  Comparer(const Json& before, const Json& after) : before_(before), after_(after) {}
+  Comparer(const Json& before, const Json& after)
+      : before_(before), after_(after), identities_(identities_of(before, after)) {}
 
   RunComparison run(std::vector<Replayed> replayed) {
+    list_kernels();
     std::map<Json, Cell> in_after;
-    for (Cell& cell : cells_of(after_)) in_after.emplace(cell.key(), std::move(cell));
+    for (Cell& cell : cells_of(after_)) in_after.emplace(key(cell, false), std::move(cell));
     for (Cell& cell : cells_of(before_)) {
-      const auto match = in_after.extract(cell.key());
+      const auto match = in_after.extract(key(cell, true));
       if (!match.empty()) add(std::move(cell), std::move(match.mapped()));
       else if (cell.kind == Cell::Kind::finding) add_finding(std::move(cell), false);
-      else note_absent(cell, "is only in OLD");
+      else note_absent(cell, true, "is only in OLD");
     }
     // A record has a cell for a finding only where there was one.
     for (Cell& cell : cells_of(after_)) {
-      if (in_after.count(cell.key()) == 0) continue;
+      if (in_after.count(key(cell, false)) == 0) continue;
       if (cell.kind == Cell::Kind::finding) add_finding(std::move(cell), true);
-      else note_absent(cell, "is only in NEW");
+      else note_absent(cell, false, "is only in NEW");
     }
     correct();
     for (ComparedCell& cell : result_.cells) {
+      if (cell.is_compared()) {
+        ++kernel_of(cell.before, true)->cells;
+        compared_.emplace(cell.before.kernel, cell.before.precision);
+      }
       if (!cell.is_alarm()) continue;
       for (const Json* witness : witnesses_of(after_, cell.after)) cell.witnesses.push_back((*witness)["id"]);
     }
+    say_what_is_unchecked();
     for (const auto& [what, why] : absent_) result_.not_compared.push_back({what, why});
     result_.replayed = std::move(replayed);
     return std::move(result_);
   }
 
  private:
-  // Reports a missing kernel or family once, not once for each cell. A family's verdict comes first.
-  void note_absent(const Cell& cell, const std::string& why) {
+  const std::string& identity(const std::string& id, bool is_before) const {
+    const Identities& all = is_before ? identities_.first : identities_.second;
+    const auto known = all.find(id);
+    return known == all.end() ? id : known->second;
+  }
+  Json key(const Cell& cell, bool is_before) const { return cell.key_of(identity(cell.kernel, is_before)); }
+
+  ComparedKernel* kernel_called(const std::string& name) {
+    const auto found = std::find_if(result_.kernels.begin(), result_.kernels.end(),
+                                    [&](const ComparedKernel& kernel) { return kernel.name == name; });
+    return found == result_.kernels.end() ? nullptr : &*found;
+  }
+  // That of a cell; one that the plan does not name is added.
+  ComparedKernel* kernel_of(const Cell& cell, bool is_before) {
+    const std::string& name = identity(cell.kernel, is_before);
+    if (ComparedKernel* known = kernel_called(name)) return known;
+    ComparedKernel& added = result_.kernels.emplace_back();
+    added.name = name;
+    (is_before ? added.before : added.after) = cell.kernel;
+    return &added;
+  }
+
+  void list_kernels() {
+    for (const Json& id : before_["plan"]["kernels"])
+      result_.kernels.push_back({identity(id, true), id, "", "", false, 0});
+    for (const Json& id : after_["plan"]["kernels"]) {
+      const std::string& name = identity(id, false);
+      if (ComparedKernel* both = kernel_called(name)) both->after = id;
+      else result_.kernels.push_back({name, "", id, "", false, 0});
+    }
+    for (ComparedKernel& kernel : result_.kernels) {
+      if (kernel.before.empty() || kernel.after.empty()) continue;
+      const Json then = digest_of(before_, kernel.before), now = digest_of(after_, kernel.after);
+      kernel.has_digests = !then.is_null() && !now.is_null();
+      kernel.digest_change = digest_change(then, now);
+    }
+  }
+
+  // Why the other record does not have a kernel, where more than its absence is to be said.
+  std::string reason(const ComparedKernel& kernel) const {
+    const bool is_before = !kernel.before.empty();
+    const std::string& id = is_before ? kernel.before : kernel.after;
+    const Json &own = is_before ? before_ : after_, &other = is_before ? after_ : before_;
+    const char* const which = is_before ? "NEW" : "OLD";
+    const auto is_id = [&](const Json& given) { return given == id; };
+    const Json& ids = other["plan"]["kernels"];
+    const std::string name = declared_name(own, id);
+    if (std::any_of(ids.begin(), ids.end(), is_id)) {
+      const std::string there = declared_name(other, id);
+      if (there.empty()) return fmt::format("; in {} it could not be loaded", which);
+      return fmt::format("; in {} it declares another name, '{}' and not '{}'", which, there, name);
+    }
+    if (!has_names(before_) || !has_names(after_)) {
+      return fmt::format("; {} is of a version that wrote no names, so kernels are known by their ids",
+                         has_names(after_) ? "OLD" : "NEW");
+    }
+    for (const Json& given : ids) {
+      if (!name.empty() && declared_name(other, given) == name)
+        return fmt::format("; several kernels of one run declare the name '{}', so each is known by its id", name);
+    }
+    return "";
+  }
+
+  void say_what_is_unchecked() {
+    const std::vector<std::string> unloaded = not_judged(after_), unloaded_before = not_judged(before_);
+    const auto is_in = [](const std::vector<std::string>& all, const std::string& id) {
+      return std::find(all.begin(), all.end(), id) != all.end();
+    };
+    const auto say = [&](const std::string& who, const std::string& why) {
+      result_.unchecked.push_back(fmt::format("{}: {}", who, why));
+      absent_[who] = why;
+    };
+    if (result_.compared() == 0) {
+      result_.unchecked.emplace_back(
+          "nothing was compared: the two runs have no kernel, precision and family with valid "
+          "queries in common");
+    }
+    for (const ComparedKernel& kernel : result_.kernels) {
+      if (!kernel.after.empty() && is_in(unloaded, kernel.after)) {
+        say(kernel.after, "could not be loaded in NEW, so it was not judged");
+      } else if (kernel.before.empty()) {
+        absent_[kernel.after] = "is only in NEW" + reason(kernel);
+      } else if (kernel.after.empty()) {
+        say(kernel.before, "is only in OLD" + reason(kernel));
+      } else if (kernel.cells == 0) {
+        say(kernel.before, is_in(unloaded_before, kernel.before)
+                               ? "could not be loaded in OLD"
+                               : "has no precision and family with valid queries in both runs");
+      } else {
+        for (const Json& precision : precisions_of(before_, kernel.before)) {
+          if (compared_.contains({kernel.before, precision})) continue;
+          say(fmt::format("{} {}", kernel.before, precision.get<std::string>()),
+              has_precision(after_, kernel.after, precision) ? "has no family with valid queries in both runs"
+                                                             : "is only in OLD");
+        }
+        for (const Json& precision : precisions_of(after_, kernel.after)) {
+          if (!has_precision(before_, kernel.before, precision))
+            absent_[fmt::format("{} {}", kernel.after, precision.get<std::string>())] = "is only in NEW";
+        }
+      }
+    }
+  }
+
+  static std::vector<Json> precisions_of(const Json& record, const std::string& id) {
+    std::vector<Json> precisions;
+    for (const Json& kernel : record["kernels"]) {
+      if (kernel["id"] == id) precisions.push_back(kernel["precision"]);
+    }
+    return precisions;
+  }
+  static bool has_precision(const Json& record, const std::string& id, const Json& precision) {
+    const std::vector<Json> all = precisions_of(record, id);
+    return std::find(all.begin(), all.end(), precision) != all.end();
+  }
+
+  // Reports a missing family once, not once for each cell; a missing kernel, or one of its precisions, is reported as
+  // one. A family's verdict comes first.
+  void note_absent(const Cell& cell, bool is_before, const std::string& why) {
+    const ComparedKernel& kernel = *kernel_of(cell, is_before);
+    if (kernel.before.empty() || kernel.after.empty()) return;
+    if (!has_precision(is_before ? after_ : before_, is_before ? kernel.after : kernel.before, cell.precision)) return;
     const std::string family = fmt::format("{} {} on {}", cell.kernel, cell.precision, cell.family);
     if (cell.place == "verdict" || cell.kind == Cell::Kind::finding) absent_.emplace(family, why);
     else if (cell.member == "tolerance_failures") absent_.emplace(family + ": " + cell.name(), why);
@@ -57,15 +185,11 @@ class Comparer {
   }
 
   void add_finding(Cell cell, bool is_new) {
+    // Chance cannot explain a finding. A kernel that NEW did not run at all has not been mended.
+    if (!is_new && kernel_of(cell, true)->after.empty()) return;
     Cell none = cell;
     none.figure = 0;
     ComparedCell compared{is_new ? none : cell, is_new ? cell : none};
-    // Chance cannot explain a finding. A kernel that NEW did not run at all has not been mended.
-    const auto has_kernel = [&](const Json& record) {
-      const Json& kernels = record["plan"]["kernels"];
-      return std::find(kernels.begin(), kernels.end(), cell.kernel) != kernels.end();
-    };
-    if (!is_new && !has_kernel(after_)) return note_absent(cell, "is only in OLD");
     compared.change = is_new ? Change::fresh : Change::fixed;
     result_.cells.push_back(std::move(compared));
   }
@@ -82,7 +206,7 @@ class Comparer {
 
   void add(Cell before, Cell after) {
     if (before.member == "tolerance_failures" && tolerance_of(before_, before) != tolerance_of(after_, after)) {
-      return note_absent(before, "was counted with a different tolerance");
+      return note_absent(before, true, "was counted with a different tolerance");
     }
     ComparedCell compared{std::move(before), std::move(after)};
     compared.same_queries = has_same_queries(compared.before);
@@ -117,6 +241,8 @@ class Comparer {
   }
 
   const Json &before_, &after_;
+  std::pair<Identities, Identities> identities_;
+  std::set<std::pair<std::string, std::string>> compared_;  // OLD's ids, and precisions
   RunComparison result_;
   std::map<std::string, std::string> absent_;
 };
@@ -144,6 +270,11 @@ std::size_t RunComparison::alarms() const {
   const auto is_alarm = [](const auto& item) { return item.is_alarm(); };
   return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), is_alarm) +
                                   std::count_if(replayed.begin(), replayed.end(), is_alarm));
+}
+
+std::size_t RunComparison::compared() const {
+  return static_cast<std::size_t>(
+      std::count_if(cells.begin(), cells.end(), [](const ComparedCell& cell) { return cell.is_compared(); }));
 }
 
 std::size_t RunComparison::count(Change change) const {

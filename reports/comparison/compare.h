@@ -30,6 +30,21 @@ struct ComparedCell {
   std::vector<std::string> witnesses{};      // ids in NEW, where the cell is new or worse
 
   bool is_alarm() const { return change == Change::fresh || change == Change::worse; }
+  // Whether it holds counts over queries of both runs that can be set against each other.
+  bool is_compared() const {
+    return before.kind == Cell::Kind::count && before.of.trials != 0 && after.of.trials != 0 && (same_queries || p);
+  }
+  // The id of the kernel, or its identity where the two runs have it under different ids.
+  const std::string& kernel() const { return before.kernel == after.kernel ? before.kernel : after.identity; }
+};
+
+// A kernel of either plan, or of both.
+struct ComparedKernel {
+  std::string name;           // its identity
+  std::string before, after;  // its ids; empty in a record that does not have it
+  std::string digest_change;  // which files were changed; empty: none, or not known
+  bool has_digests = false;   // whether both records have its digest
+  std::size_t cells = 0;      // those of it that are compared
 };
 
 // Something that only one of the two records has, or that they counted in different ways.
@@ -40,10 +55,16 @@ struct NotCompared {
 struct RunComparison {
   std::vector<ComparedCell> cells;  // in OLD's order, then the cells that only findings of NEW have
   std::vector<NotCompared> not_compared;
-  std::size_t tested = 0;          // number of cells that Holm's correction covers
+  std::size_t tested = 0;               // number of cells that Holm's correction covers
+  std::vector<ComparedKernel> kernels;  // OLD's, then those that only NEW has
+  // Sentences on what was to be compared and could not be: a kernel of OLD, or a precision of it, of which no cell
+  // is, a kernel of NEW that could not be loaded, two runs without a common cell. Each forbids exit code 0.
+  std::vector<std::string> unchecked;
   std::vector<Replayed> replayed;  // OLD's witnesses
   std::size_t alarms() const;      // cells that are new or worse, and witnesses that were right and are now wrong
   std::size_t count(Change change) const;
+  std::size_t compared() const;  // number of cells over queries of both runs
+  bool passes() const { return alarms() == 0 && unchecked.empty(); }
 };
 
 // The counts of both cells as independent trials: queries that share a triangle count as one, and the count of failures

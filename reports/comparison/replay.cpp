@@ -45,13 +45,14 @@ struct Asked {
   const Kernel* kernel = nullptr;
   std::string absent;
 
-  Asked(const std::string& id, std::string_view target, const std::set<std::string>& trusted) {
-    if (id.starts_with("plugin:") && !trusted.contains(id)) {
+  Asked(const std::string& id, std::string_view target, const TrustedPlugins& trusted) {
+    const auto named = trusted.find(id);
+    if (id.starts_with("plugin:") && named == trusted.end()) {
       absent = fmt::format("a plug-in that a record names is loaded only with --kernel {}", shell_word(id));
       return;
     }
     try {
-      kernel = &find_kernel(id);
+      kernel = &find_kernel(named == trusted.end() ? id : named->second);
       require_loaded(*kernel);
       examiner = std::make_unique<Examiner>(*kernel, target);
     } catch (const Error& none) {
@@ -62,8 +63,7 @@ struct Asked {
 
 }  // namespace
 
-std::vector<Replayed> replay_witnesses(const Json& record, std::string_view target,
-                                       const std::set<std::string>& trusted) {
+std::vector<Replayed> replay_witnesses(const Json& record, std::string_view target, const TrustedPlugins& trusted) {
   const TestDescription& test = test_of(record["plan"]);
   std::map<std::string, Asked> kernels;
   std::vector<Replayed> all;

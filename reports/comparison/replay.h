@@ -1,7 +1,7 @@
 // Known witnesses, evaluated again by the kernels of this build and by all oracles.
 #pragma once
 
-#include <set>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,9 +30,11 @@ struct Replayed {
   bool is_alarm() const { return outcome == ReplayOutcome::wrong_now; }
 };
 
-// Evaluates every witness of the record, in its order. A plug-in is loaded only where `trusted` has its id,
-// "plugin:PATH": a record that came by mail must not choose what code runs here. Throws OracleDisagreement.
-std::vector<Replayed> replay_witnesses(const Json& record, std::string_view target,
-                                       const std::set<std::string>& trusted = {});
+// The plug-ins that may be loaded: by the id that a record has, "plugin:PATH", the id of the one to load for it.
+using TrustedPlugins = std::map<std::string, std::string>;
+
+// Evaluates every witness of the record, in its order. A plug-in is loaded only where `trusted` has its id: a record
+// that came by mail must not choose what code runs here. Throws OracleDisagreement.
+std::vector<Replayed> replay_witnesses(const Json& record, std::string_view target, const TrustedPlugins& trusted = {});
 
 }  // namespace axiscert

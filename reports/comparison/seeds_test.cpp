@@ -96,7 +96,7 @@ TEST(CompareSeeds, APluginThatARecordNamesIsLoadedForWhoNamesItAlone) {
   const std::string id = "plugin:/no such.so";
   const Json record = renamed(run({{"repeated"}, 64, {Precision::binary32}}, "published", 1), id);
   const auto untrusted = replay_witnesses(record, scalar_target);
-  const auto trusted = replay_witnesses(record, scalar_target, {id});
+  const auto trusted = replay_witnesses(record, scalar_target, {{id, id}});
   ASSERT_FALSE(untrusted.empty());
   EXPECT_EQ(untrusted[0].note, "a plug-in that a record names is loaded only with --kernel 'plugin:/no such.so'");
   EXPECT_NE(trusted[0].note.find("there is no file /no such.so"), std::string::npos) << trusted[0].note;

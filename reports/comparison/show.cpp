@@ -17,6 +17,17 @@ namespace {
 
 using Row = std::vector<std::string>;
 
+// Plug-ins of both runs: whether they are the same files.
+InstrumentTable plugins_table(const RunComparison& comparison) {
+  InstrumentTable table{"Plug-ins, known by the name that they declare", {"name", "in OLD", "in NEW", "files"}, {}};
+  for (const ComparedKernel& kernel : comparison.kernels) {
+    if (kernel.before.empty() || kernel.after.empty() || !kernel.has_digests) continue;
+    table.rows.push_back({kernel.name, kernel.before, kernel.after,
+                          kernel.digest_change.empty() ? "the same" : "changed: " + kernel.digest_change});
+  }
+  return table;
+}
+
 // "12 of 65,536: 110 to 320 per million"; a maximum or a count of findings is shown as it is.
 std::string figure_text(const Cell& cell) {
   if (cell.kind == Cell::Kind::finding) return thousands(cell.count());
@@ -45,7 +56,7 @@ InstrumentTable cells_table(const std::string& caption, const RunComparison& com
                         {}};
   for (const ComparedCell& cell : comparison.cells) {
     if (cell.change == Change::unchanged || cell.is_alarm() != alarms) continue;
-    table.rows.push_back({std::string(name(cell.change)), cell.before.kernel, cell.before.precision, cell.before.family,
+    table.rows.push_back({std::string(name(cell.change)), cell.kernel(), cell.before.precision, cell.before.family,
                           cell.before.name(), figure_text(cell.before), figure_text(cell.after), probability(cell)});
   }
   return table;
@@ -56,7 +67,7 @@ InstrumentTable kernels_table(const RunComparison& comparison) {
       "By kernel", {"kernel", "precision", "new", "worse", "better", "fixed", "unchanged", "wrong nowhere"}, {}};
   std::vector<std::pair<std::pair<std::string, std::string>, std::array<std::uint64_t, change_names.size() + 1>>> rows;
   for (const ComparedCell& cell : comparison.cells) {
-    const std::pair key(cell.before.kernel, cell.before.precision);
+    const std::pair key(cell.kernel(), cell.before.precision);
     auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.first == key; });
     if (row == rows.end()) row = rows.insert(rows.end(), {key, {}});
     const bool is_nowhere = cell.before.is_zero() && cell.after.is_zero();
@@ -135,13 +146,15 @@ std::vector<std::string> notes(const ComparedRuns& runs, const RunComparison& co
     notes.push_back(fmt::format("Witnesses of OLD, evaluated again here: {}.", fmt::join(parts, ", ")));
   }
   notes.push_back(fmt::format(
-      "{} cells. {} were counted over the same queries, where any difference counts. {} were counted over different "
+      "{} cells, {} of them counts that could be compared. {} were counted over the same queries, where any difference "
+      "counts. {} were counted over different "
       "queries: "
       "Fisher's exact test, two-sided, queries that share a triangle counted as one, and Holm's correction over these "
       "cells; two runs that differ in chance alone give an alarm in at most {:.0f} % of cases. Maxima are compared on "
       "the "
       "same queries only. Limits are Clopper and Pearson's, each alone, for this generator only.",
-      thousands(comparison.cells.size()), thousands(same), thousands(comparison.tested), 100 * family_wise_error));
+      thousands(comparison.cells.size()), thousands(comparison.compared()), thousands(same),
+      thousands(comparison.tested), 100 * family_wise_error));
   return notes;
 }
 
@@ -156,8 +169,13 @@ std::string answer(const RunComparison& comparison) {
   const auto wrong = static_cast<std::size_t>(std::count_if(comparison.replayed.begin(), comparison.replayed.end(),
                                                             [](const Replayed& r) { return r.is_alarm(); }));
   if (wrong != 0) parts.push_back(fmt::format("{} known witnesses wrong now", thousands(wrong)));
-  if (parts.empty()) return "no change";
-  return fmt::format("{}: {}", comparison.alarms() != 0 ? "worse" : "better", fmt::join(parts, ", "));
+  std::string open;
+  for (const std::string& sentence : comparison.unchecked) open += (open.empty() ? "NOT COMPARED: " : "; ") + sentence;
+  if (parts.empty() && comparison.compared() == 0) return open;
+  const std::string change =
+      parts.empty() ? "no change"
+                    : fmt::format("{}: {}", comparison.alarms() != 0 ? "worse" : "better", fmt::join(parts, ", "));
+  return open.empty() ? change : fmt::format("{}; {}", change, open);
 }
 
 InstrumentReport comparison_report(const ComparedRuns& runs, const RunComparison& comparison) {
@@ -166,9 +184,10 @@ InstrumentReport comparison_report(const ComparedRuns& runs, const RunComparison
   report.title = "axiscert compare: " + answer(comparison);
   report.command = compare_command(runs.before_name, runs.after_name);
   report.notes = notes(runs, comparison);
-  for (InstrumentTable& table : std::vector<InstrumentTable>{
-           cells_table("New and worse", comparison, true), replay_table(comparison), witness_table(runs, comparison),
-           cells_table("Better and fixed", comparison, false), kernels_table(comparison), absent_table(comparison)}) {
+  for (InstrumentTable& table :
+       std::vector<InstrumentTable>{cells_table("New and worse", comparison, true), replay_table(comparison),
+                                    witness_table(runs, comparison), cells_table("Better and fixed", comparison, false),
+                                    kernels_table(comparison), plugins_table(comparison), absent_table(comparison)}) {
     if (!table.rows.empty()) report.tables.push_back(std::move(table));
   }
   report.data = comparison_json(runs, comparison);
@@ -205,7 +224,19 @@ Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison) 
                {"answer", answer(comparison)},
                {"alarms", comparison.alarms()},
                {"family_wise_error", family_wise_error},
-               {"tested", comparison.tested}};
+               {"tested", comparison.tested},
+               {"compared", comparison.compared()},
+               {"unchecked", comparison.unchecked},
+               {"kernels", Json::array()}};
+  for (const ComparedKernel& kernel : comparison.kernels) {
+    const auto id = [](const std::string& given) { return given.empty() ? Json(nullptr) : Json(given); };
+    Json& entry = json["kernels"].emplace_back();
+    entry = {{"name", kernel.name},
+             {"old", id(kernel.before)},
+             {"new", id(kernel.after)},
+             {"compared", kernel.cells},
+             {"changed", kernel.has_digests ? Json(!kernel.digest_change.empty()) : Json(nullptr)}};
+  }
   for (std::size_t i = 0; i < change_names.size(); ++i) {
     json["counts"][std::string(change_names[i])] = comparison.count(static_cast<Change>(i));
   }
@@ -217,8 +248,8 @@ Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison) 
       ++nowhere;
       continue;
     }
-    cells.push_back({{"fingerprint", fingerprint(cell.before.key())},
-                     {"kernel", cell.before.kernel},
+    cells.push_back({{"fingerprint", fingerprint(cell.after.key())},
+                     {"kernel", cell.kernel()},
                      {"precision", cell.before.precision},
                      {"family", cell.before.family},
                      {"place", cell.before.place},

@@ -63,6 +63,8 @@ class MarkdownReport {
                              failures.empty() ? "nothing is worse than accepted." : "**the ratchet is not met**."));
     section.line("");
     for (const Json& failure : failures) section.line("- " + plain(failure["text"], 2000));
+    for (const Json& changed : run_.ratchet.value("changed", Json::array()))
+      section.line("- changed since the ratchet was written: " + plain(changed, 2000));
     for (const Json& better : run_.ratchet["better"]) section.line("- better: " + plain(better, 2000));
     return section.text();
   }

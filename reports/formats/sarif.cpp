@@ -1,10 +1,15 @@
 // report.sarif: SARIF 2.1.0, for code scanning. One result for each cell with something wrong in it: kernel, precision,
 // family, and the verdict or comparison. Its fingerprint is that of the cell, and so the same in every run, whatever
-// the count; its location is the line of the cell's deepest witness in witnesses.jsonl. A cell that is worse than the
-// ratchet accepts has one more result, an error, at the same location.
+// the count. Its location is where the kernel is written, by run.json, with the line of the cell's deepest witness in
+// witnesses.jsonl as a related one; where the source is not known, that line is the location. A cell that is worse than
+// the ratchet accepts has one more result, an error, at the same location; one that the ratchet accepts is a note with
+// a suppression.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
 
 #include "reports/comparison/cells.h"
 #include "reports/wording/depths.h"
@@ -59,8 +64,18 @@ Json rule_json(const Rule& rule) {
 
 class Log {
  public:
-  explicit Log(const Run& run) : record_(run.record), held_(run.ratchet), outcomes_(outcomes_of(run.record)) {
+  explicit Log(const Run& run)
+      : record_(run.record), held_(run.ratchet), cells_(cells_of(run.record)), outcomes_(outcomes_of(run.record)) {
+    if (run.info.is_object() && run.info.contains("sources")) sources_ = run.info["sources"];
+    if (!held_.is_null() && held_.contains("held")) {
+      for (const Json& failure : held_["failures"]) failed_.insert(failure["fingerprint"].get<std::string>());
+      for (const Json& waiver : held_["held"]) {
+        for (const Json& fingerprint : waiver["fingerprints"]) waivers_[fingerprint] = &waiver;
+      }
+    }
     failures_ = failures_of(outcomes_);
+    has_suppressions_ = (!held_.is_null() && held_.contains("held")) ||
+                        std::any_of(outcomes_.begin(), outcomes_.end(), [](const auto& o) { return o.is_allowed; });
   }
 
   Json json() const {
@@ -68,7 +83,7 @@ class Log {
     for (const Rule& rule : rules) driver["rules"].push_back(rule_json(rule));
     for (const Rule* rule : {&finding_rule, &ratchet_rule, &unchecked_rule}) driver["rules"].push_back(rule_json(*rule));
     Json results = Json::array();
-    for (const Cell& cell : cells_of(record_)) {
+    for (const Cell& cell : cells_) {
       const Rule* rule = rule_of(cell);
       if (rule != nullptr && !cell.is_zero()) results.push_back(result(cell, *rule));
     }
@@ -102,12 +117,39 @@ class Log {
       return cell.place == "verdict" && failure.kernel == cell.kernel && failure.precision == cell.precision &&
              failure.family == cell.family;
     });
-    return {{"ruleId", rule.id},
-            {"ruleIndex", &rule == &finding_rule ? std::size(rules) : static_cast<std::size_t>(&rule - rules)},
-            {"level", is_unmet ? "error" : rule.level},
-            {"message", {{"text", message_text(message)}}},
-            {"locations", Json::array({place_of(cell.key(), worst)})},
-            {"partialFingerprints", {{"axiscertCell/v1", fingerprint(cell.key())}}}};
+    const Json* const waiver = is_unmet ? nullptr : waiver_of(cell);
+    Json json = {{"ruleId", rule.id},
+                 {"ruleIndex", &rule == &finding_rule ? std::size(rules) : static_cast<std::size_t>(&rule - rules)},
+                 {"level", is_unmet            ? "error"
+                           : waiver != nullptr ? "note"
+                                               : rule.level},
+                 {"message", {{"text", message_text(message)}}},
+                 {"partialFingerprints", {{"axiscertCell/v1", fingerprint(cell.key())}}}};
+    put_places(json, cell.kernel, cell.key(), worst);
+    put_suppressions(json, waiver);
+    return json;
+  }
+
+  // The waiver under which the ratchet accepts a cell, with the depth of its wrong verdicts; null where it does not.
+  const Json* waiver_of(const Cell& cell) const {
+    const auto found = waivers_.find(fingerprint(cell.key()));
+    if (found == waivers_.end()) return nullptr;
+    Cell deepest = cell;
+    deepest.member = "deepest_" + cell.member;
+    return failed_.contains(fingerprint(deepest.key())) ? nullptr : found->second;
+  }
+
+  // SARIF wants suppressions in all results of a run or in none.
+  void put_suppressions(Json& result, const Json* waiver) const {
+    if (!has_suppressions_) return;
+    Json& all = result["suppressions"] = Json::array();
+    if (waiver == nullptr) return;
+    const auto word = [&](const char* member) { return (*waiver)[member].get<std::string>(); };
+    all.push_back({{"kind", "external"},
+                   {"status", "accepted"},
+                   {"justification", fmt::format("accepted in {}{} by {}: {}", held_["file"].get<std::string>(),
+                                                 word("expiry") == "never" ? "" : " until " + word("expiry"),
+                                                 word("owner"), word("reason"))}});
   }
 
   // The depths of a cell's wrong verdicts; empty for any other cell.
@@ -122,45 +164,74 @@ class Log {
   }
 
   Json ratchet_result(const Json& failure) const {
-    const Json key = Json::array({failure["kernel"], failure["precision"], failure["family"], failure["cell"]});
+    Json key = Json::array({failure["kernel"], failure["precision"], failure["family"], failure["cell"]});
     const Json* worst = nullptr;
-    for (const Cell& cell : cells_of(record_)) {
-      if (cell.key() == key) worst = deepest(witnesses_of(record_, cell));
+    for (const Cell& cell : cells_) {
+      if (cell.key_of(cell.kernel) != key) continue;
+      worst = deepest(witnesses_of(record_, cell));
+      key = cell.key();
+      break;
     }
-    return {{"ruleId", ratchet_rule.id},
-            {"ruleIndex", std::size(rules) + 1},
-            {"level", ratchet_rule.level},
-            {"message", {{"text", message_text(failure["text"])}}},
-            {"locations", Json::array({place_of(key, worst)})},
-            {"partialFingerprints", {{"axiscertRatchet/v1", failure["fingerprint"]}}}};
+    Json json = {{"ruleId", ratchet_rule.id},
+                 {"ruleIndex", std::size(rules) + 1},
+                 {"level", ratchet_rule.level},
+                 {"message", {{"text", message_text(failure["text"])}}},
+                 {"partialFingerprints", {{"axiscertRatchet/v1", failure["fingerprint"]}}}};
+    put_places(json, failure["kernel"], key, worst);
+    put_suppressions(json, nullptr);
+    return json;
   }
 
   Json unchecked_result(const LevelOutcome& outcome) const {
     const Json key = Json::array({outcome.kernel, outcome.precision, "", "requirement." + outcome.asked.text});
-    Json result = {{"ruleId", unchecked_rule.id},
-                   {"ruleIndex", std::size(rules) + 2},
-                   {"level", outcome.is_allowed ? "note" : unchecked_rule.level},
-                   {"message", {{"text", message_text(outcome.text())}}},
-                   {"locations", Json::array({place_of(key, nullptr)})},
-                   {"partialFingerprints", {{"axiscertRequirement/v1", fingerprint(key)}}}};
-    if (outcome.is_allowed)
-      result["suppressions"] = Json::array({{{"kind", "external"}, {"justification", "--allow-unchecked"}}});
-    return result;
+    Json json = {{"ruleId", unchecked_rule.id},
+                 {"ruleIndex", std::size(rules) + 2},
+                 {"level", outcome.is_allowed ? "note" : unchecked_rule.level},
+                 {"message", {{"text", message_text(outcome.text())}}},
+                 {"partialFingerprints", {{"axiscertRequirement/v1", fingerprint(key)}}}};
+    put_places(json, outcome.kernel, key, nullptr);
+    put_suppressions(json, nullptr);
+    if (outcome.is_allowed) json["suppressions"].push_back({{"kind", "external"}, {"justification", "--allow-unchecked"}});
+    return json;
   }
 
-  // The line of the witness in witnesses.jsonl, or the first line where there is no witness; and the cell's name.
-  Json place_of(const Json& key, const Json* witness) const {
+  // Where the kernel is written and, as a related place, the line of the witness in witnesses.jsonl. Without a source
+  // the latter is the place; without a witness, the first line.
+  void put_places(Json& result, const std::string& kernel, const Json& key, const Json* witness) const {
     std::size_t line = 1;
     for (const Json& other : record_["witnesses"]) {
       if (witness == nullptr || &other == witness) break;
       ++line;
     }
     const auto part = [&](std::size_t i) { return key[i].get<std::string>(); };
-    return {
-        {"physicalLocation", {{"artifactLocation", {{"uri", "witnesses.jsonl"}}}, {"region", {{"startLine", line}}}}},
-        {"logicalLocations",
-         Json::array({{{"name", part(3)},
-                       {"fullyQualifiedName", fmt::format("{}/{}/{}/{}", part(0), part(1), part(2), part(3))}}})}};
+    const auto place = [](const std::string& file, std::size_t at) -> Json {
+      return {{"physicalLocation", {{"artifactLocation", {{"uri", file}}}, {"region", {{"startLine", at}}}}}};
+    };
+    Json shown = place("witnesses.jsonl", line);
+    if (const auto source = sources_.find(kernel); source != sources_.end()) {
+      if (witness != nullptr) {
+        shown["message"] = {{"text", message_text("The deepest witness, " + (*witness)["id"].get<std::string>())}};
+        result["relatedLocations"] = Json::array({shown});
+      }
+      shown = place(uri_of((*source)["file"]), (*source)["line"]);
+    }
+    shown["logicalLocations"] = Json::array(
+        {{{"name", part(3)}, {"fullyQualifiedName", fmt::format("{}/{}/{}/{}", part(0), part(1), part(2), part(3))}}});
+    result["locations"] = Json::array({std::move(shown)});
+  }
+
+  // A path as a URI reference, relative to the repository where the path is relative: bytes that a URI cannot have are
+  // percent-encoded. "./" keeps a colon in a first name from ending a scheme.
+  static std::string uri_of(const std::string& path) {
+    std::string uri;
+    for (const char c : path) {
+      const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                            std::string_view("-._~/:@!$&'()*+,;=").find(c) != std::string_view::npos;
+      if (is_plain) uri += c;
+      else uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    if (path.starts_with('/')) return "file://" + uri;
+    return uri.find(':') < uri.find('/') ? "./" + uri : uri;
   }
 
   // SARIF reads [text](target) in a message as a link and {0} as a placeholder: neither is meant here.
@@ -194,8 +265,13 @@ class Log {
   }
 
   const Json &record_, &held_;
+  std::vector<Cell> cells_;
   std::vector<LevelOutcome> outcomes_;
+  Json sources_ = Json::object();               // by the kernel's id
+  std::set<std::string> failed_;                // fingerprints
+  std::map<std::string, const Json*> waivers_;  // by fingerprint of what they accept
   std::vector<Failure> failures_;
+  bool has_suppressions_ = false;  // whether the ratchet or --allow-unchecked accepts anything of the run
 };
 
 std::string render_sarif(const Run& run) { return Log(run).json().dump(1) + "\n"; }

@@ -1,19 +1,15 @@
 #include "reports/gates/ratchet.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <charconv>
-#include <chrono>
-#include <cstring>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "kernel/base/error.h"
-#include "kernel/base/utf8.h"
 #include "reports/comparison/cells.h"
+#include "reports/gates/ratchet_text.h"
+#include "reports/run_folder/identity.h"
 #include "reports/run_folder/plan_queries.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
@@ -21,146 +17,183 @@
 namespace axiscert {
 namespace {
 
-constexpr std::string_view schema = "axiscert-ratchet/1";
-constexpr std::string_view form = "FINGERPRINT KERNEL PRECISION FAMILY CELL FIGURE EXPIRY OWNER REASON";
-
 bool is_held(const Cell& cell) { return !cell.is_zero() && cell.member != "max_error_u"; }
-
-std::string word(const std::string& text) {
-  const bool is_plain = !text.empty() && text[0] != '#' && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-    return c > 0x20 && c < 0x7f && c != '"';
-  });
-  return is_plain ? text : Json(text).dump();
-}
-
-std::string line_of(const Json& key, const Json& figure, const std::string& expiry, const std::string& owner,
-                    const std::string& reason) {
-  std::string line = fingerprint(key);
-  for (const Json& part : key) line += " " + word(part);
-  return fmt::format("{} {} {} {} {}", line, figure.dump(), expiry, word(owner), word(reason));
-}
-std::string open_line(const Cell& cell) { return line_of(cell.key(), cell.figure, "EXPIRY", "OWNER", "REASON"); }
 
 std::string name_of(const Json& key) {
   const auto part = [&](std::size_t i) { return key[i].get<std::string>(); };
   return fmt::format("{} {} on {}: {}", part(0), part(1), part(2), part(3));
 }
 
-// Files of the first test are those of versions that had no other.
-std::string head(const std::string& plan, const std::string& test) {
-  return fmt::format("{} {}{}\n# {}\n", schema, plan, test == first_test().id ? "" : " " + word(test), form);
+// The order of failures, the worst first: what was not checked at all, faults other than wrong answers, missed contacts
+// and missing answers, phantom contacts, then what no verdict shows.
+int severity(const Cell& cell) {
+  if (cell.kind == Cell::Kind::finding) return 1;
+  if (cell.place != "verdict") return cell.member == "tolerance_failures" ? 5 : 6;
+  if (cell.member == "undecided") return 4;
+  return cell.member == "false_contact" || cell.member == "deepest_false_contact" ? 3 : 2;
 }
+constexpr int not_checked_severity = 0, expired_severity = 7;
 
-struct Line {
-  const std::string& file;
-  std::size_t number;
-
-  [[noreturn]] void fail(const std::string& what) const { throw Error(fmt::format("{}:{}: {}", file, number, what)); }
+struct Ranked {
+  RatchetFailure failure;
+  int severity;
+  double excess;  // by how much the figure is worse, relative to what is accepted: of two of one severity, the first
 };
 
-std::vector<std::string> words_of(std::string_view text, const Line& line) {
-  std::vector<std::string> words;
-  std::size_t at = 0;
-  while ((at = text.find_first_not_of(" \t\r", at)) != text.npos) {
-    if (text[at] != '"') {
-      const std::size_t end = std::min(text.find_first_of(" \t\r", at), text.size());
-      words.emplace_back(text.substr(at, end - at));
-      at = end;
-      continue;
+// The entries of one kernel, precision and waiver that fail in the same way.
+using Group = std::vector<const RatchetEntry*>;
+
+class Holder {
+ public:
+  Holder(const Ratchet& ratchet, const Json& record, std::string today)
+      : ratchet_(ratchet), record_(record), identities_(identities_of(record)), today_(std::move(today)) {
+    for (const auto& [id, identity] : identities_) {
+      ids_[identity] = id;
+      ids_[id] = id;
+      if (Json digest = digest_of(record, id); !digest.is_null()) digests_[identity] = std::move(digest);
     }
-    std::size_t end = at + 1;
-    while (end < text.size() && text[end] != '"') end += text[end] == '\\' ? 2 : 1;
-    const Json value = end < text.size() ? Json::parse(text.substr(at, end + 1 - at), nullptr, false) : Json();
-    if (!value.is_string())
-      line.fail("a quotation mark does not open a JSON string: \"...\", with \\\" and \\\\ inside");
-    words.push_back(value);
-    at = end + 1;
+    for (const Json& kernel : record["kernels"]) judged_.insert({kernel["id"], kernel["precision"]});
   }
-  return words;
-}
 
-bool is_date(const std::string& text) {
-  if (text.size() != 10 || text[4] != '-' || text[7] != '-') return false;
-  int year = 0;
-  unsigned month = 0, day = 0;
-  const auto read = [&](std::size_t first, std::size_t last, auto& into) {
-    return std::from_chars(text.data() + first, text.data() + last, into).ptr == text.data() + last;
-  };
-  if (text.find_first_not_of("0123456789-") != text.npos) return false;
-  return read(0, 4, year) && read(5, 7, month) && read(8, 10, day) &&
-         std::chrono::year_month_day(std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)).ok();
-}
+  RatchetOutcome run() {
+    for (const Cell& cell : cells_of(record_)) {
+      if (is_held(cell)) hold(cell);
+    }
+    for (const auto& [fingerprint, entry] : ratchet_.entries) {
+      if (met_.contains(fingerprint)) continue;
+      check_expiry(entry);
+      if (is_judged(entry)) {
+        outcome_.better.push_back(fmt::format("{}: 0, accepted is {} ({}:{})", name_of(entry.key), entry.figure.dump(),
+                                              ratchet_.name, entry.line));
+      } else {
+        not_checked_[{entry.key[0], entry.key[1]}].push_back(&entry);
+        accept(entry.key, entry.figure, entry.waiver);
+      }
+    }
+    tell_groups();
+    for (const auto& [kernel, digest] : ratchet_.digests) {
+      const auto now = digests_.find(kernel);
+      const std::string change = now == digests_.end() ? "" : digest_change(digest, now->second);
+      if (!change.empty()) outcome_.changed.push_back(fmt::format("{}: {}", kernel, change));
+      if (now == digests_.end()) digests_[kernel] = digest;
+    }
+    std::stable_sort(failures_.begin(), failures_.end(), [](const Ranked& x, const Ranked& y) {
+      return x.severity != y.severity ? x.severity < y.severity : x.excess > y.excess;
+    });
+    for (Ranked& ranked : failures_) outcome_.failures.push_back(std::move(ranked.failure));
+    outcome_.accepted = ratchet_file(ratchet_.plan, ratchet_.test, accepted_, digests_);
+    return std::move(outcome_);
+  }
 
-RatchetEntry entry_of(const std::vector<std::string>& words, const Line& line) {
-  if (words.size() != 9) {
-    line.fail(fmt::format("{} words, but a line has nine: {}; put words with spaces in \"...\"", words.size(), form));
+ private:
+  // Ratchets of version 1, and those of runs with two plug-ins of one name, have the kernel by its id.
+  const RatchetEntry* entry_of(const Cell& cell) {
+    for (const std::string& known_by : {cell.identity, cell.kernel}) {
+      const auto found = ratchet_.entries.find(fingerprint(cell.key_of(known_by)));
+      if (found == ratchet_.entries.end()) continue;
+      met_.insert(found->first);
+      return &found->second;
+    }
+    return nullptr;
   }
-  RatchetEntry entry{Json::array({words[1], words[2], words[3], words[4]}),
-                     Json::parse(words[5], nullptr, false),
-                     words[6],
-                     words[7],
-                     words[8],
-                     line.number};
-  const std::string own = fingerprint(entry.key);
-  if (own != words[0]) {
-    line.fail(fmt::format("fingerprint {} is not that of {}, which is {}; take whole lines from ratchet.txt", words[0],
-                          name_of(entry.key), own));
+
+  void accept(const Json& key, const Json& figure, const Waiver& waiver) {
+    accepted_.push_back({key, figure, waiver, 0});
   }
-  if (!entry.figure.is_number() || entry.figure < 0) {
-    line.fail(fmt::format("FIGURE '{}' is not a number >= 0", words[5]));
+
+  void hold(const Cell& cell) {
+    const RatchetEntry* const entry = entry_of(cell);
+    const Json key = cell.key(), accepted = entry == nullptr ? Json(0) : entry->figure;
+    const std::string where = entry == nullptr ? "" : fmt::format(" ({}:{})", ratchet_.name, entry->line);
+    const std::string text = fmt::format("{}: {}, accepted is {}{}", name_of(cell.key_of(cell.kernel)),
+                                         cell.figure.dump(), accepted.dump(), where);
+    if (is_less(accepted, cell.figure)) {
+      const double excess = entry == nullptr || accepted == 0 ? cell.figure.get<double>()
+                                                              : cell.figure.get<double>() / accepted.get<double>();
+      failures_.push_back({{key, cell.kernel, text}, severity(cell), excess});
+      accept(key, cell.figure, open_waiver());
+    } else {
+      if (is_less(cell.figure, accepted)) outcome_.better.push_back(text);
+      accept(key, cell.figure, entry->waiver);
+      if (!is_expired(*entry)) held_by(entry->waiver).push_back(fingerprint(key));
+    }
+    if (entry != nullptr) check_expiry(*entry);
   }
-  if (entry.expiry != "never" && !is_date(entry.expiry)) {
-    line.fail(fmt::format("EXPIRY '{}' is neither a day, YYYY-MM-DD, nor never", entry.expiry));
+
+  std::vector<std::string>& held_by(const Waiver& waiver) {
+    for (auto& [other, cells] : outcome_.held) {
+      if (other == waiver) return cells;
+    }
+    return outcome_.held.emplace_back(waiver, std::vector<std::string>()).second;
   }
-  if (entry.owner.empty() || entry.owner == "OWNER")
-    line.fail("OWNER is not filled in: name who is responsible for this");
-  if (entry.reason.empty() || entry.reason == "REASON") line.fail("REASON is not filled in: say why this is accepted");
-  return entry;
-}
+
+  bool is_expired(const RatchetEntry& entry) const {
+    return entry.waiver.expiry != "never" && entry.waiver.expiry < today_;
+  }
+  void check_expiry(const RatchetEntry& entry) {
+    if (!is_expired(entry)) return;
+    expired_[{entry.key[0], entry.key[1], entry.waiver.expiry, entry.waiver.owner, entry.waiver.reason}].push_back(
+        &entry);
+  }
+
+  // A finding made in loading has no precision: nothing was judged because of it, or it is gone.
+  bool is_judged(const RatchetEntry& entry) const {
+    const auto id = ids_.find(entry.key[0].get<std::string>());
+    if (id == ids_.end()) return false;
+    return entry.key[1] == "" || judged_.contains({id->second, entry.key[1].get<std::string>()});
+  }
+
+  // "published binary32 on tangent: verdict.false_separation", or "312 figures of published binary32", and where.
+  std::string named(const Group& group) const {
+    const Json& key = group.front()->key;
+    std::size_t line = group.front()->line;
+    for (const RatchetEntry* entry : group) line = std::min(line, entry->line);
+    return fmt::format("{} ({}:{}{})",
+                       group.size() == 1 ? name_of(key)
+                                         : fmt::format("{} figures of {} {}", thousands(group.size()),
+                                                       key[0].get<std::string>(), key[1].get<std::string>()),
+                       ratchet_.name, line, group.size() == 1 ? "" : " and below");
+  }
+  void fail(const Group& group, const std::string& text, int severity) {
+    const Json& key = group.front()->key;
+    const auto id = ids_.find(key[0].get<std::string>());
+    failures_.push_back({{group.size() == 1 ? key : Json::array({key[0], key[1], "*", "*"}),
+                          id == ids_.end() ? key[0].get<std::string>() : id->second, text},
+                         severity,
+                         static_cast<double>(group.size())});
+  }
+
+  void tell_groups() {
+    std::vector<std::string> known;
+    for (const auto& [id, identity] : identities_)
+      known.push_back(identity == id ? id : fmt::format("{} as {}", id, identity));
+    for (const auto& [key, group] : not_checked_) {
+      fail(group,
+           fmt::format("NOT CHECKED: this run did not judge {} {}, of which it has: {}; the kernels of this run: {}",
+                       key[0], key[1], named(group), fmt::join(known, ", ")),
+           not_checked_severity);
+    }
+    for (const auto& [key, group] : expired_) {
+      fail(group, fmt::format("expired on {} ({}, {}): {}", key[2], key[3], key[4], named(group)), expired_severity);
+    }
+  }
+
+  const Ratchet& ratchet_;
+  const Json& record_;
+  Identities identities_;
+  std::string today_;
+  std::map<std::string, std::string> ids_;  // of the record, by identity and by id
+  std::map<std::string, Json> digests_;     // by identity
+  std::set<std::pair<std::string, std::string>> judged_;
+  std::set<std::string> met_;
+  std::map<std::array<std::string, 2>, Group> not_checked_;
+  std::map<std::array<std::string, 5>, Group> expired_;
+  std::vector<RatchetEntry> accepted_;
+  std::vector<Ranked> failures_;
+  RatchetOutcome outcome_;
+};
 
 }  // namespace
-
-Ratchet parse_ratchet(std::string_view text, const std::string& name) {
-  Ratchet ratchet;
-  ratchet.name = name;
-  std::size_t number = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string_view content = text.substr(at, end - at);
-    const Line line{name, ++number};
-    at = end + 1;
-    if (!is_utf8(content)) line.fail("not UTF-8");
-    const std::vector<std::string> words =
-        content.starts_with('#') ? std::vector<std::string>() : words_of(content, line);
-    if (words.empty()) continue;
-    if (ratchet.plan.empty()) {
-      if (words[0] != schema || words.size() < 2 || words.size() > 3) {
-        line.fail(
-            fmt::format("begins with '{}', but a ratchet begins with '{} PLAN [TEST]'; a run writes one as ratchet.txt",
-                        words[0].substr(0, 80), schema));
-      }
-      ratchet.plan = words[1];
-      if (words.size() == 3) ratchet.test = words[2];
-      continue;
-    }
-    RatchetEntry entry = entry_of(words, line);
-    const auto [at_entry, is_new] = ratchet.entries.emplace(words[0], std::move(entry));
-    if (!is_new) line.fail(fmt::format("{} appears twice, first in line {}", words[0], at_entry->second.line));
-  }
-  if (ratchet.plan.empty()) throw Error(fmt::format("{}: empty; a run writes a ratchet as ratchet.txt", name));
-  return ratchet;
-}
-
-Ratchet read_ratchet(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
-  if (!in.is_open() || in.bad()) {
-    throw Error(fmt::format("{}: cannot be read: {}; a run without --ratchet writes a first one as ratchet.txt", path,
-                            std::strerror(errno)));
-  }
-  return parse_ratchet(text.view(), as_utf8(path));
-}
 
 void require_plan(const Ratchet& ratchet, const Json& plan) {
   if (const std::string_view test = test_of(plan).id; test != ratchet.test) {
@@ -177,72 +210,26 @@ void require_plan(const Ratchet& ratchet, const Json& plan) {
 
 RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, const std::string& today) {
   require_plan(ratchet, record["plan"]);
-  RatchetOutcome outcome;
-  outcome.accepted = head(ratchet.plan, ratchet.test);
-  const auto fail = [&](const Json& key, std::string text) { outcome.failures.push_back({key, std::move(text)}); };
-  std::set<Json> judged;  // kernel and precision
-  for (const Json& kernel : record["kernels"]) judged.insert(Json::array({kernel["id"], kernel["precision"]}));
-  std::set<std::string> met;
-  const auto check_expiry = [&](const RatchetEntry& entry) {
-    if (entry.expiry == "never" || entry.expiry >= today) return;
-    fail(entry.key, fmt::format("{}:{}: expired on {} ({}, {}): {}", ratchet.name, entry.line, entry.expiry,
-                                entry.owner, entry.reason, name_of(entry.key)));
-  };
-  for (const Cell& cell : cells_of(record)) {
-    if (!is_held(cell)) continue;
-    const std::string id = fingerprint(cell.key());
-    const auto found = ratchet.entries.find(id);
-    if (found == ratchet.entries.end()) {
-      fail(cell.key(), fmt::format("{}: {}, accepted is 0; to accept it: {}", name_of(cell.key()), cell.figure.dump(),
-                                   open_line(cell)));
-      outcome.accepted += open_line(cell) + "\n";
-      continue;
-    }
-    const RatchetEntry& entry = found->second;
-    met.insert(id);
-    check_expiry(entry);
-    const bool is_worse = is_less(entry.figure, cell.figure);
-    const std::string line =
-        is_worse ? open_line(cell) : line_of(cell.key(), cell.figure, entry.expiry, entry.owner, entry.reason);
-    if (is_worse) {
-      fail(cell.key(), fmt::format("{}: {}, accepted is {} ({}:{}); to accept it: {}", name_of(cell.key()),
-                                   cell.figure.dump(), entry.figure.dump(), ratchet.name, entry.line, line));
-    } else if (is_less(cell.figure, entry.figure)) {
-      outcome.better.push_back(fmt::format("{}: {}, accepted is {} ({}:{}); the line now: {}", name_of(cell.key()),
-                                           cell.figure.dump(), entry.figure.dump(), ratchet.name, entry.line, line));
-    }
-    outcome.accepted += line + "\n";
-  }
-  for (const auto& [id, entry] : ratchet.entries) {
-    if (met.count(id) != 0) continue;
-    check_expiry(entry);
-    // A finding made in loading has no precision: nothing was judged because of it, or it is gone.
-    const bool of_loading = entry.key[1] == "";
-    const auto& kernels = record["plan"]["kernels"];
-    if (of_loading ? std::find(kernels.begin(), kernels.end(), entry.key[0]) == kernels.end()
-                   : judged.count(Json::array({entry.key[0], entry.key[1]})) == 0) {
-      fail(entry.key,
-           fmt::format("{}: NOT CHECKED: this run did not judge {} {} ({}:{})", name_of(entry.key),
-                       entry.key[0].get<std::string>(), entry.key[1].get<std::string>(), ratchet.name, entry.line));
-      outcome.accepted += line_of(entry.key, entry.figure, entry.expiry, entry.owner, entry.reason) + "\n";
-      continue;
-    }
-    outcome.better.push_back(fmt::format("{}: 0, accepted is {} ({}:{}); remove the line", name_of(entry.key),
-                                         entry.figure.dump(), ratchet.name, entry.line));
-  }
-  return outcome;
+  return Holder(ratchet, record, today).run();
 }
 
 Json outcome_json(const Ratchet& ratchet, const RatchetOutcome& outcome) {
-  Json json = {{"schema", "axiscert-held/1"}, {"file", ratchet.name},     {"plan", ratchet.plan},
-               {"failures", Json::array()},   {"better", outcome.better}, {"accepted", outcome.accepted}};
-  for (const auto& [key, text] : outcome.failures) {
+  Json json = {{"schema", "axiscert-held/1"}, {"file", ratchet.name},        {"plan", ratchet.plan},
+               {"failures", Json::array()},   {"better", outcome.better},    {"changed", outcome.changed},
+               {"held", Json::array()},       {"accepted", outcome.accepted}};
+  for (const auto& [key, kernel, text] : outcome.failures) {
     json["failures"].push_back({{"fingerprint", fingerprint(key)},
-                                {"kernel", key[0]},
+                                {"kernel", kernel},
                                 {"precision", key[1]},
                                 {"family", key[2]},
                                 {"cell", key[3]},
                                 {"text", text}});
+  }
+  for (const auto& [waiver, fingerprints] : outcome.held) {
+    json["held"].push_back({{"expiry", waiver.expiry},
+                            {"owner", waiver.owner},
+                            {"reason", waiver.reason},
+                            {"fingerprints", fingerprints}});
   }
   return json;
 }
@@ -251,11 +238,15 @@ std::string ratchet_text(const Json& record) {
   const std::string plan = plan_fingerprint(record["plan"]);
   if (plan.empty())
     return "# The queries of this run depended on the time available: no other run can be compared with it.\n";
-  std::string text = head(plan, std::string(test_of(record["plan"]).id));
+  std::vector<RatchetEntry> entries;
   for (const Cell& cell : cells_of(record)) {
-    if (is_held(cell)) text += open_line(cell) + "\n";
+    if (is_held(cell)) entries.push_back({cell.key(), cell.figure, open_waiver(), 0});
   }
-  return text;
+  std::map<std::string, Json> digests;
+  for (const auto& [id, identity] : identities_of(record)) {
+    if (Json digest = digest_of(record, id); !digest.is_null()) digests[identity] = std::move(digest);
+  }
+  return ratchet_file(plan, std::string(test_of(record["plan"]).id), entries, digests);
 }
 
 }  // namespace axiscert

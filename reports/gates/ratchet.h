@@ -1,20 +1,9 @@
-// The ratchet: a reviewed text file of the errors that are accepted, one line for each cell. A run may get better,
-// never worse.
-//
-//   axiscert-ratchet/1 PLAN [TEST]
-//   FINGERPRINT KERNEL PRECISION FAMILY CELL FIGURE EXPIRY OWNER REASON
-//
-// PLAN is plan_fingerprint(): figures over other queries are not compared. TEST is the test of the run; sphere-triangle
-// is not written. A word that contains spaces or quotes is a
-// JSON string. CELL is a name of cells_of(), FIGURE its count, or its depth where it is a maximum; a cell without a
-// line is accepted at zero. Counts, findings and depths are checked; errors in u are not, since --tolerance makes a
-// count of them. EXPIRY is the last day of the waiver, YYYY-MM-DD in UTC, or `never`. Empty lines and lines that begin
-// with # are comments.
+// The ratchet: a reviewed text file of the errors that are accepted. A run may get better, never worse.
+// `ratchet_text.h` states the format of the file.
 #pragma once
 
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "fuzz/text/json.h"
@@ -22,10 +11,16 @@
 
 namespace axiscert {
 
+// Until when, by whom and why errors are accepted.
+struct Waiver {
+  std::string expiry, owner, reason;  // expiry: the last day, YYYY-MM-DD in UTC, or `never`
+  bool operator==(const Waiver&) const = default;
+};
+
 struct RatchetEntry {
-  Json key;  // that of the cell
+  Json key;  // that of the cell; the kernel by its identity, or by its id
   Json figure;
-  std::string expiry, owner, reason;
+  Waiver waiver;
   std::size_t line = 0;
 };
 
@@ -33,23 +28,24 @@ struct Ratchet {
   std::string name, plan;
   std::string test = std::string(first_test().id);
   std::map<std::string, RatchetEntry> entries;  // by fingerprint
+  std::map<std::string, Json> digests;          // of the kernels' files, by the kernel as the keys have it
 };
-
-// Throws Error that names file, line and field, and says what would be right.
-Ratchet parse_ratchet(std::string_view text, const std::string& name);
-Ratchet read_ratchet(const std::string& path);
 
 // Throws Error where a record's `plan` is of another test than the ratchet, is not the ratchet's, or cannot be
 // repeated.
 void require_plan(const Ratchet& ratchet, const Json& plan);
 
 struct RatchetFailure {
-  Json key;          // that of the cell
-  std::string text;  // names the cell, says what is wrong, and gives the line that would accept it
+  Json key;            // that of the cell, or of all cells of a kernel and precision: family and name are "*"
+  std::string kernel;  // its id in the record, or its name in the ratchet where the record does not have it
+  std::string text;    // one line: names the cell, says what is wrong, and where it is accepted
 };
 struct RatchetOutcome {
-  std::vector<RatchetFailure> failures;  // worse, expired, or not checked
-  std::vector<std::string> better;       // each with the line that replaces the old one
+  std::vector<RatchetFailure> failures;  // worse, expired, or not checked; the worst first
+  std::vector<std::string> better;       // a line each
+  std::vector<std::string> changed;      // kernels whose files are others than those that the ratchet was written for
+  // The cells that are as bad as accepted, or less, by waiver: their fingerprints.
+  std::vector<std::pair<Waiver, std::vector<std::string>>> held;
   std::string accepted;  // the file that would accept the record; EXPIRY, OWNER and REASON are left to fill in where it
                          // is worse
 };

@@ -1,5 +1,5 @@
 // The ratchet reads what it wrote, refuses what nobody has reviewed, and lets nothing get worse.
-#include "reports/gates/ratchet.h"
+#include "reports/gates/ratchet_text.h"
 
 #include "reports/testing/test_run.h"
 
@@ -46,7 +46,8 @@ TEST(Ratchet, TheReviewedStateHolds) {
   EXPECT_EQ(parse_ratchet(outcome.accepted, "again").entries.size(), parse_ratchet(reviewed(), "r").entries.size());
 }
 
-TEST(Ratchet, WorseIsNamedWithTheLineThatWouldAcceptIt) {
+// Missed contacts before phantom ones, and both before a comparison under a right verdict.
+TEST(Ratchet, WorseIsNamedTheWorstFirst) {
   Json record = stored_record();
   tangent_counts(record)["comparisons"]["edge_bc.side_a"]["missed_separation"] = 2;
   tangent_counts(record)["verdict"]["false_separation"] = 41;
@@ -56,9 +57,11 @@ TEST(Ratchet, WorseIsNamedWithTheLineThatWouldAcceptIt) {
       texts(outcome.failures),
       ElementsAre(HasSubstr("published binary32 on tangent: verdict.false_separation: 41, accepted is 40 (r.txt:"),
                   HasSubstr("verdict.deepest_false_contact: 0.75, accepted is 0.125"),
-                  HasSubstr("edge_bc.side_a.missed_separation: 2, accepted is 0; to accept it: ")));
-  EXPECT_THAT(outcome.failures[2].text,
-              HasSubstr("published binary32 tangent edge_bc.side_a.missed_separation 2 EXPIRY"));
+                  HasSubstr("edge_bc.side_a.missed_separation: 2, accepted is 0")));
+  for (const std::string& text : texts(outcome.failures)) EXPECT_EQ(occurrences(text, "\n"), 0u) << text;
+  EXPECT_THAT(outcome.accepted, HasSubstr("accept: EXPIRY OWNER REASON\nkernel: published\nfamily: binary32 tangent\n"
+                                          "verdict false_separation=41 deepest_false_contact=0.75\n"
+                                          "edge_bc.side_a missed_separation=2\n"));
   // Copying an unreviewed line does not accept it.
   EXPECT_THAT(error_of(outcome.accepted), HasSubstr("EXPIRY"));
 }
@@ -69,26 +72,26 @@ TEST(Ratchet, BetterPrintsTheLineAndHolds) {
   tangent_counts(record)["comparisons"]["vertex_a.radius"]["false_separation"] = 0;
   const RatchetOutcome outcome = hold_against(parse_ratchet(reviewed(), "r.txt"), record, today);
   EXPECT_THAT(outcome.failures, IsEmpty());
-  EXPECT_THAT(outcome.better, ElementsAre(HasSubstr("verdict.false_separation 39 never mk \"rounds, see docs\""),
+  EXPECT_THAT(outcome.better, ElementsAre(HasSubstr("verdict.false_separation: 39, accepted is 40 (r.txt:"),
                                           HasSubstr("vertex_a.radius.false_separation: 0, accepted is 2")));
   EXPECT_THAT(hold_against(parse_ratchet(outcome.accepted, "r.txt"), record, today).better, IsEmpty());
 }
 
 TEST(Ratchet, AnExpiredWaiverFailsFromTheDayAfter) {
   const Json record = stored_record();
-  const std::size_t lines = parse_ratchet(reviewed(), "r.txt").entries.size();
   EXPECT_THAT(hold_against(parse_ratchet(reviewed(today), "r.txt"), record, today).failures, IsEmpty());
   const auto failures = hold_against(parse_ratchet(reviewed("2026-06-14"), "r.txt"), record, today).failures;
-  EXPECT_THAT(failures, SizeIs(lines));
-  EXPECT_THAT(failures[0].text, HasSubstr("expired on 2026-06-14 (mk, rounds, see docs)"));
+  EXPECT_THAT(texts(failures),
+              ElementsAre(HasSubstr("expired on 2026-06-14 (mk, rounds, see docs): 9 figures of published"),
+                          HasSubstr("8 figures of <script> binary32 (r.txt:")))
+      << "one line for each kernel and precision, whatever number of figures has expired";
 }
 
 TEST(Ratchet, AKernelThatWasNotRunIsNotPassed) {
   Json record = stored_record();
   record["kernels"].erase(1);
   const auto failures = hold_against(parse_ratchet(reviewed(), "r.txt"), record, today).failures;
-  ASSERT_THAT(failures, testing::Not(IsEmpty()));
-  EXPECT_THAT(failures[0].text, HasSubstr("NOT CHECKED: this run did not judge <script> binary32"));
+  EXPECT_THAT(texts(failures), ElementsAre(HasSubstr("NOT CHECKED: this run did not judge <script> binary32")));
 }
 
 TEST(Ratchet, AnotherPlanIsRefused) {
@@ -137,7 +140,7 @@ TEST(Ratchet, EveryFormatTellsOfIt) {
   // Compared with the ratchet and not worse: counts as checked where nothing else was required.
   EXPECT_THAT(junit, HasSubstr("name=\"tangent edge_ab.side_c\" time=\"0\"/>"));
   EXPECT_THAT(folder.read("report.md"), HasSubstr("edge_bc.side_a.missed_separation: 2, accepted is 0"));
-  EXPECT_THAT(folder.read("ratchet.txt"), HasSubstr(" never mk \"rounds, see docs\"\n"));
+  EXPECT_THAT(folder.read("ratchet.txt"), HasSubstr("accept: never mk \"rounds, see docs\"\n"));
   const Json log = Json::parse(folder.read("report.sarif"))["runs"][0];
   std::size_t found = 0;
   for (const Json& result : log["results"]) {
@@ -177,40 +180,86 @@ TEST(Ratchet, AnOutcomeOfAnotherPlanOrFormIsRefused) {
   }
 }
 
+// A line of version 1, from a repository of its time.
 TEST(Ratchet, TheFingerprintIsTheCellsAloneAndTheSameForEver) {
-  const std::string text = reviewed();
-  EXPECT_THAT(text, HasSubstr("\nef4246591683df37 published binary32 tangent verdict.false_separation 40 never mk "));
+  const std::string line = "ef4246591683df37 published binary32 tangent verdict.false_separation 40 never mk rounds\n";
+  const Ratchet first = parse_ratchet("axiscert-ratchet/1 4aeb095a46bd0b2d\n" + line, "r.txt");
   Json record = stored_record();
   record["plan"]["seed"] = 7;
-  EXPECT_THAT(ratchet_text(record), HasSubstr("\nef4246591683df37 "));
+  const Ratchet now = parse_ratchet(replaced(ratchet_text(record), "EXPIRY OWNER REASON", "never mk rounds"), "r.txt");
+  const RatchetEntry &then = first.entries.at("ef4246591683df37"), &entry = now.entries.at("ef4246591683df37");
+  EXPECT_EQ(std::tie(entry.key, entry.figure), std::tie(then.key, then.figure));
+  EXPECT_EQ(entry.waiver, then.waiver);
 }
 
 TEST(Ratchet, NamesWithSpacesAndControlCharactersComeBack) {
   Json record = Json::parse(replaced(stored_record().dump(), "a|b.obj", "my \\\"mesh\\n# x.obj"));
   record["kernels"][0]["families"]["mesh/my \"mesh\n# x.obj"]["verdict"]["false_contact"] = 5;
   const std::string text = replaced(ratchet_text(record), " EXPIRY OWNER REASON\n", " never mk why\n");
-  EXPECT_THAT(text, HasSubstr("\"mesh/my \\\"mesh\\n# x.obj\" verdict.false_contact 5 never"));
+  EXPECT_THAT(text, HasSubstr("\nfamily: binary32 \"mesh/my \\\"mesh\\n# x.obj\"\nverdict false_contact=5"));
   EXPECT_THAT(hold_against(parse_ratchet(text, "r.txt"), record, today).failures, IsEmpty());
+}
+
+TEST(Ratchet, WhatIsAlikeIsWrittenOnce) {
+  const std::string text = ratchet_text(stored_record());
+  EXPECT_EQ(occurrences(text, "EXPIRY OWNER REASON"), 1u);
+  EXPECT_EQ(occurrences(text, "published"), 1u);
+  EXPECT_EQ(occurrences(text, "family: binary32 tangent\n"), 2u) << "once for each kernel";
+}
+
+// Two waivers in one file, and what is worse than both apart from them.
+TEST(Ratchet, EachFigureKeepsItsWaiver) {
+  std::string text = reviewed();
+  text.insert(text.find("kernel: <script>"), "accept: 2026-12-31 geometry \"to be mended\"\n");
+  Json record = stored_record();
+  tangent_counts(record)["verdict"]["false_separation"] = 41;
+  const RatchetOutcome outcome = hold_against(parse_ratchet(text, "r.txt"), record, today);
+  EXPECT_THAT(outcome.failures, SizeIs(1));
+  EXPECT_THAT(outcome.held, ElementsAre(testing::Pair(Waiver{"never", "mk", "rounds, see docs"}, testing::_),
+                                        testing::Pair(Waiver{"2026-12-31", "geometry", "to be mended"}, testing::_)));
+  const std::string filled = replaced(outcome.accepted, "EXPIRY OWNER REASON", "never mk \"rounds, see docs\"");
+  const RatchetOutcome again = hold_against(parse_ratchet(filled, "r.txt"), record, today);
+  EXPECT_THAT(again.failures, IsEmpty());
+  EXPECT_EQ(again.held.size(), 2u);
 }
 
 TEST(Ratchet, BadLinesAreNamed) {
   const std::string good = reviewed();
   EXPECT_EQ(error_of(good), "");
+  const auto with = [&](const std::string& old, const std::string& now) { return error_of(replaced(good, old, now)); };
   EXPECT_THAT(error_of(""), HasSubstr("r.txt: empty"));
   EXPECT_THAT(error_of("{}\n"), HasSubstr("r.txt:1: begins with '{}'"));
-  EXPECT_THAT(error_of(replaced(good, "ratchet/1", "ratchet/2")),
-              HasSubstr("r.txt:1: begins with 'axiscert-ratchet/2'"));
+  EXPECT_THAT(with("ratchet/2", "ratchet/3"), HasSubstr("r.txt:1: begins with 'axiscert-ratchet/3'"));
   EXPECT_THAT(error_of(ratchet_text(stored_record())), HasSubstr("r.txt:3: EXPIRY 'EXPIRY' is neither a day"));
-  EXPECT_THAT(error_of(replaced(good, " never ", " 2026-02-30 ")), HasSubstr("'2026-02-30' is neither a day"));
-  EXPECT_THAT(error_of(replaced(good, " mk ", " OWNER ")), HasSubstr("OWNER is not filled in"));
-  EXPECT_THAT(error_of(replaced(good, "\"rounds, see docs\"", "\"\"")), HasSubstr("REASON is not filled in"));
-  EXPECT_THAT(error_of(replaced(good, "\"rounds, see docs\"", "rounds, see docs")), HasSubstr("11 words"));
-  EXPECT_THAT(error_of(replaced(good, "see docs\"", "see docs")), HasSubstr("a quotation mark"));
-  EXPECT_THAT(error_of(replaced(good, "tangent verdict.false_separation 40", "tangent verdict.false_separation -40")),
-              HasSubstr("FIGURE '-40'"));
-  EXPECT_THAT(error_of(replaced(good, "tangent verdict.false_separation", "general verdict.false_separation")),
+  EXPECT_THAT(with(" never ", " 2026-02-30 "), HasSubstr("'2026-02-30' is neither a day"));
+  EXPECT_THAT(with(" mk ", " OWNER "), HasSubstr("OWNER is not filled in"));
+  EXPECT_THAT(with("\"rounds, see docs\"", "\"\""), HasSubstr("REASON is not filled in"));
+  EXPECT_THAT(with("\"rounds, see docs\"", "rounds, see docs"), HasSubstr("5 words after accept:"));
+  EXPECT_THAT(with("see docs\"", "see docs"), HasSubstr("a quotation mark"));
+  EXPECT_THAT(with("false_separation=40", "false_separation=-40"), HasSubstr("FIGURE '-40'"));
+  EXPECT_THAT(
+      with("verdict false_separation=40", "verdict missed=40"),
+      HasSubstr("'missed=40' is not FIGURE=NUMBER with a figure of 'verdict': false_separation, false_contact"));
+  EXPECT_THAT(with("vertex_a.radius false", "vertex_a.radios false"), HasSubstr("'vertex_a.radios' is no place"));
+  EXPECT_THAT(with("family: binary32", "family: binary16"), HasSubstr("PRECISION 'binary16'"));
+  EXPECT_THAT(with("kernel: published", "kernel: published plugin:1234"),
+              HasSubstr("'plugin:1234' is not FILE:SHA256"));
+  EXPECT_THAT(with("accept: never mk \"rounds, see docs\"\n", ""),
+              HasSubstr("'verdict' before accept: says until when"));
+  EXPECT_THAT(with("kernel: published\n", ""), HasSubstr("'verdict' before kernel: says whose"));
+  EXPECT_THAT(with("family: binary32 lattice\n", ""), HasSubstr("appears twice"));
+}
+
+TEST(Ratchet, BadLinesOfVersion1AreNamed) {
+  const std::string head = "axiscert-ratchet/1 4aeb095a46bd0b2d\n";
+  const auto line = [&](const std::string& rest) {
+    return error_of(head + "ef4246591683df37 published binary32 " + rest + "\n");
+  };
+  EXPECT_EQ(line("tangent verdict.false_separation 40 never mk why"), "");
+  EXPECT_THAT(line("tangent verdict.false_separation 40 never mk rounds, see docs"), HasSubstr("11 words"));
+  EXPECT_THAT(line("tangent verdict.false_separation -40 never mk why"), HasSubstr("FIGURE '-40'"));
+  EXPECT_THAT(line("general verdict.false_separation 40 never mk why"),
               HasSubstr("is not that of published binary32 on general"));
-  EXPECT_THAT(error_of(good + good.substr(good.find('\n') + 1)), HasSubstr("appears twice"));
 }
 
 }  // namespace

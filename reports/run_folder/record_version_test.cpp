@@ -5,8 +5,8 @@
 
 #include "reports/comparison/compare.h"
 #include "reports/comparison/show.h"
+#include "reports/gates/ratchet_text.h"
 #include "reports/testing/test_run.h"
-#include "reports/gates/ratchet.h"
 #include "reports/run_folder/record_names.h"
 
 namespace axiscert {
@@ -71,7 +71,14 @@ TEST(RecordVersion, ARatchetOfTheFirstHoldsThePresentOne) {
   const RatchetOutcome outcome = hold_against(ratchet, stored_record(), "2026-06-15");
   EXPECT_THAT(outcome.failures, IsEmpty());
   EXPECT_THAT(outcome.better, IsEmpty());
-  EXPECT_EQ(outcome.accepted, text_of(testdata + "ratchet_1.txt"));
+  const Ratchet again = parse_ratchet(outcome.accepted, "again");
+  EXPECT_THAT(outcome.accepted, testing::StartsWith("axiscert-ratchet/2 " + ratchet.plan + "\n"));
+  ASSERT_EQ(again.entries.size(), ratchet.entries.size());
+  for (const auto& [fingerprint, entry] : ratchet.entries) {
+    const RatchetEntry& now = again.entries.at(fingerprint);
+    EXPECT_EQ(std::tie(now.key, now.figure), std::tie(entry.key, entry.figure));
+    EXPECT_EQ(now.waiver, entry.waiver);
+  }
 }
 
 TEST(RecordVersion, OthersAreRefusedAndThoseThatAreReadAreNamed) {

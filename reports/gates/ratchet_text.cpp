@@ -1,0 +1,305 @@
+#include "reports/gates/ratchet_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <cstring>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include "kernel/base/error.h"
+#include "kernel/base/utf8.h"
+#include "reports/comparison/cells.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::string_view first_schema = "axiscert-ratchet/1", schema = "axiscert-ratchet/2";
+constexpr std::string_view first_form = "FINGERPRINT KERNEL PRECISION FAMILY CELL FIGURE EXPIRY OWNER REASON";
+constexpr std::string_view open_expiry = "EXPIRY", open_owner = "OWNER", open_reason = "REASON";
+
+std::string word(const std::string& text) {
+  const bool is_plain = !text.empty() && text[0] != '#' && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return c > 0x20 && c < 0x7f && c != '"';
+  });
+  return is_plain ? text : Json(text).dump();
+}
+
+struct Line {
+  const std::string& file;
+  std::size_t number;
+
+  [[noreturn]] void fail(const std::string& what) const { throw Error(fmt::format("{}:{}: {}", file, number, what)); }
+};
+
+std::vector<std::string> words_of(std::string_view text, const Line& line) {
+  std::vector<std::string> words;
+  std::size_t at = 0;
+  while ((at = text.find_first_not_of(" \t\r", at)) != text.npos) {
+    if (text[at] != '"') {
+      const std::size_t end = std::min(text.find_first_of(" \t\r", at), text.size());
+      words.emplace_back(text.substr(at, end - at));
+      at = end;
+      continue;
+    }
+    std::size_t end = at + 1;
+    while (end < text.size() && text[end] != '"') end += text[end] == '\\' ? 2 : 1;
+    const Json value = end < text.size() ? Json::parse(text.substr(at, end + 1 - at), nullptr, false) : Json();
+    if (!value.is_string())
+      line.fail("a quotation mark does not open a JSON string: \"...\", with \\\" and \\\\ inside");
+    words.push_back(value);
+    at = end + 1;
+  }
+  return words;
+}
+
+bool is_date(const std::string& text) {
+  if (text.size() != 10 || text[4] != '-' || text[7] != '-') return false;
+  int year = 0;
+  unsigned month = 0, day = 0;
+  const auto read = [&](std::size_t first, std::size_t last, auto& into) {
+    return std::from_chars(text.data() + first, text.data() + last, into).ptr == text.data() + last;
+  };
+  if (text.find_first_not_of("0123456789-") != text.npos) return false;
+  return read(0, 4, year) && read(5, 7, month) && read(8, 10, day) &&
+         std::chrono::year_month_day(std::chrono::year(year), std::chrono::month(month), std::chrono::day(day)).ok();
+}
+
+Waiver waiver_of(const std::string& expiry, const std::string& owner, const std::string& reason, const Line& line) {
+  if (expiry != "never" && !is_date(expiry))
+    line.fail(fmt::format("EXPIRY '{}' is neither a day, YYYY-MM-DD, nor never", expiry));
+  if (owner.empty() || owner == open_owner) line.fail("OWNER is not filled in: name who is responsible for this");
+  if (reason.empty() || reason == open_reason) line.fail("REASON is not filled in: say why this is accepted");
+  return {expiry, owner, reason};
+}
+
+Json figure_of(const std::string& text, const Line& line) {
+  Json figure = Json::parse(text, nullptr, false);
+  if (!figure.is_number() || figure < 0) line.fail(fmt::format("FIGURE '{}' is not a number >= 0", text));
+  return figure;
+}
+
+// The lines after the head, in either version.
+class Lines {
+ public:
+  explicit Lines(Ratchet& ratchet) : ratchet_(ratchet) {}
+
+  void add_first(const std::vector<std::string>& words, const Line& line) {
+    if (words.size() != 9) {
+      line.fail(
+          fmt::format("{} words, but a line has nine: {}; put words with spaces in \"...\"", words.size(), first_form));
+    }
+    const Json key = Json::array({words[1], words[2], words[3], words[4]});
+    if (const std::string own = fingerprint(key); own != words[0]) {
+      line.fail(
+          fmt::format("fingerprint {} is not that of {} {} on {}: {}, which is {}; take whole lines from ratchet.txt",
+                      words[0], words[1], words[2], words[3], words[4], own));
+    }
+    const Json figure = figure_of(words[5], line);
+    put({key, figure, waiver_of(words[6], words[7], words[8], line), line.number}, line);
+  }
+
+  void add(const std::vector<std::string>& words, const Line& line) {
+    const std::string& first = words[0];
+    const auto has = [&](std::size_t n, const char* form) {
+      if (words.size() != n + 1) {
+        line.fail(fmt::format("{} words after {}, but it has {}: {}; put words with spaces in \"...\"",
+                              words.size() - 1, first, n, form));
+      }
+    };
+    if (first == "accept:") {
+      has(3, "EXPIRY OWNER REASON");
+      waiver_ = waiver_of(words[1], words[2], words[3], line);
+    } else if (first == "kernel:") {
+      add_kernel(words, line);
+    } else if (first == "family:") {
+      has(2, "PRECISION FAMILY");
+      if (words[1] != "binary32" && words[1] != "binary64")
+        line.fail(fmt::format("PRECISION '{}' is neither binary32 nor binary64", words[1]));
+      family_ = {words[1], words[2]};
+    } else if (first == "loading:") {
+      has(0, "it stands alone");
+      family_ = {"", ""};
+    } else {
+      add_figures(words, line);
+    }
+  }
+
+ private:
+  void add_kernel(const std::vector<std::string>& words, const Line& line) {
+    if (words.size() < 2) line.fail("kernel: without a kernel: KERNEL [FILE:SHA256]...");
+    kernel_ = words[1];
+    family_.reset();
+    Json digest;
+    for (std::size_t i = 2; i < words.size(); ++i) {
+      const std::size_t colon = words[i].rfind(':');
+      const std::string hash = colon == words[i].npos ? "" : words[i].substr(colon + 1);
+      if (colon == 0 || hash.size() != 64 || hash.find_first_not_of("0123456789abcdef") != hash.npos)
+        line.fail(fmt::format("'{}' is not FILE:SHA256 with 64 hex digits", words[i]));
+      digest.push_back({{"kind", words[i].substr(0, colon)}, {"sha256", hash}});
+    }
+    if (!digest.is_null()) ratchet_.digests[*kernel_] = digest;
+  }
+
+  void add_figures(const std::vector<std::string>& words, const Line& line) {
+    if (!waiver_ || !kernel_ || !family_) {
+      line.fail(fmt::format("'{}' before {} says {}", words[0],
+                            !waiver_   ? "accept:"
+                            : !kernel_ ? "kernel:"
+                                       : "family:",
+                            !waiver_   ? "until when and why it is accepted"
+                            : !kernel_ ? "whose error it is"
+                                       : "on which queries"));
+    }
+    const std::string& place = words[0];
+    check_place(place, line);
+    if (words.size() == 1) line.fail(fmt::format("'{}' without a FIGURE=NUMBER", place));
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const std::size_t equals = words[i].find('=');
+      const std::string member = words[i].substr(0, equals);
+      const auto members = members_of(place);
+      if (equals == words[i].npos || std::find(members.begin(), members.end(), member) == members.end()) {
+        line.fail(fmt::format("'{}' is not FIGURE=NUMBER with a figure of '{}': {}", words[i], place,
+                              fmt::join(members, ", ")));
+      }
+      const Json key = Json::array({*kernel_, family_->first, family_->second, place + "." + member});
+      put({key, figure_of(words[i].substr(equals + 1), line), *waiver_, line.number}, line);
+    }
+  }
+
+  // A test that is not known here is refused where the plan is compared.
+  void check_place(const std::string& place, const Line& line) const {
+    std::vector<std::string_view> known = {"verdict", "finding"};
+    try {
+      for (const TestComparison& comparison : find_test(ratchet_.test).comparisons) known.push_back(comparison.name);
+    } catch (const Error&) {
+      return;
+    }
+    if (std::find(known.begin(), known.end(), place) != known.end()) return;
+    line.fail(
+        fmt::format("'{}' is no place of a figure; those are: {}; other lines begin with accept:, kernel:, "
+                    "family: or loading:",
+                    place, fmt::join(known, ", ")));
+  }
+
+  void put(RatchetEntry entry, const Line& line) {
+    const auto [at_entry, is_new] = ratchet_.entries.emplace(fingerprint(entry.key), entry);
+    if (is_new) return;
+    line.fail(fmt::format("{} {} on {}: {} appears twice, first in line {}", entry.key[0].get<std::string>(),
+                          entry.key[1].get<std::string>(), entry.key[2].get<std::string>(),
+                          entry.key[3].get<std::string>(), at_entry->second.line));
+  }
+
+  Ratchet& ratchet_;
+  std::optional<Waiver> waiver_;
+  std::optional<std::string> kernel_;
+  std::optional<std::pair<std::string, std::string>> family_;  // precision and family
+};
+
+}  // namespace
+
+const Waiver& open_waiver() {
+  static const Waiver open{std::string(open_expiry), std::string(open_owner), std::string(open_reason)};
+  return open;
+}
+
+Ratchet parse_ratchet(std::string_view text, const std::string& name) {
+  Ratchet ratchet;
+  ratchet.name = name;
+  Lines lines(ratchet);
+  bool is_first_version = false;
+  std::size_t number = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view content = text.substr(at, end - at);
+    const Line line{name, ++number};
+    at = end + 1;
+    if (!is_utf8(content)) line.fail("not UTF-8");
+    const std::vector<std::string> words =
+        content.starts_with('#') ? std::vector<std::string>() : words_of(content, line);
+    if (words.empty()) continue;
+    if (ratchet.plan.empty()) {
+      if ((words[0] != schema && words[0] != first_schema) || words.size() < 2 || words.size() > 3) {
+        line.fail(
+            fmt::format("begins with '{}', but a ratchet begins with '{} PLAN [TEST]', or with '{}'; a run writes "
+                        "one as ratchet.txt",
+                        words[0].substr(0, 80), schema, first_schema));
+      }
+      is_first_version = words[0] == first_schema;
+      ratchet.plan = words[1];
+      if (words.size() == 3) ratchet.test = words[2];
+    } else if (is_first_version) {
+      lines.add_first(words, line);
+    } else {
+      lines.add(words, line);
+    }
+  }
+  if (ratchet.plan.empty()) throw Error(fmt::format("{}: empty; a run writes a ratchet as ratchet.txt", name));
+  return ratchet;
+}
+
+Ratchet read_ratchet(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
+  if (!in.is_open() || in.bad()) {
+    throw Error(fmt::format("{}: cannot be read: {}; a run without --ratchet writes a first one as ratchet.txt", path,
+                            std::strerror(errno)));
+  }
+  return parse_ratchet(text.view(), as_utf8(path));
+}
+
+std::string ratchet_file(const std::string& plan, const std::string& test, const std::vector<RatchetEntry>& entries,
+                         const std::map<std::string, Json>& digests) {
+  // Files of the first test are those of versions that had no other.
+  std::string text = fmt::format(
+      "{} {}{}\n# accept: until when, by whom, why; kernel: and family: of the figures below them; docs/ci.md\n",
+      schema, plan, test == first_test().id ? "" : " " + word(test));
+  std::vector<Waiver> waivers;
+  for (const bool are_open : {false, true}) {
+    for (const RatchetEntry& entry : entries) {
+      const bool is_new = std::find(waivers.begin(), waivers.end(), entry.waiver) == waivers.end();
+      if (is_new && (entry.waiver == open_waiver()) == are_open) waivers.push_back(entry.waiver);
+    }
+  }
+  for (const Waiver& waiver : waivers) {
+    text += fmt::format("accept: {} {} {}", waiver.expiry, word(waiver.owner), word(waiver.reason));
+    std::string kernel, family, place;  // those of the line before
+    for (const RatchetEntry& entry : entries) {
+      if (entry.waiver != waiver) continue;
+      const std::string name = entry.key[3];
+      const std::size_t dot = name.rfind('.');
+      if (std::string now = entry.key[0]; now != kernel || family.empty()) {
+        kernel = std::move(now);
+        text += "\nkernel: " + word(kernel);
+        const auto digest = digests.find(kernel);
+        for (const Json& file : digest == digests.end() ? Json::array() : digest->second)
+          text += fmt::format(" {}", word(file["kind"].get<std::string>() + ":" + file["sha256"].get<std::string>()));
+        family.clear();
+      }
+      const std::string precision = entry.key[1];
+      std::string now = precision.empty()
+                            ? "loading:"
+                            : fmt::format("family: {} {}", precision, word(entry.key[2].get<std::string>()));
+      if (now != family) {
+        family = std::move(now);
+        text += "\n" + family;
+        place.clear();
+      }
+      if (const std::string here = name.substr(0, dot); here != place) {
+        place = here;
+        text += "\n" + place;
+      }
+      text += fmt::format(" {}={}", name.substr(dot + 1), entry.figure.dump());
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace axiscert

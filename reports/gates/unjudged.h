@@ -1,0 +1,16 @@
+// What a run was to judge and did not. A run in which there is anything of it never exits with 0, whatever was required
+// of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fuzz/text/json.h"
+
+namespace axiscert {
+
+// Sentences, one for each kernel of the plan that could not be loaded, that has a family without a valid query in any
+// of its precisions, or that has valid queries outside its limits only. Empty where the whole plan was judged.
+std::vector<std::string> unjudged(const Json& record);
+
+}  // namespace axiscert
