@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/running/judged_run.h"
+#include "cli/progress_line.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
@@ -136,7 +137,9 @@ Kernel program(const JudgeOptions& options, const StoredReplies& replies) {
 
 int judge_replies(const JudgeOptions& options) {
   if (!options.require.empty()) parse_requirement(options.require);
+  std::optional<ProgressLine> reading(std::in_place, "judge: the replies are read", options.quiet);
   const auto replies = std::make_shared<const StoredReplies>(read(options));
+  reading.reset();
   const Kernel kernel = program(options, *replies);
   Plan plan;
   plan.test = kernel.test;

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/options/preset.h"
 #include "cli/options/test_options.h"
+#include "cli/progress_line.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/text/file_bytes.h"
@@ -149,6 +150,7 @@ void add_output_options(CLI::App& command, OutputOptions& o) {
       "file of accepted errors, one line for each cell: exit 1 where anything is worse or a waiver has expired");
   command.add_option("--out", o.out, "folder for record, reports and witnesses")->capture_default_str();
   command.add_flag("--quiet", o.quiet, "print only errors and failures");
+  add_progress(command);
 }
 
 CLI::Option* add_plan_options(CLI::App& command, RunOptions& o) {

@@ -31,9 +31,12 @@ Json shrunk_json(const StoredQuery& stored, const Symptom& kept, const Shrunk<Re
 template Json shrunk_json(const StoredQuery&, const Symptom&, const Shrunk<float>&, const Kernel&);
 template Json shrunk_json(const StoredQuery&, const Symptom&, const Shrunk<double>&, const Kernel&);
 
-std::string shrunk_witnesses(const Json& record, const std::string& target, std::uint64_t evaluations) {
+std::string shrunk_witnesses(const Json& record, const std::string& target, std::uint64_t evaluations,
+                             const ShowProgress& report) {
   std::string text;
+  ProgressCount progress(report, record["witnesses"].size(), "the witnesses are made smaller");
   for (const Json& witness : record["witnesses"]) {
+    progress.finished();  // when the next one is begun
     if (witness["flips"].empty()) continue;  // kept as an extreme, nothing is wrong
     const Kernel& kernel = find_kernel(witness["kernel"].get<std::string>());
     const std::string id = witness["id"];

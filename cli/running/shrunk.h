@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "fuzz/campaign/progress.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/shrink/shrink.h"
 #include "fuzz/text/json.h"
@@ -16,6 +17,7 @@ Json shrunk_json(const StoredQuery& stored, const Symptom& kept, const Shrunk<Re
 
 // One line for every witness of a record on which its kernel is wrong: the first symptom that it shows (verdict before
 // axes before comparisons), made smaller with at most this many evaluations.
-std::string shrunk_witnesses(const Json& record, const std::string& target, std::uint64_t evaluations);
+std::string shrunk_witnesses(const Json& record, const std::string& target, std::uint64_t evaluations,
+                             const ShowProgress& report);
 
 }  // namespace axiscert

@@ -18,8 +18,9 @@ constexpr std::uint64_t seed = 1, attempts = 400000, most_moves = 6, most_nudges
 template <class Real>
 class Walk {
  public:
-  Walk(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target, std::uint64_t limit)
-      : symptom_(symptom), diagnosis_(kernel, target), limit_(limit) {
+  Walk(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target, std::uint64_t limit,
+       const std::function<void(std::uint64_t)>& evaluated)
+      : symptom_(symptom), diagnosis_(kernel, target), limit_(limit), evaluated_(evaluated) {
     const auto given = diagnosis_.severity(q, symptom);
     if (!given) throw Error(fmt::format("the query does not show {} of {}", text(symptom), kernel.id));
     out_ = {q, *given, *given, {size_of(q)}, 0, true};
@@ -64,6 +65,7 @@ class Walk {
       return false;
     }
     ++out_.evaluations;
+    if (evaluated_) evaluated_(out_.evaluations);
     auto severity = diagnosis_.severity(*q, symptom_);
     if (!severity || !is_no_less(*severity, out_.before)) return false;
     out_.query = *q;
@@ -75,6 +77,7 @@ class Walk {
   const Symptom& symptom_;
   Diagnosis<Real> diagnosis_;
   std::uint64_t limit_;
+  const std::function<void(std::uint64_t)>& evaluated_;
   const std::vector<Move> moves_ = moves<Real>(), nudges_ = nudges();
   Shrunk<Real> out_;
 };
@@ -83,12 +86,12 @@ class Walk {
 
 template <class Real>
 Shrunk<Real> shrink(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
-                    std::uint64_t limit) {
-  return Walk<Real>(q, symptom, kernel, target, limit).run();
+                    std::uint64_t limit, const std::function<void(std::uint64_t)>& evaluated) {
+  return Walk<Real>(q, symptom, kernel, target, limit, evaluated).run();
 }
 template Shrunk<float> shrink<float>(const Query<float>&, const Symptom&, const Kernel&, std::string_view,
-                                     std::uint64_t);
+                                     std::uint64_t, const std::function<void(std::uint64_t)>&);
 template Shrunk<double> shrink<double>(const Query<double>&, const Symptom&, const Kernel&, std::string_view,
-                                       std::uint64_t);
+                                       std::uint64_t, const std::function<void(std::uint64_t)>&);
 
 }  // namespace axiscert

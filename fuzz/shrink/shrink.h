@@ -1,6 +1,8 @@
 // A smaller query on which a kernel is wrong in the same way and no less severely.
 #pragma once
 
+#include <functional>
+
 #include "fuzz/shrink/query_size.h"
 #include "fuzz/shrink/symptom.h"
 
@@ -19,8 +21,9 @@ struct Shrunk {
 // QuerySize and keeps the symptom with a severity not below that of the given query; ends after a round in which none
 // does. It always ends, since sizes cannot decrease for ever; `limit` bounds the time. Throws Error if the given query
 // does not show the symptom; HarnessFault if the oracles contradict their earlier answer.
+// `evaluated`, if there is one, is told the number of evaluations so far after each.
 template <class Real>
 Shrunk<Real> shrink(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
-                    std::uint64_t limit);
+                    std::uint64_t limit, const std::function<void(std::uint64_t)>& evaluated = {});
 
 }  // namespace axiscert

@@ -7,6 +7,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/mutants/mutant.h"
+#include "kernel/sphere_triangle/mutants/value_list.h"
 
 namespace axiscert::mutants {
 namespace {
@@ -156,13 +157,15 @@ const Mutant& find_mutant(std::string_view id) {
   const std::span<const Mutant> all = mutants_of(id.substr(0, id.find('~')));
   const auto found = std::find_if(all.begin(), all.end(), [&](const Mutant& m) { return m.id == id; });
   if (found != all.end()) return *found;
+  if (const Mutant* of_value = find_value_mutant(id)) return *of_value;
   std::vector<std::string> faults;
   for (const Mutant& m : all) {
     if (std::find(faults.begin(), faults.end(), m.fault) == faults.end()) faults.push_back(m.fault);
   }
+  for (std::string& fault : value_fault_names()) faults.push_back(std::move(fault));
   throw Error(
-      fmt::format("unknown mutant '{}'; it is BASE~FAULT:PLACE, as in {}; faults: {}; `axiscert mutate --list` has "
-                  "all",
+      fmt::format("unknown mutant '{}'; it is BASE~FAULT:PLACE, as in {}, or BASE~FAULT:PLACE:E; faults: {}; `axiscert "
+                  "mutate --list` has all",
                   id, all.front().id, fmt::join(faults, ", ")));
 }
 
