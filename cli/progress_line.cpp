@@ -30,7 +30,8 @@ std::string progress_text(const Progress& p) {
   if (p.units != 0) {
     text = fmt::format("{} of {} units", p.units_done, p.units);
     const auto done = static_cast<double>(p.units_done), left = static_cast<double>(p.units - p.units_done);
-    if (p.units_done != 0 && p.units_done < p.units) text += fmt::format(", about {:.0f} s left", p.seconds * left / done);
+    if (p.units_done != 0 && p.units_done < p.units)
+      text += fmt::format(", about {:.0f} s left", p.seconds * left / done);
   }
   if (p.queries != 0 && p.seconds > 0)
     text += fmt::format("; {} queries, {:.0f} a second", p.queries, static_cast<double>(p.queries) / p.seconds);
@@ -89,9 +90,7 @@ void ProgressLine::write_lines() {
 }
 
 void ProgressLine::write() {
-  const auto since = [](Clock::time_point then) {
-    return std::chrono::duration<double>(Clock::now() - then).count();
-  };
+  const auto since = [](Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); };
   std::string line = what_;
   if (!stage_.empty()) line += ": " + stage_;
   if (last_) {

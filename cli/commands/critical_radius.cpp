@@ -13,7 +13,10 @@ int measure(const InstrumentOptions& options) {
                           "packed-nonstrict"},
                          Measures::verdicts),
       instrument_sources(options, {"general", "far", "sliver", "needle", "collinear", "repeated", "ratio", "scale"}),
-      parse_precision(options.precision), options.trials, options.seed, options.threads};
+      parse_precision(options.precision),
+      options.trials,
+      options.seed,
+      options.threads};
   const auto result =
       with_progress("critical-radius", [&](const ShowProgress& show) { return measure_critical_radii(plan, show); });
   return put_instrument(critical_radius_report(plan, result, instrument_command("critical-radius", options)), options);

@@ -30,7 +30,8 @@ struct MutateOptions {
   bool list = false, no_controls = false, verdict_only = false;
 };
 
-// A mutant that shows its verdict alone is judged as a run does, at many times the cost: the default is a minute or two.
+// A mutant that shows its verdict alone is judged as a run does, at many times the cost: the default is a minute or
+// two.
 constexpr std::uint64_t default_trials = std::uint64_t{1} << 16, default_trials_by_verdict = std::uint64_t{1} << 11;
 
 // The controls in other arithmetics are judged by exact arithmetic, at a hundred times the cost of a mutant's query.
@@ -109,9 +110,8 @@ int mutate_by_verdict(const MutateOptions& options, const MutationPlan& plan,
     return failures;
   };
   const std::atomic<bool>& interrupted = watch_for_interrupts();
-  const BlackBoxScore score = with_progress("mutate", [&](const ShowProgress& show) {
-    return judge_black_boxes(plan, gate, interrupted, show);
-  });
+  const BlackBoxScore score = with_progress(
+      "mutate", [&](const ShowProgress& show) { return judge_black_boxes(plan, gate, interrupted, show); });
   const InstrumentReport report = black_box_report(plan, score, required, command_of(options, plan));
   return put_score(options, folder, report, report, score.complete, black_box_faults(score));
 }
@@ -184,8 +184,9 @@ void add_mutate(CLI::App& app, Action& action) {
       "judge each mutant by its verdict alone, as a plug-in that shows nothing else, and plant epsilons, clamps, "
       "thresholds and early answers too; what survives is listed with its reason");
   command
-      ->add_option("--magnitude", o.magnitudes,
-                   fmt::format("magnitude of these, repeatable (default: {})", fmt::join(mutants::default_magnitudes, ", ")))
+      ->add_option(
+          "--magnitude", o.magnitudes,
+          fmt::format("magnitude of these, repeatable (default: {})", fmt::join(mutants::default_magnitudes, ", ")))
       ->allow_extra_args(false)
       ->needs(verdict_only);
   command->add_flag("--list", o.list, "list the mutants and run no queries");
@@ -193,7 +194,9 @@ void add_mutate(CLI::App& app, Action& action) {
   add_thread_option(*command, o.threads);
   add_progress(*command);
   add_format(*command, o.format, "json");
-  command->add_option("--out", o.out, "folder for mutation.json, mutation.md and mutation.html (with --verdict-only mutation-by-verdict.*)");
+  command->add_option(
+      "--out", o.out,
+      "folder for mutation.json, mutation.md and mutation.html (with --verdict-only mutation-by-verdict.*)");
   command->callback([&action, options] { action = [options] { return mutate(*options); }; });
 }
 

@@ -36,7 +36,7 @@ std::string shrunk_witnesses(const Json& record, const std::string& target, std:
   std::string text;
   ProgressCount progress(report, record["witnesses"].size(), "the witnesses are made smaller");
   for (const Json& witness : record["witnesses"]) {
-    progress.finished();  // when the next one is begun
+    progress.finished();                     // when the next one is begun
     if (witness["flips"].empty()) continue;  // kept as an extreme, nothing is wrong
     const Kernel& kernel = find_kernel(witness["kernel"].get<std::string>());
     const std::string id = witness["id"];

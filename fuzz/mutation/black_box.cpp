@@ -145,8 +145,8 @@ class Judge {
     std::vector<std::vector<BlackBoxResult*>> groups;
     for (BlackBoxResult& result : score_.mutants) {
       if (result.refused) continue;
-      const bool is_full = groups.empty() || groups.back().size() == group_size ||
-                           groups.back().front()->precision != result.precision;
+      const bool is_full =
+          groups.empty() || groups.back().size() == group_size || groups.back().front()->precision != result.precision;
       if (is_full) groups.emplace_back();
       groups.back().push_back(&result);
     }

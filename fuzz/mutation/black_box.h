@@ -19,10 +19,10 @@ using Gate = std::function<std::vector<GateFailure>(const Json& record)>;
 // Why a mutant passes: how it differs from the kernel that it is made from on all queries asked.
 struct Survival {
   std::uint64_t queries = 0, other_verdicts = 0;
-  std::uint64_t wrong = 0;                       // of these, wrong ones
-  std::uint64_t wrong_in_exact = 0;              // of these, in families with exact arithmetic, spheres that touch apart
-  std::uint64_t touching_in_exact = 0;           // spheres that touch, there
-  const Family* deepest_family = nullptr;        // of the first wrong ones of each family and batch
+  std::uint64_t wrong = 0;                 // of these, wrong ones
+  std::uint64_t wrong_in_exact = 0;        // of these, in families with exact arithmetic, spheres that touch apart
+  std::uint64_t touching_in_exact = 0;     // spheres that touch, there
+  const Family* deepest_family = nullptr;  // of the first wrong ones of each family and batch
   std::uint64_t deepest_position = 0;
   double deepest = 0;
 };

@@ -31,7 +31,7 @@ class MutationRun {
   std::uint64_t run_batch(std::uint64_t first) {
     const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(batch_size, plan_.trials - first));
     first_ = first;
-    tbb::parallel_for(std::size_t{0}, asked_.size(), 
+    tbb::parallel_for(std::size_t{0}, asked_.size(),
                       [&](std::size_t f) { asked_[f].prepare(base_, plan_.seed, first, size); });
     tbb::parallel_for(std::size_t{0}, results_.size(), [&](std::size_t m) { ask(*results_[m]); });
     return size * asked_.size();

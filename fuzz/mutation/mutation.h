@@ -52,9 +52,9 @@ struct MutationResult {
   bool complete = true;               // false: interrupted
 };
 
-// `interrupted` is polled, and `report` called, between batches; `report` may be empty. The result depends on the plan, not on its threads.
-// Every catch is confirmed by all oracles. Throws OracleDisagreement, and HarnessFault if the judge does not confirm a
-// catch.
+// `interrupted` is polled, and `report` called, between batches; `report` may be empty. The result depends on the plan,
+// not on its threads. Every catch is confirmed by all oracles. Throws OracleDisagreement, and HarnessFault if the judge
+// does not confirm a catch.
 MutationResult run_mutation(const MutationPlan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report);
 
 // A correct kernel in another form, judged in the same way as a mutant.

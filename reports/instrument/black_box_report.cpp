@@ -70,9 +70,10 @@ class BlackBoxReport {
         fmt::format("{} mutants of {} that show their verdict alone: what `--require {}` refuses{}",
                     plan_.mutants.size(), plan_.base, require, score_.complete ? "" : " (interrupted)"),
         command,
-        {fmt::format("A mutant is the kernel with one fault, judged as a plug-in that shows nothing but its verdict. It is "
-                     "refused where `run --require {}` on the first {} queries of each family would exit with 1.",
-                     require, thousands(plan_.trials)),
+        {fmt::format(
+             "A mutant is the kernel with one fault, judged as a plug-in that shows nothing but its verdict. It is "
+             "refused where `run --require {}` on the first {} queries of each family would exit with 1.",
+             require, thousands(plan_.trials)),
          "A fault of a magnitude E is an epsilon, a clamp, a threshold or an early answer; `relative`: E is a fraction "
          "of the value, or of the scene.",
          "A survivor is compared with the kernel without the fault, verdict by verdict, on the same queries: that is "
@@ -102,9 +103,8 @@ class BlackBoxReport {
     InstrumentTable table{"Score", {"precision", "mutants of", "mutants", "equivalent", "refused", "survived"}, {}};
     for (const Precision precision : plan_.precisions) {
       for (const bool of_magnitude : {false, true}) {
-        const BoxScore score = score_of([&](const BlackBoxResult& r) {
-          return r.precision == precision && has_magnitude(r) == of_magnitude;
-        });
+        const BoxScore score = score_of(
+            [&](const BlackBoxResult& r) { return r.precision == precision && has_magnitude(r) == of_magnitude; });
         if (score.mutants == 0) continue;
         std::vector<std::string> row = {std::string(name(precision)),
                                         of_magnitude ? "a value, by a magnitude" : "operations and comparisons"};
@@ -184,7 +184,8 @@ class BlackBoxReport {
     const std::vector<std::string> order = faults();
     for (const BlackBoxResult& r : score_.mutants) {
       if (!has_survived(r) || !r.survival) continue;
-      const auto fault = static_cast<std::size_t>(std::find(order.begin(), order.end(), r.mutant->fault) - order.begin());
+      const auto fault =
+          static_cast<std::size_t>(std::find(order.begin(), order.end(), r.mutant->fault) - order.begin());
       const std::string place = has_magnitude(r) ? r.mutant->id.substr(0, r.mutant->id.rfind(':')) : "";
       Row& row = rows[{fault, place, index_of(r.precision), reason_of(r).sentence}];
       row.all.push_back(&r);
@@ -200,8 +201,11 @@ class BlackBoxReport {
         wrong = std::max(wrong, one->survival->wrong);
       }
       constexpr std::size_t most = 3;
-      const std::string list = fmt::format("{}", fmt::join(which.begin(), which.begin() + static_cast<std::ptrdiff_t>(std::min(most, which.size())), ", ")) +
-                               (which.size() > most ? fmt::format(" and {} more", which.size() - most) : "");
+      const std::string list =
+          fmt::format(
+              "{}", fmt::join(which.begin(), which.begin() + static_cast<std::ptrdiff_t>(std::min(most, which.size())),
+                              ", ")) +
+          (which.size() > most ? fmt::format(" and {} more", which.size() - most) : "");
       const auto& place = std::get<1>(key);
       table.rows.push_back(
           {thousands(row.all.size()), std::string(name(r.precision)),
@@ -294,8 +298,8 @@ class BlackBoxReport {
 std::vector<std::string> black_box_faults(const BlackBoxScore& score) {
   std::vector<std::string> faults;
   const auto add = [&](const std::string& kernel, Precision precision, const GateFailure& failure, const char* why) {
-    faults.push_back(fmt::format("{} {} is refused ({}: {}), but {}", kernel, name(precision), failure.family,
-                                 failure.what, why));
+    faults.push_back(
+        fmt::format("{} {} is refused ({}: {}), but {}", kernel, name(precision), failure.family, failure.what, why));
   };
   for (const BlackBoxResult& r : score.mutants) {
     if (r.refused && is_equivalent(r))

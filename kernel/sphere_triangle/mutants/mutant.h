@@ -65,8 +65,8 @@ inline constexpr std::array<std::string_view, 2> bases = {"nonstrict", "reduced-
 
 // All mutants of a base, in a fixed order. Throws Error that names the bases.
 std::span<const Mutant> mutants_of(std::string_view base);
-// The mutants with a fault of a value: every fault of every quantity, absolute and relative, in each magnitude. They are
-// not among mutants_of. Throws Error that names the bases, or for a magnitude that is not a positive number.
+// The mutants with a fault of a value: every fault of every quantity, absolute and relative, in each magnitude. They
+// are not among mutants_of. Throws Error that names the bases, or for a magnitude that is not a positive number.
 std::vector<const Mutant*> value_mutants_of(std::string_view base, std::span<const double> magnitudes);
 // The mutant with this id, of either kind. Throws Error that says what exists.
 const Mutant& find_mutant(std::string_view id);

@@ -101,8 +101,7 @@ void answer_early(const Mutant& mutant, Evaluation<Real>& found) {
                                                           : static_cast<Verdict>(mutant.place) == Verdict::separated;
   const ComparisonBits all = separated ? comparisons_of(Axis::plane) : ComparisonBits{0};
   for (std::size_t i = 0; i < found.bits.size(); ++i) {
-    const bool is_small =
-        mutant.kernel == KernelFault::small_area && found.kept.at[i] < static_cast<Real>(small_area);
+    const bool is_small = mutant.kernel == KernelFault::small_area && found.kept.at[i] < static_cast<Real>(small_area);
     if (is_small || found.is_early[i]) found.bits[i] = all;
   }
 }

@@ -22,7 +22,7 @@ namespace axiscert::mutants {
   X(vertex_left, "the same coordinate of the next vertex on the left")    \
   X(vertex_right, "the same coordinate of the next vertex on the right")  \
   X(fma, "a sum contracted with the product in it: one rounding for two") \
-  X(float, "the result rounded to binary32")                            \
+  X(float, "the result rounded to binary32")                              \
   X(value, "a value with a fault of a magnitude (value_fault.h)")
 
 enum class OperationFault : std::uint8_t {

@@ -120,8 +120,8 @@ Operations record_operations() {
   const auto right_side = [&](Comparison which) -> const Operation& {
     return recorded.operations.at(recorded.sides[which].second);
   };
-  const Operation& plane = right_side(Comparison::plane_radius);    // rr * e
-  const Operation& edge = right_side(Comparison::edge_ab_radius);   // rr * e1, or (rr * e1) * e1
+  const Operation& plane = right_side(Comparison::plane_radius);   // rr * e
+  const Operation& edge = right_side(Comparison::edge_ab_radius);  // rr * e1, or (rr * e1) * e1
   return {Numbering(recorded).take(), recorded.vectors, plane.right, plane.left, edge.right};
 }
 

@@ -11,21 +11,21 @@
 namespace axiscert::mutants {
 
 // X(name, what is done to a value x)
-#define AXISCERT_VALUE_FAULTS(X)                           \
-  X(plus, "x + E for x")                                   \
-  X(minus, "x - E for x")                                  \
-  X(clamp, "E for an x below E")                           \
-  X(zero, "0 for an |x| below E")                          \
-  X(early_contact, "the answer contact where |x| < E")     \
+#define AXISCERT_VALUE_FAULTS(X)                       \
+  X(plus, "x + E for x")                               \
+  X(minus, "x - E for x")                              \
+  X(clamp, "E for an x below E")                       \
+  X(zero, "0 for an |x| below E")                      \
+  X(early_contact, "the answer contact where |x| < E") \
   X(early_separated, "the answer separated where |x| < E")
 
 // X(name, id in the name of a mutant, what it is, what the relative E of a bound is a fraction of)
-#define AXISCERT_QUANTITIES(X)                                                                    \
-  X(radius, "r", "the radius", "|A|")                                                             \
-  X(squared_radius, "rr", "r^2", "|A|^2")                                                         \
-  X(squared_edge, "ab", "|AB|^2", "|A|^2")                                                        \
-  X(squared_normal, "v", "|V|^2", "|AB|^2 |AC|^2")                                                \
-  X(side, "", "the left side of a comparison", "both sides' magnitudes")                          \
+#define AXISCERT_QUANTITIES(X)                                           \
+  X(radius, "r", "the radius", "|A|")                                    \
+  X(squared_radius, "rr", "r^2", "|A|^2")                                \
+  X(squared_edge, "ab", "|AB|^2", "|A|^2")                               \
+  X(squared_normal, "v", "|V|^2", "|AB|^2 |AC|^2")                       \
+  X(side, "", "the left side of a comparison", "both sides' magnitudes") \
   X(verdict, "verdict", "the left side of every comparison; early: the largest coordinate of the scene", "both sides")
 
 enum class ValueFault : std::uint8_t {

@@ -77,7 +77,8 @@ Mutant made(std::string_view base, const NamedFault& fault, const Place& place, 
   Mutant m;
   m.fault = fault.name;
   m.id = fmt::format("{}~{}:{}:{}", base, fault.name, place.id, magnitude);
-  const bool is_of_itself = adds(fault.fault) && place.quantity != Quantity::side && place.quantity != Quantity::verdict;
+  const bool is_of_itself =
+      adds(fault.fault) && place.quantity != Quantity::side && place.quantity != Quantity::verdict;
   const std::string relative_to = is_of_itself ? "itself" : place.relative_to;
   m.where = fmt::format("{}, E = {}{}", place.what, magnitude, fault.is_relative ? " of " + relative_to : "");
   m.what = fault.what;
