@@ -8,57 +8,13 @@
 #include <algorithm>
 #include <map>
 
-#include "fuzz/queries/address.h"
+#include "reports/instrument/black_box_reason.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {
 
-const std::string* argument_of(const BlackBoxResult& r) {
-  const auto found = equivalent_mutants().find(r.mutant->id);
-  return found == equivalent_mutants().end() ? nullptr : &found->second;
-}
-
-bool is_equivalent(const BlackBoxResult& r) { return r.is_as_base || argument_of(r) != nullptr; }
-bool has_survived(const BlackBoxResult& r) { return !r.refused && !is_equivalent(r); }
-bool has_magnitude(const BlackBoxResult& r) { return r.mutant->value != mutants::ValueFault::none; }
-
-// Why a mutant passed, in the order in which one is looked for.
-struct Reason {
-  const char *id, *sentence;
-};
-constexpr Reason equivalent = {"equivalent", "nothing distinguishes it from the kernel"},
-                 not_shown = {"no-other-verdict", "no verdict differs from the kernel's on any query asked"},
-                 never_wrong = {"never-wrong", "its verdicts differ, and none of those is wrong"},
-                 rounding = {"not-in-exact-arithmetic",
-                             "wrong only in families whose arithmetic rounds, where a kernel without formulae may be"},
-                 touching = {"touching", "in exact arithmetic wrong only on spheres that touch, which are not counted"},
-                 let_pass = {"let-pass", "wrong in exact arithmetic, and the gate does not count it"};
-
-const Reason& reason_of(const BlackBoxResult& r) {
-  if (is_equivalent(r)) return equivalent;
-  const Survival& s = *r.survival;
-  if (s.other_verdicts == 0) return not_shown;
-  if (s.wrong == 0) return never_wrong;
-  if (s.wrong_in_exact != 0) return let_pass;
-  return s.touching_in_exact != 0 ? touching : rounding;
-}
-
-struct BoxScore {
-  std::uint64_t mutants = 0, equivalent = 0, refused = 0;
-  void add(const BlackBoxResult& r) {
-    ++mutants;
-    equivalent += is_equivalent(r);
-    refused += !is_equivalent(r) && r.refused;
-  }
-  std::uint64_t survived() const { return mutants - equivalent - refused; }
-  std::vector<std::string> cells() const {
-    return {thousands(mutants), thousands(equivalent), thousands(refused), thousands(survived())};
-  }
-  Json json() const {
-    return {{"mutants", mutants}, {"equivalent", equivalent}, {"refused", refused}, {"survived", survived()}};
-  }
-};
+using namespace black_box;
 
 class BlackBoxReport {
  public:
@@ -80,7 +36,7 @@ class BlackBoxReport {
          "its reason. The deepest of the wrong ones is of four in each family and batch of 251."},
         {scores(), by_magnitude(), by_fault(), survivors(), controls()},
         {},
-        data(require, command)};
+        black_box_json(plan_, score_, require, command)};
     std::erase_if(report.tables, [](const InstrumentTable& table) { return table.rows.empty(); });
     return report;
   }
@@ -225,68 +181,6 @@ class BlackBoxReport {
                             c.refused ? fmt::format("{}: {}", c.refused->family, c.refused->what) : "no"});
     }
     return table;
-  }
-
-  static Json failure_json(const std::optional<GateFailure>& failure) {
-    if (!failure) return nullptr;
-    return {{"family", failure->family}, {"what", failure->what}};
-  }
-
-  Json survival_json(const BlackBoxResult& r) const {
-    if (!r.survival || r.refused) return nullptr;
-    const Survival& s = *r.survival;
-    Json deepest = nullptr;
-    if (s.deepest_family != nullptr) {
-      const SourcePtr source = family_source(*s.deepest_family);
-      deepest = {{"family", s.deepest_family->name},
-                 {"address", text(address_of(*source, plan_.seed, r.precision, s.deepest_position))},
-                 {"depth", s.deepest}};
-    }
-    return {{"queries", s.queries},
-            {"other_verdicts", s.other_verdicts},
-            {"wrong", s.wrong},
-            {"wrong_in_exact_arithmetic", s.wrong_in_exact},
-            {"touching_in_exact_arithmetic", s.touching_in_exact},
-            {"deepest", deepest}};
-  }
-
-  Json mutant_json(const BlackBoxResult& r) const {
-    const mutants::Mutant& m = *r.mutant;
-    return {{"id", m.id},
-            {"precision", name(r.precision)},
-            {"fault", m.fault},
-            {"where", m.where},
-            {"what", m.what},
-            {"magnitude", has_magnitude(r) ? Json(m.magnitude) : Json(nullptr)},
-            {"trials", r.trials},
-            {"refused", failure_json(r.refused)},
-            {"reason", r.refused || (!r.survival && !is_equivalent(r)) ? Json(nullptr) : Json(reason_of(r).id)},
-            {"survival", survival_json(r)}};
-  }
-
-  Json data(const std::string& require, const std::string& command) const {
-    Json all = Json::array(), families = Json::array(), scores = Json::object(), controls = Json::array();
-    for (const BlackBoxResult& r : score_.mutants) all.push_back(mutant_json(r));
-    for (const Family* family : plan_.families) families.push_back(family->name);
-    for (const Precision precision : plan_.precisions) {
-      scores[std::string(name(precision))] =
-          score_of([&](const BlackBoxResult& r) { return r.precision == precision; }).json();
-    }
-    for (const BlackBoxControl& c : score_.controls) {
-      controls.push_back({{"kernel", c.id}, {"precision", name(c.precision)}, {"refused", failure_json(c.refused)}});
-    }
-    return {{"schema", black_box_schema},
-            {"axiscert", AXISCERT_VERSION},
-            {"command", command},
-            {"complete", score_.complete},
-            {"kernel", plan_.base},
-            {"require", require},
-            {"seed", plan_.seed},
-            {"trials", plan_.trials},
-            {"families", families},
-            {"score", scores},
-            {"mutants", all},
-            {"controls", controls}};
   }
 
   const MutationPlan& plan_;

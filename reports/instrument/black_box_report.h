@@ -15,4 +15,8 @@ std::vector<std::string> black_box_faults(const BlackBoxScore& score);
 InstrumentReport black_box_report(const MutationPlan& plan, const BlackBoxScore& score, const std::string& require,
                                   const std::string& command);
 
+// The figures of the report.
+Json black_box_json(const MutationPlan& plan, const BlackBoxScore& score, const std::string& require,
+                    const std::string& command);
+
 }  // namespace axiscert
