@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/running/check_output.h"
+#include "cli/progress_line.h"
 #include "cli/commands.h"
 #include "cli/options/test_options.h"
 #include "exact/sphere_triangle/claims/examine.h"
@@ -29,6 +30,9 @@ int check(const CheckOptions& options) {
   const std::string target = resolve_target(options.target);
   const auto queries = read_query_file(options.file, parse_precision(options.precision));
   Examiner examiner(kernel, target);
+  ProgressLine progress("check");
+  const ShowProgress show = progress.report();
+  ProgressCount count(show, queries.size());
   for (const StoredQuery& stored : queries) {
     if (!kernel.has(stored.precision)) {
       throw Error(fmt::format("{}: query '{}' is in {}, in which kernel {} does not exist", options.file, stored.id,
@@ -36,6 +40,8 @@ int check(const CheckOptions& options) {
     }
     const Examination found =
         std::visit([&](const auto& q) { return examiner.examine(q); }, sphere_triangle_query(stored));
+    count.finished();
+    progress.clear();
     if (options.format == "text") {
       fmt::print("{}\n", check_text(stored.id, kernel, found));
       if (options.errors) fmt::print("{}\n", errors_text(errors_of(stored, kernel, target)));
@@ -61,6 +67,7 @@ void add_check(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_flag("--errors", options->errors, "also print the errors of the computed sides, in u, exactly");
   add_plugin_seconds(*command);
+  add_progress(*command);
   add_format(*command, options->format, "jsonl");
   command->callback([&action, options] { action = [options] { return check(*options); }; });
 }

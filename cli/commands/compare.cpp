@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/progress_line.h"
 #include "cli/values.h"
 #include "cli/running/terminal.h"
 #include "kernel/base/error.h"
@@ -64,9 +65,12 @@ int compare(const CompareOptions& options) {
   const Run before = read_run(options.before), after = read_run(options.after);
   require_same_test(before.record, after.record, as_utf8(options.before), as_utf8(options.after));
   const TrustedPlugins trusted = trusted_kernels(options, before.record);
+  std::optional<ProgressLine> progress(std::in_place, "compare", options.quiet);
+  progress->stage("the witnesses are evaluated again");
   std::vector<Replayed> replayed;
   if (!options.no_replay) replayed = replay_witnesses(before.record, resolve_target("auto"), trusted);
   const RunComparison comparison = compare_records(before.record, after.record, std::move(replayed));
+  progress.reset();
   const ComparedRuns runs{before.record, after.record, options.before, options.after};
   const InstrumentReport report = comparison_report(runs, comparison);
   const std::string markdown = comparison_markdown(runs, comparison);
@@ -111,6 +115,7 @@ void add_compare(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   command->add_flag("--no-replay", options->no_replay, "do not evaluate the witnesses of OLD again");
   add_plugin_seconds(*command);
+  add_progress(*command);
   command->add_flag("--quiet", options->quiet, "print only errors: the exit code is the answer");
   command->callback([&action, options] { action = [options] { return compare(*options); }; });
 }

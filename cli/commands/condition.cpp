@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/options/instrument_options.h"
+#include "cli/progress_line.h"
 #include "cli/values.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
@@ -21,7 +22,8 @@ int measure(const ConditionOptions& options) {
       options.trials,
       options.seed,
       options.flips,
-      options.sample};
+      options.sample,
+      options.threads};
   for (const Kernel* kernel : plan.kernels) {
     if (kernel->exposes == Exposure::verdict || !has_comparisons(kernel->formulae)) {
       throw Error(
@@ -32,7 +34,9 @@ int measure(const ConditionOptions& options) {
   }
   const std::string command =
       instrument_command("condition", options) + fmt::format(" --flips {} --sample {}", options.flips, options.sample);
-  return put_instrument(condition_report(plan, measure_condition(plan), command), options);
+  const auto result =
+      with_progress("condition", [&](const ShowProgress& show) { return measure_condition(plan, show); });
+  return put_instrument(condition_report(plan, result, command), options);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "cli/options/instrument_options.h"
+#include "cli/progress_line.h"
 #include "fuzz/queries/address.h"
 #include "reports/instrument/critical_radius_report.h"
 
@@ -12,10 +13,13 @@ int measure(const InstrumentOptions& options) {
                           "packed-nonstrict"},
                          Measures::verdicts),
       instrument_sources(options, {"general", "far", "sliver", "needle", "collinear", "repeated", "ratio", "scale"}),
-      parse_precision(options.precision), options.trials, options.seed};
-  return put_instrument(
-      critical_radius_report(plan, measure_critical_radii(plan), instrument_command("critical-radius", options)),
-      options);
+      parse_precision(options.precision),
+      options.trials,
+      options.seed,
+      options.threads};
+  const auto result =
+      with_progress("critical-radius", [&](const ShowProgress& show) { return measure_critical_radii(plan, show); });
+  return put_instrument(critical_radius_report(plan, result, instrument_command("critical-radius", options)), options);
 }
 
 }  // namespace

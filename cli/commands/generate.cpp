@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/options/run_options.h"
 #include "cli/options/test_options.h"
+#include "cli/progress_line.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/pipe/query_stream.h"
 #include "kernel/base/error.h"
@@ -90,7 +91,12 @@ int generate(const GenerateOptions& options) {
     throw Error("--binary would write bytes to a terminal: pipe them into a program, or give a file with -o");
   }
   try {
-    write_queries(plan, encoding, threads_of(options.threads), [&](std::string_view bytes) { output.write(bytes); });
+    ProgressLine progress("generate");
+    std::uint64_t written = 0;
+    write_queries(plan, encoding, threads_of(options.threads), [&](std::string_view bytes) {
+      output.write(bytes);
+      progress.stage(fmt::format("{} bytes written", written += bytes.size()));
+    });
   } catch (const ReaderLeft&) {
   }
   return exit_done;
@@ -109,6 +115,7 @@ void add_generate(CLI::App& app, Action& action) {
   command->add_option("-o,--out-file", options->out_file, "file to write, - for standard output")
       ->capture_default_str();
   add_thread_option(*command, options->threads);
+  add_progress(*command);
   command->callback([&action, options] { action = [options] { return generate(*options); }; });
 }
 

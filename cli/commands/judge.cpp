@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/values.h"
 #include "cli/running/judged_run.h"
+#include "cli/progress_line.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
@@ -135,7 +136,9 @@ Kernel program(const JudgeOptions& options, const StoredReplies& replies) {
 }
 
 int judge_replies(const JudgeOptions& options) {
+  std::optional<ProgressLine> reading(std::in_place, "judge: the replies are read", options.quiet);
   const auto replies = std::make_shared<const StoredReplies>(read(options));
+  reading.reset();
   const Kernel kernel = program(options, *replies);
   Plan plan;
   plan.test = kernel.test;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cli/options/instrument_options.h"
+#include "cli/progress_line.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
@@ -52,9 +53,11 @@ int ladder(const LadderOptions& options) {
   plan.trials = options.trials;
   plan.seed = options.seed;
   plan.speed = !options.no_speed;
+  plan.threads = options.threads;
   require_uncontracted(scalar_target);
   const std::string command = instrument_command("ladder", options) + (options.no_speed ? " --no-speed" : "");
-  return put_instrument(ladder_report(plan, measure_ladder(plan), command), options);
+  const auto entries = with_progress("ladder", [&](const ShowProgress& show) { return measure_ladder(plan, show); });
+  return put_instrument(ladder_report(plan, entries, command), options);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/test_options.h"
+#include "cli/progress_line.h"
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/instruments/kernel_speed.h"
@@ -19,7 +20,6 @@ namespace {
 
 struct LeagueOptions : InstrumentOptions {
   bool no_speed = false;
-  int threads = 0;  // 0: all cores
 };
 
 const std::vector<std::string> own_kernels = {"published",     "nonstrict", "reduced-nonstrict", "minkowski",
@@ -56,7 +56,7 @@ void add_all_kernels(League& league) {
 }
 
 template <class Real>
-void take_times(League& league) {
+void take_times(League& league, const ShowProgress& report) {
   std::vector<const Kernel*> timed;
   std::vector<std::size_t> places;
   for (std::size_t k = 0; k < league.contenders; ++k) {
@@ -64,7 +64,7 @@ void take_times(League& league) {
     timed.push_back(league.plan.kernels[k]);
     places.push_back(k);
   }
-  const auto speeds = measure_speed<Real>(timed, repetitions);
+  const auto speeds = measure_speed<Real>(timed, repetitions, report);
   for (std::size_t i = 0; i < timed.size(); ++i) {
     const auto& best = speeds[i].best_target;
     league.nanoseconds[{precision_of<Real>, places[i]}] = best ? best->second : speeds[i].scalar_ns;
@@ -90,17 +90,15 @@ int run_league(const LeagueOptions& options) {
   for (const std::string& target : targets_of(plan)) require_uncontracted(target);
 
   const std::atomic<bool> interrupted = false;
-  CampaignResult result;
-  {
-    ProgressLine progress;
-    result = run_campaign(plan, interrupted, [&](const Progress& p) { progress.show(p); });
-  }
-  if (!options.no_speed) {
+  const CampaignResult result = with_progress("league", [&](const ShowProgress& show) {
+    CampaignResult found = run_campaign(plan, interrupted, show);
+    if (options.no_speed) return found;
     for (const Precision precision : plan.precisions) {
-      if (precision == Precision::binary32) take_times<float>(league);
-      else take_times<double>(league);
+      if (precision == Precision::binary32) take_times<float>(league, show);
+      else take_times<double>(league, show);
     }
-  }
+    return found;
+  });
   const std::string command = instrument_command("league", options) + (options.no_speed ? " --no-speed" : "");
   for (const std::string& sentence : league.not_checked) fmt::print(stderr, "axiscert: {}\n", sentence);
   return put_instrument(league_report(league, result, command), options);
@@ -115,7 +113,6 @@ void add_league(CLI::App& app, Action& action) {
   auto options = std::make_shared<LeagueOptions>();
   options->precision.clear();
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
-  add_thread_option(*command, options->threads);
   command->add_flag("--no-speed", options->no_speed, "measure no times");
   command->callback([&action, options] { action = [options] { return run_league(*options); }; });
 }

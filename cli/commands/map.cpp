@@ -7,6 +7,7 @@
 #include "cli/options/address_query.h"
 #include "cli/options/test_options.h"
 #include "cli/commands.h"
+#include "cli/progress_line.h"
 #include "cli/values.h"
 #include "cli/running/run_output.h"
 #include "fuzz/text/file_bytes.h"
@@ -114,7 +115,8 @@ int draw(const MapOptions& options) {
   const std::string folder = (std::filesystem::path(options.out) / "maps").string();
   const OutputFolder writable(folder);  // checked before anything runs
   require_uncontracted(plan.target);
-  const std::vector<MapPicture> pictures = draw_map(plan);
+  const std::vector<MapPicture> pictures =
+      with_progress("map", [&](const ShowProgress& show) { return draw_map(plan, show); });
   const Json map = map_json(options.name, plan, pictures, command_of(options, plan));
   const auto index = std::filesystem::path(folder) / map_index_file;
   write_files(folder, map_files(map, plan, pictures, std::filesystem::exists(index) ? read_bytes(index.string()) : ""));
@@ -154,6 +156,7 @@ void add_map(CLI::App& app, Action& action) {
       ->capture_default_str();
   add_address_files(*command, o.files);
   add_plugin_seconds(*command);
+  add_progress(*command);
   add_format(*command, o.format, "json");
   command->add_option("--out", o.out, "folder in which maps/ is written")->capture_default_str();
   command->callback([&action, options] { action = [options] { return draw(*options); }; });

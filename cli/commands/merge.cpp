@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/running/judged_run.h"
 #include "cli/running/planned_run.h"
+#include "cli/progress_line.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -51,6 +52,7 @@ int merge(const MergeOptions& options) {
   const OutputFolder folder(options.out);
   const auto started = std::chrono::system_clock::now();
 
+  std::optional<ProgressLine> reading(std::in_place, "merge: the journals are read");
   Gathered gathered(plan, stretches);
   std::vector<std::uint32_t> from(stretches.count());  // for each stretch, the folder it is from
   std::uint64_t bytes = 0;
@@ -71,6 +73,7 @@ int merge(const MergeOptions& options) {
                  journal, end.torn);
     }
   }
+  reading.reset();
   if (const auto missing = gathered.missing(); !missing.empty()) {
     throw Error(
         fmt::format("{} of the plan's {} units are missing: {}; run their shards with --resume, or name their "
@@ -98,6 +101,7 @@ void add_merge(CLI::App& app, Action& action) {
       ->required();
   command->add_option("--plan", options->plan, "present path of the plan (default: the first folder's copy of it)");
   command->add_option("--out", options->out, "folder for record, reports and witnesses")->capture_default_str();
+  add_progress(*command);
   command->callback([&action, options] { action = [options] { return merge(*options); }; });
 }
 

@@ -8,11 +8,14 @@
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/test_options.h"
+#include "cli/progress_line.h"
 #include "cli/values.h"
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
+#include "reports/gates/requirement.h"
+#include "reports/instrument/black_box_report.h"
 #include "reports/instrument/mutation_report.h"
 
 namespace axiscert {
@@ -21,25 +24,40 @@ namespace {
 struct MutateOptions {
   std::string kernel = std::string(mutants::bases.front()), precision, format = "text", out;
   std::vector<std::string> mutants, families;
-  std::uint64_t trials = 0, seed = 1;
+  std::vector<double> magnitudes;
+  std::optional<std::uint64_t> trials;
+  std::uint64_t seed = 1;
   int threads = 0;
-  bool list = false, no_controls = false;
+  bool list = false, no_controls = false, verdict_only = false;
 };
+
+// A mutant that shows its verdict alone is judged as a run does, at many times the cost: the default is a minute or
+// two.
+constexpr std::uint64_t default_trials = std::uint64_t{1} << 16, default_trials_by_verdict = std::uint64_t{1} << 11;
 
 // The controls in other arithmetics are judged by exact arithmetic, at a hundred times the cost of a mutant's query.
 constexpr std::uint64_t trials_of_a_control(std::uint64_t trials) { return std::max<std::uint64_t>(1, trials / 64); }
 
+// What there is to choose from: with --verdict-only the faults of values too.
+std::vector<const mutants::Mutant*> mutants_there(const MutateOptions& options) {
+  std::vector<const mutants::Mutant*> all;
+  for (const mutants::Mutant& m : mutants::mutants_of(options.kernel)) all.push_back(&m);
+  if (!options.verdict_only) return all;
+  std::vector<double> magnitudes = options.magnitudes;
+  if (magnitudes.empty()) magnitudes.assign(mutants::default_magnitudes.begin(), mutants::default_magnitudes.end());
+  for (const mutants::Mutant* m : mutants::value_mutants_of(options.kernel, magnitudes)) all.push_back(m);
+  return all;
+}
+
 // Mutants by id, or by fault: "swap".
 std::vector<const mutants::Mutant*> mutants_asked(const MutateOptions& options) {
+  const std::vector<const mutants::Mutant*> all = mutants_there(options);
+  if (options.mutants.empty()) return all;
   std::vector<const mutants::Mutant*> asked;
-  const std::span<const mutants::Mutant> all = mutants::mutants_of(options.kernel);
-  if (options.mutants.empty()) {
-    for (const mutants::Mutant& m : all) asked.push_back(&m);
-  }
   for (const std::string& given : options.mutants) {
     const std::size_t before = asked.size();
-    for (const mutants::Mutant& m : all) {
-      if (m.id == given || m.fault == given) asked.push_back(&m);
+    for (const mutants::Mutant* m : all) {
+      if (m->id == given || m->fault == given) asked.push_back(m);
     }
     if (asked.size() > before) continue;
     const std::string id = given.find('~') == given.npos ? options.kernel + "~" + given : given;
@@ -53,6 +71,50 @@ std::vector<const mutants::Mutant*> mutants_asked(const MutateOptions& options) 
 int show_list(const MutationPlan& plan) {
   for (const mutants::Mutant* m : plan.mutants) fmt::print("{}  {}; {}\n", m->id, m->where, m->what);
   return exit_done;
+}
+
+std::string command_of(const MutateOptions& options, const MutationPlan& plan) {
+  std::string command = fmt::format("axiscert mutate --kernel {}", options.kernel);
+  if (options.verdict_only) command += " --verdict-only";
+  for (const std::string& mutant : options.mutants) command += " --mutant " + mutant;
+  for (const double magnitude : options.magnitudes) command += fmt::format(" --magnitude {}", magnitude);
+  for (const std::string& family : options.families) command += " --family " + family;
+  command += fmt::format(" --trials {} --seed {}", plan.trials, plan.seed);
+  if (!options.precision.empty()) command += " --precision " + options.precision;
+  if (options.no_controls) command += " --no-controls";
+  return command;
+}
+
+// Prints and writes the report, and throws where the harness contradicts itself.
+int put_score(const MutateOptions& options, const std::optional<OutputFolder>& folder, const InstrumentReport& shown,
+              const InstrumentReport& whole, bool complete, const std::vector<std::string>& faults) {
+  fmt::print("{}", options.format == "json" ? shown.data.dump(2) + "\n" : instrument_text(shown));
+  if (folder) {
+    folder->write(whole.name + ".json", whole.data);
+    folder->write_text(whole.name + ".md", instrument_markdown(whole));
+    folder->write_text(whole.name + ".html", instrument_page(whole));
+  }
+  if (!complete) return exit_interrupted;
+  if (!faults.empty()) throw HarnessFault(fmt::format("{}", fmt::join(faults, "\n")));
+  return exit_done;
+}
+
+// What `run --require` says, of kernels that show a verdict alone.
+constexpr const char* required = "logic";
+
+int mutate_by_verdict(const MutateOptions& options, const MutationPlan& plan,
+                      const std::optional<OutputFolder>& folder) {
+  const Gate gate = [](const Json& record) {
+    std::vector<GateFailure> failures;
+    for (const Failure& failure : unmet(record, required))
+      failures.push_back({failure.kernel, failure.precision, failure.family, failure.what});
+    return failures;
+  };
+  const std::atomic<bool>& interrupted = watch_for_interrupts();
+  const BlackBoxScore score = with_progress(
+      "mutate", [&](const ShowProgress& show) { return judge_black_boxes(plan, gate, interrupted, show); });
+  const InstrumentReport report = black_box_report(plan, score, required, command_of(options, plan));
+  return put_score(options, folder, report, report, score.complete, black_box_faults(score));
 }
 
 int mutate(const MutateOptions& options) {
@@ -70,43 +132,32 @@ int mutate(const MutateOptions& options) {
   if (plan.families.empty()) plan.families = families_of(first_test());
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};
-  plan.trials = options.trials;
+  plan.trials = options.trials.value_or(options.verdict_only ? default_trials_by_verdict : default_trials);
   plan.seed = options.seed;
   plan.threads = threads_of(options.threads);
+  plan.controls = !options.no_controls;
   std::optional<OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
   require_uncontracted(scalar_target);
+
+  if (options.verdict_only) return mutate_by_verdict(options, plan, folder);
 
   const std::atomic<bool>& interrupted = watch_for_interrupts();
   MutationResult result;
   std::vector<Control> controls;
   {
-    ProgressLine progress;
-    result = run_mutation(plan, interrupted, [&](const Progress& p) { progress.show(p); });
+    ProgressLine progress("mutate");
+    result = run_mutation(plan, interrupted, progress.report());
+    if (!options.no_controls && result.complete) {
+      progress.stage("kernels that are right");
+      controls = run_controls(plan, trials_of_a_control(plan.trials), interrupted, progress.report());
+      result.complete = !interrupted;
+    }
   }
-  if (!options.no_controls && result.complete) {
-    controls = run_controls(plan, trials_of_a_control(plan.trials), interrupted);
-    result.complete = !interrupted;
-  }
-  std::string command = fmt::format("axiscert mutate --kernel {}", options.kernel);
-  for (const std::string& mutant : options.mutants) command += " --mutant " + mutant;
-  for (const std::string& family : options.families) command += " --family " + family;
-  command += fmt::format(" --trials {} --seed {}", plan.trials, plan.seed);
-  if (!options.precision.empty()) command += " --precision " + options.precision;
-  if (options.no_controls) command += " --no-controls";
-
-  const InstrumentReport report = mutation_report(plan, result, controls, command, false);
-  fmt::print("{}", options.format == "json" ? report.data.dump(2) + "\n" : instrument_text(report));
-  if (folder) {
-    const InstrumentReport whole = mutation_report(plan, result, controls, command, true);
-    folder->write("mutation.json", whole.data);
-    folder->write_text("mutation.md", instrument_markdown(whole));
-    folder->write_text("mutation.html", instrument_page(whole));
-  }
-  if (!result.complete) return exit_interrupted;
+  const std::string command = command_of(options, plan);
   const std::vector<std::string> faults = mutation_faults(result, controls);
-  if (!faults.empty()) throw HarnessFault(fmt::format("{}", fmt::join(faults, "\n")));
-  return exit_done;
+  return put_score(options, folder, mutation_report(plan, result, controls, command, false),
+                   mutation_report(plan, result, controls, command, true), result.complete, faults);
 }
 
 }  // namespace
@@ -116,23 +167,37 @@ void add_mutate(CLI::App& app, Action& action) {
       "mutate", "Plant one fault after the other in a correct kernel, and show which are caught, and how soon");
   auto options = std::make_shared<MutateOptions>();
   MutateOptions& o = *options;
-  o.trials = std::uint64_t{1} << 16;
   command
       ->add_option("--kernel", o.kernel,
                    fmt::format("kernel that the mutants are made from: {}", fmt::join(mutants::bases, ", ")))
       ->capture_default_str();
   command->add_option("--mutant", o.mutants, "id or fault, repeatable (default: all)")->allow_extra_args(false);
   command->add_option("--family", o.families, "family, repeatable (default: all)")->allow_extra_args(false);
-  command->add_option("--trials", o.trials, "queries per family and precision")
-      ->check(whole_number(1, std::uint64_t{1} << 48))
-      ->capture_default_str();
+  command
+      ->add_option("--trials", o.trials,
+                   fmt::format("queries per family and precision (default: {}; with --verdict-only {})", default_trials,
+                               default_trials_by_verdict))
+      ->check(whole_number(1, std::uint64_t{1} << 48));
   command->add_option("--seed", o.seed, "seed of every family")->check(whole_number())->capture_default_str();
   command->add_option("--precision", o.precision, "binary32 or binary64")->default_str("both");
+  auto* verdict_only = command->add_flag(
+      "--verdict-only", o.verdict_only,
+      "judge each mutant by its verdict alone, as a plug-in that shows nothing else, and plant epsilons, clamps, "
+      "thresholds and early answers too; what survives is listed with its reason");
+  command
+      ->add_option(
+          "--magnitude", o.magnitudes,
+          fmt::format("magnitude of these, repeatable (default: {})", fmt::join(mutants::default_magnitudes, ", ")))
+      ->allow_extra_args(false)
+      ->needs(verdict_only);
   command->add_flag("--list", o.list, "list the mutants and run no queries");
   command->add_flag("--no-controls", o.no_controls, "leave out the controls, which are correct kernels");
   add_thread_option(*command, o.threads);
+  add_progress(*command);
   add_format(*command, o.format, "json");
-  command->add_option("--out", o.out, "folder for mutation.json, mutation.md and mutation.html");
+  command->add_option(
+      "--out", o.out,
+      "folder for mutation.json, mutation.md and mutation.html (with --verdict-only mutation-by-verdict.*)");
   command->callback([&action, options] { action = [options] { return mutate(*options); }; });
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cli/options/instrument_options.h"
+#include "cli/progress_line.h"
 #include "exact/sphere_triangle/unbounded/at_precision.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
@@ -34,6 +35,7 @@ int measure(const PrecisionOptions& options) {
   plan.trials = options.trials;
   plan.precision = parse_precision(options.precision);
   plan.bits = bits_of(options);
+  plan.threads = options.threads;
   plan.kernels = instrument_kernels(options,
                                     {"ladder-0", "ladder-1", "ladder-2", "ladder-3", "ladder-4", "ladder-5", "ladder-6",
                                      "ladder-7", "ladder-8", "ladder-9", "reduced", "reduced-nonstrict", "nonstrict"},
@@ -41,7 +43,9 @@ int measure(const PrecisionOptions& options) {
   plan.sources = instrument_sources(options, {"general", "tangent", "seam", "sliver", "scale", "collinear", "lattice"});
   std::string command = instrument_command("precision", options);
   for (const int b : options.bits) command += fmt::format(" --bits {}", b);
-  return put_instrument(precision_report(plan, measure_precision(plan), command), options);
+  const auto tallies =
+      with_progress("precision", [&](const ShowProgress& show) { return measure_precision(plan, show); });
+  return put_instrument(precision_report(plan, tallies, command), options);
 }
 
 }  // namespace

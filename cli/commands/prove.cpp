@@ -14,6 +14,7 @@
 #include "proofs/emit/emit.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
+#include "cli/progress_line.h"
 #include "cli/running/run_output.h"
 
 namespace axiscert {
@@ -66,14 +67,17 @@ std::optional<double> attained_of(const Entry& entry) {
 
 // A bound is proved where Gappa accepts its script and Coq accepts every range that the script takes as a hypothesis.
 // The ranges of the absolute domain have no proof in Coq.
-void check(std::vector<Entry>& entries, const std::optional<bool>& ranges) {
+void check(std::vector<Entry>& entries, const std::optional<bool>& ranges, const ShowProgress& report) {
   const Files scripts = gappa_files();
   std::vector<std::pair<std::string, bool>> accepted;  // each script once, whichever bounds share it
   for (const Entry& entry : entries) accepted.emplace_back(script_path(entry.setting, entry.which), false);
   std::sort(accepted.begin(), accepted.end());
   accepted.erase(std::unique(accepted.begin(), accepted.end()), accepted.end());
-  tbb::parallel_for(std::size_t{0}, accepted.size(),
-                    [&](std::size_t i) { accepted[i].second = gappa_accepts(scripts.at(accepted[i].first)); });
+  ProgressCount progress(report, accepted.size(), "Gappa's scripts");
+  tbb::parallel_for(std::size_t{0}, accepted.size(), [&](std::size_t i) {
+    accepted[i].second = gappa_accepts(scripts.at(accepted[i].first));
+    progress.finished();
+  });
   for (Entry& entry : entries) {
     const auto found =
         std::lower_bound(accepted.begin(), accepted.end(), std::pair(script_path(entry.setting, entry.which), false));
@@ -125,9 +129,11 @@ int prove(const ProveOptions& options) {
   std::vector<Entry> entries = entries_of(options);
   const auto gappa = gappa_version(), coq = options.without_coq ? std::nullopt : coq_version();
   if (gappa) {
+    ProgressLine progress("prove");
+    progress.stage("Coq's proof of the ranges");
     std::optional<bool> ranges;
     if (coq) ranges = coq_accepts_ranges(options.proofs, range_files().begin()->second);
-    check(entries, ranges);
+    check(entries, ranges, progress.report());
   }
   const Json data = data_of(entries, gappa, coq);
   if (folder) folder->write_text("proofs.json", data.dump(2) + "\n");
@@ -148,6 +154,7 @@ void add_prove(CLI::App& app, Action& action) {
   command->add_option("--precision", o.precision, "binary32 or binary64 (default: both)");
   command->add_option("--proofs", o.proofs, "folder with coq/Ranges.v")->capture_default_str();
   command->add_flag("--without-coq", o.without_coq, "Gappa alone, which takes a minute less; nothing counts as proved");
+  add_progress(*command);
   add_format(*command, o.format, "json");
   command->add_option("--out", o.out, "folder for proofs.json");
   command->callback([&action, options] { action = [options] { return prove(*options); }; });

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/progress_line.h"
 #include "reports/formats/render.h"
 
 namespace axiscert {
@@ -9,9 +10,13 @@ void add_report(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("report", "Render the reports of a run folder again from its record.json");
   auto folder = std::make_shared<std::string>();
   command->add_option("DIR", *folder, "the folder that `run --out` wrote")->required();
+  add_progress(*command);
   command->callback([&action, folder] {
     action = [folder] {
-      render_reports(*folder);
+      {
+        ProgressLine progress("report");
+        render_reports(*folder);
+      }
       fmt::print("{}/report.html\n", *folder);
       return exit_done;
     };

@@ -7,6 +7,7 @@
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/test_options.h"
+#include "cli/progress_line.h"
 #include "cli/values.h"
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
@@ -111,9 +112,10 @@ int search(const SearchOptions& options) {
   const std::atomic<bool>& interrupted = watch_for_interrupts();
   SearchResult result;
   {
-    ProgressLine progress;
+    ProgressLine progress("search");
+    const std::string asked_for = plan.evaluations ? fmt::format(" of {}", *plan.evaluations) : "";
     result = search(plan, state, interrupted, [&](const SearchProgress& p) {
-      progress.show({p.islands, 0, p.evaluations, p.seconds});
+      progress.show({p.islands, 0, 0, p.seconds}, fmt::format("; {}{} evaluations", p.evaluations, asked_for));
     });
   }
   if (folder) {
@@ -154,6 +156,7 @@ void add_search(CLI::App& app, Action& action) {
   command->add_option("--target", o.target, "instruction set, or auto")->capture_default_str();
   add_thread_option(*command, o.threads);
   add_plugin_seconds(*command);
+  add_progress(*command);
   add_format(*command, o.format, "json");
   command->add_option("--out", o.out, "folder for search.json, search.html, witnesses.jsonl and the state");
   command->callback([&action, options] { action = [options] { return search(*options); }; });

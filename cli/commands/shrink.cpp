@@ -7,6 +7,7 @@
 #include "cli/options/address_query.h"
 #include "cli/options/test_options.h"
 #include "cli/commands.h"
+#include "cli/progress_line.h"
 #include "cli/values.h"
 #include "cli/running/shrunk.h"
 #include "fuzz/files/sphere_triangle_query.h"
@@ -153,8 +154,9 @@ void print_pair(const StoredQuery& stored, const StoredQuery& smaller, const Sto
 
 template <class Real>
 void shrink_as_pair(const Pair<Real>& pair, const StoredQuery& stored, const ShrinkOptions& options,
-                    const Kernel& kernel, std::string_view target) {
-  const auto found = shrink_pair(pair, kernel, target, options.evaluations, keeping(options));
+                    const Kernel& kernel, std::string_view target, ProgressLine& progress, const Evaluated& evaluated) {
+  const auto found = shrink_pair(pair, kernel, target, options.evaluations, keeping(options), evaluated);
+  progress.clear();
   const StoredQuery smaller{"shrunk-" + stored.id, stored.precision, found.query.query};
   const StoredQuery image{smaller.id + "-image", stored.precision, found.image};
   if (options.format == "text") print_pair(stored, smaller, image, pair.symptom, found, kernel);
@@ -163,12 +165,17 @@ void shrink_as_pair(const Pair<Real>& pair, const StoredQuery& stored, const Shr
 
 template <class Real>
 void shrink_one(const Query<Real>& q, const StoredQuery& stored, const ShrinkOptions& options, const Kernel& kernel,
-                std::string_view target) {
+                std::string_view target, ProgressLine& progress, Progress at) {
+  const auto start = std::chrono::steady_clock::now();
+  const Evaluated evaluated = [&](std::uint64_t evaluations) {
+    at.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    progress.show(at, fmt::format("; {} evaluations for the next, of at most {}", evaluations, options.evaluations));
+  };
   const bool wants_pair = options.what == asymmetry_name;
   // Without --what, a query that is right by itself is half of a pair, if it is in one.
   if (wants_pair || (options.what.empty() && is_valid(q) && Diagnosis<Real>(kernel, target).flips(q).empty())) {
     if (const auto pair = asymmetric_pair<Real>(stored.address, kernel, target)) {
-      shrink_as_pair(*pair, stored, options, kernel, target);
+      shrink_as_pair(*pair, stored, options, kernel, target, progress, evaluated);
       std::fflush(stdout);
       return;
     }
@@ -180,7 +187,8 @@ void shrink_one(const Query<Real>& q, const StoredQuery& stored, const ShrinkOpt
                                : kernel.id + " answers no image of it differently, or its family has none"));
   }
   const Symptom kept = wanted(q, stored, options, kernel, target);
-  const auto found = shrink(q, kept, kernel, target, options.evaluations, keeping(options));
+  const auto found = shrink(q, kept, kernel, target, options.evaluations, keeping(options), evaluated);
+  progress.clear();
   const StoredQuery smaller{"shrunk-" + stored.id, stored.precision, found.query};
   if (options.format == "text") print_text(stored, smaller, kept, found, kernel);
   else fmt::print("{}\n", shrunk_json(stored, kept, found, kernel).dump());
@@ -203,12 +211,17 @@ int shrink_all(const ShrinkOptions& options) {
   }
   // A query that shows nothing to keep does not stop the others, but is an error where it is the only one.
   std::size_t shrunk = 0;
-  for (const StoredQuery& stored : queries) {
+  ProgressLine progress("shrink");
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const StoredQuery& stored = queries[i];
+    const Progress at{i, queries.size(), 0, 0};
     try {
-      std::visit([&](const auto& q) { shrink_one(q, stored, options, kernel, target); }, sphere_triangle_query(stored));
+      std::visit([&](const auto& q) { shrink_one(q, stored, options, kernel, target, progress, at); },
+                 sphere_triangle_query(stored));
       ++shrunk;
     } catch (const NothingToKeep& nothing) {
       if (queries.size() == 1) throw;
+      progress.clear();
       fmt::print(stderr, "axiscert: {}\n", nothing.what());
     }
   }
@@ -240,6 +253,7 @@ void add_shrink(CLI::App& app, Action& action) {
       ->capture_default_str();
   add_address_files(*command, options->files);
   add_plugin_seconds(*command);
+  add_progress(*command);
   add_format(*command, options->format, "jsonl");
   command->callback([&action, options] { action = [options] { return shrink_all(*options); }; });
 }

@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "cli/options/run_options.h"
 #include "cli/options/test_options.h"
+#include "cli/progress_line.h"
 #include "cli/values.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/queries/family.h"
@@ -36,7 +38,9 @@ void add_instrument_options(CLI::App& command, InstrumentOptions& o, std::uint64
   auto* precision = command.add_option("--precision", o.precision, "binary32 or binary64");
   if (o.precision.empty()) precision->default_str("both");
   else precision->capture_default_str();
+  add_thread_option(command, o.threads);
   add_plugin_seconds(command);
+  add_progress(command);
   add_format(command, o.format, "json");
   command.add_option("--out", o.out, "folder for the figures as JSON and as a page");
 }

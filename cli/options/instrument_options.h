@@ -13,9 +13,11 @@ struct InstrumentOptions {
   std::vector<std::string> kernels, families;  // as given; empty: the subcommand's defaults
   std::uint64_t trials = 0, seed = 1;
   std::string precision = "binary32", format = "text", out;
+  int threads = 0;  // 0: all cores
 };
 
-// Adds --kernel, --family, --trials, --seed, --precision, --format text|json and --out; `trials` is the default.
+// Adds --kernel, --family, --trials, --seed, --precision, --threads, --progress, --format text|json and --out; `trials`
+// is the default.
 void add_instrument_options(CLI::App& command, InstrumentOptions& options, std::uint64_t trials);
 
 // Whether an instrument uses only verdicts, or examines formulae, which only a built-in kernel is known to evaluate.

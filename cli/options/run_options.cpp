@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/options/preset.h"
 #include "cli/options/test_options.h"
+#include "cli/progress_line.h"
 #include "cli/values.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/corpus.h"
@@ -191,6 +192,7 @@ void add_output_options(CLI::App& command, OutputOptions& o) {
       ->allow_extra_args(false);
   command.add_option("--out", o.out, "folder for record, reports and witnesses")->capture_default_str();
   command.add_flag("--quiet", o.quiet, "print only errors and failures");
+  add_progress(command);
 }
 
 CLI::Option* add_plan_options(CLI::App& command, RunOptions& o) {

@@ -9,6 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/options/source_place.h"
+#include "cli/progress_line.h"
 #include "cli/running/run_output.h"
 #include "cli/running/shrunk.h"
 #include "cli/running/terminal.h"
@@ -106,8 +107,8 @@ int judged_run(const Plan& plan, const OutputOptions& output, const std::string&
   const auto started = std::chrono::system_clock::now();
   CampaignResult result;
   try {
-    ProgressLine progress(output.quiet);
-    result = run_campaign(plan, interrupted, [&](const Progress& p) { progress.show(p); });
+    ProgressLine progress("judging", output.quiet);
+    result = run_campaign(plan, interrupted, progress.report());
   } catch (const OracleDisagreement& disagreement) {
     throw saved(folder, disagreement);
   }
@@ -122,6 +123,8 @@ int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResul
                const std::optional<Ratchet>& ratchet, const std::string& target_asked,
                std::chrono::system_clock::time_point started, const Json& scale) {
   const double seconds = std::chrono::duration<double>(std::chrono::system_clock::now() - started).count();
+  std::optional<ProgressLine> progress(std::in_place, "judging", output.quiet);
+  progress->stage("the witnesses are confirmed");
   const Json record = record_of(plan, result, output.required);
   std::optional<RatchetOutcome> held;
   if (ratchet && result.complete)
@@ -137,8 +140,10 @@ int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResul
   if (!outcomes.empty()) info["requirements"] = outcomes_json(outcomes);
   folder.write("run.json", info);
   if (output.shrink != 0 && result.complete)
-    folder.write_text(shrunk_file, shrunk_witnesses(record, plan.target, output.shrink));
+    folder.write_text(shrunk_file, shrunk_witnesses(record, plan.target, output.shrink, progress->report()));
+  progress->stage("the reports are written");
   render_reports(output.out);
+  progress.reset();  // before the summary
 
   if (!output.quiet) fmt::print("{}{}/report.html\n", summary_text(record, seconds), output.out);
   if (!result.complete) return exit_interrupted;

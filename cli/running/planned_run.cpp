@@ -11,6 +11,7 @@
 #include "cli/options/test_options.h"
 #include "cli/values.h"
 #include "cli/running/judged_run.h"
+#include "cli/progress_line.h"
 #include "cli/running/recheck.h"
 #include "cli/running/run_output.h"
 #include "fuzz/text/file_bytes.h"
@@ -23,9 +24,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Seconds between lines of progress in a batch job's log, and seconds between syncs of the journal to the disk itself:
-// a kill loses nothing that was appended, a power cut at most what was appended since the last sync.
-constexpr double seconds_between_lines = 60, seconds_between_syncs = 10;
+// Seconds between syncs of the journal to the disk itself: a kill loses nothing that was appended, a power cut at most
+// what was appended since the last sync.
+constexpr double seconds_between_syncs = 10;
 
 // "I/N": every N-th stretch, beginning with the I-th.
 Selection shard_of(const std::string& given) {
@@ -130,7 +131,7 @@ class Lead {
   }
 
   void do_what_is_missing() {
-    ProgressLine progress(output_.quiet, seconds_between_lines);
+    ProgressLine progress("judging", output_.quiet);
     const std::uint64_t units_before = gathered_.units(), queries_before = gathered_.queries();
     std::uint64_t units_to_do = 0;
     for (const std::uint64_t stretch : gathered_.missing()) {

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <random>
 
+#include "cli/progress_line.h"
 #include "cli/running/run_output.h"
 #include "fuzz/campaign/parts/recheck.h"
 #include "kernel/base/error.h"
@@ -102,12 +103,18 @@ void recheck(const PlannedOptions& options, const PlanFile& file, const Rechecke
       options.recheck_with.empty() ? "on " + recheck_target(options, run.plan.target) : "by " + options.recheck_with;
   if (!options.recheck_with.empty()) do_with_another_build(options.recheck_with, file, run, sample, compared);
   else {
+    ProgressLine progress("--recheck", run.output.quiet);
+    const ShowProgress show = progress.report();
+    ProgressCount count(show, sample.size());
     auto next = sample.begin();
     distributor.run({[&]() -> std::optional<Task> {
                        return next == sample.end() ? std::nullopt : std::optional(task_of(*next++, true));
                      },
                      [&] { return static_cast<std::uint64_t>(sample.end() - next); },
-                     [&](const TaskResult& result) { compared.again(decode_entry(result.bytes)); }});
+                     [&](const TaskResult& result) {
+                       compared.again(decode_entry(result.bytes));
+                       count.finished();
+                     }});
   }
   if (!compared.differences().empty()) {
     const std::size_t others = compared.differences().size() - 1;

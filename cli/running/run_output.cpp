@@ -22,32 +22,6 @@
 
 namespace axiscert {
 
-ProgressLine::ProgressLine(bool quiet, std::optional<double> seconds_between_lines)
-    : on_terminal_(!quiet && isatty(STDERR_FILENO) != 0),
-      between_lines_(quiet ? std::nullopt : seconds_between_lines) {}
-
-ProgressLine::~ProgressLine() {
-  if (on_terminal_) fmt::print(stderr, "\r\x1b[K");
-}
-
-void ProgressLine::show(const Progress& p, const std::string& more) {
-  if (!on_terminal_ && !between_lines_) return;
-  if (p.seconds - last_shown_ < (on_terminal_ ? 0.2 : *between_lines_)) return;
-  last_shown_ = p.seconds;
-  const double rate = static_cast<double>(p.queries) / p.seconds;
-  std::string left;
-  if (p.units != 0) {
-    const double remaining =
-        p.seconds * static_cast<double>(p.units - p.units_done) / static_cast<double>(p.units_done);
-    left = fmt::format(" of {}, about {:.0f} s left", p.units, remaining);
-  }
-  const std::string line =
-      fmt::format("{} units{}; {} queries, {:.0f} a second{}", p.units_done, left, p.queries, rate, more);
-  if (on_terminal_) fmt::print(stderr, "\r\x1b[K{}", line);
-  else fmt::print(stderr, "{}\n", line);
-  std::fflush(stderr);
-}
-
 OutputFolder::OutputFolder(const std::string& path) : path_(path) {
   std::error_code problem;
   std::filesystem::create_directories(path_, problem);

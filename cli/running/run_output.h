@@ -1,4 +1,4 @@
-// The output of `axiscert run`: the progress line, the run folder, the summary.
+// The output of `axiscert run`: the run folder, the summary.
 #pragma once
 
 #include <atomic>
@@ -12,22 +12,6 @@
 #include "fuzz/confirm/record.h"
 
 namespace axiscert {
-
-// One line on a terminal, rewritten, and cleared when the object goes out of scope. Elsewhere nothing, or a line at
-// intervals.
-class ProgressLine {
- public:
-  explicit ProgressLine(bool quiet = false, std::optional<double> seconds_between_lines = std::nullopt);
-  ~ProgressLine();
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-  void show(const Progress& progress, const std::string& more = "");
-
- private:
-  bool on_terminal_;
-  std::optional<double> between_lines_;
-  double last_shown_ = 0;
-};
 
 // The folder of a run. It is created, and checked to be writable, before anything runs; a file appears in it whole or
 // not at all.

@@ -65,9 +65,12 @@ Json shrunk_pair_json(const StoredQuery& stored, const Pair<Real>& pair, const S
 template Json shrunk_pair_json(const StoredQuery&, const Pair<float>&, const ShrunkPair<float>&, const Kernel&);
 template Json shrunk_pair_json(const StoredQuery&, const Pair<double>&, const ShrunkPair<double>&, const Kernel&);
 
-std::string shrunk_witnesses(const Json& record, const std::string& target, std::uint64_t evaluations) {
+std::string shrunk_witnesses(const Json& record, const std::string& target, std::uint64_t evaluations,
+                             const ShowProgress& report) {
   std::string text;
+  ProgressCount progress(report, record["witnesses"].size(), "the witnesses are made smaller");
   for (const Json& witness : record["witnesses"]) {
+    progress.finished();  // when the next one is begun
     const Kernel& kernel = find_kernel(witness["kernel"].get<std::string>());
     const std::string id = witness["id"];
     const StoredQuery stored = parse_queries(witness.dump(), id, Precision::binary32).front();

@@ -8,6 +8,29 @@ import jsonschema
 from command import SCHEMAS, Case, axiscert
 
 
+class Instruments(Case):
+    # Each with few queries; what is written without a look at the clock.
+    COMMANDS = (("ladder", "--trials", 60, "--kernel", "published", "--no-speed"),
+                ("precision", "--trials", 20, "--kernel", "reduced", "--bits", 24, "--family", "tangent"),
+                ("condition", "--trials", 600, "--kernel", "published", "--family", "tangent"),
+                ("critical-radius", "--trials", 300, "--kernel", "published", "--family", "far"))
+
+    def test_threads_and_progress_change_no_byte(self):
+        for command in self.COMMANDS:
+            one, two = (axiscert(*command, "--format", "json", "--threads", threads, "--progress", progress)
+                        for threads, progress in ((1, 0), (2, 0.001)))
+            self.assertEqual(one.returncode, 0, one.stderr)
+            self.assertEqual(one.stdout, two.stdout, command)
+            self.assertEqual(one.stderr, "", command)
+            self.assertIn(f"axiscert: {command[0]}", two.stderr)
+
+    def test_what_is_done_within_a_minute_says_nothing(self):
+        done = axiscert(*self.COMMANDS[3])
+        self.assertEqual(done.stderr, "")
+        self.refused("ladder", "--threads", 0, says=["--threads"])
+        self.refused("ladder", "--progress", -1, says=["--progress"])
+
+
 class Ladder(Case):
     AXES = ("plane", "vertex_a", "vertex_b", "vertex_c", "edge_ab", "edge_bc", "edge_ca")
     PLAN = ("ladder", "--trials", 300, "--kernel", "ladder-8", "--kernel", "ladder-9", "--kernel", "reduced",

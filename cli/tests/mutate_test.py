@@ -8,12 +8,55 @@ import jsonschema
 from command import DIVISOR, SCHEMAS, Case, axiscert
 
 
-class Mutate(Case):
+class MutateCase(Case):
     def mutate(self, *args):
         done = axiscert("mutate", *args, "--format", "json")
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
 
+
+class MutateByVerdict(MutateCase):
+    PLAN = ("--verdict-only", "--trials", 160, "--precision", "binary32", "--family", "lattice", "--family", "tangent")
+
+    def test_what_survives_has_its_reason_on_any_number_of_threads(self):
+        out = self.folder / "out"
+        faults = ("drop", "fma", "clamp", "plus-relative", "early-contact")
+        chosen = [word for fault in faults for word in ("--mutant", fault)]
+        found = self.mutate(*self.PLAN, *chosen, "--magnitude", 0.1, "--magnitude", "1e-20", "--out", out)
+        schema = json.loads((SCHEMAS / "mutation-by-verdict.schema.json").read_text())
+        jsonschema.validators.validator_for(schema)(schema).validate(found)
+        self.assertEqual(json.loads((out / "mutation-by-verdict.json").read_text()), found)
+        again = axiscert(*found["command"].split()[1:], "--format", "json", "--threads", 1)
+        self.assertEqual(json.loads(again.stdout), found)
+        by_id = {m["id"]: m for m in found["mutants"]}
+        self.assertEqual({m["fault"] for m in found["mutants"]}, set(faults))
+        self.assertEqual({m["magnitude"] for m in found["mutants"]}, {None, 0.1, 1e-20})
+        for mutant in found["mutants"]:
+            self.assertNotEqual(mutant["refused"] is None, mutant["reason"] is None, mutant)
+            if mutant["fault"] == "drop":
+                self.assertIsNotNone(mutant["refused"], mutant)
+            if mutant["fault"] == "fma":  # another order of roundings is no fault of logic
+                self.assertIn(mutant["reason"], ("no-other-verdict", "never-wrong", "not-in-exact-arithmetic"))
+        self.assertEqual(by_id["nonstrict~plus-relative:r:1e-20"]["reason"], "equivalent")
+        self.assertEqual(by_id["nonstrict~clamp:r:1e-20"]["reason"], "no-other-verdict")
+        self.assertIsNotNone(by_id["nonstrict~early-contact:verdict:0.1"])
+        self.assertEqual({c["refused"] for c in found["controls"]}, {None})
+        counts = found["score"]["binary32"]
+        self.assertEqual(counts["mutants"], counts["equivalent"] + counts["refused"] + counts["survived"])
+        self.assertIn("no verdict differs", (out / "mutation-by-verdict.md").read_text())
+
+    def test_a_run_takes_the_names_that_it_gives(self):
+        self.assertIn("nonstrict~clamp:r:0.01  the radius, E = 0.01; E for an x below E",
+                      axiscert("mutate", "--verdict-only", "--list").stdout.splitlines())
+        run = axiscert("run", "--kernel", "nonstrict~clamp:r:0.1", "--family", "grid", "--trials", 2000, "--require",
+                       "logic", "--out", self.folder / "run")
+        self.assertEqual(run.returncode, 1, run.stderr)
+        self.refused("run", "--kernel", "nonstrict~clamp:nosuch:0.1", says=["nonstrict~clamp:nosuch:0.1", "clamp-relative"])
+        self.refused("mutate", "--magnitude", "0.1", says=["--verdict-only"])
+        self.refused("mutate", "--verdict-only", "--magnitude", "-1", says=["-1", "above 0"])
+
+
+class Mutate(MutateCase):
     def test_a_fault_of_each_kind_is_caught_and_the_files_are_written(self):
         out = self.folder / "out"
         kinds = ("drop", "reverse", "lane", "tail", "always", "strictness")

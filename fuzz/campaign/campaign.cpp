@@ -85,14 +85,14 @@ std::set<std::string> targets_of(const Plan& plan) {
   return targets;
 }
 
-CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupted,
-                            const std::function<void(const Progress&)>& report) {
+CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report) {
   CampaignResult result;
   result.cells = cells_of(plan);
   UnitQueue queue(plan, result.cells);
   std::mutex mutex;
   std::atomic<bool> failed = false;
-  std::uint64_t units_done = 0, queries_done = 0;
+  ProgressCount progress(report, queue.total());
+  const BatchDone asked = [&](std::uint64_t queries) { progress.asked(queries); };
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
 
@@ -118,7 +118,7 @@ CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupt
       const CellResult& cell = result.cells[unit->cell];
       UnitResult done;
       try {
-        done = run_unit(plan, *plan.sources[cell.source], cell.precision, unit->number, unit->size, standing);
+        done = run_unit(plan, *plan.sources[cell.source], cell.precision, unit->number, unit->size, standing, asked);
       } catch (...) {
         failed = true;
         throw;
@@ -131,8 +131,7 @@ CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupt
       ++into.units_done;
       into.queries += unit->size;
       result.second_opinions += done.second_opinions;
-      queries_done += unit->size;
-      report({++units_done, queue.total(), queries_done, elapsed()});
+      progress.finished();
     }
   };
   tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(plan.threads));

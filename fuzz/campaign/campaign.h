@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "exact/sphere_triangle/filters/cascade.h"
+#include "fuzz/campaign/progress.h"
 #include "fuzz/pipe/replies.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/campaign/tally.h"
@@ -68,11 +69,6 @@ struct CampaignResult {
   std::uint64_t second_opinions = 0;  // queries decided a second time by MPFR
 };
 
-struct Progress {
-  std::uint64_t units_done, units, queries;  // units is 0 under a time limit
-  double seconds;
-};
-
 // Every 4096th query of a source is decided again by the second oracle; for every 256th of its first 2^24 the critical
 // radius is found. Their errors are kept, for an exact median, and are all that a tally keeps of more than a few
 // queries: the limit bounds it at 2^16 numbers, however long a run lasts.
@@ -86,9 +82,8 @@ constexpr bool has_critical_radius(std::uint64_t position) {
 // called.
 std::set<std::string> targets_of(const Plan& plan);
 
-// `interrupted` is polled between units; `report` is called from one thread at a time. The tallies depend on the plan
-// alone, not on threads, target or order. Throws OracleDisagreement.
-CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupted,
-                            const std::function<void(const Progress&)>& report);
+// `interrupted` is polled between units; `report` may be empty. The tallies depend on the plan alone, not on threads,
+// target or order. Throws OracleDisagreement.
+CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report);
 
 }  // namespace axiscert

@@ -27,7 +27,7 @@ class StaleRounding {
 // One unit in one precision, batch by batch: made, asked of every kernel, decided, judged.
 template <class Real>
 void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint64_t size,
-         const std::vector<Standing>& standing, UnitResult& out) {
+         const std::vector<Standing>& standing, const BatchDone& asked, UnitResult& out) {
   const StaleRounding mode(plan.planted == FilterFault::rounding_mode);
   Decider<Real> decider(plan, out.steps, out.second_opinions);
   KernelRuns<Real> kernels(plan, source, decider, standing, first, out.tallies);
@@ -48,6 +48,7 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
     steps.errors += watch.lap();
     std::move(watched).judge();
     steps.judging += watch.lap();
+    if (asked) asked(queries.size());
   }
   kernels.finish();
   decider.count_times();
@@ -56,13 +57,18 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
 }  // namespace
 
 UnitResult run_unit(const Plan& plan, const Source& source, Precision precision, std::uint64_t number,
-                    std::uint64_t size, const std::vector<Standing>& standing) {
+                    std::uint64_t size, const std::vector<Standing>& standing, const BatchDone& asked) {
   UnitResult result{std::vector<Tally>(plan.kernels.size(), Tally(*plan.test)), 0, 0, {}};
   const double start = thread_seconds();
   const std::uint64_t first = number * unit_size;
-  if (plan.test != &sphere_triangle_test()) run_plain_unit(plan, source, precision, first, size, standing, result);
-  else if (precision == Precision::binary32) run<float>(plan, source, first, size, standing, result);
-  else run<double>(plan, source, first, size, standing, result);
+  if (plan.test != &sphere_triangle_test()) {
+    run_plain_unit(plan, source, precision, first, size, standing, result);
+    if (asked) asked(size);
+  } else if (precision == Precision::binary32) {
+    run<float>(plan, source, first, size, standing, asked, result);
+  } else {
+    run<double>(plan, source, first, size, standing, asked, result);
+  }
   result.core_seconds = thread_seconds() - start;
   return result;
 }

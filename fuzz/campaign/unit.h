@@ -19,11 +19,14 @@ struct UnitResult {
   StepCounts steps;
 };
 
+// Told the size of each batch that is done with; may be empty.
+using BatchDone = std::function<void(std::uint64_t queries)>;
+
 // The first `size` queries of unit `number`. What other units of the cell have found, by kernel, saves evaluating what
 // can be no maximum; it may be empty. Merged with their tallies the result depends on the other arguments only, but for
 // the times.
 UnitResult run_unit(const Plan& plan, const Source& source, Precision precision, std::uint64_t number,
-                    std::uint64_t size, const std::vector<Standing>& standing = {});
+                    std::uint64_t size, const std::vector<Standing>& standing = {}, const BatchDone& asked = {});
 
 // A plan's cells, with nothing done: binary64 first, whose units take longest, and the last ones decide how long the
 // cores wait for each other.

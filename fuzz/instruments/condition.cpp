@@ -12,6 +12,7 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/instruments/blocks.h"
+#include "fuzz/instruments/on_threads.h"
 
 namespace axiscert {
 namespace {
@@ -59,7 +60,8 @@ std::pair<Verdict, ComparisonBits> answer_of(const Implementation<Real>& kernel,
 
 // Every flip and every wrong verdict among the queries of a block.
 template <class Real>
-Findings search(const ConditionPlan& plan, const std::vector<Implementation<Real>>& kernels, const QueryBlock& block) {
+Findings search(const ConditionPlan& plan, const std::vector<Implementation<Real>>& kernels, const QueryBlock& block,
+                ProgressCount& progress) {
   Findings found{0, std::vector<KernelFindings>(kernels.size())};
   const Source& source = *plan.sources[block.source];
   const std::uint64_t stride = plan.sample == 0 ? 0 : (plan.trials + plan.sample - 1) / plan.sample;
@@ -69,6 +71,7 @@ Findings search(const ConditionPlan& plan, const std::vector<Implementation<Real
   answers.resize(1, comparison_count);
   for (std::uint64_t position = block.first; position < block.first + block.size; ++position) {
     const Query<Real> q = source.make<Real>(plan.seed, position);
+    progress.asked(1);
     const ExactTruth truth = exact_truth(q, position % second_opinion_stride == 0);
     if (!truth.formula) {
       ++found.invalid;
@@ -162,13 +165,16 @@ void merge(const Findings& found, std::size_t source, const ConditionPlan& plan,
 }
 
 template <class Real>
-ConditionResult measure(const ConditionPlan& plan) {
+ConditionResult measure(const ConditionPlan& plan, const ShowProgress& report) {
   std::vector<Implementation<Real>> kernels;
   for (const Kernel* kernel : plan.kernels) kernels.push_back(kernel->on<Real>(scalar_target));
   const std::vector<QueryBlock> blocks = blocks_of(plan.sources.size(), plan.trials, 512);
   std::vector<Findings> findings(blocks.size());
-  tbb::parallel_for(std::size_t{0}, blocks.size(),
-                    [&](std::size_t i) { findings[i] = search(plan, kernels, blocks[i]); });
+  ProgressCount searched(report, blocks.size(), "flips are searched for");
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
+    findings[i] = search(plan, kernels, blocks[i], searched);
+    searched.finished();
+  });
 
   ConditionResult result;
   result.invalid.resize(plan.sources.size());
@@ -180,9 +186,11 @@ ConditionResult measure(const ConditionPlan& plan) {
   for (std::size_t i = 0; i < blocks.size(); ++i) merge(findings[i], blocks[i].source, plan, taken, result, jobs);
 
   std::vector<Evaluated> evaluated(jobs.size());
+  ProgressCount conditioned(report, jobs.size(), "conditions");
   tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
     const Job& job = jobs[i];
     evaluated[i] = evaluate<Real>(plan, *plan.kernels[job.kernel], *plan.sources[job.source], job.request);
+    conditioned.finished();
   });
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     ConditionCell& cell = result.cells[jobs[i].kernel][jobs[i].source];
@@ -219,8 +227,12 @@ ConditionCounts ConditionCell::total() const {
   return sum;
 }
 
-ConditionResult measure_condition(const ConditionPlan& plan) {
-  return plan.precision == Precision::binary32 ? measure<float>(plan) : measure<double>(plan);
+ConditionResult measure_condition(const ConditionPlan& plan, const ShowProgress& report) {
+  ConditionResult result;
+  on_threads(plan.threads, [&] {
+    result = plan.precision == Precision::binary32 ? measure<float>(plan, report) : measure<double>(plan, report);
+  });
+  return result;
 }
 
 }  // namespace axiscert

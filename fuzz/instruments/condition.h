@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "fuzz/campaign/progress.h"
 #include "fuzz/instruments/extreme.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
@@ -18,6 +19,7 @@ struct ConditionPlan {
   std::uint64_t trials = 0, seed = 1;  // trials: of each source
   std::uint64_t flip_limit = 0;        // flips evaluated per kernel, source and comparison: the first by position
   std::uint64_t sample = 0;  // queries per source, evenly spaced, whose comparisons that did not flip are evaluated too
+  int threads = 0;           // 0: one per core
 };
 
 // One comparison of a kernel on one source. A flip is a difference between the kernel's bit and that of its own
@@ -65,8 +67,8 @@ struct ConditionResult {
   bool operator==(const ConditionResult&) const = default;
 };
 
-// Measures the scalar form of each kernel, on all cores; the result depends on the plan alone. Throws
+// Measures the scalar form of each kernel; the result depends on the plan alone, not on its threads. Throws
 // OracleDisagreement.
-ConditionResult measure_condition(const ConditionPlan& plan);
+ConditionResult measure_condition(const ConditionPlan& plan, const ShowProgress& report = {});
 
 }  // namespace axiscert

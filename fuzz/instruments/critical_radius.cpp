@@ -8,6 +8,7 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/instruments/blocks.h"
+#include "fuzz/instruments/on_threads.h"
 #include "fuzz/files/query_file.h"
 
 namespace axiscert {
@@ -61,7 +62,7 @@ void measure(const Implementation<Real>& kernel, const Query<Real>& q, const Rat
 }
 
 template <class Real>
-BlockResult run(const CriticalRadiusPlan& plan, const QueryBlock& block) {
+BlockResult run(const CriticalRadiusPlan& plan, const QueryBlock& block, ProgressCount& progress) {
   // Each block begins its own kernels: the behaviour of foreign code in one block does not influence another.
   std::vector<Implementation<Real>> kernels;
   for (const Kernel* kernel : plan.kernels) kernels.push_back(kernel->on<Real>(scalar_target));
@@ -69,6 +70,7 @@ BlockResult run(const CriticalRadiusPlan& plan, const QueryBlock& block) {
   const Source& source = *plan.sources[block.source];
   for (std::uint64_t position = block.first; position < block.first + block.size; ++position) {
     const Query<Real> q = source.make<Real>(plan.seed, position);
+    progress.asked(1);
     std::optional<Rational> squared;
     std::optional<Real> exact_radius;
     if (is_valid(q)) {
@@ -88,10 +90,16 @@ BlockResult run(const CriticalRadiusPlan& plan, const QueryBlock& block) {
 }
 
 template <class Real>
-CriticalRadiusResult measure_all(const CriticalRadiusPlan& plan) {
+CriticalRadiusResult measure_all(const CriticalRadiusPlan& plan, const ShowProgress& report) {
   const std::vector<QueryBlock> blocks = blocks_of(plan.sources.size(), plan.trials, 256);
   std::vector<BlockResult> results(blocks.size());
-  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) { results[i] = run<Real>(plan, blocks[i]); });
+  ProgressCount progress(report, blocks.size());
+  on_threads(plan.threads, [&] {
+    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
+      results[i] = run<Real>(plan, blocks[i], progress);
+      progress.finished();
+    });
+  });
 
   CriticalRadiusResult merged;
   merged.left_out.resize(plan.sources.size());
@@ -135,8 +143,8 @@ std::uint64_t CriticalRadii::within(const Decimal6& error) const {
   return count;
 }
 
-CriticalRadiusResult measure_critical_radii(const CriticalRadiusPlan& plan) {
-  return plan.precision == Precision::binary32 ? measure_all<float>(plan) : measure_all<double>(plan);
+CriticalRadiusResult measure_critical_radii(const CriticalRadiusPlan& plan, const ShowProgress& report) {
+  return plan.precision == Precision::binary32 ? measure_all<float>(plan, report) : measure_all<double>(plan, report);
 }
 
 }  // namespace axiscert

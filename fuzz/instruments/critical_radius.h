@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/campaign/progress.h"
 #include "fuzz/instruments/extreme.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
@@ -17,6 +18,7 @@ struct CriticalRadiusPlan {
   std::vector<SourcePtr> sources;
   Precision precision = Precision::binary32;
   std::uint64_t trials = 0, seed = 1;  // trials: of each source
+  int threads = 0;                     // 0: one per core
 };
 
 // The first reversal of a kernel on a source: two lines of a query file that differ only in r.
@@ -54,7 +56,7 @@ struct CriticalRadiusResult {
   bool operator==(const CriticalRadiusResult&) const = default;
 };
 
-// Measures the scalar form of each kernel, on all cores; the result depends on the plan alone.
-CriticalRadiusResult measure_critical_radii(const CriticalRadiusPlan& plan);
+// Measures the scalar form of each kernel; the result depends on the plan alone, not on its threads.
+CriticalRadiusResult measure_critical_radii(const CriticalRadiusPlan& plan, const ShowProgress& report = {});
 
 }  // namespace axiscert

@@ -30,7 +30,8 @@ double nanoseconds(const Implementation<Real>& kernel, const QueryColumns<Real>&
 }  // namespace
 
 template <class Real>
-std::vector<KernelSpeed> measure_speed(const std::vector<const Kernel*>& kernels, int repetitions) {
+std::vector<KernelSpeed> measure_speed(const std::vector<const Kernel*>& kernels, int repetitions,
+                                       const ShowProgress& report) {
   const std::string best = available_targets().front();
   std::vector<Timed<Real>> scalar, simd;
   for (const Kernel* kernel : kernels) {
@@ -48,11 +49,13 @@ std::vector<KernelSpeed> measure_speed(const std::vector<const Kernel*>& kernels
     timed.ns.push_back(nanoseconds(timed.implementation, batch.columns(), verdicts.data()) /
                        static_cast<double>(speed_queries));
   };
+  ProgressCount progress(report, static_cast<std::uint64_t>(repetitions) + 1, "times");
   for (int repetition = -1; repetition < repetitions; ++repetition) {
     for (std::size_t k = 0; k < kernels.size(); ++k) {
       time(scalar[k]);
       time(simd[k]);
     }
+    progress.finished();
     if (repetition >= 0) continue;
     for (auto* all : {&scalar, &simd}) {  // the first round only loads code and data into the caches
       for (Timed<Real>& timed : *all) timed.ns.clear();
@@ -69,7 +72,7 @@ std::vector<KernelSpeed> measure_speed(const std::vector<const Kernel*>& kernels
   }
   return speeds;
 }
-template std::vector<KernelSpeed> measure_speed<float>(const std::vector<const Kernel*>&, int);
-template std::vector<KernelSpeed> measure_speed<double>(const std::vector<const Kernel*>&, int);
+template std::vector<KernelSpeed> measure_speed<float>(const std::vector<const Kernel*>&, int, const ShowProgress&);
+template std::vector<KernelSpeed> measure_speed<double>(const std::vector<const Kernel*>&, int, const ShowProgress&);
 
 }  // namespace axiscert

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "fuzz/campaign/progress.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
@@ -23,6 +24,7 @@ struct KernelSpeed {
 
 // Measured on one thread; verdicts only.
 template <class Real>
-std::vector<KernelSpeed> measure_speed(const std::vector<const Kernel*>& kernels, int repetitions = speed_repetitions);
+std::vector<KernelSpeed> measure_speed(const std::vector<const Kernel*>& kernels, int repetitions = speed_repetitions,
+                                       const ShowProgress& report = {});
 
 }  // namespace axiscert

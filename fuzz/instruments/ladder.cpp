@@ -1,9 +1,8 @@
 #include "fuzz/instruments/ladder.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +15,7 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/instruments/blocks.h"
+#include "fuzz/instruments/on_threads.h"
 
 namespace axiscert {
 namespace {
@@ -88,7 +88,7 @@ void count_critical_radius(KernelAccuracy& into, const Implementation<Real>& ker
 
 // `into` points to the kernels' results on the block's source.
 template <class Real>
-void judge_block(const LadderPlan& plan, const QueryBlock& block, KernelAccuracy* into) {
+void judge_block(const LadderPlan& plan, const QueryBlock& block, KernelAccuracy* into, ProgressCount& progress) {
   QueryBatch<Real> batch(block.size, coordinate_count);
   plan.sources[block.source]->fill(plan.seed, block.first, block.size, batch);
   std::vector<Answered<Real>> answered;
@@ -96,6 +96,7 @@ void judge_block(const LadderPlan& plan, const QueryBlock& block, KernelAccuracy
   for (std::uint64_t i = 0; i < block.size; ++i) {
     const std::uint64_t position = block.first + i;
     const Query<Real> q = batch[i];
+    progress.asked(1);
     const ExactTruth truth = exact_truth(q, position % second_opinion_stride == 0);
     if (!truth.formula) continue;
     Claims<Real> claims(q, *truth.formula);
@@ -109,14 +110,16 @@ void judge_block(const LadderPlan& plan, const QueryBlock& block, KernelAccuracy
   }
 }
 
-Accuracies accuracies(const LadderPlan& plan) {
+Accuracies accuracies(const LadderPlan& plan, const ShowProgress& report) {
   const std::vector<QueryBlock> blocks = blocks_of(plan.sources.size(), plan.trials, 1024);
+  ProgressCount progress(report, blocks.size(), "accuracy");
   const Accuracies none(plan.sources.size() * plan.kernels.size());
   const auto judge = [&](const tbb::blocked_range<std::size_t>& range, Accuracies found) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       KernelAccuracy* into = found.data() + blocks[i].source * plan.kernels.size();
-      if (plan.precision == Precision::binary32) judge_block<float>(plan, blocks[i], into);
-      else judge_block<double>(plan, blocks[i], into);
+      if (plan.precision == Precision::binary32) judge_block<float>(plan, blocks[i], into, progress);
+      else judge_block<double>(plan, blocks[i], into, progress);
+      progress.finished();
     }
     return found;
   };
@@ -128,10 +131,16 @@ Accuracies accuracies(const LadderPlan& plan) {
 }
 
 template <class Real>
-void measure_range_and_speed(const LadderPlan& plan, std::vector<LadderEntry>& entries) {
-  for (LadderEntry& entry : entries) entry.windows = exponent_windows<Real>(*entry.kernel);
+void measure_range_and_speed(const LadderPlan& plan, std::vector<LadderEntry>& entries, const ShowProgress& report) {
+  on_threads(plan.threads, [&] {
+    ProgressCount progress(report, entries.size(), "exponent windows");
+    tbb::parallel_for(std::size_t{0}, entries.size(), [&](std::size_t k) {
+      entries[k].windows = exponent_windows<Real>(*entries[k].kernel);
+      progress.finished();
+    });
+  });
   if (!plan.speed) return;
-  const std::vector<KernelSpeed> speeds = measure_speed<Real>(plan.kernels);
+  const std::vector<KernelSpeed> speeds = measure_speed<Real>(plan.kernels, speed_repetitions, report);
   for (std::size_t k = 0; k < entries.size(); ++k) entries[k].speed = speeds[k];
 }
 
@@ -162,14 +171,9 @@ void KernelAccuracy::merge(const KernelAccuracy& other) {
   radius_unbounded += other.radius_unbounded;
 }
 
-std::vector<LadderEntry> measure_ladder(const LadderPlan& plan) {
-  std::optional<tbb::global_control> limit;
-  if (plan.threads > 0) {
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(plan.threads));
-  }
-  tbb::task_arena arena(plan.threads > 0 ? plan.threads : tbb::task_arena::automatic);
+std::vector<LadderEntry> measure_ladder(const LadderPlan& plan, const ShowProgress& report) {
   Accuracies found;
-  arena.execute([&] { found = accuracies(plan); });
+  on_threads(plan.threads, [&] { found = accuracies(plan, report); });
   std::vector<LadderEntry> entries;
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     LadderEntry& entry = entries.emplace_back();
@@ -182,8 +186,8 @@ std::vector<LadderEntry> measure_ladder(const LadderPlan& plan) {
     }
     std::sort(entry.all.radius_errors_ulps.begin(), entry.all.radius_errors_ulps.end());
   }
-  if (plan.precision == Precision::binary32) measure_range_and_speed<float>(plan, entries);
-  else measure_range_and_speed<double>(plan, entries);
+  if (plan.precision == Precision::binary32) measure_range_and_speed<float>(plan, entries, report);
+  else measure_range_and_speed<double>(plan, entries, report);
   return entries;
 }
 

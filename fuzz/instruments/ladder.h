@@ -1,6 +1,7 @@
 // The cost of each step of the article's derivation: accuracy, range and speed of its forms on the same queries.
 #pragma once
 
+#include "fuzz/campaign/progress.h"
 #include "fuzz/instruments/error_spread.h"
 #include "fuzz/instruments/exponent_window.h"
 #include "fuzz/instruments/kernel_speed.h"
@@ -62,6 +63,6 @@ struct LadderEntry {
 
 // One entry per kernel, in the plan's order. Everything but `speed` depends on the plan alone, not on its threads.
 // Throws OracleDisagreement.
-std::vector<LadderEntry> measure_ladder(const LadderPlan& plan);
+std::vector<LadderEntry> measure_ladder(const LadderPlan& plan, const ShowProgress& report = {});
 
 }  // namespace axiscert

@@ -10,6 +10,7 @@
 #include "exact/sphere_triangle/unbounded/at_precision.h"
 #include "exact/sphere_triangle/claims/claim.h"
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/instruments/on_threads.h"
 
 namespace axiscert {
 namespace {
@@ -76,11 +77,12 @@ void measure_query(const PrecisionPlan& plan, const Source& source, std::uint64_
   }
 }
 
-PrecisionTally measure_source(const PrecisionPlan& plan, const Source& source) {
+PrecisionTally measure_source(const PrecisionPlan& plan, const Source& source, ProgressCount& progress) {
   const auto measure_range = [&](const tbb::blocked_range<std::uint64_t>& positions, PrecisionTally tally) {
     for (std::uint64_t position = positions.begin(); position != positions.end(); ++position) {
       if (plan.precision == Precision::binary32) measure_query<float>(plan, source, position, tally);
       else measure_query<double>(plan, source, position, tally);
+      progress.finished(1);
     }
     return tally;
   };
@@ -135,7 +137,7 @@ void PrecisionTally::merge(const PrecisionTally& other) {
   for (std::size_t k = 0; k < kernels.size(); ++k) kernels[k].merge(other.kernels[k]);
 }
 
-std::vector<PrecisionTally> measure_precision(const PrecisionPlan& plan) {
+std::vector<PrecisionTally> measure_precision(const PrecisionPlan& plan, const ShowProgress& report) {
   for (const Kernel* kernel : plan.kernels) {
     if (kernel->formulae == Formulae::none || kernel->arithmetic != Arithmetic::plain) {
       throw Error(
@@ -145,7 +147,10 @@ std::vector<PrecisionTally> measure_precision(const PrecisionPlan& plan) {
     }
   }
   std::vector<PrecisionTally> tallies;
-  for (const SourcePtr& source : plan.sources) tallies.push_back(measure_source(plan, *source));
+  ProgressCount progress(report, plan.trials * plan.sources.size());  // a query takes milliseconds
+  on_threads(plan.threads, [&] {
+    for (const SourcePtr& source : plan.sources) tallies.push_back(measure_source(plan, *source, progress));
+  });
   return tallies;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "fuzz/campaign/progress.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/names.h"
@@ -25,6 +26,7 @@ struct PrecisionPlan {
   std::vector<SourcePtr> sources;
   Precision precision = Precision::binary32;  // precision of the queries, and of the limited exponents
   std::vector<int> bits;                      // ascending, each in [least_bits, greatest_bits]
+  int threads = 0;                            // 0: one per core
 };
 
 // The numbers of bits used if no list is given: more closely spaced near the published formats.
@@ -70,7 +72,7 @@ struct PrecisionTally {
 // One tally per source. Depends on the plan alone, not on threads. Throws Error for a kernel whose formulae are not
 // evaluated in plain arithmetic, OracleDisagreement, and HarnessFault if evaluation with the precision's own bits and
 // exponents does not give the scalar reference's answer.
-std::vector<PrecisionTally> measure_precision(const PrecisionPlan& plan);
+std::vector<PrecisionTally> measure_precision(const PrecisionPlan& plan, const ShowProgress& report = {});
 PrecisionTally total(const std::vector<PrecisionTally>& tallies);
 
 // The least of the plan's bits from which on, with unlimited exponents, none of these occurs; empty if one occurs at

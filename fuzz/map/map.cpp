@@ -130,7 +130,7 @@ class Drawing {
   }
 
   // Draws the pixels from `first` to before `last`, row by row.
-  void draw(std::size_t first, std::size_t last) const {
+  void draw(std::size_t first, std::size_t last, ProgressCount& progress) const {
     const Implementation<Real> kernel = plan_.kernel->on<Real>(plan_.target);
     Cascade<Real> cascade(filter_on<Real>(plan_.target));
     QueryBatch<Real> batch(batch_pixels, coordinate_count);
@@ -148,6 +148,7 @@ class Drawing {
         check(at + i, decided[i], q);
         put(at + i, pixel(decided[i], reply, i, q));
       }
+      progress.asked(batch.size());
     }
   }
 
@@ -242,11 +243,14 @@ void mark_boundary(Canvas& canvas, std::size_t columns, std::size_t rows) {
 }
 
 template <class Real>
-void draw(const MapPlan& plan, std::vector<Canvas>& canvases) {
+void draw(const MapPlan& plan, std::vector<Canvas>& canvases, const ShowProgress& report) {
   const Drawing<Real> drawing(plan, canvases);
   const std::size_t pixels = plan.plane.columns() * plan.plane.rows();
-  tbb::parallel_for(std::size_t{0}, (pixels + block_pixels - 1) / block_pixels, [&](std::size_t block) {
-    drawing.draw(block * block_pixels, std::min(pixels, (block + 1) * block_pixels));
+  const std::size_t blocks = (pixels + block_pixels - 1) / block_pixels;
+  ProgressCount progress(report, blocks);
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+    drawing.draw(block * block_pixels, std::min(pixels, (block + 1) * block_pixels), progress);
+    progress.finished();
   });
 }
 
@@ -267,12 +271,12 @@ bool has_comparison_maps(const Kernel& kernel) {
   return kernel.exposes != Exposure::verdict && has_comparisons(kernel.formulae);
 }
 
-std::vector<MapPicture> draw_map(const MapPlan& plan) {
+std::vector<MapPicture> draw_map(const MapPlan& plan, const ShowProgress& report) {
   const std::size_t pixels = plan.plane.columns() * plan.plane.rows();
   const Canvas empty{std::vector<PixelClass>(pixels, PixelClass::no_query), std::vector<char>(pixels, 0)};
   std::vector<Canvas> canvases(plan.subjects.size(), empty);
-  if (plan.witness.precision == Precision::binary32) draw<float>(plan, canvases);
-  else draw<double>(plan, canvases);
+  if (plan.witness.precision == Precision::binary32) draw<float>(plan, canvases, report);
+  else draw<double>(plan, canvases, report);
   std::vector<MapPicture> pictures;
   for (std::size_t s = 0; s < canvases.size(); ++s) {
     mark_boundary(canvases[s], plan.plane.columns(), plan.plane.rows());

@@ -6,6 +6,7 @@
 
 #include "exact/sphere_triangle/filters/cascade.h"
 #include "exact/judge/judge.h"
+#include "fuzz/campaign/progress.h"
 #include "fuzz/map/plane.h"
 #include "fuzz/files/query_file.h"
 #include "kernel/kernel.h"
@@ -59,14 +60,14 @@ struct MapPicture {
   EnumArray<PixelClass, std::uint64_t> counts;
 };
 
-// Draws on all cores; the result is the same for any number of them. For every 4096th pixel, and for every 64th of
-// those that needed integers of any size, the signs are decided again by CGAL, the exact formulae and MPFR: throws
-// OracleDisagreement.
+// Draws on all cores; the result is the same for any number of them. `report` counts pixels as queries. For every
+// 4096th pixel, and for every 64th of those that needed integers of any size, the signs are decided again by CGAL, the
+// exact formulae and MPFR: throws OracleDisagreement.
 //
 // The uncertain band of a comparison is the region where a bound does not determine its sign: the proved bound for the
 // kernel's own sides if there is one and the query is in its box (fuzz/search/proved.h), otherwise that of the lanes of
 // the filter (docs/error_model.md). For an axis and for a verdict, it is the region where the certain comparisons do
 // not settle it.
-std::vector<MapPicture> draw_map(const MapPlan& plan);
+std::vector<MapPicture> draw_map(const MapPlan& plan, const ShowProgress& report = {});
 
 }  // namespace axiscert

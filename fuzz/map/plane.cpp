@@ -105,5 +105,6 @@ Query<Real> query_at(const Plane& plane, const Query<Real>& witness, std::size_t
   template Query<Real> query_at(const Plane&, const Query<Real>&, std::size_t, std::size_t);
 AXISCERT_INSTANTIATE(float)
 AXISCERT_INSTANTIATE(double)
+#undef AXISCERT_INSTANTIATE
 
 }  // namespace axiscert

@@ -5,37 +5,15 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
+#include <deque>
 
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/claims/examine.h"
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "fuzz/campaign/unit.h"
+#include "fuzz/mutation/asked.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
 namespace {
-
-// A batch of one family, and the truth known about it. The truth is found when it is first needed: few queries need it.
-template <class Real>
-struct Asked {
-  const Family* family;
-  QueryBatch<Real> batch{batch_size, coordinate_count};
-  std::vector<ComparisonBits> base;
-  std::vector<Verdict> base_verdicts;
-  // For each query: distance_order, or one of these. Threads that ask at the same time find the same.
-  static constexpr signed char unknown = 2, invalid = 3;
-  std::vector<std::atomic<signed char>> order = std::vector<std::atomic<signed char>>(batch_size);
-
-  signed char order_of(std::size_t i) {
-    signed char known = order[i].load(std::memory_order_relaxed);
-    if (known != unknown) return known;
-    const Query<Real> q = batch[i];
-    known = is_valid(q) ? static_cast<signed char>(distance_order(q)) : invalid;
-    order[i].store(known, std::memory_order_relaxed);
-    return known;
-  }
-};
 
 template <class Real>
 class MutationRun {
@@ -53,24 +31,13 @@ class MutationRun {
   std::uint64_t run_batch(std::uint64_t first) {
     const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(batch_size, plan_.trials - first));
     first_ = first;
-    tbb::parallel_for(std::size_t{0}, asked_.size(), [&](std::size_t f) { prepare(asked_[f], size); });
+    tbb::parallel_for(std::size_t{0}, asked_.size(),
+                      [&](std::size_t f) { asked_[f].prepare(base_, plan_.seed, first, size); });
     tbb::parallel_for(std::size_t{0}, results_.size(), [&](std::size_t m) { ask(*results_[m]); });
     return size * asked_.size();
   }
 
  private:
-  void prepare(Asked<Real>& asked, std::size_t size) {
-    asked.batch.resize(size);
-    asked.family->fill(plan_.seed, first_, asked.batch.mutable_columns());
-    asked.base.resize(size);
-    mutants::mutant_bits(base_, asked.batch.columns(), asked.base.data());
-    asked.base_verdicts.resize(size);
-    for (std::size_t i = 0; i < size; ++i) {
-      asked.base_verdicts[i] = verdict_of(axes_of(asked.base[i]));
-      asked.order[i].store(Asked<Real>::unknown, std::memory_order_relaxed);
-    }
-  }
-
   void ask(MutantResult& result) {
     std::array<ComparisonBits, batch_size> bits;
     std::uint64_t before = first_ * asked_.size(), before_exact = first_ * exact_families_;
@@ -93,9 +60,8 @@ class MutationRun {
             std::uint64_t exact_queries) {
     const Verdict verdict = verdict_of(axes_of(bits));
     if (verdict == asked.base_verdicts[i]) return;
-    const signed char order = asked.order_of(i);
-    if (order == Asked<Real>::invalid || (order > 0) == (verdict == Verdict::separated)) return;
-    const bool in_exact_arithmetic = asked.family->exact_arithmetic && order != 0;
+    if (!asked.is_wrong(i, verdict)) return;
+    const bool in_exact_arithmetic = asked.family->exact_arithmetic && asked.order_of(i) != 0;
     if (result.by_bits && (result.by_formulae || !in_exact_arithmetic)) return;
     const Catch found = confirmed(*result.mutant, asked, i, {verdict, bits}, in_exact_arithmetic);
     if (!result.by_bits) {
@@ -136,7 +102,7 @@ class MutationRun {
 }  // namespace
 
 MutationResult run_mutation(const MutationPlan& plan, const std::atomic<bool>& interrupted,
-                            const std::function<void(const Progress&)>& report) {
+                            const ShowProgress& report) {
   MutationResult result;
   for (const Precision precision : plan.precisions) {
     for (const mutants::Mutant* mutant : plan.mutants) {
@@ -144,9 +110,8 @@ MutationResult run_mutation(const MutationPlan& plan, const std::atomic<bool>& i
         result.mutants.push_back({mutant, precision, {}, {}});
     }
   }
-  const auto start = std::chrono::steady_clock::now();
-  std::uint64_t done = 0, queries = 0;
   const std::uint64_t batches = (plan.trials + batch_size - 1) / batch_size;
+  ProgressCount progress(report, batches * plan.precisions.size(), "mutants");
   const auto run = [&]<class Real>(Real) {
     std::vector<MutantResult*> of_precision;
     for (MutantResult& r : result.mutants) {
@@ -158,9 +123,7 @@ MutationResult run_mutation(const MutationPlan& plan, const std::atomic<bool>& i
         result.complete = false;
         return;
       }
-      queries += mutation.run_batch(first);
-      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      report({++done, batches * plan.precisions.size(), queries, seconds});
+      progress.finished(mutation.run_batch(first));
     }
   };
   tbb::task_arena arena(plan.threads);

@@ -23,6 +23,7 @@ struct MutationPlan {
   std::uint64_t trials = 0;  // per family and precision
   std::uint64_t seed = 1;
   int threads = 1;
+  bool controls = true;  // judge_black_boxes also judges kernels that are right
 };
 
 // The first wrong verdict that a requirement of `logic` does not allow. Families are asked in turn, one batch each.
@@ -51,11 +52,10 @@ struct MutationResult {
   bool complete = true;               // false: interrupted
 };
 
-// `interrupted` is polled, and `report` called, between batches. The result depends on the plan, not on its threads.
-// Every catch is confirmed by all oracles. Throws OracleDisagreement, and HarnessFault if the judge does not confirm a
-// catch.
-MutationResult run_mutation(const MutationPlan& plan, const std::atomic<bool>& interrupted,
-                            const std::function<void(const Progress&)>& report);
+// `interrupted` is polled, and `report` called, between batches; `report` may be empty. The result depends on the plan,
+// not on its threads. Every catch is confirmed by all oracles. Throws OracleDisagreement, and HarnessFault if the judge
+// does not confirm a catch.
+MutationResult run_mutation(const MutationPlan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report);
 
 // A correct kernel in another form, judged in the same way as a mutant.
 struct Control {
@@ -64,7 +64,10 @@ struct Control {
   Precision precision;
   std::uint64_t queries = 0, flagged = 0;  // flagged: wrong verdicts that `logic` does not allow
 };
-std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials, const std::atomic<bool>& interrupted);
+std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials, const std::atomic<bool>& interrupted,
+                                  const ShowProgress& report = {});
+// The kernels that are right over the reals, in forms of their own.
+const std::vector<std::string>& correct_forms();
 
 // Mutants that no query can distinguish from their base, each with the reason: fuzz/mutation/equivalent.txt. A line is
 // NAME: REASON. Each of them has the same comparison bits as its base on every query; the tests check that in addition

@@ -4,14 +4,10 @@
 namespace axiscert {
 namespace {
 
-// Correct over the reals for every triangle, with their own order of operations; in addition each arithmetic under the
-// base.
-const std::vector<std::string> other_forms = {"nonstrict", "reduced-nonstrict", "reduced-shared-nonstrict",
-                                              "packed-nonstrict", "minkowski"};
-
+// In addition to the correct forms each arithmetic under the base.
 std::vector<Kernel> kernels_of(const std::string& base) {
   std::vector<Kernel> kernels;
-  for (const std::string& id : other_forms) kernels.push_back(find_kernel(id));
+  for (const std::string& id : correct_forms()) kernels.push_back(find_kernel(id));
   for (const ArithmeticInfo& arithmetic : arithmetics()) {
     if (arithmetic.arithmetic != Arithmetic::plain) kernels.push_back(find_kernel(base + "+" + arithmetic.name));
   }
@@ -35,8 +31,14 @@ std::uint64_t flagged(const VerdictTally& verdict, bool claims_bits, bool exact_
 
 }  // namespace
 
-std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials,
-                                  const std::atomic<bool>& interrupted) {
+const std::vector<std::string>& correct_forms() {
+  static const std::vector<std::string> forms = {"nonstrict", "reduced-nonstrict", "reduced-shared-nonstrict",
+                                                 "packed-nonstrict", "minkowski"};
+  return forms;
+}
+
+std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials, const std::atomic<bool>& interrupted,
+                                  const ShowProgress& report) {
   std::vector<Kernel> kernels = kernels_of(plan.base);
   const std::size_t by_bits = kernels.size();
   for (std::size_t k = 0; k < by_bits; ++k) {
@@ -51,7 +53,7 @@ std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials
   campaign.trials = [trials](const Source&, Precision) { return trials; };
   campaign.target = std::string(scalar_target);
   campaign.threads = plan.threads;
-  const CampaignResult result = run_campaign(campaign, interrupted, [](const Progress&) {});
+  const CampaignResult result = run_campaign(campaign, interrupted, report);
   std::vector<Control> controls;
   for (const Precision precision : plan.precisions) {
     for (std::size_t k = 0; k < kernels.size(); ++k) {

@@ -105,5 +105,6 @@ Real step_radius(Real r, int ulps) {
   template Real step_radius<Real>(Real, int);
 AXISCERT_INSTANTIATE(float)
 AXISCERT_INSTANTIATE(double)
+#undef AXISCERT_INSTANTIATE
 
 }  // namespace axiscert

@@ -231,5 +231,6 @@ void move(Dice& random, Query<Real>& q, const Query<Real>& other) {
   template void move(Dice&, Query<Real>&, const Query<Real>&);
 AXISCERT_INSTANTIATE(float)
 AXISCERT_INSTANTIATE(double)
+#undef AXISCERT_INSTANTIATE
 
 }  // namespace axiscert

@@ -95,7 +95,7 @@ template std::optional<Pair<double>> asymmetric_pair(const std::string&, const K
 
 template <class Real>
 ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::string_view target, std::uint64_t limit,
-                             Keeping keeping) {
+                             Keeping keeping, const Evaluated& evaluated) {
   PairDiagnosis<Real> diagnosis(kernel, target);
   const auto severity = [&](const Query<Real>& q) -> std::optional<Severity> {
     const auto image_of_it = image_by(pair.map, q);
@@ -108,11 +108,13 @@ ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::
     throw Error(fmt::format("{} does not answer the query and its image differently: {}", kernel.id,
                             text(pair.symptom)));
   }
-  ShrunkPair<Real> found{shrink<Real>(pair.query, SeverityOn<Real>(severity), keeping, limit), {}};
+  ShrunkPair<Real> found{shrink<Real>(pair.query, SeverityOn<Real>(severity), keeping, limit, evaluated), {}};
   found.image = *image_by(pair.map, found.query.query);
   return found;
 }
-template ShrunkPair<float> shrink_pair(const Pair<float>&, const Kernel&, std::string_view, std::uint64_t, Keeping);
-template ShrunkPair<double> shrink_pair(const Pair<double>&, const Kernel&, std::string_view, std::uint64_t, Keeping);
+template ShrunkPair<float> shrink_pair(const Pair<float>&, const Kernel&, std::string_view, std::uint64_t, Keeping,
+                                       const Evaluated&);
+template ShrunkPair<double> shrink_pair(const Pair<double>&, const Kernel&, std::string_view, std::uint64_t, Keeping,
+                                       const Evaluated&);
 
 }  // namespace axiscert

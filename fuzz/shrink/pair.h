@@ -39,6 +39,6 @@ struct ShrunkPair {
 // way. The severity of another verdict is the query's depth, which is that of its image; other comparisons have none.
 template <class Real>
 ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::string_view target, std::uint64_t limit,
-                             Keeping keeping = Keeping::symptom_and_class);
+                             Keeping keeping = Keeping::symptom_and_class, const Evaluated& evaluated = {});
 
 }  // namespace axiscert

@@ -18,8 +18,9 @@ constexpr std::uint64_t seed = 1, attempts = 400000, most_moves = 6, most_nudges
 template <class Real>
 class Walk {
  public:
-  Walk(const Query<Real>& q, const SeverityOn<Real>& severity, Keeping keeping, std::uint64_t limit)
-      : severity_(severity), limit_(limit) {
+  Walk(const Query<Real>& q, const SeverityOn<Real>& severity, Keeping keeping, std::uint64_t limit,
+       const Evaluated& evaluated)
+      : severity_(severity), limit_(limit), evaluated_(evaluated) {
     const Severity given = *severity(q);
     const Keep keep = keeping == Keeping::symptom ? Keep() : Keep(q, given);
     out_ = {q, given, given, keep, {size_of(q)}, 0, true};
@@ -64,6 +65,7 @@ class Walk {
       return false;
     }
     ++out_.evaluations;
+    if (evaluated_) evaluated_(out_.evaluations);
     auto severity = severity_(*q);
     if (!severity || !is_no_less(*severity, out_.before) || !out_.kept.allows(*q, *severity)) return false;
     out_.query = *q;
@@ -74,6 +76,7 @@ class Walk {
 
   const SeverityOn<Real>& severity_;
   std::uint64_t limit_;
+  const Evaluated& evaluated_;
   const std::vector<Move> moves_ = moves<Real>(), nudges_ = nudges();
   Shrunk<Real> out_;
 };
@@ -81,25 +84,26 @@ class Walk {
 }  // namespace
 
 template <class Real>
-Shrunk<Real> shrink(const Query<Real>& q, const SeverityOn<Real>& severity, Keeping keeping, std::uint64_t limit) {
-  return Walk<Real>(q, severity, keeping, limit).run();
+Shrunk<Real> shrink(const Query<Real>& q, const SeverityOn<Real>& severity, Keeping keeping, std::uint64_t limit,
+                    const Evaluated& evaluated) {
+  return Walk<Real>(q, severity, keeping, limit, evaluated).run();
 }
-template Shrunk<float> shrink(const Query<float>&, const SeverityOn<float>&, Keeping, std::uint64_t);
-template Shrunk<double> shrink(const Query<double>&, const SeverityOn<double>&, Keeping, std::uint64_t);
+template Shrunk<float> shrink(const Query<float>&, const SeverityOn<float>&, Keeping, std::uint64_t, const Evaluated&);
+template Shrunk<double> shrink(const Query<double>&, const SeverityOn<double>&, Keeping, std::uint64_t, const Evaluated&);
 
 template <class Real>
 Shrunk<Real> shrink(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
-                    std::uint64_t limit, Keeping keeping) {
+                    std::uint64_t limit, Keeping keeping, const Evaluated& evaluated) {
   Diagnosis<Real> diagnosis(kernel, target);
   if (!diagnosis.severity(q, symptom)) {
     throw Error(fmt::format("the query does not show {} of {}", text(symptom), kernel.id));
   }
   return shrink<Real>(q, SeverityOn<Real>([&](const Query<Real>& at) { return diagnosis.severity(at, symptom); }),
-                      keeping, limit);
+                      keeping, limit, evaluated);
 }
 template Shrunk<float> shrink<float>(const Query<float>&, const Symptom&, const Kernel&, std::string_view,
-                                     std::uint64_t, Keeping);
+                                     std::uint64_t, Keeping, const Evaluated&);
 template Shrunk<double> shrink<double>(const Query<double>&, const Symptom&, const Kernel&, std::string_view,
-                                       std::uint64_t, Keeping);
+                                       std::uint64_t, Keeping, const Evaluated&);
 
 }  // namespace axiscert

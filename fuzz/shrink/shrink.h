@@ -26,16 +26,21 @@ using SeverityOn = std::function<std::optional<Severity>(const Query<Real>&)>;
 // Whether a smaller query keeps the class of the given one, and its depth within depth_factor (fuzz/shrink/keep.h).
 enum class Keeping : std::uint8_t { symptom_and_class, symptom };
 
+// Told the number of evaluations so far after each.
+using Evaluated = std::function<void(std::uint64_t)>;
+
 // Tries all ways to change one thing (fuzz/shrink/shrink_moves.h) and accepts each that makes the query smaller by
 // QuerySize and keeps what has to be kept with a severity not below that of the given query; ends after a round in
 // which none does. It always ends, since sizes cannot decrease for ever; `limit` bounds the time. Precondition: the
 // given query shows it. Throws HarnessFault if the oracles contradict their earlier answer.
 template <class Real>
-Shrunk<Real> shrink(const Query<Real>& q, const SeverityOn<Real>& severity, Keeping keeping, std::uint64_t limit);
+Shrunk<Real> shrink(const Query<Real>& q, const SeverityOn<Real>& severity, Keeping keeping, std::uint64_t limit,
+                    const Evaluated& evaluated = {});
 
 // The same for a symptom of a kernel. Throws Error if the given query does not show it.
 template <class Real>
 Shrunk<Real> shrink(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
-                    std::uint64_t limit, Keeping keeping = Keeping::symptom_and_class);
+                    std::uint64_t limit, Keeping keeping = Keeping::symptom_and_class,
+                    const Evaluated& evaluated = {});
 
 }  // namespace axiscert

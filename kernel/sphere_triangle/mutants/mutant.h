@@ -9,6 +9,7 @@
 
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/mutants/number.h"
+#include "kernel/sphere_triangle/mutants/value_fault.h"
 
 namespace axiscert::mutants {
 
@@ -51,6 +52,11 @@ struct Mutant {
   ComparisonFault comparison = ComparisonFault::none;
   KernelFault kernel = KernelFault::none;
   std::size_t place = 0;  // the comparison, the axis, the verdict, the lane or the width
+
+  ValueFault value = ValueFault::none;
+  Quantity quantity = Quantity::radius;  // of a side, `place` is the comparison
+  double magnitude = 0;                  // E, or the factor that makes it
+  bool is_relative = false;
 };
 
 // The kernels that mutants are made of. They are right for every triangle over the reals, so a wrong verdict due to
@@ -59,7 +65,10 @@ inline constexpr std::array<std::string_view, 2> bases = {"nonstrict", "reduced-
 
 // All mutants of a base, in a fixed order. Throws Error that names the bases.
 std::span<const Mutant> mutants_of(std::string_view base);
-// The mutant with this id. Throws Error that says what exists.
+// The mutants with a fault of a value: every fault of every quantity, absolute and relative, in each magnitude. They
+// are not among mutants_of. Throws Error that names the bases, or for a magnitude that is not a positive number.
+std::vector<const Mutant*> value_mutants_of(std::string_view base, std::span<const double> magnitudes);
+// The mutant with this id, of either kind. Throws Error that says what exists.
 const Mutant& find_mutant(std::string_view id);
 
 // The formulae of a base.
@@ -71,5 +80,7 @@ void mutant_bits(const Mutant& mutant, const QueryColumns<Real>& batch, Comparis
 
 // The mutant as a kernel: it claims the bits of its base, and exposes its comparisons.
 Kernel kernel_of(const Mutant& mutant);
+// The same answers from a kernel that shows its verdict alone and claims nothing.
+Kernel black_box_of(const Mutant& mutant);
 
 }  // namespace axiscert::mutants

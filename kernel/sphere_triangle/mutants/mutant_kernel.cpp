@@ -7,6 +7,7 @@
 #include "kernel/base/environment.h"
 #include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/sphere_triangle/mutants/mutant.h"
+#include "kernel/sphere_triangle/mutants/planted_value.h"
 #include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert::mutants {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double epsilon = 1e-6, small_area = 1e-10;  // values found in kernels in use
 constexpr std::size_t vector_width = 8;               // vectors of the lane faults
+constexpr std::size_t radius_column = coordinate_count - 1;
 
 template <class Real>
 using Number = Mutated<Lanes<Real>>;
@@ -22,6 +24,7 @@ template <class Real>
 struct Evaluation {
   std::array<ComparisonBits, Lanes<Real>::width> bits{};
   Lanes<Real> kept{};
+  std::array<bool, Lanes<Real>::width> is_early{};  // answered before a comparison is made
 };
 
 template <class Real>
@@ -55,22 +58,31 @@ template <class F, class Real>
 [[gnu::noinline]] Evaluation<Real> evaluate(const Mutant& mutant, const QueryColumns<Real>& batch, std::size_t first) {
   using N = Number<Real>;
   std::array<N, coordinate_count + 1> in;
+  const auto number = [&](std::size_t i, std::size_t k) {
+    return batch.column[k][std::min(first + i, batch.size - 1)];
+  };
   for (std::size_t k = 0; k < coordinate_count; ++k) {
-    in[k] = {Lanes<Real>::of([&](std::size_t i) { return batch.column[k][std::min(first + i, batch.size - 1)]; }),
-             input_key(k)};
+    in[k] = {Lanes<Real>::of([&](std::size_t i) { return number(i, k); }), input_key(k)};
   }
+  std::optional<PlantedValue<Real>> value;
+  if (mutant.value != ValueFault::none) value.emplace(mutant, number);
+  if (value && mutant.quantity == Quantity::radius) in[radius_column].value = value->replaced(in[radius_column].value);
   in[coordinate_count] = {Lanes<Real>{}, input_key(coordinate_count)};
   const portable::Problem<N> problem{
       {in[0], in[1], in[2]}, {in[3], in[4], in[5]}, {in[6], in[7], in[8]}, {in[9], in[10], in[11]}, in[12], in[13]};
   auto& site = N::site();
   static_cast<OperationSite&>(site) = mutant.operation;
+  if (value) site.replaced = [&](const Lanes<Real>& x) { return value->replaced(x); };
   Evaluation<Real> result;
   F::comparisons(problem, [&](Comparison which, const N& lhs, const N& rhs) {
     const bool is_radius = info(which).is_radius;
     const auto place = index_of(which);
     const ComparisonFault fault = place == mutant.place ? mutant.comparison : ComparisonFault::none;
     for (std::size_t i = 0; i < Lanes<Real>::width; ++i) {
-      const Real l = lhs.value.at[i], r = rhs.value.at[i];
+      Real l = lhs.value.at[i];
+      const Real r = rhs.value.at[i];
+      if (value) [[unlikely]]
+        l = value->left(which, i, l, r);
       bool holds = is_radius ? l > r : l >= r;
       if (fault != ComparisonFault::none) [[unlikely]]
         holds = holds_wrongly(fault, is_radius, l, r);
@@ -78,14 +90,19 @@ template <class F, class Real>
     }
   });
   result.kept = site.kept_value;
+  site.replaced = nullptr;  // it refers to this call
+  if (value) result.is_early = value->is_early;
   return result;
 }
 
 template <class Real>
 void answer_early(const Mutant& mutant, Evaluation<Real>& found) {
-  const auto all = static_cast<Verdict>(mutant.place) == Verdict::separated ? comparisons_of(Axis::plane) : 0u;
+  const bool separated = mutant.value != ValueFault::none ? mutant.value == ValueFault::early_separated
+                                                          : static_cast<Verdict>(mutant.place) == Verdict::separated;
+  const ComparisonBits all = separated ? comparisons_of(Axis::plane) : ComparisonBits{0};
   for (std::size_t i = 0; i < found.bits.size(); ++i) {
-    if (found.kept.at[i] < static_cast<Real>(small_area)) found.bits[i] = static_cast<ComparisonBits>(all);
+    const bool is_small = mutant.kernel == KernelFault::small_area && found.kept.at[i] < static_cast<Real>(small_area);
+    if (is_small || found.is_early[i]) found.bits[i] = all;
   }
 }
 
@@ -106,7 +123,7 @@ void bits(const Mutant& mutant, const QueryColumns<Real>& batch, ComparisonBits*
     std::optional<FloatingEnvironment> environment;
     if (mutant.kernel == KernelFault::ftz) environment.emplace(Rounding::nearest, true);
     Evaluation<Real> found = evaluate<F>(mutant, batch, first);
-    if (mutant.kernel == KernelFault::small_area) answer_early(mutant, found);
+    if (mutant.kernel == KernelFault::small_area || answers_early(mutant.value)) answer_early(mutant, found);
     for (std::size_t i = 0; i < Lanes<Real>::width && first + i < batch.size; ++i) {
       ComparisonBits here = found.bits[i];
       if (mutant.kernel == KernelFault::drop) {
@@ -148,6 +165,14 @@ Kernel kernel_of(const Mutant& mutant) {
   kernel.exposes = Exposure::comparisons;
   if (mutant.in_binary32) kernel.binary32 = [&mutant](std::string_view) { return implementation_of<float>(mutant); };
   kernel.binary64 = [&mutant](std::string_view) { return implementation_of<double>(mutant); };
+  return kernel;
+}
+
+Kernel black_box_of(const Mutant& mutant) {
+  Kernel kernel = kernel_of(mutant);
+  kernel.formulae = Formulae::none;
+  kernel.exposes = Exposure::verdict;
+  kernel.is_reference = false;
   return kernel;
 }
 

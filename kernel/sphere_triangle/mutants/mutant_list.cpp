@@ -8,6 +8,7 @@
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/mutants/mutant.h"
+#include "kernel/sphere_triangle/mutants/value_list.h"
 
 namespace axiscert::mutants {
 namespace {
@@ -158,16 +159,19 @@ const Mutant& find_mutant(std::string_view id) {
   const std::span<const Mutant> all = mutants_of(id.substr(0, id.find('~')));
   const auto found = std::find_if(all.begin(), all.end(), [&](const Mutant& m) { return m.id == id; });
   if (found != all.end()) return *found;
+  if (const Mutant* of_value = find_value_mutant(id)) return *of_value;
   std::vector<std::string_view> faults;
   for (const Mutant& m : all) {
     if (std::find(faults.begin(), faults.end(), m.fault) == faults.end()) faults.push_back(m.fault);
   }
+  const std::vector<std::string> of_values = value_fault_names();
+  for (const std::string& fault : of_values) faults.push_back(fault);
   const std::size_t tilde = id.find('~');
   const std::string_view place = tilde == id.npos ? std::string_view() : id.substr(tilde + 1);
   const std::string_view fault = place.substr(0, place.find(':'));
   const bool is_known = std::find(faults.begin(), faults.end(), fault) != faults.end();
   throw Error(
-      fmt::format("unknown mutant '{}'{} it is BASE~FAULT:PLACE, as in {}; faults: {}; `axiscert mutate --list` has "
+      fmt::format("unknown mutant '{}'{} it is BASE~FAULT:PLACE, as in {}, or BASE~FAULT:PLACE:E; faults: {}; `axiscert mutate --list` has "
                   "all",
                   id, is_known ? ";" : did_you_mean(fault, faults), all.front().id,
                   fmt::join(most_alike_first(fault, faults), ", ")));

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "kernel/arithmetic/number.h"
 #include "kernel/sphere_triangle/mutants/operations.h"
@@ -21,7 +22,8 @@ namespace axiscert::mutants {
   X(vertex_left, "the same coordinate of the next vertex on the left")    \
   X(vertex_right, "the same coordinate of the next vertex on the right")  \
   X(fma, "a sum contracted with the product in it: one rounding for two") \
-  X(float, "the result rounded to binary32")
+  X(float, "the result rounded to binary32")                              \
+  X(value, "a value with a fault of a magnitude (value_fault.h)")
 
 enum class OperationFault : std::uint8_t {
 #define AXISCERT_NAME(name, what) name##_,
@@ -79,6 +81,7 @@ class Mutated {
 
   struct Site : OperationSite {
     Base kept_value{}, kept_left{}, kept_right{};
+    std::function<Base(const Base&)> replaced;  // for a value
   };
   static Site& site() {
     static thread_local Site here;
@@ -141,6 +144,8 @@ class Mutated {
         return fused(here.kept_left, here.kept_right, op == Operator::minus ? Base(-b) : b);
       case float_:
         return in_binary32(right);
+      case value_:
+        return here.replaced(right);
       case none:
         break;
     }

@@ -117,8 +117,12 @@ Operations record_operations() {
     recorded.sides[which] = {lhs.key, rhs.key};
   });
   recording = nullptr;
-  const Operation& plane = recorded.operations.at(recorded.sides[0].second);  // rr * e
-  return {Numbering(recorded).take(), recorded.vectors, plane.right};
+  const auto right_side = [&](Comparison which) -> const Operation& {
+    return recorded.operations.at(recorded.sides[which].second);
+  };
+  const Operation& plane = right_side(Comparison::plane_radius);   // rr * e
+  const Operation& edge = right_side(Comparison::edge_ab_radius);  // rr * e1, or (rr * e1) * e1
+  return {Numbering(recorded).take(), recorded.vectors, plane.right, plane.left, edge.right};
 }
 
 }  // namespace

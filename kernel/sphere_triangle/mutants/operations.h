@@ -38,7 +38,8 @@ struct Operations {
   std::vector<Operation> all;
   // The vectors that enter a dot or a cross product; the first three are the vertices relative to the sphere's centre.
   std::vector<std::array<Key, 3>> vectors;
-  Key squared_normal;  // e = V.V, the greatest factor of plane.radius's right side
+  Key squared_normal;                // e = V.V, the greatest factor of plane.radius's right side
+  Key squared_radius, squared_edge;  // r r; AB.AB, the last factor of edge_ab.radius's right side
 
   const Operation* find(Key key) const;
 };

@@ -47,5 +47,6 @@ void solve_aimed_radii(const MutableColumns<Real>& queries, const Wishes<Real>& 
   template void solve_aimed_radii<Real>(const MutableColumns<Real>&, const Wishes<Real>&);
 AXISCERT_INSTANTIATE(float)
 AXISCERT_INSTANTIATE(double)
+#undef AXISCERT_INSTANTIATE
 
 }  // namespace axiscert::shapes

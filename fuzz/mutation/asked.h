@@ -1,0 +1,53 @@
+// A batch of one family, and the truth known about it.
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "fuzz/campaign/unit.h"
+#include "fuzz/queries/family.h"
+#include "kernel/sphere_triangle/mutants/mutant.h"
+
+namespace axiscert {
+
+// The truth is found when it is first needed: few queries need it.
+template <class Real>
+struct Asked {
+  const Family* family;
+  QueryBatch<Real> batch{batch_size, coordinate_count};
+  std::vector<ComparisonBits> base;
+  std::vector<Verdict> base_verdicts;
+  // For each query: distance_order, or one of these. Threads that ask at the same time find the same.
+  static constexpr signed char unknown = 2, invalid = 3;
+  std::vector<std::atomic<signed char>> order = std::vector<std::atomic<signed char>>(batch_size);
+
+  // Makes `size` queries of the family from position `first` on, and the answers of the kernel without a fault.
+  void prepare(const mutants::Mutant& without_fault, std::uint64_t seed, std::uint64_t first, std::size_t size) {
+    batch.resize(size);
+    family->fill(seed, first, batch.mutable_columns());
+    base.resize(size);
+    mutants::mutant_bits(without_fault, batch.columns(), base.data());
+    base_verdicts.resize(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      base_verdicts[i] = verdict_of(axes_of(base[i]));
+      order[i].store(unknown, std::memory_order_relaxed);
+    }
+  }
+
+  signed char order_of(std::size_t i) {
+    signed char known = order[i].load(std::memory_order_relaxed);
+    if (known != unknown) return known;
+    const Query<Real> q = batch[i];
+    known = is_valid(q) ? static_cast<signed char>(distance_order(q)) : invalid;
+    order[i].store(known, std::memory_order_relaxed);
+    return known;
+  }
+  // Whether that verdict is wrong, touching spheres being contacts.
+  bool is_wrong(std::size_t i, Verdict verdict) {
+    const signed char known = order_of(i);
+    return known != invalid && (known > 0) != (verdict == Verdict::separated);
+  }
+};
+
+}  // namespace axiscert

@@ -1,0 +1,228 @@
+#include "fuzz/mutation/black_box.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <deque>
+
+#include "exact/sphere_triangle/measures/depth.h"
+#include "fuzz/campaign/unit.h"
+#include "fuzz/confirm/record.h"
+#include "fuzz/mutation/asked.h"
+
+namespace axiscert {
+namespace {
+
+// Kernels whose answers to one query share its truth; a group is the work of one thread.
+constexpr std::size_t group_size = 32;
+// Each round asks eight times as many queries as the one before: nearly all mutants are refused in the first.
+constexpr std::uint64_t round_growth = 8, rounds = 3;
+// Wrong verdicts of a mutant whose depth is found, for each family and batch.
+constexpr int depths_each = 4;
+
+// The first queries of every family in one precision, judged: what `run` does with these kernels.
+Json record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
+                       std::vector<const Kernel*> kernels) {
+  Plan campaign;
+  campaign.seed = plan.seed;
+  campaign.kernels = std::move(kernels);
+  for (const Family* family : plan.families) campaign.sources.push_back(family_source(*family));
+  campaign.precisions = {precision};
+  campaign.trials = [trials](const Source&, Precision) { return trials; };
+  campaign.target = std::string(scalar_target);
+  CampaignResult result;
+  result.cells = cells_of(campaign);
+  for (CellResult& cell : result.cells) {
+    const Source& source = *campaign.sources[cell.source];
+    const std::uint64_t size = source.fixed_size(precision).value_or(trials);
+    for (; cell.queries < size; ++cell.units_done) {
+      const std::uint64_t queries = std::min(unit_size, size - cell.queries);
+      const UnitResult done = run_unit(campaign, source, precision, cell.units_done, queries);
+      for (std::size_t k = 0; k < cell.tallies.size(); ++k) cell.tallies[k].merge(done.tallies[k]);
+      cell.queries += queries;
+    }
+  }
+  return record_of(campaign, result, "");
+}
+
+std::optional<GateFailure> first_about(const std::vector<GateFailure>& failures, const std::string& kernel) {
+  const auto found = std::find_if(failures.begin(), failures.end(),
+                                  [&](const GateFailure& failure) { return failure.kernel == kernel; });
+  return found == failures.end() ? std::nullopt : std::optional(*found);
+}
+
+// Whether x + E |x| and x - E |x| round to x for every x. The neighbours of x are at least 2^-24 |x| away in binary32,
+// 2^-53 |x| in binary64, and E |x| is rounded once before it is added: half of half of that is lost for certain. Below
+// the normal range E |x| is less than half of the least number.
+bool is_lost(const mutants::Mutant& mutant, Precision precision) {
+  using enum mutants::Quantity;
+  if (!mutant.is_relative || !adds(mutant.value)) return false;
+  if (mutant.quantity == side || mutant.quantity == verdict) return false;
+  return mutant.magnitude <= (precision == Precision::binary32 ? 0x1p-26 : 0x1p-55);
+}
+
+template <class Real>
+class BaseComparison {
+ public:
+  BaseComparison(const MutationPlan& plan, std::vector<BlackBoxResult*> results)
+      : plan_(plan), results_(std::move(results)) {
+    base_.id = plan.base;
+    for (const Family* family : plan.families) asked_.emplace_back().family = family;
+  }
+
+  void run_batch(std::uint64_t first) {
+    const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(batch_size, plan_.trials - first));
+    tbb::parallel_for(std::size_t{0}, asked_.size(),
+                      [&](std::size_t f) { asked_[f].prepare(base_, plan_.seed, first, size); });
+    tbb::parallel_for(std::size_t{0}, results_.size(), [&](std::size_t m) {
+      for (Asked<Real>& asked : asked_) compare(*results_[m], asked, first);
+    });
+  }
+
+ private:
+  void compare(BlackBoxResult& result, Asked<Real>& asked, std::uint64_t first) {
+    std::array<ComparisonBits, batch_size> bits;
+    mutants::mutant_bits(*result.mutant, asked.batch.columns(), bits.data());
+    Survival& counts = *result.survival;
+    counts.queries += asked.batch.size();
+    int depths = 0;
+    for (std::size_t i = 0; i < asked.batch.size(); ++i) {
+      const Verdict verdict = verdict_of(axes_of(bits[i]));
+      if (verdict == asked.base_verdicts[i]) continue;
+      ++counts.other_verdicts;
+      if (!asked.is_wrong(i, verdict)) continue;
+      ++counts.wrong;
+      const bool touches = asked.order_of(i) == 0;
+      if (asked.family->exact_arithmetic) ++(touches ? counts.touching_in_exact : counts.wrong_in_exact);
+      if (touches || depths++ >= depths_each) continue;
+      const Query<Real> q = asked.batch[i];
+      const double deep = depth(q, squared_distance(q));
+      if (counts.deepest_family != nullptr && deep <= counts.deepest) continue;
+      counts.deepest_family = asked.family;
+      counts.deepest_position = first + i;
+      counts.deepest = deep;
+    }
+  }
+
+  const MutationPlan& plan_;
+  std::vector<BlackBoxResult*> results_;
+  mutants::Mutant base_;
+  std::deque<Asked<Real>> asked_;
+};
+
+class Judge {
+ public:
+  Judge(const MutationPlan& plan, const Gate& gate, const std::atomic<bool>& interrupted, const ShowProgress& report)
+      : plan_(plan), gate_(gate), interrupted_(interrupted), report_(report) {
+    for (const Precision precision : plan.precisions) {
+      for (const mutants::Mutant* mutant : plan.mutants) {
+        if (precision == Precision::binary64 || mutant->in_binary32)
+          score_.mutants.push_back({mutant, precision, is_lost(*mutant, precision), {}, 0, {}});
+      }
+    }
+  }
+
+  BlackBoxScore run() && {
+    std::uint64_t divisor = 1;
+    for (std::uint64_t round = 1; round < rounds; ++round) divisor *= round_growth;
+    for (; divisor != 0; divisor /= round_growth) {
+      const std::uint64_t trials = plan_.trials / divisor;
+      if (trials != 0 || divisor == 1) judge_all(trials);
+    }
+    if (plan_.controls) judge_controls();
+    for (const Precision precision : plan_.precisions) {
+      if (precision == Precision::binary32) explain<float>();
+      else explain<double>();
+    }
+    score_.complete = !interrupted_;
+    return std::move(score_);
+  }
+
+ private:
+  // Those that no round has refused so far.
+  void judge_all(std::uint64_t trials) {
+    std::vector<std::vector<BlackBoxResult*>> groups;
+    for (BlackBoxResult& result : score_.mutants) {
+      if (result.refused) continue;
+      const bool is_full =
+          groups.empty() || groups.back().size() == group_size || groups.back().front()->precision != result.precision;
+      if (is_full) groups.emplace_back();
+      groups.back().push_back(&result);
+    }
+    ProgressCount progress(report_, groups.size(), "judged by verdicts alone");
+    tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t g) {
+      if (interrupted_) return;
+      judge(groups[g], trials);
+      progress.finished(trials * plan_.families.size() * groups[g].size());
+    });
+  }
+
+  void judge(const std::vector<BlackBoxResult*>& group, std::uint64_t trials) {
+    std::deque<Kernel> boxes;
+    std::vector<const Kernel*> kernels;
+    for (const BlackBoxResult* result : group) {
+      kernels.push_back(&boxes.emplace_back(mutants::black_box_of(*result->mutant)));
+    }
+    const auto failures = gate_(record_of_kernels(plan_, group.front()->precision, trials, std::move(kernels)));
+    for (BlackBoxResult* result : group) {
+      result->trials = trials;
+      result->refused = first_about(failures, result->mutant->id);
+    }
+  }
+
+  void judge_controls() {
+    std::deque<Kernel> boxes;
+    std::vector<const Kernel*> kernels;
+    for (const std::string& id : correct_forms()) {
+      Kernel& box = boxes.emplace_back(find_kernel(id));
+      box.formulae = Formulae::none;
+      box.exposes = Exposure::verdict;
+      box.is_reference = false;
+      kernels.push_back(&box);
+    }
+    ProgressCount progress(report_, plan_.precisions.size(), "kernels that are right");
+    for (const Precision precision : plan_.precisions) {
+      if (interrupted_) return;
+      const auto failures = gate_(record_of_kernels(plan_, precision, plan_.trials, kernels));
+      for (const Kernel& box : boxes) {
+        if (box.has(precision)) score_.controls.push_back({box.id, precision, first_about(failures, box.id)});
+      }
+      progress.finished(plan_.trials * plan_.families.size() * kernels.size());
+    }
+  }
+
+  template <class Real>
+  void explain() {
+    std::vector<BlackBoxResult*> survivors;
+    for (BlackBoxResult& result : score_.mutants) {
+      if (result.precision != precision_of<Real> || result.refused || result.is_as_base) continue;
+      result.survival.emplace();
+      survivors.push_back(&result);
+    }
+    BaseComparison<Real> comparison(plan_, survivors);
+    ProgressCount progress(report_, (plan_.trials + batch_size - 1) / batch_size, "survivors compared");
+    for (std::uint64_t first = 0; first < plan_.trials && !interrupted_; first += batch_size) {
+      comparison.run_batch(first);
+      progress.finished();
+    }
+  }
+
+  const MutationPlan& plan_;
+  const Gate& gate_;
+  const std::atomic<bool>& interrupted_;
+  const ShowProgress& report_;
+  BlackBoxScore score_;
+};
+
+}  // namespace
+
+BlackBoxScore judge_black_boxes(const MutationPlan& plan, const Gate& gate, const std::atomic<bool>& interrupted,
+                                const ShowProgress& report) {
+  BlackBoxScore score;
+  tbb::task_arena arena(plan.threads);
+  arena.execute([&] { score = Judge(plan, gate, interrupted, report).run(); });
+  return score;
+}
+
+}  // namespace axiscert

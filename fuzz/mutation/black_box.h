@@ -1,0 +1,58 @@
+// The score of the harness where a mutant shows its verdict alone, as most kernels of others do: which mutants a gate
+// refuses, and why it lets the others pass.
+#pragma once
+
+#include <functional>
+
+#include "fuzz/mutation/mutation.h"
+#include "fuzz/text/json.h"
+
+namespace axiscert {
+
+// What a gate says of a record: an entry for each way in which a kernel does not meet it. The gates are in a later
+// layer, and the only place where a requirement is judged.
+struct GateFailure {
+  std::string kernel, precision, family, what;
+};
+using Gate = std::function<std::vector<GateFailure>(const Json& record)>;
+
+// Why a mutant passes: how it differs from the kernel that it is made from on all queries asked.
+struct Survival {
+  std::uint64_t queries = 0, other_verdicts = 0;
+  std::uint64_t wrong = 0;                 // of these, wrong ones
+  std::uint64_t wrong_in_exact = 0;        // of these, in families with exact arithmetic, spheres that touch apart
+  std::uint64_t touching_in_exact = 0;     // spheres that touch, there
+  const Family* deepest_family = nullptr;  // of the first wrong ones of each family and batch
+  std::uint64_t deepest_position = 0;
+  double deepest = 0;
+};
+
+struct BlackBoxResult {
+  const mutants::Mutant* mutant;
+  Precision precision;
+  bool is_as_base = false;  // its magnitude is lost in this precision: nothing distinguishes it from its base
+  std::optional<GateFailure> refused;
+  std::uint64_t trials = 0;  // queries of each family that it was refused after, or passed
+  std::optional<Survival> survival;
+};
+
+// A kernel that is right, as a black box: the gate must let it pass.
+struct BlackBoxControl {
+  std::string id;
+  Precision precision;
+  std::optional<GateFailure> refused;
+};
+
+struct BlackBoxScore {
+  std::vector<BlackBoxResult> mutants;  // by precision, in the order of the plan
+  std::vector<BlackBoxControl> controls;
+  bool complete = true;  // false: interrupted
+};
+
+// Runs each mutant in rounds of more and more queries, until the gate refuses it or it has passed on all of the plan's.
+// The mutants may be of both kinds (mutants_of, value_mutants_of). `interrupted` is polled between groups of mutants;
+// `report` may be empty. The result depends on the plan and the gate, not on the threads. Throws OracleDisagreement.
+BlackBoxScore judge_black_boxes(const MutationPlan& plan, const Gate& gate, const std::atomic<bool>& interrupted,
+                                const ShowProgress& report);
+
+}  // namespace axiscert

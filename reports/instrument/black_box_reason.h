@@ -1,0 +1,56 @@
+// Why a mutant that shows its verdict alone passed a gate, and how many did.
+#pragma once
+
+#include "fuzz/mutation/black_box.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert::black_box {
+
+inline const std::string* argument_of(const BlackBoxResult& r) {
+  const auto found = equivalent_mutants().find(r.mutant->id);
+  return found == equivalent_mutants().end() ? nullptr : &found->second;
+}
+
+inline bool is_equivalent(const BlackBoxResult& r) { return r.is_as_base || argument_of(r) != nullptr; }
+inline bool has_survived(const BlackBoxResult& r) { return !r.refused && !is_equivalent(r); }
+inline bool has_magnitude(const BlackBoxResult& r) { return r.mutant->value != mutants::ValueFault::none; }
+
+// Why a mutant passed: the first of these that holds.
+struct PassReason {
+  const char *id, *sentence;
+};
+inline constexpr PassReason
+    equivalent = {"equivalent", "nothing distinguishes it from the kernel"},
+    not_shown = {"no-other-verdict", "no verdict differs from the kernel's on any query asked"},
+    never_wrong = {"never-wrong", "its verdicts differ, and none of those is wrong"},
+    rounding = {"not-in-exact-arithmetic",
+                "wrong only in families whose arithmetic rounds, where a kernel without formulae may be"},
+    touching = {"touching", "in exact arithmetic wrong only on spheres that touch, which are not counted"},
+    let_pass = {"let-pass", "wrong in exact arithmetic, and the gate does not count it"};
+
+inline const PassReason& reason_of(const BlackBoxResult& r) {
+  if (is_equivalent(r)) return equivalent;
+  const Survival& s = *r.survival;
+  if (s.other_verdicts == 0) return not_shown;
+  if (s.wrong == 0) return never_wrong;
+  if (s.wrong_in_exact != 0) return let_pass;
+  return s.touching_in_exact != 0 ? touching : rounding;
+}
+
+struct BoxScore {
+  std::uint64_t mutants = 0, equivalent = 0, refused = 0;
+  void add(const BlackBoxResult& r) {
+    ++mutants;
+    equivalent += is_equivalent(r);
+    refused += !is_equivalent(r) && r.refused;
+  }
+  std::uint64_t survived() const { return mutants - equivalent - refused; }
+  std::vector<std::string> cells() const {
+    return {thousands(mutants), thousands(equivalent), thousands(refused), thousands(survived())};
+  }
+  Json json() const {
+    return {{"mutants", mutants}, {"equivalent", equivalent}, {"refused", refused}, {"survived", survived()}};
+  }
+};
+
+}  // namespace axiscert::black_box

@@ -1,0 +1,22 @@
+// The report of `axiscert mutate --verdict-only`.
+#pragma once
+
+#include "fuzz/mutation/black_box.h"
+#include "reports/instrument/instrument.h"
+
+namespace axiscert {
+
+inline constexpr const char* black_box_schema = "axiscert-mutation-by-verdict/1";
+
+// What a gate that is right would not do: it refused a kernel that is right, or a mutant that nothing distinguishes
+// from one. Empty if there is none.
+std::vector<std::string> black_box_faults(const BlackBoxScore& score);
+
+InstrumentReport black_box_report(const MutationPlan& plan, const BlackBoxScore& score, const std::string& require,
+                                  const std::string& command);
+
+// The figures of the report.
+Json black_box_json(const MutationPlan& plan, const BlackBoxScore& score, const std::string& require,
+                    const std::string& command);
+
+}  // namespace axiscert
