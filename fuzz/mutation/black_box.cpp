@@ -43,7 +43,7 @@ Json record_of_kernels(const MutationPlan& plan, Precision precision, std::uint6
       cell.queries += queries;
     }
   }
-  return record_of(campaign, result, "");
+  return record_of(campaign, result, Required());
 }
 
 std::optional<GateFailure> first_about(const std::vector<GateFailure>& failures, const std::string& kernel) {

@@ -21,7 +21,7 @@ const GateLevel* find_level(const std::string& name) {
 
 const GateLevel& level_of(const AskedLevel& asked) { return *find_level(asked.name); }
 
-std::vector<std::string_view> level_names() {
+std::vector<std::string_view> gate_level_names() {
   std::vector<std::string_view> names;
   for (const GateLevel* level : gate_levels()) names.push_back(level->name());
   return names;
@@ -161,7 +161,7 @@ AskedLevel parse_level(const std::string& text) {
   if (asked.has_argument) asked.argument = text.substr(asked.name.size() + 1);
   const GateLevel* level = find_level(asked.name);
   if (level == nullptr) {
-    throw Error(fmt::format("unknown requirement '{}'{} levels: {}", text, did_you_mean(asked.name, level_names()),
+    throw Error(fmt::format("unknown requirement '{}'{} levels: {}", text, did_you_mean(asked.name, gate_level_names()),
                             usages()));
   }
   const std::string usage = level->usage;

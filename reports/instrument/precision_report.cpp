@@ -34,10 +34,10 @@ const std::array<Kind, 5>& kinds() {
 }
 constexpr std::size_t edge_radius_kind = 3, edge_sides_kind = 4;
 
-double per_million(std::uint64_t count, std::uint64_t queries) {
+double rate_per_million(std::uint64_t count, std::uint64_t queries) {
   return queries == 0 ? 0 : 1e6 * static_cast<double>(count) / static_cast<double>(queries);
 }
-std::string rate(std::uint64_t count, std::uint64_t queries) { return amount(per_million(count, queries), 3); }
+std::string rate(std::uint64_t count, std::uint64_t queries) { return amount(rate_per_million(count, queries), 3); }
 
 std::uint64_t flips(const PrecisionCounts& counts, ComparisonBits which) {
   std::uint64_t sum = 0;
@@ -143,7 +143,7 @@ InstrumentPlot plot(const PrecisionPlan& plan, const PrecisionTally& all, std::s
     InstrumentSeries series{plan.kernels[k]->id, {}, {}};
     for (std::size_t i = 0; i < plan.bits.size(); ++i) {
       const std::uint64_t found = count(all.kernels[k].steps[i]);
-      if (found > 0) series.points.emplace_back(plan.bits[i], per_million(found, all.queries));
+      if (found > 0) series.points.emplace_back(plan.bits[i], rate_per_million(found, all.queries));
     }
     plot.series.push_back(std::move(series));
   }

@@ -1,6 +1,7 @@
 #include "fuzz/campaign/parts/tally_code.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "fuzz/text/whole_number.h"
@@ -111,6 +112,10 @@ class Encoder {
   void put(const EnumArray<Enum, Value>& values) {
     for (const Value& value : values) put(value);
   }
+  template <class Value, std::size_t n>
+  void put(const std::array<Value, n>& values) {
+    for (const Value& value : values) put(value);
+  }
   void put(const MarginTally& margins) {
     put(margins.counts().size());
     for (const auto& [key, count] : margins.counts()) (*this)(key.first, key.second, count.right, count.wrong);
@@ -164,6 +169,10 @@ class Decoder {
   }
   template <class Enum, class Value>
   void get(EnumArray<Enum, Value>& values) {
+    for (Value& value : values) get(value);
+  }
+  template <class Value, std::size_t n>
+  void get(std::array<Value, n>& values) {
     for (Value& value : values) get(value);
   }
   void get(MarginTally& margins) {

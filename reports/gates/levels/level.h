@@ -16,7 +16,7 @@ namespace axiscert {
 struct AskedLevel {
   std::string text;      // whole
   std::string name;      // before the first '='
-  std::string argument;  // after it; empty where there is none
+  std::string argument = {};  // after it; empty where there is none
   bool has_argument = false;
 };
 
