@@ -183,12 +183,7 @@ function depths_table(entry) {
   };
   const head = el('tr', '', el('th', '', 'wrong by'), ...entry.depths.columns.map(column));
   const caption = 'Wrong verdicts by depth, as a share of the scene: each column from its depth to that of the next one';
-  const scroll = el('div', 'scroll', el('table', 'depths', el('caption', '', caption), el('thead', '', head),
-                                        el('tbody', '', ...rows.map(row))));
-  scroll.tabIndex = 0;
-  scroll.setAttribute('role', 'region');
-  scroll.setAttribute('aria-label', caption);
-  return scroll;
+  return scroll_table(caption, 'depths', el('thead', '', head), el('tbody', '', ...rows.map(row)));
 }
 
 function more_facts(entry) {
