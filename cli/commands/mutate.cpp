@@ -38,7 +38,7 @@ constexpr std::uint64_t default_trials = std::uint64_t{1} << 16, default_trials_
 // The controls in other arithmetics are judged by exact arithmetic, at a hundred times the cost of a mutant's query.
 constexpr std::uint64_t trials_of_a_control(std::uint64_t trials) { return std::max<std::uint64_t>(1, trials / 64); }
 
-// What there is to choose from: with --verdict-only the faults of values too.
+// The mutants to choose from: with --verdict-only those with a fault of a value too.
 std::vector<const mutants::Mutant*> mutants_there(const MutateOptions& options) {
   std::vector<const mutants::Mutant*> all;
   for (const mutants::Mutant& m : mutants::mutants_of(options.kernel)) all.push_back(&m);
@@ -99,7 +99,7 @@ int put_score(const MutateOptions& options, const std::optional<OutputFolder>& f
   return exit_done;
 }
 
-// What `run --require` says, of kernels that show a verdict alone.
+// The level of `run --require` that judges kernels that show a verdict alone.
 constexpr const char* required = "logic";
 
 int mutate_by_verdict(const MutateOptions& options, const MutationPlan& plan,
@@ -189,6 +189,7 @@ void add_mutate(CLI::App& app, Action& action) {
           "--magnitude", o.magnitudes,
           fmt::format("magnitude of these, repeatable (default: {})", fmt::join(mutants::default_magnitudes, ", ")))
       ->allow_extra_args(false)
+      ->check(number_above_zero())
       ->needs(verdict_only);
   command->add_flag("--list", o.list, "list the mutants and run no queries");
   command->add_flag("--no-controls", o.no_controls, "leave out the controls, which are correct kernels");

@@ -128,8 +128,9 @@ void print_steps(const Shrunk<Real>& found) {
   fmt::print("  {} steps, {} queries evaluated{}\n", found.sizes.size() - 1, found.evaluations,
              found.complete ? ", no step makes it smaller" : ": the limit; --evaluations raises it");
   if (found.sizes.size() > 1 || !found.complete || !found.kept.classes()) return;
-  fmt::print("  cannot be made smaller with its class and a depth of at most {} times its own; --any-class lets both go\n",
-             depth_factor);
+  fmt::print(
+      "  cannot be made smaller with its class and a depth of at most {} times its own; --any-class lets both go\n",
+      depth_factor);
 }
 
 template <class Real>
@@ -181,10 +182,10 @@ void shrink_one(const Query<Real>& q, const StoredQuery& stored, const ShrinkOpt
     }
   }
   if (wants_pair) {
-    throw NothingToKeep(fmt::format(
-        "query '{}': --what {}: {}", stored.id, asymmetry_name,
-        stored.address.empty() ? "give an address, or a witness, of a family of images: it states no address"
-                               : kernel.id + " answers no image of it differently, or its family has none"));
+    throw NothingToKeep(fmt::format("query '{}': --what {}: {}", stored.id, asymmetry_name,
+                                    stored.address.empty()
+                                        ? "give an address, or a witness, of a family of images: it states no address"
+                                        : kernel.id + " answers no image of it differently, or its family has none"));
   }
   const Symptom kept = wanted(q, stored, options, kernel, target);
   const auto found = shrink(q, kept, kernel, target, options.evaluations, keeping(options), evaluated);

@@ -92,16 +92,11 @@ bool is_file_of(const Kernel& kernel, const Plan& plan) {
   return false;
 }
 
-// Whether a kernel could not be loaded: it exists in no precision, whatever is requested.
-bool is_unloadable(const Kernel* kernel) {
-  return !kernel->has(Precision::binary32) && !kernel->has(Precision::binary64);
-}
-
 // A precision in which no kernel exists is left out of the plan; one that was requested by name is an error for each
 // kernel that lacks it. A plug-in that cannot be loaded exists in none, which its findings report.
 void drop_idle_precisions(Plan& plan, const std::string& asked) {
   for (const Kernel* kernel : plan.kernels) {
-    if (asked.empty() || is_unloadable(kernel) || kernel->has(plan.precisions.front())) continue;
+    if (asked.empty() || is_unloadable(*kernel) || kernel->has(plan.precisions.front())) continue;
     throw Error(fmt::format("--precision {}: kernel {} exists in {} only", asked, kernel->id,
                             kernel->has(Precision::binary32) ? "binary32" : "binary64"));
   }
@@ -133,6 +128,10 @@ std::string depth_is_a_part(const std::string& level) {
 }
 
 }  // namespace
+
+bool is_unloadable(const Kernel& kernel) {
+  return !kernel.has(Precision::binary32) && !kernel.has(Precision::binary64);
+}
 
 CLI::Option* add_source_options(CLI::App& command, SourceOptions& o) {
   add_test_option(command, o.test,
@@ -170,12 +169,13 @@ void check_required(const Required& required, const Plan& plan) {
   const Json stated = plan_json(plan, CampaignResult(), required);
   requirements_of(stated);
   for (const std::string& id : yardsticks_of(stated)) {
-    const bool is_run = std::any_of(plan.kernels.begin(), plan.kernels.end(),
-                                    [&](const Kernel* kernel) { return kernel->id == id; });
+    const bool is_run =
+        std::any_of(plan.kernels.begin(), plan.kernels.end(), [&](const Kernel* kernel) { return kernel->id == id; });
     if (is_run) continue;
     throw Error(fmt::format("--require no-worse-than={}: {}", id,
-                            plan.replies ? "replies are of one program; only `run` judges two kernels on the same queries"
-                                         : fmt::format("that kernel is not in this run; add --kernel {}", id)));
+                            plan.replies
+                                ? "replies are of one program; only `run` judges two kernels on the same queries"
+                                : fmt::format("that kernel is not in this run; add --kernel {}", id)));
   }
 }
 

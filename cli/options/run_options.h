@@ -51,6 +51,8 @@ void add_require_options(CLI::App& command, Required& required);
 // Throws Error where a level does not exist, is not written as it has to be, or may be left unchecked and is not
 // required; and where a kernel that others are measured against is not among the plan's.
 void check_required(const Required& required, const Plan& plan);
+// Whether a kernel could not be loaded: it exists in no precision, whatever is requested.
+bool is_unloadable(const Kernel& kernel);
 void add_thread_option(CLI::App& command, int& threads);
 void add_output_options(CLI::App& command, OutputOptions& options);
 void add_run_options(CLI::App& command, RunOptions& options);

@@ -5,7 +5,7 @@
 namespace axiscert {
 namespace {
 
-// What is kept besides the symptom: the class of the input and the definitions of classes that it meets.
+// Adds what is kept besides the symptom: the class of the input and the definitions of classes that it meets.
 void put_classes(Json& kept, const Keep& keep) {
   kept["class"] = kept["classes"] = nullptr;
   if (!keep.classes()) return;

@@ -9,7 +9,7 @@
 
 namespace axiscert {
 
-// What a gate says of a record: an entry for each way in which a kernel does not meet it. The gates are in a later
+// A gate's answer to a record: an entry for each way in which a kernel does not meet it. The gates are in a later
 // layer, and the only place where a requirement is judged.
 struct GateFailure {
   std::string kernel, precision, family, what;

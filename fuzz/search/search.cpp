@@ -108,8 +108,8 @@ class Search {
     }
   }
 
-  // What the short run found is the best so far, as it was found. Islands start from it in the box of Goal::error, where
-  // it still shows something there.
+  // The finds of the short run are the best so far, as they were found. Islands start from them in the box of
+  // Goal::error, where they still show something there.
   void begin(const std::atomic<bool>& interrupted) {
     const auto found = first_found<Real>(plan_, aims_, interrupted);
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);

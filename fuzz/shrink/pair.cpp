@@ -105,8 +105,8 @@ ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::
     return severity_of(q, *symptom);
   };
   if (!severity(pair.query)) {
-    throw Error(fmt::format("{} does not answer the query and its image differently: {}", kernel.id,
-                            text(pair.symptom)));
+    throw Error(
+        fmt::format("{} does not answer the query and its image differently: {}", kernel.id, text(pair.symptom)));
   }
   ShrunkPair<Real> found{shrink<Real>(pair.query, SeverityOn<Real>(severity), keeping, limit, evaluated), {}};
   found.image = *image_by(pair.map, found.query.query);
@@ -115,6 +115,6 @@ ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::
 template ShrunkPair<float> shrink_pair(const Pair<float>&, const Kernel&, std::string_view, std::uint64_t, Keeping,
                                        const Evaluated&);
 template ShrunkPair<double> shrink_pair(const Pair<double>&, const Kernel&, std::string_view, std::uint64_t, Keeping,
-                                       const Evaluated&);
+                                        const Evaluated&);
 
 }  // namespace axiscert

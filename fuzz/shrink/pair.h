@@ -8,7 +8,7 @@
 
 namespace axiscert {
 
-// What differs: the verdict or, if both verdicts are the same, a comparison by the name that it has in the query.
+// The difference: the verdict or, if both verdicts are the same, a comparison by the name that it has in the query.
 struct PairSymptom {
   Verdict of_query, of_image;
   std::optional<Comparison> which;

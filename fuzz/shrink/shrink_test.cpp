@@ -177,7 +177,8 @@ Kernel two_faults() {
       [](const Query<double>& q, std::size_t, Verdict& verdict, std::vector<Finding>&) {
         if (!is_valid(q)) return;
         const InputClassSet meets = input_classes(q, squared_distance(q));
-        if (meets.contains(InputClass::repeated) || class_of(meets) == InputClass::near_tie) verdict = Verdict::separated;
+        if (meets.contains(InputClass::repeated) || class_of(meets) == InputClass::near_tie)
+          verdict = Verdict::separated;
       },
       "certified");
 }

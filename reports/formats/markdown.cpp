@@ -35,7 +35,8 @@ std::string links(const Json& counts) {
 
 class MarkdownReport {
  public:
-  explicit MarkdownReport(const Run& run) : run_(run), record_(run.record), plan_(run.record["plan"]), outcomes_(outcomes_of(run.record)) {
+  explicit MarkdownReport(const Run& run)
+      : run_(run), record_(run.record), plan_(run.record["plan"]), outcomes_(outcomes_of(run.record)) {
     for (const Json& kernel : record_["kernels"]) totals_.push_back(all_families(kernel));
   }
 

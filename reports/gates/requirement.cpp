@@ -37,11 +37,15 @@ Failure failure_of_finding(const Json& finding) {
   const auto text = [&](const char* member) {
     return finding[member].is_null() ? "" : finding[member].get<std::string>();
   };
-  return {text("kernel"), text("precision"), text("family"), finding["count"].get<std::uint64_t>(),
-          fmt::format("{}: {}", text("kind"), text("detail")), ""};
+  return {text("kernel"),
+          text("precision"),
+          text("family"),
+          finding["count"].get<std::uint64_t>(),
+          fmt::format("{}: {}", text("kind"), text("detail")),
+          ""};
 }
 
-// What fails every level.
+// The failures that fail every level.
 std::vector<Failure> failures_anywhere(const Json& record, const Subject& subject) {
   std::vector<Failure> failures;
   for (const Json& finding : record["findings"]) {
@@ -123,7 +127,9 @@ std::vector<LevelOutcome> outcomes(const Json& record, const Requirements& requi
     }
   }
   for (LevelOutcome& outcome : all) {
-    const auto is_it = [&](const std::string& name) { return name == outcome.asked.text || name == outcome.asked.name; };
+    const auto is_it = [&](const std::string& name) {
+      return name == outcome.asked.text || name == outcome.asked.name;
+    };
     outcome.is_allowed = outcome.state == LevelState::not_checked &&
                          std::any_of(required.allowed.begin(), required.allowed.end(), is_it);
   }
@@ -239,9 +245,8 @@ std::vector<Failure> failures_of(const std::vector<LevelOutcome>& outcomes) {
   std::vector<Failure> all;
   for (const LevelOutcome& outcome : outcomes) {
     for (const Failure& failure : outcome.failures) {
-      const bool is_known = std::any_of(all.begin(), all.end(), [&](const Failure& other) {
-        return other.text() == failure.text();
-      });
+      const bool is_known =
+          std::any_of(all.begin(), all.end(), [&](const Failure& other) { return other.text() == failure.text(); });
       if (!is_known) all.push_back(failure);
     }
   }
@@ -251,15 +256,16 @@ std::vector<Failure> failures_of(const std::vector<LevelOutcome>& outcomes) {
 Json outcomes_json(const std::vector<LevelOutcome>& outcomes) {
   Json all = Json::array();
   for (const LevelOutcome& outcome : outcomes) {
-    Json& json = all.emplace_back(Json{{"level", outcome.asked.text},
-                                       {"kernel", outcome.kernel},
-                                       {"precision", outcome.precision.empty() ? Json(nullptr) : Json(outcome.precision)},
-                                       {"state", name(outcome.state)},
-                                       {"allowed", outcome.is_allowed},
-                                       {"reason", outcome.reason},
-                                       {"covers", outcome.covers},
-                                       {"leaves_out", outcome.leaves_out},
-                                       {"failures", Json::array()}});
+    Json& json =
+        all.emplace_back(Json{{"level", outcome.asked.text},
+                              {"kernel", outcome.kernel},
+                              {"precision", outcome.precision.empty() ? Json(nullptr) : Json(outcome.precision)},
+                              {"state", name(outcome.state)},
+                              {"allowed", outcome.is_allowed},
+                              {"reason", outcome.reason},
+                              {"covers", outcome.covers},
+                              {"leaves_out", outcome.leaves_out},
+                              {"failures", Json::array()}});
     for (const Failure& f : outcome.failures) {
       json["failures"].push_back({{"family", f.family}, {"count", f.count}, {"what", f.what}, {"witness", f.witness}});
     }

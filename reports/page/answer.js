@@ -11,7 +11,7 @@ function outcomes_of(data, entry) {
     (o.precision === null || o.precision === entry.precision)) ?? [];
 }
 
-// What came of one level for one kernel, or of all of them.
+// The outcome of one level for one kernel, or of all of them.
 function outcome_chip(data, outcome) {
   const text = `requirement ${outcome.level}: `;
   if (outcome.state === 'not met') return chip(`${text}not met`, 'bad');
@@ -28,7 +28,7 @@ function status_chip(data) {
   return outcome_chip(data, {level, state: outcomes.every((o) => o.state === 'met') ? 'met' : 'NOT CHECKED', allowed: true});
 }
 
-// What each level says of a kernel, and what it does not.
+// Lists what each level says of a kernel, and what it does not.
 function outcome_list(outcomes) {
   const told = outcomes.filter((o) => o.state !== 'not met');
   if (told.length === 0) return '';

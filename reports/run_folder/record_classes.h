@@ -8,7 +8,7 @@
 
 namespace axiscert {
 
-// What contradicts the family's other counts; empty if nothing does, or the family has no classes.
+// Says what contradicts the family's other counts; empty if nothing does, or the family has no classes.
 std::optional<std::string> fault_of_classes(const Json& kernel, const Json& family);
 
 }  // namespace axiscert

@@ -17,8 +17,8 @@ namespace {
 
 using Evidence = Subject::Evidence;
 
-// Whether a wrong verdict, touching spheres apart, is wrong logic. Of a kernel that shows nothing else this is not so in
-// families of images: it is held to the clear ones that it has right in one unit of length.
+// Whether a wrong verdict, touching spheres apart, is wrong logic. Of a kernel that shows nothing else this is not so
+// in families of images: it is held to the clear ones that it has right in one unit of length.
 bool is_of_exact_arithmetic(const Subject& subject, const Json& result) {
   const bool is_judged_by_images = subject.evidence() == Evidence::verdicts && units_of(result) != nullptr;
   return result["exact_arithmetic"].get<bool>() && !is_judged_by_images;
@@ -62,7 +62,8 @@ Units units_that_ran(const Subject& subject) {
 std::string families_to_add(const Subject& subject) {
   std::vector<std::string> options;
   for (const Family* family : families_of(test_of(subject.record()["plan"]))) {
-    if (family->exact_arithmetic && image_group(family->name) == nullptr) options.push_back(fmt::format("--family {}", family->name));
+    if (family->exact_arithmetic && image_group(family->name) == nullptr)
+      options.push_back(fmt::format("--family {}", family->name));
   }
   return options.empty() ? "this test has none" : "add " + fmt::format("{}", fmt::join(options, " "));
 }
@@ -100,7 +101,8 @@ void find_logic_failures(const Subject& subject, const std::string& family, cons
 }
 
 std::string logic_sentence(const AskedLevel&) {
-  return "no wrong verdict with a broken specification or implementation link; for a kernel that claims no formulae, or "
+  return "no wrong verdict with a broken specification or implementation link; for a kernel that claims no formulae, "
+         "or "
          "evaluates them in its own way: none in exact arithmetic that its formulae do not give, touching spheres not "
          "counted, and none that changes with the unit of length";
 }
@@ -131,9 +133,9 @@ LevelFindings logic_findings(const Subject& subject) {
   }
   const std::string cause = has_formulae ? "a difference from the formulae that it claims" : "a wrong verdict";
   if (exact.queries == 0) {
-    found.not_checked = fmt::format(
-        "no query of a family of exact arithmetic was decided, and elsewhere {} may be of rounding; {}", cause,
-        families_to_add(subject));
+    found.not_checked =
+        fmt::format("no query of a family of exact arithmetic was decided, and elsewhere {} may be of rounding; {}",
+                    cause, families_to_add(subject));
     return found;
   }
   found.covers =
@@ -146,9 +148,9 @@ LevelFindings logic_findings(const Subject& subject) {
     found.covers += fmt::format("; {} queries of {}, each the same as another in another unit of length",
                                 thousands(units.images), fmt::join(units.names, ", "));
   }
-  found.leaves_out = fmt::format("{}{} on any other query: {} wrong verdicts of this run have no known cause",
-                                 units.images == 0 ? "other units of length, and " : "", cause,
-                                 thousands(subject.wrong_verdicts()));
+  found.leaves_out =
+      fmt::format("{}{} on any other query: {} wrong verdicts of this run have no known cause",
+                  units.images == 0 ? "other units of length, and " : "", cause, thousands(subject.wrong_verdicts()));
   return found;
 }
 

@@ -57,7 +57,8 @@ LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subjec
   const std::vector<double> corrected = holm(p);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto& [mine, others, alone] = pairs[i];
-    const double rate = static_cast<double>(mine.of.failures) / static_cast<double>(std::max<std::uint64_t>(mine.of.trials, 1));
+    const double rate =
+        static_cast<double>(mine.of.failures) / static_cast<double>(std::max<std::uint64_t>(mine.of.trials, 1));
     const double other_rate =
         static_cast<double>(others.of.failures) / static_cast<double>(std::max<std::uint64_t>(others.of.trials, 1));
     if (corrected[i] > family_wise_error || rate <= other_rate) continue;
@@ -69,7 +70,8 @@ LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subjec
                 [kind](const Json& flip) { return flip["kind"] == kind; });
   }
   found.covers = fmt::format(
-      "missed and phantom contacts of {}, each count beside that of {} on the same queries, by Fisher's exact test with "
+      "missed and phantom contacts of {}, each count beside that of {} on the same queries, by Fisher's exact test "
+      "with "
       "Holm's correction over {} counts at 5 %",
       subject.list_of_families(), other, pairs.size());
   found.leaves_out = "depths, and differences that chance explains";
