@@ -175,17 +175,18 @@ void shrink_one(const Query<Real>& q, const StoredQuery& stored, const ShrinkOpt
   const bool wants_pair = options.what == asymmetry_name;
   // Without --what, a query that is right by itself is half of a pair, if it is in one.
   if (wants_pair || (options.what.empty() && is_valid(q) && Diagnosis<Real>(kernel, target).flips(q).empty())) {
-    if (const auto pair = asymmetric_pair<Real>(stored.address, kernel, target)) {
+    if (const auto pair = asymmetric_pair(q, stored.address, kernel, target)) {
       shrink_as_pair(*pair, stored, options, kernel, target, progress, evaluated);
       std::fflush(stdout);
       return;
     }
   }
   if (wants_pair) {
-    throw NothingToKeep(fmt::format("query '{}': --what {}: {}", stored.id, asymmetry_name,
-                                    stored.address.empty()
-                                        ? "give an address, or a witness, of a family of images: it states no address"
-                                        : kernel.id + " answers no image of it differently, or its family has none"));
+    throw NothingToKeep(fmt::format(
+        "query '{}': --what {}: {}", stored.id, asymmetry_name,
+        stored.address.empty() ? "give an address, or a witness, of a family of images: it states no address"
+                               : kernel.id + " answers no image of it differently, its family has none, or its "
+                                             "numbers are not those of its address"));
   }
   const Symptom kept = wanted(q, stored, options, kernel, target);
   const auto found = shrink(q, kept, kernel, target, options.evaluations, keeping(options), evaluated);

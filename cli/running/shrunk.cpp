@@ -77,7 +77,7 @@ std::string shrunk_witnesses(const Json& record, const std::string& target, std:
     std::visit(
         [&]<class Real>(const Query<Real>& q) {
           if (witness["flips"].empty()) {  // half of a pair, or kept as an extreme
-            if (const auto pair = asymmetric_pair<Real>(stored.address, kernel, target)) {
+            if (const auto pair = asymmetric_pair(q, stored.address, kernel, target)) {
               const auto found = shrink_pair(*pair, kernel, target, evaluations);
               text += shrunk_pair_json(stored, *pair, found, kernel).dump() + "\n";
             }

@@ -143,16 +143,20 @@ class Holder {
     return entry.key[1] == "" || judged_.contains({id->second, entry.key[1].get<std::string>()});
   }
 
+  // "published binary32"; a finding made in loading has no precision.
+  static std::string judged_name(const Json& key) {
+    const std::string kernel = key[0], precision = key[1];
+    return precision.empty() ? kernel : kernel + " " + precision;
+  }
   // "published binary32 on tangent: verdict.false_separation", or "312 figures of published binary32", and where.
   std::string named(const Group& group) const {
     const Json& key = group.front()->key;
     std::size_t line = group.front()->line;
     for (const RatchetEntry* entry : group) line = std::min(line, entry->line);
-    return fmt::format("{} ({}:{}{})",
-                       group.size() == 1 ? name_of(key)
-                                         : fmt::format("{} figures of {} {}", thousands(group.size()),
-                                                       key[0].get<std::string>(), key[1].get<std::string>()),
-                       ratchet_.name, line, group.size() == 1 ? "" : " and below");
+    return fmt::format(
+        "{} ({}:{}{})",
+        group.size() == 1 ? name_of(key) : fmt::format("{} figures of {}", thousands(group.size()), judged_name(key)),
+        ratchet_.name, line, group.size() == 1 ? "" : " and below");
   }
   void fail(const Group& group, const std::string& text, int severity) {
     const Json& key = group.front()->key;
@@ -169,8 +173,8 @@ class Holder {
       known.push_back(identity == id ? id : fmt::format("{} as {}", id, identity));
     for (const auto& [key, group] : not_checked_) {
       fail(group,
-           fmt::format("NOT CHECKED: this run did not judge {} {}, of which it has: {}; the kernels of this run: {}",
-                       key[0], key[1], named(group), fmt::join(known, ", ")),
+           fmt::format("NOT CHECKED: this run did not judge {}, of which it has: {}; the kernels of this run: {}",
+                       judged_name(group.front()->key), named(group), fmt::join(known, ", ")),
            not_checked_severity);
     }
     for (const auto& [key, group] : expired_) {
