@@ -12,6 +12,7 @@
 #include "fuzz/campaign/supervised_testing.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/queries/image_groups.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/shrink/pair.h"
 #include "fuzz/shrink/shrink_moves.h"
@@ -200,7 +201,7 @@ TEST(Shrink, KeepsTheClassOfTheInputAndTheDepth) {
 }
 
 TEST(ImageMaps, AreFoundFromThePairAlone) {
-  for (const char* family : {"orders", "axes", "inverted", "scaled", "translated"}) {
+  for (const char* family : {"orders", "axes", "inverted", "scaled", "translated", "units", "spans"}) {
     const ImageGroup& group = *image_group(family);
     const auto query = [&](std::uint64_t n) -> Query<float> { return find_family(family).make<float>(seed, n); };
     for (std::uint64_t base = 0; base < 8 * group.size; base += group.size) {

@@ -15,7 +15,7 @@ namespace {
 // Queries whose bits depend on roundings: slivers and repeated vertices, far from the centre or not, with the radius
 // nearest to the distance.
 template <class Real>
-Query<Real> near_tie(std::mt19937_64& random, int kind) {
+Query<Real> close_to_a_tie(std::mt19937_64& random, int kind) {
   const auto unit = [&] { return static_cast<Real>(static_cast<std::int64_t>(random()) >> 11) * Real(0x1p-52); };
   const auto vec = [&] { return Vec3<Real>{unit(), unit(), unit()}; };
   Query<Real> q{vec(), vec(), vec(), vec() * (kind % 2 == 0 ? Real(1) : Real(0x1p-7)), 0};
@@ -45,7 +45,7 @@ void expect_no_difference() {
     std::mt19937_64 random(seed);
     int compared = 0, unlike_plain = 0;
     for (int i = 0; i < queries; ++i) {
-      const auto q = near_tie<Real>(random, i);
+      const auto q = close_to_a_tie<Real>(random, i);
       const Strictness strictness = i % 3 == 0 ? Strictness::nonstrict : Strictness::strict;
       for (std::size_t f = 0; f < formulae_count; ++f) {
         const auto formulae = static_cast<Formulae>(f);
