@@ -33,7 +33,7 @@ struct MutateOptions {
 
 // A mutant that shows its verdict alone is judged as a run does, at many times the cost: the default is a minute or
 // two.
-constexpr std::uint64_t default_trials = std::uint64_t{1} << 16, default_trials_by_verdict = std::uint64_t{1} << 11;
+constexpr std::uint64_t trials_by_formulae = std::uint64_t{1} << 16, trials_by_verdict = std::uint64_t{1} << 11;
 
 // The controls in other arithmetics are judged by exact arithmetic, at a hundred times the cost of a mutant's query.
 constexpr std::uint64_t trials_of_a_control(std::uint64_t trials) { return std::max<std::uint64_t>(1, trials / 64); }
@@ -132,7 +132,7 @@ int mutate(const MutateOptions& options) {
   if (plan.families.empty()) plan.families = families_of(first_test());
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};
-  plan.trials = options.trials.value_or(options.verdict_only ? default_trials_by_verdict : default_trials);
+  plan.trials = options.trials.value_or(options.verdict_only ? trials_by_verdict : trials_by_formulae);
   plan.seed = options.seed;
   plan.threads = threads_of(options.threads);
   plan.controls = !options.no_controls;
@@ -175,8 +175,8 @@ void add_mutate(CLI::App& app, Action& action) {
   command->add_option("--family", o.families, "family, repeatable (default: all)")->allow_extra_args(false);
   command
       ->add_option("--trials", o.trials,
-                   fmt::format("queries per family and precision (default: {}; with --verdict-only {})", default_trials,
-                               default_trials_by_verdict))
+                   fmt::format("queries per family and precision (default: {}; with --verdict-only {})",
+                               trials_by_formulae, trials_by_verdict))
       ->check(whole_number(1, std::uint64_t{1} << 48));
   command->add_option("--seed", o.seed, "seed of every family")->check(whole_number())->capture_default_str();
   command->add_option("--precision", o.precision, "binary32 or binary64")->default_str("both");

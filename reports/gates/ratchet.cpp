@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "kernel/base/error.h"
@@ -18,11 +19,6 @@ namespace axiscert {
 namespace {
 
 bool is_held(const Cell& cell) { return !cell.is_zero() && cell.member != "max_error_u"; }
-
-std::string name_of(const Json& key) {
-  const auto part = [&](std::size_t i) { return key[i].get<std::string>(); };
-  return fmt::format("{} {} on {}: {}", part(0), part(1), part(2), part(3));
-}
 
 // The order of failures, the worst first: what was not checked at all, faults other than wrong answers, missed contacts
 // and missing answers, phantom contacts, then what no verdict shows.
@@ -63,8 +59,8 @@ class Holder {
       if (met_.contains(fingerprint)) continue;
       check_expiry(entry);
       if (is_judged(entry)) {
-        outcome_.better.push_back(fmt::format("{}: 0, accepted is {} ({}:{})", name_of(entry.key), entry.figure.dump(),
-                                              ratchet_.name, entry.line));
+        outcome_.better.push_back(fmt::format("{}: 0, accepted is {} ({}:{})", cell_text(entry.key),
+                                              entry.figure.dump(), ratchet_.name, entry.line));
       } else {
         not_checked_[{entry.key[0], entry.key[1]}].push_back(&entry);
         accept(entry.key, entry.figure, entry.waiver);
@@ -105,7 +101,7 @@ class Holder {
     const RatchetEntry* const entry = entry_of(cell);
     const Json key = cell.key(), accepted = entry == nullptr ? Json(0) : entry->figure;
     const std::string where = entry == nullptr ? "" : fmt::format(" ({}:{})", ratchet_.name, entry->line);
-    const std::string text = fmt::format("{}: {}, accepted is {}{}", name_of(cell.key_of(cell.kernel)),
+    const std::string text = fmt::format("{}: {}, accepted is {}{}", cell_text(cell.key_of(cell.kernel)),
                                          cell.figure.dump(), accepted.dump(), where);
     if (is_less(accepted, cell.figure)) {
       const double excess = entry == nullptr || accepted == 0 ? cell.figure.get<double>()
@@ -155,7 +151,7 @@ class Holder {
     for (const RatchetEntry* entry : group) line = std::min(line, entry->line);
     return fmt::format(
         "{} ({}:{}{})",
-        group.size() == 1 ? name_of(key) : fmt::format("{} figures of {}", thousands(group.size()), judged_name(key)),
+        group.size() == 1 ? cell_text(key) : fmt::format("{} figures of {}", thousands(group.size()), judged_name(key)),
         ratchet_.name, line, group.size() == 1 ? "" : " and below");
   }
   void fail(const Group& group, const std::string& text, int severity) {
