@@ -153,7 +153,7 @@ std::string depths_table(const Json& record) {
 
 // Why kernels are wrong whose links do not say it, with the deepest witness of each class.
 std::string classes_table(const Json& kernels) {
-  const std::vector<std::string> columns = {"why",     "precision",        "input is",       "missed contacts",
+  const std::vector<std::string> columns = {"kernel",  "precision",        "input is",       "missed contacts",
                                             "deepest", "phantom contacts", "deepest witness"};
   std::vector<std::vector<std::string>> rows;
   std::string nearest;

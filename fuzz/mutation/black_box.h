@@ -2,7 +2,11 @@
 // refuses, and why it lets the others pass.
 #pragma once
 
+#include <atomic>
 #include <functional>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "fuzz/mutation/mutation.h"
 #include "fuzz/text/json.h"

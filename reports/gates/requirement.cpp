@@ -103,9 +103,17 @@ LevelOutcome outcome_of(const Json& record, const Json& kernel, const AskedLevel
   return outcome;
 }
 
+std::vector<std::string> yardsticks(const std::vector<AskedLevel>& levels) {
+  std::vector<std::string> kernels;
+  for (const AskedLevel& asked : levels) {
+    if (const auto yardstick = level_of(asked).yardstick) kernels.push_back(yardstick(asked));
+  }
+  return kernels;
+}
+
 std::vector<LevelOutcome> outcomes(const Json& record, const Requirements& required) {
   std::vector<LevelOutcome> all;
-  const std::vector<std::string> unloaded = not_judged(record), exempt = yardsticks_of(record["plan"]);
+  const std::vector<std::string> unloaded = not_judged(record), exempt = yardsticks(required.levels);
   for (const AskedLevel& asked : required.levels) {
     for (const std::string& id : unloaded) {
       LevelOutcome outcome{asked, id, "", LevelState::not_met};
@@ -206,13 +214,7 @@ Requirements requirements_of(const Json& plan) {
   return required;
 }
 
-std::vector<std::string> yardsticks_of(const Json& plan) {
-  std::vector<std::string> kernels;
-  for (const AskedLevel& asked : requirements_of(plan).levels) {
-    if (const auto yardstick = level_of(asked).yardstick) kernels.push_back(yardstick(asked));
-  }
-  return kernels;
-}
+std::vector<std::string> yardsticks_of(const Json& plan) { return yardsticks(requirements_of(plan).levels); }
 
 std::vector<LevelOutcome> outcomes_of(const Json& record) { return outcomes(record, requirements_of(record["plan"])); }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "reports/instrument/black_box_reason.h"
 #include "reports/wording/summary.h"

@@ -1,6 +1,9 @@
 // The report of `axiscert mutate --verdict-only`.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "fuzz/mutation/black_box.h"
 #include "reports/instrument/instrument.h"
 

@@ -1,7 +1,6 @@
 #include "kernel/sphere_triangle/mutants/value_list.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
 #include "reports/run_folder/run_folder.h"
