@@ -40,6 +40,7 @@ class Compare(Case):
         worse.mkdir()
         verdict = record["kernels"][0]["families"]["repeated"]["verdict"]
         verdict["false_contact"] += 1
+        verdict["depths"]["false_contact"]["zero"] = verdict["depths"]["false_contact"].get("zero", 0) + 1
         (worse / "record.json").write_text(json.dumps(record))
         text = self.compare("out", "worse", "--out", self.folder / "compared", code=1)
         self.assertTrue(text.startswith("axiscert compare: worse: 1 worse\n"), text)

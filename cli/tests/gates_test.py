@@ -183,7 +183,7 @@ class NotJudged(GatesCase):
         done = axiscert("compare", self.folder / "one", self.folder / "two", "--no-replay", "--format", "json")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual([k["name"] for k in json.loads(done.stdout)["kernels"]], [first, second])
-        self.assertIn(f"kernel: {first}\n", (self.folder / "one/ratchet.txt").read_text())
+        self.assertIn(f"kernel: {first} plugin:", (self.folder / "one/ratchet.txt").read_text())
 
     def test_witnesses_are_evaluated_by_the_plugin_wherever_it_is(self):
         self.base()
@@ -222,7 +222,7 @@ class CodeScanning(GatesCase):
 
     def test_results_are_at_the_source(self):
         def places(*args):
-            self.assertEqual(self.judged("new", kernel, "published", more=args).returncode, 0)
+            self.assertEqual(self.judged("new", kernel, "published", plan=[*PLAN, "--family", "repeated"], more=args).returncode, 0)
             return {(r["locations"][0]["logicalLocations"][0]["fullyQualifiedName"].split("/binary32")[0],
                      r["locations"][0]["physicalLocation"]["artifactLocation"]["uri"],
                      r["locations"][0]["physicalLocation"]["region"]["startLine"] if "jsonl" not in str(r["locations"]) else 0)

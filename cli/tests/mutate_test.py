@@ -16,7 +16,7 @@ class MutateCase(Case):
 
 
 class MutateByVerdict(MutateCase):
-    PLAN = ("--verdict-only", "--trials", 160, "--precision", "binary32", "--family", "lattice", "--family", "tangent")
+    PLAN = ("--verdict-only", "--trials", 8192, "--precision", "binary32", "--family", "lattice", "--family", "tangent")
 
     def test_what_survives_has_its_reason_on_any_number_of_threads(self):
         out = self.folder / "out"
@@ -48,7 +48,7 @@ class MutateByVerdict(MutateCase):
     def test_a_run_takes_the_names_that_it_gives(self):
         self.assertIn("nonstrict~clamp:r:0.01  the radius, E = 0.01; E for an x below E",
                       axiscert("mutate", "--verdict-only", "--list").stdout.splitlines())
-        run = axiscert("run", "--kernel", "nonstrict~clamp:r:0.1", "--family", "grid", "--trials", 2000, "--require",
+        run = axiscert("run", "--kernel", "nonstrict~clamp:r:2", "--family", "lattice", "--trials", 2000, "--require",
                        "logic", "--out", self.folder / "run")
         self.assertEqual(run.returncode, 1, run.stderr)
         self.refused("run", "--kernel", "nonstrict~clamp:nosuch:0.1", says=["nonstrict~clamp:nosuch:0.1", "clamp-relative"])

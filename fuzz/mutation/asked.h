@@ -7,9 +7,17 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/unit.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/queries/image_groups.h"
 #include "kernel/sphere_triangle/mutants/mutant.h"
 
 namespace axiscert {
+
+// Whether a wrong verdict on a family counts against a kernel that claims formulae, but not how it rounds: arithmetic
+// is exact there, and in one unit of length, as `--require logic` has it. In others a kernel that computes in a
+// narrower precision may leave its range.
+inline bool shows_formulae(std::string_view family, bool exact_arithmetic) {
+  return exact_arithmetic && image_group(family) == nullptr;
+}
 
 // The truth is found when it is first needed: few queries need it.
 template <class Real>
@@ -34,6 +42,8 @@ struct Asked {
       order[i].store(unknown, std::memory_order_relaxed);
     }
   }
+
+  bool shows_formulae() const { return axiscert::shows_formulae(family->name, family->exact_arithmetic); }
 
   signed char order_of(std::size_t i) {
     signed char known = order[i].load(std::memory_order_relaxed);

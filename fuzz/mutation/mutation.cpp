@@ -23,7 +23,7 @@ class MutationRun {
     base_.id = plan.base;
     for (const Family* family : plan.families) {
       asked_.emplace_back().family = family;
-      exact_families_ += family->exact_arithmetic;
+      exact_families_ += asked_.back().shows_formulae();
     }
   }
 
@@ -42,7 +42,7 @@ class MutationRun {
     std::array<ComparisonBits, batch_size> bits;
     std::uint64_t before = first_ * asked_.size(), before_exact = first_ * exact_families_;
     for (Asked<Real>& asked : asked_) {
-      const bool is_exact = asked.family->exact_arithmetic;
+      const bool is_exact = asked.shows_formulae();
       if (!result.by_bits || (is_exact && !result.by_formulae)) {
         mutants::mutant_bits(*result.mutant, asked.batch.columns(), bits.data());
         for (std::size_t i = 0; i < asked.batch.size(); ++i) {
@@ -61,7 +61,7 @@ class MutationRun {
     const Verdict verdict = verdict_of(axes_of(bits));
     if (verdict == asked.base_verdicts[i]) return;
     if (!asked.is_wrong(i, verdict)) return;
-    const bool in_exact_arithmetic = asked.family->exact_arithmetic && asked.order_of(i) != 0;
+    const bool in_exact_arithmetic = asked.shows_formulae() && asked.order_of(i) != 0;
     if (result.by_bits && (result.by_formulae || !in_exact_arithmetic)) return;
     const Catch found = confirmed(*result.mutant, asked, i, {verdict, bits}, in_exact_arithmetic);
     if (!result.by_bits) {

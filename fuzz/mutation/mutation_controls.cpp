@@ -1,6 +1,8 @@
 // Correct kernels in other forms, which a harness that detects mutants must not flag.
 #include "fuzz/mutation/mutation.h"
 
+#include "fuzz/mutation/asked.h"
+
 namespace axiscert {
 namespace {
 
@@ -22,10 +24,10 @@ Kernel claiming_formulae_alone(Kernel kernel) {
   return kernel;
 }
 
-std::uint64_t flagged(const VerdictTally& verdict, bool claims_bits, bool exact_arithmetic) {
+std::uint64_t flagged(const VerdictTally& verdict, bool claims_bits, bool shows_formulae) {
   const auto wrong = [&](Link link) { return verdict.links[link]; };
   if (claims_bits) return wrong(Link::specification) + wrong(Link::implementation);
-  if (!exact_arithmetic) return wrong(Link::specification);
+  if (!shows_formulae) return wrong(Link::specification);
   return wrong(Link::specification) + wrong(Link::unattributed) - verdict.touching_links[Link::unattributed];
 }
 
@@ -63,8 +65,9 @@ std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials
         if (cell.precision != precision) continue;
         const Tally& tally = cell.tallies[k];
         control.queries += tally.trials;
+        const Source& source = *campaign.sources[cell.source];
         control.flagged +=
-            flagged(tally.verdict, control.claims_bits, campaign.sources[cell.source]->exact_arithmetic());
+            flagged(tally.verdict, control.claims_bits, shows_formulae(source.name(), source.exact_arithmetic()));
       }
     }
   }

@@ -69,7 +69,7 @@ Allowed allowed(std::string_view family) {
                            {"tie", 0, 0, 30},
                            {"speck", 2, 2, 40},
                            {"lattice", 12, 50, 110},
-                           {"units", 12, 50, 110},
+                           {"units", wide ? 25u : 12u, 50, wide ? 150u : 110u},
                            {"spans", 30, 60, 110},
                            {"far", 0, 0, 12},
                            {"scale", 5, 6, 10},

@@ -109,7 +109,7 @@ class Comparer {
       if (there.empty()) return fmt::format("; in {} it could not be loaded", which);
       return fmt::format("; in {} it declares another name, '{}' and not '{}'", which, there, name);
     }
-    if (!has_names(before_) || !has_names(after_)) {
+    if (id.find(':') != id.npos && (!has_names(before_) || !has_names(after_))) {
       return fmt::format("; {} is of a version that wrote no names, so kernels are known by their ids",
                          has_names(after_) ? "OLD" : "NEW");
     }

@@ -23,7 +23,7 @@ Json class_record(const Kernel& kernel, const std::vector<std::string>& families
   plan.trials = [trials](const Source&, Precision) { return trials; };
   plan.target = std::string(scalar_target);
   const std::atomic<bool> never = false;
-  const Json record = record_of(plan, run_campaign(plan, never, [](const Progress&) {}), "");
+  const Json record = record_of(plan, run_campaign(plan, never, [](const Progress&) {}), Required());
   check_record(record, "record.json");
   return record;
 }

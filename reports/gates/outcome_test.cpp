@@ -200,8 +200,11 @@ TEST(GateLevels, HaveNamesAndSentencesOfTheirOwn) {
   std::set<std::string> sentences;
   for (const GateLevel* level : gate_levels()) {
     const std::string usage = level->usage, name(level->name());
-    const bool takes_kernel = usage.find("=KERNEL") != usage.npos, takes_one = usage.find('=') != usage.npos;
-    const AskedLevel asked = parse_level(takes_kernel ? name + "=published" : takes_one ? name + "=0.5" : name);
+    std::string argument;
+    for (const auto& [kind, example] : {std::pair("=KERNEL", "=published"), {"=KIND", "=scale"}, {"=D", "=0.5"}}) {
+      if (usage.find(kind) != usage.npos) argument = example;
+    }
+    const AskedLevel asked = parse_level(name + argument);
     EXPECT_EQ(asked.name, name);
     EXPECT_TRUE(sentences.insert(sentence_of(asked)).second) << usage;
     EXPECT_NE(*level->meaning, '\0') << usage;

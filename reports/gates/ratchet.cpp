@@ -48,7 +48,8 @@ class Holder {
       ids_[id] = id;
       if (Json digest = digest_of(record, id); !digest.is_null()) digests_[identity] = std::move(digest);
     }
-    for (const Json& kernel : record["kernels"]) judged_.insert({kernel["id"], kernel["precision"]});
+    for (const Json& kernel : record["kernels"])
+      judged_.emplace(kernel["id"].get<std::string>(), kernel["precision"].get<std::string>());
   }
 
   RatchetOutcome run() {

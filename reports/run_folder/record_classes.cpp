@@ -18,7 +18,7 @@ std::uint64_t sum_of(const Json& decades) {
 std::optional<std::string> fault_of_classes(const Json& kernel, const Json& family) {
   const auto classes = family.find("classes");
   if (classes == family.end()) return std::nullopt;
-  if (kernel["reference"] == true) return "classes of a kernel whose links say why it is wrong";
+  if (kernel["reference"] == true) return "classes of a kernel with a reference, whose links say why it is wrong";
   const Json& verdict = family["verdict"];
   for (const char* kind : {"false_separation", "false_contact"}) {
     std::uint64_t sum = 0;

@@ -37,16 +37,27 @@ std::string refusal(const std::function<void(Json&)>& edit) {
   return refusal(record);
 }
 
+// The stored record with what a record of the first version can have: it counts no classes of the input.
+Json without_classes() {
+  Json record = stored_record();
+  for (Json& kernel : record["kernels"]) {
+    kernel.erase("nearest");
+    for (Json& family : kernel["families"]) family.erase("classes");
+  }
+  for (Json& witness : record["witnesses"]) witness.erase("class");
+  return record;
+}
+
 TEST(RecordVersion, TheFirstIsReadAsThePresentOne) {
   const Json old = first_version();
   EXPECT_EQ(old["schema"], "axiscert-record/1");
   EXPECT_FALSE(old["plan"].contains("test"));
-  EXPECT_EQ(read(old), stored_record()) << "the same bytes, in the same order";
+  EXPECT_EQ(read(old), without_classes()) << "the same bytes, in the same order";
   EXPECT_EQ(read(stored_record()), stored_record());
 }
 
 TEST(RecordVersion, ReportsOfBothAreTheSame) {
-  const TestFolder old(first_version()), present(stored_record());
+  const TestFolder old(first_version()), present(without_classes());
   ASSERT_EQ(old.rendering_error(), "");
   ASSERT_EQ(present.rendering_error(), "");
   for (const char* file : {"report.md", "witnesses.jsonl", "ratchet.txt"}) {

@@ -15,10 +15,11 @@ namespace {
 
 using Evidence = Subject::Evidence;
 
-// Whether a wrong verdict, touching spheres apart, is wrong logic. Of a kernel that shows nothing else this is not so
-// in families of images: it is held to the clear ones that it has right in one unit of length.
+// Whether a wrong verdict, touching spheres apart, is wrong logic. For a kernel without a reference this is not so in
+// families of images, in which its own precision may leave its range: it is held to the clear ones that it has right in
+// one unit of length.
 bool is_of_exact_arithmetic(const Subject& subject, const Json& result) {
-  const bool is_judged_by_images = subject.evidence() == Evidence::verdicts && units_of(result) != nullptr;
+  const bool is_judged_by_images = subject.evidence() != Evidence::reference && units_of(result) != nullptr;
   return result["exact_arithmetic"].get<bool>() && !is_judged_by_images;
 }
 
