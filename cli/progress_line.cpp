@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "cli/values.h"
+
 namespace axiscert {
 namespace {
 
@@ -21,7 +23,7 @@ void add_progress(CLI::App& command) {
   command
       .add_option("--progress", seconds_between_lines,
                   "seconds between lines of progress where standard error is no terminal; 0: no progress at all")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(number_between(0, 1e6))
       ->capture_default_str();
 }
 
@@ -99,15 +101,15 @@ void ProgressLine::write() {
     line += ": " + progress_text(now) + more_;
   }
   line += fmt::format(" ({:.0f} s)", since(began_));
-  if (pace_->rewritten) fmt::print(to_, "\r\x1b[K{}", line);
-  else fmt::print(to_, "axiscert: {}\n", line);
+  line = pace_->rewritten ? "\r\x1b[K" + line : fmt::format("axiscert: {}\n", line);
+  std::fputs(line.c_str(), to_);  // throws nothing where the stream is closed, unlike fmt::print
   is_on_terminal_ = pace_->rewritten;
   std::fflush(to_);
 }
 
 void ProgressLine::clear_terminal() {
   if (!is_on_terminal_) return;
-  fmt::print(to_, "\r\x1b[K");
+  std::fputs("\r\x1b[K", to_);
   std::fflush(to_);
   is_on_terminal_ = false;
 }

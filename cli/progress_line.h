@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 
 #include "fuzz/campaign/progress.h"
 
@@ -20,7 +21,7 @@ namespace axiscert {
 // Adds --progress, the seconds between lines where standard error is no terminal; 0: no progress anywhere.
 void add_progress(CLI::App& command);
 
-// What a line says, for example "3 of 96 units, about 120 s left; 3072 queries, 51 a second".
+// The text of a line, for example "3 of 96 units, about 120 s left; 3072 queries, 51 a second".
 std::string progress_text(const Progress& progress);
 
 // When lines are written, in seconds.
@@ -41,7 +42,7 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const Progress& progress, const std::string& more = "");
-  // What is under way, where it cannot say how far it is.
+  // Names what is under way, where that cannot say how far it is.
   void stage(std::string_view name);
   // Takes the line from the terminal until the next, before something else is written there.
   void clear();

@@ -91,7 +91,7 @@ int generate(const GenerateOptions& options) {
     throw Error("--binary would write bytes to a terminal: pipe them into a program, or give a file with -o");
   }
   try {
-    ProgressLine progress("generate");
+    ProgressLine progress("generate", output.is_terminal());  // where the queries themselves are seen to come
     std::uint64_t written = 0;
     write_queries(plan, encoding, threads_of(options.threads), [&](std::string_view bytes) {
       output.write(bytes);

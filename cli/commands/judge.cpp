@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "cli/commands.h"
+#include "cli/options/require_options.h"
 #include "cli/values.h"
 #include "cli/running/judged_run.h"
 #include "cli/progress_line.h"

@@ -69,6 +69,7 @@ int merge(const MergeOptions& options) {
     });
     bytes += end.whole;
     if (end.torn != 0) {
+      reading->clear();
       fmt::print(stderr, "axiscert: {}: its last entry was cut off while it was being written: {} bytes dropped\n",
                  journal, end.torn);
     }

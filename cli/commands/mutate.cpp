@@ -33,12 +33,12 @@ struct MutateOptions {
 
 // A mutant that shows its verdict alone is judged as a run does, at many times the cost: the default is a minute or
 // two.
-constexpr std::uint64_t default_trials = std::uint64_t{1} << 16, default_trials_by_verdict = std::uint64_t{1} << 11;
+constexpr std::uint64_t trials_by_formulae = std::uint64_t{1} << 16, trials_by_verdict = std::uint64_t{1} << 11;
 
 // The controls in other arithmetics are judged by exact arithmetic, at a hundred times the cost of a mutant's query.
 constexpr std::uint64_t trials_of_a_control(std::uint64_t trials) { return std::max<std::uint64_t>(1, trials / 64); }
 
-// What there is to choose from: with --verdict-only the faults of values too.
+// The mutants to choose from: with --verdict-only those with a fault of a value too.
 std::vector<const mutants::Mutant*> mutants_there(const MutateOptions& options) {
   std::vector<const mutants::Mutant*> all;
   for (const mutants::Mutant& m : mutants::mutants_of(options.kernel)) all.push_back(&m);
@@ -99,7 +99,7 @@ int put_score(const MutateOptions& options, const std::optional<OutputFolder>& f
   return exit_done;
 }
 
-// What `run --require` says, of kernels that show a verdict alone.
+// The level of `run --require` that judges kernels that show a verdict alone.
 constexpr const char* required = "logic";
 
 int mutate_by_verdict(const MutateOptions& options, const MutationPlan& plan,
@@ -132,7 +132,7 @@ int mutate(const MutateOptions& options) {
   if (plan.families.empty()) plan.families = families_of(first_test());
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};
-  plan.trials = options.trials.value_or(options.verdict_only ? default_trials_by_verdict : default_trials);
+  plan.trials = options.trials.value_or(options.verdict_only ? trials_by_verdict : trials_by_formulae);
   plan.seed = options.seed;
   plan.threads = threads_of(options.threads);
   plan.controls = !options.no_controls;
@@ -175,8 +175,8 @@ void add_mutate(CLI::App& app, Action& action) {
   command->add_option("--family", o.families, "family, repeatable (default: all)")->allow_extra_args(false);
   command
       ->add_option("--trials", o.trials,
-                   fmt::format("queries per family and precision (default: {}; with --verdict-only {})", default_trials,
-                               default_trials_by_verdict))
+                   fmt::format("queries per family and precision (default: {}; with --verdict-only {})",
+                               trials_by_formulae, trials_by_verdict))
       ->check(whole_number(1, std::uint64_t{1} << 48));
   command->add_option("--seed", o.seed, "seed of every family")->check(whole_number())->capture_default_str();
   command->add_option("--precision", o.precision, "binary32 or binary64")->default_str("both");
@@ -189,6 +189,7 @@ void add_mutate(CLI::App& app, Action& action) {
           "--magnitude", o.magnitudes,
           fmt::format("magnitude of these, repeatable (default: {})", fmt::join(mutants::default_magnitudes, ", ")))
       ->allow_extra_args(false)
+      ->check(number_above_zero())
       ->needs(verdict_only);
   command->add_flag("--list", o.list, "list the mutants and run no queries");
   command->add_flag("--no-controls", o.no_controls, "leave out the controls, which are correct kernels");

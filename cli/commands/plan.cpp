@@ -4,6 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/options/plan_file.h"
+#include "cli/options/require_options.h"
 #include "cli/values.h"
 #include "reports/run_folder/run_folder.h"
 

@@ -128,8 +128,9 @@ void print_steps(const Shrunk<Real>& found) {
   fmt::print("  {} steps, {} queries evaluated{}\n", found.sizes.size() - 1, found.evaluations,
              found.complete ? ", no step makes it smaller" : ": the limit; --evaluations raises it");
   if (found.sizes.size() > 1 || !found.complete || !found.kept.classes()) return;
-  fmt::print("  cannot be made smaller with its class and a depth of at most {} times its own; --any-class lets both go\n",
-             depth_factor);
+  fmt::print(
+      "  cannot be made smaller with its class and a depth of at most {} times its own; --any-class lets both go\n",
+      depth_factor);
 }
 
 template <class Real>
@@ -174,7 +175,7 @@ void shrink_one(const Query<Real>& q, const StoredQuery& stored, const ShrinkOpt
   const bool wants_pair = options.what == asymmetry_name;
   // Without --what, a query that is right by itself is half of a pair, if it is in one.
   if (wants_pair || (options.what.empty() && is_valid(q) && Diagnosis<Real>(kernel, target).flips(q).empty())) {
-    if (const auto pair = asymmetric_pair<Real>(stored.address, kernel, target)) {
+    if (const auto pair = asymmetric_pair(q, stored.address, kernel, target)) {
       shrink_as_pair(*pair, stored, options, kernel, target, progress, evaluated);
       std::fflush(stdout);
       return;
@@ -184,7 +185,8 @@ void shrink_one(const Query<Real>& q, const StoredQuery& stored, const ShrinkOpt
     throw NothingToKeep(fmt::format(
         "query '{}': --what {}: {}", stored.id, asymmetry_name,
         stored.address.empty() ? "give an address, or a witness, of a family of images: it states no address"
-                               : kernel.id + " answers no image of it differently, or its family has none"));
+                               : kernel.id + " answers no image of it differently, its family has none, or its "
+                                             "numbers are not those of its address"));
   }
   const Symptom kept = wanted(q, stored, options, kernel, target);
   const auto found = shrink(q, kept, kernel, target, options.evaluations, keeping(options), evaluated);

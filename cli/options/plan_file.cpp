@@ -80,9 +80,7 @@ std::string digest_of(Json json) {
 }
 
 // The plan as the record of a run with these options has it.
-Json plan_of_record(const Plan& plan, const Required& required) {
-  return plan_json(plan, planned(plan), required);
-}
+Json plan_of_record(const Plan& plan, const Required& required) { return plan_json(plan, planned(plan), required); }
 
 // Replaces each file that does not exist by the file of the same base name next to the plan, where that exists.
 void look_beside(const std::string& plan_path, std::vector<std::string>& files) {

@@ -1,7 +1,6 @@
 #include "cli/options/run_options.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -9,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/options/preset.h"
+#include "cli/options/require_options.h"
 #include "cli/options/test_options.h"
 #include "cli/progress_line.h"
 #include "cli/values.h"
@@ -18,7 +18,6 @@
 #include "fuzz/text/sha256.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
-#include "reports/gates/requirement.h"
 
 namespace axiscert {
 namespace {
@@ -92,16 +91,11 @@ bool is_file_of(const Kernel& kernel, const Plan& plan) {
   return false;
 }
 
-// Whether a kernel could not be loaded: it exists in no precision, whatever is requested.
-bool is_unloadable(const Kernel* kernel) {
-  return !kernel->has(Precision::binary32) && !kernel->has(Precision::binary64);
-}
-
 // A precision in which no kernel exists is left out of the plan; one that was requested by name is an error for each
 // kernel that lacks it. A plug-in that cannot be loaded exists in none, which its findings report.
 void drop_idle_precisions(Plan& plan, const std::string& asked) {
   for (const Kernel* kernel : plan.kernels) {
-    if (asked.empty() || is_unloadable(kernel) || kernel->has(plan.precisions.front())) continue;
+    if (asked.empty() || is_unloadable(*kernel) || kernel->has(plan.precisions.front())) continue;
     throw Error(fmt::format("--precision {}: kernel {} exists in {} only", asked, kernel->id,
                             kernel->has(Precision::binary32) ? "binary32" : "binary64"));
   }
@@ -120,19 +114,11 @@ const Kernel& default_kernel(const TestDescription& test) {
   throw Error(fmt::format("the test {} has no built-in kernel; give one with --kernel", test.id));
 }
 
-// A depth beyond the scene is met by any kernel; a record that has one is read all the same.
-std::string depth_is_a_part(const std::string& level) {
-  const std::size_t equals = level.find('=');
-  const std::string name = level.substr(0, equals);
-  double depth = 0;
-  if (equals == level.npos || (name != "conservative" && name != "depth") ||
-      !CLI::detail::lexical_cast(level.substr(equals + 1), depth) || !(depth > 1))
-    return "";
-  return fmt::format("'{}': D is a depth, a part of the scene from 0 to 1, as in {}=0.001{}", level, name,
-                     name == "depth" ? "" : "; `conservative` alone sets no limit");
-}
-
 }  // namespace
+
+bool is_unloadable(const Kernel& kernel) {
+  return !kernel.has(Precision::binary32) && !kernel.has(Precision::binary64);
+}
 
 CLI::Option* add_source_options(CLI::App& command, SourceOptions& o) {
   add_test_option(command, o.test,
@@ -152,31 +138,6 @@ CLI::Option* add_source_options(CLI::App& command, SourceOptions& o) {
 
 void add_thread_option(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "worker threads (default: all cores)")->check(whole_number(1, 4096));
-}
-
-void add_require_options(CLI::App& command, Required& required) {
-  command
-      .add_option("--require", required.levels,
-                  fmt::format("level, repeatable: exit 1 where it is not met or not checked; {}", levels_help()))
-      ->allow_extra_args(false)
-      ->check(depth_is_a_part);
-  command
-      .add_option("--allow-unchecked", required.allow_unchecked,
-                  "level of --require that passes where these queries or this kernel cannot show it, repeatable")
-      ->allow_extra_args(false);
-}
-
-void check_required(const Required& required, const Plan& plan) {
-  const Json stated = plan_json(plan, CampaignResult(), required);
-  requirements_of(stated);
-  for (const std::string& id : yardsticks_of(stated)) {
-    const bool is_run = std::any_of(plan.kernels.begin(), plan.kernels.end(),
-                                    [&](const Kernel* kernel) { return kernel->id == id; });
-    if (is_run) continue;
-    throw Error(fmt::format("--require no-worse-than={}: {}", id,
-                            plan.replies ? "replies are of one program; only `run` judges two kernels on the same queries"
-                                         : fmt::format("that kernel is not in this run; add --kernel {}", id)));
-  }
 }
 
 void add_output_options(CLI::App& command, OutputOptions& o) {

@@ -47,10 +47,8 @@ struct RunOptions : SourceOptions, OutputOptions {
 CLI::Option* add_source_options(CLI::App& command, SourceOptions& options);
 // Adds the options that a plan file keeps: kernels, queries, precision, tolerances. Also returns --trials.
 CLI::Option* add_plan_options(CLI::App& command, RunOptions& options);
-void add_require_options(CLI::App& command, Required& required);
-// Throws Error where a level does not exist, is not written as it has to be, or may be left unchecked and is not
-// required; and where a kernel that others are measured against is not among the plan's.
-void check_required(const Required& required, const Plan& plan);
+// Whether a kernel could not be loaded: it exists in no precision, whatever is requested.
+bool is_unloadable(const Kernel& kernel);
 void add_thread_option(CLI::App& command, int& threads);
 void add_output_options(CLI::App& command, OutputOptions& options);
 void add_run_options(CLI::App& command, RunOptions& options);

@@ -183,13 +183,13 @@ class Lead {
     fmt::print("{}: {} of the plan's {} units; `axiscert merge` joins the parts\n", path(journal_file),
                gathered_.units(), stretches_.units());
     if (interrupted_) return exit_interrupted;
-    const auto is_loaded = [](const Kernel* kernel) {
-      return kernel->has(Precision::binary32) || kernel->has(Precision::binary64);
-    };
+    int code = exit_done;
     for (const Kernel* kernel : plan_.kernels) {
-      if (!is_loaded(kernel)) fmt::print(stderr, "axiscert: {}: NOT JUDGED: it could not be loaded\n", kernel->id);
+      if (!is_unloadable(*kernel)) continue;
+      fmt::print(stderr, "axiscert: {}: NOT JUDGED: it could not be loaded\n", kernel->id);
+      code = exit_requirement_failed;
     }
-    return std::all_of(plan_.kernels.begin(), plan_.kernels.end(), is_loaded) ? exit_done : exit_requirement_failed;
+    return code;
   }
 
   const PlannedOptions& options_;
@@ -242,8 +242,9 @@ void add_planned_options(CLI::App& command, PlannedOptions& o) {
       command.add_option("--plan", o.plan,
                          "plan file of `axiscert plan` to run, by all ranks where mpirun starts several; finished "
                          "stretches are kept in the folder's journal");
-  for (const char* settled : {"--test", "--kernel", "--family", "--mesh", "--queries", "--corpus", "--seed", "--trials",
-                              "--time", "--precision", "--tolerance", "--require", "--allow-unchecked", "--plant", "--preset"}) {
+  for (const char* settled :
+       {"--test", "--kernel", "--family", "--mesh", "--queries", "--corpus", "--seed", "--trials", "--time",
+        "--precision", "--tolerance", "--require", "--allow-unchecked", "--plant", "--preset"}) {
     plan->excludes(command.get_option(settled));
   }
   command.add_flag("--resume", o.resume, "continue the folder's journal, where there is one")->needs(plan);

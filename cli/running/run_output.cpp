@@ -142,7 +142,8 @@ std::string depths_table(const Json& record) {
       for (const std::uint64_t count : depth_counts(total["verdict"]["depths"][kind])) row.push_back(thousands(count));
     }
     if (!is_wrong) continue;
-    const std::string who = fmt::format("{} {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>());
+    const std::string who =
+        fmt::format("{} {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>());
     for (const std::string& told : {engine_text(total), bias_text(total)}) {
       if (!told.empty()) sentences += fmt::format("{}: {}\n", who, told);
     }
@@ -152,7 +153,7 @@ std::string depths_table(const Json& record) {
 
 // Why kernels are wrong whose links do not say it, with the deepest witness of each class.
 std::string classes_table(const Json& kernels) {
-  const std::vector<std::string> columns = {"why",     "precision",        "input is", "missed contacts",
+  const std::vector<std::string> columns = {"kernel",  "precision",        "input is",       "missed contacts",
                                             "deepest", "phantom contacts", "deepest witness"};
   std::vector<std::vector<std::string>> rows;
   std::string nearest;

@@ -5,7 +5,7 @@
 namespace axiscert {
 namespace {
 
-// What is kept besides the symptom: the class of the input and the definitions of classes that it meets.
+// Adds what is kept besides the symptom: the class of the input and the definitions of classes that it meets.
 void put_classes(Json& kept, const Keep& keep) {
   kept["class"] = kept["classes"] = nullptr;
   if (!keep.classes()) return;
@@ -77,7 +77,7 @@ std::string shrunk_witnesses(const Json& record, const std::string& target, std:
     std::visit(
         [&]<class Real>(const Query<Real>& q) {
           if (witness["flips"].empty()) {  // half of a pair, or kept as an extreme
-            if (const auto pair = asymmetric_pair<Real>(stored.address, kernel, target)) {
+            if (const auto pair = asymmetric_pair(q, stored.address, kernel, target)) {
               const auto found = shrink_pair(*pair, kernel, target, evaluations);
               text += shrunk_pair_json(stored, *pair, found, kernel).dump() + "\n";
             }

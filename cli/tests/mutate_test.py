@@ -53,7 +53,7 @@ class MutateByVerdict(MutateCase):
         self.assertEqual(run.returncode, 1, run.stderr)
         self.refused("run", "--kernel", "nonstrict~clamp:nosuch:0.1", says=["nonstrict~clamp:nosuch:0.1", "clamp-relative"])
         self.refused("mutate", "--magnitude", "0.1", says=["--verdict-only"])
-        self.refused("mutate", "--verdict-only", "--magnitude", "-1", says=["-1", "above 0"])
+        self.refused("mutate", "--verdict-only", "--magnitude", "-1", says=["--magnitude", "'-1' is not a number > 0"])
 
 
 class Mutate(MutateCase):

@@ -1,4 +1,4 @@
-// What a person, or a log, sees of a command that takes long.
+// A command that takes long, as a person or a log sees it.
 #include "cli/progress_line.h"
 
 #include <gtest/gtest.h>
@@ -83,8 +83,10 @@ TEST(ProgressLine, OfACommandThatIsDoneSoonSaysNothing) {
 // A computation that reports nothing for long is seen to be alive.
 TEST(ProgressLine, IsWrittenWithoutAnyReport) {
   Stream stream;
-  ProgressLine line("shrink", at_once_in_a_log, stream.file());
-  stream.wait_for_more(0);
+  {
+    ProgressLine line("shrink", at_once_in_a_log, stream.file());
+    stream.wait_for_more(0);
+  }
   EXPECT_EQ(stream.text().find("axiscert: shrink (0 s)\n"), 0u) << stream.text();
 }
 

@@ -2,25 +2,22 @@
 
 #include <algorithm>
 
-#include "exact/sphere_triangle/measures/depth.h"
 #include "fuzz/campaign/tally.h"
 #include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
 
-template <class Real>
-bool is_near_tie(const Query<Real>& q, DepthOf& depth, bool use_filter) {
-  if (depth.at_most() <= near_tie_depth<Real>) return true;
-  if (use_filter && depth_range(q).low > near_tie_depth<Real>) return false;
-  return depth.exactly() <= near_tie_depth<Real>;
+bool is_at_most(double bound, DepthOf& depth) {
+  if (depth.at_most() <= bound) return true;
+  return depth.at_least() <= bound && depth.exactly() <= bound;
 }
 
 // class_of(input_classes()), without the depth and the shape where they do not decide.
 template <class Real>
 InputClass class_of_wrong(const Query<Real>& q, bool is_touching, DepthOf& depth, bool use_filter) {
   if (is_touching) return InputClass::tie;
-  if (is_near_tie(q, depth, use_filter)) return InputClass::near_tie;
+  if (is_at_most(near_tie_depth<Real>, depth)) return InputClass::near_tie;
   const InputClassSet shape = shape_classes(q, use_filter);
   return shape.empty() ? InputClass::ordinary : class_of(shape);
 }

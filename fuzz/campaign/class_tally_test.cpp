@@ -38,9 +38,9 @@ std::uint64_t wrong(const ClassCount& count) { return count.false_separation + c
 
 // In binary64, where the query that the planted fault sees is the one that is classified.
 TEST(ClassTally, AFaultOnOneClassIsCountedThereAlone) {
-  const std::pair<InputClass, const char*> planted[] = {{tie, "tie"},     {near_tie, "tangent"}, {scale, "scale"},
-                                                        {far, "far"},     {repeated, "repeated"}, {sliver, "sliver"},
-                                                        {collinear, "collinear"}, {ordinary, "general"}};
+  const std::pair<InputClass, const char*> planted[] = {
+      {tie, "tie"},           {near_tie, "tangent"}, {scale, "scale"},         {far, "far"},
+      {repeated, "repeated"}, {sliver, "sliver"},    {collinear, "collinear"}, {ordinary, "general"}};
   for (const auto& [which, family] : planted) {
     const Kernel kernel = wrong_on(which);
     const Plan plan = plan_of(kernel, {family});
@@ -56,7 +56,10 @@ TEST(ClassTally, AFaultOnOneClassIsCountedThereAlone) {
 }
 
 // A kernel that is often wrong, on queries of every class.
-Kernel coarse() { return black_box("coarse", [](auto&&...) {}, "published"); }
+Kernel coarse() {
+  return black_box(
+      "coarse", [](auto&&...) {}, "published");
+}
 
 TEST(ClassTally, AddsUpToTheWrongVerdictsAndKeepsTheDeepest) {
   const Kernel kernel = coarse();
@@ -72,8 +75,8 @@ TEST(ClassTally, AddsUpToTheWrongVerdictsAndKeepsTheDeepest) {
       }
       EXPECT_EQ(sum, tally.verdict.false_separation + tally.verdict.false_contact) << source->name();
       EXPECT_EQ(wrong(tally.classes.classes[tie]), tally.verdict.touching_flips) << source->name();
-      EXPECT_EQ(deepest, std::max(tally.verdict.deepest_false_separation.best(),
-                                  tally.verdict.deepest_false_contact.best()));
+      EXPECT_EQ(deepest,
+                std::max(tally.verdict.deepest_false_separation.best(), tally.verdict.deepest_false_contact.best()));
     }
   }
 }

@@ -18,7 +18,8 @@ constexpr double greatest_engine_coordinate = 0x1p20, least_engine_radius = 0x1p
 template <class Real>
 bool is_engine_coordinate(Real x) {
   const Real size = std::abs(x);
-  return size == 0 || (size >= std::numeric_limits<Real>::min() && size <= static_cast<Real>(greatest_engine_coordinate));
+  return size == 0 ||
+         (size >= std::numeric_limits<Real>::min() && size <= static_cast<Real>(greatest_engine_coordinate));
 }
 template <class Real>
 bool is_engine_radius(Real r) {

@@ -45,9 +45,9 @@ struct DepthTally {
   bool operator==(const DepthTally&) const = default;
 };
 
-// An engine-like query of sphere-triangle: every number is zero or normal, no |coordinate| is above 2^20, and the radius
-// is from 2^-20 to 2^20: from a micrometre to a thousand kilometres where the unit is a metre. A wrong verdict on one is
-// counted where its depth is above 16 u; below, it is the rounding of the query's own numbers that decides.
+// An engine-like query of sphere-triangle: every number is zero or normal, no |coordinate| is above 2^20, and the
+// radius is from 2^-20 to 2^20: from a micrometre to a thousand kilometres where the unit is a metre. A wrong verdict
+// on one is counted where its depth is above 16 u; below, it is the rounding of the query's own numbers that decides.
 template <class Real>
 bool is_engine_like(const Query<Real>& q);
 template <class Real>

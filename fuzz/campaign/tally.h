@@ -65,8 +65,8 @@ struct CriticalRadiusTally {
   // Unsorted, of a source at most 2^16 (has_critical_radius); negative where the kernel says contact too early, at a
   // radius below the exact distance.
   std::vector<double> errors_ulps;
-  std::uint64_t unbounded = 0;      // contact for no radius, finite and within the limits
-  std::uint64_t unanswered = 0;     // not measured: a radius got no answer
+  std::uint64_t unbounded = 0;   // contact for no radius, finite and within the limits
+  std::uint64_t unanswered = 0;  // not measured: a radius got no answer
 };
 
 // One kind of finding: how often, and the first of them.

@@ -22,7 +22,7 @@ double squared_distance_to(const Vec3<double>& u, const Vec3<double>& v) {
   return dot(nearest, nearest);
 }
 
-// Of the base, in plain double: four digits would do. In the order of `quantities`.
+// The quantities of the base, in the order of `quantities`, in plain double: four digits would do.
 template <class Real>
 QuantityValues values_of(const Query<Real>& base) {
   const Query<double> q = widened(base);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/text/json.h"

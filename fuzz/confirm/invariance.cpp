@@ -45,7 +45,8 @@ void keep_flip(UnitFaults& faults, std::uint64_t position, Verdict right, std::s
   for (std::size_t i = 1; i < outwards.size(); ++i) {
     const ScaledAnswer &near = outwards[i - 1], &far = outwards[i];
     if (near.is_right == far.is_right) continue;
-    const int wrong = near.is_right ? far.exponent : near.exponent, other = near.is_right ? near.exponent : far.exponent;
+    const int wrong = near.is_right ? far.exponent : near.exponent,
+              other = near.is_right ? near.exponent : far.exponent;
     std::vector<UnitFlip>& flips = wrong < other ? faults.small : faults.large;
     if (flips.size() < most_unit_flips) flips.push_back({position, right, other, wrong});
     return;
@@ -64,7 +65,8 @@ void count_units(UnitFaults& faults, const AnsweredGroup<Real>& answered) {
     const int exponent = i == 0 ? 0 : image_size(ImageKind::scale, answered, i);
     if (!said || *said == Verdict::undecided) continue;
     answers.push_back({exponent, *said == *right});
-    if (i != 0) faults.wrong.add(exponent, {answered.position, answered.position + i}, base_is_right && *said != *right);
+    if (i != 0)
+      faults.wrong.add(exponent, {answered.position, answered.position + i}, base_is_right && *said != *right);
   }
   std::sort(answers.begin(), answers.end(), [](const auto& x, const auto& y) { return x.exponent < y.exponent; });
   const auto base = std::find_if(answers.begin(), answers.end(), [](const auto& x) { return x.exponent == 0; });

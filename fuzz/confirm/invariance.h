@@ -32,10 +32,10 @@ struct ImageChanges {
   void merge(const ImageChanges& later);
 };
 
-// Images times powers of two within the range of forms of degree 6 (ImageGroup::range), for which every rounding is that
-// of the base: a verdict that changes has been compared with a number of the kernel's own.
+// Images times powers of two within the range of forms of degree 6 (ImageGroup::range), for which every rounding is
+// that of the base: a verdict that changes has been compared with a number of the kernel's own.
 struct UnitFaults {
-  ImageChanges wrong;                 // those of `changed` images that are wrong; the base right and clear
+  ImageChanges wrong;                  // those of `changed` images that are wrong; the base right and clear
   std::vector<UnitFlip> small, large;  // of clear bases: wrong where numbers are small, or large; the first few
 };
 
@@ -54,8 +54,8 @@ struct Invariance {
 template <class Real>
 struct AnsweredGroup {
   const ImageGroup& group;
-  std::uint64_t position;                     // of the base
-  std::span<const Query<Real>> queries;       // the base first
+  std::uint64_t position;                // of the base
+  std::span<const Query<Real>> queries;  // the base first
   std::span<const std::optional<Verdict>> verdicts;
 };
 template <class Real>

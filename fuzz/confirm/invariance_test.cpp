@@ -1,4 +1,5 @@
-// Answers that change with an image: a planted absolute number is found, by kind, power and size; a right kernel is not.
+// Answers that change with an image: a planted absolute number is found, by kind, power and size; a right kernel is
+// not.
 #include "fuzz/confirm/asymmetry.h"
 
 #include <gtest/gtest.h>
@@ -35,8 +36,9 @@ Kernel right() {
 }
 // Spheres of less than this radius touch nothing.
 Kernel without_small(double least) {
-  return right_but(
-      [least](const Columns& q, std::size_t i, Verdict verdict) { return q.column[12][i] < least ? Verdict::separated : verdict; });
+  return right_but([least](const Columns& q, std::size_t i, Verdict verdict) {
+    return q.column[12][i] < least ? Verdict::separated : verdict;
+  });
 }
 
 struct Found {
@@ -85,8 +87,9 @@ TEST(Invariance, AnAbsoluteNumberIsFoundWithItsSizeInEitherDirection) {
       const ImageGroup& group = *image_group(family);
       ASSERT_TRUE(wrong.first);
       EXPECT_EQ(wrong.first->base % group.size, 0u);
-      EXPECT_EQ(group.exponent(Precision::binary64, wrong.first->base / group.size, wrong.first->image - wrong.first->base),
-                wrong.by_size.rbegin()->first);
+      EXPECT_EQ(
+          group.exponent(Precision::binary64, wrong.first->base / group.size, wrong.first->image - wrong.first->base),
+          wrong.by_size.rbegin()->first);
     }
   }
   const Kernel large = right_but([](const Columns& q, std::size_t i, Verdict verdict) {
@@ -117,8 +120,8 @@ TEST(Invariance, IsNotBrokenByAnswersThatAreNone) {
   EXPECT_EQ(undecided.invariance.units.wrong.changed, 0u);
 }
 
-// What the sphere just touches may be called either way by a kernel that rounds: a change there is counted, and is not
-// held against it as wrong.
+// A triangle that the sphere just touches may be called either way by a kernel that rounds: a change there is counted,
+// and is not held against it as wrong.
 TEST(Invariance, CountsAsWrongOnlyWhatIsClear) {
   const Kernel touching = right_but([](const Columns& columns, std::size_t i, Verdict verdict) {
     Numbers<double> numbers(coordinate_count);

@@ -9,7 +9,7 @@
 
 namespace axiscert {
 
-// What a run has to meet, as it was given: levels, and those of them that may be left unchecked.
+// The requirements of a run, as they were given: levels, and those of them that may be left unchecked.
 struct Required {
   std::vector<std::string> levels = {}, allow_unchecked = {};
 };

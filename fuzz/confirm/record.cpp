@@ -166,8 +166,9 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
                {"critical_radius", critical_radius_json(tally.critical_radius)}};
   if (asymmetry) {
     json["asymmetry"] = asymmetry_json(*asymmetry, address);
-    json["invariance"] = invariance_json(asymmetry->invariance, *image_group(source.name()), precision, address,
-                                         [&](const auto& flips) { return absolute_sizes(plan, source, precision, flips); });
+    json["invariance"] =
+        invariance_json(asymmetry->invariance, *image_group(source.name()), precision, address,
+                        [&](const auto& flips) { return absolute_sizes(plan, source, precision, flips); });
   }
   if (has_input_classes(kernel)) json["classes"] = classes_json(tally.classes, address);
   Json &axes = json["axes"], &all = json["comparisons"];

@@ -93,7 +93,9 @@ void WitnessWriter::add_pairs(const Source& source, Precision precision, const A
   const auto note_difference = [&](const std::optional<ImagePair>& pair, const std::string& what) {
     note(
         pair,
-        [&](const std::string& image) { return fmt::format("asymmetry: another {} than of its image {}", what, image); },
+        [&](const std::string& image) {
+          return fmt::format("asymmetry: another {} than of its image {}", what, image);
+        },
         [&](const std::string& base) { return fmt::format("asymmetry: another {} than of its base {}", what, base); });
   };
   note_difference(asymmetry.first_verdict, "verdict");
@@ -129,14 +131,13 @@ WitnessWriter::Examined WitnessWriter::examined(const Kernel& kernel, const Sour
   if (has_input_classes(kernel) && found.judgement.verdict_flip) {
     input_class = class_of(input_classes(q, *found.squared_distance));
     if (why.input_class && input_class != why.input_class) {
-      throw OracleDisagreement(fmt::format("the input was counted as {}, and is {}", input_class_names[*why.input_class],
-                                           input_class_names[*input_class]),
+      throw OracleDisagreement(fmt::format("the input was counted as {}, and is {}",
+                                           input_class_names[*why.input_class], input_class_names[*input_class]),
                                numbers);
     }
   }
-  return {found.truth, found.answer,
-          found.judgement, found.depth,
-          input_class,     sides_json(q, kernel, found, why.largest_errors)};
+  return {found.truth, found.answer, found.judgement,
+          found.depth, input_class,  sides_json(q, kernel, found, why.largest_errors)};
 }
 
 template <class Real>

@@ -34,7 +34,7 @@ struct StoredQuery {
   AnyNumbers numbers;
   std::size_t line = 0;  // in its file, from 1; 0 if it does not come from a file
   const TestDescription* test = &first_test();
-  std::size_t entry = 0;  // of the test: that in which the numbers are given
+  std::size_t entry = 0;     // of the test: that in which the numbers are given
   std::string address = {};  // that a line of JSON states, as a witness does; not written again
 
   const TestEntry& columns() const { return test->entries[entry]; }

@@ -12,9 +12,9 @@
 
 namespace axiscert {
 
-// Whether a wrong verdict on a family counts against a kernel that claims formulae, but not how it rounds: arithmetic is
-// exact there, and in one unit of length, as `--require logic` has it. In others a kernel that computes in a narrower
-// precision may leave its range.
+// Whether a wrong verdict on a family counts against a kernel that claims formulae, but not how it rounds: arithmetic
+// is exact there, and in one unit of length, as `--require logic` has it. In others a kernel that computes in a
+// narrower precision may leave its range.
 inline bool shows_formulae(std::string_view family, bool exact_arithmetic) {
   return exact_arithmetic && image_group(family) == nullptr;
 }

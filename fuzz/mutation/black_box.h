@@ -2,14 +2,18 @@
 // refuses, and why it lets the others pass.
 #pragma once
 
+#include <atomic>
 #include <functional>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "fuzz/mutation/mutation.h"
 #include "fuzz/text/json.h"
 
 namespace axiscert {
 
-// What a gate says of a record: an entry for each way in which a kernel does not meet it. The gates are in a later
+// A gate's answer to a record: an entry for each way in which a kernel does not meet it. The gates are in a later
 // layer, and the only place where a requirement is judged.
 struct GateFailure {
   std::string kernel, precision, family, what;

@@ -66,8 +66,8 @@ std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials
         const Tally& tally = cell.tallies[k];
         control.queries += tally.trials;
         const Source& source = *campaign.sources[cell.source];
-        control.flagged += flagged(tally.verdict, control.claims_bits,
-                                   shows_formulae(source.name(), source.exact_arithmetic()));
+        control.flagged +=
+            flagged(tally.verdict, control.claims_bits, shows_formulae(source.name(), source.exact_arithmetic()));
       }
     }
   }

@@ -32,9 +32,8 @@ TYPED_TEST(InputClassesOfFamilies, AreWhatAFamilyIsMadeToBe) {
   }
   std::uint64_t slivers = 0, far_away = 0, past_the_window = 0;
   const auto count = [](std::uint64_t& n, const char* family, InputClass which) {
-    for_each_query<TypeParam>(family, 400, [&](const Query<TypeParam>& q, std::uint64_t) {
-      n += shape_classes(q).contains(which);
-    });
+    for_each_query<TypeParam>(family, 400,
+                              [&](const Query<TypeParam>& q, std::uint64_t) { n += shape_classes(q).contains(which); });
   };
   count(slivers, "sliver", sliver);
   count(far_away, "far", far);

@@ -155,8 +155,8 @@ TYPED_TEST(FamilyShapes, LatticeNeverRounds) {
 // At the ends of the range as in the middle; and one power further a form of degree 6 could leave it.
 TYPED_TEST(FamilyShapes, UnitsAndSpansStayInTheRangeOfDegreeSixAndReachItsEnds) {
   using Limits = std::numeric_limits<TypeParam>;
-  const std::pair<const char*, std::int64_t> families[] = {{"units", LatticeBounds<TypeParam>::m},
-                                                           {"spans", std::int64_t{1} << (sizeof(TypeParam) == 4 ? 10 : 24)}};
+  const std::pair<const char*, std::int64_t> families[] = {
+      {"units", LatticeBounds<TypeParam>::m}, {"spans", std::int64_t{1} << (sizeof(TypeParam) == 4 ? 10 : 24)}};
   for (const auto& [family, m] : families) {
     const ImageGroup& group = *image_group(family);
     const PowerRange range = group.range(precision_of<TypeParam>);
@@ -183,11 +183,12 @@ TYPED_TEST(FamilyShapes, UnitsAndSpansStayInTheRangeOfDegreeSixAndReachItsEnds) 
 
 TYPED_TEST(FamilyShapes, SpansHaveClearQueriesOnBothSidesOfEachFeature) {
   std::array<std::array<std::size_t, 2>, axis_count> clear{};
-  for_each_query<TypeParam>("spans", 12 * 2 * 9 * axis_count * 8, [&](const Query<TypeParam>& q, std::uint64_t position) {
-    const std::uint64_t base = position / 12;
-    if (position % 12 != 0 || base % 2 == 0 || depth_range(q).low < 0x1p-10) return;
-    ++clear[base / 2 / 9 % axis_count][distance_order(q) > 0];
-  });
+  for_each_query<TypeParam>("spans", 12 * 2 * 9 * axis_count * 8,
+                            [&](const Query<TypeParam>& q, std::uint64_t position) {
+                              const std::uint64_t base = position / 12;
+                              if (position % 12 != 0 || base % 2 == 0 || depth_range(q).low < 0x1p-10) return;
+                              ++clear[base / 2 / 9 % axis_count][distance_order(q) > 0];
+                            });
   for (std::size_t axis = 0; axis < axis_count; ++axis) {
     EXPECT_GE(std::min(clear[axis][0], clear[axis][1]), 5u) << "axis " << axis;
   }

@@ -46,7 +46,7 @@ std::vector<std::vector<Query<Real>>> first_found(const SearchPlan& plan, const 
   run.trials = [&](const Source&, Precision) { return plan.first_queries; };
   run.target = plan.target;
   run.threads = plan.threads;
-  const CampaignResult result = run_campaign(run, interrupted, [](const Progress&) {});
+  const CampaignResult result = run_campaign(run, interrupted, {});
   for (std::size_t i = 0; i < aims.size(); ++i) {
     const Aim& aim = aims[i];
     std::vector<Found<double>> wrong;

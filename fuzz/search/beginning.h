@@ -1,4 +1,4 @@
-// What a short run of a search's kernel found: a search begins from it and reports no less.
+// The finds of a short run of a search's kernel: a search begins from it and reports no less.
 #pragma once
 
 #include <atomic>

@@ -108,10 +108,12 @@ class Search {
     }
   }
 
-  // What the short run found is the best so far, as it was found. Islands start from it in the box of Goal::error, where
-  // it still shows something there.
+  // The finds of the short run are the best so far, as they were found. Islands start from them in the box of
+  // Goal::error, where they still show something there.
   void begin(const std::atomic<bool>& interrupted) {
+    if (islands_ != 0) return;  // it was begun before
     const auto found = first_found<Real>(plan_, aims_, interrupted);
+    if (interrupted) return;  // not all of it: a search that is resumed begins again
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     for (std::size_t i = 0; i < aims_.size(); ++i) {
       for (const Query<Real>& q : found[i]) {
@@ -300,7 +302,7 @@ SearchResult search_in(const SearchPlan& plan, const std::optional<std::string>&
                        const std::atomic<bool>& interrupted, const std::function<void(const SearchProgress&)>& report) {
   Search<Real> search(plan);
   if (state) search.resume(*state);
-  else search.begin(interrupted);
+  search.begin(interrupted);
   return search.run(interrupted, report);
 }
 

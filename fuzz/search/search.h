@@ -23,8 +23,8 @@ struct SearchPlan {
   std::vector<Comparison> comparisons;  // empty: all, and the verdict
   std::vector<SourcePtr> sources;       // families that islands start from
   std::uint64_t seed = 1;
-  // A search that is not resumed begins with a run of so many queries of each of these sources, which are not counted
-  // as evaluations, and reports nothing less severe than that run found; 0: with none.
+  // A search without an island so far begins with a run of so many queries of each of these sources, which are not
+  // counted as evaluations, and reports nothing less severe than that run found; 0: with none.
   std::vector<SourcePtr> first_sources;
   std::uint64_t first_queries = 0;
   // Stops at the first island that reaches this total, including earlier runs, or after this time, counting this run

@@ -133,9 +133,9 @@ TEST(Search, TheOtherPrecisionAndFormsWithRootsAreHuntedToo) {
   EXPECT_GT(find(rooted, {Goal::error, Comparison::vertex_a_radius})->value.value(), 1);
 }
 
-// A kernel that shows verdicts alone and is wrong, but for rounding, on a rare input: two equal vertices and a radius in
-// an interval that a climb does not come by. Without a run before it, a search does not find that; with one it reports
-// no less than the run's deepest.
+// A kernel that shows verdicts alone and is wrong, but for rounding, on a rare input: two equal vertices and a radius
+// in an interval that a climb does not come by. Without a run before it, a search does not find that; with one it
+// reports no less than the run's deepest.
 TEST(Search, BeginsFromWhatAShortRunFoundAndReportsNoLess) {
   const auto rare = [](const Query<double>& q, std::size_t, Verdict& verdict, std::vector<Finding>&) {
     if (q.b.x == q.c.x && q.b.y == q.c.y && q.r > 0.25 && q.r < 0.5) verdict = Verdict::contact;
@@ -176,7 +176,8 @@ TEST(Search, BeginsFromTheLargestErrorsOfARunToo) {
   const Aim aim{Goal::relative_error, Comparison::edge_ab_radius};
   for (const SourcePtr& source : plan.first_sources) {
     for (std::uint64_t n = 0; n < plan.first_queries / 10; ++n) {
-      if (const auto error = confirmer.value(aim, source->make<float>(plan.seed, n))) largest = std::max(largest, *error);
+      if (const auto error = confirmer.value(aim, source->make<float>(plan.seed, n)))
+        largest = std::max(largest, *error);
     }
   }
   EXPECT_GE(find(found_by(plan), aim)->value, largest);

@@ -1,4 +1,5 @@
-// What a smaller query keeps besides its symptom: the class of its input, and a depth that is not another fault's.
+// The properties that a smaller query keeps besides its symptom: the class of its input, and a depth that is not
+// another fault's.
 #pragma once
 
 #include <optional>

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "exact/sphere_triangle/measures/limits.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/queries/address.h"
@@ -60,6 +58,15 @@ Severity severity_of(const Query<Real>& q, const PairSymptom& symptom) {
   return {exact_depth(q, squared), fmt::format("{:.6g} of the scene", depth(q, squared))};
 }
 
+// A query file may state anything as its address.
+std::optional<Address> address_in(const std::string& given) {
+  try {
+    return parse_address(given);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 std::string text(const PairSymptom& symptom) {
@@ -69,20 +76,19 @@ std::string text(const PairSymptom& symptom) {
 
 template <class Real>
 std::optional<Pair<Real>> asymmetric_pair(const std::string& given, const Kernel& kernel, std::string_view target) {
-  // A query file may state anything as its address.
-  if (std::count(given.begin(), given.end(), ':') != 5) return std::nullopt;
-  const Address address = parse_address(given);
-  const ImageGroup* group = image_group(address.name);
-  if (group == nullptr || address.precision != precision_of<Real>) return std::nullopt;
-  const SourcePtr source = family_source(find_family(address.name));
-  if (source->version() != address.version || source->test().id != kernel.test->id) return std::nullopt;
-  const std::uint64_t position = address.position(), base = position - position % group->size;
-  const Query<Real> q = source->template make<Real>(address.seed, position);
+  const std::optional<Address> address = address_in(given);
+  if (!address) return std::nullopt;
+  const ImageGroup* group = image_group(address->name);
+  if (group == nullptr || address->precision != precision_of<Real>) return std::nullopt;
+  const SourcePtr source = family_source(find_family(address->name));
+  if (source->version() != address->version || source->test().id != kernel.test->id) return std::nullopt;
+  const std::uint64_t position = address->position(), base = position - position % group->size;
+  const Query<Real> q = source->template make<Real>(address->seed, position);
   PairDiagnosis<Real> diagnosis(kernel, target);
   for (std::uint64_t other = base; other < base + group->size; ++other) {
     if (other == position) continue;
     if (position != base && other != base) break;
-    const Query<Real> image_of_it = source->template make<Real>(address.seed, other);
+    const Query<Real> image_of_it = source->template make<Real>(address->seed, other);
     if (!is_valid(q) || !is_valid(image_of_it)) continue;
     const auto map = map_between(q, image_of_it);
     if (!map) continue;
@@ -92,6 +98,18 @@ std::optional<Pair<Real>> asymmetric_pair(const std::string& given, const Kernel
 }
 template std::optional<Pair<float>> asymmetric_pair(const std::string&, const Kernel&, std::string_view);
 template std::optional<Pair<double>> asymmetric_pair(const std::string&, const Kernel&, std::string_view);
+
+template <class Real>
+std::optional<Pair<Real>> asymmetric_pair(const Query<Real>& q, const std::string& stated, const Kernel& kernel,
+                                          std::string_view target) {
+  auto pair = asymmetric_pair<Real>(stated, kernel, target);
+  if (pair && coordinates(pair->query) != coordinates(q)) return std::nullopt;
+  return pair;
+}
+template std::optional<Pair<float>> asymmetric_pair(const Query<float>&, const std::string&, const Kernel&,
+                                                    std::string_view);
+template std::optional<Pair<double>> asymmetric_pair(const Query<double>&, const std::string&, const Kernel&,
+                                                     std::string_view);
 
 template <class Real>
 ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::string_view target, std::uint64_t limit,
@@ -105,8 +123,8 @@ ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::
     return severity_of(q, *symptom);
   };
   if (!severity(pair.query)) {
-    throw Error(fmt::format("{} does not answer the query and its image differently: {}", kernel.id,
-                            text(pair.symptom)));
+    throw Error(
+        fmt::format("{} does not answer the query and its image differently: {}", kernel.id, text(pair.symptom)));
   }
   ShrunkPair<Real> found{shrink<Real>(pair.query, SeverityOn<Real>(severity), keeping, limit, evaluated), {}};
   found.image = *image_by(pair.map, found.query.query);
@@ -115,6 +133,6 @@ ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::
 template ShrunkPair<float> shrink_pair(const Pair<float>&, const Kernel&, std::string_view, std::uint64_t, Keeping,
                                        const Evaluated&);
 template ShrunkPair<double> shrink_pair(const Pair<double>&, const Kernel&, std::string_view, std::uint64_t, Keeping,
-                                       const Evaluated&);
+                                        const Evaluated&);
 
 }  // namespace axiscert

@@ -1,14 +1,16 @@
 // A query and an image of it that a kernel answers differently, and a smaller pair of which the same is true.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "fuzz/shrink/image_map.h"
 #include "fuzz/shrink/shrink.h"
 
 namespace axiscert {
 
-// What differs: the verdict or, if both verdicts are the same, a comparison by the name that it has in the query.
+// The difference: the verdict or, if both verdicts are the same, a comparison by the name that it has in the query.
 struct PairSymptom {
   Verdict of_query, of_image;
   std::optional<Comparison> which;
@@ -28,6 +30,11 @@ struct Pair {
 // such image, or one of the two is not valid or outside the kernel's limits.
 template <class Real>
 std::optional<Pair<Real>> asymmetric_pair(const std::string& address, const Kernel& kernel, std::string_view target);
+
+// The same for a query that states its address in a file; empty too if its numbers are not those of the address.
+template <class Real>
+std::optional<Pair<Real>> asymmetric_pair(const Query<Real>& q, const std::string& stated, const Kernel& kernel,
+                                          std::string_view target);
 
 template <class Real>
 struct ShrunkPair {

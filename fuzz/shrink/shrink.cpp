@@ -89,7 +89,8 @@ Shrunk<Real> shrink(const Query<Real>& q, const SeverityOn<Real>& severity, Keep
   return Walk<Real>(q, severity, keeping, limit, evaluated).run();
 }
 template Shrunk<float> shrink(const Query<float>&, const SeverityOn<float>&, Keeping, std::uint64_t, const Evaluated&);
-template Shrunk<double> shrink(const Query<double>&, const SeverityOn<double>&, Keeping, std::uint64_t, const Evaluated&);
+template Shrunk<double> shrink(const Query<double>&, const SeverityOn<double>&, Keeping, std::uint64_t,
+                               const Evaluated&);
 
 template <class Real>
 Shrunk<Real> shrink(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,

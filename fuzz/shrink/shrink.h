@@ -13,7 +13,7 @@ template <class Real>
 struct Shrunk {
   Query<Real> query;
   Severity before, after;
-  Keep kept;  // besides the symptom
+  Keep kept;                      // besides the symptom
   std::vector<QuerySize> sizes;   // size of the given query, then after each accepted step: strictly decreasing
   std::uint64_t evaluations = 0;  // smaller queries that the kernel was asked about
   bool complete = true;           // no step makes it smaller; otherwise the limit was reached
@@ -40,7 +40,6 @@ Shrunk<Real> shrink(const Query<Real>& q, const SeverityOn<Real>& severity, Keep
 // The same for a symptom of a kernel. Throws Error if the given query does not show it.
 template <class Real>
 Shrunk<Real> shrink(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
-                    std::uint64_t limit, Keeping keeping = Keeping::symptom_and_class,
-                    const Evaluated& evaluated = {});
+                    std::uint64_t limit, Keeping keeping = Keeping::symptom_and_class, const Evaluated& evaluated = {});
 
 }  // namespace axiscert

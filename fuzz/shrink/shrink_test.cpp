@@ -178,7 +178,8 @@ Kernel two_faults() {
       [](const Query<double>& q, std::size_t, Verdict& verdict, std::vector<Finding>&) {
         if (!is_valid(q)) return;
         const InputClassSet meets = input_classes(q, squared_distance(q));
-        if (meets.contains(InputClass::repeated) || class_of(meets) == InputClass::near_tie) verdict = Verdict::separated;
+        if (meets.contains(InputClass::repeated) || class_of(meets) == InputClass::near_tie)
+          verdict = Verdict::separated;
       },
       "certified");
 }
@@ -238,6 +239,8 @@ TEST(ShrinkPairs, TheAnswersToTheSmallerQueryAndItsImageStillDiffer) {
     const auto pair = asymmetric_pair<float>(address, kernel, scalar_target);
     if (!pair) continue;
     ++pairs;
+    EXPECT_TRUE(asymmetric_pair(pair->query, address, kernel, scalar_target));
+    EXPECT_FALSE(asymmetric_pair(pair->image, address, kernel, scalar_target)) << "its numbers are not the address's";
     right_alone += Diagnosis<float>(kernel, scalar_target).flips(pair->query).empty();
     EXPECT_NE(pair->symptom.of_query, pair->symptom.of_image);
     const auto found = shrink_pair(*pair, kernel, scalar_target, 3000);
@@ -252,6 +255,7 @@ TEST(ShrinkPairs, TheAnswersToTheSmallerQueryAndItsImageStillDiffer) {
   EXPECT_GT(right_alone, 0);
   EXPECT_FALSE(asymmetric_pair<float>("1:general:2:binary32:0:1", kernel, scalar_target));
   EXPECT_FALSE(asymmetric_pair<float>("at home", kernel, scalar_target));
+  EXPECT_FALSE(asymmetric_pair<float>("1:scaled:1:half:0:1", kernel, scalar_target));
 }
 
 TEST(Shrink, AQueryWithoutTheSymptomIsAnError) {

@@ -1,5 +1,7 @@
 #include "reports/comparison/cells.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -97,6 +99,11 @@ std::vector<Cell> cells_of(const Json& record) {
 }
 
 std::string fingerprint(const Json& key) { return short_sha256(key.dump()); }
+
+std::string cell_text(const Json& key) {
+  const auto part = [&](std::size_t i) { return key[i].get<std::string>(); };
+  return fmt::format("{} {} on {}: {}", part(0), part(1), part(2), part(3));
+}
 
 std::vector<const Json*> witnesses_of(const Json& record, const Cell& cell) {
   std::vector<const Json*> found;

@@ -44,6 +44,8 @@ std::vector<Cell> cells_of(const Json& record);
 
 // The first 16 hex digits of the SHA-256 of a cell's key: the same in every run that has the cell, whatever its figure.
 std::string fingerprint(const Json& key);
+// "published binary32 on tangent: verdict.false_separation": the cell with this key.
+std::string cell_text(const Json& key);
 
 // The witnesses of the record that show the cell.
 std::vector<const Json*> witnesses_of(const Json& record, const Cell& cell);

@@ -24,7 +24,8 @@ std::string depths_section(const Json& record) {
   Section section("Depth of wrong verdicts");
   section.line(
       "Wrong verdicts by depth, each column from its depth to that of the next one; zero is a sphere that touches. An "
-      "engine-like query has numbers that are zero or normal, coordinates to 2^20 and a radius from 2^-20 to 2^20; a wrong "
+      "engine-like query has numbers that are zero or normal, coordinates to 2^20 and a radius from 2^-20 to 2^20; a "
+      "wrong "
       "verdict counts there where its depth is above 16 u.\n");
   std::vector<std::string> columns = {"kernel", "precision", "family", "wrong"};
   columns.insert(columns.end(), depth_columns().begin(), depth_columns().end());

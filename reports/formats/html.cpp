@@ -219,9 +219,9 @@ Json page_data(const Run& run) {
 // In an order in which each may use those before it.
 std::string scripts() {
   using namespace embedded;
-  const std::string_view all[] = {chart_min_js, chart_js,     table_js,   answer_js,   classes_js, heat_js,
-                                  bounds_js,    origins_js,   maps_js,    margins_js,  scene_js,
-                                  snippets_js,  witnesses_js, results_js, appendix_js, report_js};
+  const std::string_view all[] = {chart_min_js, chart_js,   table_js,    answer_js,  classes_js, heat_js,
+                                  bounds_js,    origins_js, maps_js,     margins_js, scene_js,   snippets_js,
+                                  witnesses_js, results_js, appendix_js, report_js};
   return fmt::format("{}", fmt::join(all, "\n"));
 }
 

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 
-#include "reports/wording/classes.h"
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
+#include "reports/formats/classes_section.h"
 #include "reports/formats/depths_section.h"
 #include "reports/formats/requirements_section.h"
+#include "reports/formats/signs_section.h"
 #include "reports/wording/markdown_text.h"
 #include "reports/wording/reproduce.h"
 #include "reports/gates/requirement.h"
@@ -19,7 +20,6 @@ namespace {
 
 constexpr std::size_t table_witnesses = 10;
 
-std::string count(const Json& value) { return value.is_null() ? "not checked" : thousands(value.get<std::uint64_t>()); }
 std::string depth(const Json& value) { return amount(value.get<double>(), 4); }
 std::string optional_amount(const Json& value) { return value.is_null() ? "none" : amount(value.get<double>(), 4); }
 std::uint64_t number(const Json& value) { return value.get<std::uint64_t>(); }
@@ -28,14 +28,15 @@ std::uint64_t number(const Json& value) { return value.get<std::uint64_t>(); }
 std::string links(const Json& counts) {
   std::vector<std::string> broken;
   for (const auto& [link, n] : counts.items()) {
-    if (n != 0) broken.push_back(fmt::format("{} {}", link, count(n)));
+    if (n != 0) broken.push_back(fmt::format("{} {}", link, count_text(n)));
   }
   return broken.empty() ? "none" : fmt::format("{}", fmt::join(broken, ", "));
 }
 
 class MarkdownReport {
  public:
-  explicit MarkdownReport(const Run& run) : run_(run), record_(run.record), plan_(run.record["plan"]), outcomes_(outcomes_of(run.record)) {
+  explicit MarkdownReport(const Run& run)
+      : run_(run), record_(run.record), plan_(run.record["plan"]), outcomes_(outcomes_of(run.record)) {
     for (const Json& kernel : record_["kernels"]) totals_.push_back(all_families(kernel));
   }
 
@@ -44,9 +45,10 @@ class MarkdownReport {
     if (!record_["complete"].get<bool>()) {
       text += "\n> **INCOMPLETE**: the run was interrupted. The figures below cover only the queries that were run.\n";
     }
-    return text + ratchet() + findings() + requirements_section(record_, outcomes_) + summary() + classes() +
-           depths_section(record_) + families() + outside() + asymmetries() + signs("axes", "axis") +
-           signs("comparisons", "comparison") + broken_links() + witnesses() + critical_radius() + reproduce();
+    return text + ratchet() + findings() + requirements_section(record_, outcomes_) + summary() +
+           classes_section(record_) + depths_section(record_) + families() + outside() + asymmetries() +
+           signs_section(record_, totals_, "axes") + signs_section(record_, totals_, "comparisons") + broken_links() +
+           witnesses() + critical_radius() + reproduce();
   }
 
  private:
@@ -102,11 +104,12 @@ class MarkdownReport {
         cells.insert(cells.end(), {"not checked: no family ran", "0", "", "", "", "", "", "", ""});
       } else {
         const Json& verdict = total["verdict"];
-        cells.insert(cells.end(),
-                     {links(verdict["links"]), count(total["trials"]),
-                      with_rate(number(verdict["false_separation"]), total), depth(verdict["deepest_false_separation"]),
-                      with_rate(number(verdict["false_contact"]), total), depth(verdict["deepest_false_contact"]),
-                      count(verdict["undecided"]), count(verdict["invalid"]), count(verdict["unanswered"])});
+        cells.insert(
+            cells.end(),
+            {links(verdict["links"]), count_text(total["trials"]),
+             with_rate(number(verdict["false_separation"]), total), depth(verdict["deepest_false_separation"]),
+             with_rate(number(verdict["false_contact"]), total), depth(verdict["deepest_false_contact"]),
+             count_text(verdict["undecided"]), count_text(verdict["invalid"]), count_text(verdict["unanswered"])});
       }
       section.row(cells);
     }
@@ -140,40 +143,16 @@ class MarkdownReport {
     for_each_family([&](std::vector<std::string> cells, const Json& result) {
       const Json &truth = result["truth"], &verdict = result["verdict"];
       if (result["exact_arithmetic"].get<bool>()) cells.back() += " (exact arithmetic)";
-      cells.insert(cells.end(),
-                   {links(verdict["links"]), count(result["trials"]), count(truth["separated"]),
-                    count(truth["contact"]), count(truth["touching"]), count(truth["invalid"]),
-                    with_rate(number(verdict["false_separation"]), result), depth(verdict["deepest_false_separation"]),
-                    with_rate(number(verdict["false_contact"]), result), depth(verdict["deepest_false_contact"]),
-                    count(verdict["touching_flips"]), count(verdict["undecided"]), count(verdict["unanswered"])});
+      cells.insert(
+          cells.end(),
+          {links(verdict["links"]), count_text(result["trials"]), count_text(truth["separated"]),
+           count_text(truth["contact"]), count_text(truth["touching"]), count_text(truth["invalid"]),
+           with_rate(number(verdict["false_separation"]), result), depth(verdict["deepest_false_separation"]),
+           with_rate(number(verdict["false_contact"]), result), depth(verdict["deepest_false_contact"]),
+           count_text(verdict["touching_flips"]), count_text(verdict["undecided"]), count_text(verdict["unanswered"])});
       section.row(cells);
     });
     return section.text();
-  }
-
-  std::string classes() const {
-    Section section("Why, by the class of the input");
-    section.line(
-        "Kernels whose links do not say why they are wrong: each wrong verdict is in the first of these classes whose "
-        "definition its input meets.\n");
-    bool any = false;
-    section.head({"kernel", "precision", "class", "what it says", "deepest witness", "missed contacts",
-                  "phantom contacts", "deepest"},
-                 5);
-    for (const Json& kernel : record_["kernels"]) {
-      for (const ClassRow& row : class_rows(kernel)) {
-        any = true;
-        section.row({plain(kernel["id"]), kernel["precision"], std::string(input_class_names[row.which]),
-                     std::string(class_meanings[row.which]), plain(row.witness), thousands(row.missed),
-                     thousands(row.phantom), amount(row.deepest, 4)});
-      }
-    }
-    for (const Json& kernel : record_["kernels"]) {
-      const std::string nearest = nearest_sentence(kernel);
-      if (nearest.empty()) continue;
-      section.line(fmt::format("\n{} {}: {}.", plain(kernel["id"]), kernel["precision"].get<std::string>(), nearest));
-    }
-    return any ? section.text() : "";
   }
 
   std::string outside() const {
@@ -188,8 +167,9 @@ class MarkdownReport {
       const Json& apart = result["verdict"]["outside_limits"];
       if (apart.is_null()) return;
       any = true;
-      cells.insert(cells.end(), {count(apart["trials"]), count(apart["false_separation"]),
-                                 count(apart["false_contact"]), depth(apart["deepest"]), count(apart["unanswered"])});
+      cells.insert(cells.end(),
+                   {count_text(apart["trials"]), count_text(apart["false_separation"]),
+                    count_text(apart["false_contact"]), depth(apart["deepest"]), count_text(apart["unanswered"])});
       section.row(cells);
     });
     return any ? section.text() : "";
@@ -208,49 +188,11 @@ class MarkdownReport {
       if (!result.contains("asymmetry")) return;
       any = true;
       const Json &found = result["asymmetry"], &first = found["first_verdict"];
-      cells.insert(cells.end(), {first.is_null() ? "none" : plain(first["image"]), count(found["images"]),
-                                 count(found["verdicts"]), count(found["comparisons"])});
+      cells.insert(cells.end(), {first.is_null() ? "none" : plain(first["image"]), count_text(found["images"]),
+                                 count_text(found["verdicts"]), count_text(found["comparisons"])});
       section.row(cells);
     });
     return any ? section.text() : "";
-  }
-
-  // The axes or the comparisons over all families, those with a flip first.
-  std::string signs(const std::string& level, const std::string& one) const {
-    Section section(level == "axes" ? "Axes, over all families" : "Comparisons, over all families");
-    std::vector<std::string> columns = {"kernel",           "precision",          one,
-                                        "false_separation", "missed_separation",  "decisive",
-                                        "masked",           "tolerance failures", "max_error_u"};
-    if (level == "axes") columns.push_back("sole_separator");
-    else columns.insert(columns.end(), {"ties", "range_events", "error_without_scale"});
-    section.head(columns, 3);
-    std::vector<std::vector<std::string>> with_flips, without;
-    for (std::size_t k = 0; k < totals_.size(); ++k) {
-      const Json& kernel = record_["kernels"][k];
-      if (totals_[k].empty()) continue;
-      if (totals_[k][level].is_null()) {
-        std::vector<std::string> cells = {plain(kernel["id"]), kernel["precision"], "not exposed"};
-        cells.resize(columns.size());
-        without.push_back(cells);
-        continue;
-      }
-      for (const auto& [name, tally] : totals_[k][level].items()) {
-        std::vector<std::string> cells = {plain(kernel["id"]), kernel["precision"], name};
-        for (const char* member :
-             {"false_separation", "missed_separation", "decisive", "masked", "tolerance_failures"}) {
-          cells.push_back(count(tally[member]));
-        }
-        cells.push_back(error_amount(tally["max_error_u"]));
-        for (std::size_t i = cells.size(); i < columns.size(); ++i) cells.push_back(count(tally[columns[i]]));
-        const bool has_flips = tally["false_separation"] != 0 || tally["missed_separation"] != 0;
-        (has_flips ? with_flips : without).push_back(cells);
-      }
-    }
-    for (const auto* rows : {&with_flips, &without}) {
-      for (const auto& cells : *rows) section.row(cells);
-    }
-    section.line("\nmax_error_u is also the smallest tolerance that passes.");
-    return section.text();
   }
 
   // The links that have a first query.
@@ -306,9 +248,9 @@ class MarkdownReport {
         "for no finite radius.\n");
     section.head({"kernel", "precision", "family", "sampled", "median", "largest", "unbounded", "no answer"}, 3);
     const auto row = [&](std::vector<std::string> cells, const Json& radius) {
-      cells.insert(cells.end(),
-                   {count(radius["sampled"]), optional_amount(radius["median_ulps"]),
-                    optional_amount(radius["largest_ulps"]), count(radius["unbounded"]), count(radius["unanswered"])});
+      cells.insert(cells.end(), {count_text(radius["sampled"]), optional_amount(radius["median_ulps"]),
+                                 optional_amount(radius["largest_ulps"]), count_text(radius["unbounded"]),
+                                 count_text(radius["unanswered"])});
       section.row(cells);
     };
     for (const Json& kernel : record_["kernels"]) {

@@ -37,7 +37,8 @@ Json record_with(std::vector<const Kernel*> kernels, const std::vector<std::stri
   plan.plugins = {{.name = "mine.so", .kind = "plugin", .sha256 = std::string(64, 'a')},
                   {.name = "gone.so", .kind = "plugin"}};
   const std::atomic<bool> never = false;
-  const Json record = record_of(plan, run_campaign(plan, never, [](const Progress&) {}), require.empty() ? Required{} : Required{{require}, {}});
+  const Json record = record_of(plan, run_campaign(plan, never, [](const Progress&) {}),
+                                require.empty() ? Required{} : Required{{require}, {}});
   check_record(record, "record.json");
   return record;
 }
@@ -148,8 +149,9 @@ TEST(PluginRecord, SaysToWhichSideAKernelErrs) {
     EXPECT_EQ(radius[is_late ? "late" : "early"], radius["sampled"]);
     EXPECT_EQ(radius[is_late ? "early" : "late"], 0);
     EXPECT_EQ(radius["signed_median_ulps"].get<double>() > 0, is_late);
-    EXPECT_THAT(bias_text(family), HasSubstr(is_late ? "missed contacts alone; critical radius early on 0, late on 8"
-                                                     : "phantom contacts alone; critical radius early on 8, late on 0"));
+    EXPECT_THAT(bias_text(family),
+                HasSubstr(is_late ? "missed contacts alone; critical radius early on 0, late on 8"
+                                  : "phantom contacts alone; critical radius early on 8, late on 0"));
     EXPECT_THAT(engine_text(family), HasSubstr(" on 2,048 engine-like queries"));
     EXPECT_GT(family["verdict"]["engine_like"][is_late ? "false_separation" : "false_contact"], 0);
   }

@@ -319,7 +319,7 @@ TEST(Sarif, AKernelsSourceIsTheLocationAndTheWitnessIsRelated) {
   EXPECT_EQ(place(result["locations"][0])["artifactLocation"]["uri"], "src/my%20kernel%231.c");
   EXPECT_EQ(place(result["locations"][0])["region"]["startLine"], 12);
   EXPECT_EQ(place(result["relatedLocations"][0])["artifactLocation"]["uri"], "witnesses.jsonl");
-  // Of the other kernel nothing is known.
+  // Nothing is known of the other kernel.
   const Json& other = results.at("<script>/binary32/tangent/verdict.false_separation");
   EXPECT_EQ(place(other["locations"][0])["artifactLocation"]["uri"], "witnesses.jsonl");
   EXPECT_FALSE(other.contains("relatedLocations"));

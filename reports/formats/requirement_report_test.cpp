@@ -1,4 +1,4 @@
-// What was required, and how deep verdicts are wrong, in every format.
+// Requirements, and how deep verdicts are wrong, in every format.
 #include "reports/testing/test_run.h"
 
 namespace axiscert {

@@ -81,7 +81,8 @@ class Log {
   Json json() const {
     Json driver = {{"name", "axiscert"}, {"version", record_["plan"]["axiscert"]}, {"rules", Json::array()}};
     for (const Rule& rule : rules) driver["rules"].push_back(rule_json(rule));
-    for (const Rule* rule : {&finding_rule, &ratchet_rule, &unchecked_rule}) driver["rules"].push_back(rule_json(*rule));
+    for (const Rule* rule : {&finding_rule, &ratchet_rule, &unchecked_rule})
+      driver["rules"].push_back(rule_json(*rule));
     Json results = Json::array();
     for (const Cell& cell : cells_) {
       const Rule* rule = rule_of(cell);
@@ -191,7 +192,8 @@ class Log {
                  {"partialFingerprints", {{"axiscertRequirement/v1", fingerprint(key)}}}};
     put_places(json, outcome.kernel, key, nullptr);
     put_suppressions(json, nullptr);
-    if (outcome.is_allowed) json["suppressions"].push_back({{"kind", "external"}, {"justification", "--allow-unchecked"}});
+    if (outcome.is_allowed)
+      json["suppressions"].push_back({{"kind", "external"}, {"justification", "--allow-unchecked"}});
     return json;
   }
 

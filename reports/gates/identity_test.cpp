@@ -63,7 +63,7 @@ Json without_names(Json record) {
   return record;
 }
 
-std::vector<std::string> texts(const std::vector<RatchetFailure>& failures) {
+std::vector<std::string> failure_texts(const std::vector<RatchetFailure>& failures) {
   std::vector<std::string> all;
   for (const RatchetFailure& failure : failures) all.push_back(failure.text);
   return all;
@@ -128,7 +128,7 @@ TEST(Identity, AnotherNameAtTheSamePathIsAnotherKernel) {
   EXPECT_THAT(found.unchecked,
               ElementsAre("plugin:k.so: is only in OLD; in NEW it declares another name, 'yours' and not 'mine'"));
   EXPECT_THAT(answer(found), HasSubstr("no change; NOT COMPARED: plugin:k.so: is only in OLD"));
-  EXPECT_THAT(texts(hold_against(ratchet_of(before), after, "2026-06-15").failures),
+  EXPECT_THAT(failure_texts(hold_against(ratchet_of(before), after, "2026-06-15").failures),
               Contains(HasSubstr("NOT CHECKED: this run did not judge plugin/mine binary32")));
 }
 

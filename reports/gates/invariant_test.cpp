@@ -26,8 +26,7 @@ Json scale(std::uint64_t changed, std::uint64_t wrong) {
   if (wrong) {
     json["wrong"]["where_small"] = {
         {"bases", 5},
-        {"compared",
-         {{{"quantity", "r"}, {"degree", 1}, {"least", 0.008}, {"greatest", 0.0125}, {"explains", 5}}}}};
+        {"compared", {{{"quantity", "r"}, {"degree", 1}, {"least", 0.008}, {"greatest", 0.0125}, {"explains", 5}}}}};
   }
   return json;
 }
@@ -51,10 +50,11 @@ TEST(Invariant, LogicOfAKernelOfVerdictsRefusesWhatIsClearlyWrongInAnotherUnitOf
   const auto failures = unmet(with_scale(scale(3, 2)), "logic");
   ASSERT_EQ(failures.size(), 1u);
   EXPECT_EQ(failures[0].count, 2u);
-  EXPECT_EQ(failures[0].what,
-            "wrong verdicts in another unit of length, times powers of two from 2^-9 down, of clear queries that it has "
-            "right; wrong where numbers are small: an absolute number near 0.01 (squared 0.0001), compared with r?; first "
-            "on u:3 beside u:1");
+  EXPECT_EQ(
+      failures[0].what,
+      "wrong verdicts in another unit of length, times powers of two from 2^-9 down, of clear queries that it has "
+      "right; wrong where numbers are small: an absolute number near 0.01 (squared 0.0001), compared with r?; first "
+      "on u:3 beside u:1");
 }
 
 TEST(Invariant, LogicRefusesAChangeThatIsNotClearToo) {
@@ -70,7 +70,8 @@ TEST(Invariant, LogicHoldsAKernelOfVerdictsToImagesAlone) {
   const auto outcomes = outcomes_at(with_scale(scale(0, 0)), "logic");
   ASSERT_EQ(outcomes.size(), 1u);
   EXPECT_EQ(outcomes[0].state, LevelState::met);
-  EXPECT_THAT(outcomes[0].covers, HasSubstr("1,000 queries of units, each the same as another in another unit of length"));
+  EXPECT_THAT(outcomes[0].covers,
+              HasSubstr("1,000 queries of units, each the same as another in another unit of length"));
   EXPECT_THAT(outcomes[0].leaves_out, Not(HasSubstr("other units of length")));
 }
 
@@ -90,7 +91,8 @@ TEST(Invariant, LogicSaysWhereNoOtherUnitOfLengthWasAsked) {
 }
 
 TEST(Invariant, KindsAreAskedByName) {
-  const Json record = black_box("spans", false, {{"scale", scale(0, 0)}, {"translation", changes(4, {{"5", 1}, {"21", 3}})}});
+  const Json record =
+      black_box("spans", false, {{"scale", scale(0, 0)}, {"translation", changes(4, {{"5", 1}, {"21", 3}})}});
   EXPECT_TRUE(unmet(record, "logic").empty());
   EXPECT_TRUE(unmet(record, "invariant=scale").empty());
   const auto failures = unmet(record, "invariant=translation");

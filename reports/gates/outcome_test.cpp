@@ -1,4 +1,5 @@
-// A level is met, not met, or not checked; what is not checked does not pass. Each record is the stored one with a plant.
+// A level is met, not met, or not checked; what is not checked does not pass. Each record is the stored one with a
+// plant.
 #include "reports/gates/requirement.h"
 
 #include <set>

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "kernel/base/error.h"
@@ -18,11 +19,6 @@ namespace axiscert {
 namespace {
 
 bool is_held(const Cell& cell) { return !cell.is_zero() && cell.member != "max_error_u"; }
-
-std::string name_of(const Json& key) {
-  const auto part = [&](std::size_t i) { return key[i].get<std::string>(); };
-  return fmt::format("{} {} on {}: {}", part(0), part(1), part(2), part(3));
-}
 
 // The order of failures, the worst first: what was not checked at all, faults other than wrong answers, missed contacts
 // and missing answers, phantom contacts, then what no verdict shows.
@@ -52,7 +48,8 @@ class Holder {
       ids_[id] = id;
       if (Json digest = digest_of(record, id); !digest.is_null()) digests_[identity] = std::move(digest);
     }
-    for (const Json& kernel : record["kernels"]) judged_.emplace(kernel["id"].get<std::string>(), kernel["precision"].get<std::string>());
+    for (const Json& kernel : record["kernels"])
+      judged_.emplace(kernel["id"].get<std::string>(), kernel["precision"].get<std::string>());
   }
 
   RatchetOutcome run() {
@@ -63,8 +60,8 @@ class Holder {
       if (met_.contains(fingerprint)) continue;
       check_expiry(entry);
       if (is_judged(entry)) {
-        outcome_.better.push_back(fmt::format("{}: 0, accepted is {} ({}:{})", name_of(entry.key), entry.figure.dump(),
-                                              ratchet_.name, entry.line));
+        outcome_.better.push_back(fmt::format("{}: 0, accepted is {} ({}:{})", cell_text(entry.key),
+                                              entry.figure.dump(), ratchet_.name, entry.line));
       } else {
         not_checked_[{entry.key[0], entry.key[1]}].push_back(&entry);
         accept(entry.key, entry.figure, entry.waiver);
@@ -105,7 +102,7 @@ class Holder {
     const RatchetEntry* const entry = entry_of(cell);
     const Json key = cell.key(), accepted = entry == nullptr ? Json(0) : entry->figure;
     const std::string where = entry == nullptr ? "" : fmt::format(" ({}:{})", ratchet_.name, entry->line);
-    const std::string text = fmt::format("{}: {}, accepted is {}{}", name_of(cell.key_of(cell.kernel)),
+    const std::string text = fmt::format("{}: {}, accepted is {}{}", cell_text(cell.key_of(cell.kernel)),
                                          cell.figure.dump(), accepted.dump(), where);
     if (is_less(accepted, cell.figure)) {
       const double excess = entry == nullptr || accepted == 0 ? cell.figure.get<double>()
@@ -143,16 +140,20 @@ class Holder {
     return entry.key[1] == "" || judged_.contains({id->second, entry.key[1].get<std::string>()});
   }
 
+  // "published binary32"; a finding made in loading has no precision.
+  static std::string judged_name(const Json& key) {
+    const std::string kernel = key[0], precision = key[1];
+    return precision.empty() ? kernel : kernel + " " + precision;
+  }
   // "published binary32 on tangent: verdict.false_separation", or "312 figures of published binary32", and where.
   std::string named(const Group& group) const {
     const Json& key = group.front()->key;
     std::size_t line = group.front()->line;
     for (const RatchetEntry* entry : group) line = std::min(line, entry->line);
-    return fmt::format("{} ({}:{}{})",
-                       group.size() == 1 ? name_of(key)
-                                         : fmt::format("{} figures of {} {}", thousands(group.size()),
-                                                       key[0].get<std::string>(), key[1].get<std::string>()),
-                       ratchet_.name, line, group.size() == 1 ? "" : " and below");
+    return fmt::format(
+        "{} ({}:{}{})",
+        group.size() == 1 ? cell_text(key) : fmt::format("{} figures of {}", thousands(group.size()), judged_name(key)),
+        ratchet_.name, line, group.size() == 1 ? "" : " and below");
   }
   void fail(const Group& group, const std::string& text, int severity) {
     const Json& key = group.front()->key;
@@ -169,8 +170,8 @@ class Holder {
       known.push_back(identity == id ? id : fmt::format("{} as {}", id, identity));
     for (const auto& [key, group] : not_checked_) {
       fail(group,
-           fmt::format("NOT CHECKED: this run did not judge {} {}, of which it has: {}; the kernels of this run: {}",
-                       key[0], key[1], named(group), fmt::join(known, ", ")),
+           fmt::format("NOT CHECKED: this run did not judge {}, of which it has: {}; the kernels of this run: {}",
+                       judged_name(group.front()->key), named(group), fmt::join(known, ", ")),
            not_checked_severity);
     }
     for (const auto& [key, group] : expired_) {

@@ -2,8 +2,10 @@
 // `ratchet_text.h` states the format of the file.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fuzz/text/json.h"

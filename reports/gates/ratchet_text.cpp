@@ -19,7 +19,7 @@
 namespace axiscert {
 namespace {
 
-constexpr std::string_view first_schema = "axiscert-ratchet/1", schema = "axiscert-ratchet/2";
+constexpr std::string_view first_ratchet_schema = "axiscert-ratchet/1", ratchet_schema = "axiscert-ratchet/2";
 constexpr std::string_view first_form = "FINGERPRINT KERNEL PRECISION FAMILY CELL FIGURE EXPIRY OWNER REASON";
 constexpr std::string_view open_expiry = "EXPIRY", open_owner = "OWNER", open_reason = "REASON";
 
@@ -95,11 +95,9 @@ class Lines {
           fmt::format("{} words, but a line has nine: {}; put words with spaces in \"...\"", words.size(), first_form));
     }
     const Json key = Json::array({words[1], words[2], words[3], words[4]});
-    if (const std::string own = fingerprint(key); own != words[0]) {
-      line.fail(
-          fmt::format("fingerprint {} is not that of {} {} on {}: {}, which is {}; take whole lines from ratchet.txt",
-                      words[0], words[1], words[2], words[3], words[4], own));
-    }
+    if (const std::string own = fingerprint(key); own != words[0])
+      line.fail(fmt::format("fingerprint {} is not that of {}, which is {}; take whole lines from ratchet.txt",
+                            words[0], cell_text(key), own));
     const Json figure = figure_of(words[5], line);
     put({key, figure, waiver_of(words[6], words[7], words[8], line), line.number}, line);
   }
@@ -107,10 +105,9 @@ class Lines {
   void add(const std::vector<std::string>& words, const Line& line) {
     const std::string& first = words[0];
     const auto has = [&](std::size_t n, const char* form) {
-      if (words.size() != n + 1) {
-        line.fail(fmt::format("{} words after {}, but it has {}: {}; put words with spaces in \"...\"",
-                              words.size() - 1, first, n, form));
-      }
+      if (words.size() == n + 1) return;
+      line.fail(fmt::format("{} words after {}, but it has {}: {}; put words with spaces in \"...\"", words.size() - 1,
+                            first, n, form));
     };
     if (first == "accept:") {
       has(3, "EXPIRY OWNER REASON");
@@ -189,10 +186,8 @@ class Lines {
 
   void put(RatchetEntry entry, const Line& line) {
     const auto [at_entry, is_new] = ratchet_.entries.emplace(fingerprint(entry.key), entry);
-    if (is_new) return;
-    line.fail(fmt::format("{} {} on {}: {} appears twice, first in line {}", entry.key[0].get<std::string>(),
-                          entry.key[1].get<std::string>(), entry.key[2].get<std::string>(),
-                          entry.key[3].get<std::string>(), at_entry->second.line));
+    if (!is_new)
+      line.fail(fmt::format("{} appears twice, first in line {}", cell_text(entry.key), at_entry->second.line));
   }
 
   Ratchet& ratchet_;
@@ -224,13 +219,13 @@ Ratchet parse_ratchet(std::string_view text, const std::string& name) {
         content.starts_with('#') ? std::vector<std::string>() : words_of(content, line);
     if (words.empty()) continue;
     if (ratchet.plan.empty()) {
-      if ((words[0] != schema && words[0] != first_schema) || words.size() < 2 || words.size() > 3) {
+      if ((words[0] != ratchet_schema && words[0] != first_ratchet_schema) || words.size() < 2 || words.size() > 3) {
         line.fail(
             fmt::format("begins with '{}', but a ratchet begins with '{} PLAN [TEST]', or with '{}'; a run writes "
                         "one as ratchet.txt",
-                        words[0].substr(0, 80), schema, first_schema));
+                        words[0].substr(0, 80), ratchet_schema, first_ratchet_schema));
       }
-      is_first_version = words[0] == first_schema;
+      is_first_version = words[0] == first_ratchet_schema;
       ratchet.plan = words[1];
       if (words.size() == 3) ratchet.test = words[2];
     } else if (is_first_version) {
@@ -259,7 +254,7 @@ std::string ratchet_file(const std::string& plan, const std::string& test, const
   // Files of the first test are those of versions that had no other.
   std::string text = fmt::format(
       "{} {}{}\n# accept: until when, by whom, why; kernel: and family: of the figures below them; docs/ci.md\n",
-      schema, plan, test == first_test().id ? "" : " " + word(test));
+      ratchet_schema, plan, test == first_test().id ? "" : " " + word(test));
   std::vector<Waiver> waivers;
   for (const bool are_open : {false, true}) {
     for (const RatchetEntry& entry : entries) {

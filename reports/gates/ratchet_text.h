@@ -21,6 +21,7 @@
 //   FINGERPRINT KERNEL PRECISION FAMILY CELL FIGURE EXPIRY OWNER REASON
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>

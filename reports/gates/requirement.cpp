@@ -37,11 +37,15 @@ Failure failure_of_finding(const Json& finding) {
   const auto text = [&](const char* member) {
     return finding[member].is_null() ? "" : finding[member].get<std::string>();
   };
-  return {text("kernel"), text("precision"), text("family"), finding["count"].get<std::uint64_t>(),
-          fmt::format("{}: {}", text("kind"), text("detail")), ""};
+  return {text("kernel"),
+          text("precision"),
+          text("family"),
+          finding["count"].get<std::uint64_t>(),
+          fmt::format("{}: {}", text("kind"), text("detail")),
+          ""};
 }
 
-// What fails every level.
+// The failures that fail every level.
 std::vector<Failure> failures_anywhere(const Json& record, const Subject& subject) {
   std::vector<Failure> failures;
   for (const Json& finding : record["findings"]) {
@@ -99,9 +103,17 @@ LevelOutcome outcome_of(const Json& record, const Json& kernel, const AskedLevel
   return outcome;
 }
 
+std::vector<std::string> yardsticks(const std::vector<AskedLevel>& levels) {
+  std::vector<std::string> kernels;
+  for (const AskedLevel& asked : levels) {
+    if (const auto yardstick = level_of(asked).yardstick) kernels.push_back(yardstick(asked));
+  }
+  return kernels;
+}
+
 std::vector<LevelOutcome> outcomes(const Json& record, const Requirements& required) {
   std::vector<LevelOutcome> all;
-  const std::vector<std::string> unloaded = not_judged(record), exempt = yardsticks_of(record["plan"]);
+  const std::vector<std::string> unloaded = not_judged(record), exempt = yardsticks(required.levels);
   for (const AskedLevel& asked : required.levels) {
     for (const std::string& id : unloaded) {
       LevelOutcome outcome{asked, id, "", LevelState::not_met};
@@ -123,7 +135,9 @@ std::vector<LevelOutcome> outcomes(const Json& record, const Requirements& requi
     }
   }
   for (LevelOutcome& outcome : all) {
-    const auto is_it = [&](const std::string& name) { return name == outcome.asked.text || name == outcome.asked.name; };
+    const auto is_it = [&](const std::string& name) {
+      return name == outcome.asked.text || name == outcome.asked.name;
+    };
     outcome.is_allowed = outcome.state == LevelState::not_checked &&
                          std::any_of(required.allowed.begin(), required.allowed.end(), is_it);
   }
@@ -200,13 +214,7 @@ Requirements requirements_of(const Json& plan) {
   return required;
 }
 
-std::vector<std::string> yardsticks_of(const Json& plan) {
-  std::vector<std::string> kernels;
-  for (const AskedLevel& asked : requirements_of(plan).levels) {
-    if (const auto yardstick = level_of(asked).yardstick) kernels.push_back(yardstick(asked));
-  }
-  return kernels;
-}
+std::vector<std::string> yardsticks_of(const Json& plan) { return yardsticks(requirements_of(plan).levels); }
 
 std::vector<LevelOutcome> outcomes_of(const Json& record) { return outcomes(record, requirements_of(record["plan"])); }
 
@@ -239,9 +247,8 @@ std::vector<Failure> failures_of(const std::vector<LevelOutcome>& outcomes) {
   std::vector<Failure> all;
   for (const LevelOutcome& outcome : outcomes) {
     for (const Failure& failure : outcome.failures) {
-      const bool is_known = std::any_of(all.begin(), all.end(), [&](const Failure& other) {
-        return other.text() == failure.text();
-      });
+      const bool is_known =
+          std::any_of(all.begin(), all.end(), [&](const Failure& other) { return other.text() == failure.text(); });
       if (!is_known) all.push_back(failure);
     }
   }
@@ -251,15 +258,16 @@ std::vector<Failure> failures_of(const std::vector<LevelOutcome>& outcomes) {
 Json outcomes_json(const std::vector<LevelOutcome>& outcomes) {
   Json all = Json::array();
   for (const LevelOutcome& outcome : outcomes) {
-    Json& json = all.emplace_back(Json{{"level", outcome.asked.text},
-                                       {"kernel", outcome.kernel},
-                                       {"precision", outcome.precision.empty() ? Json(nullptr) : Json(outcome.precision)},
-                                       {"state", name(outcome.state)},
-                                       {"allowed", outcome.is_allowed},
-                                       {"reason", outcome.reason},
-                                       {"covers", outcome.covers},
-                                       {"leaves_out", outcome.leaves_out},
-                                       {"failures", Json::array()}});
+    Json& json =
+        all.emplace_back(Json{{"level", outcome.asked.text},
+                              {"kernel", outcome.kernel},
+                              {"precision", outcome.precision.empty() ? Json(nullptr) : Json(outcome.precision)},
+                              {"state", name(outcome.state)},
+                              {"allowed", outcome.is_allowed},
+                              {"reason", outcome.reason},
+                              {"covers", outcome.covers},
+                              {"leaves_out", outcome.leaves_out},
+                              {"failures", Json::array()}});
     for (const Failure& f : outcome.failures) {
       json["failures"].push_back({{"family", f.family}, {"count", f.count}, {"what", f.what}, {"witness", f.witness}});
     }

@@ -1,5 +1,5 @@
-// What a run was to judge and did not. A run in which there is anything of it never exits with 0, whatever was required
-// of it.
+// The part of a plan that a run did not judge. A run in which there is anything of it never exits with 0, whatever was
+// required of it.
 #pragma once
 
 #include <string>

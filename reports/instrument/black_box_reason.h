@@ -1,6 +1,9 @@
 // Why a mutant that shows its verdict alone passed a gate, and how many did.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "fuzz/mutation/black_box.h"
 #include "reports/wording/summary.h"
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "reports/instrument/black_box_reason.h"
 #include "reports/wording/summary.h"
@@ -28,12 +29,12 @@ class BlackBoxReport {
         command,
         {fmt::format(
              "A mutant is the kernel with one fault, judged as a plug-in that shows nothing but its verdict. It is "
-             "refused where `run --require {}` on the first {} queries of each family would exit with 1.",
+             "refused where `run --require {}` on the first {} queries of each family would not be met.",
              require, thousands(plan_.trials)),
          "A fault of a magnitude E is an epsilon, a clamp, a threshold or an early answer; `relative`: E is a fraction "
          "of the value, or of the scene.",
          "A survivor is compared with the kernel without the fault, verdict by verdict, on the same queries: that is "
-         "its reason. The deepest of the wrong ones is of four in each family and batch of 251."},
+         "its reason. The deepest of the wrong ones is of the first four in each family and batch of queries."},
         {scores(), by_magnitude(), by_fault(), survivors(), controls()},
         {},
         black_box_json(plan_, score_, require, command)};

@@ -1,6 +1,9 @@
 // The report of `axiscert mutate --verdict-only`.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "fuzz/mutation/black_box.h"
 #include "reports/instrument/instrument.h"
 
@@ -8,8 +11,8 @@ namespace axiscert {
 
 inline constexpr const char* black_box_schema = "axiscert-mutation-by-verdict/1";
 
-// What a gate that is right would not do: it refused a kernel that is right, or a mutant that nothing distinguishes
-// from one. Empty if there is none.
+// Answers that a gate that is right would not give: it refused a kernel that is right, or a mutant that nothing
+// distinguishes from one. Empty if there is none.
 std::vector<std::string> black_box_faults(const BlackBoxScore& score);
 
 InstrumentReport black_box_report(const MutationPlan& plan, const BlackBoxScore& score, const std::string& require,

@@ -132,10 +132,17 @@ class SearchReport {
     for (const SourcePtr& source : plan_.sources) families.push_back(source->name());
     Json first_families = Json::array();
     for (const SourcePtr& source : plan_.first_sources) first_families.push_back(source->name());
-    return {{"schema", search_schema},    {"axiscert", AXISCERT_VERSION},       {"complete", result_.complete},
-            {"kernel", plan_.kernel->id}, {"precision", name(plan_.precision)}, {"seed", plan_.seed},
-            {"families", families},       {"evaluations", result_.evaluations}, {"comparisons", comparisons_json},
-            {"verdict", verdict},         {"begun_from", {{"queries", plan_.first_queries}, {"families", first_families}}}};
+    return {{"schema", search_schema},
+            {"axiscert", AXISCERT_VERSION},
+            {"complete", result_.complete},
+            {"kernel", plan_.kernel->id},
+            {"precision", name(plan_.precision)},
+            {"seed", plan_.seed},
+            {"families", families},
+            {"evaluations", result_.evaluations},
+            {"comparisons", comparisons_json},
+            {"verdict", verdict},
+            {"begun_from", {{"queries", plan_.first_queries}, {"families", first_families}}}};
   }
 
   const SearchPlan& plan_;

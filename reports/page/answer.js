@@ -11,7 +11,7 @@ function outcomes_of(data, entry) {
     (o.precision === null || o.precision === entry.precision)) ?? [];
 }
 
-// What came of one level for one kernel, or of all of them.
+// The outcome of one level for one kernel, or of all of them.
 function outcome_chip(data, outcome) {
   const text = `requirement ${outcome.level}: `;
   if (outcome.state === 'not met') return chip(`${text}not met`, 'bad');
@@ -28,7 +28,7 @@ function status_chip(data) {
   return outcome_chip(data, {level, state: outcomes.every((o) => o.state === 'met') ? 'met' : 'NOT CHECKED', allowed: true});
 }
 
-// What each level says of a kernel, and what it does not.
+// Lists what each level says of a kernel, and what it does not.
 function outcome_list(outcomes) {
   const told = outcomes.filter((o) => o.state !== 'not met');
   if (told.length === 0) return '';
@@ -183,12 +183,7 @@ function depths_table(entry) {
   };
   const head = el('tr', '', el('th', '', 'wrong by'), ...entry.depths.columns.map(column));
   const caption = 'Wrong verdicts by depth, as a share of the scene: each column from its depth to that of the next one';
-  const scroll = el('div', 'scroll', el('table', 'depths', el('caption', '', caption), el('thead', '', head),
-                                        el('tbody', '', ...rows.map(row))));
-  scroll.tabIndex = 0;
-  scroll.setAttribute('role', 'region');
-  scroll.setAttribute('aria-label', caption);
-  return scroll;
+  return scroll_table(caption, 'depths', el('thead', '', head), el('tbody', '', ...rows.map(row)));
 }
 
 function more_facts(entry) {

@@ -76,11 +76,7 @@ function bounds_table(data, entry) {
     return tr;
   }));
   const caption = `Errors of ${entry_name(entry)}`;
-  const scroll = el('div', 'scroll', el('table', 'bounds', el('caption', '', caption), el('thead', '', head), body));
-  scroll.tabIndex = 0;
-  scroll.setAttribute('role', 'region');
-  scroll.setAttribute('aria-label', caption);
-  return scroll;
+  return scroll_table(caption, 'bounds', el('thead', '', head), body);
 }
 
 // States that something was not run, with the command that runs it.

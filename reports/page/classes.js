@@ -52,12 +52,7 @@ function class_heat_table(entry) {
     return el('tr', '', th, ...families.map(([family, result]) => cell(row.class, family, result)));
   }));
   const caption = `Classes of input by family: wrong verdicts, ${entry_name(entry)}`;
-  const scroll = el('div', 'scroll', el('table', 'heat-table', el('caption', '', caption),
-                                        el('thead', '', el('tr', '', el('th', '', 'class'), ...heads)), body));
-  scroll.tabIndex = 0;
-  scroll.setAttribute('role', 'region');
-  scroll.setAttribute('aria-label', caption);
-  return scroll;
+  return scroll_table(caption, 'heat-table', el('thead', '', el('tr', '', el('th', '', 'class'), ...heads)), body);
 }
 
 // How far the verdicts of a kernel without sides are off: the deepest of each class, as bars on a logarithmic scale.
@@ -75,11 +70,7 @@ function class_depths(data, entry) {
               el('td', '', class_link(data, entry, row.witness)));
   }));
   const caption = `Depth of wrong verdicts, ${entry_name(entry)}`;
-  const scroll = el('div', 'scroll', el('table', 'bounds', el('caption', '', caption), el('thead', '', el('tr', '',
-    el('th', '', 'input is'), el('th', 'n', 'deepest, share of the scene'), el('th', 'wide', 'of the scene', log_ticks(scale)),
-    el('th', '', 'witness'))), body));
-  scroll.tabIndex = 0;
-  scroll.setAttribute('role', 'region');
-  scroll.setAttribute('aria-label', caption);
-  return scroll;
+  const head = el('tr', '', el('th', '', 'input is'), el('th', 'n', 'deepest, share of the scene'),
+                  el('th', 'wide', 'of the scene', log_ticks(scale)), el('th', '', 'witness'));
+  return scroll_table(caption, 'bounds', el('thead', '', head), body);
 }

@@ -9,7 +9,7 @@ extern const std::string_view record_schema_json, run_schema_json, maps_schema_j
 extern const std::string_view report_html, report_css;
 extern const std::string_view chart_min_js;  // Chart.js itself, MIT licence
 extern const std::string_view instrument_html, instrument_js, chart_js;
-extern const std::string_view table_js, answer_js, classes_js, heat_js, bounds_js, origins_js, maps_js, margins_js, scene_js,
-    snippets_js, witnesses_js, results_js, appendix_js, report_js;
+extern const std::string_view table_js, answer_js, classes_js, heat_js, bounds_js, origins_js, maps_js, margins_js,
+    scene_js, snippets_js, witnesses_js, results_js, appendix_js, report_js;
 
 }  // namespace axiscert::embedded

@@ -79,11 +79,7 @@ function heat_table(data, entry, level, figure) {
       heat_cell(data, {entry, family, result, name, tally: result[level][name], figure})));
   }));
   const caption = `${level === 'axes' ? 'Seven axes' : 'Sixteen comparisons'} by family: ${figure[0]}, ${entry_name(entry)}`;
-  const scroll = el('div', 'scroll', el('table', 'heat-table', el('caption', '', caption), el('thead', '', head), body));
-  scroll.tabIndex = 0;
-  scroll.setAttribute('role', 'region');
-  scroll.setAttribute('aria-label', caption);
-  return scroll;
+  return scroll_table(caption, 'heat-table', el('thead', '', head), body);
 }
 
 function heat_legend() {
@@ -96,8 +92,11 @@ function show_heat(data) {
   const shown = data.kernels.filter((entry) => entry.all !== null && entry.all.comparisons !== null);
   const silent = data.kernels.filter((entry) => entry.all?.comparisons === null);
   if (silent.length > 0) {
-    document.getElementById('heat').append(el('p', 'lead', `${silent.map(entry_name).join('; ')}: only verdicts are shown, ` +
-      'so no comparison can be named. By the class of the input:'), ...silent.filter(({classes}) => classes !== null).map(class_heat_table));
+    const with_classes = silent.filter(({classes}) => classes !== null);  // records of earlier versions have none
+    document.getElementById('heat').append(
+      el('p', 'lead', `${silent.map(entry_name).join('; ')}: only verdicts are shown, so no comparison can be named.` +
+                      (with_classes.length > 0 ? ' By the class of the input:' : '')),
+      ...with_classes.map(class_heat_table));
   }
   if (shown.length === 0) return;
   let entry = shown[0];

@@ -94,6 +94,15 @@ function header_rows(columns, sort) {
   return columns.some((c) => c.group) ? [groups, names] : [names];
 }
 
+// A table that scrolls by itself where it is too wide, also from the keyboard. `parts` follow its caption.
+function scroll_table(caption, className, ...parts) {
+  const scroll = el('div', 'scroll', el('table', className, el('caption', '', caption), ...parts));
+  scroll.tabIndex = 0;
+  scroll.setAttribute('role', 'region');
+  scroll.setAttribute('aria-label', caption);
+  return scroll;
+}
+
 // A table whose header cells sort it: numbers largest first, then smallest first; texts the other way round.
 function table(caption, columns, rows, row_class) {
   const body = el('tbody');
@@ -120,11 +129,7 @@ function table(caption, columns, rows, row_class) {
     fill([...rows].sort((x, y) => (descending ? order(y, x) : order(x, y))));
   }));
   fill(rows);
-  const scroll = el('div', 'scroll', el('table', '', el('caption', '', caption), head, body));
-  scroll.tabIndex = 0;
-  scroll.setAttribute('role', 'region');
-  scroll.setAttribute('aria-label', caption);
-  return scroll;
+  return scroll_table(caption, '', head, body);
 }
 
 // A labelled choice; `change` is called with the index of the chosen option.

@@ -1,5 +1,5 @@
-// What two runs know a kernel by. The id in a record is what was given on the command line, with the path of a plug-in;
-// the name that a plug-in declares stays the same when its file is moved or renamed.
+// The identity of a kernel, by which two runs know it. The id in a record is what was given on the command line, with
+// the path of a plug-in; the name that a plug-in declares stays the same when its file is moved or renamed.
 #pragma once
 
 #include <map>

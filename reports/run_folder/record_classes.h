@@ -1,6 +1,7 @@
-// Conditions on a record's classes of input that its schema cannot express.
+// Conditions on a record's classes of input, and on its decades of depth, that its schema cannot express.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -8,7 +9,9 @@
 
 namespace axiscert {
 
-// What contradicts the family's other counts; empty if nothing does, or the family has no classes.
+// Says what contradicts the family's other counts; empty if nothing does, or the family has no classes.
 std::optional<std::string> fault_of_classes(const Json& kernel, const Json& family);
+// The same of a family's "verdict", of `valid` queries: its depths, and those on engine-like queries.
+std::optional<std::string> fault_of_depths(const Json& verdict, std::uint64_t valid);
 
 }  // namespace axiscert

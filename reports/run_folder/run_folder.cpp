@@ -61,6 +61,9 @@ class RecordCheck {
   void require(bool holds, const std::string& where, const std::string& problem) const {
     if (!holds) throw Error(fmt::format("{}: {}: {}; restore the file as it was written", name_, where, problem));
   }
+  void require_no(const std::optional<std::string>& fault, const std::string& where) const {
+    require(!fault, where, fault.value_or(""));
+  }
 
   void check_findings(const std::set<Json>& cells) const {
     std::set<Json> kinds, explained;
@@ -126,7 +129,7 @@ class RecordCheck {
                 valid - outside_trials,
             where, "more wrong, undecided, invalid and unanswered verdicts than valid queries");
     require(number(verdict["touching_flips"]) <= wrong, where, "more touching_flips than wrong verdicts");
-    check_depths(verdict, number(truth["contact"]) + number(truth["separated"]), where);
+    require_no(fault_of_depths(verdict, valid), where);
     for (const auto& [link, count] : verdict["links"].items()) {
       const std::uint64_t of_touching = number(verdict["touching_links"][link]);
       require(number(count) <= wrong, where, fmt::format("more broken {} links than wrong verdicts", link));
@@ -140,27 +143,6 @@ class RecordCheck {
       require(first.is_null() || (first != 0 && (!is_complete || number(first) <= number(family["trials"]))), where,
               fmt::format("first_by_link of {} is not a query of the family", link));
     }
-  }
-
-  // The decades of wrong verdicts, which records of earlier versions do not have.
-  void check_depths(const Json& verdict, std::uint64_t valid, const std::string& where) const {
-    const auto number = [](const Json& count) { return count.get<std::uint64_t>(); };
-    const auto sum = [&](const Json& decades) {
-      std::uint64_t all = 0;
-      for (const Json& count : decades) all += number(count);
-      return all;
-    };
-    const Json depths = verdict.value("depths", Json()), engine = verdict.value("engine_like", Json());
-    for (const char* kind : {"false_separation", "false_contact"}) {
-      require(depths.is_null() || sum(depths[kind]) == number(verdict[kind]), where,
-              fmt::format("depths do not add up to {}", kind));
-      if (engine.is_null()) continue;
-      require(sum(engine["depths"][kind]) == number(engine[kind]), where,
-              fmt::format("depths on engine-like queries do not add up to their {}", kind));
-      require(number(engine[kind]) <= number(verdict[kind]), where,
-              fmt::format("more {} on engine-like queries than on all", kind));
-    }
-    require(engine.is_null() || number(engine["queries"]) <= valid, where, "more engine-like queries than valid ones");
   }
 
   void check_numbers(const Json& witness, const std::string& where) const {
@@ -187,8 +169,7 @@ class RecordCheck {
     require(number(truth["touching"]) <= contact, where, "more touching queries than contacts");
     require(number(family["base_triangles"]) <= trials, where, "more base_triangles than trials");
     check_verdict(kernel, family, where);
-    const auto fault = fault_of_classes(kernel, family);
-    require(!fault, where, fault.value_or(""));
+    require_no(fault_of_classes(kernel, family), where);
     for (const char* level : {"axes", "comparisons"}) {
       if (family[level].is_null()) continue;
       for (const auto& [sign, tally] : family[level].items()) {

@@ -55,8 +55,7 @@ std::string nearest_sentence(const Json& kernel) {
   return fmt::format(
       "{}{}, wrong on {} % of the queries on which either is ({} of {}, among {}: the first {} of each family and the "
       "deepest)",
-      2 * both >= either ? "Nearest of the built-in kernels: "
-                         : "No built-in kernel fails alike; the nearest is ",
+      2 * both >= either ? "Nearest of the built-in kernels: " : "No built-in kernel fails alike; the nearest is ",
       nearest["kernel"].get<std::string>(), amount(100 * static_cast<double>(both) / static_cast<double>(either), 3),
       thousands(both), thousands(either), thousands(count("queries")), thousands(nearest_queries));
 }

@@ -12,7 +12,7 @@
 
 namespace axiscert {
 
-// What a class means for the author of a kernel, in one sentence without its full stop.
+// The meaning of a class for the author of a kernel, in one sentence without its full stop.
 extern const EnumArray<InputClass, std::string_view> class_meanings;
 
 // The wrong verdicts of a kernel on input of one class.

@@ -13,21 +13,23 @@ const Json* changes_of(const Json& family, const std::string& kind);
 // Those of the kind `scale` where all are within the range of forms of degree 6; null where that is not so.
 const Json* units_of(const Json& family);
 
-// Of a record's counts by size, of powers of two: "from 2^-7 down", "from 2^3 up", "from 2^-7 down and from 2^3 up".
+// Says of a record's counts by size, of powers of two: "from 2^-7 down", "from 2^3 up", "from 2^-7 down and from 2^3
+// up".
 std::string powers_text(const Json& by_size);
 // The least exponent of a record's counts by size, which are not empty.
 int least_size(const Json& by_size);
-// Of a record's "wrong" (images in other units of length): "an absolute number near 0.01 (squared 0.0001), compared with
-// the distance d?"; what it found of both directions. Where nothing common explains the answers, a sentence that says so.
+// Says of a record's "wrong" (images in other units of length): "an absolute number near 0.01 (squared 0.0001),
+// compared with the distance d?"; what it found of both directions. Where nothing common explains the answers, a
+// sentence that says so.
 std::string absolute_number_text(const Json& wrong);
-// The failure of a family's images within the range of degree 6: how often and from which power on the verdict is wrong,
-// or changes, and why.
+// The failure of a family's images within the range of degree 6: how often and from which power on the verdict is
+// wrong, or changes, and why.
 struct UnitChange {
   std::uint64_t count = 0;
   std::string what;
   Json first;  // the addresses of base and image; null where there is none
 };
-// Of a family's "scale" in the record, with a range. `count` is 0 where no verdict changes.
+// The change of a family's "scale" in the record, with a range. `count` is 0 where no verdict changes.
 UnitChange unit_change(const Json& scale);
 
 }  // namespace axiscert

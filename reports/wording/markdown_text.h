@@ -13,7 +13,7 @@
 
 namespace axiscert {
 
-inline constexpr std::size_t section_limit = 72 * 1024;  // bytes; at most fourteen sections: 1 MiB
+inline constexpr std::size_t section_limit = 68 * 1024;  // bytes; at most fifteen sections: 1 MiB
 
 // A text that is safe at any place of a document: one line, cut short, with nothing that Markdown or HTML would
 // interpret, or that a forge would take for a mention, an issue or an address.
@@ -46,6 +46,11 @@ inline std::string code_block(const std::string& text) {
   std::string fence = "```";
   while (text.find(fence) != text.npos) fence += "`";
   return fmt::format("{}\n{}\n{}\n", fence, text, fence);
+}
+
+// A count of a record; null where nothing was counted.
+inline std::string count_text(const Json& count) {
+  return count.is_null() ? "not checked" : thousands(count.get<std::uint64_t>());
 }
 
 // A section that takes the lines that fit, in the order given, and says how many did not.

@@ -72,7 +72,7 @@ Json all_families(const Json& kernel) {
     family["verdict"].erase("first_by_link");  // places in a family cannot be added up
     family.erase("asymmetry");                 // exist for a few families only
     family.erase("invariance");
-    family.erase("classes");                   // added up in reports/wording/classes.cpp
+    family.erase("classes");  // added up in reports/wording/classes.cpp
     merge(total, family, "");
   }
   if (total.is_null()) return Json::object();

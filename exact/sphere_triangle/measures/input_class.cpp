@@ -56,7 +56,8 @@ bool is_outside_window(const Extent& extent) {
 bool are_equal(const Vec3<double>& x, const Vec3<double>& y) { return x.x == y.x && x.y == y.y && x.z == y.z; }
 
 // A triangle whose vertices are three points: whether it has an area, and if it has, whether its least height is below
-// 2^-sliver_bits of its longest edge. With V twice the area and e the longest edge's square, height / longest = |V| / e.
+// 2^-sliver_bits of its longest edge. With V twice the area and e the longest edge's square, height / longest = |V| /
+// e.
 struct Thinness {
   bool is_collinear, is_sliver;
 };

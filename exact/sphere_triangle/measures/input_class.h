@@ -54,7 +54,7 @@ static_assert(ScaleWindow<double>::greatest_exponent == 168 && ScaleWindow<doubl
 template <class Real>
 inline constexpr double near_tie_depth = 32 * double(std::numeric_limits<Real>::epsilon());
 
-inline constexpr int sliver_bits = 10;        // least height over longest edge: 2^-10
+inline constexpr int sliver_bits = 10;         // least height over longest edge: 2^-10
 inline constexpr double far_from_origin = 64;  // greatest coordinate over L
 
 // The definitions that a valid query meets, `ordinary` if none. `is_touching`: its distance is exactly r; `depth`: as

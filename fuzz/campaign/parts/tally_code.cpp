@@ -47,8 +47,8 @@ void visit_verdict(Archive& archive, Tally& tally) {
 
 template <class Archive, class Tally>
 void visit_tally(Archive& archive, Tally& tally) {
-  auto& [trials, separated, contact, touching, invalid, verdict, axes, comparisons, critical_radius, findings,
-         margins, classes] = tally;
+  auto& [trials, separated, contact, touching, invalid, verdict, axes, comparisons, critical_radius, findings, margins,
+         classes] = tally;
   archive(trials, separated, contact, touching, invalid);
   visit_verdict(archive, verdict);
   using Signs = std::conditional_t<std::is_const_v<Tally>, const SignTally, SignTally>;

@@ -112,8 +112,9 @@ constexpr std::array<ImageGroup, 5> groups = {{
 // The images from `first` on.
 template <class Real, std::size_t group, Query<Real> (*make_image)(const Query<Real>&, std::size_t, Stream&)>
 void fill(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
-  fill_groups(name, first, out, groups[group].size, base_query<Real>,
-              [](Stream& after, const Query<Real>& q, std::uint64_t, std::size_t i) { return make_image(q, i, after); });
+  fill_groups(
+      name, first, out, groups[group].size, base_query<Real>,
+      [](Stream& after, const Query<Real>& q, std::uint64_t, std::size_t i) { return make_image(q, i, after); });
 }
 
 template <std::size_t group, auto image_binary32, auto image_binary64>
@@ -127,7 +128,7 @@ constexpr Family family_of_images(std::string_view purpose) {
 extern const ImageGroup units_group, spans_group;  // of the files of their families
 
 std::span<const ImageGroup* const> image_groups() {
-  static const ImageGroup* const all[] = {&groups[0], &groups[1],  &groups[2],  &groups[3],
+  static const ImageGroup* const all[] = {&groups[0], &groups[1],   &groups[2],  &groups[3],
                                           &groups[4], &units_group, &spans_group};
   return all;
 }

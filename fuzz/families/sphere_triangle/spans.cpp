@@ -110,7 +110,9 @@ void spans(const StreamName& name, std::uint64_t first, const MutableColumns<Rea
 extern const ImageGroup spans_group = {
     "spans",
     group_size,
-    [](std::size_t) { return std::array<std::uint8_t, 3>{0, 1, 2}; },
+    [](std::size_t) {
+      return std::array<std::uint8_t, 3>{0, 1, 2};
+    },
     [](std::size_t i) { return i < unit_images::count ? ImageKind::scale : ImageKind::translation; },
     [](Precision precision, std::uint64_t base, std::size_t i) {
       return unit_images::exponent(spans_range_in(precision), base, i);

@@ -46,15 +46,16 @@ PowerRange units_range_in(Precision precision) {
 
 }  // namespace
 
-extern const ImageGroup units_group = {
-    "units",
-    unit_images::count,
-    [](std::size_t) { return std::array<std::uint8_t, 3>{0, 1, 2}; },
-    [](std::size_t) { return ImageKind::scale; },
-    [](Precision precision, std::uint64_t base, std::size_t i) {
-      return unit_images::exponent(units_range_in(precision), base, i);
-    },
-    units_range_in};
+extern const ImageGroup units_group = {"units",
+                                       unit_images::count,
+                                       [](std::size_t) {
+                                         return std::array<std::uint8_t, 3>{0, 1, 2};
+                                       },
+                                       [](std::size_t) { return ImageKind::scale; },
+                                       [](Precision precision, std::uint64_t base, std::size_t i) {
+                                         return unit_images::exponent(units_range_in(precision), base, i);
+                                       },
+                                       units_range_in};
 
 extern const Family units_family = {
     "units",

@@ -1,6 +1,6 @@
-/* A right kernel, the squared distance to the nearest point of the triangle against the squared radius, with a place for
- * each absolute number that kernels are found to have. A file of this folder defines one of the macros otherwise, and
- * `real` where it is not float. */
+/* A right kernel, the squared distance to the nearest point of the triangle against the squared radius, with a place
+ * for each absolute number that kernels are found to have. A file of this folder defines one of the macros otherwise,
+ * and `real` where it is not float. */
 #include <math.h>
 
 #include "kernel/include/axiscert/plugin.h"

@@ -170,11 +170,11 @@ const Mutant& find_mutant(std::string_view id) {
   const std::string_view place = tilde == id.npos ? std::string_view() : id.substr(tilde + 1);
   const std::string_view fault = place.substr(0, place.find(':'));
   const bool is_known = std::find(faults.begin(), faults.end(), fault) != faults.end();
-  throw Error(
-      fmt::format("unknown mutant '{}'{} it is BASE~FAULT:PLACE, as in {}, or BASE~FAULT:PLACE:E; faults: {}; `axiscert mutate --list` has "
-                  "all",
-                  id, is_known ? ";" : did_you_mean(fault, faults), all.front().id,
-                  fmt::join(most_alike_first(fault, faults), ", ")));
+  throw Error(fmt::format(
+      "unknown mutant '{}'{} it is BASE~FAULT:PLACE, as in {}, or BASE~FAULT:PLACE:E; faults: {}; `axiscert "
+      "mutate --list` has all",
+      id, is_known ? ";" : did_you_mean(fault, faults), all.front().id,
+      fmt::join(most_alike_first(fault, faults), ", ")));
 }
 
 }  // namespace axiscert::mutants

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <string_view>
 
 #include "kernel/base/enum_array.h"
 
@@ -47,7 +46,7 @@ constexpr bool answers_early(ValueFault fault) {
   return fault == ValueFault::early_contact || fault == ValueFault::early_separated;
 }
 
-// Whose relative E is a fraction of the value itself, but of a side.
+// Whether the fault adds E to the value: a relative E is then a fraction of the value itself, except for a side.
 constexpr bool adds(ValueFault fault) { return fault == ValueFault::plus || fault == ValueFault::minus; }
 
 // The value in place of x. An early answer leaves it as it is.

@@ -1,7 +1,6 @@
 #include "kernel/sphere_triangle/mutants/value_list.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -140,7 +139,7 @@ std::vector<const Mutant*> value_mutants_of(std::string_view base, std::span<con
   std::vector<const Mutant*> all;
   for (const double magnitude : magnitudes) {
     if (!(magnitude > 0 && magnitude < 1e300))
-      throw Error(fmt::format("magnitude {}: give a number above 0, as in 1e-6", magnitude));
+      throw Error(fmt::format("magnitude {}: give a number above 0 and below 1e300, as in 1e-6", magnitude));
   }
   for (const NamedFault& fault : faults_of_values()) {
     for (const Place& place : places()) {

@@ -35,12 +35,12 @@ LevelFindings judge_depths(const Subject& subject, const Allowed& allowed) {
     check("false_separation", "missed contacts", allowed.missed, is_missed);
     check("false_contact", "phantom contacts", allowed.phantom, is_phantom);
     if (!allowed.invalid) {
-      subject.add(found.failures, family, verdict["invalid"].get<std::uint64_t>(),
-                  "answers `invalid` to valid queries", is_no_flip);
+      subject.add(found.failures, family, verdict["invalid"].get<std::uint64_t>(), "answers `invalid` to valid queries",
+                  is_no_flip);
     }
   }
-  found.covers = fmt::format("{} queries of {}, each judged exactly", thousands(subject.decided()),
-                             subject.list_of_families());
+  found.covers =
+      fmt::format("{} queries of {}, each judged exactly", thousands(subject.decided()), subject.list_of_families());
   found.leaves_out = "queries that these families do not make";
   return found;
 }
@@ -59,26 +59,25 @@ void check_conservative(const AskedLevel& asked) {
 double deepest_phantom(const AskedLevel& asked) { return asked.has_argument ? depth_argument(asked) : any_depth; }
 
 std::string conservative_sentence(const AskedLevel& asked) {
-  return "no missed contact" +
-         (asked.has_argument ? fmt::format(", and no phantom contact deeper than {} of the scene", depth_argument(asked))
-                             : "");
+  return "no missed contact" + (asked.has_argument ? fmt::format(", and no phantom contact deeper than {} of the scene",
+                                                                 depth_argument(asked))
+                                                   : "");
 }
 
 }  // namespace
 
-extern const GateLevel exact_level = {
-    "exact", "no wrong verdict", no_argument, [](const AskedLevel&) { return std::string("no wrong verdict"); },
-    [](const AskedLevel&, const Subject& subject) {
-      return judge_depths(subject, {no_wrong, no_wrong, false});
-    }};
+extern const GateLevel exact_level = {"exact", "no wrong verdict", no_argument,
+                                      [](const AskedLevel&) { return std::string("no wrong verdict"); },
+                                      [](const AskedLevel&, const Subject& subject) {
+                                        return judge_depths(subject, {no_wrong, no_wrong, false});
+                                      }};
 
-extern const GateLevel conservative_level = {"conservative[=D]", "no missed contact, no phantom contact deeper than D",
-                                             check_conservative, conservative_sentence,
-                                             [](const AskedLevel& asked, const Subject& subject) {
-                                               const Allowed allowed{no_wrong, deepest_phantom(asked), false};
-                                               return asked.has_argument ? judge_to_depth(subject, allowed)
-                                                                         : judge_depths(subject, allowed);
-                                             }};
+extern const GateLevel conservative_level = {
+    "conservative[=D]", "no missed contact, no phantom contact deeper than D", check_conservative,
+    conservative_sentence, [](const AskedLevel& asked, const Subject& subject) {
+      const Allowed allowed{no_wrong, deepest_phantom(asked), false};
+      return asked.has_argument ? judge_to_depth(subject, allowed) : judge_depths(subject, allowed);
+    }};
 
 extern const GateLevel depth_level = {"depth=D", "no wrong verdict deeper than D of the scene, either way",
                                       [](const AskedLevel& asked) { depth_argument(asked); },

@@ -62,8 +62,8 @@ LevelFindings judge_invariant(const AskedLevel& asked, const Subject& subject) {
     }
   }
   if (images == 0) {
-    found.not_checked = fmt::format("no answered query is another one {}; add {}", kind_words[kind].image,
-                                    kind_words[kind].families);
+    found.not_checked =
+        fmt::format("no answered query is another one {}; add {}", kind_words[kind].image, kind_words[kind].families);
     return found;
   }
   found.covers = fmt::format("{} queries of {}, each the same as another {}", thousands(images),

@@ -1,4 +1,4 @@
-// What a level of --require is: its name, its sentence, and how one kernel in one precision is judged by it. A new one
+// A level of --require: its name, its sentence, and how one kernel in one precision is judged by it. A new one
 // is a file that defines a GateLevel, and a line in levels.cpp.
 #pragma once
 
@@ -14,17 +14,18 @@ namespace axiscert {
 
 // A level as it was asked for. "depth=0.01" is the level `depth` with the argument "0.01".
 struct AskedLevel {
-  std::string text;      // whole
-  std::string name;      // before the first '='
+  std::string text;           // whole
+  std::string name;           // before the first '='
   std::string argument = {};  // after it; empty where there is none
   bool has_argument = false;
 };
 
-// What a level finds of one kernel in one precision. It is met where there is no failure and `not_checked` is empty.
+// The findings of a level about one kernel in one precision. It is met where there is no failure and `not_checked` is
+// empty.
 struct LevelFindings {
   std::vector<Failure> failures;
-  std::string not_checked;         // why these queries cannot show that it is met; empty where they can
-  std::string covers, leaves_out;  // what "met" says of this kernel and what it does not, without a full stop
+  std::string not_checked;          // why these queries cannot show that it is met; empty where they can
+  std::string covers, leaves_out;   // what "met" says of this kernel and what it does not, without a full stop
   std::vector<std::string> unseen;  // families on which this kernel cannot be seen to fail the level
 };
 

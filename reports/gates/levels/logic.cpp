@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
 #include "reports/run_folder/run_folder.h"
@@ -63,7 +61,8 @@ Units units_that_ran(const Subject& subject) {
 std::string families_to_add(const Subject& subject) {
   std::vector<std::string> options;
   for (const Family* family : families_of(test_of(subject.record()["plan"]))) {
-    if (family->exact_arithmetic && image_group(family->name) == nullptr) options.push_back(fmt::format("--family {}", family->name));
+    if (family->exact_arithmetic && image_group(family->name) == nullptr)
+      options.push_back(fmt::format("--family {}", family->name));
   }
   return options.empty() ? "this test has none" : "add " + fmt::format("{}", fmt::join(options, " "));
 }
@@ -101,7 +100,8 @@ void find_logic_failures(const Subject& subject, const std::string& family, cons
 }
 
 std::string logic_sentence(const AskedLevel&) {
-  return "no wrong verdict with a broken specification or implementation link; for a kernel that claims no formulae, or "
+  return "no wrong verdict with a broken specification or implementation link; for a kernel that claims no formulae, "
+         "or "
          "evaluates them in its own way: none in exact arithmetic that its formulae do not give, touching spheres not "
          "counted, and none that changes with the unit of length";
 }
@@ -132,9 +132,9 @@ LevelFindings logic_findings(const Subject& subject) {
   }
   const std::string cause = has_formulae ? "a difference from the formulae that it claims" : "a wrong verdict";
   if (exact.queries == 0) {
-    found.not_checked = fmt::format(
-        "no query of a family of exact arithmetic was decided, and elsewhere {} may be of rounding; {}", cause,
-        families_to_add(subject));
+    found.not_checked =
+        fmt::format("no query of a family of exact arithmetic was decided, and elsewhere {} may be of rounding; {}",
+                    cause, families_to_add(subject));
     return found;
   }
   found.covers =
@@ -147,9 +147,9 @@ LevelFindings logic_findings(const Subject& subject) {
     found.covers += fmt::format("; {} queries of {}, each the same as another in another unit of length",
                                 thousands(units.images), fmt::join(units.names, ", "));
   }
-  found.leaves_out = fmt::format("{}{} on any other query: {} wrong verdicts of this run have no known cause",
-                                 units.images == 0 ? "other units of length, and " : "", cause,
-                                 thousands(subject.wrong_verdicts()));
+  found.leaves_out =
+      fmt::format("{}{} on any other query: {} wrong verdicts of this run have no known cause",
+                  units.images == 0 ? "other units of length, and " : "", cause, thousands(subject.wrong_verdicts()));
   return found;
 }
 

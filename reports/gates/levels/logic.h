@@ -1,4 +1,4 @@
-// What `logic` finds, for the levels that require it too.
+// The findings of `logic`, for the levels that require it too.
 #pragma once
 
 #include "reports/gates/levels/level.h"

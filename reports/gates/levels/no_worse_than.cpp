@@ -1,6 +1,8 @@
 // no-worse-than=KERNEL: on no family more wrong verdicts than another kernel of the run, beyond what chance explains.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "kernel/base/error.h"
 #include "reports/comparison/compare.h"
 #include "reports/comparison/two_proportions.h"
@@ -36,6 +38,10 @@ std::string rate_text(const Cell& cell) {
   return fmt::format("{} of {}", thousands(cell.of.failures), thousands(cell.of.trials));
 }
 
+double rate_of(const Cell& cell) {
+  return static_cast<double>(cell.of.failures) / static_cast<double>(std::max<std::uint64_t>(cell.of.trials, 1));
+}
+
 LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subject) {
   LevelFindings found;
   const std::string &other = asked.argument, kernel = subject.kernel()["id"], precision = subject.kernel()["precision"];
@@ -57,10 +63,7 @@ LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subjec
   const std::vector<double> corrected = holm(p);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto& [mine, others, alone] = pairs[i];
-    const double rate = static_cast<double>(mine.of.failures) / static_cast<double>(std::max<std::uint64_t>(mine.of.trials, 1));
-    const double other_rate =
-        static_cast<double>(others.of.failures) / static_cast<double>(std::max<std::uint64_t>(others.of.trials, 1));
-    if (corrected[i] > family_wise_error || rate <= other_rate) continue;
+    if (corrected[i] > family_wise_error || rate_of(mine) <= rate_of(others)) continue;
     const std::string kind = mine.member;
     subject.add(found.failures, mine.family, mine.of.failures,
                 fmt::format("{} contacts, {}, more than {} with {} (p = {:.2g} after Holm's correction)",
@@ -69,7 +72,8 @@ LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subjec
                 [kind](const Json& flip) { return flip["kind"] == kind; });
   }
   found.covers = fmt::format(
-      "missed and phantom contacts of {}, each count beside that of {} on the same queries, by Fisher's exact test with "
+      "missed and phantom contacts of {}, each count beside that of {} on the same queries, by Fisher's exact test "
+      "with "
       "Holm's correction over {} counts at 5 %",
       subject.list_of_families(), other, pairs.size());
   found.leaves_out = "depths, and differences that chance explains";

@@ -42,9 +42,8 @@ void Subject::add(std::vector<Failure>& failures, const std::string& family, std
                               witness["kernel"] == kernel_["id"] && witness["precision"] == kernel_["precision"];
     if (!is_of_family || witness["depth"].is_null()) continue;
     if (witness["touching"].get<bool>() && !touching_counts) continue;
-    const bool is_shown = std::any_of(witness["flips"].begin(), witness["flips"].end(), [&](const Json& flip) {
-      return flip["level"] == "verdict" && shows(flip);
-    });
+    const bool is_shown = std::any_of(witness["flips"].begin(), witness["flips"].end(),
+                                      [&](const Json& flip) { return flip["level"] == "verdict" && shows(flip); });
     if (is_shown && (deepest == nullptr || witness["depth"] > (*deepest)["depth"])) deepest = &witness;
   }
   failures.push_back({kernel_["id"], kernel_["precision"], family, count, what,
@@ -56,7 +55,8 @@ void Subject::add_pair(std::vector<Failure>& failures, const std::string& family
   if (count == 0) return;
   Failure failure{kernel_["id"], kernel_["precision"], family, count, what, ""};
   if (!pair.is_null()) {
-    failure.what += fmt::format("; first on {} beside {}", pair["image"].get<std::string>(), pair["base"].get<std::string>());
+    failure.what +=
+        fmt::format("; first on {} beside {}", pair["image"].get<std::string>(), pair["base"].get<std::string>());
     for (const Json& witness : record_["witnesses"]) {
       if (witness["address"] == pair["image"] && witness["kernel"] == kernel_["id"]) failure.witness = witness["id"];
     }

@@ -47,7 +47,7 @@ class Subject {
   // `shows` it.
   void add(std::vector<Failure>& failures, const std::string& family, std::uint64_t count, const std::string& what,
            const Shows& shows, bool touching_counts = true) const;
-  // The same for wrong verdicts with a broken link, of which `apart` do not count.
+  // The same for wrong verdicts with a broken link; for an unattributed one, those in exact arithmetic.
   void add_link(std::vector<Failure>& failures, const std::string& family, Link link, std::uint64_t count) const;
 
   // Adds a failure of this kernel that two queries show together, unless `count` is 0. `pair` has the addresses of

@@ -1,0 +1,36 @@
+#include "reports/formats/classes_section.h"
+
+#include <fmt/format.h>
+
+#include "reports/wording/classes.h"
+#include "reports/wording/markdown_text.h"
+
+namespace axiscert {
+
+std::string classes_section(const Json& record) {
+  Section section("Why, by the class of the input");
+  section.line(
+      "Kernels whose links do not say why they are wrong: each wrong verdict is in the first of these classes whose "
+      "definition its input meets.\n");
+  bool any = false;
+  section.head({"kernel", "precision", "class", "what it says", "deepest witness", "missed contacts",
+                "phantom contacts", "deepest"},
+               5);
+  for (const Json& kernel : record["kernels"]) {
+    for (const ClassRow& row : class_rows(kernel)) {
+      any = true;
+      section.row({plain(kernel["id"]), kernel["precision"], std::string(input_class_names[row.which]),
+                   std::string(class_meanings[row.which]), plain(row.witness), thousands(row.missed),
+                   thousands(row.phantom), amount(row.deepest, 4)});
+    }
+  }
+  for (const Json& kernel : record["kernels"]) {
+    const std::string nearest = nearest_sentence(kernel);
+    if (nearest.empty()) continue;
+    section.line(
+        fmt::format("\n{} {}: {}.", plain(kernel["id"]), kernel["precision"].get<std::string>(), plain(nearest, 2000)));
+  }
+  return any ? section.text() : "";
+}
+
+}  // namespace axiscert
