@@ -11,7 +11,7 @@ from command import SCHEMAS, Case, axiscert
 class Instruments(Case):
     # Each with few queries; what is written without a look at the clock.
     COMMANDS = (("ladder", "--trials", 60, "--kernel", "published", "--no-speed"),
-                ("precision", "--trials", 20, "--kernel", "reduced", "--bits", 24, "--family", "tangent"),
+                ("precision", "--trials", 500, "--kernel", "reduced", "--bits", 24, "--family", "tangent"),
                 ("condition", "--trials", 600, "--kernel", "published", "--family", "tangent"),
                 ("critical-radius", "--trials", 300, "--kernel", "published", "--family", "far"))
 

@@ -62,18 +62,26 @@ class KilledRank(MpiCase):
 
     def test_a_rank_is_killed(self):
         for rank in (0, 2):
-            out = self.folder / f"killed-{rank}"
-            run = self.mpirun(3, "--out", out)
-            journal = out / "journal"
-            while run.poll() is None and not (journal.exists() and journal.stat().st_size > 6000):
-                time.sleep(0.002)
-            self.assertIsNone(run.poll(), "through before it could be killed")
-            os.kill(self.process_of(rank, run.pid), signal.SIGKILL)
-            run.communicate(timeout=120)
-            self.assertNotEqual(run.returncode, 0)
+            # A rank that is through before it could be killed is tried again.
+            out = next(filter(None, (self.killed(rank, self.folder / f"killed-{rank}-{turn}") for turn in range(5))), None)
+            self.assertIsNotNone(out, f"rank {rank} was through before it could be killed, five times")
             said = self.mpi_ok(3, "--out", out, "--resume")
             self.assertIn("units lost on the way: ", said)
             self.assertEqual(self.record(out), self.uninterrupted(), rank)
+
+    def killed(self, rank, out):
+        """The folder of a run of which that rank was killed; None where it was through."""
+        run = self.mpirun(3, "--out", out)
+        journal = out / "journal"
+        while run.poll() is None and not (journal.exists() and journal.stat().st_size > 6000):
+            time.sleep(0.002)
+        process = self.process_of(rank, run.pid)
+        if process is not None:
+            os.kill(process, signal.SIGKILL)
+        run.communicate(timeout=120)
+        if process is None or run.returncode == 0:
+            return None
+        return out
 
     def process_of(self, rank, mpirun):
         for pid in filter(str.isdigit, os.listdir("/proc")):
@@ -84,7 +92,7 @@ class KilledRank(MpiCase):
                         return int(pid)
             except OSError:
                 continue
-        self.fail(f"rank {rank} is no child of {mpirun}")
+        return None
 
 
 class NoRanks(PlanCase):
