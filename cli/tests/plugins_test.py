@@ -143,7 +143,7 @@ class Plugins(Case):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("range is NOT CHECKED, which is allowed: the kernel shows verdicts alone", done.stdout)
         self.assertIn("logic is met\n  covers verdicts on the ", done.stdout)
-        self.assertIn("\n  leaves out a wrong verdict on any other query: ", done.stdout)
+        self.assertIn("\n  leaves out other units of length, and a wrong verdict on any other query: ", done.stdout)
 
     def test_a_file_that_is_no_plugin_passes_no_gate(self):
         text = self.folder / "text.so"
@@ -260,7 +260,7 @@ class Plugins(Case):
             path = self.folder / name
             path.parent.mkdir(exist_ok=True)
             shutil.copy(plain.removeprefix("plugin:"), path)
-            record = self.run_ok("--kernel", f"plugin:{path}", "--family", "general", "--trials", "100", "--require", "logic")
+            record = self.run_ok("--kernel", f"plugin:{path}", "--family", "lattice", "--trials", "100", "--require", "logic")
             self.assertEqual([k["id"] for k in record["kernels"]], [f"plugin:{path}"])
         self.refused("run", "--kernel", f"plugin:{self.folder}/a@b/c.so@flushed", says=["c.so@flushed", "process of its own"])
         self.refused("run", "--kernel", f"plugin:{self.folder}/a@b/nosuch.so", says=["a@b/nosuch.so", "no file"])

@@ -300,6 +300,7 @@ test('says by the class of the input why a kernel is wrong that shows only verdi
   const record = JSON.parse(fs.readFileSync(path.join(testdata, 'record.json'), 'utf8'));
   record.kernels = record.kernels.filter(({id}) => id === '<script>');
   record.plan.kernels = ['<script>'];
+  record.plan.seed = 1;  // the stored one is no number of JavaScript
   record.witnesses = record.witnesses.filter(({kernel}) => kernel === '<script>');
   fs.writeFileSync(path.join(silent, 'record.json'), JSON.stringify(record));
   render(silent);

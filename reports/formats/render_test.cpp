@@ -237,10 +237,10 @@ TEST(Junit, FailsWhereTheRequirementOrATolerancePasses) {
   render_reports(folder.path());
   const std::string text = folder.read("junit.xml");
   // published: tangent's verdict and plane.radius; skipped: fifteen comparisons without a tolerance on three families.
-  // <script>: lattice's verdict; skipped: its comparisons, once, as it does not show them, and its mesh, on which it
-  // was not run.
+  // <script>: lattice's verdict; skipped: tangent's, since a wrong verdict there may be of rounding, its comparisons,
+  // once, as it does not show them, and its mesh, on which it was not run.
   EXPECT_THAT(text, HasSubstr("tests=\"51\" failures=\"2\" errors=\"0\" skipped=\"45\""));
-  EXPECT_THAT(text, HasSubstr("tests=\"4\" failures=\"1\" errors=\"0\" skipped=\"2\""));
+  EXPECT_THAT(text, HasSubstr("tests=\"4\" failures=\"1\" errors=\"0\" skipped=\"3\""));
   EXPECT_THAT(text, HasSubstr("name=\"tangent plane.radius\""));
   EXPECT_THAT(text, HasSubstr("3 errors above 2 u; the smallest tolerance that passes is 3.5 u"));
 }
@@ -304,7 +304,8 @@ std::map<std::string, Json> sarif_results(const Json& info, const Json& held = n
   if (!held.is_null()) folder.write("ratchet.json", held.dump());
   render_reports(folder.path());
   std::map<std::string, Json> results;
-  for (const Json& result : Json::parse(folder.read("report.sarif"))["runs"][0]["results"])
+  const Json log = Json::parse(folder.read("report.sarif"));
+  for (const Json& result : log["runs"][0]["results"])
     results[result["locations"][0]["logicalLocations"][0]["fullyQualifiedName"]] = result;
   return results;
 }

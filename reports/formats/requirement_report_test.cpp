@@ -51,7 +51,7 @@ TEST(Reports, WhatMayBeLeftUncheckedIsNotCalledMet) {
   ASSERT_EQ(folder.rendering_error(), "");
   EXPECT_THAT(folder.read("report.md"), HasSubstr("The gate passes."));
   EXPECT_THAT(folder.read("report.md"), HasSubstr("| NOT CHECKED, which is allowed |"));
-  EXPECT_THAT(folder.read("report.md"), HasSubstr("--require range --require 'depth=0.5' --allow-unchecked range"));
+  EXPECT_THAT(folder.read("report.md"), HasSubstr("--require range --require depth=0.5 --allow-unchecked range"));
   EXPECT_THAT(folder.read("junit.xml"), HasSubstr("name=\"requirement range\" time=\"0\">\n      <skipped"));
   const Json sarif = Json::parse(folder.read("report.sarif"));
   EXPECT_EQ(sarif["runs"][0]["results"].back()["suppressions"].size(), 1u);
