@@ -9,12 +9,9 @@
 
 namespace axiscert::black_box {
 
-inline const std::string* argument_of(const BlackBoxResult& r) {
-  const auto found = equivalent_mutants().find(r.mutant->id);
-  return found == equivalent_mutants().end() ? nullptr : &found->second;
+inline bool is_equivalent(const BlackBoxResult& r) {
+  return r.is_as_base || equivalent_mutants().contains(r.mutant->id);
 }
-
-inline bool is_equivalent(const BlackBoxResult& r) { return r.is_as_base || argument_of(r) != nullptr; }
 inline bool has_survived(const BlackBoxResult& r) { return !r.refused && !is_equivalent(r); }
 inline bool has_magnitude(const BlackBoxResult& r) { return r.mutant->value != mutants::ValueFault::none; }
 
