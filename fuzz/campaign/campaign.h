@@ -13,7 +13,7 @@
 #include "fuzz/campaign/progress.h"
 #include "fuzz/pipe/replies.h"
 #include "fuzz/queries/source.h"
-#include "fuzz/campaign/tally.h"
+#include "fuzz/campaign/counts/tally.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

@@ -8,7 +8,7 @@
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "fuzz/campaign/decider.h"
-#include "fuzz/campaign/tally.h"
+#include "fuzz/campaign/counts/tally.h"
 
 namespace axiscert {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "exact/sphere_triangle/oracles/formula_oracle.h"
-#include "fuzz/campaign/margins.h"
+#include "fuzz/campaign/counts/margins.h"
 
 namespace axiscert {
 

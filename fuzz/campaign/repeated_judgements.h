@@ -3,7 +3,7 @@
 #pragma once
 
 #include "exact/sphere_triangle/filters/signs.h"
-#include "fuzz/campaign/tally.h"
+#include "fuzz/campaign/counts/tally.h"
 
 namespace axiscert {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "fuzz/campaign/class_tally.h"
+#include "fuzz/campaign/counts/class_tally.h"
 #include "fuzz/confirm/nearest_kernel.h"
 #include "fuzz/text/json.h"
 

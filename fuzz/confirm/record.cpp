@@ -11,7 +11,7 @@
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/confirm/asymmetry_record.h"
 #include "fuzz/confirm/class_record.h"
-#include "fuzz/campaign/tally.h"
+#include "fuzz/campaign/counts/tally.h"
 #include "fuzz/confirm/finding_record.h"
 #include "fuzz/confirm/plan.h"
 #include "fuzz/confirm/witness.h"

@@ -7,7 +7,7 @@
 
 #include "exact/numbers/surd.h"
 #include "fuzz/queries/random.h"
-#include "fuzz/campaign/tally.h"
+#include "fuzz/campaign/counts/tally.h"
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/reference/formulae_types.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "fuzz/campaign/class_tally.h"
+#include "fuzz/campaign/counts/class_tally.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

@@ -9,10 +9,10 @@
 
 #include "exact/numbers/decimal6.h"
 #include "exact/judge/judge.h"
-#include "fuzz/campaign/depths.h"
-#include "fuzz/campaign/class_tally.h"
-#include "fuzz/campaign/leaders.h"
-#include "fuzz/campaign/margins.h"
+#include "fuzz/campaign/counts/depths.h"
+#include "fuzz/campaign/counts/class_tally.h"
+#include "fuzz/campaign/counts/leaders.h"
+#include "fuzz/campaign/counts/margins.h"
 #include "kernel/finding.h"
 #include "kernel/sphere_triangle/decision.h"
 

@@ -1,4 +1,4 @@
-#include "fuzz/campaign/tally.h"
+#include "fuzz/campaign/counts/tally.h"
 
 #include <bit>
 

@@ -1,4 +1,4 @@
-#include "fuzz/campaign/depths.h"
+#include "fuzz/campaign/counts/depths.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Margins: the exponents are those of rational arithmetic, and no finite comparison is wrong above its largest error.
-#include "fuzz/campaign/margins.h"
+#include "fuzz/campaign/counts/margins.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

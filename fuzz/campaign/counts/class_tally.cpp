@@ -1,8 +1,8 @@
-#include "fuzz/campaign/class_tally.h"
+#include "fuzz/campaign/counts/class_tally.h"
 
 #include <algorithm>
 
-#include "fuzz/campaign/tally.h"
+#include "fuzz/campaign/counts/tally.h"
 #include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {

@@ -1,6 +1,6 @@
 // Wrong verdicts by the class of the input: planted faults land in their class, and no order, filter or round trip
 // changes what is counted.
-#include "fuzz/campaign/class_tally.h"
+#include "fuzz/campaign/counts/class_tally.h"
 
 #include <gtest/gtest.h>
 

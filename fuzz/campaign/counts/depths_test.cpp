@@ -1,5 +1,5 @@
 // Decades of depth and engine-like queries: their edges, and that a campaign's counts add up.
-#include "fuzz/campaign/depths.h"
+#include "fuzz/campaign/counts/depths.h"
 
 #include <gtest/gtest.h>
 

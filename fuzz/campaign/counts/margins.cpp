@@ -1,4 +1,4 @@
-#include "fuzz/campaign/margins.h"
+#include "fuzz/campaign/counts/margins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "exact/judge/judge.h"
 #include "exact/sphere_triangle/measures/input_class.h"
-#include "fuzz/campaign/leaders.h"
+#include "fuzz/campaign/counts/leaders.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
