@@ -47,17 +47,28 @@ def run(command, folder, sent):
 
 
 def verdicts(output, sent, count):
-    """The verdicts in the reply stream to `sent`, which has `count` queries; a fault of the format is an AssertionError."""
+    """The verdicts of the reply stream that `output` begins with, to `sent` of `count` queries; and what follows the stream."""
     size = struct.unpack_from("<I", sent, 24)[0]
     reply = 4 if struct.unpack_from("<I", sent, 8)[0] == 1 else 16
+    end = size + reply * count
     assert output[:size] == sent[:size], "the reply stream does not begin with the query stream's header"
-    assert len(output) == size + reply * count, f"{len(output)} bytes of reply, not {size + reply * count}"
-    assert not any(output[i] for i in range(size, len(output)) if (i - size) % reply), "a reply has more than a verdict"
-    return [VERDICTS[v] for v in output[size::reply]]
+    assert len(output) >= end, f"{len(output)} bytes of reply, not {end}"
+    assert not any(output[i] for i in range(size, end) if (i - size) % reply), "a reply has more than a verdict"
+    return [VERDICTS[v] for v in output[size:end:reply]], output[end:]
+
+
+def ask_each(command, folder, streams, precision="binary32", test="sphere-triangle"):
+    """The verdicts of one process on several streams, a list of queries each."""
+    sent = [stream(queries, precision, test) for queries in streams]
+    done = run(command, folder, b"".join(sent))
+    assert done.returncode == 0, f"{command} exited with {done.returncode}: {done.stderr.decode(errors='replace')[-2000:]}"
+    answers, rest = [], done.stdout
+    for queries, bytes_sent in zip(streams, sent):
+        given, rest = verdicts(rest, bytes_sent, len(queries))
+        answers.append(given)
+    assert not rest, f"{len(rest)} bytes after the last reply"
+    return answers
 
 
 def ask(command, folder, queries, precision="binary32", test="sphere-triangle"):
-    sent = stream(queries, precision, test)
-    done = run(command, folder, sent)
-    assert done.returncode == 0, f"{command} exited with {done.returncode}: {done.stderr.decode(errors='replace')[-2000:]}"
-    return verdicts(done.stdout, sent, len(queries))
+    return ask_each(command, folder, [queries], precision, test)[0]
