@@ -11,12 +11,13 @@ import shutil
 import struct
 import subprocess
 import sys
+import time
 import unittest
 
 import asking
 
 TOY = ["node", "frame_toy.mjs"]
-RIGHT, REFUSED, TRAP, PRINTS, MADE_ONCE, TALKS, ABORT = range(7)
+RIGHT, REFUSED, TRAP, PRINTS, MADE_ONCE, TALKS, ABORT, NO_VERDICT = range(8)
 
 
 def query(what, r=1.0):
@@ -78,6 +79,27 @@ class Answers(unittest.TestCase):
                 self.assertEqual(asking.verdicts(answer, sent, 1), (["contact"], b""))
             program.stdin.close()
             self.assertEqual(program.wait(asking.SECONDS), 0)
+
+    def test_input_that_comes_in_pieces_is_put_together(self):
+        radii = [i % 2 for i in range(8)]
+        sent = asking.stream([query(RIGHT, r) for r in radii])
+        with subprocess.Popen(TOY, cwd=asking.FOLDER, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as program:
+            program.stdin.write(asking.stream([]))
+            program.stdin.flush()
+            program.stdout.read(len(asking.stream([])))  # from here on it waits for every piece
+            for first in range(0, len(sent), 50):
+                program.stdin.write(sent[first:first + 50])
+                program.stdin.flush()
+                time.sleep(0.01)
+            program.stdin.close()
+            self.assertEqual(asking.verdicts(program.stdout.read(), sent, 8), (["contact" if r else "separated" for r in radii], b""))
+
+
+class Faulty(unittest.TestCase):
+    def test_an_engine_that_returns_no_verdict_ends_the_program(self):
+        done = run(asking.stream([query(RIGHT), query(NO_VERDICT)]))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"query 1: 'contact' is not a verdict", done.stderr)
 
 
 class NoStream(unittest.TestCase):

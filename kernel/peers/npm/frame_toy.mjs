@@ -18,6 +18,7 @@ async function make() {
       case 4: return verdictOf(made === 1);  // contact until it is made anew
       case 5: for (let i = 0; i < 10000; ++i) console.error('another line'); return CONTACT;
       case 6: throw 'Aborted(native code called abort())';
+      case 7: return 'contact';
       default: return UNDECIDED;
     }
   };

@@ -134,6 +134,7 @@ export async function serve(make) {
             if (isFatal(error)) answers = await make();
           }
         }
+        if (![CONTACT, SEPARATED, UNDECIDED, INVALID].includes(verdict)) fail(`query ${first + i}: '${verdict}' is not a verdict`);
         replies[i * replySize] = verdict;
       }
       writeAll(1, replies);
