@@ -1,0 +1,74 @@
+"""Asks a program over the pipe (docs/pipe.md): the side of the format that axiscert has, for tests that need no build of it."""
+import hashlib
+import json
+import struct
+import subprocess
+from pathlib import Path
+
+FOLDER = Path(__file__).resolve().parent
+VERDICTS = ("contact", "separated", "undecided", "invalid")
+COLUMNS = {"sphere-triangle": "abcpr", "moving-sphere": "abcprd"}  # members of a query line; r is one number, the others three
+SECONDS = 300  # for a program to answer a stream
+
+
+def installed():
+    """Whether the engines' packages are there, in the versions of package.json."""
+    wanted = json.loads((FOLDER / "package.json").read_text())["dependencies"]
+    for package, version in wanted.items():
+        file = FOLDER / "node_modules" / package / "package.json"
+        if not file.exists() or json.loads(file.read_text())["version"] != version:
+            return False
+    return True
+
+
+def numbers_of(line, test="sphere-triangle"):
+    """The numbers of a query line, in the order of the test's columns; exact, as each has to be given as a hex float."""
+    numbers = []
+    for member in COLUMNS[test]:
+        given = line[member]
+        numbers += [float.fromhex(x) for x in (given if isinstance(given, list) else [given])]
+    return numbers
+
+
+def stream(queries, precision="binary32", test="sphere-triangle"):
+    """The bytes of a query stream."""
+    bits = {"binary32": 32, "binary64": 64}[precision]
+    columns = sum(1 if member == "r" else 3 for member in COLUMNS[test])
+    plan = json.dumps({"test": test, "columns": columns}).encode().ljust(64)
+    version = 1 if test == "sphere-triangle" else 2
+    head = struct.pack("<8sIIQII", b"AXISCERT", version, bits, len(queries), 64 + len(plan), columns * bits // 8)
+    record = struct.Struct(f"<{columns}{'f' if bits == 32 else 'd'}")
+    return head + hashlib.sha256(plan).digest() + plan + b"".join(record.pack(*query) for query in queries)
+
+
+def run(command, folder, sent):
+    """What a program that is started in `folder` and given `sent` leaves: exit status, standard output, standard error."""
+    return subprocess.run(command, cwd=folder, input=sent, capture_output=True, timeout=SECONDS)
+
+
+def verdicts(output, sent, count):
+    """The verdicts of the reply stream that `output` begins with, to `sent` of `count` queries; and what follows the stream."""
+    size = struct.unpack_from("<I", sent, 24)[0]
+    reply = 4 if struct.unpack_from("<I", sent, 8)[0] == 1 else 16
+    end = size + reply * count
+    assert output[:size] == sent[:size], "the reply stream does not begin with the query stream's header"
+    assert len(output) >= end, f"{len(output)} bytes of reply, not {end}"
+    assert not any(output[i] for i in range(size, end) if (i - size) % reply), "a reply has more than a verdict"
+    return [VERDICTS[v] for v in output[size:end:reply]], output[end:]
+
+
+def ask_each(command, folder, streams, precision="binary32", test="sphere-triangle"):
+    """The verdicts of one process on several streams, a list of queries each."""
+    sent = [stream(queries, precision, test) for queries in streams]
+    done = run(command, folder, b"".join(sent))
+    assert done.returncode == 0, f"{command} exited with {done.returncode}: {done.stderr.decode(errors='replace')[-2000:]}"
+    answers, rest = [], done.stdout
+    for queries, bytes_sent in zip(streams, sent):
+        given, rest = verdicts(rest, bytes_sent, len(queries))
+        answers.append(given)
+    assert not rest, f"{len(rest)} bytes after the last reply"
+    return answers
+
+
+def ask(command, folder, queries, precision="binary32", test="sphere-triangle"):
+    return ask_each(command, folder, [queries], precision, test)[0]

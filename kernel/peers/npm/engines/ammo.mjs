@@ -1,0 +1,63 @@
+// Bullet as ammo.js: contactPairTest of a sphere and a triangle, a contact whose distance is at most 0.
+//   mesh         btBvhTriangleMeshShape
+//   mesh-beside  a second triangle is in the mesh
+//   hull         btConvexHullShape of the three vertices, its margin 0
+//   hull-margin  the same with its margin of 0.04, as it is made
+import {createRequire} from 'node:module';
+
+import {serve, UNDECIDED, verdictOf} from './frame.mjs';
+import {centre, form, mesh, radius, vertices} from './triangle.mjs';
+
+const asked = form({'mesh': {}, 'mesh-beside': {two: true}, 'hull': {hull: true, margin: 0}, 'hull-margin': {hull: true}});
+
+async function make() {
+  const Ammo = await createRequire(import.meta.url)('ammojs-typed/wasm')();
+  const configuration = new Ammo.btDefaultCollisionConfiguration(), dispatcher = new Ammo.btCollisionDispatcher(configuration);
+  const world = new Ammo.btDiscreteDynamicsWorld(dispatcher, new Ammo.btDbvtBroadphase(),
+                                                 new Ammo.btSequentialImpulseConstraintSolver(), configuration);
+  const place = new Ammo.btTransform(), point = new Ammo.btVector3(0, 0, 0), corners = [0, 1, 2].map(() => new Ammo.btVector3(0, 0, 0));
+  const object = new Ammo.btPairCachingGhostObject(), ball = new Ammo.btPairCachingGhostObject();
+  let hit = false;
+  const heard = new Ammo.ConcreteContactResultCallback();
+  heard.addSingleResult = (contact) => {
+    if (Ammo.wrapPointer(contact, Ammo.btManifoldPoint).getDistance() <= 0) hit = true;
+    return 0;
+  };
+
+  const moved = (vector, v) => (vector.setValue(v[0], v[1], v[2]), vector);
+
+  // What the shape is made of, the shape last; null where there is no room for a second triangle.
+  function shapesOf(q) {
+    if (asked.hull) {
+      const hull = new Ammo.btConvexHullShape();
+      for (const v of vertices(q)) hull.addPoint(moved(point, v), true);
+      if (asked.margin !== undefined) hull.setMargin(asked.margin);
+      return [hull];
+    }
+    const made = mesh(q, asked.two);
+    if (made === null) return null;
+    const triangles = new Ammo.btTriangleMesh(true, false);
+    for (const three of made.triangles) triangles.addTriangle(...three.map((v, i) => moved(corners[i], v)), false);
+    return [triangles, new Ammo.btBvhTriangleMeshShape(triangles, true, true)];
+  }
+
+  function sphereTriangle(q) {
+    const shapes = shapesOf(q);
+    if (shapes === null) return UNDECIDED;
+    const sphere = new Ammo.btSphereShape(radius(q));
+    place.setIdentity();
+    object.setWorldTransform(place);
+    object.setCollisionShape(shapes.at(-1));
+    place.setOrigin(moved(point, centre(q)));
+    ball.setWorldTransform(place);
+    ball.setCollisionShape(sphere);
+    hit = false;
+    world.contactPairTest(ball, object, heard);
+    for (const used of [sphere, ...shapes.reverse()]) Ammo.destroy(used);
+    return verdictOf(hit);
+  }
+
+  return {'sphere-triangle': sphereTriangle};
+}
+
+await serve(make);

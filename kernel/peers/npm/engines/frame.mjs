@@ -1,0 +1,143 @@
+// The side of the pipe (docs/pipe.md) that every engine here shares: reads queries from standard input, asks the engine,
+// writes its replies to standard output. After the last reply of a stream it reads another header; at the end of the
+// file it ends.
+//
+//   await serve(async () => ({'sphere-triangle': (q) => verdict}));
+//
+// `make` loads the engine and returns a function for each test that it answers, by the test's id. That function takes
+// the numbers of one query, in the order of the test's columns, and returns a verdict. Queries that are none (a number
+// that is not finite, a negative length) are answered `invalid` and not handed on.
+//
+// An exception declines the query: `undecided`, with a line on standard error. After a trap of WebAssembly the engine's
+// memory cannot be trusted, and after an abort it answers nothing: it is made anew.
+import {readSync, writeSync} from 'node:fs';
+
+import {tests} from './tests.mjs';
+
+export const CONTACT = 0, SEPARATED = 1, UNDECIDED = 2, INVALID = 3;
+export const verdictOf = (contact) => (contact ? CONTACT : SEPARATED);
+// The verdict of an engine that gives a distance.
+export const verdictWithin = (distance, reach) => (Number.isNaN(distance) ? INVALID : verdictOf(distance <= reach));
+
+const HEAD = 64, GREATEST_HEADER = 1 << 20;
+// Queries whose replies are written together: few, so that a reader knows how far a program came that hangs.
+const QUERIES_A_WRITE = 64;
+// Lines on standard error for each stream. Some engines print one for every shape that they refuse.
+const MOST_LINES = 20;
+
+let lines = 0;
+function say(...words) {
+  if (lines++ < MOST_LINES) writeAll(2, Buffer.from(words.map(String).join(' ').slice(0, 2000) + '\n'));
+}
+// Standard output carries replies alone; engines print on the console.
+console.log = console.info = console.warn = console.error = console.debug = say;
+
+function fail(why) {
+  lines = 0;
+  say(`${process.argv[1]}: ${why}`);
+  process.exit(2);
+}
+
+// A descriptor that somebody else has set to non-blocking says EAGAIN.
+const moment = new Int32Array(new SharedArrayBuffer(4));
+function patiently(call) {
+  for (;;) {
+    try {
+      return call();
+    } catch (error) {
+      if (error.code === 'EOF') return 0;  // Windows' word for the end of a pipe
+      if (error.code === 'EPIPE') process.exit(0);  // nobody reads the replies any more
+      if (error.code !== 'EAGAIN') throw error;
+      Atomics.wait(moment, 0, 0, 1);
+    }
+  }
+}
+
+function writeAll(to, bytes) {
+  for (let done = 0; done < bytes.length;) done += patiently(() => writeSync(to, bytes, done));
+}
+
+// Fills `bytes` from standard input; returns how many there were before its end.
+function readAll(bytes) {
+  let done = 0;
+  while (done < bytes.length) {
+    const got = patiently(() => readSync(0, bytes, done, bytes.length - done, null));
+    if (got === 0) break;
+    done += got;
+  }
+  return done;
+}
+
+// The header's bytes and what they say, or null at the end of the file.
+function readHeader(answers) {
+  const head = Buffer.alloc(HEAD);
+  const got = readAll(head);
+  if (got === 0) return null;
+  if (got < HEAD || head.toString('latin1', 0, 8) !== 'AXISCERT') {
+    fail('standard input is not a query stream; `axiscert generate --binary` makes one');
+  }
+  const version = head.readUInt32LE(8), precision = head.readUInt32LE(12), count = Number(head.readBigUInt64LE(16));
+  const size = head.readUInt32LE(24), recordSize = head.readUInt32LE(28);
+  if (version !== 1 && version !== 2) fail(`the stream's version is ${version}; this program reads 1 and 2`);
+  if (precision !== 32 && precision !== 64) fail(`the stream's precision is ${precision}; it is 32 or 64`);
+  if (size < HEAD || size > GREATEST_HEADER) fail(`the header's size is ${size} bytes; it is from ${HEAD} to ${GREATEST_HEADER}`);
+  const plan = Buffer.alloc(size - HEAD);
+  if (readAll(plan) < plan.length) fail('the stream ends within its header');
+
+  let id = 'sphere-triangle';
+  if (version === 2) {
+    try {
+      id = JSON.parse(plan.toString('utf8')).test;
+    } catch {
+      fail('the plan of a stream of version 2 is to be JSON with a member "test"');
+    }
+  }
+  const ids = Object.keys(answers);
+  if (!ids.includes(id)) fail(`the stream asks '${id}'; this program answers ${ids.join(', ')}`);
+  const columns = tests[id].columns;
+  if (recordSize !== columns * precision / 8) {
+    fail(`a record of ${id} in binary${precision} has ${columns * precision / 8} bytes, not ${recordSize}`);
+  }
+  return {bytes: Buffer.concat([head, plan]), id, precision, count, columns, recordSize, replySize: version === 1 ? 4 : 16};
+}
+
+function isQuery(test, q) {
+  for (let k = 0; k < q.length; ++k) if (!Number.isFinite(q[k])) return false;
+  return test.lengths.every((k) => q[k] >= 0);
+}
+
+// Traps are RuntimeErrors; emscripten's abort() throws one too, or a text.
+const isFatal = (error) => error instanceof WebAssembly.RuntimeError || /abort/i.test(String(error));
+
+export async function serve(make) {
+  let answers = await make();
+  for (let header; (header = readHeader(answers)) !== null;) {
+    lines = 0;
+    const {id, columns, recordSize, replySize} = header;
+    const records = Buffer.from(new ArrayBuffer(QUERIES_A_WRITE * recordSize));
+    const numbers = new (header.precision === 32 ? Float32Array : Float64Array)(records.buffer);
+    writeAll(1, header.bytes);
+    for (let first = 0; first < header.count; first += QUERIES_A_WRITE) {
+      const count = Math.min(QUERIES_A_WRITE, header.count - first);
+      const got = readAll(records.subarray(0, count * recordSize));
+      if (got < count * recordSize) fail(`the stream ends after ${first + Math.floor(got / recordSize)} of ${header.count} queries`);
+      const replies = Buffer.alloc(count * replySize);
+      for (let i = 0; i < count; ++i) {
+        const q = numbers.subarray(i * columns, (i + 1) * columns);
+        let verdict = INVALID;
+        if (isQuery(tests[id], q)) {
+          try {
+            verdict = answers[id](q);
+          } catch (error) {
+            verdict = UNDECIDED;
+            say(`query ${first + i}: ${error}`);
+            if (isFatal(error)) answers = await make();
+          }
+        }
+        if (![CONTACT, SEPARATED, UNDECIDED, INVALID].includes(verdict)) fail(`query ${first + i}: '${verdict}' is not a verdict`);
+        replies[i * replySize] = verdict;
+      }
+      writeAll(1, replies);
+    }
+  }
+}

@@ -1,0 +1,100 @@
+// Jolt: TransformedShape.CollideShape of a SphereShape with a MeshShape or a ConvexHullShape, separation distance 0.
+//   mesh             back faces collide; by default they do not
+//   mesh-one-sided   as by default
+//   mesh-beside      back faces collide; a second triangle is in the mesh
+//   hull             a convex hull of the three vertices, with the default convex radius
+import {serve, UNDECIDED, verdictOf} from './frame.mjs';
+import initialized from 'jolt-physics';
+
+import {centre, form, mesh, radius, vertices} from './triangle.mjs';
+
+const asked = form({
+  'mesh': {backFaces: true},
+  'mesh-one-sided': {backFaces: false},
+  'mesh-beside': {backFaces: true, two: true},
+  'hull': {backFaces: true, hull: true},
+});
+
+async function make() {
+  const Jolt = await initialized();
+  const world = new Jolt.JoltSettings();
+  world.mMaxWorkerThreads = 0;
+  // Layers of nothing: without a JoltInterface its allocator is not there, and the first shape traps.
+  const pairs = new Jolt.ObjectLayerPairFilterTable(1), phases = new Jolt.BroadPhaseLayerInterfaceTable(1, 1);
+  phases.MapObjectToBroadPhaseLayer(0, new Jolt.BroadPhaseLayer(0));
+  world.mObjectLayerPairFilter = pairs;
+  world.mBroadPhaseLayerInterface = phases;
+  world.mObjectVsBroadPhaseLayerFilter = new Jolt.ObjectVsBroadPhaseLayerFilterTable(phases, 1, pairs, 1);
+  const jolt = new Jolt.JoltInterface(world);
+
+  const settings = new Jolt.CollideShapeSettings();
+  settings.mMaxSeparationDistance = 0;
+  settings.mBackFaceMode = asked.backFaces ? Jolt.EBackFaceMode_CollideWithBackFaces : Jolt.EBackFaceMode_IgnoreBackFaces;
+  const one = new Jolt.Vec3(1, 1, 1), zero = new Jolt.Vec3(0, 0, 0), noTurn = new Jolt.Quat(0, 0, 0, 1);
+  const origin = new Jolt.RVec3(0, 0, 0), filter = new Jolt.ShapeFilter();
+
+  // The shape that the settings make, with a reference of its own, or null where Jolt refuses it.
+  function created(shapeSettings) {
+    const result = shapeSettings.Create();
+    const shape = result.HasError() ? null : result.Get();
+    if (shape) shape.AddRef();
+    result.Clear();
+    shapeSettings.Release();
+    return shape;
+  }
+
+  function hullOf(q) {
+    const of = new Jolt.ConvexHullShapeSettings();
+    of.AddRef();
+    for (const v of vertices(q)) {
+      const point = new Jolt.Vec3(v[0], v[1], v[2]);
+      of.mPoints.push_back(point);
+      Jolt.destroy(point);
+    }
+    return created(of);
+  }
+
+  function meshOf(q) {
+    const list = new Jolt.TriangleList(), made = mesh(q, asked.two);
+    if (made) {
+      for (const corners of made.triangles) {
+        const points = corners.map((v) => new Jolt.Vec3(v[0], v[1], v[2]));
+        const triangle = new Jolt.Triangle(...points, 0);
+        list.push_back(triangle);
+        Jolt.destroy(triangle);
+        points.forEach((point) => Jolt.destroy(point));
+      }
+    }
+    const of = made && new Jolt.MeshShapeSettings(list);
+    if (of) of.AddRef();
+    const shape = of && created(of);
+    Jolt.destroy(list);
+    return shape;
+  }
+
+  function sphereTriangle(q) {
+    const sphereSettings = new Jolt.SphereShapeSettings(radius(q));
+    sphereSettings.AddRef();
+    const sphere = created(sphereSettings);
+    const shape = sphere && (asked.hull ? hullOf(q) : meshOf(q));
+    let verdict = UNDECIDED;
+    if (shape) {
+      const transformed = new Jolt.TransformedShape();
+      transformed.mShape = shape;
+      transformed.SetWorldTransform(origin, noTurn, one);
+      const p = centre(q), at = new Jolt.RVec3(p[0], p[1], p[2]);
+      const place = Jolt.RMat44.prototype.sTranslation(at);
+      const collector = new Jolt.CollideShapeAnyHitCollisionCollector();
+      transformed.CollideShape(sphere, one, place, settings, origin, collector, filter);
+      verdict = verdictOf(collector.HadHit());
+      for (const made of [collector, at, transformed]) Jolt.destroy(made);
+      shape.Release();
+    }
+    if (sphere) sphere.Release();
+    return verdict;
+  }
+
+  return {'sphere-triangle': sphereTriangle};
+}
+
+await serve(make);

@@ -1,0 +1,40 @@
+"""The squared distance from a point to a closed triangle, exactly, in rationals: of the four candidates (the face, where the foot of the
+perpendicular is in it, and the three edges) the least. Any triangle, those without area too."""
+from fractions import Fraction
+
+
+def dot(u, v):
+    return sum(x * y for x, y in zip(u, v))
+
+
+def minus(u, v):
+    return [x - y for x, y in zip(u, v)]
+
+
+def cross(u, v):
+    return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+
+
+def to_segment(p, a, b):
+    edge, off = minus(b, a), minus(p, a)
+    whole = dot(edge, edge)
+    t = min(max(dot(edge, off) / whole, Fraction(0)), Fraction(1)) if whole else Fraction(0)
+    rest = [x - t * y for x, y in zip(off, edge)]
+    return dot(rest, rest)
+
+
+def squared_distance(numbers):
+    """Of the centre to the triangle: numbers are ax ay az bx by bz cx cy cz px py pz and what follows them."""
+    v = [Fraction(x) for x in numbers]
+    a, b, c, p = v[0:3], v[3:6], v[6:9], v[9:12]
+    least = min(to_segment(p, a, b), to_segment(p, b, c), to_segment(p, c, a))
+    n = cross(minus(b, a), minus(c, a))
+    if any(n) and all(dot(cross(minus(w, u), minus(p, u)), n) >= 0 for u, w in ((a, b), (b, c), (c, a))):
+        least = min(least, dot(n, minus(p, a)) ** 2 / dot(n, n))
+    return least
+
+
+def verdict(numbers):
+    """(verdict, whether they touch) of a query of sphere-triangle."""
+    squared, radius = squared_distance(numbers), Fraction(numbers[12])
+    return "contact" if squared <= radius * radius else "separated", squared == radius * radius

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""The known faults of the engines, each asked of the engine itself through the pipe: faults.jsonl, and faults_moving.jsonl for moving
+spheres. A line is a query with the exact answer (`expected`) and the engine's own (`engine`). An engine that answers otherwise has
+changed: its line, docs/league.md and docs/upstream have to follow. Where the engines are not installed nothing is checked: exit code 77.
+
+faults_test.py [unittest arguments]
+"""
+import json
+import sys
+import unittest
+from collections import defaultdict
+from fractions import Fraction
+
+import asking
+import exact
+
+
+def lines(name):
+    return [json.loads(line) for line in (asking.FOLDER / name).read_text().splitlines()]
+
+
+STILL, MOVING = lines("faults.jsonl"), lines("faults_moving.jsonl")
+
+
+def manifest(line):
+    return json.loads((asking.FOLDER / line["engine"]["manifest"]).read_text())
+
+
+class Truth(unittest.TestCase):
+    """What is expected, by rationals alone."""
+
+    def test_every_expected_answer_is_exact(self):
+        for line in STILL:
+            with self.subTest(line["id"]):
+                numbers, expected = asking.numbers_of(line), line["expected"]
+                self.assertEqual(exact.verdict(numbers), (expected["verdict"], expected["touching"]))
+                self.assertEqual(exact.squared_distance(numbers), Fraction(expected["squared_distance"]))
+
+    def test_every_first_contact_is_one(self):
+        for line in MOVING:
+            with self.subTest(line["id"]):
+                numbers = [Fraction(x) for x in asking.numbers_of(line, line["test"])]
+                gap = lambda t: exact.squared_distance(
+                    numbers[:9] + [p + t * d for p, d in zip(numbers[9:12], numbers[13:16])]) - numbers[12] ** 2
+                first = Fraction(line["expected"]["first_contact"])
+                self.assertTrue(0 < first < 1)
+                self.assertEqual(gap(first), 0)
+                self.assertGreater(gap(first - Fraction(1, 1000)), 0)
+                self.assertLess(gap(first + Fraction(1, 1000)), 0)
+
+    def test_every_line_is_a_fault(self):
+        for line in STILL + MOVING:
+            self.assertNotEqual(line["engine"]["answer"], line["expected"]["verdict"], line["id"])
+
+    def test_every_line_has_its_own_name(self):
+        names = [line["id"] for line in STILL + MOVING]
+        self.assertEqual(len(names), len(set(names)))
+
+
+class Faults(unittest.TestCase):
+    """The engines' answers."""
+
+    def check(self, asked, command, precision, test):
+        """`asked`: lines of one program. All in one stream, forwards and backwards: nothing is kept from query to query."""
+        queries = [asking.numbers_of(line, test) for line in asked]
+        forwards, backwards = asking.ask_each(command, asking.FOLDER, [queries, queries[::-1]], precision, test)
+        for line, answer, again in zip(asked, forwards, backwards[::-1]):
+            with self.subTest(line["id"]):
+                package = line["engine"]["package"] + " " + line["engine"]["version"]
+                self.assertEqual(answer, line["engine"]["answer"], f"{package} answers otherwise than it did")
+                self.assertEqual(again, answer, package)
+
+    def test_each_engine_has_its_known_faults(self):
+        programs = defaultdict(list)
+        for line in STILL:
+            programs[line["engine"]["manifest"], line["precision"]].append(line)
+        for (_, precision), asked in programs.items():
+            of = manifest(asked[0])
+            self.assertIn(precision, of["precisions"])
+            self.check(asked, of["command"], precision, of["test"])
+
+    def test_each_engine_has_its_known_faults_with_moving_spheres(self):
+        for line in MOVING:
+            self.check([line], line["engine"]["command"], line["precision"], line["test"])
+
+    def test_the_versions_are_those_that_are_installed(self):
+        wanted = json.loads((asking.FOLDER / "package.json").read_text())["dependencies"]
+        for line in STILL + MOVING:
+            self.assertEqual(wanted[line["engine"]["package"]], line["engine"]["version"], line["id"])
+
+
+class Answers(unittest.TestCase):
+    """Every program answers plain queries rightly, and says what it declines."""
+
+    LEGS = [0, 0, 0, 4, 0, 0, 0, 4, 0]
+
+    def test_plain_queries_have_the_right_answers(self):
+        queries = [self.LEGS + place for place in ([1, 1, .5, 1], [1, 1, 3, 1], [-2, -1, 0, 3], [6, 5, 0, 1], [2, -2, 1, 3], [2, -2, 2, 2])]
+        right = [exact.verdict(query)[0] for query in queries]
+        for file in sorted(asking.FOLDER.glob("*-*.json")) + [asking.FOLDER / "babylon.json", asking.FOLDER / "cannon.json"]:
+            of = json.loads(file.read_text())
+            if of.get("format") != "axiscert-program/1":
+                continue
+            for precision in of["precisions"]:
+                with self.subTest(file.name, precision=precision):
+                    self.assertEqual(asking.ask(of["command"], asking.FOLDER, queries, precision), right)
+
+
+if __name__ == "__main__":
+    if not asking.installed():
+        print("NOT CHECKED: the engines of kernel/peers/npm are not installed, or in other versions than package.json has; "
+              "`./dev engines` brings them", file=sys.stderr)
+        sys.exit(77)
+    unittest.main()

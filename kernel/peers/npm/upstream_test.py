@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""The programs in docs/upstream print what is said there, and every known fault has its text. Where the engines are not installed nothing
+is checked: exit code 77.
+
+upstream_test.py [unittest arguments]
+"""
+import json
+import re
+import subprocess
+import sys
+import unittest
+
+import asking
+
+TEXTS = {file.name: file.read_text() for file in sorted((asking.FOLDER.parents[2] / "docs/upstream").glob("*.md"))}
+README = TEXTS.pop("README.md")
+PROGRAM = re.compile(r"\n```js\n(.*?)\n```\n\nIt prints\n\n```\n(.*?)\n```\n", re.DOTALL)
+
+
+class Texts(unittest.TestCase):
+    def test_each_fault_is_the_subject_of_one_text(self):
+        faults = [json.loads(line) for name in ("faults.jsonl", "faults_moving.jsonl")
+                  for line in (asking.FOLDER / name).read_text().splitlines()]
+        subjects = [(test, text) for text in TEXTS.values()
+                    for test in re.findall("`([a-z-]+)`", re.search(r"; tests? (.*)\.\n", text)[1])]
+        self.assertEqual(sorted(test for test, _ in subjects), sorted(line["id"] for line in faults))
+        for line in faults:
+            version = f"{line['engine']['package']} {line['engine']['version']}"
+            self.assertIn(version, dict(subjects)[line["id"]], line["id"])
+
+    def test_the_list_has_each_text(self):
+        self.assertEqual(re.findall(r"\]\(([a-z-]+\.md)\)", README), list(TEXTS))
+
+
+class Programs(unittest.TestCase):
+    def test_each_prints_what_is_said(self):
+        for name, text in TEXTS.items():
+            with self.subTest(name):
+                program, printed = PROGRAM.search(text).groups()
+                done = subprocess.run(["node", "--input-type=module"], cwd=asking.FOLDER, input=program, capture_output=True, text=True,
+                                      timeout=asking.SECONDS)
+                self.assertEqual(done.returncode, 0, done.stderr[-2000:])
+                # Havok prints a warning of its own in brackets and above.
+                lines = [line for line in done.stdout.splitlines() if line and not line.startswith((" [", "Info:"))]
+                self.assertEqual(lines, printed.splitlines())
+
+
+if __name__ == "__main__":
+    if not asking.installed():
+        print("NOT CHECKED: the engines of kernel/peers/npm are not installed, or in other versions than package.json has; "
+              "`./dev engines` brings them", file=sys.stderr)
+        sys.exit(77)
+    unittest.main()
