@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Shrinking and the corpus: every query that is printed replays in `check`; one clear line for every bad input."""
 import json
+import re
 import unittest
 
 from command import ROOT, Case, axiscert, family
@@ -59,6 +60,15 @@ class Shrink(Case):
             self.assertIn(part, done.stdout)
         limited = axiscert("shrink", "-", "--evaluations", 2, stdin=json.dumps(PHANTOM))
         self.assertIn("--evaluations", limited.stdout)
+
+    def test_readme_says_what_it_prints(self):
+        address, before, after = re.search(
+            r"`axiscert shrink (\S+)` makes a missed contact with (\d+) significant bits one with (\d+)\.",
+            (ROOT / "README.md").read_text()).groups()
+        shown = axiscert("shrink", address).stdout
+        self.assertIn("false_separation", shown.splitlines()[0])
+        self.assertRegex(shown, rf"\n  before +{before} bits in")
+        self.assertRegex(shown, rf"\n  after +{after} bits in")
 
     def test_the_class_of_the_input_is_kept_unless_it_is_let_go(self):
         record = self.run_ok("--family", "tangent", "--trials", 20000, "--precision", "binary32")
