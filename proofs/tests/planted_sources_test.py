@@ -39,7 +39,7 @@ class PlantedSources(unittest.TestCase):
         planted = overlay / unit if source == unit else ROOT / unit
         # The unit's own definitions take precedence over those of the library.
         subprocess.run([CXX, "-std=c++20", "-O0", "-ffp-contract=off", "-I", overlay, "-I", ROOT, planted,
-                        PROOFS / "write_proofs.cpp", LIBRARY, "-lfmt", "-o", self.work / "write_proofs"], check=True)
+                        PROOFS / "emit" / "write_proofs.cpp", LIBRARY, "-lfmt", "-o", self.work / "write_proofs"], check=True)
         return self.work / "write_proofs"
 
     def stale(self, writer):
