@@ -123,7 +123,7 @@ struct Request {
   Placement placement;
   // Of a program: the processor time that it may take for the answers, and in addition for a start. By the clock it may
   // take clock_to_processor times as much.
-  double seconds, start_seconds;
+  double seconds = 0, start_seconds = 0;
 };
 inline constexpr double clock_to_processor = 20;  // for one that does not get, or use, a core
 inline constexpr double program_start = 10;       // whole batches' time: an interpreter, and an engine to compile
