@@ -110,9 +110,10 @@ void add_compare(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("--out", options->out, "folder for compare.md, compare.json and compare.html");
   command
-      ->add_option("--kernel", options->kernels,
-                   "plugin:PATH.so or program:MANIFEST.json of OLD, or one that declares the same name, which is loaded "
-                   "to evaluate the witnesses of OLD again; none that a record names is loaded without it; repeatable")
+      ->add_option(
+          "--kernel", options->kernels,
+          "plugin:PATH.so or program:MANIFEST.json of OLD, or one that declares the same name, which is loaded "
+          "to evaluate the witnesses of OLD again; none that a record names is loaded without it; repeatable")
       ->allow_extra_args(false);
   command->add_flag("--no-replay", options->no_replay, "do not evaluate the witnesses of OLD again");
   add_plugin_seconds(*command);

@@ -65,8 +65,8 @@ void add_tolerance(const std::string& given, Plan& plan) {
   throw Error(fmt::format("--tolerance {}: {}", given, unknown_name("comparison", "comparisons", which, names)));
 }
 
-// Adds the record's entries for the files of a plug-in or a program that was given by its path. A plug-in that cannot be
-// read has no hash: a finding reports that it could not be loaded.
+// Adds the record's entries for the files of a plug-in or a program that was given by its path. A plug-in that cannot
+// be read has no hash: a finding reports that it could not be loaded.
 void add_plugin(const Kernel& kernel, Plan& plan) {
   if (!plugin::is_given_by_file(kernel.id) || kernel.file.empty()) return;
   for (const auto& [kind, path] : plugin::files_of(kernel)) {
@@ -173,12 +173,13 @@ void check_required(const Required& required, const Plan& plan) {
   const Json stated = plan_json(plan, CampaignResult(), required);
   requirements_of(stated);
   for (const std::string& id : yardsticks_of(stated)) {
-    const bool is_run = std::any_of(plan.kernels.begin(), plan.kernels.end(),
-                                    [&](const Kernel* kernel) { return kernel->id == id; });
+    const bool is_run =
+        std::any_of(plan.kernels.begin(), plan.kernels.end(), [&](const Kernel* kernel) { return kernel->id == id; });
     if (is_run) continue;
     throw Error(fmt::format("--require no-worse-than={}: {}", id,
-                            plan.replies ? "replies are of one program; only `run` judges two kernels on the same queries"
-                                         : fmt::format("that kernel is not in this run; add --kernel {}", id)));
+                            plan.replies
+                                ? "replies are of one program; only `run` judges two kernels on the same queries"
+                                : fmt::format("that kernel is not in this run; add --kernel {}", id)));
   }
 }
 

@@ -13,10 +13,18 @@ using namespace axiscert::fuzzing;
 using Json = nlohmann::ordered_json;
 
 std::string written(const plugin::Manifest& m) {
-  Json json = {{"format", plugin::manifest_format}, {"name", m.name},       {"command", m.command},
-               {"test", m.test},                    {"entry", m.entry},     {"exposes", exposure_names[m.exposes]},
-               {"touching", name(m.touching)},      {"summary", m.summary}, {"source", m.source},
-               {"conforms_to", m.conforms_to},      {"formulae", m.formulae}, {"package", m.package},
+  Json json = {{"format", plugin::manifest_format},
+               {"name", m.name},
+               {"command", m.command},
+               {"test", m.test},
+               {"entry", m.entry},
+               {"exposes", exposure_names[m.exposes]},
+               {"touching", name(m.touching)},
+               {"summary", m.summary},
+               {"source", m.source},
+               {"conforms_to", m.conforms_to},
+               {"formulae", m.formulae},
+               {"package", m.package},
                {"version", m.version}};
   for (const Precision precision : m.precisions) json["precisions"].push_back(name(precision));
   json["limits"] = {{"least_coordinate", m.limits.least_coordinate},

@@ -26,8 +26,8 @@ extern char** environ;
 namespace axiscert::plugin {
 namespace {
 
-constexpr int patience_ms = 10;            // between two looks at a call that takes long
-constexpr double farewell_seconds = 5;     // for the host of a program, which kills all that this has started
+constexpr int patience_ms = 10;         // between two looks at a call that takes long
+constexpr double farewell_seconds = 5;  // for the host of a program, which kills all that this has started
 
 Error cannot(const std::string& path, const char* what) {
   return Error(fmt::format("plug-in {}: cannot {}: {}", path, what, std::strerror(errno)));
@@ -251,6 +251,18 @@ Stop HostProcess::how_it_died() {
   if (signal == fault.signal && fault.at_null) detail += " at a null pointer";
   if (signal == fault.signal && fault.out_of_stack) detail += ", out of stack";
   return {FindingKind::crash, detail, std::nullopt};
+}
+
+std::string changed_modes(std::uint32_t changed) {
+  std::string modes;
+  const auto add = [&](std::uint32_t bit, const char* mode) {
+    if (changed & bit) modes += (modes.empty() ? "" : ", ") + std::string(mode);
+  };
+  add(changed_rounding, "the rounding mode");
+  add(changed_flushing, "flushing of subnormal numbers to zero");
+  add(changed_traps, "which exceptions trap");
+  add(changed_other, "another control bit");
+  return modes;
 }
 
 std::string host_program() {

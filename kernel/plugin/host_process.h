@@ -78,6 +78,9 @@ class HostProcess {
   Control* control_ = nullptr;
 };
 
+// Bits of Reply::changed in words: "the rounding mode, flushing of subnormal numbers to zero".
+std::string changed_modes(std::uint32_t changed);
+
 // The program that hosts plug-ins: beside this executable, or where it is installed. Throws Error where there is none.
 std::string host_program();
 // A folder of plug-ins that come with axiscert, found in the same way; none where it was not built.

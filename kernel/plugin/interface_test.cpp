@@ -207,7 +207,8 @@ TEST(Interface, FortyColumnsThirtyThreeComparisonsAndTwoMeasures) {
 }
 
 TEST(Interface, ACallerTakesTheColumnsOfItsTestAndNoOthers) {
-  plugin::Caller<double> caller({.hosted = {layout_path("wide"), {}}, .index = 0, .abi = 2, .subject = {&wide_test()}}, 1);
+  plugin::Caller<double> caller({.hosted = {layout_path("wide"), {}}, .index = 0, .abi = 2, .subject = {&wide_test()}},
+                                1);
   plugin::Outputs<double> outputs;
   QueryBatch<double> queries(3, 40);
   for (std::size_t i = 0; i < 3; ++i) {

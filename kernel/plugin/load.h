@@ -17,9 +17,10 @@ inline constexpr std::string_view by_manifest = "program:";  // and of a program
 // then exists in no precision. Throws Error where there is no such file.
 Kernel load_plugin(std::string id, const std::string& path);
 
-// The kernel of the program whose manifest is at `path`. Nothing is started: that is done when it is first asked. Throws
-// Error, in one line, where the file is no manifest, declares what cannot be true, or names a program that is not there;
-// and so does the kernel itself, when it is first asked, where the program fails before it has answered anything.
+// The kernel of the program whose manifest is at `path`. Nothing is started: that is done when it is first asked.
+// Throws Error, in one line, where the file is no manifest, declares what cannot be true, or names a program that is
+// not there; and so does the kernel itself, when it is first asked, where the program fails before it has answered
+// anything.
 Kernel load_program(std::string id, const std::string& path);
 
 // Whether an id's file is a manifest, and not a shared object.

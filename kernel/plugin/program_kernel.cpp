@@ -69,7 +69,7 @@ Description described(const Manifest& manifest, Precision precision) {
 // Throws Error, which says what is meant, where the path is not that of a file.
 void require_manifest(const std::string& id, const std::string& path) {
   if (std::filesystem::is_regular_file(path)) return;
-  const char* const what = path.empty()                         ? "no path after 'program:'"
+  const char* const what = path.empty()                          ? "no path after 'program:'"
                            : std::filesystem::is_directory(path) ? "that is a directory"
                                                                  : "there is no such file";
   throw Error(fmt::format("kernel '{}': {}; give the path of a program's manifest, as in {}my_kernel.json", id, what,
@@ -85,8 +85,9 @@ void require_program(const Manifest& manifest, const std::string& path, const st
     throw Error(fmt::format("{}: \"command\": {} {}", path, word,
                             std::filesystem::exists(beside) ? "cannot be executed" : "is not there"));
   }
-  throw Error(fmt::format("{}: \"command\": the program {} is not installed{}", path, word,
-                          std::filesystem::exists(beside) ? fmt::format("; a file beside the manifest is ./{}", word) : ""));
+  throw Error(
+      fmt::format("{}: \"command\": the program {} is not installed{}", path, word,
+                  std::filesystem::exists(beside) ? fmt::format("; a file beside the manifest is ./{}", word) : ""));
 }
 
 // One trial start, before the first question of all; who asks next finds what came of it.
@@ -107,7 +108,8 @@ class TryOut {
       if (const auto stop = host.call(request, request.start_seconds, reply)) failure_ = stop->detail;
       is_done_ = true;
     }
-    if (!failure_.empty()) throw Error(fmt::format("kernel '{}': {}: {}", id_, fmt::join(hosted_.command, " "), failure_));
+    if (!failure_.empty())
+      throw Error(fmt::format("kernel '{}': {}: {}", id_, fmt::join(hosted_.command, " "), failure_));
   }
 
  private:
@@ -141,7 +143,8 @@ std::string manifest_text(const std::string& path) {
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (in.bad() || (!in && !in.eof())) throw Error(fmt::format("{}: cannot be read", path));
   text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.size() > longest_manifest) throw Error(fmt::format("{}: not a manifest: longer than {} bytes", path, longest_manifest));
+  if (text.size() > longest_manifest)
+    throw Error(fmt::format("{}: not a manifest: longer than {} bytes", path, longest_manifest));
   return text;
 }
 
@@ -196,7 +199,8 @@ Kernel load_program(std::string id, const std::string& path) {
   } catch (const Error& unknown) {
     throw Error(fmt::format("{}: {}", path, unknown.what()));
   }
-  const auto out = std::make_shared<TryOut>(std::move(id), hosted, Subject{kernel.test, kernel.entry}, manifest.precisions.front());
+  const auto out =
+      std::make_shared<TryOut>(std::move(id), hosted, Subject{kernel.test, kernel.entry}, manifest.precisions.front());
   try_first<float>(out, kernel.binary32);
   try_first<double>(out, kernel.binary64);
   return kernel;

@@ -1,5 +1,5 @@
-// Programs as kernels: those that answer, and those that misbehave, each in one way; what is told of them, that all else
-// is answered rightly, and that no process is left.
+// Programs as kernels: those that answer, and those that misbehave, each in one way; what is told of them, that all
+// else is answered rightly, and that no process is left.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -114,7 +114,8 @@ TEST_F(Program, IsNotStartedBeforeItIsAsked) {
 }
 
 TEST_F(Program, HasNoDescriptorButItsThreePipes) {
-  EXPECT_TRUE(supervised(manifest(R"(["/bin/sh","-c","echo /proc/$$/fd/* > fds; exec ./program right"])")).findings.empty());
+  EXPECT_TRUE(
+      supervised(manifest(R"(["/bin/sh","-c","echo /proc/$$/fd/* > fds; exec ./program right"])")).findings.empty());
   const std::string fds = text_of("fds");
   EXPECT_EQ(std::count(fds.begin(), fds.end(), '/'), 3 * 4) << fds;
 }
@@ -170,11 +171,11 @@ TEST_F(Program, TooFewRepliesAreAnExitBeforeTheEnd) {
 }
 
 TEST_F(Program, WhatIsNoReplyIsFoundAndQuoted) {
-  for (const auto& [how, says] : {std::tuple{"too-much", "after its last reply it wrote more"},
-                                  std::tuple{"text", R"(but with "engine 1.0 loaded")"},
-                                  std::tuple{"garbage", "its reply has flags 0xee"},
-                                  std::tuple{"wrong-header", "it changed the header of its queries, at byte 40"},
-                                  std::tuple{"no-verdict", "7, which is no verdict"}}) {
+  for (const auto& [how, says] :
+       {std::tuple{"too-much", "after its last reply it wrote more"},
+        std::tuple{"text", R"(but with "engine 1.0 loaded")"}, std::tuple{"garbage", "its reply has flags 0xee"},
+        std::tuple{"wrong-header", "it changed the header of its queries, at byte 40"},
+        std::tuple{"no-verdict", "7, which is no verdict"}}) {
     const Seen all = seen(how);
     ASSERT_FALSE(all.findings.empty()) << how;
     EXPECT_EQ(all.findings.front().kind, FindingKind::inconsistent) << how;
@@ -211,9 +212,11 @@ std::string refusal(const std::function<void()>& refused) {
 }
 
 TEST_F(Program, WhatFailsAtOnceIsRefusedInOneLine) {
-  EXPECT_THAT(refusal([&] { seen("fails"); }), HasSubstr("exit code 1; on standard error: Error: Cannot find package 'engine'"));
+  EXPECT_THAT(refusal([&] { seen("fails"); }),
+              HasSubstr("exit code 1; on standard error: Error: Cannot find package 'engine'"));
   EXPECT_THAT(refusal([&] { manifest(R"(["./nosuch"])"); }), HasSubstr("\"command\": ./nosuch is not there"));
-  EXPECT_THAT(refusal([&] { manifest(R"(["program"])"); }), HasSubstr("is not installed; a file beside the manifest is ./program"));
+  EXPECT_THAT(refusal([&] { manifest(R"(["program"])"); }),
+              HasSubstr("is not installed; a file beside the manifest is ./program"));
   EXPECT_THAT(refusal([&] { find_kernel("program:/nosuch.json"); }), HasSubstr("there is no such file"));
   EXPECT_THAT(refusal([&] { find_kernel(wrote("other.json", "{}")); }), HasSubstr("not a manifest"));
   EXPECT_THAT(refusal([&] { kernel("right", R"(,"test":"sphere-cube")"); }), HasSubstr("unknown test 'sphere-cube'"));

@@ -99,7 +99,7 @@ struct ProgramHeader {
 
 // Why a program gave no answers.
 struct ProgramStop {
-  std::uint8_t kind;  // a FindingKind
+  std::uint8_t kind;      // a FindingKind
   std::uint32_t replies;  // that came before, each of them whole
   char detail[512];
 };
@@ -107,7 +107,7 @@ struct ProgramStop {
 struct Control {
   // Written by axiscert, for a program; binary32, binary64.
   ProgramHeader headers[most_kernels];
-  ProgramStop stop;  // of a reply that says `stopped`
+  ProgramStop stop;            // of a reply that says `stopped`
   char load_error[512];        // empty where the plug-in was loaded
   std::uint32_t changed;       // floating-point modes that loading it left changed
   std::uint32_t kernel_count;  // as handed out, at most most_kernels + 1
@@ -116,8 +116,8 @@ struct Control {
 };
 
 struct Request {
-  std::uint32_t kernel;  // of Control::kernels; of a program, of Control::headers
-  std::uint32_t size;    // queries; 0, of a program alone: it is started, and ended
+  std::uint32_t kernel;    // of Control::kernels; of a program, of Control::headers
+  std::uint32_t size;      // queries; 0, of a program alone: it is started, and ended
   std::uint32_t exposes;   // which arrays are asked for
   std::uint32_t measures;  // number of measures that are asked for
   Placement placement;

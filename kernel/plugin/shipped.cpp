@@ -19,7 +19,7 @@ struct Kind {
   std::string_view prefix, folder;
 };
 constexpr Kind kinds[] = {{"peer/", "peers"}, {"fault/", "faults"}};
-constexpr std::string_view programs_folder = "npm";           // in that of the peers
+constexpr std::string_view programs_folder = "npm";       // in that of the peers
 constexpr const char* engines_command = "./dev engines";  // installs what they need
 
 // A program that comes along: its manifest, and the package or program that it needs and that is not here.

@@ -40,18 +40,6 @@ std::string placed(const Placement& placement) {
 
 }  // namespace
 
-std::string changed_modes(std::uint32_t changed) {
-  std::string modes;
-  const auto add = [&](std::uint32_t bit, const char* mode) {
-    if (changed & bit) modes += (modes.empty() ? "" : ", ") + std::string(mode);
-  };
-  add(changed_rounding, "the rounding mode");
-  add(changed_flushing, "flushing of subnormal numbers to zero");
-  add(changed_traps, "which exceptions trap");
-  add(changed_other, "another control bit");
-  return modes;
-}
-
 // A part of a batch that one call can take, and where what is learned of it goes.
 template <class Real>
 struct Supervisor<Real>::Chunk {

@@ -12,9 +12,6 @@ namespace axiscert::plugin {
 // but never less than a tenth. Set before the first plug-in is loaded.
 inline double batch_seconds = 1;
 
-// Bits of Reply::changed in words: "the rounding mode, flushing of subnormal numbers to zero".
-std::string changed_modes(std::uint32_t changed);
-
 // The facts about a kernel that the supervisor needs.
 struct Supervised {
   Callee callee;
@@ -31,8 +28,8 @@ class Supervisor {
   // The kernel's answers; `unanswered` where there is none. `explained` is null where the verdicts are enough. After
   // the first stop that is no guard page's, a plug-in is asked query by query, so that the one is found that did it; of
   // a program, whose start may cost as much as many queries, only the parts of that batch. After `most_stops`, not at
-  // all: these are all stops of a plug-in, and of a program those that are told and all hangs. With `findings`, each batch is looked at for the faults of FindingKind. Crashes and
-  // hangs are told each; of the other kinds the first.
+  // all: these are all stops of a plug-in, and of a program those that are told and all hangs. With `findings`, each
+  // batch is looked at for the faults of FindingKind. Crashes and hangs are told each; of the other kinds the first.
   void run(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>* explained, std::vector<Finding>* findings);
 
   static constexpr int most_stops = 16;

@@ -16,9 +16,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::string_view> members = {"format",   "name",   "command",     "test",     "entry",
-                                               "precisions", "exposes", "touching", "limits",   "conforms_to",
-                                               "formulae", "summary", "source",     "package",  "version"};
+const std::vector<std::string_view> members = {"format",     "name",    "command",  "test",    "entry",
+                                               "precisions", "exposes", "touching", "limits",  "conforms_to",
+                                               "formulae",   "summary", "source",   "package", "version"};
 const std::vector<std::string_view> limit_members = {"least_coordinate", "greatest_coordinate", "least_area",
                                                      "least_radius", "greatest_radius"};
 
@@ -58,7 +58,8 @@ class ManifestReader {
     if (std::adjacent_find(manifest.precisions.begin(), manifest.precisions.end()) != manifest.precisions.end())
       fail("\"precisions\" names one twice");
     if (json_.contains("exposes")) manifest.exposes = one_of<Exposure>("exposes", text_of("exposes"), exposure_names);
-    if (manifest.exposes == Exposure::sides) fail("\"exposes\": a program's replies have no sides; known: verdict, comparisons");
+    if (manifest.exposes == Exposure::sides)
+      fail("\"exposes\": a program's replies have no sides; known: verdict, comparisons");
     if (json_.contains("touching"))
       manifest.touching = one_of<Touching>("touching", text_of("touching"), touching_names);
     manifest.limits = limits();

@@ -16,7 +16,7 @@ struct Manifest {
   std::string name;
   std::vector<std::string> command;  // the program and its arguments; run in the manifest's folder
   std::vector<Precision> precisions;
-  std::string test, entry;  // empty: the first
+  std::string test, entry;               // empty: the first
   Exposure exposes = Exposure::verdict;  // verdicts, or also comparison bits
   Touching touching = Touching::contact;
   Limits limits = {};

@@ -31,7 +31,8 @@ TEST(ManifestFile, NeedsFourMembersAndTheOthersHaveDefaults) {
 
 TEST(ManifestFile, DeclaresWhatAPluginDeclares) {
   const Manifest manifest = read_manifest(
-      "{" + least + R"(,"touching":"either","exposes":"comparisons","limits":{"least_radius":0.5},"test":"t"})", "m.json");
+      "{" + least + R"(,"touching":"either","exposes":"comparisons","limits":{"least_radius":0.5},"test":"t"})",
+      "m.json");
   EXPECT_EQ(manifest.touching, Touching::either);
   EXPECT_EQ(manifest.exposes, Exposure::comparisons);
   EXPECT_EQ(manifest.limits.least_radius, 0.5);
@@ -43,11 +44,13 @@ TEST(ManifestFile, IsRefusedWithWhatWouldBeRight) {
            {"", "m.json: not a manifest: it is not JSON"},
            {"[1]", "not a manifest: a JSON object with \"format\": \"axiscert-program/1\""},
            {R"({"name":"x"})", "not a manifest"},
-           {R"({"format":"axiscert-program/2"})", "format 'axiscert-program/2'; this axiscert knows axiscert-program/1"},
+           {R"({"format":"axiscert-program/2"})",
+            "format 'axiscert-program/2'; this axiscert knows axiscert-program/1"},
            {R"({"format":7})", "\"format\" is 7, which is no text"},
            {R"({"format":"axiscert-program/1"})", "no \"name\""},
            {R"({"format":"axiscert-program/1","name":"a"})", "no \"command\""},
-           {R"({"format":"axiscert-program/1","name":"a","command":"node x"})", "\"command\" is \"node x\", which is no list"},
+           {R"({"format":"axiscert-program/1","name":"a","command":"node x"})",
+            "\"command\" is \"node x\", which is no list"},
            {R"({"format":"axiscert-program/1","name":"a","command":["x"]})", "no \"precisions\""},
            {"{" + least + R"(,"comand":1})", "unknown member 'comand'; did you mean 'command'?"},
            {"{" + least + R"(,"touching":"no"})", "\"touching\": 'no'; known: contact, separated, either"},

@@ -7,7 +7,8 @@
 
 namespace axiscert::plugin {
 
-// Its bytes, with a count of 0. The plan names the test, its entry and the precision; nothing can be made again from it.
+// Its bytes, with a count of 0. The plan names the test, its entry and the precision; nothing can be made again from
+// it.
 std::string program_header(const TestDescription& test, std::size_t entry, Precision precision);
 
 }  // namespace axiscert::plugin

@@ -113,8 +113,8 @@ std::string unknown_kernel(std::string_view id) {
   std::vector<std::string_view> guessed = known;
   guessed.insert(guessed.end(), shipped.begin(), shipped.end());
   const bool is_list = id.find(',') != id.npos;
-  return fmt::format("unknown kernel '{}'{} plugin:PATH.so or program:MANIFEST.json is one of your own; kernels: {}", id,
-                     is_list ? "; one kernel is given at a time, without commas;" : did_you_mean(id, guessed),
+  return fmt::format("unknown kernel '{}'{} plugin:PATH.so or program:MANIFEST.json is one of your own; kernels: {}",
+                     id, is_list ? "; one kernel is given at a time, without commas;" : did_you_mean(id, guessed),
                      fmt::join(most_alike_first(id, known), ", "));
 }
 

@@ -159,9 +159,8 @@ Reply answer(Program& program, const Request& request, Arrays& arrays, Control& 
   const auto whole = std::span(stream);
   ReplyReader replies(whole.first(header.size), request.size, wants_bits);
   const auto start = std::chrono::steady_clock::now();
-  const auto stop = request.size == 0
-                        ? program.try_out(whole, replies, request.start_seconds)
-                        : program.ask(whole, replies, {request.seconds, request.start_seconds});
+  const auto stop = request.size == 0 ? program.try_out(whole, replies, request.start_seconds)
+                                      : program.ask(whole, replies, {request.seconds, request.start_seconds});
   const auto taken = std::chrono::steady_clock::now() - start;
   if (stop) {
     control.stop.kind = static_cast<std::uint8_t>(stop->kind);

@@ -70,7 +70,9 @@ double tree_seconds() {
   for (const Process& process : descendants()) ticks += process.ticks;
   rusage ended{};
   getrusage(RUSAGE_CHILDREN, &ended);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   return ticks / ticks_a_second + seconds(ended.ru_utime) + seconds(ended.ru_stime);
 }
 

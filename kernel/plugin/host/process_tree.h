@@ -1,5 +1,6 @@
 // Every process that this one has started, and those that they started, as far as they have not ended: whatever group
-// or session they are in. This process has to be their subreaper, so that those whose parent has ended are its children.
+// or session they are in. This process has to be their subreaper, so that those whose parent has ended are its
+// children.
 #pragma once
 
 #include <sys/types.h>

@@ -12,7 +12,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <string_view>
 
 #include "kernel/plugin/host/process_tree.h"
 #include "kernel/program/pipe_format.h"
@@ -21,15 +20,14 @@
 namespace axiscert::plugin {
 namespace {
 
-constexpr std::chrono::milliseconds farewell{500};           // after its input has ended
-constexpr std::chrono::milliseconds end_of_line{100};        // for the rest of what it prints in place of a reply
-constexpr double look_share = 0.05;                          // of the time goes into looking at processor time
-constexpr std::size_t block_size = std::size_t{1} << 16;     // of a pipe
-constexpr std::size_t kept_errors = std::size_t{1} << 14;    // bytes; a stack trace begins with what it is about
+constexpr std::chrono::milliseconds farewell{500};        // after its input has ended
+constexpr std::chrono::milliseconds end_of_line{100};     // for the rest of what it prints in place of a reply
+constexpr double look_share = 0.05;                       // of the time goes into looking at processor time
+constexpr std::size_t block_size = std::size_t{1} << 16;  // of a pipe
 
 // In the child: nothing of this process's but the three pipes, and signals as a program expects them.
-[[noreturn]] void become(const std::string& folder, const std::vector<std::string>& command, pid_t parent, const int (&ends)[3],
-                         int report) {
+[[noreturn]] void become(const std::string& folder, const std::vector<std::string>& command, pid_t parent,
+                         const int (&ends)[3], int report) {
   setsid();
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
@@ -63,29 +61,6 @@ std::string signal_text(int signal) {
 }
 
 }  // namespace
-
-void ErrorOutput::add(std::span<const char> bytes) {
-  if (bytes.size() > kept_errors) bytes = bytes.last(kept_errors);
-  kept_.append(bytes.data(), bytes.size());
-  if (kept_.size() > 2 * kept_errors) kept_.erase(0, kept_.size() - kept_errors);
-}
-
-std::string ErrorOutput::last_line() const {
-  const auto says_something = [](std::string_view line) {
-    constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
-    return !line.empty() && line.front() != ' ' && line.front() != '\t' &&
-           line.find_first_of(letters) != line.npos && !line.starts_with("Node.js v");
-  };
-  std::string_view rest = kept_;
-  while (!rest.empty()) {
-    const std::size_t end = rest.rfind('\n');
-    const std::string_view line = end == rest.npos ? rest : rest.substr(end + 1);
-    constexpr std::size_t longest = 300;
-    if (says_something(line)) return std::string(line.substr(0, longest));
-    rest = end == rest.npos ? std::string_view() : rest.substr(0, end);
-  }
-  return "";
-}
 
 Program::Program(std::string folder, std::vector<std::string> command, int asker)
     : folder_(std::move(folder)), command_(std::move(command)), asker_(asker) {}
@@ -189,8 +164,8 @@ bool Program::is_over(Watch& watch) const {
 }
 
 Program::Step Program::step(std::span<const std::byte>& unsent, ReplyReader& replies, Watch& watch) {
-  pollfd looked_at[] = {{unsent.empty() ? -1 : input_, POLLOUT, 0}, {output_, POLLIN, 0}, {errors_, POLLIN, 0},
-                        {asker_, POLLRDHUP, 0}};
+  pollfd looked_at[] = {
+      {unsent.empty() ? -1 : input_, POLLOUT, 0}, {output_, POLLIN, 0}, {errors_, POLLIN, 0}, {asker_, POLLRDHUP, 0}};
   poll(looked_at, std::size(looked_at), static_cast<int>(patience.count()));
   const bool has_died = has_ended();  // before its pipes are read: then they hold all that it wrote
   if (looked_at[3].revents != 0) {
@@ -266,7 +241,8 @@ std::optional<Program::Stop> Program::ask(std::span<const std::byte> stream, Rep
     if (last == Step::too_long) {
       const bool is_start = watch.is_start;
       kill();
-      return Stop{FindingKind::hang, fmt::format("no answer within {} s{}", watch.seconds, is_start ? " of its start" : "")};
+      return Stop{FindingKind::hang,
+                  fmt::format("no answer within {} s{}", watch.seconds, is_start ? " of its start" : "")};
     }
     if (!has_answered_ || !replies.has_nothing()) return how_it_ended(replies);
     // It had ended after its last batch, as a program may: of its own will, and well.
@@ -285,7 +261,8 @@ std::optional<Program::Stop> Program::try_out(std::span<const std::byte> stream,
   std::span<const std::byte> unsent = stream;
   Watch watch{start_seconds, true};
   Step last = Step::goes_on;
-  const auto until = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(2 * start_seconds));
+  const auto until =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(2 * start_seconds));
   while (last == Step::goes_on && replies.has_nothing() && !replies.is_faulty() && Clock::now() < until) {
     last = step(unsent, replies, watch);
     if (unsent.empty()) close_end(input_);

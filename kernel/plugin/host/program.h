@@ -10,21 +10,10 @@
 #include <vector>
 
 #include "kernel/finding.h"
+#include "kernel/plugin/host/error_output.h"
 #include "kernel/plugin/host/reply_reader.h"
 
 namespace axiscert::plugin {
-
-// The end of what a program says on standard error: its last few thousand bytes, however many there are.
-class ErrorOutput {
- public:
-  void add(std::span<const char> bytes);
-  void clear() { kept_.clear(); }
-  // The last line that says something: not a place in a stack, nor the interpreter's version. Empty where there is none.
-  std::string last_line() const;
-
- private:
-  std::string kept_;
-};
 
 class Program {
  public:

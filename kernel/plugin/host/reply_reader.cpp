@@ -57,7 +57,8 @@ std::size_t ReplyReader::take(std::span<const std::byte> bytes) {
   if (is_faulty_ && fault_.empty()) {
     // Within the magic it is no header; what came so far is then what the program printed.
     if (instead_of_header_.empty()) instead_of_header_ = view(header_.first(taken_));
-    const std::size_t more = std::min(bytes.size() - used, longest_quote - std::min(longest_quote, instead_of_header_.size()));
+    const std::size_t more =
+        std::min(bytes.size() - used, longest_quote - std::min(longest_quote, instead_of_header_.size()));
     instead_of_header_ += view(bytes.subspan(used, more));
     return used + more;
   }
@@ -88,7 +89,8 @@ void ReplyReader::take_reply() {
     std::memcpy(&narrow, reply_.data() + offsetof(pipe::ReplyRecord, bits), sizeof narrow);
     bits = narrow;
   }
-  const bool has_padding = is_wide_ && std::any_of(reply_.begin() + 2, reply_.begin() + 8, [](std::byte b) { return b != std::byte{}; });
+  const bool has_padding =
+      is_wide_ && std::any_of(reply_.begin() + 2, reply_.begin() + 8, [](std::byte b) { return b != std::byte{}; });
   if ((flags & ~pipe::has_bits) != 0) {
     return fail(fmt::format("has flags {:#04x}; bit 0 says that comparison bits are given, the others are 0", flags));
   }

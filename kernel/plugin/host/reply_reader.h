@@ -45,10 +45,10 @@ class ReplyReader {
   std::size_t queries_;
   bool wants_bits_, is_wide_;
   bool is_next_ = false, is_faulty_ = false;
-  std::size_t taken_ = 0;           // bytes, up to the fault
-  std::vector<std::byte> reply_;    // the part of the next one that has come
-  std::string fault_;               // of a reply
-  std::string instead_of_header_;   // from the first byte on
+  std::size_t taken_ = 0;          // bytes, up to the fault
+  std::vector<std::byte> reply_;   // the part of the next one that has come
+  std::string fault_;              // of a reply
+  std::string instead_of_header_;  // from the first byte on
   std::vector<std::uint8_t> verdicts_;
   std::vector<std::uint64_t> bits_;
 };
