@@ -147,7 +147,7 @@ TEST_F(Program, AHangIsMeasuredByTheProcessorTimeOfAllItsProcesses) {
 }
 
 TEST_F(Program, OneThatSleepsAndIgnoresSignalsIsKilledWithWhatItStarted) {
-  plugin::batch_seconds = 0.1;
+  plugin::batch_seconds = 0.2;
   EXPECT_EQ(at_wrong_query("deaf").kind, FindingKind::hang);
 }
 
