@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t longest_quote = 60;  // bytes of a program's output in a message
 
 // The bytes in quotes up to the end of their line, where they begin with text; empty where they do not.
-std::string quoted(std::string_view bytes) {
+std::string in_quotes(std::string_view bytes) {
   const auto is_text = [](unsigned char c) { return (c >= 0x20 && c < 0x7f) || c == '\t'; };
   const auto end = std::find_if_not(bytes.begin(), bytes.end(), is_text);
   const std::string_view text(bytes.data(), std::min(static_cast<std::size_t>(end - bytes.begin()), longest_quote));
@@ -74,7 +74,7 @@ std::size_t ReplyReader::take(std::span<const std::byte> bytes) {
 }
 
 void ReplyReader::take_reply() {
-  const std::string text = quoted(view(reply_));
+  const std::string text = in_quotes(view(reply_));
   const auto fail = [&](const std::string& what) {
     is_faulty_ = true;
     const std::string which = queries_ == 1 ? "its reply" : fmt::format("reply {} of {}", count() + 1, queries_);
@@ -110,7 +110,7 @@ bool ReplyReader::wants_more() const {
 std::string ReplyReader::fault() const {
   if (!is_faulty_ || !fault_.empty()) return fault_;
   const bool is_no_header = taken_ < pipe::magic.size();
-  const std::string text = is_no_header ? quoted(instead_of_header_) : "";
+  const std::string text = is_no_header ? in_quotes(instead_of_header_) : "";
   if (is_next_) {
     return fmt::format("after its last reply it wrote more{}, and not the header of the next batch",
                        text.empty() ? "" : ", " + text);
