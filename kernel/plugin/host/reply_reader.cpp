@@ -14,9 +14,10 @@ namespace {
 
 constexpr std::size_t longest_quote = 60;  // bytes of a program's output in a message
 
+bool is_text(unsigned char c) { return (c >= 0x20 && c < 0x7f) || c == '\t'; }
+
 // The bytes in quotes up to the end of their line, where they begin with text; empty where they do not.
 std::string in_quotes(std::string_view bytes) {
-  const auto is_text = [](unsigned char c) { return (c >= 0x20 && c < 0x7f) || c == '\t'; };
   const auto end = std::find_if_not(bytes.begin(), bytes.end(), is_text);
   const std::string_view text(bytes.data(), std::min(static_cast<std::size_t>(end - bytes.begin()), longest_quote));
   constexpr std::size_t least = 3;  // fewer may be any bytes
@@ -104,7 +105,7 @@ void ReplyReader::take_reply() {
 
 bool ReplyReader::wants_more() const {
   return is_faulty_ && fault_.empty() && instead_of_header_.size() < longest_quote &&
-         instead_of_header_.find('\n') == std::string::npos;
+         std::all_of(instead_of_header_.begin(), instead_of_header_.end(), is_text);
 }
 
 std::string ReplyReader::fault() const {
