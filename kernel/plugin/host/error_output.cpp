@@ -5,7 +5,7 @@
 namespace axiscert::plugin {
 namespace {
 
-constexpr std::size_t kept_errors = std::size_t{1} << 14;    // bytes; a stack trace begins with what it is about
+constexpr std::size_t kept_errors = std::size_t{1} << 14;  // bytes; a stack trace begins with what it is about
 
 }  // namespace
 
@@ -18,8 +18,8 @@ void ErrorOutput::add(std::span<const char> bytes) {
 std::string ErrorOutput::last_line() const {
   const auto says_something = [](std::string_view line) {
     constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
-    return !line.empty() && line.front() != ' ' && line.front() != '\t' &&
-           line.find_first_of(letters) != line.npos && !line.starts_with("Node.js v");
+    return !line.empty() && line.front() != ' ' && line.front() != '\t' && line.find_first_of(letters) != line.npos &&
+           !line.starts_with("Node.js v");
   };
   std::string_view rest = kept_;
   while (!rest.empty()) {

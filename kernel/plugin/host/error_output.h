@@ -11,7 +11,8 @@ class ErrorOutput {
  public:
   void add(std::span<const char> bytes);
   void clear() { kept_.clear(); }
-  // The last line that says something: not a place in a stack, nor the interpreter's version. Empty where there is none.
+  // The last line that says something: not a place in a stack, nor the interpreter's version. Empty where there is
+  // none.
   std::string last_line() const;
 
  private:

@@ -1,6 +1,6 @@
-/* A program for the pipe (docs/pipe.md) that answers sphere-triangle in binary32 as the kernel `published` does, with its
- * comparisons, but for what its argument says: `program MISBEHAVIOUR`. It reads one stream after another, and writes each
- * reply at once. What it does on some queries only, it does on those whose radius is above 1000. */
+/* A program for the pipe (docs/pipe.md) that answers sphere-triangle in binary32 as the kernel `published` does, with
+ * its comparisons, but for what its argument says: `program MISBEHAVIOUR`. It reads one stream after another, and
+ * writes each reply at once. What it does on some queries only, it does on those whose radius is above 1000. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
