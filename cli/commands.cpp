@@ -42,8 +42,9 @@ void make_folder(const std::string& path) {
 
 void add_plugin_seconds(CLI::App& command) {
   command
-      .add_option("--plugin-seconds", plugin::batch_seconds,
-                  "processor time that a plug-in may take for a batch of 1024 queries before it counts as hung")
+      .add_option(
+          "--plugin-seconds", plugin::batch_seconds,
+          "processor time that a plug-in or program may take for a batch of 1024 queries before it counts as hung")
       ->check(number_between(1e-3, 1e6))
       ->capture_default_str();
 }

@@ -11,6 +11,7 @@
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "kernel/kernel.h"
+#include "kernel/plugin/load.h"
 
 namespace axiscert {
 namespace {
@@ -72,7 +73,7 @@ std::string unexpected_word(const CLI::App& command, const std::string& given) {
   std::string option;
   if (is_named(families(), [](const Family* family) { return family->name; })) option = "--family";
   else if (is_named(kernels(), [](const Kernel& kernel) { return std::string_view(kernel.id); }) ||
-           given.starts_with("plugin:"))
+           plugin::is_given_by_file(given))
     option = "--kernel";
   const bool is_value = !option.empty() && has_option(command, option);
   return fmt::format("{}: '{}' is not expected here; {}", full_name(command), given,

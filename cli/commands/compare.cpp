@@ -12,6 +12,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/utf8.h"
 #include "kernel/kernel.h"
+#include "kernel/plugin/load.h"
 #include "reports/comparison/compare.h"
 #include "reports/comparison/show.h"
 #include "reports/run_folder/identity.h"
@@ -26,14 +27,14 @@ struct CompareOptions {
   bool no_replay = false, quiet = false;
 };
 
-constexpr std::string_view plugin_prefix = "plugin:";
+std::string kind_of(const std::string& id) { return id.substr(0, id.find(':')); }
+std::string path_of(const std::string& id) { return id.substr(id.find(':') + 1); }
 
-// Whether two ids are of one plug-in, given by two spellings of one path.
+// Whether two ids are of one plug-in or program, given by two spellings of one path.
 bool is_same_path(const std::string& x, const std::string& y) {
-  const auto normal = [](const std::string& id) {
-    return std::filesystem::path(id.substr(plugin_prefix.size())).lexically_normal();
-  };
-  return x.starts_with(plugin_prefix) && y.starts_with(plugin_prefix) && normal(x) == normal(y);
+  const auto normal = [](const std::string& id) { return std::filesystem::path(path_of(id)).lexically_normal(); };
+  return plugin::is_given_by_file(x) && plugin::is_given_by_file(y) && kind_of(x) == kind_of(y) &&
+         normal(x) == normal(y);
 }
 
 // The kernel of OLD that the user names: by its id, by another spelling of its path, or, loaded, by the name that it
@@ -45,10 +46,10 @@ std::string named_kernel(const std::string& given, const CompareOptions& options
     if (is_same_path(id, given)) return id;
   }
   std::string declares;
-  if (given.starts_with(plugin_prefix) && std::filesystem::is_regular_file(given.substr(plugin_prefix.size()))) {
+  if (plugin::is_given_by_file(given) && std::filesystem::is_regular_file(path_of(given))) {
     declares = find_kernel(given).declared_name;
     for (const auto& [id, identity] : identities_of(record)) {
-      if (!declares.empty() && identity == "plugin/" + declares) return id;
+      if (!declares.empty() && identity == fmt::format("{}/{}", kind_of(given), declares)) return id;
     }
   }
   throw Error(fmt::format(
@@ -110,9 +111,10 @@ void add_compare(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("--out", options->out, "folder for compare.md, compare.json and compare.html");
   command
-      ->add_option("--kernel", options->kernels,
-                   "plugin:PATH.so of OLD, or one that declares the same name, which is loaded to evaluate the "
-                   "witnesses of OLD again; no plug-in that a record names is loaded without it; repeatable")
+      ->add_option(
+          "--kernel", options->kernels,
+          "plugin:PATH.so or program:MANIFEST.json of OLD, or one that declares the same name, which is loaded "
+          "to evaluate the witnesses of OLD again; none that a record names is loaded without it; repeatable")
       ->allow_extra_args(false);
   command->add_flag("--no-replay", options->no_replay, "do not evaluate the witnesses of OLD again");
   add_plugin_seconds(*command);

@@ -52,6 +52,9 @@ void print_kernel(const Kernel& kernel, const std::string& targets) {
              targets, fmt::join(exposures_json(kernel).get<std::vector<std::string>>(), ", "));
 }
 
+// A plug-in runs on no target of axiscert's.
+const char* how_run(const Kernel& kernel) { return plugin::is_program(kernel) ? "program" : "plug-in"; }
+
 void print_arithmetics() {
   fmt::print(
       "\nKERNEL+ARITHMETIC, for each kernel from published to ladder-9, is its scalar form in another arithmetic:\n");
@@ -73,25 +76,30 @@ void print_kernels(const TestDescription& test) {
       fmt::join(targets, ", "));
   for (const CallMode& mode : call_modes()) fmt::print("{:<20} {}\n", fmt::format("@{}", mode.name), mode.summary);
   fmt::print(
-      "\nPlug-ins: plugin:PATH.so is one of your own; peer/ are libraries, fault/ kernels with a planted fault:\n");
-  for (const Kernel* kernel : shipped_kernels(test)) print_kernel(*kernel, "plug-in");
+      "\nPlug-ins: plugin:PATH.so is one of your own, program:MANIFEST.json a program; peer/ are libraries, fault/ "
+      "kernels with a planted fault:\n");
+  for (const Kernel* kernel : shipped_kernels(test)) print_kernel(*kernel, how_run(*kernel));
   if (&test != &first_test()) return;  // those that were not built are of the first
   for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
     for (const auto& absent : shipped.absent) {
-      fmt::print("{:<20} NOT BUILT: the Debian package {} is missing\n",
-                 fmt::format("{}{}", shipped.prefix, absent.name), absent.package);
+      const std::string id = fmt::format("{}{}", shipped.prefix, absent.name);
+      if (!absent.command.empty()) {
+        fmt::print("{:<20} NOT INSTALLED: {} is missing; {} installs it\n", id, absent.package, absent.command);
+        continue;
+      }
+      fmt::print("{:<20} NOT BUILT: the Debian package {} is missing\n", id, absent.package);
     }
   }
 }
 
-// A plug-in runs on no target of axiscert's.
+// As what is run as a plug-in has none.
 std::vector<std::string> targets_of(const Kernel& kernel) {
   if (!kernel.file.empty()) return {};
   return kernel.has_simd ? available_targets() : std::vector{std::string(scalar_target)};
 }
 
 void print_one(const Kernel& kernel) {
-  print_kernel(kernel, kernel.file.empty() ? fmt::format("{}", fmt::join(targets_of(kernel), " ")) : "plug-in");
+  print_kernel(kernel, kernel.file.empty() ? fmt::format("{}", fmt::join(targets_of(kernel), " ")) : how_run(kernel));
   fmt::print("{:<20} test {}, entry {}\n", "", kernel.test->id, kernel.test->entries[kernel.entry].name);
   if (!kernel.source.empty()) fmt::print("{:<20} source {}\n", "", kernel.source);
   for (const Finding& finding : kernel.findings) fmt::print("{:<20} {}: {}\n", "", name(finding.kind), finding.detail);

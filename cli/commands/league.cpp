@@ -48,6 +48,11 @@ void add_all_kernels(League& league) {
           fmt::format("NOT CHECKED: {}*: this axiscert was built without them.", shipped.prefix));
     }
     for (const auto& absent : shipped.absent) {
+      if (!absent.command.empty()) {
+        league.not_checked.push_back(fmt::format("NOT CHECKED: {}{}: {} is not installed; `{}` installs it.",
+                                                 shipped.prefix, absent.name, absent.package, absent.command));
+        continue;
+      }
       league.not_checked.push_back(
           fmt::format("NOT CHECKED: {}{}: it was not built, because the Debian package {} is missing.", shipped.prefix,
                       absent.name, absent.package));
@@ -60,7 +65,8 @@ void take_times(League& league, const ShowProgress& report) {
   std::vector<const Kernel*> timed;
   std::vector<std::size_t> places;
   for (std::size_t k = 0; k < league.contenders; ++k) {
-    if (!league.plan.kernels[k]->has(precision_of<Real>)) continue;
+    // Of a program it would be the time of the pipe.
+    if (!league.plan.kernels[k]->has(precision_of<Real>) || plugin::is_program(*league.plan.kernels[k])) continue;
     timed.push_back(league.plan.kernels[k]);
     places.push_back(k);
   }

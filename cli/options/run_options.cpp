@@ -18,6 +18,7 @@
 #include "fuzz/text/sha256.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
+#include "kernel/plugin/load.h"
 
 namespace axiscert {
 namespace {
@@ -63,28 +64,30 @@ void add_tolerance(const std::string& given, Plan& plan) {
   throw Error(fmt::format("--tolerance {}: {}", given, unknown_name("comparison", "comparisons", which, names)));
 }
 
-// Adds the record's entry for a plug-in that was given by its path. A plug-in that cannot be read has no hash: a
-// finding reports that it could not be loaded.
+// Adds the record's entries for the files of a plug-in or a program that was given by its path. A plug-in that cannot
+// be read has no hash: a finding reports that it could not be loaded.
 void add_plugin(const Kernel& kernel, Plan& plan) {
-  if (!kernel.id.starts_with("plugin:") || kernel.file.empty()) return;
-  FileInfo& file = plan.plugins.emplace_back();
-  file.name = base_name(kernel.file);
-  file.kind = "plugin";
-  file.kernel = kernel.id;
-  try {
-    const std::string bytes = read_bytes(kernel.file);
-    file.sha256 = sha256_hex(std::as_bytes(std::span(bytes)));
-  } catch (const Error&) {
-    if (kernel.findings.empty()) throw;
+  if (!plugin::is_given_by_file(kernel.id) || kernel.file.empty()) return;
+  for (const auto& [kind, path] : plugin::files_of(kernel)) {
+    FileInfo& file = plan.plugins.emplace_back();
+    file.name = base_name(path);
+    file.kind = kind;
+    file.kernel = kernel.id;
+    try {
+      const std::string bytes = read_bytes(path);
+      file.sha256 = sha256_hex(std::as_bytes(std::span(bytes)));
+    } catch (const Error&) {
+      if (kernel.findings.empty()) throw;
+    }
   }
 }
 
-// Whether a plug-in's file is already one of the plan's, by another spelling of its path.
+// Whether the file of a plug-in or a program is already one of the plan's, by another spelling of its path.
 bool is_file_of(const Kernel& kernel, const Plan& plan) {
-  if (!kernel.id.starts_with("plugin:")) return false;
+  if (!plugin::is_given_by_file(kernel.id)) return false;
   for (const Kernel* other : plan.kernels) {
     std::error_code none;
-    if (!other->id.starts_with("plugin:") || !std::filesystem::equivalent(kernel.file, other->file, none)) continue;
+    if (!plugin::is_given_by_file(other->id) || !std::filesystem::equivalent(kernel.file, other->file, none)) continue;
     fmt::print(stderr, "axiscert: --kernel {}: the file of {}, which is judged once\n", kernel.id, other->id);
     return true;
   }

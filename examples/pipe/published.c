@@ -2,6 +2,7 @@
  *
  *     cc -std=c99 -O2 -ffp-contract=off -o published published.c
  *     axiscert generate --family tangent --binary | ./published | axiscert judge --conforms-to published
+ *     axiscert run --kernel program:published_c.json
  *
  * -ffp-contract=off forbids the compiler to fuse a * b + c into one operation with one rounding, as many do by
  * default where the machine has it: the replies would be those of another kernel, and deeply wrong on repeated
@@ -14,6 +15,7 @@
 #define REAL float
 #endif
 typedef REAL real;
+enum { GREATEST_HEADER = 1 << 20 }; /* bytes */
 typedef struct {
   real x, y, z;
 } vec;
@@ -61,17 +63,16 @@ static int fail(const char* what) {
   return 1;
 }
 
-int main(void) {
-  static unsigned char header[1 << 20];
+/* One stream: its header, and a reply for each query. */
+static int answer(unsigned char* header) {
   uint32_t precision, header_size;
   uint64_t count;
-  if (fread(header, 64, 1, stdin) != 1 || memcmp(header, "AXISCERT", 8) != 0)
-    return fail("standard input is not a query stream");
+  if (memcmp(header, "AXISCERT", 8) != 0) return fail("standard input is not a query stream");
   memcpy(&precision, header + 12, 4);
   memcpy(&count, header + 16, 8);
   memcpy(&header_size, header + 24, 4);
   if (precision != 8 * sizeof(real)) return fail("compiled for the other precision; see -DREAL");
-  if (header_size < 64 || header_size > sizeof header)
+  if (header_size < 64 || header_size > GREATEST_HEADER)
     return fail("the header is shorter than 64 bytes or longer than 1 MiB");
   if (fread(header + 64, 1, header_size - 64, stdin) != header_size - 64) return fail("the header is cut short");
   fwrite(header, 1, header_size, stdout);
@@ -87,4 +88,14 @@ int main(void) {
     fwrite(reply, sizeof reply, 1, stdout);
   }
   return fflush(stdout) == 0 ? 0 : fail("the replies cannot be written");
+}
+
+/* One stream in a pipe; `--kernel program:` writes one after another. */
+int main(void) {
+  static unsigned char header[GREATEST_HEADER];
+  size_t got, streams = 0;
+  for (; (got = fread(header, 1, 64, stdin)) == 64; ++streams) {
+    if (answer(header) != 0) return 1;
+  }
+  return got == 0 && streams != 0 ? 0 : fail("standard input is not a query stream");
 }

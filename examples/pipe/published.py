@@ -2,6 +2,7 @@
 """The published sphere-triangle test in numpy, as a program for axiscert's pipe (docs/pipe.md):
 
     axiscert generate --family tangent --binary | ./published.py | axiscert judge --conforms-to published
+    axiscert run --kernel program:published.json
 
 numpy rounds after every operation and fuses none, so the replies are those of axiscert's own kernel, bit for bit.
 """
@@ -59,16 +60,17 @@ def replies(queries):
 
 def main():
     read, write = sys.stdin.buffer.read, sys.stdout.buffer.write
-    head = read(64)
-    magic, _, precision, count, header_size, record_size = struct.unpack_from("<8sIIQII", head)
-    if magic != b"AXISCERT":
-        sys.exit("published.py: standard input is not a query stream; axiscert generate --binary makes one")
-    write(head + read(header_size - 64))
-    number = np.dtype({32: "<f4", 64: "<f8"}[precision])
-    with np.errstate(all="ignore"):  # overflow and NaN are part of the queries
-        for first in range(0, count, BATCH):
-            queries = read(min(BATCH, count - first) * record_size)
-            write(replies(np.frombuffer(queries, number).reshape(-1, 13)))
+    while head := read(64):  # one stream in a pipe; `--kernel program:` writes one after another
+        magic, _, precision, count, header_size, record_size = struct.unpack_from("<8sIIQII", head)
+        if magic != b"AXISCERT":
+            sys.exit("published.py: standard input is not a query stream; axiscert generate --binary makes one")
+        write(head + read(header_size - 64))
+        number = np.dtype({32: "<f4", 64: "<f8"}[precision])
+        with np.errstate(all="ignore"):  # overflow and NaN are part of the queries
+            for first in range(0, count, BATCH):
+                queries = read(min(BATCH, count - first) * record_size)
+                write(replies(np.frombuffer(queries, number).reshape(-1, 13)))
+        sys.stdout.buffer.flush()
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/pipe/pipe_format.h"
+#include "kernel/program/pipe_format.h"
 #include "fuzz/queries/source.h"
 
 namespace axiscert {

@@ -9,7 +9,7 @@
 namespace axiscert {
 
 enum class QueryEncoding : std::uint8_t {
-  binary,     // the query stream of fuzz/pipe/pipe_format.h, header included
+  binary,     // the query stream of kernel/program/pipe_format.h, header included
   json_lines  // the query file of fuzz/files/query_file.h; each id is the address
 };
 

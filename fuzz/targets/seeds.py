@@ -89,6 +89,16 @@ def seeds(source):
         b"hello, world\n",
     ]
 
+    manifest = {"format": "axiscert-program/1", "name": "a/b", "command": ["node", "b.mjs"], "precisions": ["binary32", "binary64"]}
+    result["manifest"] = [plan_text(one).encode() for one in (
+        manifest, dict(manifest, test="sphere-triangle", entry="vertices", touching="either", exposes="comparisons", summary="s",
+                       package="p", version="1.0", source="b.mjs:1", formulae="published", limits={"least_radius": 1e-3}),
+        dict(manifest, conforms_to="published", precisions=["binary32"]), dict(manifest, format="axiscert-program/2"), {}, [])]
+    result["manifest"] += [path.read_bytes() for path in sorted((source / "examples").rglob("*.json"))]
+    result["program_replies"] = [bytes([2, options, part]) + replies for options, part, replies in (
+        (8, 0, contact + separated), (8, 6, bits * 3), (10, 1, bits * 2), (9, 4, bits[:2] + b"\0" * 6 + b"\7" + b"\0" * 7),
+        (8, 255, b"\x07\0\0\0hello"), (0, 3, b"engine loaded\n"), (4, 3, b"more"), (0, 2, b"AXISCERT\1\0\0\0"))]
+
     result["journal"] = [b"", b"\x01\x07", b"\x03\x00\x00\x07\x00\x80", bytes([0x40, 4]) + b"\x83\x00\x80\x40"]
     options = {"test": "sphere-triangle", "kernels": ["published", "certified"], "families": ["tangent", "lattice"], "meshes": [], "queries": [],
                "corpus": None, "trials": 1000, "seed": 1, "precision": "binary32", "tolerances": ["plane.radius=2"], "require": "logic"}

@@ -54,11 +54,12 @@ auto Caller<Real>::call(const QueryColumns<Real>& batch, std::size_t first, std:
                         const Arrangement& arrangement, double seconds, Outputs<Real>& out) -> Result {
   const Shape shape = callee_.subject.shape();
   if (batch.count != shape.columns) {
-    throw HarnessFault(fmt::format("plug-in {}: its test takes {} columns; the batch has {}", callee_.path,
+    throw HarnessFault(fmt::format("plug-in {}: its test takes {} columns; the batch has {}", callee_.hosted.path,
                                    shape.columns, batch.count));
   }
-  if (!process_) process_.emplace(callee_.path, callee_.subject);
-  if (!process_->is_running()) seconds = std::max(seconds, first_seconds_);  // it may have tables to make
+  if (!process_) process_.emplace(callee_.hosted, callee_.subject);
+  // It may have tables to make.
+  if (!process_->is_running() && !callee_.hosted.is_program()) seconds = std::max(seconds, first_seconds_);
   const auto place = [&](std::size_t which) { return array(which, size, arrangement.placement); };
   for (std::size_t k = 0; k < shape.columns; ++k) {
     std::memcpy(place(k).data(), batch.column[k] + first, size * sizeof(Real));
@@ -76,7 +77,9 @@ auto Caller<Real>::call(const QueryColumns<Real>& batch, std::size_t first, std:
                         .size = static_cast<std::uint32_t>(size),
                         .exposes = static_cast<std::uint32_t>(arrangement.asked),
                         .measures = 0,
-                        .placement = arrangement.placement};
+                        .placement = arrangement.placement,
+                        .seconds = seconds,
+                        .start_seconds = program_start * first_seconds_};
   result.stop = process_->call(request, seconds, result.reply);
   if (result.stop) return result;
 

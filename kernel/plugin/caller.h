@@ -21,8 +21,8 @@ struct Outputs {
 
 // A kernel of a plug-in, and how it is called.
 struct Callee {
-  std::string path;
-  std::uint32_t index;  // in the plug-in
+  Hosted hosted;
+  std::uint32_t index;  // in the plug-in; of a program, that of the precision
   std::uint32_t abi;
   Subject subject;
 };

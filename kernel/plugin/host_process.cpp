@@ -17,14 +17,17 @@
 #include <filesystem>
 
 #include "kernel/base/error.h"
+#include "kernel/base/plain_line.h"
+#include "kernel/base/utf8.h"
+#include "kernel/program/stream_header.h"
 
 extern char** environ;
 
 namespace axiscert::plugin {
 namespace {
 
-constexpr int patience_ms = 10;            // between two looks at a call that takes long
-constexpr double clock_to_processor = 20;  // how much longer a process may take that does not get, or use, a core
+constexpr int patience_ms = 10;         // between two looks at a call that takes long
+constexpr double farewell_seconds = 5;  // for the host of a program, which kills all that this has started
 
 Error cannot(const std::string& path, const char* what) {
   return Error(fmt::format("plug-in {}: cannot {}: {}", path, what, std::strerror(errno)));
@@ -77,17 +80,17 @@ std::string Subject::array_name(std::size_t array) const {
   return fmt::format("measure[{}]", array - shape.measure());
 }
 
-HostProcess::HostProcess(std::string path, const Subject& subject)
-    : path_(std::move(path)),
+HostProcess::HostProcess(Hosted hosted, const Subject& subject)
+    : hosted_(std::move(hosted)),
       subject_(subject),
       shape_(subject.shape()),
       page_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))) {
   memory_ = memfd_create("axiscert-plugin", MFD_CLOEXEC);
   if (memory_ >= 0) memory_ = out_of_the_way(memory_);
   const std::size_t size = file_size(shape_, page_);
-  if (memory_ < 0 || ftruncate(memory_, static_cast<off_t>(size)) != 0) throw cannot(path_, "share memory");
+  if (memory_ < 0 || ftruncate(memory_, static_cast<off_t>(size)) != 0) throw cannot(hosted_.path, "share memory");
   void* const mapped = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, memory_, 0);
-  if (mapped == MAP_FAILED) throw cannot(path_, "share memory");
+  if (mapped == MAP_FAILED) throw cannot(hosted_.path, "share memory");
   mapped_ = static_cast<std::byte*>(mapped);
   control_ = reinterpret_cast<Control*>(mapped_);
 }
@@ -104,6 +107,11 @@ void HostProcess::end() {
   if (socket_ >= 0) close(socket_);
   socket_ = -1;
   if (child_ < 0) return;
+  for (int look = 0; hosted_.is_program() && look * 1e-3 < farewell_seconds; ++look) {
+    siginfo_t ended{};
+    if (waitid(P_PID, static_cast<id_t>(child_), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 || ended.si_pid != 0) break;
+    usleep(1000);
+  }
   kill(-child_, SIGKILL);  // and what it has started, which is in its process group
   while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
   }
@@ -112,11 +120,12 @@ void HostProcess::end() {
 
 void HostProcess::spawn() {
   std::memset(static_cast<void*>(control_), 0, sizeof(Control));
+  write_headers();
   int ends[2];
-  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) throw cannot(path_, "make a socket");
+  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) throw cannot(hosted_.path, "make a socket");
   socket_ = ends[0];
   const int host_end = out_of_the_way(ends[1]);
-  if (host_end < 0) throw cannot(path_, "make a socket");
+  if (host_end < 0) throw cannot(hosted_.path, "make a socket");
   const timeval patience{0, patience_ms * 1000};
   setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
 
@@ -137,19 +146,20 @@ void HostProcess::spawn() {
   posix_spawnattr_setsigdefault(&attributes, &all);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
   const std::string program = host_program();
-  std::string path = path_;
-  std::string columns = std::to_string(shape_.columns), comparisons = std::to_string(shape_.comparisons),
-              measures = std::to_string(shape_.measures);
-  char* const arguments[] = {
-      const_cast<char*>(program.c_str()), path.data(), columns.data(), comparisons.data(), measures.data(), nullptr};
-  const int failed = posix_spawn(&child_, program.c_str(), &files, &attributes, arguments, environ);
+  std::vector<std::string> words = {program, hosted_.path, std::to_string(shape_.columns),
+                                    std::to_string(shape_.comparisons), std::to_string(shape_.measures)};
+  words.insert(words.end(), hosted_.command.begin(), hosted_.command.end());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const int failed = posix_spawn(&child_, program.c_str(), &files, &attributes, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&files);
   posix_spawnattr_destroy(&attributes);
   close(host_end);
   if (failed == 0) return;
   child_ = -1;
   errno = failed;
-  throw cannot(path_, "start axiscert-plugin-host");
+  throw cannot(hosted_.path, "start axiscert-plugin-host");
 }
 
 std::optional<Stop> HostProcess::start(double seconds) {
@@ -163,8 +173,30 @@ std::optional<Stop> HostProcess::call(const Request& request, double seconds, Re
   // Loading is what it did before without trouble; where it does not now, that is a stop like another.
   constexpr double loading_seconds = 10;
   if (auto stop = start(loading_seconds)) return stop;
+  if (hosted_.is_program()) return call_program(request, reply);
   if (send(socket_, &request, sizeof request, MSG_NOSIGNAL) != sizeof request) return how_it_died();
   return receive(seconds, reply);
+}
+
+std::optional<Stop> HostProcess::call_program(const Request& request, Reply& reply) {
+  if (send(socket_, &request, sizeof request, MSG_NOSIGNAL) != sizeof request) return how_it_died();
+  // The host itself looks at the time; this is for a host that is stopped, or a process that cannot be killed.
+  constexpr double reserve_seconds = 60;
+  if (auto stop = receive(request.seconds + request.start_seconds + reserve_seconds, reply)) return stop;
+  if (!reply.stopped) return std::nullopt;
+  const ProgramStop& why = control_->stop;
+  return Stop{static_cast<FindingKind>(why.kind), plain_line(as_utf8(why.detail)), why.replies};
+}
+
+void HostProcess::write_headers() {
+  if (!hosted_.is_program() || subject_.test == nullptr) return;
+  for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+    const std::string bytes = program_header(*subject_.test, subject_.entry, precision);
+    ProgramHeader& header = control_->headers[index_of(precision)];
+    if (bytes.size() > sizeof header.bytes) throw HarnessFault("the header of a batch for a program is too long");
+    header.size = static_cast<std::uint32_t>(bytes.size());
+    std::memcpy(header.bytes, bytes.data(), bytes.size());
+  }
 }
 
 std::optional<Stop> HostProcess::receive(double seconds, Reply& reply) {
@@ -219,6 +251,18 @@ Stop HostProcess::how_it_died() {
   if (signal == fault.signal && fault.at_null) detail += " at a null pointer";
   if (signal == fault.signal && fault.out_of_stack) detail += ", out of stack";
   return {FindingKind::crash, detail, std::nullopt};
+}
+
+std::string changed_modes(std::uint32_t changed) {
+  std::string modes;
+  const auto add = [&](std::uint32_t bit, const char* mode) {
+    if (changed & bit) modes += (modes.empty() ? "" : ", ") + std::string(mode);
+  };
+  add(changed_rounding, "the rounding mode");
+  add(changed_flushing, "flushing of subnormal numbers to zero");
+  add(changed_traps, "which exceptions trap");
+  add(changed_other, "another control bit");
+  return modes;
 }
 
 std::string host_program() {

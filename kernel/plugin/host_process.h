@@ -1,4 +1,5 @@
-// A process that hosts a plug-in, from axiscert's side: started when it is first asked, and again after it has died.
+// A process that hosts a plug-in or a program, from axiscert's side: started when it is first asked, and again after it
+// has died.
 #pragma once
 
 #include <sys/types.h>
@@ -6,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "kernel/finding.h"
 #include "kernel/plugin/shared_memory.h"
@@ -15,9 +17,16 @@ namespace axiscert::plugin {
 
 // A call that got no answer, and why.
 struct Stop {
-  FindingKind kind;  // crash, hang or out_of_bounds
+  FindingKind kind;  // crash, hang or out_of_bounds; of a program also load, inconsistent
   std::string detail;
-  std::optional<std::size_t> query;  // of the call, where the fault says which
+  std::optional<std::size_t> query;  // of the call, where the fault says which; of a program, the first without a reply
+};
+
+// What a process hosts.
+struct Hosted {
+  std::string path;                  // of a shared object; of a program, the folder in which it runs
+  std::vector<std::string> command;  // of a program, its words; empty: a shared object
+  bool is_program() const { return !command.empty(); }
 };
 
 // The test that a process is asked for, and one of its entries. Without a test the plug-in is only loaded.
@@ -33,7 +42,7 @@ struct Subject {
 class HostProcess {
  public:
   // Throws Error where no process can be made. Nothing of the plug-in runs yet.
-  explicit HostProcess(std::string path, const Subject& subject = {});
+  explicit HostProcess(Hosted hosted, const Subject& subject = {});
   ~HostProcess();
   HostProcess(const HostProcess&) = delete;
   HostProcess& operator=(const HostProcess&) = delete;
@@ -43,7 +52,8 @@ class HostProcess {
   bool is_running() const { return child_ >= 0; }
   const Control& control() const { return *control_; }
   // A call; its inputs and outputs are at array(). After a stop the process is dead, and the next call starts another.
-  // `seconds`: of the process's own time; twenty times that by the clock, for one that sleeps.
+  // `seconds`: of the process's own time; clock_to_processor times that by the clock, for one that sleeps. Of a program
+  // the host looks at the time (Request), and the process stays.
   std::optional<Stop> call(const Request& request, double seconds, Reply& reply);
   // The area of an array, area_bytes() long; array_offset() says where in it a call's array lies.
   std::byte* area(std::size_t array) const;
@@ -54,9 +64,11 @@ class HostProcess {
   void spawn();
   void end();
   std::optional<Stop> receive(double seconds, Reply& reply);
+  std::optional<Stop> call_program(const Request& request, Reply& reply);
+  void write_headers();
   Stop how_it_died();
 
-  std::string path_;
+  Hosted hosted_;
   Subject subject_;
   Shape shape_;
   std::size_t page_;
@@ -65,6 +77,9 @@ class HostProcess {
   std::byte* mapped_ = nullptr;
   Control* control_ = nullptr;
 };
+
+// Bits of Reply::changed in words: "the rounding mode, flushing of subnormal numbers to zero".
+std::string changed_modes(std::uint32_t changed);
 
 // The program that hosts plug-ins: beside this executable, or where it is installed. Throws Error where there is none.
 std::string host_program();

@@ -169,7 +169,7 @@ TEST(Interface, AKernelOfATestThatIsNotThereIsRefused) {
 TEST(Interface, FortyColumnsThirtyThreeComparisonsAndTwoMeasures) {
   constexpr std::size_t count = 9;
   const plugin::Subject subject{&wide_test()};
-  plugin::HostProcess host(layout_path("wide"), subject);
+  plugin::HostProcess host({layout_path("wide"), {}}, subject);
   const plugin::Shape& shape = host.shape();
   const plugin::Placement placement;
   const auto array = [&](std::size_t which) {
@@ -207,7 +207,8 @@ TEST(Interface, FortyColumnsThirtyThreeComparisonsAndTwoMeasures) {
 }
 
 TEST(Interface, ACallerTakesTheColumnsOfItsTestAndNoOthers) {
-  plugin::Caller<double> caller({.path = layout_path("wide"), .index = 0, .abi = 2, .subject = {&wide_test()}}, 1);
+  plugin::Caller<double> caller({.hosted = {layout_path("wide"), {}}, .index = 0, .abi = 2, .subject = {&wide_test()}},
+                                1);
   plugin::Outputs<double> outputs;
   QueryBatch<double> queries(3, 40);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -7,40 +7,18 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <random>
 
 #include "kernel/base/error.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
+#include "kernel/plugin/plugin_testing.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {
 
+using namespace plugin_testing;
 using testing::HasSubstr;
-
-constexpr std::size_t wrong_query = 700;  // of the batch: the one that the crashing and the hanging plug-in stop at
-
-// Spheres about the origin and triangles a unit away, so that half of them touch; one sphere is enormous.
-const QueryBatch<float>& queries() {
-  static const QueryBatch<float> batch = [] {
-    QueryBatch<float> all(1021, coordinate_count);  // no multiple of a vector's lanes
-    std::mt19937 random(7);
-    const auto uniform = [&] { return static_cast<float>(random()) * 0x1p-31f - 1; };
-    for (std::size_t i = 0; i < 1021; ++i) {
-      const auto vertex = [&] { return Vec3<float>{uniform() + 1.5f, uniform(), uniform()}; };
-      const float r = i == wrong_query ? 1e30f : 0.5f + 0.4f * uniform();
-      all.push_back(Query<float>{vertex(), vertex(), vertex(), {0, 0, 0}, r});
-    }
-    return all;
-  }();
-  return batch;
-}
-
-struct Seen {
-  std::vector<Verdict> verdicts;
-  std::vector<Finding> findings;
-};
 
 std::string misbehaving_path(const std::string& name) { return fmt::format(BUILD_FOLDER "/misbehaving/{}.so", name); }
 
@@ -48,38 +26,7 @@ Seen supervise(const std::string& name) {
   const Kernel& kernel = find_kernel("plugin:" + misbehaving_path(name));
   if (!kernel.has(Precision::binary32)) throw Error(kernel.id + ": not built");
   EXPECT_TRUE(kernel.findings.empty()) << kernel.findings.front().detail;
-  Seen seen;
-  seen.verdicts.resize(queries().size());
-  Answers<float> answers;
-  answers.resize(queries().size(), comparison_count);
-  kernel.on<float>(scalar_target).supervised(queries().columns(), seen.verdicts.data(), answers, seen.findings);
-  return seen;
-}
-
-std::vector<Verdict> right_verdicts() {
-  std::vector<Verdict> verdicts(queries().size());
-  find_kernel("nonstrict").on<float>(scalar_target).verdicts(queries().columns(), verdicts.data());
-  return verdicts;
-}
-
-std::size_t unanswered(const Seen& seen) {
-  return static_cast<std::size_t>(std::count(seen.verdicts.begin(), seen.verdicts.end(), Verdict::unanswered));
-}
-
-// All but the given queries are answered, and as the right test answers them.
-void expect_right_but(const Seen& seen, std::initializer_list<std::size_t> without_answer) {
-  std::vector<Verdict> expected = right_verdicts();
-  for (const std::size_t i : without_answer) expected[i] = Verdict::unanswered;
-  EXPECT_EQ(seen.verdicts, expected);
-}
-
-Finding only_finding(const Seen& seen) {
-  EXPECT_EQ(seen.findings.size(), 1u);
-  for (const Finding& finding : seen.findings) {
-    SCOPED_TRACE(fmt::format("{} at {}: {}", name(finding.kind), finding.index, finding.detail));
-    EXPECT_LT(finding.index, queries().size());
-  }
-  return seen.findings.empty() ? Finding{} : seen.findings.front();
+  return supervised(kernel);
 }
 
 TEST(Plugin, ACrashCostsItsQueryAlone) {

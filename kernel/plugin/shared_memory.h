@@ -1,4 +1,5 @@
-// The memory that axiscert shares with the process that hosts a plug-in, and the short messages between them.
+// The memory that axiscert shares with the process that hosts a plug-in or a program, and the short messages between
+// them.
 //
 // The file holds a control block and an area for each array of plugin.h that the test and entry have. The host maps
 // each area between pages that cannot be touched, the input ones read-only; axiscert maps the file as it is.
@@ -89,7 +90,24 @@ struct Fault {
   std::uint64_t element_count;
 };
 
+// Of a program: the bytes before the queries of each batch (pipe_format.h), with a count of 0.
+inline constexpr std::size_t longest_program_header = 1024;
+struct ProgramHeader {
+  std::uint32_t size;  // bytes; 0: it does not exist in this precision
+  char bytes[longest_program_header];
+};
+
+// Why a program gave no answers.
+struct ProgramStop {
+  std::uint8_t kind;      // a FindingKind
+  std::uint32_t replies;  // that came before, each of them whole
+  char detail[512];
+};
+
 struct Control {
+  // Written by axiscert, for a program; binary32, binary64.
+  ProgramHeader headers[most_kernels];
+  ProgramStop stop;            // of a reply that says `stopped`
   char load_error[512];        // empty where the plug-in was loaded
   std::uint32_t changed;       // floating-point modes that loading it left changed
   std::uint32_t kernel_count;  // as handed out, at most most_kernels + 1
@@ -98,12 +116,17 @@ struct Control {
 };
 
 struct Request {
-  std::uint32_t kernel;  // of Control::kernels
-  std::uint32_t size;
+  std::uint32_t kernel;    // of Control::kernels; of a program, of Control::headers
+  std::uint32_t size;      // queries; 0, of a program alone: it is started, and ended
   std::uint32_t exposes;   // which arrays are asked for
   std::uint32_t measures;  // number of measures that are asked for
   Placement placement;
+  // Of a program: the processor time that it may take for the answers, and in addition for a start. By the clock it may
+  // take clock_to_processor times as much.
+  double seconds = 0, start_seconds = 0;
 };
+inline constexpr double clock_to_processor = 20;  // for one that does not get, or use, a core
+inline constexpr double program_start = 10;       // whole batches' time: an interpreter, and an engine to compile
 
 // Floating-point modes that a call left changed.
 inline constexpr std::uint32_t changed_rounding = 1, changed_flushing = 2, changed_traps = 4, changed_other = 8;
@@ -111,6 +134,7 @@ inline constexpr std::uint32_t changed_rounding = 1, changed_flushing = 2, chang
 struct Reply {
   std::uint32_t changed;
   std::uint64_t nanoseconds;  // the call took
+  bool stopped;               // of a program: it gave no answers; Control::stop says why
 };
 
 constexpr std::size_t area_in_file(std::size_t array, std::size_t page) {

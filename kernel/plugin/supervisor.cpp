@@ -22,6 +22,11 @@ constexpr Placement piece_placements[] = {{Anchor::begin, 0}, {Anchor::end, 0}, 
                                           {Anchor::begin, 3}, {Anchor::middle, 2}, {Anchor::end, 0},
                                           {Anchor::middle, 5}};
 
+// A program knows no lanes, and each piece may be a start: 1, 2, 4, ... queries.
+std::size_t piece_size(std::size_t number, bool is_program) {
+  return is_program ? std::size_t{1} << std::min<std::size_t>(number, 10) : 1 + number % longest_piece;
+}
+
 double seconds_for(std::size_t queries) {
   return batch_seconds * std::max(0.1, static_cast<double>(queries) / static_cast<double>(batch_capacity));
 }
@@ -34,18 +39,6 @@ std::string placed(const Placement& placement) {
 }
 
 }  // namespace
-
-std::string changed_modes(std::uint32_t changed) {
-  std::string modes;
-  const auto add = [&](std::uint32_t bit, const char* mode) {
-    if (changed & bit) modes += (modes.empty() ? "" : ", ") + std::string(mode);
-  };
-  add(changed_rounding, "the rounding mode");
-  add(changed_flushing, "flushing of subnormal numbers to zero");
-  add(changed_traps, "which exceptions trap");
-  add(changed_other, "another control bit");
-  return modes;
-}
 
 // A part of a batch that one call can take, and where what is learned of it goes.
 template <class Real>
@@ -64,7 +57,7 @@ struct Supervisor<Real>::Chunk {
 template <class Real>
 auto Supervisor<Real>::ask(const Chunk& chunk, const Arrangement& arrangement, Outputs<Real>& outputs) -> Result {
   Result result = caller_.call(chunk.batch, chunk.first, chunk.size, arrangement, seconds_for(chunk.size), outputs);
-  stops_ += result.stop.has_value();
+  if (result.stop && (!is_program() || (result.stop->kind == FindingKind::hang && chunk.size > 1))) ++stops_;
   nanoseconds_ += static_cast<double>(result.reply.nanoseconds);
   return result;
 }
@@ -79,6 +72,7 @@ void Supervisor<Real>::tell(const Chunk& chunk, FindingKind kind, std::size_t qu
 
 template <class Real>
 void Supervisor<Real>::tell(const Chunk& chunk, const Stop& stop, const std::string& where) {
+  if (is_program() && (stop.kind != FindingKind::hang || chunk.size == 1)) ++stops_;
   tell(chunk, stop.kind, stop.query.value_or(0), stop.detail + where);
 }
 
@@ -116,7 +110,7 @@ void Supervisor<Real>::run_chunk(const Chunk& chunk) {
     result = ask(chunk, {{anchor_}, asked, filling}, outputs);
   }
   if (result.stop) {
-    if (chunk.size > 1) return run_singly(chunk, *result.stop);
+    if (chunk.size > 1) return is_program() ? run_parts(chunk, *result.stop) : run_singly(chunk, *result.stop);
     tell(chunk, *result.stop);
     return unanswered(chunk);
   }
@@ -136,6 +130,26 @@ void Supervisor<Real>::run_singly(const Chunk& chunk, const Stop& of_batch) {
   for (std::size_t i = 0; i < chunk.size; ++i) run_chunk(chunk.part(i, 1));
   if (stops_ == stops && stops < most_stops) {
     tell(chunk, of_batch, fmt::format(" for a batch of {}; none for its queries one by one", chunk.size));
+  }
+}
+
+// The query without a reply comes first, by itself: it may be the one, if the program does not keep its replies back.
+// Where it is not, the batch is halved.
+template <class Real>
+void Supervisor<Real>::run_parts(const Chunk& chunk, const Stop& of_batch) {
+  const int stops = stops_;
+  const std::size_t suspect = of_batch.query.value_or(0);
+  if (suspect > 0 && suspect < chunk.size) {
+    run_chunk(chunk.part(suspect, 1));
+    run_chunk(chunk.part(0, suspect));
+    if (suspect + 1 < chunk.size) run_chunk(chunk.part(suspect + 1, chunk.size - suspect - 1));
+  } else {
+    const std::size_t half = chunk.size / 2;
+    run_chunk(chunk.part(0, half));
+    run_chunk(chunk.part(half, chunk.size - half));
+  }
+  if (stops_ == stops && stops < most_stops) {
+    tell(chunk, of_batch, fmt::format(" for a batch of {}; none for its parts", chunk.size));
   }
 }
 
@@ -163,22 +177,23 @@ void Supervisor<Real>::rearrange(const Chunk& chunk, const Outputs<Real>& output
   Outputs<Real> found;
   std::size_t number = 0;
   for (std::size_t first = 0, size; first < chunk.size && rearranges_; first += size, ++number) {
-    size = std::min(1 + number % longest_piece, chunk.size - first);
+    size = std::min(piece_size(number, is_program()), chunk.size - first);
     const Chunk piece = chunk.part(first, size);
     Placement placement = piece_placements[number % std::size(piece_placements)];
     if (anchor_ == Anchor::middle) placement.anchor = anchor_;
-    const bool verdict_alone = !chunk.explained || number % 2 == 1;
+    const std::string where = is_program() ? "" : ", " + placed(placement);
+    const bool verdict_alone = !chunk.explained || (number % 2 == 1 && !is_program());
     const Result result = ask(piece, {placement, verdict_alone ? Exposure::verdict : kernel_.exposes, filling}, found);
     if (result.stop) {
-      tell(piece, *result.stop, fmt::format(" (a batch of {}, {})", size, placed(placement)));
+      tell(piece, *result.stop, fmt::format(" (a batch of {}{})", size, where));
       rearranges_ = false;
       return;
     }
     if (result.stray) tell(piece, *result.stray);
     if (const auto difference = first_difference(*kernel_.callee.subject.test, outputs, first, found)) {
       tell(piece, FindingKind::batch_dependent, difference->query,
-           fmt::format("{}: as query {} of {}, {}{}", difference->detail, difference->query + 1, size,
-                       placed(placement), verdict_alone && chunk.explained ? ", asked for the verdict alone" : ""));
+           fmt::format("{}: as query {} of {}{}{}", difference->detail, difference->query + 1, size, where,
+                       verdict_alone && chunk.explained ? ", asked for the verdict alone" : ""));
     }
   }
 }

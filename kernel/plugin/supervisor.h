@@ -12,9 +12,6 @@ namespace axiscert::plugin {
 // but never less than a tenth. Set before the first plug-in is loaded.
 inline double batch_seconds = 1;
 
-// Bits of Reply::changed in words: "the rounding mode, flushing of subnormal numbers to zero".
-std::string changed_modes(std::uint32_t changed);
-
 // The facts about a kernel that the supervisor needs.
 struct Supervised {
   Callee callee;
@@ -29,9 +26,10 @@ class Supervisor {
   explicit Supervisor(const Supervised& kernel) : kernel_(kernel), caller_(kernel.callee, batch_seconds) {}
 
   // The kernel's answers; `unanswered` where there is none. `explained` is null where the verdicts are enough. After
-  // the first stop that is no guard page's, the plug-in is asked query by query, so that the one is found that did it;
-  // after `most_stops`, not at all. With `findings`, each batch is looked at for the faults of FindingKind. Crashes and
-  // hangs are told each; of the other kinds the first.
+  // the first stop that is no guard page's, a plug-in is asked query by query, so that the one is found that did it; of
+  // a program, whose start may cost as much as many queries, only the parts of that batch. After `most_stops`, not at
+  // all: these are all stops of a plug-in, and of a program those that are told and all hangs. With `findings`, each
+  // batch is looked at for the faults of FindingKind. Crashes and hangs are told each; of the other kinds the first.
   void run(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>* explained, std::vector<Finding>* findings);
 
   static constexpr int most_stops = 16;
@@ -50,6 +48,8 @@ class Supervisor {
   void take(const Chunk& chunk, const Outputs<Real>& outputs);
   void run_chunk(const Chunk& chunk);
   void run_singly(const Chunk& chunk, const Stop& of_batch);
+  void run_parts(const Chunk& chunk, const Stop& of_batch);
+  bool is_program() const { return kernel_.callee.hosted.is_program(); }
   bool repeats(const Chunk& chunk, const Outputs<Real>& outputs);
   void rearrange(const Chunk& chunk, const Outputs<Real>& outputs);
   void look_for_changed_environment(const Chunk& chunk, std::uint32_t changed);

@@ -130,7 +130,7 @@ Kernel called(const Kernel& kernel, std::string_view words) {
 
 std::optional<std::size_t> call_in(std::string_view id) {
   std::size_t at = id.find('@');
-  if (id.starts_with("plugin:")) {
+  if (plugin::is_given_by_file(id)) {
     const auto is_file = [](std::string_view plugin) {
       return std::filesystem::is_regular_file(*plugin::plugin_path(plugin));
     };

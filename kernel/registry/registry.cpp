@@ -97,7 +97,12 @@ const Kernel& found_as_called(std::string_view id, std::string_view call) {
 std::string unknown_kernel(std::string_view id) {
   std::vector<std::string_view> known;
   for (const Kernel& kernel : registry()) known.push_back(kernel.id);
-  if (const std::string path = plugin::misnamed_path(id); !path.empty()) {
+  const std::string path = plugin::misnamed_path(id);
+  if (path.ends_with(".json")) {
+    return fmt::format("unknown kernel '{}'; a program is given by its manifest, with 'program:' before the path: {}{}",
+                       id, plugin::by_manifest, path);
+  }
+  if (!path.empty()) {
     return fmt::format("unknown kernel '{}'; a plug-in is given by its file, with 'plugin:' before the path: {}{}", id,
                        plugin::by_path, path);
   }
@@ -108,8 +113,8 @@ std::string unknown_kernel(std::string_view id) {
   std::vector<std::string_view> guessed = known;
   guessed.insert(guessed.end(), shipped.begin(), shipped.end());
   const bool is_list = id.find(',') != id.npos;
-  return fmt::format("unknown kernel '{}'{} plugin:PATH.so is one of your own; kernels: {}", id,
-                     is_list ? "; one kernel is given at a time, without commas;" : did_you_mean(id, guessed),
+  return fmt::format("unknown kernel '{}'{} plugin:PATH.so or program:MANIFEST.json is one of your own; kernels: {}",
+                     id, is_list ? "; one kernel is given at a time, without commas;" : did_you_mean(id, guessed),
                      fmt::join(most_alike_first(id, known), ", "));
 }
 
@@ -159,7 +164,10 @@ const Kernel& find_kernel(std::string_view id) {
   if (const Kernel* kernel = registered(id)) return *kernel;
   if (const auto at = call_in(id)) return found_as_called(id.substr(0, *at), id.substr(*at + 1));
   if (const auto path = plugin::plugin_path(id))
-    return kept(id, [&] { return plugin::load_plugin(std::string(id), *path); });
+    return kept(id, [&] {
+      return plugin::is_program(id, *path) ? plugin::load_program(std::string(id), *path)
+                                           : plugin::load_plugin(std::string(id), *path);
+    });
   if (id.find('~') != id.npos) return kept(id, [&] { return mutants::kernel_of(mutants::find_mutant(id)); });
   const std::size_t plus = id.find('+');
   if (plus == id.npos) {

@@ -13,6 +13,7 @@
 #include "kernel/base/error.h"
 #include "fuzz/confirm/finding_record.h"
 #include "fuzz/confirm/record.h"
+#include "kernel/plugin/load.h"
 #include "kernel/sphere_triangle/description.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/reproduce.h"
@@ -47,8 +48,10 @@ struct Asked {
 
   Asked(const std::string& id, std::string_view target, const TrustedPlugins& trusted) {
     const auto named = trusted.find(id);
-    if (id.starts_with("plugin:") && named == trusted.end()) {
-      absent = fmt::format("a plug-in that a record names is loaded only with --kernel {}", shell_word(id));
+    if (plugin::is_given_by_file(id) && named == trusted.end()) {
+      const bool is_program = id.starts_with(plugin::by_manifest);
+      absent = fmt::format("a {} that a record names is {} only with --kernel {}", is_program ? "program" : "plug-in",
+                           is_program ? "started" : "loaded", shell_word(id));
       return;
     }
     try {

@@ -93,12 +93,13 @@ std::string joined(const Json& names) {
 
 std::string file_kind(const Json& file) {
   if (file["kind"] == "mesh") return "mesh";
-  return file["kind"] == "plugin" ? "plug-in" : "query file";
+  if (file["kind"] == "queries") return "query file";
+  return file["kind"] == "plugin" ? "plug-in" : fmt::format("program's {}", file["kind"].get<std::string>());
 }
 
 std::string file_fact(const Json& file) {
   const std::string name = file["name"];
-  if (file["kind"] == "plugin") {
+  if (file["kind"] != "mesh" && file["kind"] != "queries") {  // of a kernel
     return file["sha256"].is_null() ? name + ", which could not be read"
                                     : fmt::format("{}; SHA-256 {}", name, file["sha256"].get<std::string>());
   }

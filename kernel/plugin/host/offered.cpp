@@ -1,4 +1,4 @@
-#include "kernel/plugin/offered.h"
+#include "kernel/plugin/host/offered.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "kernel/plugin/fault_handler.h"
+#include "kernel/plugin/host/fault_handler.h"
 
 #include <sys/mman.h>
 #include <ucontext.h>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "kernel/include/axiscert/plugin.h"
-#include "kernel/plugin/fault_handler.h"
+#include "kernel/plugin/host/fault_handler.h"
 #include "kernel/plugin/interface_1.h"
 
 namespace axiscert::plugin {

@@ -1,0 +1,160 @@
+#include "kernel/plugin/declared.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "kernel/base/error.h"
+#include "kernel/include/axiscert/plugin.h"
+#include "kernel/plugin/interface_1.h"
+#include "kernel/plugin/supervisor.h"
+
+namespace axiscert::plugin {
+namespace {
+
+static_assert(most_columns == AXISCERT_MOST_COLUMNS && most_comparisons == AXISCERT_MOST_COMPARISONS &&
+              most_measures == AXISCERT_MOST_MEASURES);
+
+template <class Enum>
+Enum one_of(std::uint32_t value, std::size_t count, const char* member) {
+  if (value >= count) refuse(fmt::format("its {} is {}; known: 0 to {}", member, value, count - 1));
+  return static_cast<Enum>(value);
+}
+
+// The kernel that a plug-in claims to be like: a built-in one that exists in its precision.
+const Kernel& builtin(const char* member, const std::string& id, Precision precision) {
+  const Kernel* kernel = nullptr;
+  try {
+    kernel = &find_kernel(id);
+  } catch (const Error&) {
+  }
+  if (kernel == nullptr || !kernel->file.empty()) {
+    refuse(fmt::format("its {} is '{}', which is no built-in kernel; `axiscert kernels` lists those", member, id));
+  }
+  if (!kernel->has(precision)) {
+    refuse(fmt::format("its {} is '{}', which does not exist in {}", member, id, name(precision)));
+  }
+  return *kernel;
+}
+
+// The check comes first, because nothing else is known of a struct that is too short.
+void check_sizes(const Description& d) {
+  const auto check = [](const char* of, const char* type, std::size_t size, std::size_t least) {
+    if (size < least) {
+      refuse(fmt::format("{} has the size {}; sizeof({}) was expected, at least {}", of, size, type, least));
+    }
+  };
+  check("it", "axiscert_kernel", d.size, d.least_size);
+  if (d.has_limits) check("its `limits`", "axiscert_limits", d.limits_size, d.least_limits_size);
+}
+
+// The test and entry of the kernel. Refuses unknown ones, and counts that differ from theirs.
+void subject(const Description& d, Kernel& kernel) {
+  try {
+    if (d.test[0] != 0) kernel.test = &find_test(text_of(d.test));
+    kernel.entry = find_entry(*kernel.test, text_of(d.entry));
+  } catch (const Error& unknown) {
+    refuse(fmt::format("what it answers: {}; `axiscert tests` lists them", unknown.what()));
+  }
+  const TestEntry& entry = kernel.test->entries[kernel.entry];
+  if (d.column_count != entry.columns.size()) {
+    refuse(fmt::format("it reads {} columns; test '{}' in entry '{}' has {}", d.column_count, kernel.test->id,
+                       entry.name, entry.columns.size()));
+  }
+  if (d.measure_count > kernel.test->measures.size()) {
+    refuse(fmt::format("it gives {} measures; test '{}' has {}", d.measure_count, kernel.test->id,
+                       kernel.test->measures.size()));
+  }
+}
+
+Limits limits_of(const Description& d) {
+  const Limits limits{d.limits[0], d.limits[1], d.limits[2], d.limits[3], d.limits[4]};
+  for (const double limit : d.limits) {
+    if (!(limit >= 0) || !std::isfinite(limit)) refuse(fmt::format("a limit is {}; known: finite, from 0 on", limit));
+  }
+  return limits;
+}
+
+void claim(const Description& d, Kernel& kernel) {
+  const Precision precision = d.precision == 32 ? Precision::binary32 : Precision::binary64;
+  kernel.is_reference = d.has_conforms_to;
+  kernel.formulae = Formulae::none;
+  if (d.has_conforms_to) {
+    const Kernel& own = builtin("conforms_to", text_of(d.conforms_to), precision);
+    kernel.formulae = own.formulae;
+    kernel.strictness = own.strictness;
+    kernel.arithmetic = own.arithmetic;
+    if (!own.is_reference) refuse(fmt::format("it conforms_to '{}', whose bits depend on its target", own.id));
+  } else if (d.has_formulae || kernel.exposes != Exposure::verdict) {
+    const Kernel& own = builtin("formulae", d.has_formulae ? text_of(d.formulae) : "published", precision);
+    kernel.formulae = own.formulae;
+    kernel.strictness = own.strictness;
+  }
+  if (kernel.is_reference && kernel.touching != Touching::contact) {
+    refuse(fmt::format("it conforms_to '{}', for which touching is contact, and says that for it touching is '{}'",
+                       text_of(d.conforms_to), name(kernel.touching)));
+  }
+  if (kernel.exposes != Exposure::verdict && !has_comparisons(kernel.formulae)) {
+    refuse(fmt::format("it exposes comparisons, but formulae '{}' have none", name(kernel.formulae)));
+  }
+}
+
+}  // namespace
+
+void refuse(std::string detail) { throw Refused{FindingKind::load, std::move(detail)}; }
+
+std::string text_of(const char* text) {
+  std::string clean = text;
+  for (char& c : clean) {
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+    else if (static_cast<unsigned char>(c) > 0x7e) c = '?';
+  }
+  return clean;
+}
+
+void add_declared(const Description& d, std::uint32_t index, const Hosted& hosted, Kernel& kernel) {
+  if (d.abi != AXISCERT_PLUGIN_ABI && d.abi != interface_1::number) {
+    throw Refused{FindingKind::abi,
+                  fmt::format("it was made for version {} of the plug-in interface; this axiscert knows {} and {}",
+                              d.abi, interface_1::number, AXISCERT_PLUGIN_ABI)};
+  }
+  check_sizes(d);
+  if (d.precision != 32 && d.precision != 64) refuse(fmt::format("its precision is {}; known: 32, 64", d.precision));
+  if (!d.has_run) refuse("it has no function `run`");
+  if (d.is_truncated) refuse("one of its texts is too long");
+  Kernel described;
+  subject(d, described);
+  described.source = text_of(d.source);
+  described.exposes = one_of<Exposure>(d.exposes, exposure_names.size(), "exposure");
+  described.touching = one_of<Touching>(d.touching, touching_names.size(), "touching convention");
+  described.limits = limits_of(d);
+  described.summary = d.summary[0] != 0 ? fmt::format("{}: {}", text_of(d.name), text_of(d.summary)) : text_of(d.name);
+  if (d.name[0] == 0) refuse("it has no name");
+  described.declared_name = kernel.declared_name.empty() ? text_of(d.name) : kernel.declared_name;
+  claim(d, described);
+  const bool is_first = !kernel.binary32 && !kernel.binary64;
+  if (!is_first &&
+      (described.exposes != kernel.exposes || described.touching != kernel.touching ||
+       described.limits != kernel.limits || described.test != kernel.test || described.entry != kernel.entry ||
+       described.formulae != kernel.formulae || described.strictness != kernel.strictness ||
+       described.arithmetic != kernel.arithmetic || described.is_reference != kernel.is_reference)) {
+    refuse("its kernels in binary32 and in binary64 say different things of themselves; make two plug-ins of them");
+  }
+  const Supervised supervised{
+      {hosted, index, d.abi, {described.test, described.entry}}, described.exposes, described.strictness};
+  if (d.precision == 32 ? kernel.binary32 != nullptr : kernel.binary64 != nullptr) {
+    refuse(fmt::format("it has two kernels of precision {}", d.precision));
+  }
+  if (d.precision == 32) {
+    described.binary32 = [=](std::string_view) { return supervised_implementation<float>(supervised); };
+    described.binary64 = kernel.binary64;
+  } else {
+    described.binary64 = [=](std::string_view) { return supervised_implementation<double>(supervised); };
+    described.binary32 = kernel.binary32;
+  }
+  described.id = kernel.id;
+  described.file = kernel.file;
+  kernel = std::move(described);
+}
+
+}  // namespace axiscert::plugin

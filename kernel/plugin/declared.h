@@ -1,0 +1,25 @@
+// Somebody else's kernel by what it declares of itself, each claim checked.
+#pragma once
+
+#include <string>
+
+#include "kernel/finding.h"
+#include "kernel/kernel.h"
+#include "kernel/plugin/host_process.h"
+
+namespace axiscert::plugin {
+
+// A claim that cannot be true; a finding about a plug-in, and bad input where a manifest makes it.
+struct Refused {
+  FindingKind kind;
+  std::string detail;
+};
+[[noreturn]] void refuse(std::string detail);
+
+// Texts are shown in reports: one line of printable ASCII, a question mark for any other byte.
+std::string text_of(const char* text);
+
+// Adds to `kernel` its form in one precision, which is number `index` of what is hosted. Throws Refused.
+void add_declared(const Description& d, std::uint32_t index, const Hosted& hosted, Kernel& kernel);
+
+}  // namespace axiscert::plugin

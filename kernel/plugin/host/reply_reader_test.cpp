@@ -1,0 +1,78 @@
+// Replies in parts of any length, and everything that is none.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "kernel/plugin/host/reply_reader.h"
+#include "kernel/program/stream_header.h"
+#include "kernel/sphere_triangle/description.h"
+
+namespace axiscert::plugin {
+namespace {
+
+std::vector<std::byte> bytes_of(std::string_view text) {
+  const auto* const begin = reinterpret_cast<const std::byte*>(text.data());
+  return {begin, begin + text.size()};
+}
+
+const std::vector<std::byte>& batch_header() {
+  static const std::vector<std::byte> header = bytes_of(program_header(sphere_triangle_test(), 0, Precision::binary32));
+  return header;
+}
+
+std::vector<std::byte> after_header(std::string_view replies) {
+  std::vector<std::byte> stream = batch_header();
+  const auto more = bytes_of(replies);
+  stream.insert(stream.end(), more.begin(), more.end());
+  return stream;
+}
+
+constexpr std::string_view three_replies{"\0\1\4\0\1\1\1\0\2\1\0\0", 12};
+
+TEST(ReplyReader, TakesPartsOfAnyLength) {
+  const auto stream = after_header(three_replies);
+  for (std::size_t part = 1; part <= stream.size(); ++part) {
+    ReplyReader reader(batch_header(), 3, true);
+    for (std::size_t at = 0; at < stream.size(); at += part) {
+      EXPECT_FALSE(reader.is_complete());
+      const std::size_t size = std::min(part, stream.size() - at);
+      EXPECT_EQ(reader.take(std::span(stream).subspan(at, size)), size);
+    }
+    EXPECT_TRUE(reader.is_complete()) << reader.fault();
+    EXPECT_THAT(reader.verdicts(), testing::ElementsAre(0, 1, 2));
+    EXPECT_THAT(reader.bits(), testing::ElementsAre(4, 1, 0));
+  }
+}
+
+TEST(ReplyReader, LeavesWhatComesAfterTheLastReply) {
+  const auto stream = after_header(three_replies);
+  ReplyReader reader(batch_header(), 2, false);
+  EXPECT_EQ(reader.take(stream), stream.size() - 4);
+  EXPECT_TRUE(reader.is_complete());
+}
+
+std::string fault_of(const std::vector<std::byte>& stream, bool wants_bits = false, bool is_next = false) {
+  ReplyReader reader(batch_header(), 3, wants_bits);
+  reader.restart(is_next);
+  reader.take(stream);
+  EXPECT_FALSE(reader.is_complete());
+  return reader.fault();
+}
+
+TEST(ReplyReader, SaysWhatIsNoReply) {
+  using testing::HasSubstr;
+  EXPECT_THAT(fault_of(bytes_of("loading\n")), HasSubstr("but with \"loading\"; messages belong on standard error"));
+  EXPECT_THAT(fault_of(bytes_of("AXI says hello")), HasSubstr("\"AXI says hello\""));
+  EXPECT_THAT(fault_of(bytes_of("more"), false, true), HasSubstr("after its last reply it wrote more, \"more\""));
+  EXPECT_THAT(fault_of(after_header(std::string_view("\0\2\0\0", 4))), HasSubstr("reply 1 of 3 has flags 0x02"));
+  EXPECT_THAT(fault_of(after_header(std::string_view("\0\0\0\0text", 8))), HasSubstr("reply 2 of 3 has flags 0x65"));
+  EXPECT_THAT(fault_of(after_header(std::string_view("\0\0\1\0", 4))), HasSubstr("without the flag"));
+  EXPECT_THAT(fault_of(after_header(std::string_view("\0\0\0\0", 4)), true), HasSubstr("no comparison bits"));
+  auto changed = batch_header();
+  changed[50] ^= std::byte{1};
+  EXPECT_THAT(fault_of(changed), HasSubstr("changed the header of its queries, at byte 50"));
+}
+
+}  // namespace
+}  // namespace axiscert::plugin

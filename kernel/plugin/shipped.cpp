@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "kernel/base/alike.h"
+#include "kernel/base/error.h"
+#include "kernel/plugin/host_process.h"
+#include "kernel/plugin/load.h"
+#include "kernel/program/manifest.h"
+
+namespace axiscert::plugin {
+namespace {
+
+struct Kind {
+  std::string_view prefix, folder;
+};
+constexpr Kind kinds[] = {{"peer/", "peers"}, {"fault/", "faults"}};
+constexpr std::string_view programs_folder = "npm";       // in that of the peers
+constexpr const char* engines_command = "./dev engines";  // installs what they need
+
+// A program that comes along: its manifest, and the package or program that it needs and that is not here.
+struct ShippedProgram {
+  std::string manifest, missing;
+};
+
+// Those of PEERS/npm, by the names that they declare. Other files of JSON are there too.
+std::map<std::string, ShippedProgram> shipped_programs(const std::filesystem::path& peers) {
+  std::map<std::string, ShippedProgram> found;
+  const std::filesystem::path folder = peers / programs_folder;
+  std::error_code none;
+  for (std::filesystem::directory_iterator at(folder, none), end; !none && at != end; at.increment(none)) {
+    if (at->path().extension() != ".json") continue;
+    const std::string path = at->path().string(), text = manifest_text(path);
+    if (text.find(manifest_format) == text.npos) continue;
+    const Manifest manifest = read_manifest(text, path);
+    ShippedProgram& program = found[manifest.name];
+    program.manifest = path;
+    if (program_file(manifest.command.front(), folder).empty()) program.missing = manifest.command.front();
+    else if (!manifest.package.empty() && !std::filesystem::is_directory(folder / "node_modules" / manifest.package))
+      program.missing = manifest.package;
+  }
+  return found;
+}
+
+// The plug-ins of one kind, read from its folder.
+Shipped shipped(const Kind& kind) {
+  Shipped found;
+  found.prefix = kind.prefix;
+  const auto folder = shipped_folder(kind.folder);
+  if (!folder) return found;
+  for (const auto& entry : std::filesystem::directory_iterator(*folder)) {
+    if (entry.path().extension() == ".so") found.names.push_back(entry.path().stem().string());
+  }
+  std::sort(found.names.begin(), found.names.end());
+  std::ifstream list(std::filesystem::path(*folder) / "absent.txt");
+  for (std::string line; std::getline(list, line);) {
+    const std::size_t tab = line.find('\t');
+    if (tab != line.npos) found.absent.push_back({line.substr(0, tab), line.substr(tab + 1), ""});
+  }
+  for (const auto& [name, program] : shipped_programs(*folder)) {
+    if (program.missing.empty()) found.names.push_back(name);
+    else found.absent.push_back({name, program.missing, engines_command});
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Shipped> shipped_plugins() {
+  std::vector<Shipped> all;
+  for (const Kind& kind : kinds) all.push_back(shipped(kind));
+  return all;
+}
+
+std::optional<std::string> plugin_path(std::string_view id) {
+  for (const std::string_view prefix : {by_path, by_manifest}) {
+    if (id.starts_with(prefix)) return std::string(id.substr(prefix.size()));
+  }
+  for (const Kind& kind : kinds) {
+    if (!id.starts_with(kind.prefix)) continue;
+    const Shipped known = shipped(kind);
+    const std::string_view name = id.substr(kind.prefix.size());
+    if (std::find(known.names.begin(), known.names.end(), name) != known.names.end()) {
+      const std::string folder = *shipped_folder(kind.folder);
+      const auto programs = shipped_programs(folder);
+      const auto program = programs.find(std::string(name));
+      return program == programs.end() ? fmt::format("{}/{}.so", folder, name) : program->second.manifest;
+    }
+    for (const Shipped::Absent& absent : known.absent) {
+      if (absent.name == name && !absent.command.empty()) {
+        throw Error(fmt::format("kernel '{}' is not installed, for want of {}; `{}` installs it", id, absent.package,
+                                absent.command));
+      }
+      if (absent.name == name) {
+        throw Error(fmt::format("kernel '{}' was not built, for want of the Debian package {}", id, absent.package));
+      }
+    }
+    const std::vector<std::string_view> names(known.names.begin(), known.names.end());
+    const std::string_view guess = meant(name, names);
+    throw Error(fmt::format("unknown kernel '{}'{} those of {}: {}", id,
+                            guess.empty() ? ";" : fmt::format("; did you mean '{}{}'?", kind.prefix, guess),
+                            kind.prefix,
+                            names.empty() ? "none, this axiscert was built without them"
+                                          : fmt::format("{}", fmt::join(most_alike_first(name, names), ", "))));
+  }
+  return std::nullopt;
+}
+
+}  // namespace axiscert::plugin

@@ -1,0 +1,147 @@
+#include "kernel/program/manifest.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "kernel/base/alike.h"
+#include "kernel/base/error.h"
+#include "kernel/base/plain_line.h"
+
+namespace axiscert::plugin {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::vector<std::string_view> members = {"format",     "name",    "command",  "test",    "entry",
+                                               "precisions", "exposes", "touching", "limits",  "conforms_to",
+                                               "formulae",   "summary", "source",   "package", "version"};
+const std::vector<std::string_view> limit_members = {"least_coordinate", "greatest_coordinate", "least_area",
+                                                     "least_radius", "greatest_radius"};
+
+// A JSON value as a message may quote it.
+std::string shown_value(const Json& value) {
+  if (value.is_structured()) return fmt::format("an {}", value.type_name());
+  constexpr std::size_t longest = 60;
+  const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+  return plain_line(text.size() <= longest ? text : text.substr(0, longest) + "...");
+}
+
+class ManifestReader {
+ public:
+  explicit ManifestReader(const std::string& name) : name_(name) {}
+
+  Manifest read(std::string_view text) {
+    json_ = Json::parse(text, nullptr, false);
+    if (json_.is_discarded()) fail("not a manifest: it is not JSON");
+    if (!json_.is_object() || !json_.contains("format")) {
+      fail(fmt::format("not a manifest: a JSON object with \"format\": \"{}\" is (docs/plugins.md)", manifest_format));
+    }
+    if (const std::string format = text_of("format"); format != manifest_format) {
+      fail(fmt::format("format '{}'; this axiscert knows {}", plain_line(format), manifest_format));
+    }
+    require_known(json_, members, "member");
+    Manifest manifest;
+    manifest.name = text_of("name");
+    if (manifest.name.empty()) fail("it has no \"name\", under which reports show it");
+    manifest.command = words("command");
+    if (manifest.command.empty() || manifest.command.front().empty())
+      fail("it has no \"command\", a list of the program and its arguments, as in [\"node\", \"my_kernel.mjs\"]");
+    for (const std::string& word : words("precisions")) {
+      manifest.precisions.push_back(one_of<Precision>("precisions", word, precision_names));
+    }
+    std::sort(manifest.precisions.begin(), manifest.precisions.end());
+    if (manifest.precisions.empty()) fail("it has no \"precisions\": a list of binary32, binary64, or both");
+    if (std::adjacent_find(manifest.precisions.begin(), manifest.precisions.end()) != manifest.precisions.end())
+      fail("\"precisions\" names one twice");
+    if (json_.contains("exposes")) manifest.exposes = one_of<Exposure>("exposes", text_of("exposes"), exposure_names);
+    if (manifest.exposes == Exposure::sides)
+      fail("\"exposes\": a program's replies have no sides; known: verdict, comparisons");
+    if (json_.contains("touching"))
+      manifest.touching = one_of<Touching>("touching", text_of("touching"), touching_names);
+    manifest.limits = limits();
+    manifest.test = text_of("test");
+    manifest.entry = text_of("entry");
+    manifest.conforms_to = text_of("conforms_to");
+    manifest.formulae = text_of("formulae");
+    manifest.summary = text_of("summary");
+    manifest.source = text_of("source");
+    manifest.package = text_of("package");
+    manifest.version = text_of("version");
+    return manifest;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const { throw Error(fmt::format("{}: {}", name_, what)); }
+
+  void require_known(const Json& object, const std::vector<std::string_view>& known, std::string_view what) const {
+    for (const auto& [member, value] : object.items()) {
+      if (std::find(known.begin(), known.end(), member) == known.end())
+        fail(plain_line(unknown_name(what, fmt::format("{}s", what), member, known)));
+    }
+  }
+
+  void check_text(const char* member, const Json& value) const {
+    if (!value.is_string()) fail(fmt::format("\"{}\" is {}, which is no text", member, shown_value(value)));
+    if (value.get_ref<const std::string&>().find('\0') != std::string::npos)
+      fail(fmt::format("\"{}\" has a character 0", member));
+  }
+
+  // Empty where there is none.
+  std::string text_of(const char* member) const {
+    const auto found = json_.find(member);
+    if (found == json_.end() || found->is_null()) return "";
+    check_text(member, *found);
+    return found->get<std::string>();
+  }
+
+  std::vector<std::string> words(const char* member) const {
+    const auto found = json_.find(member);
+    if (found == json_.end()) return {};
+    if (!found->is_array()) fail(fmt::format("\"{}\" is {}, which is no list", member, shown_value(*found)));
+    std::vector<std::string> all;
+    for (const Json& word : *found) {
+      check_text(member, word);
+      all.push_back(word.get<std::string>());
+    }
+    return all;
+  }
+
+  template <class Enum>
+  Enum one_of(const char* member, const std::string& word, const EnumArray<Enum, std::string_view>& names) const {
+    const auto found = std::find(names.begin(), names.end(), word);
+    if (found != names.end()) return static_cast<Enum>(found - names.begin());
+    fail(fmt::format("\"{}\": '{}'; known: {}", member, plain_line(word),
+                     fmt::join(std::vector<std::string_view>(names.begin(), names.end()), ", ")));
+  }
+
+  Limits limits() const {
+    Limits limits;
+    const auto found = json_.find("limits");
+    if (found == json_.end() || found->is_null()) return limits;
+    if (!found->is_object()) fail(fmt::format("\"limits\" is {}, which is no object", shown_value(*found)));
+    require_known(*found, limit_members, "limit");
+    double* const places[] = {&limits.least_coordinate, &limits.greatest_coordinate, &limits.least_area,
+                              &limits.least_radius, &limits.greatest_radius};
+    for (std::size_t i = 0; i < limit_members.size(); ++i) {
+      const auto limit = found->find(std::string(limit_members[i]));
+      if (limit == found->end()) continue;
+      if (!limit->is_number() || !(limit->get<double>() >= 0) || !std::isfinite(limit->get<double>()))
+        fail(fmt::format("\"{}\" is {}; known: finite numbers, from 0 on", limit_members[i], shown_value(*limit)));
+      *places[i] = limit->get<double>();
+    }
+    return limits;
+  }
+
+  std::string name_;
+  Json json_;
+};
+
+}  // namespace
+
+Manifest read_manifest(std::string_view text, const std::string& name) { return ManifestReader(name).read(text); }
+
+}  // namespace axiscert::plugin

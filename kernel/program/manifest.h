@@ -1,0 +1,30 @@
+// The manifest of a program that is a kernel: JSON, by which it says what it is called, what it answers and how it is
+// started. docs/plugins.md has its members.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernel/kernel.h"
+
+namespace axiscert::plugin {
+
+inline constexpr std::string_view manifest_format = "axiscert-program/1";
+
+struct Manifest {
+  std::string name;
+  std::vector<std::string> command;  // the program and its arguments; run in the manifest's folder
+  std::vector<Precision> precisions;
+  std::string test, entry;               // empty: the first
+  Exposure exposes = Exposure::verdict;  // verdicts, or also comparison bits
+  Touching touching = Touching::contact;
+  Limits limits = {};
+  std::string conforms_to, formulae, summary, source;  // as in plugin.h; empty: none
+  std::string package, version;                        // of what it asks, where that has them
+};
+
+// Throws Error that begins with `name`, in one line, for anything else. Nothing is opened or started.
+Manifest read_manifest(std::string_view text, const std::string& name);
+
+}  // namespace axiscert::plugin

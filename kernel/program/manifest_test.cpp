@@ -1,0 +1,66 @@
+// What a manifest may say, and that everything else is refused with what would be right.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "kernel/base/error.h"
+#include "kernel/program/manifest.h"
+
+namespace axiscert::plugin {
+namespace {
+
+const std::string least = R"("format":"axiscert-program/1","name":"a","command":["x","y z"],"precisions":["binary64"])";
+
+std::string manifest_refusal(const std::string& text) {
+  try {
+    read_manifest(text, "m.json");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "it was accepted";
+}
+
+TEST(ManifestFile, NeedsFourMembersAndTheOthersHaveDefaults) {
+  const Manifest manifest = read_manifest("{" + least + "}", "m.json");
+  EXPECT_EQ(manifest.name, "a");
+  EXPECT_EQ(manifest.command, (std::vector<std::string>{"x", "y z"}));
+  EXPECT_EQ(manifest.precisions, std::vector{Precision::binary64});
+  EXPECT_EQ(manifest.exposes, Exposure::verdict);
+  EXPECT_EQ(manifest.touching, Touching::contact);
+  EXPECT_FALSE(manifest.limits.any());
+}
+
+TEST(ManifestFile, DeclaresWhatAPluginDeclares) {
+  const Manifest manifest = read_manifest(
+      "{" + least + R"(,"touching":"either","exposes":"comparisons","limits":{"least_radius":0.5},"test":"t"})",
+      "m.json");
+  EXPECT_EQ(manifest.touching, Touching::either);
+  EXPECT_EQ(manifest.exposes, Exposure::comparisons);
+  EXPECT_EQ(manifest.limits.least_radius, 0.5);
+  EXPECT_EQ(manifest.test, "t");
+}
+
+TEST(ManifestFile, IsRefusedWithWhatWouldBeRight) {
+  for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
+           {"", "m.json: not a manifest: it is not JSON"},
+           {"[1]", "not a manifest: a JSON object with \"format\": \"axiscert-program/1\""},
+           {R"({"name":"x"})", "not a manifest"},
+           {R"({"format":"axiscert-program/2"})",
+            "format 'axiscert-program/2'; this axiscert knows axiscert-program/1"},
+           {R"({"format":7})", "\"format\" is 7, which is no text"},
+           {R"({"format":"axiscert-program/1"})", "no \"name\""},
+           {R"({"format":"axiscert-program/1","name":"a"})", "no \"command\""},
+           {R"({"format":"axiscert-program/1","name":"a","command":"node x"})",
+            "\"command\" is \"node x\", which is no list"},
+           {R"({"format":"axiscert-program/1","name":"a","command":["x"]})", "no \"precisions\""},
+           {"{" + least + R"(,"comand":1})", "unknown member 'comand'; did you mean 'command'?"},
+           {"{" + least + R"(,"touching":"no"})", "\"touching\": 'no'; known: contact, separated, either"},
+           {"{" + least + R"(,"exposes":"sides"})", "known: verdict, comparisons"},
+           {"{" + least + R"(,"limits":{"least_radius":-1}})", "\"least_radius\" is -1"},
+           {"{" + least + R"(,"limits":{"radius":1}})", "unknown limit 'radius'"},
+           {"{" + least + R"(,"summary":{"a":1}})", "\"summary\" is an object, which is no text"}}) {
+    EXPECT_THAT(manifest_refusal(text), testing::HasSubstr(says)) << text;
+  }
+}
+
+}  // namespace
+}  // namespace axiscert::plugin
