@@ -77,8 +77,8 @@ TEST(Registry, ListsEveryKernelOnceAndNamesThemForAnUnknownOne) {
     FAIL() << "an unknown kernel was found";
   } catch (const Error& e) {
     EXPECT_EQ(
-        std::string(e.what()).find("unknown kernel 'publishd'; did you mean 'published'? plugin:PATH.so is one of "
-                                   "your own; kernels: published, "),
+        std::string(e.what()).find("unknown kernel 'publishd'; did you mean 'published'? plugin:PATH.so or "
+                                   "program:MANIFEST.json is one of your own; kernels: published, "),
         0u);
   }
 }
