@@ -76,10 +76,9 @@ TEST(Registry, ListsEveryKernelOnceAndNamesThemForAnUnknownOne) {
     find_kernel("publishd");
     FAIL() << "an unknown kernel was found";
   } catch (const Error& e) {
-    EXPECT_EQ(
-        std::string(e.what()).find("unknown kernel 'publishd'; did you mean 'published'? plugin:PATH.so or "
-                                   "program:MANIFEST.json is one of your own; kernels: published, "),
-        0u);
+    EXPECT_EQ(std::string(e.what()).find("unknown kernel 'publishd'; did you mean 'published'? plugin:PATH.so or "
+                                         "program:MANIFEST.json is one of your own; kernels: published, "),
+              0u);
   }
 }
 

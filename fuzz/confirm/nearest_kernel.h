@@ -25,8 +25,9 @@ struct TalliedSource {
 };
 
 // The kernel of kernels() with the greatest share `both` / `either`, the first of those with the same share. Empty if
-// the given kernel has no classes (fuzz/campaign/counts/class_tally.h), is never wrong here, or no other one is wrong where it
-// is. A touching query is right as contact for the built-in kernels, and by its own convention for the given one.
+// the given kernel has no classes (fuzz/campaign/counts/class_tally.h), is never wrong here, or no other one is wrong
+// where it is. A touching query is right as contact for the built-in kernels, and by its own convention for the given
+// one.
 std::optional<NearestKernel> nearest_kernel(const Plan& plan, const Kernel& kernel, Precision precision,
                                             const std::vector<TalliedSource>& sources);
 
