@@ -43,7 +43,7 @@ std::string range_text(std::uint64_t least, std::uint64_t most) {
   return most == no_limit ? fmt::format(">= {}", least) : fmt::format("from {} to {}", least, most);
 }
 
-// What is wrong with the text; empty where nothing is.
+// The fault of the text; empty where it has none.
 std::string wrong_whole_number(const std::string& text, std::uint64_t least, std::uint64_t most) {
   if (text.empty() || text.find_first_not_of("0123456789") != text.npos) {
     const std::string digits = in_digits(text);

@@ -1,4 +1,4 @@
-// What option values may be: checks for CLI11 whose messages say what was given and what would be right.
+// Checks of option values, for CLI11: their messages say what was given and what would be right.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -264,18 +264,23 @@ function(axiscert_instances variable list template result)
   set(${result} ${sources} PARENT_SCOPE)
 endfunction()
 
-# axiscert_c_plugin(folder name options...): NAME.c, or NAME.cpp, as a plug-in with a fault, ${PROJECT_BINARY_DIR}/FOLDER/NAME.so. Never
-# sanitized: what is wrong with it is for axiscert to find, and the process that loads it need not be sanitized.
-function(axiscert_c_plugin folder name)
-  set(target ${folder}_${name})
-  set(source ${name}.c)
-  if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp)
-    set(source ${name}.cpp)
-  endif()
-  add_library(${target} MODULE ${source})
-  set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${name} C_VISIBILITY_PRESET hidden CXX_VISIBILITY_PRESET hidden
-                                             LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
-  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
-  target_compile_options(${target} PRIVATE -fno-sanitize=all -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/= ${ARGN})
-  target_link_libraries(${target} PRIVATE kernel_fp axiscert_warnings)
+# axiscert_c_plugins(folder options...): each .c and .cpp file here, not a test, as a plug-in ${PROJECT_BINARY_DIR}/FOLDER/NAME.so, and
+# axiscert_FOLDER for all of them. Never sanitized: what is wrong with a plug-in is for axiscert to find, and the process that loads it
+# need not be sanitized.
+function(axiscert_c_plugins folder)
+  file(GLOB sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.c *.cpp)
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  set(plugins "")
+  foreach(source ${sources})
+    get_filename_component(name ${source} NAME_WE)
+    set(plugin ${folder}_${name})
+    add_library(${plugin} MODULE ${source})
+    set_target_properties(${plugin} PROPERTIES PREFIX "" OUTPUT_NAME ${name} C_VISIBILITY_PRESET hidden CXX_VISIBILITY_PRESET hidden
+                                               LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
+    target_include_directories(${plugin} PRIVATE ${PROJECT_SOURCE_DIR})
+    target_compile_options(${plugin} PRIVATE -fno-sanitize=all -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/= ${ARGN})
+    target_link_libraries(${plugin} PRIVATE kernel_fp axiscert_warnings)
+    list(APPEND plugins ${plugin})
+  endforeach()
+  add_custom_target(axiscert_${folder} DEPENDS ${plugins})
 endfunction()

@@ -65,7 +65,7 @@ void take_times(League& league, const ShowProgress& report) {
   std::vector<const Kernel*> timed;
   std::vector<std::size_t> places;
   for (std::size_t k = 0; k < league.contenders; ++k) {
-    // Of a program it would be the time of the pipe.
+    // The time of a program would be that of the pipe.
     if (!league.plan.kernels[k]->has(precision_of<Real>) || plugin::is_program(*league.plan.kernels[k])) continue;
     timed.push_back(league.plan.kernels[k]);
     places.push_back(k);

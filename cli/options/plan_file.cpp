@@ -6,7 +6,7 @@
 
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
-#include "fuzz/text/sha256.h"
+#include "kernel/base/sha256.h"
 #include "fuzz/text/whole_number.h"
 #include "kernel/base/error.h"
 #include "kernel/base/utf8.h"

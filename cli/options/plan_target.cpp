@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/options/plan_file.h"
-#include "fuzz/text/sha256.h"
+#include "kernel/base/sha256.h"
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
 

@@ -15,7 +15,7 @@
 #include "fuzz/queries/address.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/text/file_bytes.h"
-#include "fuzz/text/sha256.h"
+#include "kernel/base/sha256.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"

@@ -9,6 +9,7 @@
 #include "cli/running/check_output.h"
 #include "cli/running/run_output.h"
 #include "fuzz/campaign/supervised_testing.h"
+#include "kernel/base/temporary_folder.h"
 
 namespace axiscert {
 namespace {
@@ -100,7 +101,8 @@ TEST(RunOutput, FindingsStandFirstThenWhatWasJudged) {
 }
 
 TEST(RunOutput, ADisagreementIsSavedAsAQueryOfItsTest) {
-  const OutputFolder folder(testing::TempDir() + "axiscert_disagreement");
+  const TemporaryFolder temporary;
+  const OutputFolder folder((temporary.path() / "run").string());
   const auto saved = [&](const OracleDisagreement& disagreement) {
     std::ifstream file(folder.save(disagreement));
     std::string line;

@@ -8,7 +8,7 @@
 
 #include "examples/character/comparison.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "fuzz/text/sha256.h"
+#include "kernel/base/sha256.h"
 #include "kernel/base/error.h"
 
 namespace axiscert::character {

@@ -1,11 +1,10 @@
 // The cost that the journal adds to a unit: compare `unit` with `entry`.
 #include <benchmark/benchmark.h>
 
-#include <filesystem>
-
 #include "fuzz/campaign/parts/gathered.h"
 #include "fuzz/campaign/parts/journal.h"
 #include "fuzz/campaign/parts/stretch_testing.h"
+#include "kernel/base/temporary_folder.h"
 
 namespace axiscert {
 namespace {
@@ -43,9 +42,8 @@ void entry(benchmark::State& state) {
   const Entry made = run_stretch(plan(), stretches, 0);
   const Tally tally = decode_tally(made.tallies[0], first_test());
   const Costs costs = decode_costs(made.costs);
-  const std::string path = (std::filesystem::temp_directory_path() / "axiscert_scale_bench").string();
-  std::filesystem::remove(path);
-  Journal journal(path, std::string(64, 'a'), [](std::string_view) {});
+  const TemporaryFolder folder;
+  Journal journal((folder.path() / "journal").string(), std::string(64, 'a'), [](std::string_view) {});
   const std::uint64_t start = journal.bytes();
   for (auto _ : state) {
     journal.append(begun_note(0));
@@ -55,7 +53,6 @@ void entry(benchmark::State& state) {
     journal.append(bytes);
   }
   state.counters["bytes"] = static_cast<double>(journal.bytes() - start) / static_cast<double>(state.iterations());
-  std::filesystem::remove(path);
 }
 BENCHMARK(entry)->Unit(benchmark::kMicrosecond);
 

@@ -8,13 +8,17 @@ Json pair_json(const std::optional<ImagePair>& pair, const AddressOf& address) {
   return {{"base", address(pair->base)}, {"image", address(pair->image)}};
 }
 
-Json changes_json(const ImageChanges& changes, const AddressOf& address) {
-  Json json = {{"images", changes.images},
-               {"changed", changes.changed},
-               {"by_size", Json::object()},
-               {"first", pair_json(changes.first, address)}};
-  for (const auto& [size, count] : changes.by_size) json["by_size"][std::to_string(size)] = count;
+Json by_size_json(const ImageChanges& changes) {
+  Json json = Json::object();
+  for (const auto& [size, count] : changes.by_size) json[std::to_string(size)] = count;
   return json;
+}
+
+Json changes_json(const ImageChanges& changes, const AddressOf& address) {
+  return {{"images", changes.images},
+          {"changed", changes.changed},
+          {"by_size", by_size_json(changes)},
+          {"first", pair_json(changes.first, address)}};
 }
 
 Json sizes_json(const std::vector<UnitFlip>& flips, const std::vector<AbsoluteSize>& sizes) {
@@ -58,7 +62,7 @@ Json invariance_json(const Invariance& invariance, const ImageGroup& group, Prec
   const UnitFaults& units = invariance.units;
   scale["range"] = {{"least", range.least}, {"greatest", range.greatest}};
   scale["wrong"] = {{"count", units.wrong.changed},
-                    {"by_size", changes_json(units.wrong, address)["by_size"]},
+                    {"by_size", by_size_json(units.wrong)},
                     {"first", pair_json(units.wrong.first, address)},
                     {"where_small", sizes_json(units.small, sizes(units.small))},
                     {"where_large", sizes_json(units.large, sizes(units.large))}};

@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "fuzz/confirm/asymmetry.h"
+#include "fuzz/queries/address.h"
 #include "fuzz/text/json.h"
 
 namespace axiscert {
-
-// Makes the text of a position's address.
-using AddressOf = std::function<std::string(std::uint64_t position)>;
 
 Json asymmetry_json(const Asymmetry& asymmetry, const AddressOf& address);
 // `sizes` estimates the numbers that explain flips (absolute_sizes).

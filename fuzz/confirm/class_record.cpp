@@ -2,7 +2,7 @@
 
 namespace axiscert {
 
-Json classes_json(const ClassTally& tally, const std::function<std::string(std::uint64_t)>& address) {
+Json classes_json(const ClassTally& tally, const AddressOf& address) {
   Json json = Json::object();
   for (const InputClass which : enumerators<InputClass>) {
     const ClassCount& count = tally.classes[which];

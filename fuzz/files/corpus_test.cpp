@@ -2,11 +2,9 @@
 #include "fuzz/files/corpus.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <fstream>
 
 #include "exact/sphere_triangle/oracles/feature_walk.h"
@@ -16,6 +14,7 @@
 #include "fuzz/files/query_testing.h"
 #include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/files/symmetry.h"
+#include "kernel/base/temporary_folder.h"
 
 namespace axiscert {
 namespace {
@@ -90,14 +89,10 @@ TEST_P(CorpusEntryTest, IsWrittenAsItIsRead) {
 // A folder with one file that consists of these lines.
 class CorpusFolder {
  public:
-  explicit CorpusFolder(const std::string& text) : path_(testing::TempDir() + "corpus-" + std::to_string(::getpid())) {
-    std::filesystem::create_directories(path_);
-    std::ofstream(path_ / "x.jsonl") << text;
-  }
-  ~CorpusFolder() { std::filesystem::remove_all(path_); }
+  explicit CorpusFolder(const std::string& text) { folder_.write("x.jsonl", text); }
   std::string error() const {
     try {
-      read_corpus(path_.string());
+      read_corpus(folder_.path().string());
     } catch (const Error& wrong) {
       return wrong.what();
     }
@@ -105,7 +100,7 @@ class CorpusFolder {
   }
 
  private:
-  std::filesystem::path path_;
+  const TemporaryFolder folder_;
 };
 
 CorpusEntry touching_entry() {

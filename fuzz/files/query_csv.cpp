@@ -58,7 +58,7 @@ std::string plain(std::string_view cell) {
   return text;
 }
 
-// What separates the cells of a line: the most frequent of what other programs write.
+// The character that separates the cells of a line: the most frequent of those that other programs write.
 char separator_of(std::string_view line) {
   char most = ',';
   for (const char c : {';', '\t', ' '}) {

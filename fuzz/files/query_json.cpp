@@ -65,7 +65,8 @@ std::string in_words(std::size_t count) {
   return count < words.size() ? words[count] : std::to_string(count);
 }
 
-// What axiscert writes on a line beside the query: witnesses, what `check`, `shrink` and `search` print, the corpus.
+// Members that axiscert writes on a line beside the query: in witnesses, in the output of `check`, `shrink` and
+// `search`, in the corpus.
 constexpr std::string_view written_beside_queries[] = {
     "kernel", "family",      "address",       "truth",      "computed", "touching", "depth", "exact_comparisons",
     "shows",  "flips",       "sides",         "provenance", "note",     "expected", "exact", "computed_comparisons",
@@ -198,7 +199,7 @@ class LineHandler : public nlohmann::json_sax<nlohmann::json> {
     for (const std::string_view name : names) {
       if (!fields_.contains(name)) absent.push_back(name);
     }
-    // What other programs call these members.
+    // The names of these members in other programs.
     for (const auto& [other, member] : {std::pair<std::string_view, std::string_view>{"radius", "r"},
                                         {"center", "p"},
                                         {"centre", "p"},

@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <deque>
-#include <filesystem>
-#include <fstream>
 
 #include "fuzz/files/query_file.h"
 #include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
+#include "kernel/base/temporary_folder.h"
 #include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
@@ -141,14 +140,13 @@ TEST(QueryOfTest, CodeOfSphereTriangleTakesNoOther) {
 }
 
 TEST(QueriesOfTests, ARepeatedQueryIsNotIndependent) {
-  const std::string path = testing::TempDir() + "axiscert_repeated.jsonl";
   const std::string head = R"({"test":"wide","entry":"boxes","precision":"binary64","m":[1,2],"a":3,"t":)";
-  std::ofstream(path, std::ios::binary) << head << "4}\n" << head << "5}\n" << head << "4}\n";
+  const TemporaryFolder folder;
+  const std::string path = folder.write("repeated.jsonl", head + "4}\n" + head + "5}\n" + head + "4}\n");
   const TestDescription* const known[] = {&sphere_triangle_test(), &two_entry_test()};
   const SourcePtr source = query_file_source(path, Precision::binary64, known);
   EXPECT_EQ(source->base_triangles(Precision::binary64, 3), 2u) << "the last numbers differ";
   EXPECT_EQ(source->base_triangles(Precision::binary64, 1), 1u);
-  std::filesystem::remove(path);
 }
 
 }  // namespace

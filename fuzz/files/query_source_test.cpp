@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "fuzz/files/query_file.h"
@@ -13,6 +12,7 @@
 #include "fuzz/queries/random.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
+#include "kernel/base/temporary_folder.h"
 
 namespace axiscert {
 namespace {
@@ -58,8 +58,7 @@ TEST(QueryFile, AWrittenLineReadsBackTheSame) {
 }
 
 TEST(QueryFile, AFileThatCannotBeReadIsNamed) {
-  const auto directory = std::filesystem::temp_directory_path();
-  EXPECT_THROW(read_query_file(directory, Precision::binary32), Error);
+  EXPECT_THROW(read_query_file(std::filesystem::temp_directory_path(), Precision::binary32), Error);
   try {
     read_query_file("/nowhere/at all.jsonl", Precision::binary32);
     FAIL();
@@ -69,12 +68,11 @@ TEST(QueryFile, AFileThatCannotBeReadIsNamed) {
 }
 
 TEST(QuerySource, GivesTheQueriesOfEachPrecisionInOrder) {
-  const std::string path = testing::TempDir() + "axiscert_query_source.jsonl";
+  const TemporaryFolder folder;
   const std::string text = line("binary32", "0.5") + "\n" + line("binary64", "1") + "\n" + line("binary32", "3") +
                            "\n" + line("binary32", "1", "-0") + "\n";
-  std::ofstream(path, std::ios::binary) << text;
-  const SourcePtr source = query_file_source(path, Precision::binary32);
-  EXPECT_EQ(source->name(), "queries/axiscert_query_source.jsonl");
+  const SourcePtr source = query_file_source(folder.write("four.jsonl", text), Precision::binary32);
+  EXPECT_EQ(source->name(), "queries/four.jsonl");
   EXPECT_EQ(source->file()->queries, 4u);
   EXPECT_EQ(source->file()->kind, "queries");
   EXPECT_EQ(source->address_name(), "queries-" + source->file()->sha256);
@@ -85,16 +83,14 @@ TEST(QuerySource, GivesTheQueriesOfEachPrecisionInOrder) {
   const Query<float> q = source->make<float>(99, 1);
   EXPECT_EQ(q.r, 3);
   EXPECT_THROW(source->make<float>(1, 3), Error);
-  std::filesystem::remove(path);
 }
 
 TEST(QuerySource, TheHashIsThatOfTheBytes) {
-  const std::string path = testing::TempDir() + "axiscert_query_hash.jsonl";
-  std::ofstream(path, std::ios::binary) << line("binary32", "0.5") << "\n";
+  const TemporaryFolder folder;
+  const std::string path = folder.write("one.jsonl", line("binary32", "0.5") + "\n");
   // sha256sum of the same 91 bytes.
   EXPECT_EQ(query_file_source(path, Precision::binary32)->file()->sha256,
             "8441caafebdf9af22f997bf0eab8eebb495dc0c2e0437343bdd83f6a439e0aee");
-  std::filesystem::remove(path);
 }
 
 }  // namespace

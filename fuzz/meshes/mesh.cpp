@@ -8,7 +8,7 @@
 
 #include "exact/sphere_triangle/oracles/formula_oracle.h"
 #include "fuzz/text/file_bytes.h"
-#include "fuzz/text/sha256.h"
+#include "kernel/base/sha256.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
 

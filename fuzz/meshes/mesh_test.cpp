@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 #include "exact/sphere_triangle/measures/depth.h"
@@ -14,22 +13,21 @@
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/queries/boundary.h"
 #include "fuzz/queries/lane_testing.h"
-#include "fuzz/text/sha256.h"
+#include "kernel/base/sha256.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
+#include "kernel/base/temporary_folder.h"
 
 namespace axiscert {
 namespace {
 
 std::string model(const std::string& path) { return std::string(TEST_MODELS) + "/" + path; }
 
-// A mesh file written by the test and removed at its end.
+// A mesh file written by the test, in a folder of its own.
 struct OwnMesh {
+  TemporaryFolder folder;
   std::string path;
-  OwnMesh(const std::string& name, const std::string& text) : path(testing::TempDir() + "axiscert_" + name) {
-    std::ofstream(path, std::ios::binary) << text;
-  }
-  ~OwnMesh() { std::filesystem::remove(path); }
+  OwnMesh(const std::string& name, const std::string& text) : path(folder.write(name, text)) {}
 };
 
 std::string mesh_refusal(const std::string& path) {
@@ -275,7 +273,7 @@ TEST(MeshSource, NamesItsFileByBaseNameAndHash) {
   const OwnMesh own("named.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const SourcePtr source = mesh_source(own.path);
   const std::string hash = "697b00ab13410c52a542d2e9c63711fcc04e9cbf6c0d3439a9b43cc812e6e713";  // sha256sum
-  EXPECT_EQ(source->name(), "mesh/axiscert_named.obj");
+  EXPECT_EQ(source->name(), "mesh/named.obj");
   EXPECT_EQ(source->address_name(), "mesh-" + hash);
   EXPECT_EQ(source->file()->sha256, hash);
   EXPECT_EQ(source->file()->kind, "mesh");

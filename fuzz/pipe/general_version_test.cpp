@@ -5,14 +5,14 @@
 
 #include <cstring>
 #include <deque>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "fuzz/pipe/query_stream.h"
 #include "fuzz/pipe/replies.h"
-#include "fuzz/text/sha256.h"
+#include "kernel/base/sha256.h"
 #include "kernel/base/error.h"
+#include "kernel/base/temporary_folder.h"
 
 namespace axiscert {
 namespace {
@@ -45,7 +45,6 @@ const TestDescription* const known[] = {&first_test(), &piped_test()};
 class WideStream : public testing::Test {
  protected:
   void SetUp() override {
-    path_ = (std::filesystem::path(testing::TempDir()) / "axiscert_wide_stream.jsonl").string();
     std::ofstream file(path_);
     for (const int base : {0, 1000}) {
       file << R"({"precision":"binary32","test":"wide","entry":"numbers","x":[)";
@@ -53,13 +52,13 @@ class WideStream : public testing::Test {
       file << "]}\n";
     }
   }
-  void TearDown() override { std::filesystem::remove(path_); }
 
   PipePlan plan() const {
     return {1, Precision::binary32, {{query_file_source(path_, Precision::binary32, known), 2}}};
   }
 
-  std::string path_;
+  const TemporaryFolder folder_;
+  const std::string path_ = (folder_.path() / "wide_stream.jsonl").string();
 };
 
 std::string stream_bytes(const std::vector<WideReplyRecord>& replies) {
@@ -146,10 +145,9 @@ TEST_F(WideStream, VersionAndTestBelongTogether) {
               HasSubstr("version 2 of the format, but its plan is of the test sphere-triangle"));
   EXPECT_THAT(stream_refusal(changed(header, 2, "\"columns\":40", "\"columns\":39") + replies),
               HasSubstr("its plan has 39 columns, but wide, entry numbers, has 40 here"));
-  EXPECT_THAT(
-      stream_refusal(changed(header, 2, "\"numbers\",\"columns\":40", "\"first\",\"columns\":1") + replies),
-      HasSubstr("its plan is of the test wide, entry first, but queries/axiscert_wide_stream.jsonl has queries of "
-                "wide, entry numbers here"));
+  EXPECT_THAT(stream_refusal(changed(header, 2, "\"numbers\",\"columns\":40", "\"first\",\"columns\":1") + replies),
+              HasSubstr("its plan is of the test wide, entry first, but queries/wide_stream.jsonl has queries of "
+                        "wide, entry numbers here"));
   std::istringstream in(header + replies);
   EXPECT_THAT([&] { read_replies(in, "r.bin", {}); }, testing::ThrowsMessage<Error>(HasSubstr("unknown test 'wide'")));
 }
@@ -158,7 +156,7 @@ TEST_F(WideStream, SourcesOfTwoTestsAreNoStream) {
   PipePlan mixed = plan();
   mixed.parts.push_back({family_source(find_family("general")), 3});
   EXPECT_THAT([&] { header_of(mixed); },
-              testing::ThrowsMessage<Error>("a stream is of one test and one entry: queries/axiscert_wide_stream.jsonl "
+              testing::ThrowsMessage<Error>("a stream is of one test and one entry: queries/wide_stream.jsonl "
                                             "has queries of wide, entry numbers, but general has queries of "
                                             "sphere-triangle, entry vertices"));
 }

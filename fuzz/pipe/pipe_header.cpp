@@ -9,9 +9,10 @@
 
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
-#include "fuzz/text/sha256.h"
+#include "kernel/base/sha256.h"
 #include "fuzz/text/whole_number.h"
 #include "kernel/base/error.h"
+#include "kernel/program/stream_header.h"
 
 namespace axiscert {
 namespace {
@@ -257,9 +258,8 @@ std::string header_of(const PipePlan& plan) {
     throw Error(fmt::format("a stream is of one test and one entry: {} has queries of {}, entry {}, but {}",
                             plan.parts.front().source->name(), plan.test().id, plan.columns().name, other));
   }
-  const std::uint32_t version = pipe::version_of(plan.test());
   Json json = {{"axiscert", AXISCERT_VERSION}, {"seed", plan.seed}, {"precision", name(plan.precision)}};
-  if (version != pipe::first_version) {
+  if (pipe::version_of(plan.test()) != pipe::first_version) {
     json["test"] = plan.test().id;
     json["entry"] = plan.columns().name;
     json["columns"] = plan.columns().columns.size();
@@ -274,22 +274,13 @@ std::string header_of(const PipePlan& plan) {
         "the path of a mesh or query file is not UTF-8, which the plan in a stream's header is: rename the file");
   }
   text += '\n';
-  const std::size_t whole = sizeof(pipe::Head) + text.size();
-  text.append((pipe::header_multiple - whole % pipe::header_multiple) % pipe::header_multiple, ' ');
-  if (sizeof(pipe::Head) + text.size() > pipe::greatest_header) {
+  std::string bytes =
+      pipe::stream_header(std::move(text), plan.test(), plan.columns().columns.size(), plan.precision, plan.queries());
+  if (bytes.size() > pipe::greatest_header) {
     throw Error(fmt::format("the plan takes more than the {} bytes of a header: name fewer files in one stream",
                             pipe::greatest_header));
   }
-  const pipe::Head head{pipe::magic,
-                        version,
-                        pipe::code_of(plan.precision),
-                        plan.queries(),
-                        static_cast<std::uint32_t>(sizeof(pipe::Head) + text.size()),
-                        pipe::record_size_of(plan.precision, plan.columns().columns.size()),
-                        hash_of(text)};
-  std::string bytes(sizeof head, '\0');
-  std::memcpy(bytes.data(), &head, sizeof head);
-  return bytes + text;
+  return bytes;
 }
 
 PipeHeader read_header(std::istream& in, const std::string& name, const FilePlaces& places, KnownTests known) {

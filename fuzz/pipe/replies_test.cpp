@@ -6,12 +6,12 @@
 
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "fuzz/pipe/query_stream.h"
-#include "fuzz/text/sha256.h"
+#include "kernel/base/sha256.h"
 #include "kernel/base/error.h"
+#include "kernel/base/temporary_folder.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
@@ -217,43 +217,36 @@ TEST(QueryStream, AHeaderHasALimit) {
 
 class InFolder : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return (folder_ / name).string();
-  }
-  std::filesystem::path folder_;
+  const TemporaryFolder folder_;
 };
 
 using RepliesToAFile = InFolder;
 
 TEST_F(RepliesToAFile, TheFileIsFoundAndKnown) {
   const std::string csv = "ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r\n0,0,0,1,0,0,0,1,0,0,0,1,0.5\n";
-  const std::string path = write("q.csv", csv);
+  const std::string path = folder_.write("q.csv", csv);
   const PipePlan plan{1, Precision::binary64, {{query_file_source(path, Precision::binary64), 1}}};
   const std::string stream = header_of(plan) + bytes_of({{1, 0, 0}});
   EXPECT_EQ(read(stream).plan.parts[0].source->name(), "queries/q.csv");
-  write("q.csv", csv + "0,0,0,1,0,0,0,1,0,0,0,1,0.25\n");
+  folder_.write("q.csv", csv + "0,0,0,1,0,0,0,1,0,0,0,1,0.25\n");
   expect_refusal(stream, "is not the file that the queries come from");
-  std::filesystem::create_directory(folder_ / "elsewhere");
-  const std::string moved = write("elsewhere/q.csv", csv);
+  std::filesystem::create_directory(folder_.path() / "elsewhere");
+  const std::string moved = folder_.write("elsewhere/q.csv", csv);
   EXPECT_EQ(read(stream, {{"q.csv", moved}}).replies.size(), 1u);
   std::filesystem::remove(path);
   expect_refusal(stream, "give its present path with --queries FILE");
 }
 
 TEST_F(RepliesToAFile, APathThatIsNotUtf8IsRefused) {
-  const std::string path = write("\xff.csv", "ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r\n0,0,0,1,0,0,0,1,0,0,0,1,1\n");
+  const std::string path =
+      folder_.write("\xff.csv", "ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r\n0,0,0,1,0,0,0,1,0,0,0,1,1\n");
   EXPECT_THROW(query_file_source(path, Precision::binary32), Error);
   // A folder may have any name, but not in a header.
-  std::filesystem::create_directory(folder_ / "\xff");
-  std::filesystem::rename(path, folder_ / "\xff/good.csv");
-  const PipePlan plan{
-      1, Precision::binary32, {{query_file_source((folder_ / "\xff/good.csv").string(), Precision::binary32), 1}}};
+  std::filesystem::create_directory(folder_.path() / "\xff");
+  std::filesystem::rename(path, folder_.path() / "\xff/good.csv");
+  const PipePlan plan{1,
+                      Precision::binary32,
+                      {{query_file_source((folder_.path() / "\xff/good.csv").string(), Precision::binary32), 1}}};
   EXPECT_THROW(header_of(plan), Error);
 }
 

@@ -50,7 +50,7 @@ Precision parse_precision(std::string_view given) {
   for (const Precision p : {Precision::binary32, Precision::binary64}) {
     if (name(p) == given) return p;
   }
-  // What the two are called elsewhere.
+  // The names of the two elsewhere.
   for (const auto& [other, meant] : {std::pair<std::string_view, Precision>{"float", Precision::binary32},
                                      {"single", Precision::binary32},
                                      {"32", Precision::binary32},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,9 @@ struct Address {
 
   std::uint64_t position() const { return unit * unit_size + index; }
 };
+
+// The text of the address of a position, for code that lists positions and does not know their source.
+using AddressOf = std::function<std::string(std::uint64_t position)>;
 
 std::string text(const Address& address);
 Address address_of(const Source& source, std::uint64_t seed, Precision precision, std::uint64_t position);

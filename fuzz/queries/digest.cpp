@@ -5,7 +5,7 @@
 #include <bit>
 #include <vector>
 
-#include "fuzz/text/sha256.h"
+#include "kernel/base/sha256.h"
 
 namespace axiscert {
 namespace {

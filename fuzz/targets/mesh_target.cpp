@@ -4,12 +4,10 @@
 // Input: byte 0 chooses the format, by the file's name; then the file. No coverage comes back from the other process,
 // so an input counts as new by its result: a message, or a number of triangles.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "fuzz/queries/family.h"
 #include "fuzz/meshes/mesh.h"
@@ -17,6 +15,7 @@
 #include "fuzz/queries/random.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/targets/target.h"
+#include "kernel/base/temporary_folder.h"
 
 namespace {
 
@@ -50,21 +49,13 @@ void check_queries(const Source& source) {
   }
 }
 
-// A folder of its own, so that files which the mesh names are not found.
-struct Folder {
-  std::filesystem::path path =
-      std::filesystem::temp_directory_path() / fmt::format("axiscert_mesh_target_{}", getpid());
-  Folder() { std::filesystem::create_directories(path); }
-  ~Folder() { std::filesystem::remove_all(path); }
-};
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return -1;
-  static const Folder folder;
-  const std::string path = folder.path / fmt::format("fuzzed.{}", formats[data[0] % formats.size()]);
-  std::ofstream(path, std::ios::binary) << text_of(data + 1, size - 1);
+  static const TemporaryFolder folder;  // its own, so that files which the mesh names are not found
+  const std::string path =
+      folder.write(fmt::format("fuzzed.{}", formats[data[0] % formats.size()]), text_of(data + 1, size - 1));
   try {
     // assimp may use all the time that it is given, so it gets little; a file that was read within it is read again.
     import_mesh(path, {std::uint64_t{1} << 30, 1});

@@ -11,7 +11,7 @@
 
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/pipe/replies.h"
-#include "fuzz/text/sha256.h"
+#include "kernel/base/sha256.h"
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
 

@@ -1,4 +1,4 @@
-// What a program writes in answer to a batch, as the host reads it: the same from parts of any length, never more
+// The answer of a program to a batch, as the host reads it: the same from parts of any length, never more
 // replies than queries, and not a byte beyond the last one; where it is refused, in one line.
 //
 // Input: the number of queries, options (bit 0: of a test with wide replies, 1: comparison bits are asked for, 2: the

@@ -22,7 +22,7 @@ struct Stop {
   std::optional<std::size_t> query;  // of the call, where the fault says which; of a program, the first without a reply
 };
 
-// What a process hosts.
+// The plug-in or program that a process hosts.
 struct Hosted {
   std::string path;                  // of a shared object; of a program, the folder in which it runs
   std::vector<std::string> command;  // of a program, its words; empty: a shared object

@@ -5,10 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 
 #include "kernel/base/error.h"
+#include "kernel/base/temporary_folder.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
 #include "kernel/plugin/plugin_testing.h"
@@ -157,10 +156,8 @@ TEST(Plugin, WhatCannotBeLoadedIsAKernelWithAFinding) {
 
 TEST(Plugin, AFileThatIsNoneIsRefused) {
   EXPECT_THROW(find_kernel("plugin:/nosuch.so"), Error);
-  const auto text = std::filesystem::temp_directory_path() / "axiscert_plugin_test.so";
-  std::ofstream(text) << "not a shared object\n";
-  const Kernel& kernel = find_kernel("plugin:" + text.string());
-  std::filesystem::remove(text);
+  const TemporaryFolder folder;
+  const Kernel& kernel = find_kernel("plugin:" + folder.write("text.so", "not a shared object\n"));
   ASSERT_EQ(kernel.findings.size(), 1u);
   EXPECT_EQ(kernel.findings[0].kind, FindingKind::load);
 }

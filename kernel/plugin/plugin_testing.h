@@ -1,4 +1,4 @@
-// What the tests of plug-ins and of programs share: a batch of queries, and what became of it.
+// Parts that the tests of plug-ins and of programs share: a batch of queries, and what became of it.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -12,6 +11,7 @@
 
 #include "kernel/ask.h"
 #include "kernel/base/error.h"
+#include "kernel/base/temporary_folder.h"
 #include "kernel/plugin/load.h"
 #include "kernel/plugin/plugin_testing.h"
 #include "kernel/plugin/supervisor.h"
@@ -25,21 +25,14 @@ using testing::HasSubstr;
 // A folder with the program of the tests, so that its processes can be told from those of other tests.
 class Program : public testing::Test {
  protected:
-  Program() {
-    char made[] = "/tmp/axiscert_program_XXXXXX";
-    if (mkdtemp(made) == nullptr) throw Error("no temporary folder");
-    folder_ = std::filesystem::canonical(made);
-    std::filesystem::copy(BUILD_FOLDER "/programs/program", folder_ / "program");
-  }
+  Program() { std::filesystem::copy(BUILD_FOLDER "/programs/program", folder_.path() / "program"); }
   ~Program() override {
     EXPECT_THAT(left_processes(), testing::IsEmpty());
     plugin::batch_seconds = seconds_before_;
-    std::filesystem::remove_all(folder_);
   }
 
   std::string wrote(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return "program:" + (folder_ / name).string();
+    return "program:" + folder_.write(name, text);
   }
   // `command`: JSON; `more`: members, each with a comma before it.
   const Kernel& manifest(const std::string& command, const std::string& more = "") const {
@@ -68,17 +61,17 @@ class Program : public testing::Test {
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
       std::error_code gone;
       const auto runs = std::filesystem::read_symlink(entry.path() / "exe", gone);
-      if (!gone && runs.string().starts_with(folder_.string() + "/")) left.push_back(entry.path().filename());
+      if (!gone && runs.string().starts_with(folder_.path().string() + "/")) left.push_back(entry.path().filename());
     }
     return left;
   }
   std::string text_of(const std::string& name) const {
     std::ostringstream text;
-    text << std::ifstream(folder_ / name).rdbuf();
+    text << std::ifstream(folder_.path() / name).rdbuf();
     return text.str();
   }
 
-  std::filesystem::path folder_;
+  const TemporaryFolder folder_;
   const double seconds_before_ = plugin::batch_seconds;
 };
 
@@ -107,9 +100,9 @@ TEST_F(Program, SaysOfItselfWhatItsManifestDeclares) {
 
 TEST_F(Program, IsNotStartedBeforeItIsAsked) {
   const Kernel& own = manifest(R"(["/bin/sh","-c","touch started; exec ./program right"])");
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "started"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "started"));
   EXPECT_TRUE(supervised(own).findings.empty());
-  EXPECT_TRUE(std::filesystem::exists(folder_ / "started"));
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "started"));
 }
 
 TEST_F(Program, HasNoDescriptorButItsThreePipes) {

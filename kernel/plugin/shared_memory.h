@@ -90,7 +90,7 @@ struct Fault {
   std::uint64_t element_count;
 };
 
-// Of a program: the bytes before the queries of each batch (pipe_format.h), with a count of 0.
+// For a program: the bytes before the queries of each batch (pipe_format.h), with a count of 0.
 inline constexpr std::size_t longest_program_header = 1024;
 struct ProgramHeader {
   std::uint32_t size;  // bytes; 0: it does not exist in this precision
@@ -121,8 +121,8 @@ struct Request {
   std::uint32_t exposes;   // which arrays are asked for
   std::uint32_t measures;  // number of measures that are asked for
   Placement placement;
-  // Of a program: the processor time that it may take for the answers, and in addition for a start. By the clock it may
-  // take clock_to_processor times as much.
+  // For a program: the processor time that it may take for the answers, and in addition for a start. By the clock it
+  // may take clock_to_processor times as much.
   double seconds = 0, start_seconds = 0;
 };
 inline constexpr double clock_to_processor = 20;  // for one that does not get, or use, a core

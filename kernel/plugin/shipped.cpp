@@ -46,14 +46,23 @@ std::map<std::string, ShippedProgram> shipped_programs(const std::filesystem::pa
   return found;
 }
 
-// The plug-ins of one kind, read from its folder.
-Shipped shipped(const Kind& kind) {
+// The plug-ins of one kind, and their files by name.
+struct Located {
   Shipped found;
+  std::map<std::string, std::string, std::less<>> files;
+};
+
+// Reads the folder of a kind.
+Located located(const Kind& kind) {
+  Located all;
+  Shipped& found = all.found;
   found.prefix = kind.prefix;
   const auto folder = shipped_folder(kind.folder);
-  if (!folder) return found;
+  if (!folder) return all;
   for (const auto& entry : std::filesystem::directory_iterator(*folder)) {
-    if (entry.path().extension() == ".so") found.names.push_back(entry.path().stem().string());
+    if (entry.path().extension() != ".so") continue;
+    found.names.push_back(entry.path().stem().string());
+    all.files[found.names.back()] = fmt::format("{}/{}.so", *folder, found.names.back());
   }
   std::sort(found.names.begin(), found.names.end());
   std::ifstream list(std::filesystem::path(*folder) / "absent.txt");
@@ -62,17 +71,21 @@ Shipped shipped(const Kind& kind) {
     if (tab != line.npos) found.absent.push_back({line.substr(0, tab), line.substr(tab + 1), ""});
   }
   for (const auto& [name, program] : shipped_programs(*folder)) {
-    if (program.missing.empty()) found.names.push_back(name);
-    else found.absent.push_back({name, program.missing, engines_command});
+    if (!program.missing.empty()) {
+      found.absent.push_back({name, program.missing, engines_command});
+      continue;
+    }
+    found.names.push_back(name);
+    all.files[name] = program.manifest;
   }
-  return found;
+  return all;
 }
 
 }  // namespace
 
 std::vector<Shipped> shipped_plugins() {
   std::vector<Shipped> all;
-  for (const Kind& kind : kinds) all.push_back(shipped(kind));
+  for (const Kind& kind : kinds) all.push_back(located(kind).found);
   return all;
 }
 
@@ -82,14 +95,9 @@ std::optional<std::string> plugin_path(std::string_view id) {
   }
   for (const Kind& kind : kinds) {
     if (!id.starts_with(kind.prefix)) continue;
-    const Shipped known = shipped(kind);
+    const auto [known, files] = located(kind);
     const std::string_view name = id.substr(kind.prefix.size());
-    if (std::find(known.names.begin(), known.names.end(), name) != known.names.end()) {
-      const std::string folder = *shipped_folder(kind.folder);
-      const auto programs = shipped_programs(folder);
-      const auto program = programs.find(std::string(name));
-      return program == programs.end() ? fmt::format("{}/{}.so", folder, name) : program->second.manifest;
-    }
+    if (const auto file = files.find(name); file != files.end()) return file->second;
     for (const Shipped::Absent& absent : known.absent) {
       if (absent.name == name && !absent.command.empty()) {
         throw Error(fmt::format("kernel '{}' is not installed, for want of {}; `{}` installs it", id, absent.package,

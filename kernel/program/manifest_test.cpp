@@ -1,4 +1,4 @@
-// What a manifest may say, and that everything else is refused with what would be right.
+// Manifests that are accepted, and that everything else is refused with what would be right.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "fuzz/text/sha256.h"
+#include "kernel/base/sha256.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {

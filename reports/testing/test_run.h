@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <openssl/evp.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <filesystem>
@@ -14,6 +13,7 @@
 
 #include "kernel/base/error.h"
 #include "fuzz/text/json.h"
+#include "kernel/base/temporary_folder.h"
 #include "reports/formats/format.h"
 #include "reports/formats/render.h"
 
@@ -34,35 +34,22 @@ inline Json stored_run_info() { return Json::parse(text_of(SOURCE_FOLDER "/repor
 // The counts of `published` on `tangent`.
 inline Json& tangent_counts(Json& record) { return record["kernels"][0]["families"]["tangent"]; }
 
-class TestFolder {
+class TestFolder : public TemporaryFolder {
  public:
-  TestFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "axiscert-XXXXXX").string();
-    EXPECT_NE(mkdtemp(name.data()), nullptr);
-    path_ = name;
-  }
-  explicit TestFolder(const Json& record) : TestFolder() { write("record.json", record.dump()); }
-  TestFolder(const TestFolder&) = delete;
-  ~TestFolder() { std::filesystem::remove_all(path_); }
+  TestFolder() = default;
+  explicit TestFolder(const Json& record) { write("record.json", record.dump()); }
 
-  const std::filesystem::path& path() const { return path_; }
-  void write(const std::string& file, const std::string& text) const {
-    std::ofstream(path_ / file, std::ios::binary) << text;
-  }
-  std::string read(const std::string& file) const { return text_of(path_ / file); }
+  std::string read(const std::string& file) const { return text_of(path() / file); }
 
   // The message of the Error that rendering throws; empty where it succeeds.
   std::string rendering_error() const {
     try {
-      render_reports(path_);
+      render_reports(path());
     } catch (const Error& error) {
       return error.what();
     }
     return "";
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 // One part of a page's data, decoded as a browser does it.

@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "fuzz/text/file_bytes.h"
-#include "fuzz/text/sha256.h"
+#include "kernel/base/sha256.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include <filesystem>
 #include <fstream>
 
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
+#include "kernel/base/temporary_folder.h"
 
 namespace axiscert {
 namespace {
@@ -20,9 +20,7 @@ const std::vector<std::string> contents = {"first", std::string(300, 'x'), "", s
 
 class JournalTest : public testing::Test {
  protected:
-  JournalTest()
-      : path_(testing::TempDir() + "axiscert_" + testing::UnitTest::GetInstance()->current_test_info()->name()) {
-    std::filesystem::remove(path_);
+  JournalTest() {
     Journal journal(path_, digest, [](std::string_view) {});
     starts_.push_back(journal.bytes());
     for (const std::string& content : contents) {
@@ -31,7 +29,6 @@ class JournalTest : public testing::Test {
     }
     bytes_ = read_bytes(path_);
   }
-  ~JournalTest() override { std::filesystem::remove(path_); }
 
   void write(const std::string& bytes) const { std::ofstream(path_, std::ios::binary) << bytes; }
   std::vector<std::string> read(JournalEnd* end = nullptr) const {
@@ -41,7 +38,9 @@ class JournalTest : public testing::Test {
     return read;
   }
 
-  std::string path_, bytes_;
+  const TemporaryFolder folder_;
+  const std::string path_ = (folder_.path() / "journal").string();
+  std::string bytes_;
   std::vector<std::uint64_t> starts_;  // starts of the entries, and the end of the last one
 };
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <span>
 
-#include "fuzz/text/sha256.h"
+#include "kernel/base/sha256.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

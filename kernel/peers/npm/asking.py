@@ -3,6 +3,8 @@ import hashlib
 import json
 import struct
 import subprocess
+import sys
+import unittest
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
@@ -19,6 +21,15 @@ def installed():
         if not file.exists() or json.loads(file.read_text())["version"] != version:
             return False
     return True
+
+
+def main():
+    """Runs the calling script's tests where the engines are installed; otherwise says so and exits with 77."""
+    if not installed():
+        print("NOT CHECKED: the engines of kernel/peers/npm are not installed, or in other versions than package.json has; "
+              "`./dev engines` brings them", file=sys.stderr)
+        sys.exit(77)
+    unittest.main()
 
 
 def numbers_of(line, test="sphere-triangle"):

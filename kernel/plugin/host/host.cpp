@@ -112,8 +112,8 @@ void set_limits() {
   std::signal(SIGINT, SIG_IGN);  // axiscert finishes what is under way
   const rlimit no_core{0, 0}, memory{memory_limit, memory_limit};
   setrlimit(RLIMIT_CORE, &no_core);
-  // Of memory that can be written, and not of addresses: engines of JavaScript and WebAssembly reserve terabytes of
-  // those.
+  // The limit is on memory that can be written, and not on addresses: engines of JavaScript and WebAssembly reserve
+  // terabytes of those.
   if (limits_memory) setrlimit(RLIMIT_DATA, &memory);
 }
 

@@ -21,7 +21,7 @@ struct Process {
   double ticks;  // its own, and those of the children that it has waited for
 };
 
-// Of /proc/PID/stat. The name, in parentheses, may hold anything.
+// The process of /proc/PID/stat. Its name there, in parentheses, may hold anything.
 std::optional<Process> read_process(const char* name) {
   char path[64], text[1024];
   std::snprintf(path, sizeof path, "/proc/%.20s/stat", name);

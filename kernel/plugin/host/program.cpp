@@ -130,6 +130,8 @@ bool Program::has_ended() const {
   return waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid != 0;
 }
 
+bool Program::has_ended_well() const { return status_ && WIFEXITED(*status_) && WEXITSTATUS(*status_) == 0; }
+
 void Program::read_errors() {
   std::array<char, block_size> block;
   // A block at a time, so that a program that prints without end is looked at between them.
@@ -244,11 +246,10 @@ std::optional<Program::Stop> Program::ask(std::span<const std::byte> stream, Rep
       return Stop{FindingKind::hang,
                   fmt::format("no answer within {} s{}", watch.seconds, is_start ? " of its start" : "")};
     }
-    if (!has_answered_ || !replies.has_nothing()) return how_it_ended(replies);
-    // It had ended after its last batch, as a program may: of its own will, and well.
+    // A program may end after its last batch, of its own will, and well: then it is started again.
+    const bool may_end = has_answered_ && replies.has_nothing();
     const Stop stop = how_it_ended(replies);
-    const bool was_well = status_ && WIFEXITED(*status_) && WEXITSTATUS(*status_) == 0;
-    if (!was_well) return stop;
+    if (!may_end || !has_ended_well()) return stop;
     has_answered_ = false;
   }
 }
@@ -272,8 +273,7 @@ std::optional<Program::Stop> Program::try_out(std::span<const std::byte> stream,
     return std::nullopt;
   }
   Stop stop = how_it_ended(replies);
-  const bool was_well = status_ && WIFEXITED(*status_) && WEXITSTATUS(*status_) == 0;
-  return was_well ? std::nullopt : std::optional(std::move(stop));
+  return has_ended_well() ? std::nullopt : std::optional(std::move(stop));
 }
 
 }  // namespace axiscert::plugin

@@ -47,7 +47,7 @@ class Program {
  private:
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::milliseconds patience{10};  // between two looks at a program that is silent
-  // What the program may take until it answers.
+  // The time that the program may take until it answers.
   struct Watch {
     double seconds;
     bool is_start;
@@ -64,6 +64,7 @@ class Program {
   void read_replies(ReplyReader& replies);
   void read_errors();
   bool has_ended() const;
+  bool has_ended_well() const;  // after how_it_ended(): of its own will, with exit code 0
   Stop how_it_ended(const ReplyReader& replies);
   // As it is told of a batch.
   std::string after(const ReplyReader& replies) const;

@@ -26,7 +26,7 @@ async function make() {
 
   const moved = (vector, v) => (vector.setValue(v[0], v[1], v[2]), vector);
 
-  // What the shape is made of, the shape last; null where there is no room for a second triangle.
+  // The parts of the shape, the shape last; null where there is no room for a second triangle.
   function shapesOf(q) {
     if (asked.hull) {
       const hull = new Ammo.btConvexHullShape();

@@ -1,4 +1,4 @@
-#include "fuzz/text/sha256.h"
+#include "kernel/base/sha256.h"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>

@@ -1,0 +1,32 @@
+#include "kernel/base/temporary_folder.h"
+
+#include <stdlib.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "kernel/base/error.h"
+
+namespace axiscert {
+
+TemporaryFolder::TemporaryFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "axiscert-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw Error(pattern + ": cannot be created: " + std::strerror(errno));
+  path_ = std::filesystem::canonical(pattern);
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::string TemporaryFolder::write(std::string_view name, std::string_view bytes) const {
+  const std::string path = (path_ / name).string();
+  std::ofstream file(path, std::ios::binary);
+  file << bytes;
+  if (!file.flush()) throw Error(path + ": cannot be written");
+  return path;
+}
+
+}  // namespace axiscert

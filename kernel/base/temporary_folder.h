@@ -1,0 +1,28 @@
+// A folder for scratch files, which no other process has.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace axiscert {
+
+// Made under the system's folder for temporary files, and removed with all that is in it. Tests run side by side, also
+// as processes of several builds, so a file with a fixed name there is another's as well.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();  // throws Error
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  // Without symbolic links.
+  const std::filesystem::path& path() const { return path_; }
+  // The path of the file of this name, which now has these bytes; its folder exists. Throws Error.
+  std::string write(std::string_view name, std::string_view bytes) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace axiscert
