@@ -11,7 +11,9 @@
 //   static constexpr FormulaeKind kind;                           rung or variant (kernel/formulae_list.h)
 //   template <class T, class Sink>
 //   static void comparisons(const Problem<T>&, Sink& sink);       sink(i, lhs, rhs) for each: comparison i is lhs > rhs
-// A number type has + - * and > alone, magnitude(x), and T(x) of a double x, so that each is exact in exact arithmetic.
+//   static constexpr ComparisonBits nonstrict;                    optional: those that are lhs >= rhs
+// A number type has + - *, > and >= alone, magnitude(x), and T(x) of a double x, so that each is exact in exact
+// arithmetic.
 #pragma once
 
 #include <string>
@@ -25,12 +27,20 @@ namespace axiscert {
 template <class... F>
 struct FormulaeList {};
 
+// Those of the formulae's comparisons that are `>=`.
+template <class F>
+constexpr ComparisonBits nonstrict_comparisons() {
+  if constexpr (requires { F::nonstrict; }) return F::nonstrict;
+  else return 0;
+}
+
 // The comparisons of formulae F that hold on one query. `see(i, lhs, rhs)` is shown both sides of each.
 template <class F, class T, class Problem, class See>
 ComparisonBits bits_of(const Problem& problem, See&& see) {
   ComparisonBits bits = 0;
   const auto sink = [&](std::size_t i, const T& lhs, const T& rhs) {
-    if (lhs > rhs) bits |= one_bit<ComparisonBits>(i);
+    const bool holds = has_bit(nonstrict_comparisons<F>(), i) ? lhs >= rhs : lhs > rhs;
+    if (holds) bits |= one_bit<ComparisonBits>(i);
     see(i, lhs, rhs);
   };
   F::template comparisons<T>(problem, sink);
@@ -60,17 +70,46 @@ Implementation<Real> plain_implementation() {
   return plain;
 }
 
-// The kernel claims these formulae and the bits of the reference, which is itself.
-template <class Test, class F>
-Kernel plain_kernel(std::string id, std::string summary) {
+// What all plain kernels have; it is judged by its verdicts alone.
+template <class Test>
+Kernel plain_kernel_named(std::string id, std::string summary) {
   Kernel kernel;
   kernel.id = std::move(id);
   kernel.summary = std::move(summary);
   kernel.test = &Test::description();
   kernel.formulae = Formulae::none;
+  return kernel;
+}
+
+// The kernel claims these formulae and the bits of the reference, which is itself.
+template <class Test, class F>
+Kernel plain_kernel(std::string id, std::string summary) {
+  Kernel kernel = plain_kernel_named<Test>(std::move(id), std::move(summary));
   kernel.claims = F::name;
   kernel.binary32 = [](std::string_view) { return plain_implementation<Test, F, float>(); };
   kernel.binary64 = [](std::string_view) { return plain_implementation<Test, F, double>(); };
+  return kernel;
+}
+
+// A method M that has a verdict alone: static bool separated(const Problem<Real>&). It claims nothing.
+template <class Test, class M, class Real>
+Implementation<Real> plain_verdicts() {
+  Implementation<Real> plain;
+  plain.verdicts = [](const QueryColumns<Real>& batch, Verdict* out) {
+    for (std::size_t i = 0; i < batch.size; ++i) {
+      const auto q = Test::template problem<Real>([&](std::size_t k) { return batch.column[k][i]; });
+      out[i] = M::template separated<Real>(q) ? Verdict::separated : Verdict::contact;
+    }
+  };
+  return plain;
+}
+template <class Test, class M>
+Kernel plain_verdict_kernel(std::string id, std::string summary) {
+  Kernel kernel = plain_kernel_named<Test>(std::move(id), std::move(summary));
+  kernel.exposes = Exposure::verdict;
+  kernel.is_reference = false;
+  kernel.binary32 = [](std::string_view) { return plain_verdicts<Test, M, float>(); };
+  kernel.binary64 = [](std::string_view) { return plain_verdicts<Test, M, double>(); };
   return kernel;
 }
 

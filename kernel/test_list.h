@@ -16,4 +16,5 @@
 
 #define AXISCERT_TESTS(X) \
   X(sphere_triangle)      \
+  X(moving_sphere)        \
   AXISCERT_MORE_TESTS(X)

@@ -14,7 +14,7 @@ namespace axiscert {
 namespace {
 
 struct CheckOptions {
-  std::string file, kernel = "published", format = "text", target = "auto", precision = "binary32";
+  std::string file, kernel, format = "text", target = "auto", precision = "binary32";
   bool errors = false;
 };
 
@@ -23,13 +23,28 @@ std::optional<SideErrors> errors_of(const StoredQuery& stored, const Kernel& ker
                     sphere_triangle_query(stored));
 }
 
+void require_query_of(const Kernel& kernel, const StoredQuery& stored, const std::string& file) {
+  if (kernel.test == stored.test && kernel.entry == stored.entry) return;
+  throw Error(
+      fmt::format("{}: query '{}' is of the test {}, entry {}, and kernel {} of {}, entry {}; a query is judged "
+                  "by a kernel of its own test and entry",
+                  file, stored.id, stored.test->id, stored.columns().name, kernel.id, kernel.test->id,
+                  kernel.test->entries[kernel.entry].name));
+}
+
 int check(const CheckOptions& options) {
-  const Kernel& kernel = find_kernel(options.kernel);
-  require_served("check", *kernel.test);
-  require_loaded(kernel);
+  const auto given = [&]() -> const Kernel* {
+    return options.kernel.empty() ? nullptr : &find_kernel(options.kernel);
+  }();
+  if (given != nullptr) require_loaded(*given);
   const std::string target = resolve_target(options.target);
   const auto queries = read_query_file(options.file, parse_precision(options.precision));
+  const Kernel& kernel =
+      given != nullptr ? *given : default_kernel(queries.empty() ? first_test() : *queries.front().test);
+  if (options.errors) require_served("--errors", *kernel.test);
+  const bool is_first = kernel.test == &first_test();
   Examiner examiner(kernel, target);
+  OracleExaminer oracle_examiner(kernel, target);
   ProgressLine progress("check");
   const ShowProgress show = progress.report();
   ProgressCount count(show, queries.size());
@@ -38,8 +53,11 @@ int check(const CheckOptions& options) {
       throw Error(fmt::format("{}: query '{}' is in {}, in which kernel {} does not exist", options.file, stored.id,
                               name(stored.precision), kernel.id));
     }
-    const Examination found =
-        std::visit([&](const auto& q) { return examiner.examine(q); }, sphere_triangle_query(stored));
+    require_query_of(kernel, stored, options.file);
+    const Checked found =
+        is_first
+            ? std::visit([&](const auto& q) { return checked_of(examiner.examine(q)); }, sphere_triangle_query(stored))
+            : std::visit([&](const auto& q) { return checked_of(oracle_examiner.examine(q)); }, stored.numbers);
     count.finished();
     progress.clear();
     if (options.format == "text") {
@@ -61,7 +79,7 @@ void add_check(CLI::App& app, Action& action) {
       app.add_subcommand("check", "Judge each query of a file: exact and computed answers, and why they differ");
   auto options = std::make_shared<CheckOptions>();
   command->add_option("FILE", options->file, "query file, JSON Lines or CSV; - reads standard input")->required();
-  command->add_option("--kernel", options->kernel, "kernel id")->capture_default_str();
+  command->add_option("--kernel", options->kernel, "kernel id (default: the first of the test of the file's queries)");
   command->add_option("--target", options->target, "instruction set, or auto")->capture_default_str();
   command->add_option("--precision", options->precision, "precision of a CSV file, which does not state it")
       ->capture_default_str();

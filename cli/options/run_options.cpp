@@ -23,14 +23,16 @@
 namespace axiscert {
 namespace {
 
-// Queries per family: fewer in binary64, where exact arithmetic costs more, and fewest where a family says so.
+// Queries per family: fewer in binary64, where exact arithmetic costs more, and fewest where a family says so. A test
+// without filters is judged by exact arithmetic alone, at a hundred times the cost.
 std::uint64_t default_trials(const Source& source, Precision precision) {
+  if (&source.test() != &first_test()) return std::uint64_t{1} << 12;
   if (precision == Precision::binary32) return std::uint64_t{1} << 18;
   return (std::uint64_t{1} << 16) / static_cast<std::uint64_t>(source.trial_divisor());
 }
 
 std::string default_trials_text() {
-  std::string text = "2^18 in binary32, 2^16 in binary64";
+  std::string text = fmt::format("2^18 in binary32, 2^16 in binary64, 2^12 of a test other than {}", first_test().id);
   for (const Family* family : families()) {
     if (family->trial_divisor > 1) text += fmt::format(", {} for {}", (1 << 16) / family->trial_divisor, family->name);
   }
@@ -106,15 +108,6 @@ void drop_idle_precisions(Plan& plan, const std::string& asked) {
     return std::none_of(plan.kernels.begin(), plan.kernels.end(),
                         [&](const Kernel* kernel) { return kernel->has(precision); });
   });
-}
-
-// The kernel of a run that names none.
-const Kernel& default_kernel(const TestDescription& test) {
-  if (&test == &first_test()) return find_kernel("published");
-  for (const Kernel& kernel : kernels()) {
-    if (kernel.test == &test) return kernel;
-  }
-  throw Error(fmt::format("the test {} has no built-in kernel; give one with --kernel", test.id));
 }
 
 }  // namespace

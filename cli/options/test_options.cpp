@@ -41,6 +41,14 @@ const TestDescription& test_of_kernels(const std::string& test, const std::vecto
   return kernels.empty() ? first_test() : *kernels.front()->test;
 }
 
+const Kernel& default_kernel(const TestDescription& test) {
+  if (&test == &first_test()) return find_kernel("published");
+  for (const Kernel& kernel : kernels()) {
+    if (kernel.test == &test) return kernel;
+  }
+  throw Error(fmt::format("the test {} has no built-in kernel; give one with --kernel", test.id));
+}
+
 void require_one_test(const std::vector<const Kernel*>& kernels, const std::vector<SourcePtr>& sources) {
   for (const SourcePtr& source : sources) {
     for (const Kernel* kernel : kernels) {

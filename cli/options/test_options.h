@@ -19,6 +19,8 @@ const TestDescription& test_given(const std::string& test);
 // The test that --test names; where it was not given that of the kernels, and of the first test where there are none.
 // Throws Error that names two kernels of different tests, or a kernel of another test than --test.
 const TestDescription& test_of_kernels(const std::string& test, const std::vector<const Kernel*>& kernels);
+// The kernel of a command that names none: a test's first.
+const Kernel& default_kernel(const TestDescription& test);
 // Throws Error that names a kernel and a source of different tests, or of different entries of one test.
 void require_one_test(const std::vector<const Kernel*>& kernels, const std::vector<SourcePtr>& sources);
 // The test that --test names; where it was not given that of the first source. Throws Error that names a source of

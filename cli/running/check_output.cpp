@@ -9,28 +9,30 @@
 namespace axiscert {
 namespace {
 
-std::string bits16(ComparisonBits bits) { return bit_string(bits, comparison_count); }
-std::string bits7(ComparisonBits bits) { return bit_string(axes_of(bits), axis_count); }
+Json bits_json(const TestDescription& test, const std::optional<ComparisonBits>& bits) {
+  return bits ? Json(bit_string(*bits, test.comparisons.size())) : Json(nullptr);
+}
+Json axes_json(const TestDescription& test, const std::optional<ComparisonBits>& bits) {
+  return bits ? Json(bit_string(clauses_of(test, *bits), test.clauses.size())) : Json(nullptr);
+}
 
-Json exact_json(const Examination& found) {
+Json exact_json(const TestDescription& test, const Checked& found) {
   Json json = {{"verdict", name(found.truth.verdict)}, {"touching", found.truth.touching}};
-  const auto& formula = found.truth.formula;
-  json["squared_distance"] = nullptr;
+  if (&test == &first_test()) json["squared_distance"] = nullptr;
   if (found.squared_distance) {
     const Rational& d = *found.squared_distance;
     json["squared_distance"] = d.get_num().get_str() + "/" + d.get_den().get_str();
   }
-  json["comparisons"] = formula ? Json(bits16(formula->strict)) : Json(nullptr);
-  json["axes"] = formula ? Json(bits7(formula->strict)) : Json(nullptr);
-  json["ties"] = formula ? Json(bits16(formula->ties)) : Json(nullptr);
+  json["comparisons"] = bits_json(test, found.exact);
+  json["axes"] = axes_json(test, found.exact);
+  json["ties"] = bits_json(test, found.ties);
   return json;
 }
 
-Json computed_json(const Answer& answer) {
-  Json json = {{"verdict", name(answer.verdict)}};
-  json["comparisons"] = answer.bits ? Json(bits16(*answer.bits)) : Json(nullptr);
-  json["axes"] = answer.bits ? Json(bits7(*answer.bits)) : Json(nullptr);
-  return json;
+Json computed_json(const TestDescription& test, const Answer& answer) {
+  return {{"verdict", name(answer.verdict)},
+          {"comparisons", bits_json(test, answer.bits)},
+          {"axes", axes_json(test, answer.bits)}};
 }
 
 Json findings_json(const std::vector<Finding>& findings) {
@@ -55,7 +57,26 @@ std::string touching_text(const Truth& truth, const Kernel& kernel) {
 
 }  // namespace
 
-std::string check_text(const std::string& id, const Kernel& kernel, const Examination& found) {
+Checked checked_of(const Examination& found) {
+  Checked checked{found.truth,         found.squared_distance, {}, {}, found.answer, found.judgement, found.depth,
+                  found.within_limits, found.findings};
+  if (const auto& formula = found.truth.formula) {
+    checked.exact = formula->strict;
+    checked.ties = formula->ties;
+  }
+  return checked;
+}
+
+Checked checked_of(const OracleExamination& found) {
+  Checked checked{found.truth, {}, {}, {}, found.answer, found.judgement, found.depth, true, found.findings};
+  if (found.claim && found.claim->sides) {
+    checked.exact = found.claim->sides->holds;
+    checked.ties = found.claim->sides->ties;
+  }
+  return checked;
+}
+
+std::string check_text(const std::string& id, const Kernel& kernel, const Checked& found) {
   const bool answered = found.answer.verdict != Verdict::unanswered;
   std::string line =
       fmt::format("{}: exact {}{}, {} {}", id, name(found.truth.verdict), touching_text(found.truth, kernel), kernel.id,
@@ -73,14 +94,17 @@ std::string check_text(const std::string& id, const Kernel& kernel, const Examin
   return line;
 }
 
-Json check_json(const std::string& id, const Kernel& kernel, const Examination& found) {
-  return {{"id", id},
-          {"kernel", kernel.id},
-          {"exact", exact_json(found)},
-          {"computed", computed_json(found.answer)},
-          {"within_limits", found.within_limits},
-          {"findings", findings_json(found.findings)},
-          {"flips", flips_json(*kernel.test, found.judgement)}};
+Json check_json(const std::string& id, const Kernel& kernel, const Checked& found) {
+  const TestDescription& test = *kernel.test;
+  Json json = {{"id", id},
+               {"kernel", kernel.id},
+               {"exact", exact_json(test, found)},
+               {"computed", computed_json(test, found.answer)},
+               {"within_limits", found.within_limits},
+               {"findings", findings_json(found.findings)},
+               {"flips", flips_json(test, found.judgement)}};
+  if (&test != &first_test()) json["test"] = test.id;
+  return json;
 }
 
 std::string errors_text(const std::optional<SideErrors>& errors) {

@@ -4,15 +4,31 @@
 #include <string>
 
 #include "exact/sphere_triangle/claims/examine.h"
+#include "exact/trait/examine.h"
 #include "fuzz/search/confirm.h"
 #include "fuzz/confirm/record.h"
 
 namespace axiscert {
 
+// A query of any test as `check` shows it.
+struct Checked {
+  Truth truth;
+  std::optional<Rational> squared_distance;   // of sphere-triangle
+  std::optional<ComparisonBits> exact, ties;  // of the formulae; empty without formulae, or if the truth is `invalid`
+  Answer answer;
+  Judgement judgement;
+  std::optional<double> depth;
+  bool within_limits = true;
+  std::vector<Finding> findings;
+};
+Checked checked_of(const Examination& found);
+Checked checked_of(const OracleExamination& found);
+
 // One line, without its line end.
-std::string check_text(const std::string& id, const Kernel& kernel, const Examination& found);
-// An object with "id", "kernel", "exact", "computed", "within_limits", "findings" and "flips".
-Json check_json(const std::string& id, const Kernel& kernel, const Examination& found);
+std::string check_text(const std::string& id, const Kernel& kernel, const Checked& found);
+// An object with "id", "kernel", "exact", "computed", "within_limits", "findings" and "flips"; of another test than the
+// first with "test".
+Json check_json(const std::string& id, const Kernel& kernel, const Checked& found);
 
 // The errors of the computed sides: as text, one line for each comparison, to follow check_text's; as JSON, for
 // check_json, an object of "absolute_u" and "relative_u" by comparison, null where there is none.

@@ -24,7 +24,8 @@ class Kernels(Case):
         for kernel in listed:
             self.assertIn([c["arithmetic"] for c in kernel["arithmetics"]], [arithmetics, []], kernel["id"])
         refused = axiscert("check", "-", "--kernel", "nosuch").stderr.strip()
-        self.assertEqual(sorted(refused.split("; kernels: ")[1].split(", ")), sorted(kernel["id"] for kernel in listed))
+        moving = json.loads(axiscert("kernels", "--test", "moving-sphere", "--format", "json").stdout)
+        self.assertEqual(sorted(refused.split("; kernels: ")[1].split(", ")), sorted(kernel["id"] for kernel in listed + moving))
         refused = axiscert("check", "-", "--kernel", "published+nosuch").stderr.strip()
         self.assertEqual(sorted(refused.split("; arithmetics: ")[1].split(", ")), sorted(arithmetics))
         text = axiscert("kernels").stdout.splitlines()

@@ -14,7 +14,8 @@ namespace axiscert {
 // The sides of formulae in exact arithmetic, by comparison.
 struct ExactSides {
   std::vector<Rational> lhs, rhs;
-  ComparisonBits holds = 0, ties = 0;  // lhs > rhs; lhs == rhs
+  // Those that hold: lhs > rhs, or lhs >= rhs where the formulae say so; and those with lhs == rhs.
+  ComparisonBits holds = 0, ties = 0;
 };
 
 // A kernel's claim on one query: its chain, and the exact sides where these are rational.

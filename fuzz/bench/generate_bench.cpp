@@ -21,7 +21,7 @@ void per_item(benchmark::State& state, double items) {
 
 template <class Real>
 void time_fill(benchmark::State& state, const SourcePtr& source) {
-  QueryBatch<Real> batch(batch_size, coordinate_count);
+  QueryBatch<Real> batch(batch_size, source->columns().size());
   std::uint64_t first = 0;
   for (auto _ : state) {
     source->fill(1, first, batch_size, batch);

@@ -146,7 +146,7 @@ function badges(data, entry) {
     [badge, names.filter((name) => bound_of(data, entry, name).badge === badge)]).filter(([, some]) => some.length > 0);
   return el('dl', 'facts badges', ...by_badge.flatMap(([badge, some]) => [
     el('dt', '', badge_chip(badge)),
-    el('dd', '', el('span', '', `${some.length === names.length ? 'all sixteen' : some.length} · `),
+    el('dd', '', el('span', '', `${some.length === names.length ? `all ${names.length}` : some.length} · `),
        el('span', 'name', some.length === names.length ? '' : some.join(' ')), el('small', '', ` ${badge_meanings[badge]}`))]));
 }
 

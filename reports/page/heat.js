@@ -78,7 +78,7 @@ function heat_table(data, entry, level, figure) {
     return el('tr', '', th, ...columns.map(([family, result]) =>
       heat_cell(data, {entry, family, result, name, tally: result[level][name], figure})));
   }));
-  const caption = `${level === 'axes' ? 'Seven axes' : 'Sixteen comparisons'} by family: ${figure[0]}, ${entry_name(entry)}`;
+  const caption = `${Object.keys(entry.all[level]).length} ${level} by family: ${figure[0]}, ${entry_name(entry)}`;
   return scroll_table(caption, 'heat-table', el('thead', '', head), body);
 }
 

@@ -15,7 +15,7 @@ function inputs_table(witness) {
   return el('div', 'scroll', el('table', 'inputs', el('caption', '', 'Inputs, hex and decimal'), body));
 }
 
-// The sixteen bits under their names, exact above computed.
+// The bits of the comparisons under their names, exact above computed.
 function bits_table(witness, names) {
   if (witness.exact_comparisons === null || witness.computed_comparisons === null) {
     return el('p', 'empty', 'Comparisons: not exposed, or none on an invalid query.');

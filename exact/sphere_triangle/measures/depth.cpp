@@ -107,9 +107,8 @@ int compare(const ExactDepth& x, const ExactDepth& y) {
   return sign_of((x.dd + x.r * x.r) * y.ss - (y.dd + y.r * y.r) * x.ss, -2 * x.r * y.ss, x.dd, 2 * y.r * x.ss, y.dd);
 }
 
-template <class Real>
-double depth(const Query<Real>& q, const Rational& squared_distance) {
-  const auto [dd, r, ss] = exact_depth(q, squared_distance);
+double rounded_depth(const ExactDepth& depth) {
+  const auto& [dd, r, ss] = depth;
   // The nearest double is the one whose adjacent midpoints enclose the value; a value on a midpoint goes to the even
   // one.
   double y = estimate(dd, r, ss);
@@ -126,6 +125,10 @@ double depth(const Query<Real>& q, const Rational& squared_distance) {
     if (below > 0 || (below == 0 && !odd)) return y;
     y = down;
   }
+}
+template <class Real>
+double depth(const Query<Real>& q, const Rational& squared_distance) {
+  return rounded_depth(exact_depth(q, squared_distance));
 }
 template double depth<float>(const Query<float>&, const Rational&);
 template double depth<double>(const Query<double>&, const Rational&);

@@ -17,6 +17,8 @@ struct ExactDepth {
 };
 template <class Real>
 ExactDepth exact_depth(const Query<Real>& q, const Rational& squared_distance);
+// Rounded once, to the nearest binary64.
+double rounded_depth(const ExactDepth& depth);
 // The sign of x - y.
 int compare(const ExactDepth& x, const ExactDepth& y);
 

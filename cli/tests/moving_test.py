@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+"""The moving sphere from the command: a run, query lines, and what does not serve it yet."""
+import json
+import unittest
+
+from command import Case, axiscert
+
+# Passes over the face at height 1, with radius 1: it touches.
+GRAZE = ('{"id":"graze","test":"moving-sphere","precision":"binary32","a":[0,0,0],"b":[4,0,0],"c":[0,4,0],'
+         '"p":[1,1,1],"d":[1,0,0],"r":1}\n')
+# Along a triangle that is a segment, at height 2 with radius 1: strict sides invent a contact.
+PHANTOM = ('{"id":"line","test":"moving-sphere","precision":"binary32","a":[0,0,0],"b":[4,0,0],"c":[8,0,0],'
+           '"p":[1,0,2],"d":[1,0,0],"r":1}\n')
+
+
+class MovingSphere(Case):
+    def test_a_run_judges_every_kernel_and_family_of_the_test(self):
+        record = self.run_ok("--test", "moving-sphere", "--trials", "30", "--kernel", "moving-sphere/twenty",
+                             "--kernel", "moving-sphere/twenty-nonstrict", "--kernel", "moving-sphere/rounded")
+        self.assertEqual(record["plan"]["test"], "moving-sphere")
+        for entry in record["kernels"]:
+            self.assertEqual(len(entry["families"]), 17, entry["id"])
+        by = {(k["id"], k["precision"]): k["families"]["moving-sphere/lattice"] for k in record["kernels"]}
+        for precision in ("binary32", "binary64"):
+            exact = by["moving-sphere/twenty-nonstrict", precision]["verdict"]
+            self.assertEqual((exact["false_separation"], exact["false_contact"]), (0, 0))
+
+    def test_check_takes_query_lines_and_the_kernel_of_their_test(self):
+        done = axiscert("check", "-", "--format", "jsonl", stdin=GRAZE)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = json.loads(done.stdout)
+        self.assertEqual((found["test"], found["kernel"]), ("moving-sphere", "moving-sphere/twenty"))
+        self.assertEqual(found["exact"]["verdict"], "contact")
+        self.assertTrue(found["exact"]["touching"])
+        self.assertEqual(len(found["exact"]["comparisons"]), 61)
+        self.assertEqual(len(found["computed"]["axes"]), 20)
+
+    def test_check_says_why_strict_sides_are_wrong(self):
+        done = axiscert("check", "-", stdin=PHANTOM)
+        self.assertIn("line: exact separated, moving-sphere/twenty contact", done.stdout)
+        self.assertIn("verdict false_contact [specification]", done.stdout)
+        right = axiscert("check", "-", "--kernel", "moving-sphere/twenty-nonstrict", stdin=PHANTOM)
+        self.assertIn("line: exact separated, moving-sphere/twenty-nonstrict separated\n", right.stdout)
+
+    def test_a_query_of_one_test_is_not_judged_by_a_kernel_of_another(self):
+        self.refused("check", "-", "--kernel", "published", stdin=GRAZE,
+                     says=["query 'graze' is of the test moving-sphere", "kernel published of sphere-triangle"])
+
+    def test_what_does_not_serve_the_test_says_so_in_one_line(self):
+        kernel = ("--kernel", "moving-sphere/twenty")
+        for command in (("search", *kernel), ("mutate", *kernel), ("ladder", *kernel), ("precision", *kernel),
+                        ("condition", *kernel), ("critical-radius", *kernel),
+                        ("run", "--test", "moving-sphere", "--shrink", "--out", self.folder / "out"),
+                        ("run", "--test", "moving-sphere", "--corpus", "--out", self.folder / "out")):
+            done = self.refused(*command, says=["does not serve the test moving-sphere yet; it serves sphere-triangle"])
+            self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+        done = self.refused("check", "-", "--errors", stdin=GRAZE, says=["--errors does not serve the test moving-sphere"])
+        self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+
+    def test_bad_numbers_are_told_with_their_field(self):
+        self.refused("check", "-", stdin=GRAZE.replace('"d":[1,0,0]', '"d":[1,0]'), says=["field 'd'", "three numbers"])
+        self.refused("check", "-", stdin=GRAZE.replace('"d":[1,0,0],', ""), says=["field 'd'", "missing"])
+        done = axiscert("check", "-", "--format", "jsonl", stdin=GRAZE.replace('"d":[1,0,0]', '"d":["nan",0,0]'))
+        self.assertEqual(json.loads(done.stdout)["exact"]["verdict"], "invalid")
+
+
+if __name__ == "__main__":
+    unittest.main()

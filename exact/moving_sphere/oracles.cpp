@@ -1,0 +1,13 @@
+#include "exact/moving_sphere/trait.h"
+#include "exact/trait/oracles_of.h"
+
+namespace axiscert {
+
+template class OraclesOf<moving_sphere::MovingSphereTrait>;
+
+const Oracles& moving_sphere_oracles() {
+  static const OraclesOf<moving_sphere::MovingSphereTrait> oracles;
+  return oracles;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,33 @@
+#include "exact/moving_sphere/swept_distance.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/squared_distance_3.h>
+
+// The distance of two triangles, degenerate ones included, was compared with least_distance() in this version alone.
+static_assert(CGAL_VERSION_NR >= 1050500000 && CGAL_VERSION_NR < 1050600000, "axiscert is tested with CGAL 5.5");
+
+namespace axiscert::moving_sphere {
+namespace {
+
+using SweptKernel = CGAL::Exact_predicates_exact_constructions_kernel;
+
+SweptKernel::FT swept_distance(const MovingQuery<double>& q) {
+  const auto point = [](const portable::Vec3<double>& v) { return SweptKernel::Point_3(v.x, v.y, v.z); };
+  const SweptKernel::Point_3 from = point(q.p), to = from + SweptKernel::Vector_3(q.d.x, q.d.y, q.d.z);
+  return CGAL::squared_distance(SweptKernel::Triangle_3(point(q.a), point(q.b), point(q.c)),
+                                SweptKernel::Triangle_3(from, to, to));
+}
+
+}  // namespace
+
+Rational swept_squared_distance(const MovingQuery<double>& q) {
+  const SweptKernel::FT distance = swept_distance(q);  // outlives the reference into it
+  return CGAL::exact(distance);
+}
+
+int swept_distance_order(const MovingQuery<double>& q) {
+  const SweptKernel::FT r(q.r);
+  return static_cast<int>(CGAL::compare(swept_distance(q), SweptKernel::FT(r * r)));
+}
+
+}  // namespace axiscert::moving_sphere

@@ -1,0 +1,73 @@
+// The trait of the moving sphere: the truth by our own rationals, compared on every query with CGAL's distance and, by
+// the theorem of docs/moving.md, with the twenty axes.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact/moving_sphere/least_distance.h"
+#include "exact/moving_sphere/swept_distance.h"
+#include "exact/sphere_triangle/measures/depth.h"
+#include "exact/trait/trait.h"
+#include "kernel/moving_sphere/twenty.h"
+
+namespace axiscert::moving_sphere {
+
+struct MovingSphereTrait : MovingSphere {
+  using AllFormulae = FormulaeList<Twenty, TwentyNonstrict>;
+
+  static MovingQuery<double> query(const Numbers<double>& numbers) {
+    return problem<double>([&](std::size_t k) { return numbers[k]; });
+  }
+
+  static bool is_valid(const Numbers<double>& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); }) &&
+           query(numbers).r >= 0;
+  }
+
+  static Truth geometric_truth(const Numbers<double>& numbers) {
+    const MovingQuery<double> q = query(numbers);
+    const LeastDistance least = least_distance(q);
+    const Rational r(q.r);
+    const int order = cmp(least.squared, Rational(r * r));
+    if (order > 0) return {Verdict::separated, false};
+    return {Verdict::contact, order == 0 && !(q.r == 0 && least.crosses_the_face)};
+  }
+
+  // With `>=` in the sides, one of the twenty axes separates exactly where the sphere is nowhere in contact.
+  static std::string contradiction(const Numbers<double>& numbers, const Truth& truth, ComparisonBits holds,
+                                   ComparisonBits ties) {
+    const int order = swept_distance_order(query(numbers));
+    const Verdict by_cgal = order > 0 ? Verdict::separated : Verdict::contact;
+    const Verdict by_axes = verdict_of(description(), holds | (ties & side_bits));
+    const bool touching_agrees = truth.touching ? order == 0 : order != 0 || query(numbers).r == 0;
+    if (truth.verdict == by_cgal && truth.verdict == by_axes && touching_agrees) return "";
+    return fmt::format(
+        "feature by feature {}, touching {}; CGAL {}, touching {}; the twenty axes with >= {}: {:#b}, "
+        "ties {:#b}",
+        name(truth.verdict), truth.touching, name(by_cgal), order == 0, name(by_axes), holds, ties);
+  }
+
+  // |dist - r| over the greatest of r and the distances of the prism's corners, A to C' = C - D, from P; dist is the
+  // least distance of the motion.
+  static double depth(const Numbers<double>& numbers) {
+    const MovingQuery<double> q = query(numbers);
+    const Rational r(q.r);
+    Rational scene = r * r;
+    for (const auto& v : {q.a, q.b, q.c}) {
+      Rational start, end;
+      for (const auto& [x, p, d] : {std::array{v.x, q.p.x, q.d.x}, {v.y, q.p.y, q.d.y}, {v.z, q.p.z, q.d.z}}) {
+        const Rational from = Rational(x) - Rational(p), to = from - Rational(d);
+        start += from * from;
+        end += to * to;
+      }
+      scene = std::max({scene, start, end});
+    }
+    if (scene == 0) return 0;
+    return rounded_depth({least_distance(q).squared, r, scene});
+  }
+};
+
+}  // namespace axiscert::moving_sphere

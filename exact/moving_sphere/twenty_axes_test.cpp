@@ -1,0 +1,164 @@
+// The theorem: with `>=` in the sides, one of the twenty axes separates exactly where the motion has no contact; and
+// what the strict sides get wrong.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "exact/moving_sphere/moving_sphere_testing.h"
+
+namespace axiscert::moving_sphere {
+namespace {
+
+using Point = portable::Vec3<double>;
+
+// The greatest squared radius below which an axis separates, as numerator over denominator; -1 over 1: none does. Over
+// small integers, so that doubles are exact.
+struct Reach {
+  double numerator = -1, denominator = 1;
+  bool operator==(const Reach& other) const { return numerator * other.denominator == other.numerator * denominator; }
+};
+
+// Every radius at once: an axis whose sides hold separates where r r is below the quotient of its radius comparison's
+// sides at r = 1.
+template <class Sides>
+Reach reach_of_the_axes(const MovingQuery<double>& at_radius_1, Sides&& holds) {
+  std::array<double, comparison_names.size()> lhs, rhs;
+  bits_of<Twenty, double>(at_radius_1, [&](std::size_t i, double l, double r) {
+    lhs[i] = l;
+    rhs[i] = r;
+  });
+  Reach most;
+  for (std::size_t i = 0; i < comparison_names.size();) {
+    const std::size_t radius = i++;
+    bool all = rhs[radius] > 0;  // 0 > 0 never holds
+    for (; i < comparison_names.size() && !is_radius(i); ++i) all = all && holds(lhs[i], rhs[i]);
+    if (all && lhs[radius] * most.denominator > most.numerator * rhs[radius]) most = {lhs[radius], rhs[radius]};
+  }
+  return most;
+}
+
+// The triangles of {-1, 0, 1}^3 and displacements of the same, with P = 0.
+struct WrongConfigurations {
+  int all = 0, nonstrict = 0, strict = 0, zero_area = 0, no_motion = 0, parallel = 0;
+};
+
+WrongConfigurations wrong_configurations(int step) {
+  WrongConfigurations found;
+  const auto point = [](int i) { return Point{double(i % 3 - 1), double(i / 3 % 3 - 1), double(i / 9 % 3 - 1)}; };
+  for (int i = 0; i < 531441; i += step) {
+    ++found.all;
+    const Point a = point(i), b = point(i / 27), c = point(i / 729), d = point(i / 19683);
+    const MovingQuery<double> q{a, b, c, {0, 0, 0}, d, 1};
+    const Rational least = least_distance(q).squared;
+    const Reach truth{least.get_num().get_d(), least.get_den().get_d()};
+    const auto closed = [](double lhs, double rhs) { return lhs >= rhs; };
+    const auto open = [](double lhs, double rhs) { return lhs > rhs; };
+    // Contact at every radius is a least distance of 0; an axis then reaches no further than 0.
+    const auto is_right = [&](const Reach& reach) { return reach == truth || (least == 0 && reach.numerator <= 0); };
+    found.nonstrict += !is_right(reach_of_the_axes(q, closed));
+    if (is_right(reach_of_the_axes(q, open))) continue;
+    ++found.strict;
+    const Point normal = cross(b - a, c - a);
+    if (dot(normal, normal) == 0) ++found.zero_area;
+    else if (dot(d, d) == 0) ++found.no_motion;
+    else if (dot(d, normal) == 0) ++found.parallel;
+  }
+  return found;
+}
+
+TEST(TwentyAxes, NonstrictAreRightOnASampleOfTheLattice) {
+  const WrongConfigurations found = wrong_configurations(101);
+  EXPECT_EQ(found.nonstrict, 0);
+  EXPECT_GT(found.strict, found.all / 6);
+  EXPECT_EQ(found.strict, found.zero_area + found.no_motion + found.parallel);
+}
+
+TEST(TwentyAxesLong, OfAllLatticeConfigurationsTheStrictAreWrongOnAFifthAndTheNonstrictOnNone) {
+  const WrongConfigurations found = wrong_configurations(1);
+  EXPECT_EQ(found.all, 531441);
+  EXPECT_EQ(found.nonstrict, 0);
+  EXPECT_EQ(found.strict, 109252);
+  EXPECT_EQ(found.zero_area, 50428);
+  EXPECT_EQ(found.no_motion, 13032);
+  EXPECT_EQ(found.parallel, 45792);
+}
+
+TEST(TwentyAxes, AreTheSixtyOneComparisonsOfTheDescription) {
+  const TestDescription& test = moving_sphere_test();
+  EXPECT_EQ(test.comparisons.size(), 61u);
+  EXPECT_EQ(test.clauses.size(), 20u);
+  EXPECT_EQ(test.entries[0].columns.size(), 16u);
+  for (const TestClause& clause : test.clauses) {
+    EXPECT_EQ(std::popcount(clause.comparisons & ~side_bits), 1) << clause.name << " has one radius comparison";
+  }
+  EXPECT_EQ(comparison_names[start_axes], "start.plane.radius");
+  EXPECT_EQ(comparison_names[end_axes], "end.plane.radius");
+  EXPECT_EQ(comparison_names[sweep_axes], "sweep.vertex_a.radius");
+}
+
+const Oracles& real_oracles() { return oracles_of(moving_sphere_test()); }
+
+TEST(MovingSphereOracles, AnswerByHand) {
+  const auto truth = [](const MovingQuery<double>& q) { return real_oracles().truth(Numbers<double>(q)); };
+  const Truth grazes = truth(at_the_corner({1, 1, 1}, {1, 0, 0}, 1));
+  EXPECT_EQ(grazes.verdict, Verdict::contact);
+  EXPECT_TRUE(grazes.touching);
+  EXPECT_EQ(truth(at_the_corner({1, 1, 1}, {1, 0, 0}, 0.5)).verdict, Verdict::separated);
+  EXPECT_FALSE(truth(at_the_corner({1, 1, 1}, {1, 0, -0.5}, 1)).touching);
+  EXPECT_FALSE(truth(at_the_corner({1, 1, 1}, {0, 0, -2}, 0)).touching) << "a point that crosses the face";
+  EXPECT_TRUE(truth(at_the_corner({1, 0, 1}, {0, 0, -2}, 0)).touching) << "a point that crosses an edge";
+  EXPECT_EQ(truth(at_the_corner({1, 1, 1}, {0, 0, 0}, -1)).verdict, Verdict::invalid);
+  EXPECT_EQ(truth(at_the_corner({1, 1, INFINITY}, {0, 0, 0}, 1)).verdict, Verdict::invalid);
+  // Least distance 1, radius 1/2; B and C are farthest from P, at the root of 11.
+  const auto q = at_the_corner({1, 1, 1}, {0, 0, 0}, 0.5);
+  EXPECT_EQ(real_oracles().depth(Numbers<double>(q)), 0.5 / std::sqrt(11.0));
+}
+
+// Whether the oracles refuse one of the first `queries` small queries.
+template <class Trait>
+bool is_caught(int queries) {
+  const OraclesOf<Trait> oracles;
+  std::mt19937_64 random(20261125);
+  for (int i = 0; i < queries; ++i) {
+    MovingQuery<double> q = small_query(random, 1 + i % 3);
+    // Every other one backwards: the axes at the end are then as often needed as those at the start.
+    if (i % 2 == 1) {
+      q.p = q.p + q.d;
+      q.d = portable::Vec3<double>{0, 0, 0} - q.d;
+    }
+    const Numbers<double> numbers = q;
+    try {
+      oracles.truth(numbers);
+    } catch (const OracleDisagreement&) {
+      return true;
+    }
+  }
+  return false;
+}
+
+TEST(MovingSphereOracles, AgreeOnSmallIntegersAndNotWithAnOpenBound) {
+  EXPECT_FALSE(is_caught<MovingSphereTrait>(2000));
+  EXPECT_TRUE(is_caught<WithOpenBound>(2000));
+}
+
+TEST(MovingSphereOracles, RefuseEachComparisonWithItsSidesExchanged) {
+  for (std::size_t i = 0; i < comparison_names.size(); ++i) {
+    PlantedAxes::exchanged = i;
+    EXPECT_TRUE(is_caught<WithPlantedAxes>(20000)) << comparison_names[i];
+  }
+  PlantedAxes::exchanged = comparison_names.size();
+  EXPECT_FALSE(is_caught<WithPlantedAxes>(200));
+}
+
+TEST(MovingSphereOraclesLong, RefuseAnAxisThatIsDropped) {
+  for (const TestClause& clause : moving_sphere_test().clauses) {
+    PlantedAxes::dropped = clause.name;
+    EXPECT_TRUE(is_caught<WithPlantedAxes>(400000)) << clause.name;
+  }
+  PlantedAxes::dropped = "";
+}
+
+}  // namespace
+}  // namespace axiscert::moving_sphere

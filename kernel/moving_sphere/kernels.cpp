@@ -1,0 +1,17 @@
+#include "kernel/moving_sphere/rounded.h"
+#include "kernel/moving_sphere/twenty.h"
+
+namespace axiscert {
+
+std::vector<Kernel> moving_sphere_kernels() {
+  using namespace moving_sphere;
+  return {
+      plain_kernel<MovingSphere, Twenty>("moving-sphere/twenty", "the sphere against the prism of the motion: 20 axes"),
+      plain_kernel<MovingSphere, TwentyNonstrict>(
+          "moving-sphere/twenty-nonstrict", "the same with >= in the sides: over the reals right for every query"),
+      plain_verdict_kernel<MovingSphere, Rounded>(
+          "moving-sphere/rounded", "the centre's path against face, cylinders and spheres, by roots of quadratics"),
+  };
+}
+
+}  // namespace axiscert
