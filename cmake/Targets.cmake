@@ -80,8 +80,8 @@ endif()
 # runs both.
 add_custom_target(axiscert_quick)
 
-# axiscert_unity(TARGET): its sources compiled ten at a time. The headers of JSON and of the command line, and what each source instantiates
-# of them, take 8 seconds a file, precompiled or not; ten files take 12. So names in unnamed namespaces are a target's own, not a file's.
+# axiscert_unity(TARGET): its sources compiled twenty at a time. The headers of JSON and of the command line, and what each source instantiates
+# of them, take 8 seconds a file, precompiled or not; twenty files take 30. So names in unnamed namespaces are a target's own, not a file's.
 # Sources that compile for several instruction sets include themselves and stay alone, as, by CMake, those with options of their own.
 function(axiscert_unity target)
   get_target_property(sources ${target} SOURCES)
@@ -89,7 +89,7 @@ function(axiscert_unity target)
   if(vectors)
     set_property(SOURCE ${vectors} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
 endfunction()
 
 # axiscert_sources(result ROOMS folders... [EXCEPT names...]): the sources of the rooms, so that a new file takes no line here. Tests,

@@ -25,7 +25,7 @@ Judgement judged_by_verdict(const Query<float>& q, Touching touching, Verdict ve
 }
 
 ComparisonBits exact_bits(const Query<float>& q) { return exact_truth(q, true).formula->strict; }
-constexpr auto tie = one_bit<ComparisonBits>(Comparison::vertex_a_radius);
+constexpr auto radius_of_a = one_bit<ComparisonBits>(Comparison::vertex_a_radius);
 
 TEST(Touching, TheConventionSaysWhichVerdictIsWrong) {
   EXPECT_FALSE(judged_by_verdict(touching, Touching::contact, Verdict::contact).verdict_flip);
@@ -49,7 +49,7 @@ TEST(Touching, ElsewhereTheConventionIsNothing) {
 
 // A kernel that calls touching separated has >= in its radius comparisons: right, and no link is broken.
 TEST(Touching, SeparatedMakesTheTieHold) {
-  const auto holds = static_cast<ComparisonBits>(exact_bits(touching) | tie);
+  const auto holds = static_cast<ComparisonBits>(exact_bits(touching) | radius_of_a);
   ASSERT_EQ(outcome_of(holds).verdict, Verdict::separated);
   const Judgement right = judged(touching, Touching::separated, outcome_of(holds));
   EXPECT_TRUE(right.flips().empty());
@@ -58,12 +58,13 @@ TEST(Touching, SeparatedMakesTheTieHold) {
   const Judgement rounded = judged(touching, Touching::separated, outcome_of(exact_bits(touching)));
   EXPECT_EQ(rounded.verdict_flip, FlipKind::false_contact);
   EXPECT_EQ(rounded.verdict_links, LinkSet{Link::unattributed});
-  EXPECT_EQ(rounded.comparison_flips, tie);
-  EXPECT_EQ(rounded.comparison_decisive, tie);
+  EXPECT_EQ(rounded.comparison_flips, radius_of_a);
+  EXPECT_EQ(rounded.comparison_decisive, radius_of_a);
 }
 
 TEST(Touching, EitherLeavesTheTieOpenAndNothingElse) {
-  for (const ComparisonBits bits : {exact_bits(touching), static_cast<ComparisonBits>(exact_bits(touching) | tie)}) {
+  for (const ComparisonBits bits :
+       {exact_bits(touching), static_cast<ComparisonBits>(exact_bits(touching) | radius_of_a)}) {
     const Judgement open = judged(touching, Touching::either, outcome_of(bits));
     EXPECT_TRUE(open.flips().empty());
     EXPECT_TRUE(open.verdict_links.empty());
