@@ -23,6 +23,13 @@ std::optional<SideErrors> errors_of(const StoredQuery& stored, const Kernel& ker
                     sphere_triangle_query(stored));
 }
 
+template <class Real>
+Checked checked_by_oracles(OracleExaminer& examiner, const Numbers<Real>& q) {
+  const OracleExamination found = examiner.examine(q);
+  if (found.truth.verdict == Verdict::invalid) return checked_of(found, {});
+  return checked_of(found, oracles_of(*examiner.kernel().test).details(q));
+}
+
 void require_query_of(const Kernel& kernel, const StoredQuery& stored, const std::string& file) {
   if (kernel.test == stored.test && kernel.entry == stored.entry) return;
   throw Error(
@@ -57,7 +64,7 @@ int check(const CheckOptions& options) {
     const Checked found =
         is_first
             ? std::visit([&](const auto& q) { return checked_of(examiner.examine(q)); }, sphere_triangle_query(stored))
-            : std::visit([&](const auto& q) { return checked_of(oracle_examiner.examine(q)); }, stored.numbers);
+            : std::visit([&](const auto& q) { return checked_by_oracles(oracle_examiner, q); }, stored.numbers);
     count.finished();
     progress.clear();
     if (options.format == "text") {

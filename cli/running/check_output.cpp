@@ -16,6 +16,30 @@ Json axes_json(const TestDescription& test, const std::optional<ComparisonBits>&
   return bits ? Json(bit_string(clauses_of(test, *bits), test.clauses.size())) : Json(nullptr);
 }
 
+// A number as query lines have it.
+Json detail_json(const Detail& detail) {
+  if (const double* number = std::get_if<double>(&detail.value)) return format_number(*number);
+  if (const auto* word = std::get_if<std::string_view>(&detail.value)) return *word;
+  if (const auto* names = std::get_if<std::vector<std::string_view>>(&detail.value)) return *names;
+  return nullptr;
+}
+
+// "time 0.25, features vertex_a edge_ab": those that the query has, numbers in decimal.
+std::string details_text(const std::vector<Detail>& details) {
+  std::vector<std::string> texts;
+  const auto add = [&](const Detail& detail, const auto& value) {
+    texts.push_back(fmt::format("{} {}", detail.name, value));
+  };
+  for (const Detail& detail : details) {
+    if (const double* number = std::get_if<double>(&detail.value)) add(detail, *number);
+    if (const auto* word = std::get_if<std::string_view>(&detail.value)) add(detail, *word);
+    if (const auto* names = std::get_if<std::vector<std::string_view>>(&detail.value)) {
+      add(detail, fmt::format("{}", fmt::join(*names, " ")));
+    }
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 Json exact_json(const TestDescription& test, const Checked& found) {
   Json json = {{"verdict", name(found.truth.verdict)}, {"touching", found.truth.touching}};
   if (&test == &first_test()) json["squared_distance"] = nullptr;
@@ -23,6 +47,7 @@ Json exact_json(const TestDescription& test, const Checked& found) {
     const Rational& d = *found.squared_distance;
     json["squared_distance"] = d.get_num().get_str() + "/" + d.get_den().get_str();
   }
+  for (const Detail& detail : found.details) json[std::string(detail.name)] = detail_json(detail);
   json["comparisons"] = bits_json(test, found.exact);
   json["axes"] = axes_json(test, found.exact);
   json["ties"] = bits_json(test, found.ties);
@@ -41,25 +66,32 @@ Json findings_json(const std::vector<Finding>& findings) {
   return all;
 }
 
-// " (touching)", with the kernel's own convention where that is not contact.
-std::string touching_text(const Truth& truth, const Kernel& kernel) {
-  if (!truth.touching) return "";
+// "touching", with the kernel's own convention where that is not contact.
+std::string touching_text(const Kernel& kernel) {
   switch (kernel.touching) {
     case Touching::contact:
-      return " (touching)";
+      return "touching";
     case Touching::separated:
-      return fmt::format(" (touching, which {} calls separated)", kernel.id);
+      return fmt::format("touching, which {} calls separated", kernel.id);
     case Touching::either:
-      return fmt::format(" (touching, where {} may say either)", kernel.id);
+      return fmt::format("touching, where {} may say either", kernel.id);
   }
   return "";
+}
+
+// " (touching; time 0.25, features vertex_a edge_ab)": what there is to say of the truth besides its verdict.
+std::string remarks(const Checked& found, const Kernel& kernel) {
+  std::vector<std::string> all;
+  if (found.truth.touching) all.push_back(touching_text(kernel));
+  if (std::string text = details_text(found.details); !text.empty()) all.push_back(std::move(text));
+  return all.empty() ? "" : fmt::format(" ({})", fmt::join(all, "; "));
 }
 
 }  // namespace
 
 Checked checked_of(const Examination& found) {
   Checked checked{found.truth,         found.squared_distance, {}, {}, found.answer, found.judgement, found.depth,
-                  found.within_limits, found.findings};
+                  found.within_limits, found.findings,         {}};
   if (const auto& formula = found.truth.formula) {
     checked.exact = formula->strict;
     checked.ties = formula->ties;
@@ -67,8 +99,9 @@ Checked checked_of(const Examination& found) {
   return checked;
 }
 
-Checked checked_of(const OracleExamination& found) {
-  Checked checked{found.truth, {}, {}, {}, found.answer, found.judgement, found.depth, true, found.findings};
+Checked checked_of(const OracleExamination& found, std::vector<Detail> details) {
+  Checked checked{found.truth,       {}, {}, {}, found.answer, found.judgement, found.depth, true, found.findings,
+                  std::move(details)};
   if (found.claim && found.claim->sides) {
     checked.exact = found.claim->sides->holds;
     checked.ties = found.claim->sides->ties;
@@ -78,9 +111,8 @@ Checked checked_of(const OracleExamination& found) {
 
 std::string check_text(const std::string& id, const Kernel& kernel, const Checked& found) {
   const bool answered = found.answer.verdict != Verdict::unanswered;
-  std::string line =
-      fmt::format("{}: exact {}{}, {} {}", id, name(found.truth.verdict), touching_text(found.truth, kernel), kernel.id,
-                  answered ? name(found.answer.verdict) : "gave no answer");
+  std::string line = fmt::format("{}: exact {}{}, {} {}", id, name(found.truth.verdict), remarks(found, kernel),
+                                 kernel.id, answered ? name(found.answer.verdict) : "gave no answer");
   if (!found.within_limits) line += " (outside the limits that it declares)";
   if (found.depth) line += fmt::format(", wrong by {:.3g} of the scene", *found.depth);
   for (const Flip& flip : found.judgement.flips()) {

@@ -20,14 +20,15 @@ struct Checked {
   std::optional<double> depth;
   bool within_limits = true;
   std::vector<Finding> findings;
+  std::vector<Detail> details = {};  // of the truth; none if it is `invalid`
 };
 Checked checked_of(const Examination& found);
-Checked checked_of(const OracleExamination& found);
+Checked checked_of(const OracleExamination& found, std::vector<Detail> details);
 
 // One line, without its line end.
 std::string check_text(const std::string& id, const Kernel& kernel, const Checked& found);
-// An object with "id", "kernel", "exact", "computed", "within_limits", "findings" and "flips"; of another test than the
-// first with "test".
+// An object with "id", "kernel", "exact" (the details of the test among its members), "computed", "within_limits",
+// "findings" and "flips"; of another test than the first with "test".
 Json check_json(const std::string& id, const Kernel& kernel, const Checked& found);
 
 // The errors of the computed sides: as text, one line for each comparison, to follow check_text's; as JSON, for

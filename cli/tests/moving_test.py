@@ -35,6 +35,22 @@ class MovingSphere(Case):
         self.assertEqual(len(found["exact"]["comparisons"]), 61)
         self.assertEqual(len(found["computed"]["axes"]), 20)
 
+    def test_check_tells_the_first_contact(self):
+        # Down on the face from height 3 to -1: at height 1 after half of the way. Then |(4 t - 2, -1)| = 2 at 1/2 - sqrt(3)/4.
+        falls = GRAZE.replace('"p":[1,1,1],"d":[1,0,0]', '"p":[1,1,3],"d":[0,0,-4]')
+        passes = GRAZE.replace('"p":[1,1,1],"d":[1,0,0],"r":1', '"p":[-2,-1,0],"d":[4,0,0],"r":2')
+        rises = GRAZE.replace('"p":[1,1,1],"d":[1,0,0]', '"p":[1,1,3],"d":[0,0,4]')
+        nowhere = GRAZE.replace('"d":[1,0,0]', '"d":["inf",0,0]')
+        lines = falls + passes + passes.replace("binary32", "binary64") + rises + GRAZE + nowhere
+        done = axiscert("check", "-", "--format", "jsonl", stdin=lines)
+        exact = [json.loads(line)["exact"] for line in done.stdout.splitlines()]
+        self.assertEqual([tuple(found.get(name) for name in ("time", "features", "start")) for found in exact],
+                         [("0x1p-1", ["face"], "clear"), ("0x1.126144p-4", ["vertex_a"], "clear"),
+                          ("0x1.126145e9ecd56p-4", ["vertex_a"], "clear"), (None, None, "clear"),
+                          ("0x0p+0", ["face"], "touching"), (None, None, None)])
+        self.assertIn("graze: exact contact (time 0.5, features face, start clear), moving-sphere/twenty contact\n",
+                      axiscert("check", "-", stdin=falls).stdout)
+
     def test_check_says_why_strict_sides_are_wrong(self):
         done = axiscert("check", "-", stdin=PHANTOM)
         self.assertIn("line: exact separated, moving-sphere/twenty contact", done.stdout)

@@ -4,8 +4,8 @@ from command import DIVISOR, MODELS, Case, axiscert
 
 class PlanCase(Case):
     """Every test starts from the record of one thread, made once for each plan."""
-    options = ["--family", "all", "--mesh", MODELS / "OBJ/spider.obj",
-               "--trials", 2000 // DIVISOR, "--tolerance", "3"]
+    trials = 700 // DIVISOR
+    options = ["--family", "all", "--mesh", MODELS / "OBJ/spider.obj", "--trials", trials, "--tolerance", "3"]
     expected = {}
 
     def setUp(self):

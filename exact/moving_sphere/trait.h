@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/moving_sphere/first_contact.h"
 #include "exact/moving_sphere/least_distance.h"
 #include "exact/moving_sphere/swept_distance.h"
 #include "exact/sphere_triangle/measures/depth.h"
+#include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
 #include "kernel/moving_sphere/twenty.h"
 
@@ -67,6 +69,21 @@ struct MovingSphereTrait : MovingSphere {
     }
     if (scene == 0) return 0;
     return rounded_depth({least_distance(q).squared, r, scene});
+  }
+
+  // `time`: the greatest number of the precision that is not later than the first contact. `features`: all that are
+  // nearest to the centre then. `start`: sphere and triangle before the motion.
+  template <class Real>
+  static std::vector<Detail> details(const Numbers<double>& numbers) {
+    const MovingQuery<double> q = query(numbers);
+    Detail time{"time", {}}, features{"features", {}}, start{"start", start_names[start_of(q)]};
+    if (const std::optional<FirstContact> contact = first_contact(q)) {
+      time.value = static_cast<double>(rounded_down<Real>(contact->time));
+      std::vector<std::string_view> names;
+      for (const Feature feature : contact->features) names.push_back(feature_names[feature]);
+      features.value = std::move(names);
+    }
+    return {time, features, start};
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "exact/judge/judge.h"
@@ -22,6 +23,13 @@ struct ExactSides {
 struct Claimed {
   Reference chain;
   std::optional<ExactSides> sides;
+};
+
+// A fact about a query besides its truth: a number of the query's precision, a word, a list of names, or, where the
+// query has none, nothing.
+struct Detail {
+  std::string_view name;
+  std::variant<std::monostate, double, std::string_view, std::vector<std::string_view>> value;
 };
 
 // Stateless: any thread may ask at any time. `numbers` are of the test's first entry. Each member throws
@@ -44,6 +52,10 @@ class Oracles {
   // The distance of a valid query from touching, relative to its scene and rounded once; empty if the test has none.
   virtual std::optional<double> depth(const Numbers<float>& numbers) const = 0;
   virtual std::optional<double> depth(const Numbers<double>& numbers) const = 0;
+
+  // What the test tells of a valid query besides its truth, in the order in which `check` shows it; most tell nothing.
+  virtual std::vector<Detail> details(const Numbers<float>&) const { return {}; }
+  virtual std::vector<Detail> details(const Numbers<double>&) const { return {}; }
 
   template <class Real>
   std::optional<Reference> chain(const Kernel& kernel, const Numbers<Real>& numbers) const {

@@ -29,6 +29,8 @@ class OraclesOf final : public Oracles {
   bool has_depth() const override { return HasDepth<Test>; }
   std::optional<double> depth(const Numbers<float>& q) const override { return depth_of(q); }
   std::optional<double> depth(const Numbers<double>& q) const override { return depth_of(q); }
+  std::vector<Detail> details(const Numbers<float>& q) const override { return details_of(q); }
+  std::vector<Detail> details(const Numbers<double>& q) const override { return details_of(q); }
 
  private:
   template <class... F>
@@ -124,6 +126,11 @@ class OraclesOf final : public Oracles {
   static std::optional<double> depth_of(const Numbers<Real>& q) {
     if constexpr (HasDepth<Test>) return Test::depth(widened(q));
     else return std::nullopt;
+  }
+  template <class Real>
+  static std::vector<Detail> details_of(const Numbers<Real>& q) {
+    if constexpr (HasDetails<Test, Real>) return Test::template details<Real>(widened(q));
+    else return {};
   }
 };
 

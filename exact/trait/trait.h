@@ -20,6 +20,7 @@ namespace axiscert {
 //   contradiction      the theorem that ties the first formulae to the geometry. `holds` and `ties` are their exact
 //                      signs, lhs > rhs and lhs == rhs; the result says what the theorem excludes, or is empty
 //   depth              optional: how far the query is from touching, relative to its scene: exact, rounded once
+//   details<Real>      optional: further facts about a query in this precision (exact/trait/oracles.h)
 template <class Test>
 concept TestTrait =
     requires(const Numbers<double>& numbers, const Truth& truth, ComparisonBits holds, ComparisonBits ties) {
@@ -35,5 +36,8 @@ template <class Test>
 concept HasDepth = requires(const Numbers<double>& numbers) {
   { Test::depth(numbers) } -> std::same_as<double>;
 };
+
+template <class Test, class Real>
+concept HasDetails = requires(const Numbers<double>& numbers) { Test::template details<Real>(numbers); };
 
 }  // namespace axiscert

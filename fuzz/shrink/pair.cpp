@@ -9,9 +9,9 @@
 #include "kernel/base/error.h"
 
 namespace axiscert {
-namespace {
 
-// Asks one kernel about a query and its image.
+// Asks one kernel about a query and its image. In no unnamed namespace, because a lambda of shrink_pair, which other
+// sources call, holds it.
 template <class Real>
 class PairDiagnosis {
  public:
@@ -46,6 +46,8 @@ class PairDiagnosis {
   std::string_view target_;
   std::optional<Implementation<Real>> implementation_;
 };
+
+namespace {
 
 bool is_same(const PairSymptom& x, const PairSymptom& y) {
   return x.of_query == y.of_query && x.of_image == y.of_image && x.which == y.which;

@@ -1,4 +1,6 @@
+#include "kernel/moving_sphere/advance.h"
 #include "kernel/moving_sphere/rounded.h"
+#include "kernel/moving_sphere/segment.h"
 #include "kernel/moving_sphere/twenty.h"
 
 namespace axiscert {
@@ -11,6 +13,12 @@ std::vector<Kernel> moving_sphere_kernels() {
           "moving-sphere/twenty-nonstrict", "the same with >= in the sides: over the reals right for every query"),
       plain_verdict_kernel<MovingSphere, Rounded>(
           "moving-sphere/rounded", "the centre's path against face, cylinders and spheres, by roots of quadratics"),
+      plain_verdict_kernel<MovingSphere, Segment>("moving-sphere/segment",
+                                                  "the distance of the centre's path, a segment, from the triangle"),
+      plain_verdict_kernel<MovingSphere, Advance<true>>(
+          "moving-sphere/advance", "conservative advancement by the speed along the nearest direction, 32 steps"),
+      plain_verdict_kernel<MovingSphere, Advance<false>>("moving-sphere/advance-by-length",
+                                                         "the same by |D|, which takes more steps"),
   };
 }
 

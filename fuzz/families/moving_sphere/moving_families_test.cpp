@@ -125,5 +125,28 @@ TEST(MovingSphereKernels, TheRoundedFormMissesContactsOfZeroArea) {
   EXPECT_EQ(ask(rounded, ahead).verdicts[0], Verdict::contact);
 }
 
+// Wrong answers of a kernel to contacts and to separations, of as many queries of a family.
+std::pair<int, int> missed_and_invented(const char* kernel, const char* family, std::uint64_t queries) {
+  const Implementation<double> implementation = find_kernel(kernel).on<double>(scalar_target);
+  int missed = 0, invented = 0;
+  for (std::uint64_t position = 0; position < queries; ++position) {
+    const Numbers<double> q = find_family(family).make<double>(1, position);
+    const Verdict truth = oracles_of(moving_sphere_test()).truth(q).verdict, said = ask(implementation, q).verdicts[0];
+    missed += said == Verdict::separated && truth == Verdict::contact;
+    invented += said == Verdict::contact && truth == Verdict::separated;
+  }
+  return {missed, invented};
+}
+
+TEST(MovingSphereKernels, OtherFormsAreRightOnOrdinaryMotionsAndAdvancingByLengthComesTooLate) {
+  const std::pair<int, int> none{0, 0};
+  for (const char* kernel : {"moving-sphere/rounded", "moving-sphere/segment", "moving-sphere/advance"}) {
+    EXPECT_EQ(missed_and_invented(kernel, "moving-sphere/general", 1500), none) << kernel;
+  }
+  const auto [missed, invented] = missed_and_invented("moving-sphere/advance-by-length", "moving-sphere/general", 1500);
+  EXPECT_GT(missed, 10);
+  EXPECT_EQ(invented, 0);
+}
+
 }  // namespace
 }  // namespace axiscert

@@ -1,0 +1,50 @@
+// The first time at which a moving sphere touches a triangle, exactly, and what it touches then.
+#pragma once
+
+#include <optional>
+
+#include "exact/moving_sphere/pieces.h"
+
+namespace axiscert::moving_sphere {
+
+// The number rest - sqrt(square), for a square that is not negative.
+struct RootTime {
+  Rational rest, square;
+};
+
+// The sign of value + slope t.
+int sign_at(const RootTime& t, const Rational& value, const Rational& slope);
+// The sign of t - s.
+inline int compare(const RootTime& t, const Rational& s) { return sign_at(t, -s, 1); }
+
+// Whether sphere and triangle have a point in common before the motion: more than touching, just touching, none.
+enum class Start : std::uint8_t { overlap, touching, clear };
+
+}  // namespace axiscert::moving_sphere
+
+namespace axiscert {
+template <>
+inline constexpr std::size_t enum_count<moving_sphere::Start> = 3;
+}  // namespace axiscert
+
+namespace axiscert::moving_sphere {
+
+inline constexpr EnumArray<Start, std::string_view> start_names = {"overlap", "touching", "clear"};
+
+struct FirstContact {
+  RootTime time;        // t* in [0, 1]: the least t with |P + t D - X| <= r for an X of the closed triangle
+  FeatureSet features;  // all that are nearest to the centre at t*; a kernel that names one of them is right
+};
+
+// For every query of finite numbers with r >= 0, any triangle and any D. Empty where there is no contact in [0, 1].
+//
+// Over the pieces in their order, the squared distance first falls to r^2 at the beginning of a piece, which is
+// rational, or at the lesser root (b - sqrt(b^2 - a c)) / a of its parabola less r^2. No two roots are compared.
+std::optional<FirstContact> first_contact(const MovingQuery<double>& q);
+Start start_of(const MovingQuery<double>& q);
+
+// The greatest number of the precision that is not greater than t, for t in [0, 1]: the best time that is not late.
+template <class Real>
+Real rounded_down(const RootTime& t);
+
+}  // namespace axiscert::moving_sphere

@@ -1,0 +1,119 @@
+#include "exact/moving_sphere/pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace axiscert::moving_sphere {
+namespace {
+
+using Integer = mpz_class;
+using Vector = portable::Vec3<Integer>;
+using portable::cross;
+using portable::dot;
+
+// The exponent of a finite number's last bit, as if each had 53.
+int last_bit(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return exponent - std::numeric_limits<double>::digits;
+}
+
+// The least exponent of the query's numbers; 0 where all are 0.
+int common_exponent(const MovingQuery<double>& q) {
+  std::optional<int> least;
+  for (const auto& v : {q.a, q.b, q.c, q.p, q.d}) {
+    for (const double x : {v.x, v.y, v.z}) {
+      if (x != 0) least = std::min(least.value_or(last_bit(x)), last_bit(x));
+    }
+  }
+  return least.value_or(0);
+}
+
+Integer integer(double x, int exponent) {
+  if (x == 0) return 0;
+  Integer whole(std::ldexp(x, -last_bit(x)));
+  mpz_mul_2exp(whole.get_mpz_t(), whole.get_mpz_t(), static_cast<mp_bitcnt_t>(last_bit(x) - exponent));
+  return whole;
+}
+Vector integers(const portable::Vec3<double>& v, int exponent) {
+  return {integer(v.x, exponent), integer(v.y, exponent), integer(v.z, exponent)};
+}
+
+// Makes `first` and `last` the times in [0, 1] at which all gates are open. False where there are none.
+bool has_times(Piece& piece) {
+  piece.first = 0;
+  piece.last = 1;
+  for (const auto& [value, slope] : piece.gates) {
+    if (slope == 0) {
+      if (value < 0) return false;
+      continue;
+    }
+    const Rational opens = quotient(-value, slope);
+    if (slope > 0) piece.first = std::max(piece.first, opens);
+    else piece.last = std::min(piece.last, opens);
+  }
+  return piece.first <= piece.last;
+}
+
+}  // namespace
+
+Rational quotient(const Integer& numerator, const Integer& denominator) {
+  Rational q(numerator, denominator);
+  q.canonicalize();
+  return q;
+}
+
+Rational scaled(const Rational& q, int exponent) {
+  Rational result;
+  if (exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), q.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  else mpq_div_2exp(result.get_mpq_t(), q.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  return result;
+}
+
+MotionPieces::MotionPieces(const MovingQuery<double>& q) : exponent(common_exponent(q)) {
+  const Vector p = integers(q.p, exponent);
+  vertex = {integers(q.a, exponent) - p, integers(q.b, exponent) - p, integers(q.c, exponent) - p};
+  d = integers(q.d, exponent);
+  normal = cross(vertex[1] - vertex[0], vertex[2] - vertex[0]);
+
+  const auto at = [&](std::size_t i) -> const Vector& { return vertex[i % 3]; };
+  // The gate X.N >= 0 of a point X that is seen to move by -D.
+  const auto gate = [&](const Vector& x, const Vector& n) { return Gate{dot(x, n), -dot(d, n)}; };
+  // The gate (X x U).V of an edge U at X: whether the centre is on the inner side of the edge's plane.
+  const auto inner = [&](const Vector& x, const Vector& along) {
+    return Gate{dot(cross(x, along), normal), -dot(cross(d, along), normal)};
+  };
+  const auto add = [&](Piece piece) {
+    if (has_times(piece)) pieces.push_back(std::move(piece));
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector &a = at(i), &b = at(i + 1), &c = at(i + 2);
+    // Nearest is the vertex where the centre is beyond it along both of its edges.
+    add({static_cast<Feature>(i), {gate(a, b - a), gate(a, c - a)}, {}, {}, dot(d, d), dot(a, d), dot(a, a), 1});
+
+    // Nearest is a point inside the edge where the foot is on it, and the centre on its outer side.
+    const Vector along = b - a, n = cross(a, along), m = cross(d, along);
+    const Integer e = dot(along, along);
+    if (e == 0) continue;
+    const Gate from = gate(a, along), to = gate(b, along), in = inner(a, along);
+    add({static_cast<Feature>(3 + i),
+         {{-from.value, -from.slope}, to, {-in.value, -in.slope}},
+         {},
+         {},
+         dot(m, m),
+         dot(n, m),
+         dot(n, n),
+         e});
+  }
+  if (const Integer v = dot(normal, normal); v != 0) {
+    const Integer offset = dot(at(0), normal), m = dot(d, normal);
+    Piece face{Feature::face, {}, {}, {}, m * m, offset * m, offset * offset, v};
+    for (std::size_t i = 0; i < 3; ++i) face.gates.push_back(inner(at(i), at(i + 1) - at(i)));
+    add(std::move(face));
+  }
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& x, const Piece& y) { return x.first < y.first; });
+}
+
+}  // namespace axiscert::moving_sphere

@@ -1,0 +1,72 @@
+// The least distance of the centre's path, a segment, from the triangle, and one comparison with r r. It has a verdict
+// and no time.
+#pragma once
+
+#include <algorithm>
+
+#include "kernel/moving_sphere/moving_sphere.h"
+#include "kernel/sphere_triangle/methods/closest_point.h"
+
+namespace axiscert::moving_sphere {
+
+// A segment is nearest to a triangle at one of its own ends, on an edge of the triangle, or where it crosses the face.
+// Over the reals it is right for every query in which no two vertices are equal. Rounding decides between parallel
+// segments and others by the sign of a difference that cancels.
+// Source: C. Ericson, Real-Time Collision Detection (2005), sections 5.1.9 (two segments), 5.1.5 and 5.3.4, with 0 for
+// its thresholds.
+struct Segment {
+  template <class Real>
+  static bool separated(const MovingQuery<Real>& q) {
+    using portable::dot;
+    const portable::Centred<Real> start{q.a - q.p, q.b - q.p, q.c - q.p, q.r * q.r};
+    const auto& [a, b, c, rr] = start;
+    const portable::Centred<Real> end{a - q.d, b - q.d, c - q.d, rr};
+    for (const portable::Centred<Real>& still : {start, end}) {
+      const portable::Vec3<Real> nearest = methods::ClosestPoint::closest(still, Real(0));
+      if (dot(nearest, nearest) <= rr) return false;
+    }
+    return squared_distance(q.d, a, b) > rr && squared_distance(q.d, b, c) > rr && squared_distance(q.d, c, a) > rr &&
+           !crosses(q.d, a, b, c);
+  }
+
+ private:
+  // From the path 0 to `d` to the segment `from` to `to`.
+  template <class Real>
+  static Real squared_distance(const portable::Vec3<Real>& d, const portable::Vec3<Real>& from,
+                               const portable::Vec3<Real>& to) {
+    using portable::dot;
+    const auto in_unit = [](Real x) { return std::clamp(x, Real(0), Real(1)); };
+    const portable::Vec3<Real> along = to - from;
+    const Real dd = dot(d, d), e = dot(along, along), both = dot(d, along);
+    const Real ahead = dot(d, from), behind = -dot(along, from);
+    Real s = 0, t = 0;
+    if (dd > 0 && e > 0) {
+      const Real not_parallel = dd * e - both * both;
+      if (not_parallel != 0) s = in_unit((both * behind + ahead * e) / not_parallel);
+      t = (both * s + behind) / e;
+      if (t < 0) s = in_unit(ahead / dd);
+      if (t > 1) s = in_unit((both + ahead) / dd);
+      t = in_unit(t);
+    } else if (e > 0) {
+      t = in_unit(behind / e);
+    } else if (dd > 0) {
+      s = in_unit(ahead / dd);
+    }
+    const portable::Vec3<Real> between = from + along * t - d * s;
+    return dot(between, between);
+  }
+
+  template <class Real>
+  static bool crosses(const portable::Vec3<Real>& d, const portable::Vec3<Real>& a, const portable::Vec3<Real>& b,
+                      const portable::Vec3<Real>& c) {
+    using portable::cross;
+    using portable::dot;
+    const portable::Vec3<Real> normal = cross(b - a, c - a);
+    const Real before = dot(a, normal), after = dot(a - d, normal);
+    if ((before > 0 && after > 0) || (before < 0 && after < 0)) return false;
+    const Real u = dot(d, cross(b, c)), v = dot(d, cross(c, a)), w = dot(d, cross(a, b));
+    return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
+  }
+};
+
+}  // namespace axiscert::moving_sphere
