@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """The known faults of the engines, each asked of the engine itself through the pipe: faults.jsonl, and faults_moving.jsonl for moving
-spheres. A line is a query with the exact answer (`expected`) and the engine's own (`engine`). An engine that answers otherwise has
-changed: its line, docs/league.md and docs/upstream have to follow. Where the engines are not installed nothing is checked: exit code 77.
-With a path of axiscert, `axiscert check` has to say the same of each.
+spheres. A line is a query with the exact answer (`expected`) and the engine's own (`engine`); `found` is the address that it was
+shrunk from. An engine that answers otherwise has changed: its line, docs/league.md and docs/upstream have to follow. With a path of
+axiscert, `axiscert check` has to say the same of each, and `shrink` to make the same of what was found. Where the engines are not
+installed nothing is checked: exit code 77.
 
 faults_test.py [--axiscert FILE] [unittest arguments]
 """
@@ -17,6 +18,7 @@ from pathlib import Path
 
 import asking
 import exact
+import faults_corpus
 
 
 def lines(name):
@@ -123,6 +125,22 @@ class Checks(unittest.TestCase):
             programs[line["engine"]["manifest"]].append(line)
         for name, asked in programs.items():
             self.check(asked, asking.FOLDER / name)
+
+    def test_shrink_gives_the_same_again(self):
+        for line in STILL:
+            if "found" not in line:
+                continue
+            with self.subTest(line["id"]):
+                command = [AXISCERT, "shrink", line["found"], "--kernel", f"program:{asking.FOLDER / line['engine']['manifest']}",
+                           "--plugin-seconds", "20", "--format", "jsonl"]
+                done = subprocess.run(command, capture_output=True, text=True, timeout=4 * asking.SECONDS)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                made = json.loads(done.stdout)
+                self.assertEqual({member: made[member] for member in "abcpr"}, {member: line[member] for member in "abcpr"})
+
+    def test_each_known_fault_is_in_the_corpus(self):
+        """faults_corpus.py writes the file as it is."""
+        self.assertEqual(faults_corpus.entries(AXISCERT), (faults_corpus.CORPUS / faults_corpus.FILE).read_text().splitlines())
 
     def test_each_known_fault_with_moving_spheres_is_one_to_axiscert(self):
         for line in MOVING:
