@@ -20,6 +20,12 @@ foreach(room kernel/peers kernel/sphere_triangle/faults)
   install(FILES ${PROJECT_BINARY_DIR}/${folder}/absent.txt DESTINATION lib/axiscert/${folder} OPTIONAL)
 endforeach()
 
+# Those from npm, as programs: `npm ci --ignore-scripts` in their folder brings the engines.
+set(programs_folder lib/axiscert/peers/npm)
+file(GLOB manifests CONFIGURE_DEPENDS kernel/peers/npm/*.json)
+install(FILES ${manifests} kernel/peers/npm/.npmrc DESTINATION ${programs_folder})
+install(DIRECTORY kernel/peers/npm/engines DESTINATION ${programs_folder} FILES_MATCHING PATTERN "*.mjs")
+
 # The corpus, which `run --corpus` replays.
 install(DIRECTORY fuzz/corpus DESTINATION share/axiscert FILES_MATCHING PATTERN "*.jsonl")
 

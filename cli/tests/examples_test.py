@@ -78,6 +78,11 @@ class Examples(unittest.TestCase):
         self.assertEqual(names["faults"], {file.stem for file in (ROOT / "kernel/sphere_triangle/faults").glob("*.c")})
         self.assertEqual(names["peers"] != set(), any((BUILD / "peers").glob("*.so")))
 
+    def test_programs_that_come_along_are_installed_without_the_engines(self):
+        here, there = ROOT / "kernel/peers/npm", self.prefix / "lib/axiscert/peers/npm"
+        wanted = {file.relative_to(here) for files in ("*.json", ".npmrc", "engines/*.mjs") for file in here.glob(files)}
+        self.assertEqual({file.relative_to(there) for file in there.rglob("*") if file.is_file()}, wanted)
+
     def test_an_example_exports_its_kernels_and_nothing_else(self):
         for name, precisions in EXAMPLE_KERNELS.items():
             with self.subTest(name=name):

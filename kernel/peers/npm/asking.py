@@ -9,7 +9,7 @@ from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
 VERDICTS = ("contact", "separated", "undecided", "invalid")
-COLUMNS = {"sphere-triangle": "abcpr", "moving-sphere": "abcprd"}  # members of a query line; r is one number, the others three
+COLUMNS = {"sphere-triangle": "abcpr", "moving-sphere": "abcpdr"}  # members of a query line; r is one number, the others three
 SECONDS = 300  # for a program to answer a stream
 
 

@@ -1,23 +1,34 @@
 #!/usr/bin/env python3
 """The known faults of the engines, each asked of the engine itself through the pipe: faults.jsonl, and faults_moving.jsonl for moving
-spheres. A line is a query with the exact answer (`expected`) and the engine's own (`engine`). An engine that answers otherwise has
-changed: its line, docs/league.md and docs/upstream have to follow. Where the engines are not installed nothing is checked: exit code 77.
+spheres. A line is a query with the exact answer (`expected`) and the engine's own (`engine`); `found` is the address that it was
+shrunk from. An engine that answers otherwise has changed: its line, docs/league.md and docs/upstream have to follow. With a path of
+axiscert, `axiscert check` has to say the same of each, and `shrink` to make the same of what was found. Where the engines are not
+installed nothing is checked: exit code 77.
 
-faults_test.py [unittest arguments]
+faults_test.py [--axiscert FILE] [unittest arguments]
 """
 import json
+import subprocess
+import sys
+import tempfile
 import unittest
 from collections import defaultdict
 from fractions import Fraction
+from pathlib import Path
 
 import asking
 import exact
+import faults_corpus
 
 
 def lines(name):
     return [json.loads(line) for line in (asking.FOLDER / name).read_text().splitlines()]
 
 
+AXISCERT = None
+if sys.argv[1:2] == ["--axiscert"]:
+    AXISCERT = sys.argv[2]
+    del sys.argv[1:3]
 STILL, MOVING = lines("faults.jsonl"), lines("faults_moving.jsonl")
 
 
@@ -40,7 +51,7 @@ class Truth(unittest.TestCase):
             with self.subTest(line["id"]):
                 numbers = [Fraction(x) for x in asking.numbers_of(line, line["test"])]
                 gap = lambda t: exact.squared_distance(
-                    numbers[:9] + [p + t * d for p, d in zip(numbers[9:12], numbers[13:16])]) - numbers[12] ** 2
+                    numbers[:9] + [p + t * d for p, d in zip(numbers[9:12], numbers[12:15])]) - numbers[15] ** 2
                 first = Fraction(line["expected"]["first_contact"])
                 self.assertTrue(0 < first < 1)
                 self.assertEqual(gap(first), 0)
@@ -86,6 +97,60 @@ class Faults(unittest.TestCase):
         wanted = json.loads((asking.FOLDER / "package.json").read_text())["dependencies"]
         for line in STILL + MOVING:
             self.assertEqual(wanted[line["engine"]["package"]], line["engine"]["version"], line["id"])
+
+
+@unittest.skipUnless(AXISCERT, "faults_test.py --axiscert FILE")
+class Checks(unittest.TestCase):
+    """What `axiscert check` says of the engines as kernels."""
+
+    def check(self, asked, kernel):
+        """`asked`: lines of one program. The command ends with 3 where its oracles disagree."""
+        queries = "".join(json.dumps({member: line[member] for member in ("id", "test", "precision", *"abcprd") if member in line}) + "\n"
+                          for line in asked)
+        done = subprocess.run([AXISCERT, "check", "-", "--kernel", f"program:{kernel}", "--plugin-seconds", "20", "--format", "jsonl"],
+                              input=queries, capture_output=True, text=True, timeout=asking.SECONDS)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        found = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual([line["id"] for line in found], [line["id"] for line in asked])
+        for line, said in zip(asked, found):
+            with self.subTest(line["id"]):
+                self.assertEqual(said["computed"]["verdict"], line["engine"]["answer"])
+                self.assertEqual(said["findings"], [])
+                for member in line["expected"].keys() & {"verdict", "touching", "squared_distance"}:
+                    self.assertEqual(said["exact"][member], line["expected"][member], member)
+
+    def test_each_known_fault_is_one_to_axiscert(self):
+        programs = defaultdict(list)
+        for line in STILL:
+            programs[line["engine"]["manifest"]].append(line)
+        for name, asked in programs.items():
+            self.check(asked, asking.FOLDER / name)
+
+    def test_shrink_gives_the_same_again(self):
+        for line in STILL:
+            if "found" not in line:
+                continue
+            with self.subTest(line["id"]):
+                command = [AXISCERT, "shrink", line["found"], "--kernel", f"program:{asking.FOLDER / line['engine']['manifest']}",
+                           "--plugin-seconds", "20", "--format", "jsonl"]
+                done = subprocess.run(command, capture_output=True, text=True, timeout=4 * asking.SECONDS)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                made = json.loads(done.stdout)
+                self.assertEqual({member: made[member] for member in "abcpr"}, {member: line[member] for member in "abcpr"})
+
+    def test_each_known_fault_is_in_the_corpus(self):
+        """faults_corpus.py writes the file as it is."""
+        self.assertEqual(faults_corpus.entries(AXISCERT), (faults_corpus.CORPUS / faults_corpus.FILE).read_text().splitlines())
+
+    def test_each_known_fault_with_moving_spheres_is_one_to_axiscert(self):
+        for line in MOVING:
+            node, program, *rest = line["engine"]["command"]
+            with tempfile.TemporaryDirectory() as folder:
+                kernel = Path(folder) / "moving.json"
+                kernel.write_text(json.dumps({"format": "axiscert-program/1", "name": "moving", "test": line["test"],
+                                              "command": [node, str(asking.FOLDER / program), *rest],
+                                              "precisions": [line["precision"]]}))
+                self.check([line], kernel)
 
 
 class Answers(unittest.TestCase):

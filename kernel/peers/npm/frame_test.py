@@ -66,8 +66,9 @@ class Answers(unittest.TestCase):
                          [["contact"] * 3, [], ["undecided"], ["separated"]])
 
     def test_another_test_has_its_own_columns_and_wide_replies(self):
-        self.assertEqual(asking.ask(TOY, asking.FOLDER, [query(RIGHT) + [0, 0, 7], query(RIGHT) + [7, 0, 0]], test="moving-sphere"),
-                         ["contact", "separated"])
+        moved = [query(RIGHT)[:12] + rest for rest in ([0, 0, 7, 1], [7, 0, 0, 1], [-7, 0, 7, 0], [0, 0, 7, -1])]
+        self.assertEqual(asking.ask(TOY, asking.FOLDER, moved, test="moving-sphere"),
+                         ["contact", "separated", "contact", "invalid"])
 
     def test_replies_come_before_the_input_ends(self):
         sent = asking.stream([query(RIGHT)])

@@ -22,7 +22,7 @@ async function make() {
       default: return UNDECIDED;
     }
   };
-  return {'sphere-triangle': answer, 'moving-sphere': (q) => verdictOf(q[15] === 7)};
+  return {'sphere-triangle': answer, 'moving-sphere': (q) => verdictOf(q[14] === 7)};
 }
 
 await serve(make);

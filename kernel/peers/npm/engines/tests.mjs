@@ -2,5 +2,5 @@
 // them are lengths, which are not negative.
 export const tests = {
   'sphere-triangle': {columns: 13, lengths: [12]},  // ax ay az bx by bz cx cy cz px py pz r
-  'moving-sphere': {columns: 16, lengths: [12]},    // the same, and dx dy dz: the centre goes from p to p + d
+  'moving-sphere': {columns: 16, lengths: [15]},    // the same, with dx dy dz before r: the centre goes from p to p + d
 };

@@ -2,8 +2,8 @@
 
 export const vertices = (q) => [q.subarray(0, 3), q.subarray(3, 6), q.subarray(6, 9)];
 export const centre = (q) => q.subarray(9, 12);
-export const radius = (q) => q[12];
-export const motion = (q) => q.subarray(13, 16);  // of moving-sphere
+export const radius = (q) => q[q.length - 1];
+export const motion = (q) => q.subarray(12, 15);  // of moving-sphere
 
 // A triangle that the sphere does not touch, of the first one's size and at least 1 (a metre, to most engines), beyond
 // the triangle and the sphere in the direction of x; null where float has no room for it. Engines drop a triangle with
