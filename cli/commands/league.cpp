@@ -124,8 +124,8 @@ int run_league(const LeagueOptions& options) {
 
 void add_league(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("league",
-                                     "Run production libraries and axiscert's kernels on the same queries, and show "
-                                     "how soon planted faults are caught");
+                                     "Run production libraries, engines and axiscert's kernels on the same queries: "
+                                     "may each be trusted, what is its worst, and how soon are planted faults caught");
   auto options = std::make_shared<LeagueOptions>();
   options->precision.clear();
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);

@@ -1,5 +1,5 @@
-// Lines of code in any language with places for the numbers of a query, by which a manifest says how its engine is asked
-// one query by hand.
+// Lines of code in any language with places for the numbers of a query, by which a manifest says how its engine is
+// asked one query by hand.
 #pragma once
 
 #include <string>

@@ -17,9 +17,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::string_view> members = {"format",     "name",    "command",  "test",    "entry",
-                                               "precisions", "exposes", "touching", "limits",  "conforms_to",
-                                               "formulae",   "summary", "source",   "package", "version", "code"};
+const std::vector<std::string_view> members = {
+    "format", "name",        "command",  "test",    "entry",  "precisions", "exposes", "touching",
+    "limits", "conforms_to", "formulae", "summary", "source", "package",    "version", "code"};
 const std::vector<std::string_view> limit_members = {"least_coordinate", "greatest_coordinate", "least_area",
                                                      "least_radius", "greatest_radius"};
 
@@ -112,7 +112,8 @@ class ManifestReader {
     return all;
   }
 
-  // The entry whose queries the program takes; null where there is none of that name, which is refused when it is loaded.
+  // The entry whose queries the program takes; null where there is none of that name, which is refused when it is
+  // loaded.
   static const TestEntry* entry_of(const Manifest& manifest) {
     for (const TestDescription* test : tests()) {
       if (manifest.test.empty() ? test != &first_test() : test->id != manifest.test) continue;
@@ -131,9 +132,10 @@ class ManifestReader {
       if (line != plain_line(line)) fail(fmt::format("\"code\": '{}' is more than a line", plain_line(line)));
       const std::string unknown = entry ? unknown_place(line, known) : "";
       if (!unknown.empty()) {
-        fail(fmt::format("\"code\": unknown place {{{}}}; known: {{{}}}. Braces of the language itself have a space "
-                         "after them",
-                         unknown, fmt::join(known, "}, {")));
+        fail(
+            fmt::format("\"code\": unknown place {{{}}}; known: {{{}}}. Braces of the language itself have a space "
+                        "after them",
+                        unknown, fmt::join(known, "}, {")));
       }
     }
     return lines;

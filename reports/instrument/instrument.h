@@ -14,9 +14,9 @@ namespace axiscert {
 // A sphere and a triangle, drawn on a page beside a sentence and text to paste.
 struct InstrumentScene {
   std::string title, sentence;
-  std::string code;            // in the language of what it is about, lines; empty: none
-  std::string needs;           // the package, and its version, that the code loads; empty: not stated
-  std::string command;         // for a shell, lines
+  std::string code;             // in the language of what it is about, lines; empty: none
+  std::string needs;            // the package, and its version, that the code loads; empty: not stated
+  std::string command;          // for a shell, lines
   Json query = Json::object();  // "a", "b", "c", "p" and "r" as hex-floats, as a witness has them
 };
 

@@ -46,7 +46,8 @@ TEST(InstrumentPage, HasAPlaceForThePictureOfAScene) {
   EXPECT_NE(page.find("<h3>peer &lt;b&gt;</h3>"), std::string::npos);
   EXPECT_NE(page.find("<div class=\"picture\"></div>"), std::string::npos);
   EXPECT_NE(page.find("<code>ask('&lt;/script&gt;');\nend();\n</code>"), std::string::npos);
-  EXPECT_NE(page.find("id=\"scenes\" type=\"application/json\">[{\"r\":\"\\u003c/script\\u003e\"}]<"), std::string::npos);
+  EXPECT_NE(page.find("id=\"scenes\" type=\"application/json\">[{\"r\":\"\\u003c/script\\u003e\"}]<"),
+            std::string::npos);
 }
 
 TEST(InstrumentPage, KeepsWhatItIsGivenAsText) {

@@ -65,7 +65,8 @@ class LeagueReport {
 
   InstrumentReport report(const std::string& command) const {
     InstrumentReport report{"league", "Kernels and libraries on the same queries", command, notes(), {}, {}, data()};
-    for (const Precision precision : plan_.precisions) report.tables.push_back(trust_table(league_, result_, precision));
+    for (const Precision precision : plan_.precisions)
+      report.tables.push_back(trust_table(league_, result_, precision));
     report.tables.push_back(worst_table(league_, result_));
     for (const Precision precision : plan_.precisions) {
       report.tables.push_back(by_family(precision));
@@ -84,7 +85,8 @@ class LeagueReport {
         "May I trust it: of the queries of a kind on which a verdict was said, how many are wrong: contacts that are "
         "missed, contacts that are invented. yes: none. rarely: less than 1 in 1,000. declines: it refuses to make the "
         "shape, or says that it cannot decide. Thin is sliver, needle and ratio; small is subnormal and scale; "
-        "degenerate is collinear and repeated; resting is tangent, on and tie; scene has the sizes of a game, in metres.",
+        "degenerate is collinear and repeated; resting is tangent, on and tie; scene has the sizes of a game, in "
+        "metres.",
         "By family: missed/phantom, the contacts that are missed and those that are invented, for a million queries "
         "that were answered. n: answers `invalid`, for a million. u: queries without an answer, since the library "
         "crashed or hung on them, or did so too often in their unit to be called again.",

@@ -21,7 +21,7 @@ bool TrustGroup::has(std::string_view family) const {
 
 const std::vector<TrustGroup>& trust_groups() {
   static const std::vector<TrustGroup> groups = {
-      {"thin", {"sliver", "needle", "ratio"}}, {"small", {"subnormal", "scale"}},   {"far", {"far"}},
+      {"thin", {"sliver", "needle", "ratio"}},   {"small", {"subnormal", "scale"}},     {"far", {"far"}},
       {"degenerate", {"collinear", "repeated"}}, {"resting", {"tangent", "on", "tie"}}, {"scene", {"scene*"}}};
   return groups;
 }

@@ -57,8 +57,8 @@ std::optional<WorstQuery> worst_of(const Plan& plan, const CampaignResult& resul
       if (deepest.candidates().empty()) return;
       const Candidate<double>& found = deepest.candidates().front();
       if (worst && worst->depth >= found.rank) return;
-      worst = WorstQuery{plan.kernels[k], plan.sources[cell.source].get(), precision, found.position,
-                         is_missed,       found.rank};
+      worst = WorstQuery{plan.kernels[k], plan.sources[cell.source].get(), precision, found.position, is_missed,
+                         found.rank};
     };
     const VerdictTally& verdict = cell.tallies[k].verdict;
     offer(missed, verdict.deepest_false_separation, true);
@@ -68,9 +68,8 @@ std::optional<WorstQuery> worst_of(const Plan& plan, const CampaignResult& resul
 }
 
 std::string worst_sentence(const WorstQuery& worst, std::uint64_t seed) {
-  const auto [size, r] = with_query(worst, seed, [](const auto& q) {
-    return std::pair(size_of_scene(q), static_cast<long double>(q[12]));
-  });
+  const auto [size, r] = with_query(
+      worst, seed, [](const auto& q) { return std::pair(size_of_scene(q), static_cast<long double>(q[12])); });
   const std::string radius = fmt::format("r is {:.3g}", r);
   if (worst.depth == 0) {
     return fmt::format("{} at a distance of exactly r, where {}",
@@ -88,7 +87,8 @@ InstrumentScene worst_scene(const WorstQuery& worst, std::uint64_t seed) {
   const std::string address = worst.address(seed);
   InstrumentScene scene;
   scene.title = fmt::format("{}, {}", worst.kernel->id, name(worst.precision));
-  scene.sentence = fmt::format("It {}. Family {}, address {}.", worst_sentence(worst, seed), worst.source->name(), address);
+  scene.sentence =
+      fmt::format("It {}. Family {}, address {}.", worst_sentence(worst, seed), worst.source->name(), address);
   std::vector<std::string> numbers;
   with_query(worst, seed, [&](const auto& q) {
     put_query(scene.query, entry, q);
@@ -126,12 +126,9 @@ Json worst_json(const Plan& plan, const CampaignResult& result, std::size_t k, P
   const std::optional<WorstQuery> found = worst_of(plan, result, k, precision);
   if (!found) return nullptr;
   const InstrumentScene scene = worst_scene(*found, plan.seed);
-  return {{"what", kind_of(*found)},
-          {"family", found->source->name()},
-          {"depth", found->depth},
-          {"address", found->address(plan.seed)},
-          {"query", scene.query},
-          {"code", scene.code.empty() ? Json(nullptr) : Json(scene.code)}};
+  return {{"what", kind_of(*found)}, {"family", found->source->name()},
+          {"depth", found->depth},   {"address", found->address(plan.seed)},
+          {"query", scene.query},    {"code", scene.code.empty() ? Json(nullptr) : Json(scene.code)}};
 }
 
 }  // namespace axiscert

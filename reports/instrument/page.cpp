@@ -12,8 +12,9 @@ std::string cells(const std::vector<std::string>& row, const char* tag) {
   std::string html;
   for (std::size_t i = 0; i < row.size(); ++i) {
     const char* element = i == 0 ? "th" : tag;
-    const bool number = is_number(row[i]);
-    html += fmt::format("<{0}{1}>{2}</{0}>", element, i > 0 && number ? " class=\"n\"" : "", html_text(row[i]));
+    const bool number = is_number(row[i]), is_sentence = row[i].size() > 24 && row[i].find(' ') != std::string::npos;
+    const char* const look = i == 0 ? "" : number ? " class=\"n\"" : is_sentence ? " class=\"words\"" : "";
+    html += fmt::format("<{0}{1}>{2}</{0}>", element, look, html_text(row[i]));
   }
   return html;
 }
@@ -28,10 +29,11 @@ std::string paste_html(const std::string& label, const std::string& text) {
 // The script puts the picture in its place.
 std::string scene_html(const InstrumentScene& scene) {
   const std::string label = scene.needs.empty() ? "Code to paste" : fmt::format("Code to paste, with {}", scene.needs);
-  return fmt::format("<article class=\"worst\"><h3>{}</h3>\n<p>{}</p>\n"
-                     "<div class=\"columns\"><div class=\"picture\"></div><div class=\"stack\">{}{}</div></div></article>\n",
-                     html_text(scene.title), html_text(scene.sentence), paste_html(label, scene.code),
-                     paste_html("Judge it here", scene.command));
+  return fmt::format(
+      "<article class=\"worst\"><h3>{}</h3>\n<p>{}</p>\n"
+      "<div class=\"columns\"><div class=\"picture\"></div><div class=\"stack\">{}{}</div></div></article>\n",
+      html_text(scene.title), html_text(scene.sentence), paste_html(label, scene.code),
+      paste_html("Judge it here", scene.command));
 }
 
 std::string table_html(const InstrumentTable& table) {
