@@ -14,6 +14,7 @@
 #include "kernel/plugin/load.h"
 #include "kernel/registry/self_check.h"
 #include "reports/instrument/league_report.h"
+#include "reports/instrument/league_trust.h"
 
 namespace axiscert {
 namespace {
@@ -28,6 +29,15 @@ const std::vector<std::string> league_families = {"general", "tangent",   "tie",
                                                   "needle",  "collinear", "repeated", "on",      "grid",
                                                   "scale",   "far",       "subnormal"};
 constexpr int repetitions = 5;
+
+// Those above, and every family of scenes.
+std::vector<std::string> default_families() {
+  std::vector<std::string> names = league_families;
+  for (const Family* family : families_of(first_test())) {
+    if (is_scene(family->name)) names.emplace_back(family->name);
+  }
+  return names;
+}
 
 void add_kernel(League& league, const std::string& id) {
   const Kernel& kernel = find_kernel(id);
@@ -86,7 +96,7 @@ int run_league(const LeagueOptions& options) {
     for (const std::string& id : options.kernels) add_kernel(league, id);
     league.contenders = plan.kernels.size();
   }
-  plan.sources = instrument_sources(options, league_families);
+  plan.sources = instrument_sources(options, default_families());
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};
   plan.seed = options.seed;
@@ -114,8 +124,8 @@ int run_league(const LeagueOptions& options) {
 
 void add_league(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("league",
-                                     "Run production libraries and axiscert's kernels on the same queries, and show "
-                                     "how soon planted faults are caught");
+                                     "Run production libraries, engines and axiscert's kernels on the same queries: "
+                                     "may each be trusted, what is its worst, and how soon are planted faults caught");
   auto options = std::make_shared<LeagueOptions>();
   options->precision.clear();
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);

@@ -79,11 +79,13 @@ std::string touching_text(const Kernel& kernel) {
   return "";
 }
 
-// " (touching; time 0.25, features vertex_a edge_ab)": what there is to say of the truth besides its verdict.
+// " (touching; time 0.25, features vertex_a edge_ab)": what there is to say of a contact besides.
 std::string remarks(const Checked& found, const Kernel& kernel) {
   std::vector<std::string> all;
   if (found.truth.touching) all.push_back(touching_text(kernel));
-  if (std::string text = details_text(found.details); !text.empty()) all.push_back(std::move(text));
+  if (found.truth.verdict == Verdict::contact) {
+    if (std::string text = details_text(found.details); !text.empty()) all.push_back(std::move(text));
+  }
   return all.empty() ? "" : fmt::format(" ({})", fmt::join(all, "; "));
 }
 

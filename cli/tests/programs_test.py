@@ -187,6 +187,19 @@ AXISCERT_PLUGIN({real}, "published", one)
             done = axiscert(*command)
             self.assertIn(done.returncode, (0, 1), (command, done.stderr))
 
+    def test_the_league_shows_a_manifests_code_with_the_numbers_of_the_worst_query(self):
+        id = self.manifest("./program", code=["ask([{a}], {r});"], package="engine", version="1.2")
+        done = axiscert("league", "--kernel", id, "--family", "tangent", "--family", "general", "--trials", "256", "--precision", "binary32",
+                        "--out", self.folder / "league")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"binary32: may I trust it\?\n  kernel +resting +deepest miss\n  \S+ +no: [\d,]+ of 256 missed")
+        self.assertRegex(done.stdout, r"binary32: It misses a contact .* deep, where r is .* With engine 1\.2:\n    ask\(\[.+, .+, .+\], .+\);\n")
+        worst = json.loads((self.folder / "league/league.json").read_text())["kernels"][0]["worst"]
+        self.assertEqual((worst["what"], worst["family"]), ("missed", "tangent"))
+        self.assertIn(worst["code"].strip(), (self.folder / "league/league.html").read_text())
+        given = [float(number) for number in worst["code"].strip()[5:-2].replace("]", "").split(", ")]
+        self.assertEqual(given, [float.fromhex(number) for number in [*worst["query"]["a"], worst["query"]["r"]]])
+
     def test_what_cannot_be_a_program_is_one_clear_line(self):
         plan = ("--family", "general", "--trials", "10", "--out", self.folder / "out")
         (self.folder / "text.json").write_text("hello\n")
@@ -198,6 +211,7 @@ AXISCERT_PLUGIN({real}, "published", one)
                  (self.manifest("no-such-program-anywhere", file="b.json"), "no-such-program-anywhere is not installed"),
                  (self.manifest("./program", "fails", file="c.json"), "exit code 1; on standard error: Error: Cannot find package"),
                  (self.manifest("./program", file="d.json", precision="x"), "unknown member 'precision'"),
+                 (self.manifest("./program", file="f.json", code=["ask({q});"]), "unknown place {q}; known: {ax}, {ay}"),
                  (self.manifest("./program", file="e.json", conforms_to="nosuch"), "no built-in kernel")]
         for id, says in cases:
             done = self.refused("run", "--kernel", id, *plan, says=[says])

@@ -25,7 +25,8 @@ std::string written(const plugin::Manifest& m) {
                {"conforms_to", m.conforms_to},
                {"formulae", m.formulae},
                {"package", m.package},
-               {"version", m.version}};
+               {"version", m.version},
+               {"code", m.code}};
   for (const Precision precision : m.precisions) json["precisions"].push_back(name(precision));
   json["limits"] = {{"least_coordinate", m.limits.least_coordinate},
                     {"greatest_coordinate", m.limits.greatest_coordinate},

@@ -10,15 +10,16 @@
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "kernel/base/plain_line.h"
+#include "kernel/program/code_lines.h"
 
 namespace axiscert::plugin {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::string_view> members = {"format",     "name",    "command",  "test",    "entry",
-                                               "precisions", "exposes", "touching", "limits",  "conforms_to",
-                                               "formulae",   "summary", "source",   "package", "version"};
+const std::vector<std::string_view> members = {
+    "format", "name",        "command",  "test",    "entry",  "precisions", "exposes", "touching",
+    "limits", "conforms_to", "formulae", "summary", "source", "package",    "version", "code"};
 const std::vector<std::string_view> limit_members = {"least_coordinate", "greatest_coordinate", "least_area",
                                                      "least_radius", "greatest_radius"};
 
@@ -71,6 +72,7 @@ class ManifestReader {
     manifest.source = text_of("source");
     manifest.package = text_of("package");
     manifest.version = text_of("version");
+    manifest.code = code(manifest);
     return manifest;
   }
 
@@ -108,6 +110,35 @@ class ManifestReader {
       all.push_back(word.get<std::string>());
     }
     return all;
+  }
+
+  // The entry whose queries the program takes; null where there is none of that name, which is refused when it is
+  // loaded.
+  static const TestEntry* entry_of(const Manifest& manifest) {
+    for (const TestDescription* test : tests()) {
+      if (manifest.test.empty() ? test != &first_test() : test->id != manifest.test) continue;
+      for (const TestEntry& entry : test->entries) {
+        if (manifest.entry.empty() || entry.name == manifest.entry) return &entry;
+      }
+    }
+    return nullptr;
+  }
+
+  std::vector<std::string> code(const Manifest& manifest) const {
+    const std::vector<std::string> lines = words("code");
+    const TestEntry* const entry = entry_of(manifest);
+    const std::vector<std::string> known = entry ? places_of(*entry) : std::vector<std::string>{};
+    for (const std::string& line : lines) {
+      if (line != plain_line(line)) fail(fmt::format("\"code\": '{}' is more than a line", plain_line(line)));
+      const std::string unknown = entry ? unknown_place(line, known) : "";
+      if (!unknown.empty()) {
+        fail(
+            fmt::format("\"code\": unknown place {{{}}}; known: {{{}}}. Braces of the language itself have a space "
+                        "after them",
+                        unknown, fmt::join(known, "}, {")));
+      }
+    }
+    return lines;
   }
 
   template <class Enum>

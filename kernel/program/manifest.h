@@ -22,6 +22,8 @@ struct Manifest {
   Limits limits = {};
   std::string conforms_to, formulae, summary, source;  // as in plugin.h; empty: none
   std::string package, version;                        // of what it asks, where that has them
+  // Asks it one query by hand, in its own language, with places for the numbers (code_lines.h); none: not stated.
+  std::vector<std::string> code;
 };
 
 // Throws Error that begins with `name`, in one line, for anything else. Nothing is opened or started.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "kernel/base/error.h"
+#include "kernel/program/code_lines.h"
 #include "kernel/program/manifest.h"
 
 namespace axiscert::plugin {
@@ -39,6 +40,21 @@ TEST(ManifestFile, DeclaresWhatAPluginDeclares) {
   EXPECT_EQ(manifest.test, "t");
 }
 
+TEST(ManifestFile, SaysHowItsEngineIsAskedByHand) {
+  const Manifest manifest = read_manifest(
+      "{" + least + R"(,"code":["import { v } from 'x';","ask({a}, {cz}, {r}, ${}, {x: 1}, {R});"]})", "m.json");
+  std::vector<std::string> numbers;
+  for (int k = 1; k <= 13; ++k) numbers.push_back(std::to_string(k));
+  EXPECT_EQ(filled_code(manifest.code, first_test().entries[0], numbers),
+            "import { v } from 'x';\nask(1, 2, 3, 9, 13, ${}, {x: 1}, {R});\n");
+}
+
+TEST(ManifestFile, HasPlacesForTheColumnsOfItsTest) {
+  const std::string moving = R"(,"test":"moving-sphere","code":["{d} {dx}"])", still = R"(,"code":["{dx}"])";
+  EXPECT_EQ(manifest_refusal("{" + least + moving + "}"), "it was accepted");
+  EXPECT_THAT(manifest_refusal("{" + least + still + "}"), testing::HasSubstr("unknown place {dx}; known: {ax}, {ay}"));
+}
+
 TEST(ManifestFile, IsRefusedWithWhatWouldBeRight) {
   for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
            {"", "m.json: not a manifest: it is not JSON"},
@@ -57,6 +73,9 @@ TEST(ManifestFile, IsRefusedWithWhatWouldBeRight) {
            {"{" + least + R"(,"exposes":"sides"})", "known: verdict, comparisons"},
            {"{" + least + R"(,"limits":{"least_radius":-1}})", "\"least_radius\" is -1"},
            {"{" + least + R"(,"limits":{"radius":1}})", "unknown limit 'radius'"},
+           {"{" + least + R"(,"code":"ask"})", "\"code\" is \"ask\", which is no list"},
+           {"{" + least + R"(,"code":["a\nb"]})", "\"code\": 'a?b' is more than a line"},
+           {"{" + least + R"(,"code":["f({ax}, {radius});"]})", "unknown place {radius}; known: {ax}, "},
            {"{" + least + R"(,"summary":{"a":1}})", "\"summary\" is an object, which is no text"}}) {
     EXPECT_THAT(manifest_refusal(text), testing::HasSubstr(says)) << text;
   }

@@ -11,11 +11,21 @@
 
 namespace axiscert {
 
+// A sphere and a triangle, drawn on a page beside a sentence and text to paste.
+struct InstrumentScene {
+  std::string title, sentence;
+  std::string code;             // in the language of what it is about, lines; empty: none
+  std::string needs;            // the package, and its version, that the code loads; empty: not stated
+  std::string command;          // for a shell, lines
+  Json query = Json::object();  // "a", "b", "c", "p" and "r" as hex-floats, as a witness has them
+};
+
 // A cell is text that is ready to read; numbers are right-aligned.
 struct InstrumentTable {
   std::string caption;
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
+  std::vector<InstrumentScene> scenes{};  // below the table on a page; in text, after all tables, those with code
 };
 
 struct InstrumentSeries {

@@ -19,12 +19,35 @@ InstrumentReport hostile_report() {
   plot.y_label = "flips";
   plot.series = {{"</script><script>alert(1)", {{1, 2}, {3, 4}}, {}}};
   report.plots = {plot};
+  InstrumentScene scene;
+  scene.title = "peer <b>";
+  scene.sentence = "It misses.";
+  scene.code = "ask('</script>');\nend();\n";
+  scene.needs = "package 1.0";
+  scene.query = {{"r", "</script>"}};
+  report.tables[0].scenes = {scene};
   return report;
 }
 
 TEST(InstrumentText, AlignsNumbersRightAndNamesLeft) {
   EXPECT_NE(instrument_text(hostile_report()).find("  published     1.5\n  /*JS*/     -12.25\n"), std::string::npos)
       << instrument_text(hostile_report());
+}
+
+TEST(InstrumentText, HasTheCodeOfScenesBelowTheTables) {
+  EXPECT_NE(instrument_text(hostile_report())
+                .find("-12.25\n\npeer <b>: It misses. With package 1.0:\n    ask('</script>');\n    end();\n\nIn ulps"),
+            std::string::npos)
+      << instrument_text(hostile_report());
+}
+
+TEST(InstrumentPage, HasAPlaceForThePictureOfAScene) {
+  const std::string page = instrument_page(hostile_report());
+  EXPECT_NE(page.find("<h3>peer &lt;b&gt;</h3>"), std::string::npos);
+  EXPECT_NE(page.find("<div class=\"picture\"></div>"), std::string::npos);
+  EXPECT_NE(page.find("<code>ask('&lt;/script&gt;');\nend();\n</code>"), std::string::npos);
+  EXPECT_NE(page.find("id=\"scenes\" type=\"application/json\">[{\"r\":\"\\u003c/script\\u003e\"}]<"),
+            std::string::npos);
 }
 
 TEST(InstrumentPage, KeepsWhatItIsGivenAsText) {

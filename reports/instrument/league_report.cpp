@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "reports/instrument/figures.h"
+#include "reports/instrument/league_trust.h"
+#include "reports/instrument/league_worst.h"
 
 namespace axiscert {
 namespace {
@@ -16,10 +18,6 @@ std::uint64_t other_findings(const Tally& tally) {
   std::uint64_t all = 0;
   for (const FindingTally& finding : tally.findings) all += finding.count;
   return all - count_of(tally, FindingKind::crash) - count_of(tally, FindingKind::hang);
-}
-// Number of queries that have a truth and to which the kernel gave an answer.
-std::uint64_t answered(const Tally& tally) {
-  return tally.trials - tally.invalid - tally.verdict.unanswered - tally.verdict.outside_limits.trials;
 }
 
 // The rate with three digits: 57, 1.31k, 999k.
@@ -67,6 +65,9 @@ class LeagueReport {
 
   InstrumentReport report(const std::string& command) const {
     InstrumentReport report{"league", "Kernels and libraries on the same queries", command, notes(), {}, {}, data()};
+    for (const Precision precision : plan_.precisions)
+      report.tables.push_back(trust_table(league_, result_, precision));
+    report.tables.push_back(worst_table(league_, result_));
     for (const Precision precision : plan_.precisions) {
       report.tables.push_back(by_family(precision));
       report.tables.push_back(overall(precision));
@@ -81,6 +82,11 @@ class LeagueReport {
  private:
   std::vector<std::string> notes() const {
     std::vector<std::string> all = {
+        "May I trust it: of the queries of a kind on which a verdict was said, how many are wrong: contacts that are "
+        "missed, contacts that are invented. yes: none. rarely: less than 1 in 1,000. declines: it refuses to make the "
+        "shape, or says that it cannot decide. Thin is sliver, needle and ratio; small is subnormal and scale; "
+        "degenerate is collinear and repeated; resting is tangent, on and tie; scene has the sizes of a game, in "
+        "metres.",
         "By family: missed/phantom, the contacts that are missed and those that are invented, for a million queries "
         "that were answered. n: answers `invalid`, for a million. u: queries without an answer, since the library "
         "crashed or hung on them, or did so too often in their unit to be called again.",
@@ -228,6 +234,7 @@ class LeagueReport {
                       {"touching", name(kernel.touching)},
                       {"has_planted_fault", k >= league_.contenders},
                       {"ns", ns ? Json(*ns) : Json(nullptr)},
+                      {"worst", k < league_.contenders ? worst_json(plan_, result_, k, precision) : Json(nullptr)},
                       {"families", Json::object()}};
         for_each_cell(k, precision, [&](const Source& source, const Tally& tally) {
           entry["families"][source.name()] = family_json(tally);

@@ -1,4 +1,4 @@
-// An instrument's page: tables as HTML, plots drawn by Chart.js from the figures beneath them.
+// An instrument's page: tables and scenes as HTML, plots drawn by Chart.js from the figures beneath them.
 #include <fmt/format.h>
 
 #include "reports/page/embedded.h"
@@ -12,10 +12,28 @@ std::string cells(const std::vector<std::string>& row, const char* tag) {
   std::string html;
   for (std::size_t i = 0; i < row.size(); ++i) {
     const char* element = i == 0 ? "th" : tag;
-    const bool number = is_number(row[i]);
-    html += fmt::format("<{0}{1}>{2}</{0}>", element, i > 0 && number ? " class=\"n\"" : "", html_text(row[i]));
+    const bool number = is_number(row[i]), is_sentence = row[i].size() > 24 && row[i].find(' ') != std::string::npos;
+    const char* const look = i == 0 ? "" : number ? " class=\"n\"" : is_sentence ? " class=\"words\"" : "";
+    html += fmt::format("<{0}{1}>{2}</{0}>", element, look, html_text(row[i]));
   }
   return html;
+}
+
+// Text to paste; the script adds a button that copies it.
+std::string paste_html(const std::string& label, const std::string& text) {
+  if (text.empty()) return "";
+  return fmt::format("<div><p class=\"label\">{}</p>\n<div class=\"command\"><pre><code>{}</code></pre></div></div>\n",
+                     html_text(label), html_text(text));
+}
+
+// The script puts the picture in its place.
+std::string scene_html(const InstrumentScene& scene) {
+  const std::string label = scene.needs.empty() ? "Code to paste" : fmt::format("Code to paste, with {}", scene.needs);
+  return fmt::format(
+      "<article class=\"worst\"><h3>{}</h3>\n<p>{}</p>\n"
+      "<div class=\"columns\"><div class=\"picture\"></div><div class=\"stack\">{}{}</div></div></article>\n",
+      html_text(scene.title), html_text(scene.sentence), paste_html(label, scene.code),
+      paste_html("Judge it here", scene.command));
 }
 
 std::string table_html(const InstrumentTable& table) {
@@ -24,7 +42,9 @@ std::string table_html(const InstrumentTable& table) {
       "<tbody>\n",
       html_text(table.caption), cells(table.columns, "th"));
   for (const auto& row : table.rows) html += fmt::format("<tr>{}</tr>\n", cells(row, "td"));
-  return html + "</tbody></table></div></section>\n";
+  html += "</tbody></table></div>\n";
+  for (const InstrumentScene& scene : table.scenes) html += scene_html(scene);
+  return html + "</section>\n";
 }
 
 // The figures of a plot, for a reader who does not see the plot.
@@ -71,7 +91,11 @@ std::string instrument_page(const InstrumentReport& report) {
     body += plot_html(plot);
     plots.push_back(plot_data(plot));
   }
-  for (const InstrumentTable& table : report.tables) body += table_html(table);
+  Json scenes = Json::array();
+  for (const InstrumentTable& table : report.tables) {
+    body += table_html(table);
+    for (const InstrumentScene& scene : table.scenes) scenes.push_back(scene.query);
+  }
   const std::pair<std::string_view, std::string> places[] = {
       {"<!--TITLE-->", html_text(report.title)},
       {"/*CSS*/", std::string(embedded::report_css)},
@@ -80,7 +104,9 @@ std::string instrument_page(const InstrumentReport& report) {
       {"<!--NOTES-->", notes},
       {"<!--BODY-->", body},
       {"/*DATA*/", inert_json(plots)},
-      {"/*JS*/", fmt::format("{}\n{}\n{}", embedded::chart_min_js, embedded::chart_js, embedded::instrument_js)}};
+      {"/*SCENES*/", inert_json(scenes)},
+      {"/*JS*/", fmt::format("{}\n{}\n{}\n{}\n{}", embedded::chart_min_js, embedded::chart_js, embedded::table_js,
+                             embedded::scene_js, embedded::instrument_js)}};
   return filled(embedded::instrument_html, places);
 }
 

@@ -1,4 +1,4 @@
-// Draws an instrument's plots.
+// Draws an instrument's plots and scenes.
 function drawPlots() {
   const {text, series: colours} = chart_colours();
   const scale = (axis) => chart_scale(axis.label, axis.log, axis.names);
@@ -34,5 +34,13 @@ function drawPlots() {
   });
 }
 
+// A picture for each scene, and a button that copies what is to paste.
+function drawScenes() {
+  const scenes = JSON.parse(document.getElementById('scenes').textContent);
+  document.querySelectorAll('.worst .picture').forEach((place, i) => place.append(scene_figure(scenes[i])));
+  document.querySelectorAll('.worst .command').forEach((box) => box.append(copy_button(box.textContent)));
+}
+
 drawPlots();
+drawScenes();
 dark_scheme.addEventListener('change', drawPlots);

@@ -1,0 +1,121 @@
+// The words by which the league says whether a contender can be trusted, and the code for its worst query.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "fuzz/queries/address.h"
+#include "kernel/kernel.h"
+#include "kernel/plugin/load.h"
+#include "reports/instrument/league_trust.h"
+#include "reports/instrument/league_worst.h"
+#include "reports/testing/test_run.h"
+
+namespace axiscert {
+namespace {
+
+Tally tally_of(std::uint64_t trials, std::uint64_t missed, std::uint64_t invented) {
+  Tally tally;
+  tally.trials = trials;
+  tally.verdict.false_separation = missed;
+  tally.verdict.false_contact = invented;
+  return tally;
+}
+
+TEST(LeagueTrust, IsYesWhereNothingIsWrongAndSomethingWasAnswered) {
+  EXPECT_EQ(trust_words(tally_of(32768, 0, 0)), "yes: 0 of 32,768 wrong");
+  EXPECT_EQ(trust_words(tally_of(0, 0, 0)), "nothing answered");
+  Tally declines = tally_of(120, 0, 0);
+  declines.verdict.undecided = 120;
+  EXPECT_EQ(trust_words(declines), "nothing answered; declines 120");
+  declines.trials = 121;
+  EXPECT_EQ(trust_words(declines), "yes: 0 of 1 wrong; declines 120");
+}
+
+TEST(LeagueTrust, IsRarelyWhereLessThanOneInAThousandIsWrong) {
+  EXPECT_EQ(trust_words(tally_of(1000, 0, 1)), "no: 1 of 1,000 invented");
+  EXPECT_EQ(trust_words(tally_of(1001, 0, 1)), "rarely: 1 of 1,001 invented");
+  EXPECT_EQ(trust_words(tally_of(2001, 1, 1)), "rarely: 1 of 2,001 missed, 1 invented");
+  EXPECT_EQ(trust_words(tally_of(2000, 1, 1)), "no: 1 of 2,000 missed, 1 invented");
+  EXPECT_EQ(trust_words(tally_of(16384, 812, 0)), "no: 812 of 16,384 missed");
+}
+
+TEST(LeagueTrust, CountsOfVerdictsAndNamesEverythingElse) {
+  Tally tally = tally_of(1010, 1, 0);
+  tally.invalid = 2;
+  tally.verdict.undecided = 3;
+  tally.verdict.invalid = 1;
+  tally.verdict.unanswered = 4;
+  EXPECT_EQ(trust_words(tally), "no: 1 of 1,000 missed; declines 3; calls 1 invalid; no answer to 4");
+}
+
+TEST(LeagueTrust, EveryFamilyOfAGroupExists) {
+  for (const TrustGroup& group : trust_groups()) {
+    for (const std::string_view family : group.families) {
+      if (!family.ends_with('*')) {
+        EXPECT_TRUE(group.has(find_family(family).name)) << family;
+      }
+    }
+  }
+  EXPECT_TRUE(is_scene("scene-walk"));
+  EXPECT_FALSE(is_scene("scale"));
+}
+
+// One kernel, with a miss at position 5 of `sliver`, and a deeper phantom.
+struct WorstRun {
+  League league;
+  CampaignResult result;
+
+  explicit WorstRun(const Kernel& kernel) {
+    league.plan.kernels = {&kernel};
+    league.plan.sources = {family_source(find_family("general")), family_source(find_family("sliver"))};
+    league.plan.precisions = {Precision::binary32};
+    league.contenders = 1;
+    for (std::size_t source = 0; source < 2; ++source) {
+      CellResult& cell = result.cells.emplace_back();
+      cell.source = source;
+      cell.precision = Precision::binary32;
+      cell.tallies.push_back(tally_of(64, 0, 0));
+    }
+    VerdictTally& sliver = result.cells[1].tallies[0].verdict;
+    sliver.false_separation = 2;
+    sliver.deepest_false_separation.offer({0.25, 5});
+    sliver.deepest_false_separation.offer({0.125, 4});
+    sliver.false_contact = 1;
+    sliver.deepest_false_contact.offer({0.5, 3});
+  }
+};
+
+TEST(LeagueWorst, IsTheDeepestMissBeforeAnyInventedContact) {
+  WorstRun run(find_kernel("published"));
+  const InstrumentTable table = worst_table(run.league, run.result);
+  const std::string address = text(address_of(*run.league.plan.sources[1], 1, Precision::binary32, 5));
+  EXPECT_EQ(table.rows,
+            (std::vector<std::vector<std::string>>{{"published", "binary32", "missed", "sliver", "0.25", address}}));
+  ASSERT_EQ(table.scenes.size(), 1u);
+  EXPECT_THAT(table.scenes[0].sentence, testing::HasSubstr("misses a contact "));
+  EXPECT_THAT(table.scenes[0].command, testing::HasSubstr("axiscert query " + address + " > worst.jsonl\n"));
+  EXPECT_TRUE(table.scenes[0].query.contains("r"));
+
+  run.result.cells[1].tallies[0].verdict.deepest_false_separation = Leaders<double>(3);
+  EXPECT_EQ(worst_table(run.league, run.result).rows[0][2], "invented");
+  run.result.cells[1].tallies[0].verdict.deepest_false_contact = Leaders<double>(3);
+  EXPECT_TRUE(worst_table(run.league, run.result).rows.empty());
+}
+
+TEST(LeagueWorst, HasTheCodeOfAProgramsManifestWithNumbersThatReadBackExactly) {
+  TestFolder folder;
+  folder.write("m.json", R"({"format":"axiscert-program/1","name":"m","command":["sh"],"precisions":["binary32"],)"
+                         R"("package":"three","version":"1.2","code":["ask({r});","{ax}"]})");
+  const Kernel kernel = plugin::load_program("program:m.json", (folder.path() / "m.json").string());
+  const WorstRun run(kernel);
+  const InstrumentScene scene = worst_table(run.league, run.result).scenes.at(0);
+  EXPECT_EQ(scene.needs, "three 1.2");
+  const auto q = run.league.plan.sources[1]->make<float>(1, 5);
+  float r = 0;
+  double ax = 0;
+  ASSERT_EQ(std::sscanf(scene.code.c_str(), "ask(%f);\n%lf\n", &r, &ax), 2) << scene.code;
+  EXPECT_EQ(r, q[12]);
+  EXPECT_EQ(ax, static_cast<double>(q[0])) << "a double, too, has all of a float's bits";
+}
+
+}  // namespace
+}  // namespace axiscert
