@@ -37,7 +37,7 @@ Point centre_at_fold(Stream& random, std::uint64_t meeting, bool at_corner, doub
   if (meeting == step_of_stairs || meeting == small_prop) {
     return Point{along, 0, 0} + scenes::at_unit_length({at_corner ? -beyond : 0, lean, 1 - lean}) * height;
   }
-  const double x = at_corner && passed ? -beyond * r / 2 : along;
+  const double x = at_corner && passed ? (lean - beyond) * r / 2 : along;
   return meeting == wall_on_floor ? Point{x, height, height} : Point{x, passed ? aside : 0, height};
 }
 
@@ -55,8 +55,14 @@ Query<Real> scene_edge(Stream& random, std::uint64_t position) {
   const double along = at_corner ? 0 : edge * (0x1p-5 + 0.9375 * random.unit<double>());
   const Point sphere = centre_at_fold(random, meeting, at_corner, along, static_cast<double>(r), height);
 
-  double foot[2], far[2];  // of each triangle's third vertex: where it is along the edge, and how far from it
-  for (double& x : foot) x = edge * random.unit<double>();
+  // Of each triangle's third vertex: where it is along the edge, for half of them at a right angle, and how far from
+  // it.
+  double foot[2], far[2];
+  for (double& x : foot) {
+    const bool at_right_angle = random.coin();
+    const double share = random.unit<double>();
+    x = at_right_angle ? 0 : edge * share;
+  }
   for (double& y : far) y = edge * (0.25 + 0.75 * random.unit<double>());
   const Fold& fold = folds[meeting];
   const Point tip = Point{foot[second], 0, 0} + (second ? fold.second : fold.first) * far[second];
