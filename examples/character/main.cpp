@@ -13,6 +13,7 @@
 #include "examples/character/comparison.h"
 #include "examples/character/picture.h"
 #include "examples/character/table.h"
+#include "fuzz/files/query_file.h"
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
@@ -23,7 +24,7 @@ namespace axiscert::character {
 namespace {
 
 struct Options {
-  std::string mesh, radius, up, out;
+  std::string mesh, radius, up, out, queries;
   std::uint64_t seed = 1, steps = 2000;
   std::vector<std::string> kernels;
 };
@@ -77,26 +78,54 @@ std::vector<const Kernel*> kernels_of(const Options& options, std::string& not_c
   return found;
 }
 
-// The output file is opened before the walk, so that no walk is made in vain; an existing file stays as it is until
-// write().
+// The file that an option names. It is opened before the walk, so that no walk is made in vain; an existing file stays
+// as it is until begin().
 class Out {
  public:
-  explicit Out(const std::string& path) : path_(path), file_(path, std::ios::binary | std::ios::app) { require(); }
-  void write(const std::string& text) {
+  Out(std::string option, const std::string& path)
+      : option_(std::move(option)), path_(path), file_(path, std::ios::binary | std::ios::app) {
+    require();
+  }
+  void begin() {
     file_.close();
     file_.open(path_, std::ios::binary | std::ios::trunc);
-    file_ << text;
+    require();
+  }
+  void write(const std::string& text) { file_ << text; }
+  void end() {
     file_.close();
     require();
   }
 
  private:
   void require() const {
-    if (!file_) throw Error(fmt::format("--out {}: {}; give a file that can be written", path_, std::strerror(errno)));
+    if (!file_) {
+      throw Error(fmt::format("{} {}: {}; give a file that can be written", option_, path_, std::strerror(errno)));
+    }
   }
-  std::string path_;
+  std::string option_, path_;
   std::ofstream file_;
 };
+std::optional<Out> out_of(const std::string& option, const std::string& path) {
+  if (path.empty()) return {};
+  return std::make_optional<Out>(option, path);
+}
+
+// Every sphere with every triangle that the broad phase left for it, in the order of the walk, as lines of a query
+// file.
+void write_queries(Out& out, const Ground& ground, const Walk& walk) {
+  out.begin();
+  for (std::size_t a = 0; a < walk.asks.size(); ++a) {
+    const Ask& ask = walk.asks[a];
+    const std::string_view moment = moment_names[static_cast<std::size_t>(ask.moment)];
+    for (std::size_t i = ask.first; i < ask.first + ask.count; ++i) {
+      const std::uint32_t t = walk.triangles[i];
+      const std::string id = fmt::format("{}-{}-{}", moment, a, t);
+      out.write(query_line({id, Precision::binary32, Numbers<float>(ground.query(ask.sphere, t))}) + "\n");
+    }
+  }
+  out.end();
+}
 
 // Accepts only digits that fit in 64 bits: CLI11 would read "-1" and 2^64 as the greatest number.
 std::string whole_number(const std::string& text) {
@@ -115,8 +144,7 @@ int run(const Options& options) {
   const std::uint64_t without_area = mesh.degenerate_triangles, left_out = mesh.skipped_primitives;
   const std::size_t up = options.up.empty() ? thinnest_axis(mesh.triangles) : std::size_t(options.up[0] - 'x');
   const Ground ground(std::move(mesh.triangles), up);
-  std::optional<Out> out;
-  if (!options.out.empty()) out.emplace(options.out);
+  std::optional<Out> out = out_of("--out", options.out), queries = out_of("--queries", options.queries);
   const Walk walk = walked(ground, walk_options);
   std::vector<Comparison> comparisons;
   for (const Kernel* kernel : kernels) comparisons.push_back(compared(ground, walk, *kernel));
@@ -128,7 +156,12 @@ int run(const Options& options) {
       walk_options.radius, walk_options.steps, "xyz"[up], options.seed);
   fmt::print("{}\n{} times turned round, {} times set down\n\n{}{}", title, walk.turns, walk.paths.size(),
              table(ground, walk, comparisons), not_checked);
-  if (out) out->write(picture(ground, walk, comparisons, title));
+  if (out) {
+    out->begin();
+    out->write(picture(ground, walk, comparisons, title));
+    out->end();
+  }
+  if (queries) write_queries(*queries, ground, walk);
   return 0;
 }
 
@@ -155,6 +188,9 @@ int main(int argc, char** argv) {
                  "kernel id from `axiscert kernels`, repeatable (default: published, peer/bullet)")
       ->allow_extra_args(false);
   app.add_option("--out", o.out, "SVG picture of the walk");
+  app.add_option("--queries", o.queries,
+                 "JSON Lines: every sphere with every triangle that the broad phase left for it, for `axiscert check`, "
+                 "`run` and every command that takes a query file");
   app.footer("Exit codes: 0 done; 2 bad usage or input; 3 the certified predicate and CGAL's exact distance disagree.");
   try {
     app.parse(argc, argv);

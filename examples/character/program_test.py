@@ -4,6 +4,7 @@ figures of docs/certified.md.
 
 program_test.py BUILD_FOLDER MODELS_FOLDER TRIAL_DIVISOR [unittest arguments]
 """
+import json
 import re
 import shlex
 import shutil
@@ -16,7 +17,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "cli" / "tests"))
-from command import BUILD, DIVISOR, MODELS  # noqa: E402
+from command import BUILD, DIVISOR, MODELS, axiscert  # noqa: E402
 
 SPIDER = MODELS / "OBJ/spider.obj"
 SVG = "{http://www.w3.org/2000/svg}"
@@ -80,6 +81,26 @@ class Program(unittest.TestCase):
         self.assertGreater(areas[1], 0, "published")
         self.assertEqual(areas[2], 0, "certified")
 
+    def test_a_run_on_the_queries_of_a_walk_counts_what_the_walk_counts(self):
+        file = self.folder / "walk.jsonl"
+        walk, kernels, _ = tables(self.walked(SPIDER, "--steps", 20, "--kernel", "published", "--kernel", "certified", "--queries", file))
+        lines = [json.loads(line) for line in file.read_text().splitlines()]
+        (asked,) = [row for row in walk if row[0] == "all"]
+        self.assertEqual(len(lines), int(asked[2]))
+        self.assertEqual(len({line["id"] for line in lines}), len(lines), "each triangle of an ask once")
+        for row in walk[:-1]:
+            moments = [line["id"].split("-") for line in lines if line["id"].startswith(row[0] + "-")]
+            self.assertEqual(len(moments), int(row[2]), row)
+        done = axiscert("run", "--queries", file, "--precision", "binary32", "--kernel", "published", "--kernel", "certified",
+                        "--out", self.folder / "run")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        record = json.loads((self.folder / "run/record.json").read_text())
+        for kernel in record["kernels"]:
+            (found,) = kernel["families"].values()
+            (row,) = [row for row in kernels if row[:2] == [kernel["id"], "all"]]
+            self.assertEqual(found["trials"], len(lines))
+            self.assertEqual([str(found["verdict"][kind]) for kind in ("false_separation", "false_contact")], row[2:4], row)
+
     def test_every_format_gives_the_same_walk(self):
         """The formats give the same triangles in the same order; the first line names the file."""
         walks = {self.walked(MODELS / file, "--steps", 50, "--up", "y", "--kernel", "published").split("\n", 1)[1]
@@ -112,6 +133,7 @@ class Program(unittest.TestCase):
             ([SPIDER, "--radius", 1e9], ["--radius 1000000000.0", "a number from"]),
             ([SPIDER, "--kernel", "nobody"], ["nobody", "published"]),
             ([SPIDER, "--steps", 5, "--out", self.folder / "no/where.svg"], ["where.svg", "No such file or directory"]),
+            ([SPIDER, "--steps", 5, "--queries", self.folder / "no/where.jsonl"], ["--queries", "where.jsonl", "No such file or directory"]),
         ]
         point = self.folder / "point.obj"
         point.write_text("v 1 1 1\nf 1 1 1\n")

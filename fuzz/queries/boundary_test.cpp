@@ -78,6 +78,9 @@ Allowed allowed(std::string_view family) {
                            {"bits", wide ? 620u : 180u, wide ? 500u : 60u, wide ? 900u : 550u},
                            {"subnormal", wide ? 100u : 0u, wide ? 80u : 0u, wide ? 45u : 0u},
                            {"nonfinite", wide ? 400u : 150u, wide ? 400u : 100u, wide ? 400u : 150u},
+                           // Floors and walls along the axes: normals with two zero coordinates.
+                           {"scene-walk", wide ? 0u : 3u, wide ? 0u : 2u, 75},
+                           {"scene-edge", wide ? 0u : 2u, wide ? 0u : 2u, 120},
                            // One base shared by up to 48 queries: slivers and small integers are a quarter each.
                            {"orders", 60, 150, 250},
                            {"axes", 60, 150, 250},

@@ -22,6 +22,8 @@
   X(bits)                    \
   X(subnormal)               \
   X(nonfinite)               \
+  X(scene_walk)              \
+  X(scene_edge)              \
   X(orders)                  \
   X(axes)                    \
   X(inverted)                \
