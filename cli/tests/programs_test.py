@@ -116,23 +116,26 @@ AXISCERT_PLUGIN({real}, "published", one)
 
     def test_a_program_is_known_by_its_name_and_by_the_digests_of_its_files(self):
         (self.folder / "package-lock.json").write_text("{}\n")
-        id = self.manifest("./program", "right")
+        (self.folder / "table.txt").write_text("what the program reads\n")
+        id = self.manifest("./program", "right", files=["table.txt"])
         record = self.run_ok("--kernel", id, "--family", "general", "--trials", "100")
         (kernel,) = record["kernels"]
         self.assertEqual(kernel["name"], "tested")
-        files = {"manifest": "m.json", "program": "program", "lock": "package-lock.json"}
+        files = {"manifest": "m.json", "program": "program", "file": "table.txt", "lock": "package-lock.json"}
         self.assertEqual(kernel["digest"], [{"kind": kind, "sha256": hashlib.sha256((self.folder / name).read_bytes()).hexdigest()}
                                             for kind, name in files.items()])
         self.assertEqual([(file["kind"], file["name"]) for file in record["plan"]["files"]], list(files.items()))
         # Another name of the manifest is the same kernel; another lock file is a change.
         (self.folder / "package-lock.json").write_text("{ }\n")
         (self.folder / "other").mkdir()
-        moved = self.manifest("./program", "right", file="n.json")
+        moved = self.manifest("./program", "right", file="n.json", files=["table.txt"])
         self.run_ok("--kernel", moved, "--family", "general", "--trials", "100", out="new")
         done = axiscert("compare", self.folder / "out", self.folder / "new", "--kernel", moved)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn("its lock was SHA-256", done.stdout)
         self.assertNotIn("its program was", done.stdout)
+        gone = self.manifest("./program", "right", file="gone.json", files=["table.txt", "nosuch.txt"])
+        self.refused("run", "--kernel", gone, says=["gone.json: \"files\": 'nosuch.txt' is not the name of a file"])
 
     def test_no_program_that_a_record_names_is_started_unasked(self):
         id = self.manifest("/bin/sh", "-c", "echo x >> started; exec ./program")

@@ -26,7 +26,8 @@ std::string written(const plugin::Manifest& m) {
                {"formulae", m.formulae},
                {"package", m.package},
                {"version", m.version},
-               {"code", m.code}};
+               {"code", m.code},
+               {"files", m.files}};
   for (const Precision precision : m.precisions) json["precisions"].push_back(name(precision));
   json["limits"] = {{"least_coordinate", m.limits.least_coordinate},
                     {"greatest_coordinate", m.limits.greatest_coordinate},

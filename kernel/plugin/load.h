@@ -30,9 +30,9 @@ inline bool is_program(const Kernel& kernel) { return is_program(kernel.id, kern
 inline bool is_given_by_file(std::string_view id) { return id.starts_with(by_path) || id.starts_with(by_manifest); }
 
 // The files of which a program consists, as far as its manifest shows: itself, those that its command names and that
-// are there, and the lock file of its packages. For a plug-in its one file.
+// are there, those of its `files`, and the lock file of its packages. For a plug-in its one file.
 struct KernelFile {
-  std::string kind, path;  // "plugin"; "manifest", "program", "program-2", ..., "lock"
+  std::string kind, path;  // "plugin"; "manifest", "program", "program-2", ..., "file", "file-2", ..., "lock"
 };
 std::vector<KernelFile> files_of(const Kernel& kernel);
 

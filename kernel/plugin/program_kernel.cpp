@@ -12,6 +12,7 @@
 
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
+#include "kernel/base/plain_line.h"
 #include "kernel/base/utf8.h"
 #include "kernel/include/axiscert/plugin.h"
 #include "kernel/plugin/declared.h"
@@ -170,11 +171,16 @@ std::vector<KernelFile> files_of(const Kernel& kernel) {
   std::vector<KernelFile> files = {{"manifest", kernel.file}};
   const std::filesystem::path folder = folder_of(kernel.file);
   std::size_t number = 0;
-  for (const std::string& word : read_manifest(manifest_text(kernel.file), kernel.file).command) {
+  const Manifest manifest = read_manifest(manifest_text(kernel.file), kernel.file);
+  for (const std::string& word : manifest.command) {
     const std::filesystem::path file = folder / word;
     std::error_code none;
     if (word.empty() || !std::filesystem::is_regular_file(file, none)) continue;
     files.push_back({++number == 1 ? "program" : fmt::format("program-{}", number), file.string()});
+  }
+  number = 0;
+  for (const std::string& file : manifest.files) {
+    files.push_back({++number == 1 ? "file" : fmt::format("file-{}", number), (folder / file).string()});
   }
   if (std::filesystem::is_regular_file(folder / lock_file)) files.push_back({"lock", (folder / lock_file).string()});
   return files;
@@ -186,6 +192,12 @@ Kernel load_program(std::string id, const std::string& path) {
   const Manifest manifest = read_manifest(manifest_text(path), path);
   const std::string folder = folder_of(path);
   require_program(manifest, path, folder);
+  for (const std::string& file : manifest.files) {
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(std::filesystem::path(folder) / file, none)) {
+      throw Error(fmt::format("{}: \"files\": '{}' is not the name of a file", path, plain_line(file)));
+    }
+  }
   Kernel kernel;
   kernel.id = id;
   kernel.file = path;

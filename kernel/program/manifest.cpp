@@ -18,8 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const std::vector<std::string_view> members = {
-    "format", "name",        "command",  "test",    "entry",  "precisions", "exposes", "touching",
-    "limits", "conforms_to", "formulae", "summary", "source", "package",    "version", "code"};
+    "format",      "name",     "command", "test",   "entry",   "precisions", "exposes", "touching", "limits",
+    "conforms_to", "formulae", "summary", "source", "package", "version",    "code",    "files"};
 const std::vector<std::string_view> limit_members = {"least_coordinate", "greatest_coordinate", "least_area",
                                                      "least_radius", "greatest_radius"};
 
@@ -73,6 +73,7 @@ class ManifestReader {
     manifest.package = text_of("package");
     manifest.version = text_of("version");
     manifest.code = code(manifest);
+    manifest.files = words("files");
     return manifest;
   }
 

@@ -24,6 +24,7 @@ struct Manifest {
   std::string package, version;                        // of what it asks, where that has them
   // Asks it one query by hand, in its own language, with places for the numbers (code_lines.h); none: not stated.
   std::vector<std::string> code;
+  std::vector<std::string> files;  // others that its answers depend on, from the manifest's folder; in the digests
 };
 
 // Throws Error that begins with `name`, in one line, for anything else. Nothing is opened or started.

@@ -73,6 +73,7 @@ TEST(ManifestFile, IsRefusedWithWhatWouldBeRight) {
            {"{" + least + R"(,"exposes":"sides"})", "known: verdict, comparisons"},
            {"{" + least + R"(,"limits":{"least_radius":-1}})", "\"least_radius\" is -1"},
            {"{" + least + R"(,"limits":{"radius":1}})", "unknown limit 'radius'"},
+           {"{" + least + R"(,"files":"a.mjs"})", "\"files\" is \"a.mjs\", which is no list"},
            {"{" + least + R"(,"code":"ask"})", "\"code\" is \"ask\", which is no list"},
            {"{" + least + R"(,"code":["a\nb"]})", "\"code\": 'a?b' is more than a line"},
            {"{" + least + R"(,"code":["f({ax}, {radius});"]})", "unknown place {radius}; known: {ax}, "},
