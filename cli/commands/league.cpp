@@ -25,9 +25,9 @@ struct LeagueOptions : InstrumentOptions {
 
 const std::vector<std::string> own_kernels = {"published",     "nonstrict", "reduced-nonstrict", "minkowski",
                                               "closest-point", "certified", "conservative"};
-const std::vector<std::string> league_families = {"general", "tangent",   "tie",       "lattice",    "sliver",
-                                                  "needle",  "collinear", "repeated",  "on",         "grid",
-                                                  "scale",   "far",       "subnormal", "scene-walk", "scene-edge"};
+const std::vector<std::string> league_families = {"general", "tangent",   "tie",      "lattice", "sliver",
+                                                  "needle",  "collinear", "repeated", "on",      "grid",
+                                                  "scale",   "far",       "subnormal"};
 constexpr int repetitions = 5;
 
 // Those above, and every family of scenes.
