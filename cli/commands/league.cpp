@@ -20,7 +20,7 @@ namespace axiscert {
 namespace {
 
 struct LeagueOptions : InstrumentOptions {
-  bool no_speed = false;
+  bool no_speed = false, no_engines = false;
 };
 
 const std::vector<std::string> own_kernels = {"published",     "nonstrict", "reduced-nonstrict", "minkowski",
@@ -46,12 +46,16 @@ void add_kernel(League& league, const std::string& id) {
   league.plan.kernels.push_back(&kernel);
 }
 
-// Our own kernels and every peer; every kernel with a planted fault is kept apart from them.
-void add_all_kernels(League& league) {
+// Our own kernels and every peer, those from npm only with `engines`; every kernel with a planted fault is kept apart
+// from them.
+void add_all_kernels(League& league, bool engines) {
   for (const std::string& id : own_kernels) add_kernel(league, id);
   for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
     const bool competes = shipped.prefix == "peer/";
-    for (const std::string& name : shipped.names) add_kernel(league, std::string(shipped.prefix) + name);
+    for (const std::string& name : shipped.names) {
+      const std::string id = std::string(shipped.prefix) + name;
+      if (engines || !plugin::is_program(find_kernel(id))) add_kernel(league, id);
+    }
     if (competes) league.contenders = league.plan.kernels.size();
     if (shipped.names.empty()) {
       league.not_checked.push_back(
@@ -59,6 +63,7 @@ void add_all_kernels(League& league) {
     }
     for (const auto& absent : shipped.absent) {
       if (!absent.command.empty()) {
+        if (!engines) continue;
         league.not_checked.push_back(fmt::format("NOT CHECKED: {}{}: {} is not installed; `{}` installs it.",
                                                  shipped.prefix, absent.name, absent.package, absent.command));
         continue;
@@ -91,7 +96,7 @@ int run_league(const LeagueOptions& options) {
   League league;
   Plan& plan = league.plan;
   if (options.kernels.empty()) {
-    add_all_kernels(league);
+    add_all_kernels(league, !options.no_engines);
   } else {
     for (const std::string& id : options.kernels) add_kernel(league, id);
     league.contenders = plan.kernels.size();
@@ -115,7 +120,8 @@ int run_league(const LeagueOptions& options) {
     }
     return found;
   });
-  const std::string command = instrument_command("league", options) + (options.no_speed ? " --no-speed" : "");
+  const std::string command = instrument_command("league", options) + (options.no_speed ? " --no-speed" : "") +
+                              (options.no_engines ? " --no-engines" : "");
   for (const std::string& sentence : league.not_checked) fmt::print(stderr, "axiscert: {}\n", sentence);
   return put_instrument(league_report(league, result, command), options);
 }
@@ -130,6 +136,7 @@ void add_league(CLI::App& app, Action& action) {
   options->precision.clear();
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
   command->add_flag("--no-speed", options->no_speed, "measure no times");
+  command->add_flag("--no-engines", options->no_engines, "leave out the engines from npm, installed or not");
   command->callback([&action, options] { action = [options] { return run_league(*options); }; });
 }
 
