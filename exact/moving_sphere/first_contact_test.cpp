@@ -31,8 +31,8 @@ TEST(FirstContact, IsAsComputedByHand) {
   expect_contact(contact_of({1, 1, 3}, {0, 0, -4}, 1), Rational(1, 2), {face}, "down on the face");
   expect_contact(contact_of({1, 1, -3}, {0, 0, 2}, 1), 1, {face}, "from below, at the end");
   expect_contact(contact_of({2, -3, 0}, {0, 4, 0}, 1), Rational(1, 2), {edge_ab}, "in the plane against AB");
-  expect_contact(contact_of({-6, 0, 0}, {8, 0, 0}, 2), Rational(1, 2), {vertex_a, edge_ab},
-                 "along the line of AB: A is nearest, at the end of AB");
+  expect_contact(contact_of({-6, 0, 0}, {8, 0, 0}, 2), Rational(1, 2), {vertex_a, edge_ca},
+                 "along the line of AB: A is nearest, which is also the foot on CA");
   expect_contact(contact_of({0, 0, 5}, {0, 0, -4}, 1), 1, {vertex_a, edge_ab, edge_ca, face},
                  "straight down on A, where four features meet");
   expect_contact(contact_of({1, 1, 0.5}, {3, 5, 7}, 1), 0, {face}, "begins in contact");
