@@ -17,6 +17,11 @@ REPORTS = ROOT / "reports"
 SCHEMAS = REPORTS / "schemas"
 
 
+def fewer(trials):
+    """As many as this build has time for, and enough that every family has a valid query: `nonfinite` has few."""
+    return max(trials // DIVISOR, 40)
+
+
 def axiscert(*args, program="axiscert", stdin=None):
     return subprocess.run([BUILD / program, *map(str, args)], input=stdin, capture_output=True, text=True, timeout=600)
 

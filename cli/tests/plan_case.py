@@ -1,10 +1,10 @@
 """The common part of the tests of plans in parts: a plan, and the record of one thread that it has to come to."""
-from command import DIVISOR, MODELS, Case, axiscert
+from command import MODELS, Case, axiscert, fewer
 
 
 class PlanCase(Case):
     """Every test starts from the record of one thread, made once for each plan."""
-    trials = 700 // DIVISOR
+    trials = fewer(700)
     options = ["--family", "all", "--mesh", MODELS / "OBJ/spider.obj", "--trials", trials, "--tolerance", "3"]
     expected = {}
 
