@@ -23,7 +23,8 @@ Numbers<Real> grazing_motion(Stream& random, std::uint64_t position) {
 template <class Real>
 MovingQuery<Real> over_the_face(Stream& random) {
   Touched t = touched(random, Feature::face);
-  t.at = t.at + across(random, t.normal) * random.integer(0, 2);
+  const std::int64_t away = random.integer(0, 2);
+  t.at = t.at + across(random, t.normal) * away;
   return passing<Real>(random, t, across(random, t.normal));
 }
 template <class Real>

@@ -7,7 +7,8 @@ namespace {
 template <class Real>
 Numbers<Real> touching_at_the_end(Stream& random, std::uint64_t position) {
   const Touched t = touched(random, feature_in_turn(position));
-  const Whole d = against(random, t.normal) * random.integer(1, 4);
+  const std::int64_t length = random.integer(1, 4);
+  const Whole d = against(random, t.normal) * length;
   MovingQuery<Real> q = spread<Real>(random, t.vertex, t.at + t.normal - d, d, t.r);
   nudge(random, position, q);
   return q;
@@ -16,7 +17,8 @@ Numbers<Real> touching_at_the_end(Stream& random, std::uint64_t position) {
 template <class Real>
 Numbers<Real> touching_at_the_start(Stream& random, std::uint64_t position) {
   const Touched t = touched(random, feature_in_turn(position));
-  const Whole d = Whole{0, 0, 0} - against(random, t.normal) * random.integer(1, 4);
+  const std::int64_t length = random.integer(1, 4);
+  const Whole d = Whole{0, 0, 0} - against(random, t.normal) * length;
   MovingQuery<Real> q = spread<Real>(random, t.vertex, t.at + t.normal, d, t.r);
   nudge(random, position, q);
   return q;
