@@ -1,4 +1,4 @@
-// Properties of every family: the registry, the same bytes everywhere, oracles that agree; and that the families about
+// Properties of every family: the registry, oracles that agree; and that the families about
 // sizes reach the sizes they claim.
 #include <algorithm>
 #include <cfenv>
@@ -9,7 +9,6 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/queries/boundary.h"
-#include "fuzz/queries/digest_testing.h"
 #include "fuzz/queries/family_testing.h"
 #include "kernel/testing/sources.h"
 #include "kernel/base/error.h"
@@ -50,18 +49,6 @@ TEST(Families, EveryOneThatIsDefinedIsListed) {
     }
     EXPECT_NO_THROW(find_family(name)) << file << " defines " << defined << "_family, which the list of " << folder
                                        << "/families.cpp lacks";
-  }
-}
-
-// Each test's digests.txt is beside the list of its families, in the room that the test may share with others.
-TEST(Families, MakeTheCommittedBytes) {
-  const auto lists = testing_support::defined_in("fuzz/families", R"((\w+)_families\(\) \{)");
-  for (const TestDescription* test : tests()) {
-    std::string name(test->id);
-    std::replace(name.begin(), name.end(), '-', '_');
-    ASSERT_TRUE(lists.contains(name)) << "no source in fuzz/families defines " << name << "_families()";
-    const std::string& list = lists.at(name);
-    expect_committed_digests(*test, list.substr(0, list.rfind('/')) + "/digests.txt");
   }
 }
 
