@@ -70,7 +70,7 @@ Implementation<Real> plain_implementation() {
   return plain;
 }
 
-// What all plain kernels have; it is judged by its verdicts alone.
+// The members that all plain kernels have; such a kernel is judged by its verdicts alone.
 template <class Test>
 Kernel plain_kernel_named(std::string id, std::string summary) {
   Kernel kernel;

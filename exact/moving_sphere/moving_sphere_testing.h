@@ -1,4 +1,4 @@
-// What the tests of the moving sphere share: queries by hand and at random, and oracles with a planted fault.
+// For the tests of the moving sphere: queries by hand and at random, and oracles with a planted fault.
 #pragma once
 
 #include <random>

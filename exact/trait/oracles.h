@@ -53,7 +53,7 @@ class Oracles {
   virtual std::optional<double> depth(const Numbers<float>& numbers) const = 0;
   virtual std::optional<double> depth(const Numbers<double>& numbers) const = 0;
 
-  // What the test tells of a valid query besides its truth, in the order in which `check` shows it; most tell nothing.
+  // Facts about a valid query besides its truth, in the order in which `check` shows them; most tests have none.
   virtual std::vector<Detail> details(const Numbers<float>&) const { return {}; }
   virtual std::vector<Detail> details(const Numbers<double>&) const { return {}; }
 

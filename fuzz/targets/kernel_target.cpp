@@ -207,7 +207,7 @@ std::size_t put(const FuzzedQuery& fuzzed, std::uint8_t* data, std::size_t room)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   FuzzedQuery fuzzed = given(data, size);
-  // Of the first test, whose kernels are listed first.
+  // Kernels of the first test, which are listed first.
   static const auto known = static_cast<std::size_t>(std::count_if(
       kernels().begin(), kernels().end(), [](const Kernel& kernel) { return kernel.test == &first_test(); }));
   const Kernel& chosen = kernels()[fuzzed.kernel % std::min(known, most_kernels)];

@@ -23,7 +23,7 @@ MovingEdge<T> moving_edge(const Vec3<T>& from, const Vec3<T>& to, const Vec3<T>&
   return {along, cross(d, along), dot(along, along)};
 }
 
-// What does not change with the triangle's place: V = AB x AC and m = D.V.
+// The parts that do not change with the triangle's place: V = AB x AC and m = D.V among them.
 template <class T>
 struct Motion {
   MovingEdge<T> ab, bc, ca;

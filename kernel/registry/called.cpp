@@ -29,7 +29,7 @@ std::string known_words() {
                      fmt::join(modes, ", "));
 }
 
-// What the word may have been meant for, before known_words.
+// The words that may have been meant, before known_words.
 std::string guess(std::string_view word, const std::vector<std::string>& targets) {
   std::vector<std::string_view> known(targets.begin(), targets.end());
   for (const CallMode& mode : call_modes()) known.push_back(mode.name);

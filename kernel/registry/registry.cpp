@@ -93,7 +93,7 @@ const Kernel& found_as_called(std::string_view id, std::string_view call) {
   return kept(kernel.id, [&] { return std::move(kernel); });
 }
 
-// What to say of an id that names no kernel: that a plug-in's file wants "plugin:", or which kernels there are.
+// The message about an id that names no kernel: that a plug-in's file wants "plugin:", or which kernels there are.
 std::string unknown_kernel(std::string_view id) {
   std::vector<std::string_view> known;
   for (const Kernel& kernel : registry()) known.push_back(kernel.id);

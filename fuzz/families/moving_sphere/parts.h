@@ -1,5 +1,5 @@
-// What the families of the moving sphere are made of: a triangle of integers that a sphere at X + n touches in X alone,
-// or along a feature of it.
+// Parts of the moving sphere's families: a triangle of integers that a sphere at X + n touches in X alone, or along a
+// feature of it.
 #pragma once
 
 #include <array>

@@ -55,8 +55,7 @@ Query<Real> scene_edge(Stream& random, std::uint64_t position) {
   const double along = at_corner ? 0 : edge * (0x1p-5 + 0.9375 * random.unit<double>());
   const Point sphere = centre_at_fold(random, meeting, at_corner, along, static_cast<double>(r), height);
 
-  // Of each triangle's third vertex: where it is along the edge, for half of them at a right angle, and how far from
-  // it.
+  // Each triangle's third vertex: where it is along the edge, for half of them at a right angle, and how far from it.
   double foot[2], far[2];
   for (double& x : foot) {
     const bool at_right_angle = random.coin();

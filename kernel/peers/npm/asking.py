@@ -53,7 +53,7 @@ def stream(queries, precision="binary32", test="sphere-triangle"):
 
 
 def run(command, folder, sent):
-    """What a program that is started in `folder` and given `sent` leaves: exit status, standard output, standard error."""
+    """The exit status, standard output and standard error of a program that is started in `folder` and given `sent`."""
     return subprocess.run(command, cwd=folder, input=sent, capture_output=True, timeout=SECONDS)
 
 

@@ -24,7 +24,7 @@ def to_segment(p, a, b):
 
 
 def squared_distance(numbers):
-    """Of the centre to the triangle: numbers are ax ay az bx by bz cx cy cz px py pz and what follows them."""
+    """The squared distance of the centre from the triangle: numbers are ax ay az bx by bz cx cy cz px py pz and what follows them."""
     v = [Fraction(x) for x in numbers]
     a, b, c, p = v[0:3], v[3:6], v[6:9], v[9:12]
     least = min(to_segment(p, a, b), to_segment(p, b, c), to_segment(p, c, a))

@@ -37,7 +37,7 @@ def manifest(line):
 
 
 class Truth(unittest.TestCase):
-    """What is expected, by rationals alone."""
+    """The expected answers, by rationals alone."""
 
     def test_every_expected_answer_is_exact(self):
         for line in STILL:
@@ -101,7 +101,7 @@ class Faults(unittest.TestCase):
 
 @unittest.skipUnless(AXISCERT, "faults_test.py --axiscert FILE")
 class Checks(unittest.TestCase):
-    """What `axiscert check` says of the engines as kernels."""
+    """`axiscert check` of the engines as kernels."""
 
     def check(self, asked, kernel):
         """`asked`: lines of one program. The command ends with 3 where its oracles disagree."""

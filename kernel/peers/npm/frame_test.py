@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the frame of the engines (engines/frame.mjs) does with streams, with engines that throw, trap and print, and with what is no
+"""The frame of the engines (engines/frame.mjs) with streams, with engines that throw, trap and print, and with what is no
 stream; and that manifests, lock file and package.json say the same. Needs node and no package; without node nothing is checked: exit
 code 77.
 
