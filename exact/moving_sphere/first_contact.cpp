@@ -30,6 +30,11 @@ std::optional<RootTime> first_within(const Piece& piece, const Rational& limit) 
   return RootTime{lowest, lowest * lowest - c / piece.a};
 }
 
+Start start_of(const MotionPieces& motion, const Rational& limit) {
+  const int order = sgn(excess(motion.pieces.front(), limit, 0));  // the first piece begins at 0
+  return order < 0 ? Start::overlap : order == 0 ? Start::touching : Start::clear;
+}
+
 FeatureSet nearest_at(const MotionPieces& motion, const RootTime& t) {
   FeatureSet nearest;
   for (const Piece& piece : motion.pieces) {
@@ -54,16 +59,11 @@ std::optional<FirstContact> first_contact(const MovingQuery<double>& q) {
   const MotionPieces motion(q);
   const Rational limit = limit_of(q, motion);
   for (const Piece& piece : motion.pieces) {
-    if (const std::optional<RootTime> t = first_within(piece, limit)) return FirstContact{*t, nearest_at(motion, *t)};
+    if (const std::optional<RootTime> t = first_within(piece, limit)) {
+      return FirstContact{start_of(motion, limit), *t, nearest_at(motion, *t)};
+    }
   }
   return std::nullopt;
-}
-
-Start start_of(const MovingQuery<double>& q) {
-  const MotionPieces motion(q);
-  // The first piece begins at 0.
-  const int order = sgn(excess(motion.pieces.front(), limit_of(q, motion), 0));
-  return order < 0 ? Start::overlap : order == 0 ? Start::touching : Start::clear;
 }
 
 // The numbers from 0 to 1 are in the order of their bits.

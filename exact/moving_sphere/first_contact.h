@@ -17,7 +17,8 @@ int sign_at(const RootTime& t, const Rational& value, const Rational& slope);
 // The sign of t - s.
 inline int compare(const RootTime& t, const Rational& s) { return sign_at(t, -s, 1); }
 
-// Whether sphere and triangle have a point in common before the motion: more than touching, just touching, none.
+// Whether sphere and triangle have a point in common before the motion: more than touching, just touching, none, which
+// is so too where there is no contact at all.
 enum class Start : std::uint8_t { overlap, touching, clear };
 
 }  // namespace axiscert::moving_sphere
@@ -32,6 +33,7 @@ namespace axiscert::moving_sphere {
 inline constexpr EnumArray<Start, std::string_view> start_names = {"overlap", "touching", "clear"};
 
 struct FirstContact {
+  Start start;
   RootTime time;        // t* in [0, 1]: the least t with |P + t D - X| <= r for an X of the closed triangle
   FeatureSet features;  // all that are nearest to the centre at t*; a kernel that names one of them is right
 };
@@ -41,7 +43,6 @@ struct FirstContact {
 // Over the pieces in their order, the squared distance first falls to r^2 at the beginning of a piece, which is
 // rational, or at the lesser root (b - sqrt(b^2 - a c)) / a of its parabola less r^2. No two roots are compared.
 std::optional<FirstContact> first_contact(const MovingQuery<double>& q);
-Start start_of(const MovingQuery<double>& q);
 
 // The greatest number of the precision that is not greater than t, for t in [0, 1]: the best time that is not late.
 template <class Real>

@@ -21,6 +21,11 @@ FirstContact contact_of(const portable::Vec3<double>& p, const portable::Vec3<do
   return first_contact(at_the_corner(p, d, r)).value();
 }
 
+Start start_of(const MovingQuery<double>& q) {
+  const std::optional<FirstContact> found = first_contact(q);
+  return found ? found->start : Start::clear;
+}
+
 void expect_contact(const FirstContact& found, const Rational& time, const FeatureSet& features,
                     const std::string& says) {
   EXPECT_EQ(compare(found.time, time), 0) << says;

@@ -75,9 +75,9 @@ struct MovingSphereTrait : MovingSphere {
   // nearest to the centre then. `start`: sphere and triangle before the motion.
   template <class Real>
   static std::vector<Detail> details(const Numbers<double>& numbers) {
-    const MovingQuery<double> q = query(numbers);
-    Detail time{"time", {}}, features{"features", {}}, start{"start", start_names[start_of(q)]};
-    if (const std::optional<FirstContact> contact = first_contact(q)) {
+    Detail time{"time", {}}, features{"features", {}}, start{"start", start_names[Start::clear]};
+    if (const std::optional<FirstContact> contact = first_contact(query(numbers))) {
+      start.value = start_names[contact->start];
       time.value = static_cast<double>(rounded_down<Real>(contact->time));
       std::vector<std::string_view> names;
       for (const Feature feature : contact->features) names.push_back(feature_names[feature]);

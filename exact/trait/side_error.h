@@ -36,7 +36,7 @@ class SideError {
   }
 
   Kind kind() const { return kind_; }
-  // The error is no greater, so candidates are selected by it. For Kind::finite alone.
+  // No less than the error, for selecting candidates. For Kind::finite alone.
   double upper() const {
     if (sgn(error_) == 0) return 0;
     constexpr double infinity = std::numeric_limits<double>::infinity();
