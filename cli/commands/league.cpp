@@ -13,8 +13,8 @@
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
 #include "kernel/registry/self_check.h"
-#include "reports/instrument/league_report.h"
-#include "reports/instrument/league_trust.h"
+#include "reports/league/league_report.h"
+#include "reports/league/league_trust.h"
 
 namespace axiscert {
 namespace {

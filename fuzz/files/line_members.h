@@ -16,8 +16,8 @@ enum class JsonKind { absent, null, boolean, number, string, array, object };
 template <>
 inline constexpr std::size_t enum_count<JsonKind> = 7;
 // As messages name them.
-inline constexpr EnumArray<JsonKind, std::string_view> json_kind_names = {"missing",  "null",     "a boolean", "a number",
-                                                                          "a string", "an array", "an object"};
+inline constexpr EnumArray<JsonKind, std::string_view> json_kind_names = {
+    "missing", "null", "a boolean", "a number", "a string", "an array", "an object"};
 constexpr std::string_view name(JsonKind kind) { return json_kind_names[kind]; }
 
 struct JsonValue {
@@ -37,10 +37,10 @@ struct LineMembers {
   const JsonMember& at(std::string_view name) const;
 };
 
-// By nlohmann's lexer and grammar, but with the characters of each number instead of the library's value, which has gone
-// through double. Throws Error by place.fail() for anything but one JSON object, and for a number that is too large for
-// the precision that the line states; `known` are the tests that the message speaks of. `before_a_fault` is called with
-// the members so far, so that it can throw what says more.
+// By nlohmann's lexer and grammar, but with the characters of each number instead of the library's value, which has
+// gone through double. Throws Error by place.fail() for anything but one JSON object, and for a number that is too
+// large for the precision that the line states; `known` are the tests that the message speaks of. `before_a_fault` is
+// called with the members so far, so that it can throw what says more.
 LineMembers read_members(std::string_view line, const Place& place, KnownTests known,
                          const std::function<void(const LineMembers&)>& before_a_fault);
 

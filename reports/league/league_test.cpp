@@ -5,8 +5,8 @@
 #include "fuzz/queries/address.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
-#include "reports/instrument/league_trust.h"
-#include "reports/instrument/league_worst.h"
+#include "reports/league/league_trust.h"
+#include "reports/league/league_worst.h"
 #include "reports/testing/test_run.h"
 
 namespace axiscert {

@@ -1,4 +1,4 @@
-#include "reports/instrument/league_trust.h"
+#include "reports/league/league_trust.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/instrument/league_report.h"
+#include "reports/league/league_report.h"
 
 namespace axiscert {
 

@@ -1,4 +1,4 @@
-#include "reports/instrument/league_worst.h"
+#include "reports/league/league_worst.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "reports/instrument/league_report.h"
+#include "reports/league/league_report.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "reports/instrument/figures.h"
-#include "reports/instrument/league_trust.h"
-#include "reports/instrument/league_worst.h"
+#include "reports/league/league_trust.h"
+#include "reports/league/league_worst.h"
 
 namespace axiscert {
 namespace {
