@@ -40,9 +40,7 @@ void require_query_of(const Kernel& kernel, const StoredQuery& stored, const std
 }
 
 int check(const CheckOptions& options) {
-  const auto given = [&]() -> const Kernel* {
-    return options.kernel.empty() ? nullptr : &find_kernel(options.kernel);
-  }();
+  const Kernel* const given = options.kernel.empty() ? nullptr : &find_kernel(options.kernel);
   if (given != nullptr) require_loaded(*given);
   const std::string target = resolve_target(options.target);
   const auto queries = read_query_file(options.file, parse_precision(options.precision));
