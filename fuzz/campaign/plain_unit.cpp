@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "exact/trait/oracles.h"
-#include "fuzz/campaign/stages.h"
+#include "fuzz/campaign/stages/stages.h"
 #include "kernel/ask.h"
 #include "kernel/base/stopwatch.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cfenv>
 
-#include "fuzz/campaign/kernel_runs.h"
+#include "fuzz/campaign/stages/kernel_runs.h"
 #include "fuzz/campaign/plain_unit.h"
 #include "fuzz/campaign/thread_seconds.h"
 #include "kernel/base/stopwatch.h"

@@ -11,7 +11,7 @@
 #include "exact/sphere_triangle/unbounded/at_precision.h"
 #include "exact/sphere_triangle/unbounded/degree.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
-#include "fuzz/queries/family_testing.h"
+#include "fuzz/families/family_testing.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

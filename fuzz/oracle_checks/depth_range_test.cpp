@@ -1,7 +1,7 @@
 // Bounds of a depth contain the exact value, for queries of every family, and are narrow where they should be.
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "fuzz/queries/family_testing.h"
+#include "fuzz/families/family_testing.h"
 
 namespace axiscert {
 namespace {

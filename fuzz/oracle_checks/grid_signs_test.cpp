@@ -1,7 +1,7 @@
 // Signs by integers on the queries of the families, compared with those of CGAL::Mpzf.
 #include "exact/sphere_triangle/filters/grid_signs.h"
 
-#include "fuzz/queries/family_testing.h"
+#include "fuzz/families/family_testing.h"
 
 namespace axiscert {
 namespace {

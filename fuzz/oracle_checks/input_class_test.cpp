@@ -3,7 +3,7 @@
 #include "exact/sphere_triangle/measures/input_class.h"
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "fuzz/queries/family_testing.h"
+#include "fuzz/families/family_testing.h"
 
 namespace axiscert {
 namespace {

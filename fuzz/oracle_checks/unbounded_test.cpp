@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "exact/sphere_triangle/unbounded/at_precision.h"
-#include "fuzz/queries/family_testing.h"
+#include "fuzz/families/family_testing.h"
 #include "fuzz/queries/random.h"
 
 namespace axiscert {

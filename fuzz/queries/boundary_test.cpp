@@ -8,7 +8,7 @@
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/measures/nearest_root.h"
-#include "fuzz/queries/family_testing.h"
+#include "fuzz/families/family_testing.h"
 
 namespace axiscert {
 namespace {

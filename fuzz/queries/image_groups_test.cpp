@@ -9,7 +9,7 @@
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/queries/images.h"
-#include "fuzz/queries/family_testing.h"
+#include "fuzz/families/family_testing.h"
 
 namespace axiscert {
 namespace {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "fuzz/queries/family_testing.h"
+#include "fuzz/families/family_testing.h"
 
 namespace axiscert {
 namespace {

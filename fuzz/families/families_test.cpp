@@ -9,7 +9,7 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/queries/boundary.h"
-#include "fuzz/queries/family_testing.h"
+#include "fuzz/families/family_testing.h"
 #include "kernel/testing/sources.h"
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/reference/scalar.h"

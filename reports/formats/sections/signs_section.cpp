@@ -1,4 +1,4 @@
-#include "reports/formats/signs_section.h"
+#include "reports/formats/sections/signs_section.h"
 
 #include "reports/wording/markdown_text.h"
 

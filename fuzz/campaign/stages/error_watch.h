@@ -8,7 +8,7 @@
 #include "exact/sphere_triangle/filters/cascade.h"
 #include "exact/sphere_triangle/filters/wide_margins.h"
 #include "exact/sphere_triangle/measures/error_measure.h"
-#include "fuzz/campaign/stages.h"
+#include "fuzz/campaign/stages/stages.h"
 #include "fuzz/campaign/counts/tally.h"
 
 namespace axiscert {

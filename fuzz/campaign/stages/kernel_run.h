@@ -2,9 +2,9 @@
 #pragma once
 
 #include "exact/sphere_triangle/unbounded/reference_batch.h"
-#include "fuzz/campaign/close_look.h"
-#include "fuzz/campaign/error_watch.h"
-#include "fuzz/campaign/repeated_judgements.h"
+#include "fuzz/campaign/stages/close_look.h"
+#include "fuzz/campaign/stages/error_watch.h"
+#include "fuzz/campaign/stages/repeated_judgements.h"
 #include "kernel/ask.h"
 
 namespace axiscert {

@@ -4,7 +4,7 @@
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/campaign/stages.h"
+#include "fuzz/campaign/stages/stages.h"
 
 namespace axiscert {
 

@@ -9,7 +9,7 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/families/sphere_triangle/parts/lattice_bounds.h"
 #include "fuzz/queries/boundary.h"
-#include "fuzz/queries/family_testing.h"
+#include "fuzz/families/family_testing.h"
 #include "fuzz/queries/image_groups.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 

@@ -1,4 +1,4 @@
-#include "fuzz/campaign/error_watch.h"
+#include "fuzz/campaign/stages/error_watch.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "fuzz/campaign/kernel_runs.h"
+#include "fuzz/campaign/stages/kernel_runs.h"
 
 #include <algorithm>
 

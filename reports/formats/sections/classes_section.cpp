@@ -1,4 +1,4 @@
-#include "reports/formats/classes_section.h"
+#include "reports/formats/sections/classes_section.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include <deque>
 
-#include "fuzz/campaign/kernel_run.h"
+#include "fuzz/campaign/stages/kernel_run.h"
 
 namespace axiscert {
 

@@ -1,4 +1,4 @@
-#include "fuzz/campaign/decider.h"
+#include "fuzz/campaign/stages/decider.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>

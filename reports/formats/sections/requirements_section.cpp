@@ -1,4 +1,4 @@
-#include "reports/formats/requirements_section.h"
+#include "reports/formats/sections/requirements_section.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "fuzz/campaign/kernel_run.h"
+#include "fuzz/campaign/stages/kernel_run.h"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/measures/depth.h"
-#include "fuzz/campaign/decider.h"
+#include "fuzz/campaign/stages/decider.h"
 #include "fuzz/campaign/counts/tally.h"
 
 namespace axiscert {

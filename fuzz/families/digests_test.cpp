@@ -2,7 +2,7 @@
 // is another: operands of which each draws a random number are evaluated in the order that a compiler likes.
 #include <algorithm>
 
-#include "fuzz/queries/digest_testing.h"
+#include "fuzz/families/digest_testing.h"
 #include "kernel/testing/sources.h"
 
 namespace axiscert {

@@ -1,4 +1,4 @@
-#include "reports/formats/depths_section.h"
+#include "reports/formats/sections/depths_section.h"
 
 #include <fmt/format.h>
 

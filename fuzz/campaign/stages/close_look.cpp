@@ -1,4 +1,4 @@
-#include "fuzz/campaign/close_look.h"
+#include "fuzz/campaign/stages/close_look.h"
 
 #include <limits>
 
