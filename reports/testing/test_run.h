@@ -30,6 +30,18 @@ inline std::string text_of(const std::filesystem::path& path) {
 // testdata/record.json: `published` with flips on `tangent`, none on `lattice` and `mesh/a|b.obj`; `<script>`, which
 // shows only verdicts, with flips on both of its families. Tolerance for plane.radius, requirement `logic`.
 inline Json stored_record() { return Json::parse(text_of(SOURCE_FOLDER "/reports/testdata/record.json")); }
+// The same whose kernel, family, mesh and witness carry `name`.
+inline Json named(const std::string& name) {
+  std::string text = stored_record().dump();
+  for (const std::string old : {"<script>", "a|b.obj"}) {
+    const std::string quoted = Json(name).dump();
+    const std::string replacement = quoted.substr(1, quoted.size() - 2);
+    for (std::size_t at = text.find(old); at != text.npos; at = text.find(old, at + replacement.size())) {
+      text.replace(at, old.size(), replacement);
+    }
+  }
+  return Json::parse(text);
+}
 inline Json stored_run_info() { return Json::parse(text_of(SOURCE_FOLDER "/reports/testdata/run.json")); }
 // The counts of `published` on `tangent`.
 inline Json& tangent_counts(Json& record) { return record["kernels"][0]["families"]["tangent"]; }

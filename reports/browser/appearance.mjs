@@ -1,0 +1,55 @@
+// How a page looks, prints and is reached: contrast, screenshots, keyboard.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import test from 'node:test';
+
+import {contrast_faults} from './contrast.mjs';
+import {first_card, opened, real, work} from './pages.mjs';
+
+for (const scheme of ['light', 'dark']) {
+  test(`has the contrast of WCAG AA, ${scheme}, on screen and on paper`, async () => {
+    const {page, close} = await opened(real, {colorScheme: scheme});
+    await page.evaluate(() => document.querySelectorAll('details').forEach((some) => { some.open = true; }));
+    await page.waitForTimeout(300);
+    assert.deepEqual(await page.evaluate(contrast_faults), []);
+    await page.emulateMedia({media: 'print', colorScheme: scheme});
+    assert.deepEqual(await page.evaluate(contrast_faults), []);
+    assert.equal(await page.locator('nav').isVisible(), false);
+    await close();
+  });
+
+  test(`looks as it should, ${scheme}: screenshots for people`, async () => {
+    const {page, close} = await opened(real, {colorScheme: scheme});
+    await first_card(page);
+    await page.evaluate(() => document.activeElement.blur());
+    const into = path.join(work, `report-${scheme}.png`);
+    await page.screenshot({path: into, fullPage: true});
+    assert.ok(fs.statSync(into).size > 50000);
+    // Nothing extends beyond the sides of a wide or of a narrow screen.
+    for (const width of [1440, 420]) {
+      await page.setViewportSize({width, height: 800});
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${width} wide`);
+    }
+    await close();
+  });
+}
+
+test('reaches everything by keyboard', async () => {
+  const {page, close} = await opened(real);
+  await page.keyboard.press('Tab');
+  assert.equal(await page.evaluate(() => document.activeElement.className), 'skip');
+  // Every element that answers a click is reached by the keyboard and has a name that can be read out.
+  const nameless = await page.$$eval('button, a, select, summary, input, [tabindex="0"]', (all) => all.filter((node) =>
+    !(node.textContent.trim() || node.getAttribute('aria-label') || node.labels?.[0]?.innerText || node.hidden || node.closest('[hidden]'))).map((node) => node.outerHTML.slice(0, 120)));
+  assert.deepEqual(nameless, []);
+  await close();
+});
+
+test('prints', async () => {
+  const {page, close} = await opened(real);
+  const file = path.join(work, 'report.pdf');
+  await page.pdf({path: file, preferCSSPageSize: true});
+  assert.ok(fs.statSync(file).size > 20000);
+  await close();
+});

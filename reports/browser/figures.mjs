@@ -1,0 +1,154 @@
+// What a page says in figures: the answer, tables, the heat table, margins, classes.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import test from 'node:test';
+
+import {folder, opened, real, record_of, render, testdata} from './pages.mjs';
+
+test('opens from disk without a network, an error or an empty section', async () => {
+  const {page, close} = await opened(real);
+  assert.equal(await page.title(), 'axiscert report');
+  const empty = await page.$$eval('main > section:not([hidden])', (sections) =>
+    sections.filter((section) => section.textContent.trim().length < 60).map((section) => section.id));
+  assert.deepEqual(empty, []);
+  const order = await page.$$eval('main > section', (sections) => sections.map((section) => section.id));
+  assert.deepEqual(order, ['findings', 'answer', 'heat', 'bounds', 'origins', 'maps', 'witnesses', 'counts', 'others', 'reproduce', 'not-checked-part']);
+  await close();
+});
+
+test('says the answer: counts, depth, a sentence a link, a badge a comparison', async () => {
+  const {page, close} = await opened(real);
+  const card = page.locator('#answer-cards .card').first();
+  const text = await card.innerText();
+  const kernel = record_of(real).kernels[0];
+  const missed = Object.values(kernel.families).reduce((sum, family) => sum + family.verdict.false_separation, 0);
+  assert.match(text, new RegExp(missed.toLocaleString('en-US')));
+  for (const link of ['specification', 'rounding', 'range']) assert.match(text, new RegExp(`${link}\\s+in [0-9,]+ wrong verdicts, most on`));
+  assert.match(text, /open\s+all 16/i);
+  assert.match(await page.locator('#not-checked').innerText(), /axiscert prove/);
+  await close();
+});
+
+test('sorts a table by pointer and by keyboard', async () => {
+  const {page, close} = await opened(real);
+  const header = page.locator('#families-table th:has(button)', {hasText: 'false_separation'}).first();
+  const column = () => page.$$eval('#families-table tbody tr', (rows) => rows.map((row) => Number(row.cells[7].firstChild.textContent.replace(/,/g, ''))));
+  await header.locator('button').click();
+  assert.equal(await header.getAttribute('aria-sort'), 'descending');
+  const descending = await column();
+  assert.ok(descending[0] > 0);
+  assert.deepEqual(descending, [...descending].sort((x, y) => y - x));
+  await header.locator('button').focus();
+  await page.keyboard.press('Enter');
+  assert.equal(await header.getAttribute('aria-sort'), 'ascending');
+  assert.deepEqual(await column(), [...descending].reverse().sort((x, y) => x - y));
+  await close();
+});
+
+// The full text of the heat table's cell for a comparison and a family.
+const heat_words = (page, name, place) => page.locator('#heat-tables table').first().locator('tr', {hasText: name})
+  .locator('td').nth(place).evaluate((cell) => (cell.querySelector('button') ?? cell).title);
+
+test('toggles the heat table between figures and kernels', async () => {
+  const {page, close} = await opened(real);
+  const kernels = record_of(real).kernels;
+  const tallies = kernels.map((kernel) => kernel.families.sliver.comparisons['plane.radius']);
+  const place = 1 + Object.keys(kernels[0].families).indexOf('sliver');
+  const shows = async (figure, n) => {
+    const words = await heat_words(page, 'plane.radius', place);
+    assert.match(words, new RegExp(`^plane.radius on sliver: ${figure} ${n.toLocaleString('en-US')} of 2,000 `));
+  };
+  assert.ok(tallies[0].masked > 0 && tallies[0].decisive > 0);
+  await shows('sign errors', tallies[0].false_separation + tallies[0].missed_separation);
+  for (const [label, member] of [['masked', 'masked'], ['decisive', 'decisive'], ['missed_separation', 'missed_separation'], ['tolerance failures', 'tolerance_failures']]) {
+    await page.locator('#heat-controls label', {hasText: label}).last().click();
+    await shows(label, tallies[0][member]);
+  }
+  // By keyboard: radio buttons move with the arrows.
+  await page.keyboard.press('ArrowLeft');
+  await shows('missed_separation', tallies[0].missed_separation);
+  await page.locator('#heat-controls select').selectOption({index: 2});
+  await shows('missed_separation', tallies[2].missed_separation);
+  await close();
+});
+
+test('leads from a cell of the heat table to its witnesses', async () => {
+  const {page, close} = await opened(real);
+  await page.locator('#heat-controls label', {hasText: 'masked'}).click();
+  await page.locator('#heat-tables button[aria-label*="plane.radius on sliver"]').click();
+  const cards = await page.$$eval('#witnesses-list > details', (all) => all.map((card) => card.id.replace('witness-', '')));
+  assert.ok(cards.length > 0);
+  const record = record_of(real);
+  for (const id of cards) {
+    const witness = record.witnesses.find((one) => one.id === id);
+    assert.equal(witness.family, 'sliver');
+    assert.equal(witness.kernel, 'published');
+    assert.ok(witness.flips.some((flip) => flip.name === 'plane.radius' && !flip.decisive), id);
+  }
+  assert.ok(await page.locator('#witnesses-list > details').first().evaluate((card) => card.open));
+  // A card that the filter hides still opens by its address.
+  const other = record.witnesses.find((one) => one.family === 'repeated' && one.flips.some((flip) => flip.level === 'verdict'));
+  await page.evaluate((id) => { location.hash = `#witness-${id}`; }, other.id);
+  await page.waitForSelector(`[id="witness-${other.id}"][open] .body`);
+  await close();
+});
+
+test('draws the margins of each comparison with the band that errors reach', async () => {
+  const {page, close} = await opened(real);
+  const figures = page.locator('#margins figure');
+  assert.equal(await figures.count(), 16);
+  const record = record_of(real);
+  const [kernel] = record.kernels;
+  const sum = (counts) => Object.values(counts).reduce((x, y) => x + y, 0);
+  const shown = async (families) => {
+    const tallies = families.map((family) => family.comparisons['plane.radius']);
+    const [right, wrong] = ['right', 'wrong'].map((side) => tallies.reduce((n, tally) => n + sum(tally.margins[side]), 0));
+    const words = await figures.first().locator('[role="img"]').getAttribute('aria-label');
+    assert.match(words, new RegExp(`plane.radius: ${(right + wrong).toLocaleString('en-US')} measured, ${wrong} wrong`));
+    return {right, wrong};
+  };
+  const all = await shown(Object.values(kernel.families));
+  assert.ok(all.wrong > 0 && all.right + all.wrong <= 6 * record.plan.margin_queries);
+  await page.locator('#margins-controls select').nth(1).selectOption('general');
+  assert.equal((await shown([kernel.families.general])).right, record.plan.margin_queries);
+  // The band ends where the largest error does: its share of the axis, from the tie's bin on.
+  await page.locator('#margins-controls select').nth(1).selectOption('sliver');
+  const {band, bins} = await figures.first().evaluate((figure) => ({band: parseFloat(figure.querySelector('.band').style.width), bins: figure.querySelectorAll('.bin').length}));
+  const error = kernel.families.sliver.comparisons['plane.radius'].max_error_u;
+  assert.ok(Math.abs(band - 100 * Math.min(1, (1 + Math.log2(error) + bins - 25) / bins)) < 0.01, `${band} of ${bins} for ${error}`);
+  await page.locator('#margins details summary').click();
+  assert.equal(await page.locator('#margins table tbody tr').count(), 16);
+  assert.doesNotMatch(await page.locator('#not-checked').innerText(), /margins/);
+  await close();
+});
+
+test('says so where a record has no margins', async () => {
+  const older = folder('older');
+  fs.copyFileSync(path.join(testdata, 'record.json'), path.join(older, 'record.json'));
+  render(older);
+  const {page, close} = await opened(older);
+  assert.match(await page.locator('#margins').innerText(), /^Not counted/);
+  assert.match(await page.locator('#not-checked').innerText(), /Distribution of margins/);
+  await close();
+});
+
+test('says by the class of the input why a kernel is wrong that shows only verdicts', async () => {
+  const silent = folder('silent');
+  const record = JSON.parse(fs.readFileSync(path.join(testdata, 'record.json'), 'utf8'));
+  record.kernels = record.kernels.filter(({id}) => id === '<script>');
+  record.plan.kernels = ['<script>'];
+  record.plan.seed = 1;  // the stored one is no number of JavaScript
+  record.witnesses = record.witnesses.filter(({kernel}) => kernel === '<script>');
+  fs.writeFileSync(path.join(silent, 'record.json'), JSON.stringify(record));
+  render(silent);
+  const {page, close} = await opened(silent);
+  const why = await page.locator('#links-table').innerText();
+  for (const part of ['near_tie', 'sliver', 'ordinary', 'rounding alone may explain it', 'published, wrong on 60 % of the queries']) assert.ok(why.includes(part), `${part}: ${why}`);
+  assert.equal(await page.locator('#links-table a[href="#witness-w5"]').count(), 1);
+  const where = page.locator('#heat table');
+  assert.match(await where.locator('tr', {hasText: 'ordinary'}).innerText(), /0\s+2/);
+  assert.match(await page.locator('#bounds table').innerText(), /sliver\s+0.001/);
+  for (const section of ['#heat', '#bounds', '#origins']) assert.doesNotMatch(await page.locator(section).innerText(), /unattributed/);
+  await close();
+});
