@@ -4,7 +4,7 @@ import json
 import unittest
 from fractions import Fraction
 
-from command import MODELS, QUERY, Case, axiscert, family
+from command import MODELS, QUERY, Case, axiscert
 
 
 class Check(Case):

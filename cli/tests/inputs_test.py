@@ -2,7 +2,7 @@
 """Wrong input: each message says what was given, where, and what would be right."""
 import unittest
 
-from command import BUILD, MODELS, QUERY, Case, axiscert
+from command import BUILD, QUERY, Case, axiscert
 
 PLUGIN = BUILD / "faults/none.so"
 SMALL = ["--family", "general", "--trials", 4, "--precision", "binary32"]

@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from command import BUILD, DIVISOR, MODELS, SCHEMAS, axiscert
+from command import BUILD, DIVISOR, MODELS, SCHEMAS
 from plan_case import PlanCase
 
 SEED = 20261121

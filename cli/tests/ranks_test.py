@@ -7,7 +7,7 @@ import subprocess
 import time
 import unittest
 
-from command import BUILD, ROOT, axiscert
+from command import BUILD, ROOT
 from plan_case import PlanCase
 
 # For root, and for more ranks than cores, which Open MPI refuses to start otherwise.

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "reports/gates/requirement.h"
+#include "reports/wording/markdown_text.h"
 
 namespace axiscert {
 namespace {
