@@ -83,6 +83,11 @@ class Examples(unittest.TestCase):
         wanted = {file.relative_to(here) for files in ("*.json", ".npmrc", "engines/*.mjs") for file in here.glob(files)}
         self.assertEqual({file.relative_to(there) for file in there.rglob("*") if file.is_file()}, wanted)
 
+    def test_an_installed_engine_names_the_command_that_brings_its_package(self):
+        refused = subprocess.run([self.prefix / "bin/axiscert", "kernels", "--kernel", "peer/jolt/mesh"], capture_output=True, text=True)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn(f"`npm ci --ignore-scripts --prefix {(self.prefix / 'lib/axiscert/peers/npm').resolve()}`", refused.stderr)
+
     def test_an_example_exports_its_kernels_and_nothing_else(self):
         for name, precisions in EXAMPLE_KERNELS.items():
             with self.subTest(name=name):

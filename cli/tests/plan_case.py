@@ -5,9 +5,14 @@ from command import MODELS, Case, axiscert, fewer
 class PlanCase(Case):
     """Every test starts from the record of one thread, made once for each plan."""
     trials = fewer(700)
-    options = ["--family", "all", "--mesh", MODELS / "OBJ/spider.obj", "--trials", trials, "--tolerance", "3"]
+    families = ["general", "lattice", "grid", "scale", "repeated", "tangent", "far", "bits"]
     expected = {}
 
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        named = [part for family in cls.families for part in ("--family", family)]
+        cls.options = [*named, "--mesh", MODELS / "OBJ/spider.obj", "--trials", cls.trials, "--tolerance", "3"]
     def setUp(self):
         super().setUp()
         self.plan = self.folder / "plan.json"

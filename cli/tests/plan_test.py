@@ -118,6 +118,8 @@ class ResumeCase(PlanCase):
 
 
 class ResumeLong(ResumeCase):
+    families = ["all"]
+
     def test_killed_at_20_random_moments(self):
         self.kill_and_resume(4 if DIVISOR == 1 else 1)  # sanitized, each takes many times longer
 

@@ -19,8 +19,13 @@ struct Kind {
   std::string_view prefix, folder;
 };
 constexpr Kind kinds[] = {{"peer/", "peers"}, {"fault/", "faults"}};
-constexpr std::string_view programs_folder = "npm";       // in that of the peers
-constexpr const char* engines_command = "./dev engines";  // installs what they need
+constexpr std::string_view programs_folder = "npm";  // in that of the peers
+
+// The command that brings the packages of the programs in `folder`, which in a build tree is a link to the source's.
+std::string engines_command(const std::filesystem::path& folder) {
+  if (std::filesystem::is_symlink(folder)) return "./dev engines";
+  return fmt::format("npm ci --ignore-scripts --prefix {}", std::filesystem::weakly_canonical(folder).string());
+}
 
 // A program that comes along: its manifest, and the package or program that it needs and that is not here.
 struct ShippedProgram {
@@ -72,7 +77,8 @@ Located located(const Kind& kind) {
   }
   for (const auto& [name, program] : shipped_programs(*folder)) {
     if (!program.missing.empty()) {
-      found.absent.push_back({name, program.missing, engines_command});
+      found.absent.push_back(
+          {name, program.missing, engines_command(std::filesystem::path(*folder) / programs_folder)});
       continue;
     }
     found.names.push_back(name);

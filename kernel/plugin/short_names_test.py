@@ -38,7 +38,7 @@ def as_functions():
     text = HEADERS + "".join(function(name) for name in NAMES)
     for name in NAMES:
         text += f"#undef axiscert_plugin\n#define axiscert_plugin axiscert_plugin_{name}\n#undef axiscert_i_run\n"
-        text += f"#define axiscert_i_run axiscert_run_{name}\n" + f"const axiscert_kernel* axiscert_plugin(uint32_t);\n"
+        text += f"#define axiscert_i_run axiscert_run_{name}\n" + "const axiscert_kernel* axiscert_plugin(uint32_t);\n"
         text += PLUGIN.format(name)
     return text
 
