@@ -104,7 +104,7 @@ class Plugins(Case):
         ids = {name: f"plugin:{BUILD}/misbehaving/{name}.so" for name in kinds}
         kernels = [part for id in ids.values() for part in ("--kernel", id)]
         record = self.run_ok("--kernel", "published", *kernels, "--family", "scale", "--family", "general", "--trials",
-                             "3001", "--precision", "binary32")
+                             "3001", "--precision", "binary32", "--plugin-seconds", "0.1")
         self.assertTrue(record["complete"])
         found = {(f["kernel"], f["kind"]) for f in record["findings"]}
         self.assertEqual(found, {(ids[name], kind) for name, kind in kinds.items()})
