@@ -52,10 +52,10 @@ class RunLong(RunCase):
 
 class Run(RunCase):
     def test_the_record_does_not_depend_on_threads_or_target(self):
-        self.check_targets(fewer(150))
+        self.check_targets(fewer(60))
 
     def test_the_record_does_not_depend_on_the_filters(self):
-        self.check_filters(fewer(150), ["published", "packed-nonstrict", "closest-point"])
+        self.check_filters(fewer(60), ["published", "packed-nonstrict", "closest-point"])
 
     def test_record_and_run_info_satisfy_their_schemas(self):
         self.run_ok("--trials", fewer(100), "--kernel", "published", "--kernel", "nonstrict", "--tolerance",
