@@ -49,4 +49,24 @@ inline constexpr ComparisonBits side_bits = [] {
   return bits;
 }();
 
+// Bits of the headings.
+inline constexpr ComparisonBits heading_bits = [] {
+  ComparisonBits bits = 0;
+  for (std::size_t i = 0; i < comparison_names.size(); ++i) {
+    if (comparison_names[i].ends_with(".heading")) bits |= one_bit<ComparisonBits>(i);
+  }
+  return bits;
+}();
+
+// Bits of each axis: a radius and what follows it.
+inline constexpr std::array<ComparisonBits, 20> clause_bits = [] {
+  std::array<ComparisonBits, 20> bits{};
+  std::size_t clause = 0;
+  for (std::size_t i = 0; i < comparison_names.size(); ++i) {
+    if (i > 0 && is_radius(i)) ++clause;
+    bits[clause] |= one_bit<ComparisonBits>(i);
+  }
+  return bits;
+}();
+
 }  // namespace axiscert::moving_sphere
