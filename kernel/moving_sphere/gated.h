@@ -12,17 +12,24 @@ namespace axiscert::moving_sphere {
 
 // Where the twenty axes with `>=` find no separation there is a contact. It is at 0 where the static ones among them
 // find none before the motion; else at the least root of the pieces, in their form `products`; else, where rounding has
-// lost that root, as that of a graze may be, at the time of least distance among those at which it can be least.
+// lost that root, as that of a graze may be, at the time of least distance among those at which it can be least, and
+// neither feature nor point is given.
 // Over the reals the verdict is right for every query, degree 6, and so is the time, a root of degrees up to 8.
 struct Gated {
   template <class Real>
-  static std::optional<Real> first_time(const MovingQuery<Real>& query) {
+  static std::optional<ContactFound<Real>> first_contact(const MovingQuery<Real>& query) {
     const ComparisonBits holds = bits_of<TwentyNonstrict, Real>(query, [](std::size_t, Real, Real) {});
     if (separates(holds)) return std::nullopt;
-    if (!separates(start_alone(holds))) return Real(0);
     const auto q = portable::start_of<Real>(query);
-    const auto hit = portable::RoundedPieces<portable::RootForm::products>::first(q, portable::face_plane(q));
-    return hit.contact ? hit.time : least_time(q);
+    auto hit = portable::RoundedPieces<portable::RootForm::products>::first(q, portable::face_plane(q));
+    if (!separates(start_alone(holds))) hit = {true, 0, -1};
+    else if (!hit.contact) return ContactFound<Real>{.time = least_time(q)};
+    return contact_of(q, hit);
+  }
+  template <class Real>
+  static std::optional<Real> first_time(const MovingQuery<Real>& query) {
+    const auto contact = first_contact(query);
+    return contact ? std::optional(contact->time) : std::nullopt;
   }
 
  private:

@@ -14,22 +14,29 @@ namespace {
 
 using namespace moving_sphere;
 
-// The kernel, and in the forms of `simd` on every target that is not scalar.
+// The kernel, and in the forms of `simd` on every target that is not scalar, with the scalar form's measures.
 Kernel with_simd(Kernel kernel, const MotionSimd& (*simd)()) {
   if (simd_targets().empty()) return kernel;
   kernel.has_simd = true;
-  kernel.binary32 = [=, scalar = kernel.binary32](std::string_view target) {
-    return target == scalar_target ? scalar(target) : simd().on<float>(target);
+  const auto in_lanes = [=]<class Real>(const Implementation<Real>& scalar, std::string_view target) {
+    if (target == scalar_target) return scalar;
+    Implementation<Real> there = simd().on<Real>(target);
+    there.measure = scalar.measure;
+    return there;
   };
-  kernel.binary64 = [=, scalar = kernel.binary64](std::string_view target) {
-    return target == scalar_target ? scalar(target) : simd().on<double>(target);
-  };
+  kernel.binary32 = [=, scalar = kernel.binary32](std::string_view target) { return in_lanes(scalar(target), target); };
+  kernel.binary64 = [=, scalar = kernel.binary64](std::string_view target) { return in_lanes(scalar(target), target); };
   return kernel;
 }
 
 template <class M>
 Kernel timed(std::string id, std::string summary) {
   return plain_verdict_kernel<MovingSphere, Timed<M>>(std::move(id), std::move(summary));
+}
+
+Kernel promising(const MotionPolicy& policy, Kernel kernel) {
+  kernel.motion = policy;
+  return kernel;
 }
 
 }  // namespace
@@ -51,9 +58,12 @@ std::vector<Kernel> moving_sphere_kernels() {
                                                   "the same, a root as c / (b + sqrt(b^2 - a c))"),
       timed<OneNumber<portable::RoundedProducts>>("moving-sphere/rounded-products",
                                                   "then b^2 - a c as a difference of products"),
-      timed<Fauerby>("moving-sphere/fauerby", "Fauerby's sweep of a unit sphere, for both sides of the triangle"),
-      timed<PhysX4>("moving-sphere/physx4", "PhysX 4.1: the plane's point picks one vertex or one edge"),
-      timed<PhysX5>("moving-sphere/physx5", "PhysX 5: the plane's point picks one edge or two"),
+      promising({.still = StillPolicy::ignored},
+                timed<Fauerby>("moving-sphere/fauerby", "Fauerby's sweep of a unit sphere, for both sides of the triangle")),
+      promising({.still = StillPolicy::ignored},
+                timed<PhysX4>("moving-sphere/physx4", "PhysX 4.1: the plane's point picks one vertex or one edge")),
+      promising({.still = StillPolicy::ignored},
+                timed<PhysX5>("moving-sphere/physx5", "PhysX 5: the plane's point picks one edge or two")),
       plain_verdict_kernel<MovingSphere, Segment>("moving-sphere/segment",
                                                   "the distance of the centre's path, a segment, from the triangle"),
       timed<Advance<true>>("moving-sphere/advance",

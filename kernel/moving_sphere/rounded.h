@@ -18,14 +18,17 @@ namespace AXISCERT_TARGET {
 //             rr D.D - W.W, an edge's e (rr M.M - delta^2): it loses distance / r
 enum class RootForm { difference, quotient, products };
 
-// The first time found, of those that are in [0, 1]; 2 where there is none.
+// The first time found, of those that are in [0, 1]; 2 where there is none. `feature` is as the measures number it: 0,
+// 1, 2 a vertex, 3, 4, 5 an edge, 6 the face; -1 the start.
 template <class T>
 struct FirstHit {
   Held<T> contact;
-  T time;
-  AXISCERT_INLINE void take(const Held<T>& holds, const T& t) {
+  T time, feature;
+  AXISCERT_INLINE void take(const Held<T>& holds, const T& t, double which) {
     const Held<T> is_hit = both(holds, both(t >= T(0.0), T(1.0) >= t));
-    time = chosen(both(is_hit, time > t), t, time);
+    const Held<T> is_first = both(is_hit, time > t);
+    time = chosen(is_first, t, time);
+    feature = chosen(is_first, T(which), feature);
     contact = either(contact, is_hit);
   }
 };
@@ -58,9 +61,10 @@ template <RootForm form>
 struct RoundedPieces {
   // The root of a t^2 - 2 b t + c where there may be one; `products` is the discriminant as a difference of products.
   template <class T>
-  AXISCERT_INLINE static void take_root(FirstHit<T>& hit, const Held<T>& holds, const T& t, const T& b, const T& c) {
-    if constexpr (form == RootForm::difference) hit.take(holds, t);
-    else hit.take(both(holds, both(b > T(0.0), c > T(0.0))), t);
+  AXISCERT_INLINE static void take_root(FirstHit<T>& hit, const Held<T>& holds, const T& t, const T& b, const T& c,
+                                        double which) {
+    if constexpr (form == RootForm::difference) hit.take(holds, t, which);
+    else hit.take(both(holds, both(b > T(0.0), c > T(0.0))), t, which);
   }
   template <class T>
   AXISCERT_INLINE static T root(const T& a, const T& b, const T& c, const T& products) {
@@ -70,7 +74,8 @@ struct RoundedPieces {
   }
 
   template <class T>
-  AXISCERT_INLINE static void edge(const Start<T>& q, const Vec3<T>& from, const Vec3<T>& to, FirstHit<T>& hit) {
+  AXISCERT_INLINE static void edge(const Start<T>& q, const Vec3<T>& from, const Vec3<T>& to, double which,
+                                   FirstHit<T>& hit) {
     const Vec3<T> along = to - from, n = cross(from, along), m = cross(q.d, along);
     const T e = dot(along, along), a = dot(m, m), b = dot(n, m), c = dot(n, n) - q.rr * e;
     T products = T(0.0);
@@ -79,10 +84,10 @@ struct RoundedPieces {
       products = e * (q.rr * a - delta * delta);
     }
     const T t = root(a, b, c, products), foot = dot(q.d * t - from, along);
-    take_root(hit, both(foot >= T(0.0), e >= foot), t, b, c);
+    take_root(hit, both(foot >= T(0.0), e >= foot), t, b, c, which);
   }
   template <class T>
-  AXISCERT_INLINE static void vertex(const Start<T>& q, const Vec3<T>& at, FirstHit<T>& hit) {
+  AXISCERT_INLINE static void vertex(const Start<T>& q, const Vec3<T>& at, double which, FirstHit<T>& hit) {
     const T a = dot(q.d, q.d), b = dot(at, q.d), c = dot(at, at) - q.rr;
     T products = T(0.0);
     if constexpr (form == RootForm::products) {
@@ -90,7 +95,7 @@ struct RoundedPieces {
       products = q.rr * a - dot(w, w);
     }
     const T t = root(a, b, c, products);
-    take_root(hit, t >= T(0.0), t, b, c);
+    take_root(hit, t >= T(0.0), t, b, c, which);
   }
 
   template <class T>
@@ -105,21 +110,21 @@ struct RoundedPieces {
     const Vec3<T> foot = q.d * t + plane.normal * (radius / plane.length);
     hit.take(both(is_left(foot, q.a, q.b, plane.normal),
                   both(is_left(foot, q.b, q.c, plane.normal), is_left(foot, q.c, q.a, plane.normal))),
-             t);
+             t, 6);
   }
 
   // The first time at which the centre, from outside, meets the face moved out by r, the inside of an edge's cylinder
   // or a vertex's sphere.
   template <class T>
   AXISCERT_INLINE static FirstHit<T> first(const Start<T>& q, const FacePlane<T>& plane) {
-    FirstHit<T> hit{T(0.0) > T(0.0), T(2.0)};
+    FirstHit<T> hit{T(0.0) > T(0.0), T(2.0), T(-1.0)};
     face(q, plane, hit);
-    edge(q, q.a, q.b, hit);
-    edge(q, q.b, q.c, hit);
-    edge(q, q.c, q.a, hit);
-    vertex(q, q.a, hit);
-    vertex(q, q.b, hit);
-    vertex(q, q.c, hit);
+    edge(q, q.a, q.b, 3, hit);
+    edge(q, q.b, q.c, 4, hit);
+    edge(q, q.c, q.a, 5, hit);
+    vertex(q, q.a, 0, hit);
+    vertex(q, q.b, 1, hit);
+    vertex(q, q.c, 2, hit);
     return hit;
   }
 };
@@ -136,7 +141,7 @@ struct RoundedForm {
     FirstHit<T> hit = RoundedPieces<form>::first(q, plane);
     const Vec3<T> nearest = nearest_point(q.a, q.b, q.c);
     const Held<T> overlap = both(q.r >= magnitude(plane.offset), q.rr >= dot(nearest, nearest));
-    return {either(hit.contact, overlap), chosen(overlap, T(0.0), hit.time)};
+    return {either(hit.contact, overlap), chosen(overlap, T(0.0), hit.time), chosen(overlap, T(-1.0), hit.feature)};
   }
 };
 
