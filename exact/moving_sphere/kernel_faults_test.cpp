@@ -8,7 +8,7 @@
 namespace axiscert::moving_sphere {
 namespace {
 
-enum class QueryClass : std::uint8_t { general, parallel, overlap, no_area, no_motion, point, touching };
+enum class QueryClass : std::uint8_t { general, parallel, touching, start, point, no_area, no_motion };
 constexpr std::size_t class_count = 7;
 
 struct ClassedQuery {
@@ -16,13 +16,13 @@ struct ClassedQuery {
   std::optional<FirstContact> contact;
 };
 
-// The first of these that a query is, the last being any other.
+// The last of these that a query is: `start` begins in contact, `touching` grazes or touches at the end.
 QueryClass class_of(const MovingQuery<double>& q, const std::optional<FirstContact>& contact) {
   const auto normal = cross(q.b - q.a, q.c - q.a);
   if (dot(q.d, q.d) == 0) return QueryClass::no_motion;
   if (dot(normal, normal) == 0) return QueryClass::no_area;
   if (q.r == 0) return QueryClass::point;
-  if (contact && contact->start == Start::overlap) return QueryClass::overlap;
+  if (contact && contact->start != Start::clear) return QueryClass::start;
   if (contact && cmp(least_distance(q).squared, Rational(Rational(q.r) * Rational(q.r))) == 0) return QueryClass::touching;
   if (dot(q.d, normal) == 0) return QueryClass::parallel;
   return QueryClass::general;

@@ -23,7 +23,7 @@ MovingQuery<float> aimed_query(std::mt19937_64& random, float distance) {
   MovingQuery<float> q;
   for (auto* corner : {&q.a, &q.b, &q.c}) *corner = point(1);
   q.p = point(distance);
-  const portable::Vec3<float> aim = point(3);
+  const portable::Vec3<float> aim = point(2);
   q.d = (aim - q.p) * (1.25f + uniform_float(random, 0.25f));
   q.r = 0.75f + uniform_float(random, 0.25f);
   return q;
@@ -85,7 +85,7 @@ TEST(RoundingByDistanceLong, IsThatOfTheDocument) {
         EXPECT_GT(counts.missed, contacts / 50) << "b^2 - a c loses contacts";
       }
       if (id == "gated") {
-        EXPECT_LE(counts.missed, contacts / 5000);
+        EXPECT_LE(counts.missed, 2) << "of " << contacts;
       }
     }
     verdicts.push_back(table_row(verdict));
