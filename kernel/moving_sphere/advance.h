@@ -1,7 +1,8 @@
-// Conservative advancement: the sphere is moved on by what the distance allows, until it touches. A verdict alone.
+// Conservative advancement: the sphere is moved on by what the distance allows, until it touches.
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include "kernel/moving_sphere/moving_sphere.h"
 #include "kernel/sphere_triangle/methods/closest_point.h"
@@ -18,7 +19,7 @@ struct Advance {
   static constexpr int most_steps = 32;
 
   template <class Real>
-  static bool separated(const MovingQuery<Real>& q) {
+  static std::optional<Real> first_time(const MovingQuery<Real>& q) {
     using portable::dot;
     const portable::Vec3<Real> a = q.a - q.p, b = q.b - q.p, c = q.c - q.p;
     Real t = 0;
@@ -27,14 +28,14 @@ struct Advance {
       const portable::Vec3<Real> nearest =
           methods::ClosestPoint::closest(portable::Centred<Real>{a - moved, b - moved, c - moved, Real(0)}, Real(0));
       const Real distance = std::sqrt(dot(nearest, nearest));
-      if (distance <= q.r) return false;
+      if (distance <= q.r) return t;
       const Real closing = along_nearest ? dot(nearest, q.d) / distance : std::sqrt(dot(q.d, q.d));
       const Real next = t + (distance - q.r) / closing;
-      if (!(closing > 0) || next > 1) return true;
-      if (next == t) return false;
+      if (!(closing > 0) || next > 1) return std::nullopt;
+      if (next == t) return t;
       t = next;
     }
-    return true;
+    return std::nullopt;
   }
 };
 

@@ -1,24 +1,74 @@
 #include "kernel/moving_sphere/advance.h"
-#include "kernel/moving_sphere/rounded.h"
+#include "kernel/moving_sphere/fauerby.h"
+#include "kernel/moving_sphere/gated.h"
+#include "kernel/moving_sphere/physx4.h"
+#include "kernel/moving_sphere/physx5.h"
 #include "kernel/moving_sphere/segment.h"
+#include "kernel/moving_sphere/simd.h"
+#include "kernel/moving_sphere/timed.h"
 #include "kernel/moving_sphere/twenty.h"
+#include "kernel/moving_sphere/walk.h"
 
 namespace axiscert {
+namespace {
+
+using namespace moving_sphere;
+
+// The kernel, and in the forms of `simd` on every target that is not scalar, with the scalar form's measures.
+Kernel with_simd(Kernel kernel, const MotionSimd& (*simd)()) {
+  if (simd_targets().empty()) return kernel;
+  kernel.has_simd = true;
+  const auto in_lanes = [=]<class Real>(const Implementation<Real>& scalar, std::string_view target) {
+    if (target == scalar_target) return scalar;
+    Implementation<Real> there = simd().on<Real>(target);
+    there.measure = scalar.measure;
+    return there;
+  };
+  kernel.binary32 = [=, scalar = kernel.binary32](std::string_view target) { return in_lanes(scalar(target), target); };
+  kernel.binary64 = [=, scalar = kernel.binary64](std::string_view target) { return in_lanes(scalar(target), target); };
+  return kernel;
+}
+
+template <class M>
+Kernel timed(std::string id, std::string summary) {
+  return plain_verdict_kernel<MovingSphere, Timed<M>>(std::move(id), std::move(summary));
+}
+
+Kernel promising(const MotionPolicy& policy, Kernel kernel) {
+  kernel.motion = policy;
+  return kernel;
+}
+
+}  // namespace
 
 std::vector<Kernel> moving_sphere_kernels() {
-  using namespace moving_sphere;
   return {
-      plain_kernel<MovingSphere, Twenty>("moving-sphere/twenty", "the sphere against the prism of the motion: 20 axes"),
-      plain_kernel<MovingSphere, TwentyNonstrict>(
-          "moving-sphere/twenty-nonstrict", "the same with >= in the sides: over the reals right for every query"),
-      plain_verdict_kernel<MovingSphere, Rounded>(
-          "moving-sphere/rounded", "the centre's path against face, cylinders and spheres, by roots of quadratics"),
+      with_simd(plain_kernel<MovingSphere, Twenty>("moving-sphere/twenty",
+                                                   "the sphere against the prism of the motion: 20 axes"),
+                simd_twenty),
+      with_simd(plain_kernel<MovingSphere, TwentyNonstrict>(
+                    "moving-sphere/twenty-nonstrict", "the same with >= in the sides: over the reals right for every query"),
+                simd_twenty_nonstrict),
+      timed<Gated>("moving-sphere/gated", "the verdict by the twenty axes, the time by c / (b + sqrt(b^2 - a c))"),
+      timed<Walk>("moving-sphere/walk", "the seven static axes tracked over time, from interval to interval"),
+      with_simd(timed<OneNumber<portable::Rounded>>(
+                    "moving-sphere/rounded", "the centre's path against face, cylinders and spheres, by roots of quadratics"),
+                simd_rounded),
+      timed<OneNumber<portable::RoundedQuotient>>("moving-sphere/rounded-quotient",
+                                                  "the same, a root as c / (b + sqrt(b^2 - a c))"),
+      timed<OneNumber<portable::RoundedProducts>>("moving-sphere/rounded-products",
+                                                  "then b^2 - a c as a difference of products"),
+      promising({.still = StillPolicy::ignored},
+                timed<Fauerby>("moving-sphere/fauerby", "Fauerby's sweep of a unit sphere, for both sides of the triangle")),
+      promising({.still = StillPolicy::ignored},
+                timed<PhysX4>("moving-sphere/physx4", "PhysX 4.1: the plane's point picks one vertex or one edge")),
+      promising({.still = StillPolicy::ignored},
+                timed<PhysX5>("moving-sphere/physx5", "PhysX 5: the plane's point picks one edge or two")),
       plain_verdict_kernel<MovingSphere, Segment>("moving-sphere/segment",
                                                   "the distance of the centre's path, a segment, from the triangle"),
-      plain_verdict_kernel<MovingSphere, Advance<true>>(
-          "moving-sphere/advance", "conservative advancement by the speed along the nearest direction, 32 steps"),
-      plain_verdict_kernel<MovingSphere, Advance<false>>("moving-sphere/advance-by-length",
-                                                         "the same by |D|, which takes more steps"),
+      timed<Advance<true>>("moving-sphere/advance",
+                           "conservative advancement by the speed along the nearest direction, 32 steps"),
+      timed<Advance<false>>("moving-sphere/advance-by-length", "the same by |D|, which takes more steps"),
   };
 }
 

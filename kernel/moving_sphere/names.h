@@ -49,4 +49,28 @@ inline constexpr ComparisonBits side_bits = [] {
   return bits;
 }();
 
+// Bits of the headings.
+inline constexpr ComparisonBits heading_bits = [] {
+  ComparisonBits bits = 0;
+  for (std::size_t i = 0; i < comparison_names.size(); ++i) {
+    if (comparison_names[i].ends_with(".heading")) bits |= one_bit<ComparisonBits>(i);
+  }
+  return bits;
+}();
+
+// Bits of each axis: a radius and what follows it.
+inline constexpr std::array<ComparisonBits, 20> clause_bits = [] {
+  std::array<ComparisonBits, 20> bits{};
+  std::size_t clause = 0;
+  for (std::size_t i = 0; i < comparison_names.size(); ++i) {
+    if (i > 0 && is_radius(i)) ++clause;
+    bits[clause] |= one_bit<ComparisonBits>(i);
+  }
+  return bits;
+}();
+
+// Where the measures of each kind begin among the test's: a time, a feature, a normal of three and a point of three.
+inline constexpr std::size_t time_measure = 0, feature_measure = 1, normal_measure = 2, point_measure = 5,
+                             measure_count = 8;
+
 }  // namespace axiscert::moving_sphere

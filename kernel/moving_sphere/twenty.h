@@ -1,15 +1,17 @@
 // The twenty axes of a moving sphere: the sphere, standing still, against the prism that the triangle sweeps towards
 // it. Straight-line ring arithmetic, no parameter of time, degree 6 as the static test. docs/moving.md derives it.
-#pragma once
+//
+// kernel/base/geometry.h says why there is no guard for AXISCERT_PER_TARGET.
+#if defined(AXISCERT_PER_TARGET) || !defined(AXISCERT_KERNEL_MOVING_SPHERE_TWENTY_H)
+#define AXISCERT_KERNEL_MOVING_SPHERE_TWENTY_H
 
-#include "kernel/moving_sphere/moving_sphere.h"
+#include "kernel/base/geometry.h"
+#include "kernel/formulae_list.h"
 #include "kernel/moving_sphere/names.h"
 
-namespace axiscert::moving_sphere {
-
-using portable::cross;
-using portable::dot;
-using portable::Vec3;
+AXISCERT_BEFORE_NAMESPACE();
+namespace axiscert {
+namespace AXISCERT_TARGET {
 
 // An edge X Y of the triangle, which the motion does not turn: U = Y - X, e = U.U, M = D x U.
 template <class T>
@@ -18,7 +20,7 @@ struct MovingEdge {
   T length2;
 };
 template <class T>
-MovingEdge<T> moving_edge(const Vec3<T>& from, const Vec3<T>& to, const Vec3<T>& d) {
+AXISCERT_INLINE MovingEdge<T> moving_edge(const Vec3<T>& from, const Vec3<T>& to, const Vec3<T>& d) {
   const Vec3<T> along = to - from;
   return {along, cross(d, along), dot(along, along)};
 }
@@ -31,42 +33,59 @@ struct Motion {
   T normal2, along_normal, rr, zero;
 };
 
-// The seven axes of the static test, with the sphere's centre at the origin and the triangle at `a`, `b`, `c`, each
-// with one more side: heading(x, y) emits that x, which grows with D towards the triangle, does not pass y.
-//
-// plane.radius    beyond the plane of ABC                      degree 6; zero area: 0 > 0, never separates
-// vertex.radius   vertex A is outside the sphere               degree 2
-// vertex.side     B is beyond the plane at A, normal A         degree 2; A = B: equal sides
-// edge.radius     the line AB is outside the sphere            degree 4; A = B: 0 > 0, never separates
-// edge.side       C is beyond the plane along AB               degree 4; C on line AB: 0 > 0
-template <class T, class Sink, class Heading>
-void still_axes(std::size_t i, const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Motion<T>& motion,
-                Sink& sink, Heading&& heading) {
-  const T offset = dot(a, motion.normal);
-  sink(i++, offset * offset, motion.rr * motion.normal2);
-  heading(i++, offset * motion.along_normal);
+// The two ends of the motion, where the sphere stands still. A value that grows with D towards the triangle must not be
+// positive at the start, and not negative at the end.
+enum class Moment { start, end };
 
-  const T aa = dot(a, a), ab = dot(a, b), ac = dot(a, c), bb = dot(b, b), bc = dot(b, c), cc = dot(c, c);
-  const auto vertex = [&](const Vec3<T>& at, const T& square, const T& one, const T& other) {
-    sink(i++, square, motion.rr);
-    sink(i++, one, square);
-    sink(i++, other, square);
-    heading(i++, dot(at, motion.d));
-  };
-  vertex(a, aa, ab, ac);
-  vertex(b, bb, ab, bc);
-  vertex(c, cc, ac, bc);
+template <Moment moment, class T>
+struct StillAxes {
+  const Motion<T>& motion;
 
-  const auto edge = [&](const Vec3<T>& from, const MovingEdge<T>& edge) {
-    const Vec3<T> normal = cross(from, edge.along);
-    sink(i++, dot(normal, normal), motion.rr * edge.length2);
-    sink(i++, motion.zero, dot(normal, motion.normal));
-    heading(i++, dot(normal, edge.across));
-  };
-  edge(a, motion.ab);
-  edge(b, motion.bc);
-  edge(c, motion.ca);
-}
+  template <class Sink>
+  AXISCERT_INLINE void heading(std::size_t i, const T& closing, Sink& sink) const {
+    if constexpr (moment == Moment::start) sink(i, motion.zero, closing);
+    else sink(i, closing, motion.zero);
+  }
+  template <class Sink>
+  AXISCERT_INLINE void vertex(std::size_t i, const Vec3<T>& at, const T& square, const T& one, const T& other,
+                              Sink& sink) const {
+    sink(i, square, motion.rr);
+    sink(i + 1, one, square);
+    sink(i + 2, other, square);
+    heading(i + 3, dot(at, motion.d), sink);
+  }
+  template <class Sink>
+  AXISCERT_INLINE void edge(std::size_t i, const Vec3<T>& from, const MovingEdge<T>& line, Sink& sink) const {
+    const Vec3<T> normal = cross(from, line.along);
+    sink(i, dot(normal, normal), motion.rr * line.length2);
+    sink(i + 1, motion.zero, dot(normal, motion.normal));
+    heading(i + 2, dot(normal, line.across), sink);
+  }
+
+  // The seven axes of the static test, with the sphere's centre at the origin and the triangle at `a`, `b`, `c`, each
+  // with one more side, `heading`. Comparisons from i on.
+  //
+  // plane.radius    beyond the plane of ABC                      degree 6; zero area: 0 > 0, never separates
+  // vertex.radius   vertex A is outside the sphere               degree 2
+  // vertex.side     B is beyond the plane at A, normal A         degree 2; A = B: equal sides
+  // edge.radius     the line AB is outside the sphere            degree 4; A = B: 0 > 0, never separates
+  // edge.side       C is beyond the plane along AB               degree 4; C on line AB: 0 > 0
+  template <class Sink>
+  AXISCERT_INLINE void axes(std::size_t i, const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, Sink& sink) const {
+    const T offset = dot(a, motion.normal);
+    sink(i, offset * offset, motion.rr * motion.normal2);
+    heading(i + 1, offset * motion.along_normal, sink);
+
+    const T aa = dot(a, a), ab = dot(a, b), ac = dot(a, c), bb = dot(b, b), bc = dot(b, c), cc = dot(c, c);
+    vertex(i + 2, a, aa, ab, ac, sink);
+    vertex(i + 6, b, bb, ab, bc, sink);
+    vertex(i + 10, c, cc, ac, bc, sink);
+
+    edge(i + 14, a, motion.ab, sink);
+    edge(i + 17, b, motion.bc, sink);
+    edge(i + 20, c, motion.ca, sink);
+  }
+};
 
 // The static test in two dimensions, seen along D; D = 0 never separates.
 //
@@ -74,56 +93,74 @@ void still_axes(std::size_t i, const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>
 // vertex.side     the line of B is beyond the plane of that of A, normal D x W         degree 4
 // edge.radius     the plane that the edge sweeps is outside the sphere: delta = A.M    degree 6; M = 0 never separates
 // edge.side       C is beyond that plane: C.M = delta + m                              degree 6
-template <class T, class Sink>
-void sweeping_axes(std::size_t i, const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Motion<T>& motion,
-                   Sink& sink) {
-  const Vec3<T> wa = cross(a, motion.d), wb = cross(b, motion.d), wc = cross(c, motion.d);
-  const T aa = dot(wa, wa), ab = dot(wa, wb), ac = dot(wa, wc), bb = dot(wb, wb), bc = dot(wb, wc), cc = dot(wc, wc);
-  const T limit = motion.rr * dot(motion.d, motion.d);
-  const auto vertex = [&](const T& square, const T& one, const T& other) {
-    sink(i++, square, limit);
-    sink(i++, one, square);
-    sink(i++, other, square);
-  };
-  vertex(aa, ab, ac);
-  vertex(bb, ab, bc);
-  vertex(cc, ac, bc);
+template <class T>
+struct SweepingAxes {
+  const Motion<T>& motion;
 
-  const auto edge = [&](const Vec3<T>& from, const MovingEdge<T>& edge) {
-    const T delta = dot(from, edge.across);
-    sink(i++, delta * delta, motion.rr * dot(edge.across, edge.across));
-    sink(i++, delta * motion.along_normal, motion.zero);
-  };
-  edge(a, motion.ab);
-  edge(b, motion.bc);
-  edge(c, motion.ca);
-}
+  template <class Sink>
+  AXISCERT_INLINE void vertex(std::size_t i, const T& square, const T& limit, const T& one, const T& other,
+                              Sink& sink) const {
+    sink(i, square, limit);
+    sink(i + 1, one, square);
+    sink(i + 2, other, square);
+  }
+  template <class Sink>
+  AXISCERT_INLINE void edge(std::size_t i, const Vec3<T>& from, const MovingEdge<T>& line, Sink& sink) const {
+    const T delta = dot(from, line.across);
+    sink(i, delta * delta, motion.rr * dot(line.across, line.across));
+    sink(i + 1, delta * motion.along_normal, motion.zero);
+  }
+
+  template <class Sink>
+  AXISCERT_INLINE void axes(std::size_t i, const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, Sink& sink) const {
+    const Vec3<T> wa = cross(a, motion.d), wb = cross(b, motion.d), wc = cross(c, motion.d);
+    const T aa = dot(wa, wa), ab = dot(wa, wb), ac = dot(wa, wc), bb = dot(wb, wb), bc = dot(wb, wc), cc = dot(wc, wc);
+    const T limit = motion.rr * dot(motion.d, motion.d);
+    vertex(i, aa, limit, ab, ac, sink);
+    vertex(i + 3, bb, limit, ab, bc, sink);
+    vertex(i + 6, cc, limit, ac, bc, sink);
+
+    edge(i + 9, a, motion.ab, sink);
+    edge(i + 11, b, motion.bc, sink);
+    edge(i + 13, c, motion.ca, sink);
+  }
+};
 
 // All 61 comparisons. With `>` in the sides it is right over the reals wherever D.V != 0, and else may invent contacts;
 // with `>=` in them it is right for every query.
 struct Twenty {
   static constexpr std::string_view name = "twenty";
   static constexpr FormulaeKind kind = FormulaeKind::rung;
-  template <class T, class Sink>
-  static void comparisons(const MovingSphere::Problem<T>& q, Sink& sink) {
-    const Vec3<T> a = q.a - q.p, b = q.b - q.p, c = q.c - q.p;
+  // `q` has the members of MovingQuery.
+  template <class T, class Query, class Sink>
+  AXISCERT_INLINE static void comparisons(const Query& q, Sink& sink) {
+    const Vec3<T> a = translated(q.a, q.p), b = translated(q.b, q.p), c = translated(q.c, q.p);
     Motion<T> motion{
         moving_edge(a, b, q.d), moving_edge(b, c, q.d), moving_edge(c, a, q.d), q.d, {}, {}, {}, q.r * q.r, T(0.0)};
     motion.normal = cross(motion.ab.along, c - a);
     motion.normal2 = dot(motion.normal, motion.normal);
     motion.along_normal = dot(q.d, motion.normal);
 
-    const T& zero = motion.zero;
-    still_axes(start_axes, a, b, c, motion, sink, [&](std::size_t i, const T& closing) { sink(i, zero, closing); });
-    still_axes(end_axes, a - q.d, b - q.d, c - q.d, motion, sink,
-               [&](std::size_t i, const T& closing) { sink(i, closing, zero); });
-    sweeping_axes(sweep_axes, a, b, c, motion, sink);
+    StillAxes<Moment::start, T>{motion}.axes(moving_sphere::start_axes, a, b, c, sink);
+    StillAxes<Moment::end, T>{motion}.axes(moving_sphere::end_axes, a - q.d, b - q.d, c - q.d, sink);
+    SweepingAxes<T>{motion}.axes(moving_sphere::sweep_axes, a, b, c, sink);
   }
 };
 
 struct TwentyNonstrict : Twenty {
   static constexpr std::string_view name = "twenty-nonstrict";
-  static constexpr ComparisonBits nonstrict = side_bits;
+  static constexpr ComparisonBits nonstrict = moving_sphere::side_bits;
 };
 
+}  // namespace AXISCERT_TARGET
+}  // namespace axiscert
+AXISCERT_AFTER_NAMESPACE();
+
+#ifndef AXISCERT_PER_TARGET
+#include "kernel/moving_sphere/moving_sphere.h"
+
+namespace axiscert::moving_sphere {
+using portable::cross, portable::dot, portable::Twenty, portable::TwentyNonstrict, portable::Vec3;
 }  // namespace axiscert::moving_sphere
+#endif
+#endif
