@@ -22,7 +22,7 @@ namespace axiscert {
 namespace {
 
 struct SearchOptions {
-  std::string kernel = "published", precision = "binary32", target = "auto", format = "text", out;
+  std::string test, kernel, precision = "binary32", target = "auto", format = "text", out;
   std::vector<std::string> comparisons, families;
   std::optional<std::uint64_t> evaluations;
   std::optional<double> seconds;
@@ -35,6 +35,8 @@ struct SearchOptions {
 constexpr std::uint64_t default_evaluations = std::uint64_t{1} << 24;
 // Queries of each family in the run from which a search begins: together a second or two.
 constexpr std::uint64_t first_queries = std::uint64_t{1} << 13;
+// The same for a test other than sphere-triangle, whose oracles have no quick estimate.
+constexpr std::uint64_t evaluations_by_oracles = std::uint64_t{1} << 14, first_by_oracles = std::uint64_t{1} << 9;
 constexpr const char* state_file = "search.state";
 
 Comparison parse_comparison(const std::string& given) {
@@ -46,15 +48,37 @@ Comparison parse_comparison(const std::string& given) {
   throw Error(fmt::format("--comparison {}: {}", given, unknown_name("comparison", "comparisons", given, known)));
 }
 
+const Kernel& kernel_of(const SearchOptions& options) {
+  if (options.kernel.empty()) return default_kernel(test_given(options.test));
+  const Kernel& kernel = find_kernel(options.kernel);
+  test_of_kernels(options.test, {&kernel});
+  return kernel;
+}
+
+// The families that islands start from: those that were given; else of sphere-triangle some, of another test all.
+std::vector<SourcePtr> sources_of(const SearchOptions& options, const Kernel& kernel) {
+  std::vector<std::string> names = options.families;
+  if (names.empty() && kernel.test == &first_test())
+    names = {"general", "tangent", "seam", "sliver", "needle", "collinear", "repeated", "far", "ratio"};
+  std::vector<SourcePtr> sources;
+  for (const std::string& name : names) sources.push_back(family_source(find_family(name)));
+  if (names.empty()) {
+    for (const Family* family : families_of(*kernel.test)) sources.push_back(family_source(*family));
+  }
+  require_one_test({&kernel}, sources);
+  return sources;
+}
+
 SearchPlan plan_of(const SearchOptions& options) {
   SearchPlan plan;
-  plan.kernel = &find_kernel(options.kernel);
-  require_served("search", *plan.kernel->test);
+  plan.kernel = &kernel_of(options);
+  const bool is_first = plan.kernel->test == &first_test();
   require_loaded(*plan.kernel);
   plan.precision = parse_precision(options.precision);
   if (!plan.kernel->has(plan.precision)) {
-    throw Error(fmt::format("--precision {}: kernel {} does not exist in it", options.precision, options.kernel));
+    throw Error(fmt::format("--precision {}: kernel {} does not exist in it", options.precision, plan.kernel->id));
   }
+  if (!options.comparisons.empty()) require_served("--comparison", *plan.kernel->test);
   for (const std::string& given : options.comparisons) {
     const Comparison which = parse_comparison(given);
     const auto& so_far = plan.comparisons;
@@ -62,30 +86,26 @@ SearchPlan plan_of(const SearchOptions& options) {
   }
   if (!plan.comparisons.empty() && aims_of(*plan.kernel, plan.comparisons).empty()) {
     throw Error(
-        fmt::format("--comparison: kernel {} does not show the computed sides of its own formulae", options.kernel));
+        fmt::format("--comparison: kernel {} does not show the computed sides of its own formulae", plan.kernel->id));
   }
   std::sort(plan.comparisons.begin(), plan.comparisons.end());
-  InstrumentOptions families;
-  families.command = "search";
-  families.families = options.families;
-  plan.sources = instrument_sources(
-      families, {"general", "tangent", "seam", "sliver", "needle", "collinear", "repeated", "far", "ratio"});
+  plan.sources = sources_of(options, *plan.kernel);
   // The run from which it begins has every family, as `axiscert run` does, unless some are given.
-  plan.first_queries = first_queries;
+  plan.first_queries = is_first ? first_queries : first_by_oracles;
   if (!options.families.empty()) plan.first_sources = plan.sources;
   else
     for (const Family* family : families_of(*plan.kernel->test)) plan.first_sources.push_back(family_source(*family));
   plan.seed = options.seed;
   plan.seconds = options.seconds;
   plan.evaluations = options.evaluations;
-  if (!plan.seconds && !plan.evaluations) plan.evaluations = default_evaluations;
+  if (!plan.seconds && !plan.evaluations) plan.evaluations = is_first ? default_evaluations : evaluations_by_oracles;
   plan.target = resolve_target(options.target);
   plan.threads = threads_of(options.threads);
   return plan;
 }
 
-std::string command_of(const SearchOptions& options, const SearchResult& result) {
-  std::string command = fmt::format("axiscert search --kernel {} --precision {}", options.kernel, options.precision);
+std::string command_of(const SearchOptions& options, const SearchPlan& plan, const SearchResult& result) {
+  std::string command = fmt::format("axiscert search --kernel {} --precision {}", plan.kernel->id, options.precision);
   for (const std::string& which : options.comparisons) command += " --comparison " + which;
   for (const std::string& family : options.families) command += " --family " + family;
   return command + fmt::format(" --evaluations {} --seed {}", result.evaluations, options.seed);
@@ -125,7 +145,7 @@ int search(const SearchOptions& options) {
   InstrumentOptions output;
   output.format = options.format;
   output.out = options.out;
-  const int done = put_instrument(search_report(plan, result, command_of(options, result)), output);
+  const int done = put_instrument(search_report(plan, result, command_of(options, plan, result)), output);
   return result.complete ? done : exit_interrupted;
 }
 
@@ -137,17 +157,19 @@ void add_search(CLI::App& app, Action& action) {
                                      "verdicts, the scales where range fails");
   auto options = std::make_shared<SearchOptions>();
   SearchOptions& o = *options;
-  command->add_option("--kernel", o.kernel, "kernel id")->capture_default_str();
+  add_test_option(*command, o.test, "the test of which the kernel is (default: sphere-triangle, or that of --kernel)");
+  command->add_option("--kernel", o.kernel, "kernel id (default: the first of the test)");
   command->add_option("--precision", o.precision, "binary32 or binary64")->capture_default_str();
   command->add_option("--comparison", o.comparisons, "comparison, repeatable (default: all, and the verdict)")
       ->allow_extra_args(false);
   command->add_option("--family", o.families, "family from which the search starts, repeatable")
       ->allow_extra_args(false);
-  auto* evaluations = command
-                          ->add_option("--evaluations", o.evaluations,
-                                       "queries to evaluate, rounded up to whole islands (default: 2^24); the "
-                                       "short run from which it begins is not counted")
-                          ->check(whole_number(1, std::uint64_t{1} << 48));
+  auto* evaluations =
+      command
+          ->add_option("--evaluations", o.evaluations,
+                       "queries to evaluate, rounded up to whole islands (default: 2^24, of a test other "
+                       "than sphere-triangle 2^14); the short run from which it begins is not counted")
+          ->check(whole_number(1, std::uint64_t{1} << 48));
   command->add_option("--time", o.seconds, "seconds to search instead")
       ->check(number_above_zero())
       ->excludes(evaluations);

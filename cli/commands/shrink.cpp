@@ -10,7 +10,6 @@
 #include "cli/progress_line.h"
 #include "cli/values.h"
 #include "cli/running/shrunk.h"
-#include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
@@ -22,7 +21,7 @@ namespace {
 
 struct ShrinkOptions {
   std::vector<std::string> queries;
-  std::string kernel = "published", target = "auto", precision = "binary32", what, format = "text";
+  std::string kernel, target = "auto", precision = "binary32", what, format = "text";
   std::uint64_t evaluations = 1000000;
   bool any_class = false;
   AddressFiles files;
@@ -32,10 +31,10 @@ struct ShrinkOptions {
 // to a query and to an image of it.
 constexpr std::string_view error_suffix = ":error", asymmetry_name = "asymmetry";
 
-std::string unknown_symptom(std::string_view given) {
+std::string unknown_symptom(const TestDescription& test, std::string_view given) {
   std::vector<std::string_view> names = {"verdict"};
-  names.insert(names.end(), axis_names.begin(), axis_names.end());
-  for (const ComparisonInfo& c : comparisons) names.push_back(c.name);
+  for (const TestClause& clause : test.clauses) names.push_back(clause.name);
+  for (const TestComparison& comparison : test.comparisons) names.push_back(comparison.name);
   names.push_back(asymmetry_name);
   const std::string_view suffix = given.find(':') == given.npos ? "" : error_suffix;
   const std::string_view word = given.substr(0, given.find(':')), guess = meant(word, names);
@@ -46,17 +45,24 @@ std::string unknown_symptom(std::string_view given) {
 
 // The symptom of that name, without the parts that have to be determined from a query; empty where there is no such
 // name.
-std::optional<Symptom> named(std::string_view what) {
+std::optional<Symptom> named(const TestDescription& test, std::string_view what) {
   const bool is_error = what.ends_with(error_suffix);
   if (is_error) what.remove_suffix(error_suffix.size());
-  if (what == "verdict" && !is_error) return Symptom{};
-  for (std::uint8_t i = 0; i < axis_count; ++i) {
-    if (axis_names[i] == what && !is_error) return Symptom{.level = Level::axis, .index = i};
+  if (what == "verdict" && !is_error) return Symptom{.test = &test};
+  for (std::uint8_t i = 0; i < test.clauses.size(); ++i) {
+    if (test.clauses[i].name == what && !is_error) return Symptom{.level = Level::axis, .index = i, .test = &test};
   }
-  for (std::uint8_t i = 0; i < comparison_count; ++i) {
-    if (comparisons[i].name == what) return Symptom{.level = Level::comparison, .index = i};
+  for (std::uint8_t i = 0; i < test.comparisons.size(); ++i) {
+    if (test.comparisons[i].name == what) return Symptom{.level = Level::comparison, .index = i, .test = &test};
   }
   return std::nullopt;
+}
+
+// Refuses what is no name of a symptom, or is not kept for this test.
+void require_known(const TestDescription& test, std::string_view what) {
+  if (what.empty()) return;
+  if (what != asymmetry_name && !named(test, what)) throw Error(unknown_symptom(test, what));
+  if (what == asymmetry_name || what.ends_with(error_suffix)) require_served(fmt::format("--what {}", what), test);
 }
 
 std::string joined(const std::vector<Symptom>& symptoms) {
@@ -73,12 +79,13 @@ struct NothingToKeep : Error {
 
 // The symptom to keep: the one requested, or the first that is wrong: verdict before axes before comparisons.
 template <class Real>
-Symptom wanted(const Query<Real>& q, const StoredQuery& stored, const ShrinkOptions& options, const Kernel& kernel,
+Symptom wanted(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkOptions& options, const Kernel& kernel,
                std::string_view target) {
   const auto fail = [&](const std::string& what) {
     return NothingToKeep(fmt::format("query '{}': {}", stored.id, what));
   };
-  if (!is_valid(q)) throw fail("not a valid query (finite, r >= 0): no answer of a kernel could be wrong");
+  if (oracles_of(*kernel.test).truth(q).verdict == Verdict::invalid)
+    throw fail(fmt::format("not a valid query ({}): no answer of a kernel could be wrong", stored.columns().validity));
   Diagnosis<Real> diagnosis(kernel, target);
   const std::vector<Symptom> flips = diagnosis.flips(q);
   if (options.what.empty()) {
@@ -87,7 +94,7 @@ Symptom wanted(const Query<Real>& q, const StoredQuery& stored, const ShrinkOpti
                            kernel.id, joined(flips),
                            stored.address.empty() ? "" : ", and it answers no image of it differently", error_suffix));
   }
-  const Symptom asked = *named(options.what);
+  const Symptom asked = *named(*kernel.test, options.what);
   if (!std::string_view(options.what).ends_with(error_suffix)) {
     for (const Symptom& flip : flips) {
       if (flip.level == asked.level && flip.index == asked.index) return flip;
@@ -120,7 +127,7 @@ void print_before_and_after(const StoredQuery& stored, const StoredQuery& smalle
 template <class Real>
 std::string class_text(const Shrunk<Real>& found) {
   const auto& classes = found.kept.classes();
-  return classes ? fmt::format("; input of class {}", input_class_names[class_of(*classes)]) : "";
+  return classes ? fmt::format("; input of class {}", classes->front()) : "";
 }
 
 template <class Real>
@@ -158,14 +165,22 @@ void shrink_as_pair(const Pair<Real>& pair, const StoredQuery& stored, const Shr
                     const Kernel& kernel, std::string_view target, ProgressLine& progress, const Evaluated& evaluated) {
   const auto found = shrink_pair(pair, kernel, target, options.evaluations, keeping(options), evaluated);
   progress.clear();
-  const StoredQuery smaller{"shrunk-" + stored.id, stored.precision, found.query.query};
+  const StoredQuery smaller = smaller_query(stored, found.query.query);
   const StoredQuery image{smaller.id + "-image", stored.precision, found.image};
   if (options.format == "text") print_pair(stored, smaller, image, pair.symptom, found, kernel);
   else fmt::print("{}\n", shrunk_pair_json(stored, pair, found, kernel).dump());
 }
 
+// The pair of which the query is half; only sphere-triangle has families of images.
 template <class Real>
-void shrink_one(const Query<Real>& q, const StoredQuery& stored, const ShrinkOptions& options, const Kernel& kernel,
+std::optional<Pair<Real>> pair_of(const Numbers<Real>& q, const StoredQuery& stored, const Kernel& kernel,
+                                  std::string_view target) {
+  if (kernel.test != &first_test()) return std::nullopt;
+  return asymmetric_pair(query_from(q), stored.address, kernel, target);
+}
+
+template <class Real>
+void shrink_one(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkOptions& options, const Kernel& kernel,
                 std::string_view target, ProgressLine& progress, Progress at) {
   const auto start = std::chrono::steady_clock::now();
   const Evaluated evaluated = [&](std::uint64_t evaluations) {
@@ -174,8 +189,11 @@ void shrink_one(const Query<Real>& q, const StoredQuery& stored, const ShrinkOpt
   };
   const bool wants_pair = options.what == asymmetry_name;
   // Without --what, a query that is right by itself is half of a pair, if it is in one.
-  if (wants_pair || (options.what.empty() && is_valid(q) && Diagnosis<Real>(kernel, target).flips(q).empty())) {
-    if (const auto pair = asymmetric_pair(q, stored.address, kernel, target)) {
+  const auto is_right = [&] {
+    return may_be_valid(shape_of(stored.columns()), q) && Diagnosis<Real>(kernel, target).flips(q).empty();
+  };
+  if (wants_pair || (options.what.empty() && is_right())) {
+    if (const auto pair = pair_of(q, stored, kernel, target)) {
       shrink_as_pair(*pair, stored, options, kernel, target, progress, evaluated);
       std::fflush(stdout);
       return;
@@ -189,28 +207,43 @@ void shrink_one(const Query<Real>& q, const StoredQuery& stored, const ShrinkOpt
                                              "numbers are not those of its address"));
   }
   const Symptom kept = wanted(q, stored, options, kernel, target);
-  const auto found = shrink(q, kept, kernel, target, options.evaluations, keeping(options), evaluated);
+  const auto found = shrink<Real>(q, kept, kernel, target, options.evaluations, keeping(options), evaluated);
   progress.clear();
-  const StoredQuery smaller{"shrunk-" + stored.id, stored.precision, found.query};
+  const StoredQuery smaller = smaller_query(stored, found.query);
   if (options.format == "text") print_text(stored, smaller, kept, found, kernel);
   else fmt::print("{}\n", shrunk_json(stored, kept, found, kernel).dump());
   std::fflush(stdout);
 }
 
+// The kernel that was given; else that of the queries' test.
+const Kernel& kernel_for(const ShrinkOptions& options, const std::vector<StoredQuery>& queries) {
+  if (!options.kernel.empty()) return find_kernel(options.kernel);
+  return default_kernel(queries.empty() ? first_test() : *queries.front().test);
+}
+
+void require_queries_of(const Kernel& kernel, const std::vector<StoredQuery>& queries) {
+  for (const StoredQuery& stored : queries) {
+    if (stored.test != kernel.test || stored.entry != kernel.entry) {
+      throw Error(fmt::format("query '{}' is of the test {}, entry {}, and kernel {} of {}, {}", stored.id,
+                              stored.test->id, stored.columns().name, kernel.id, kernel.test->id,
+                              kernel.test->entries[kernel.entry].name));
+    }
+    if (!kernel.has(stored.precision)) {
+      throw Error(fmt::format("query '{}' is in {}, in which kernel {} does not exist", stored.id,
+                              name(stored.precision), kernel.id));
+    }
+  }
+}
+
 int shrink_all(const ShrinkOptions& options) {
-  const Kernel& kernel = find_kernel(options.kernel);
-  require_served("shrink", *kernel.test);
+  // Before queries are read, which may be long.
+  if (!options.kernel.empty()) require_known(*find_kernel(options.kernel).test, options.what);
+  const auto queries = queries_given(options.queries, options.precision, options.files);
+  const Kernel& kernel = kernel_for(options, queries);
+  require_known(*kernel.test, options.what);
   require_loaded(kernel);
   const std::string target = resolve_target(options.target);
-  if (!options.what.empty() && options.what != asymmetry_name && !named(options.what)) {
-    throw Error(unknown_symptom(options.what));
-  }
-  const auto queries = queries_given(options.queries, options.precision, options.files);
-  for (const StoredQuery& stored : queries) {
-    if (kernel.has(stored.precision)) continue;
-    throw Error(fmt::format("query '{}' is in {}, in which kernel {} does not exist", stored.id, name(stored.precision),
-                            kernel.id));
-  }
+  require_queries_of(kernel, queries);
   // A query that shows nothing to keep does not stop the others, but is an error where it is the only one.
   std::size_t shrunk = 0;
   ProgressLine progress("shrink");
@@ -218,8 +251,7 @@ int shrink_all(const ShrinkOptions& options) {
     const StoredQuery& stored = queries[i];
     const Progress at{i, queries.size(), 0, 0};
     try {
-      std::visit([&](const auto& q) { shrink_one(q, stored, options, kernel, target, progress, at); },
-                 sphere_triangle_query(stored));
+      std::visit([&](const auto& q) { shrink_one(q, stored, options, kernel, target, progress, at); }, stored.numbers);
       ++shrunk;
     } catch (const NothingToKeep& nothing) {
       if (queries.size() == 1) throw;
@@ -239,13 +271,14 @@ void add_shrink(CLI::App& app, Action& action) {
       "Make queries on which a kernel is wrong smaller and easier to read, with the same fault, no less severe");
   auto options = std::make_shared<ShrinkOptions>();
   command->add_option("QUERY", options->queries, "query files (- for standard input) and addresses")->required();
-  command->add_option("--kernel", options->kernel, "kernel id")->capture_default_str();
+  command->add_option("--kernel", options->kernel, "kernel id (default: the first of the queries' test)");
   command->add_option("--target", options->target, "instruction set, or auto")->capture_default_str();
   command->add_option("--precision", options->precision, "precision of a CSV file, which does not state it")
       ->capture_default_str();
   command->add_option("--what", options->what,
                       "what to keep: verdict, an axis or a comparison that is wrong, COMPARISON:error, or asymmetry: "
-                      "another answer to an image of the query (default: the first that is wrong, in this order)");
+                      "another answer to an image of the query (default: the first that is wrong, in this order; the "
+                      "last two of sphere-triangle alone)");
   command->add_flag("--any-class", options->any_class,
                     fmt::format("as small as it goes: keep neither the class of the input nor a depth of at most {} "
                                 "times the given one",

@@ -266,7 +266,6 @@ Plan plan_of(const RunOptions& given) {
   plan.test = &test_of_kernels(options.test, plan.kernels);
   if (plan.kernels.empty()) plan.kernels.push_back(&default_kernel(*plan.test));
   if (options.planted != RunOptions().planted) require_served("--plant", *plan.test);
-  if (options.shrink != 0) require_served("--shrink", *plan.test);
   if (!options.preset.empty()) apply_preset(options.preset, *plan.test, options);
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};

@@ -214,7 +214,6 @@ int run_as(Ranks* ranks, const PlannedOptions& options, const RunOptions& run) {
   Plan plan = plan_of(file);
   plan.target = resolve_target(run.target);
   plan.exact_only = run.exact_only;
-  if (run.shrink != 0) require_served("--shrink", *plan.test);
   // A launcher starts one rank for each core, unless told otherwise.
   plan.threads = ranks && run.threads == 0 ? 1 : threads_of(run.threads);
   Plan again = plan;

@@ -1,7 +1,5 @@
 #include "cli/running/shrunk.h"
 
-#include "fuzz/files/sphere_triangle_query.h"
-
 namespace axiscert {
 namespace {
 
@@ -9,9 +7,8 @@ namespace {
 void put_classes(Json& kept, const Keep& keep) {
   kept["class"] = kept["classes"] = nullptr;
   if (!keep.classes()) return;
-  kept["class"] = input_class_names[class_of(*keep.classes())];
-  Json& classes = kept["classes"] = Json::array();
-  for (const InputClass which : *keep.classes()) classes.push_back(input_class_names[which]);
+  kept["class"] = keep.classes()->front();
+  kept["classes"] = *keep.classes();
 }
 
 Json kept_json(const Symptom& s) {
@@ -23,7 +20,7 @@ Json kept_json(const Symptom& s) {
 
 template <class Real>
 Json line_of(const StoredQuery& stored, Json kept, const Shrunk<Real>& found, const Kernel& kernel) {
-  Json line = Json::parse(query_line({"shrunk-" + stored.id, stored.precision, found.query}));
+  Json line = Json::parse(query_line(smaller_query(stored, found.query)));
   put_classes(kept, found.kept);
   line["kernel"] = kernel.id;
   line["kept"] = std::move(kept);
@@ -38,6 +35,10 @@ Json line_of(const StoredQuery& stored, Json kept, const Shrunk<Real>& found, co
 }
 
 }  // namespace
+
+StoredQuery smaller_query(const StoredQuery& stored, AnyNumbers numbers) {
+  return {"shrunk-" + stored.id, stored.precision, std::move(numbers), 0, stored.test, stored.entry};
+}
 
 template <class Real>
 Json shrunk_json(const StoredQuery& stored, const Symptom& kept, const Shrunk<Real>& found, const Kernel& kernel) {
@@ -75,9 +76,10 @@ std::string shrunk_witnesses(const Json& record, const std::string& target, std:
     const std::string id = witness["id"];
     const StoredQuery stored = parse_queries(witness.dump(), id, Precision::binary32).front();
     std::visit(
-        [&]<class Real>(const Query<Real>& q) {
+        [&]<class Real>(const Numbers<Real>& q) {
           if (witness["flips"].empty()) {  // half of a pair, or kept as an extreme
-            if (const auto pair = asymmetric_pair(q, stored.address, kernel, target)) {
+            if (kernel.test != &first_test()) return;
+            if (const auto pair = asymmetric_pair(query_from(q), stored.address, kernel, target)) {
               const auto found = shrink_pair(*pair, kernel, target, evaluations);
               text += shrunk_pair_json(stored, *pair, found, kernel).dump() + "\n";
             }
@@ -87,10 +89,10 @@ std::string shrunk_witnesses(const Json& record, const std::string& target, std:
           const auto flips = diagnosis.flips(q);
           // Somebody else's code may give another answer today.
           if (flips.empty() || !diagnosis.severity(q, flips.front())) return;
-          const auto found = shrink(q, flips.front(), kernel, target, evaluations);
+          const auto found = shrink<Real>(q, flips.front(), kernel, target, evaluations);
           text += shrunk_json(stored, flips.front(), found, kernel).dump() + "\n";
         },
-        sphere_triangle_query(stored));
+        stored.numbers);
   }
   return text;
 }

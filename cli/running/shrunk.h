@@ -11,6 +11,9 @@
 
 namespace axiscert {
 
+// The smaller query as a stored one, named "shrunk-" and the name of the given one.
+StoredQuery smaller_query(const StoredQuery& stored, AnyNumbers numbers);
+
 // The smaller query, named "shrunk-" and the name of the given one, together with the symptom that it keeps and the
 // given query.
 template <class Real>

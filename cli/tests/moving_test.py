@@ -88,9 +88,8 @@ class MovingSphere(Case):
 
     def test_what_does_not_serve_the_test_says_so_in_one_line(self):
         kernel = ("--kernel", "moving-sphere/twenty")
-        for command in (("search", *kernel), ("mutate", *kernel), ("ladder", *kernel), ("precision", *kernel),
+        for command in (("mutate", *kernel), ("ladder", *kernel), ("precision", *kernel),
                         ("condition", *kernel), ("critical-radius", *kernel),
-                        ("run", "--test", "moving-sphere", "--shrink", "--out", self.folder / "out"),
                         ("run", "--test", "moving-sphere", "--corpus", "--out", self.folder / "out")):
             done = self.refused(*command, says=["does not serve the test moving-sphere yet; it serves sphere-triangle"])
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)

@@ -23,10 +23,10 @@ void add(std::vector<Found<Rank>>& all, const Leaders<Rank>& leaders, const Sour
 
 // The most severe first; of equals the one whose source and position come first.
 template <class Real, class Rank>
-std::vector<Query<Real>> most_severe(std::vector<Found<Rank>> all, std::uint64_t seed) {
+std::vector<Numbers<Real>> most_severe(std::vector<Found<Rank>> all, std::uint64_t seed) {
   std::stable_sort(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.rank > y.rank; });
   all.resize(std::min(all.size(), Pool<Real>::capacity));
-  std::vector<Query<Real>> queries;
+  std::vector<Numbers<Real>> queries;
   for (const auto& [rank, source, position] : all) queries.push_back(source->template make<Real>(seed, position));
   return queries;
 }
@@ -34,13 +34,14 @@ std::vector<Query<Real>> most_severe(std::vector<Found<Rank>> all, std::uint64_t
 }  // namespace
 
 template <class Real>
-std::vector<std::vector<Query<Real>>> first_found(const SearchPlan& plan, const std::vector<Aim>& aims,
-                                                  const std::atomic<bool>& interrupted) {
-  std::vector<std::vector<Query<Real>>> found(aims.size());
+std::vector<std::vector<Numbers<Real>>> first_found(const SearchPlan& plan, const std::vector<Aim>& aims,
+                                                    const std::atomic<bool>& interrupted) {
+  std::vector<std::vector<Numbers<Real>>> found(aims.size());
   if (plan.first_queries == 0 || plan.first_sources.empty()) return found;
   Plan run;
   run.seed = plan.seed;
   run.kernels = {plan.kernel};
+  run.test = plan.kernel->test;
   run.sources = plan.first_sources;
   run.precisions = {plan.precision};
   run.trials = [&](const Source&, Precision) { return plan.first_queries; };
@@ -69,9 +70,9 @@ std::vector<std::vector<Query<Real>>> first_found(const SearchPlan& plan, const 
   }
   return found;
 }
-template std::vector<std::vector<Query<float>>> first_found(const SearchPlan&, const std::vector<Aim>&,
-                                                            const std::atomic<bool>&);
-template std::vector<std::vector<Query<double>>> first_found(const SearchPlan&, const std::vector<Aim>&,
-                                                             const std::atomic<bool>&);
+template std::vector<std::vector<Numbers<float>>> first_found(const SearchPlan&, const std::vector<Aim>&,
+                                                              const std::atomic<bool>&);
+template std::vector<std::vector<Numbers<double>>> first_found(const SearchPlan&, const std::vector<Aim>&,
+                                                               const std::atomic<bool>&);
 
 }  // namespace axiscert

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "fuzz/search/search.h"
-#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 
@@ -15,7 +14,7 @@ namespace axiscert {
 // run does not measure. They are as the sources made them, and not confirmed. Depends on the plan alone, unless
 // `interrupted`, which is polled.
 template <class Real>
-std::vector<std::vector<Query<Real>>> first_found(const SearchPlan& plan, const std::vector<Aim>& aims,
-                                                  const std::atomic<bool>& interrupted);
+std::vector<std::vector<Numbers<Real>>> first_found(const SearchPlan& plan, const std::vector<Aim>& aims,
+                                                    const std::atomic<bool>& interrupted);
 
 }  // namespace axiscert

@@ -24,6 +24,10 @@ Rational distance_to_root(const Rational& a, const Rational& s) {
   return Rational(mpf_class(mpf_class(abs(Rational(a * a - s)), bits) / (at + root), bits));
 }
 
+FlipKind wrong_in(Goal goal) {
+  return goal == Goal::missed_contact ? FlipKind::false_separation : FlipKind::false_contact;
+}
+
 }  // namespace
 
 template <class Real>
@@ -38,7 +42,9 @@ template Decimal6 absolute_error(float, float, const ExactComparison&);
 template Decimal6 absolute_error(double, double, const ExactComparison&);
 
 template <class Real>
-std::optional<Decimal6> Confirmer<Real>::value(const Aim& aim, const Query<Real>& q) {
+std::optional<Decimal6> Confirmer<Real>::value(const Aim& aim, const Numbers<Real>& numbers) {
+  if (kernel_.test != &first_test()) return depth_by_oracles(aim.goal, numbers);
+  const Query<Real> q = numbers;
   if (!is_valid(q)) return std::nullopt;
   switch (aim.goal) {
     case Goal::error:
@@ -97,10 +103,22 @@ std::optional<Decimal6> Confirmer<Real>::range(const Aim& aim, const Query<Real>
 }
 
 template <class Real>
+LinkSet Confirmer<Real>::verdict_links(const Numbers<Real>& q) {
+  return kernel_.test == &first_test() ? examine(query_from(q)).judgement.verdict_links
+                                       : oracle_examiner_.examine(q).judgement.verdict_links;
+}
+
+template <class Real>
+std::optional<Decimal6> Confirmer<Real>::depth_by_oracles(Goal goal, const Numbers<Real>& q) {
+  const OracleExamination found = oracle_examiner_.examine(q);
+  if (found.judgement.verdict_flip != wrong_in(goal) || !found.depth) return std::nullopt;
+  return round_up(exact(*found.depth));
+}
+
+template <class Real>
 std::optional<Decimal6> Confirmer<Real>::depth(Goal goal, const Query<Real>& q) {
   const Examination found = examine(q);
-  const FlipKind wanted = goal == Goal::missed_contact ? FlipKind::false_separation : FlipKind::false_contact;
-  if (found.judgement.verdict_flip != wanted || !found.within_limits) return std::nullopt;
+  if (found.judgement.verdict_flip != wrong_in(goal) || !found.within_limits) return std::nullopt;
   return round_up(exact(*found.depth));
 }
 

@@ -8,6 +8,7 @@
 #include "exact/numbers/double_double.h"
 #include "exact/sphere_triangle/oracles/feature_walk.h"
 #include "exact/numbers/floating.h"
+#include "fuzz/search/moves.h"
 #include "fuzz/search/range.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/forms/simd.h"
@@ -108,7 +109,7 @@ Distances distances(const Query<Real>& q) {
 
 template <class Real>
 Evaluator<Real>::Evaluator(const Kernel& kernel, std::string_view target)
-    : kernel_(kernel), implementation_(kernel.on<Real>(target)) {
+    : Guide<Real>(sphere_triangle_shape()), kernel_(kernel), implementation_(kernel.on<Real>(target)) {
   if constexpr (sizeof(Real) == 4) {
     if (const SimdForms* forms = kernel.formulae == Formulae::none ? nullptr : simd_forms(kernel.formulae);
         forms && !simd_targets().empty()) {
@@ -215,6 +216,29 @@ double Evaluator<Real>::vanishing(Comparison which, const Query<Real>& q) const 
   Sides<double> sides;
   reference(kernel_.formulae, Arithmetic::plain, Strictness::strict, widened(q), &sides);
   return info(which).is_radius ? sides.lhs[which] : sides.lhs[which] - sides.rhs[which];
+}
+
+template <class Real>
+void Evaluator<Real>::settle(Numbers<Real>& q) const {
+  Query<Real> settled = q;
+  axiscert::settle(settled);
+  q = settled;
+}
+
+// Moves one number to where the comparison's scale vanishes, by one Newton step, which is exact if the margin is affine
+// in the number; then by a few ulps.
+template <class Real>
+bool Evaluator<Real>::step(const Aim& aim, Dice& random, Numbers<Real>& q) const {
+  if (aim.goal != Goal::relative_error || random.below(8) != 0) return false;
+  Real& x = q[random.below(q.size())];
+  const Real start = x;
+  const double here = vanishing(aim.which, query_from(q));
+  const double by = start == 0 ? 0x1p-12 : double(start) * 0x1p-12;
+  x = static_cast<Real>(start + by);
+  const double slope = (vanishing(aim.which, query_from(q)) - here) / (double(x) - double(start));
+  const double root = start - here / slope;
+  x = std::fabs(root) <= 4 ? moved_by_ulps(static_cast<Real>(root), random.integer(-3, 3)) : start;
+  return true;
 }
 
 template class Evaluator<float>;

@@ -1,7 +1,7 @@
-// The estimates that guide a search: for every query of a batch, how much of the aim it shows.
+// The estimates that guide a search of sphere-triangle: for every query of a batch, how much of the aim it shows.
 #pragma once
 
-#include "fuzz/search/goal.h"
+#include "fuzz/search/guide.h"
 #include "kernel/ask.h"
 #include "kernel/sphere_triangle/query.h"
 
@@ -11,13 +11,15 @@ namespace axiscert {
 // reported values of those are computed again, exactly. The same on every machine: only sums, products, quotients and
 // roots. Keeps a reference to the kernel.
 template <class Real>
-class Evaluator {
+class Evaluator final : public Guide<Real> {
  public:
   Evaluator(const Kernel& kernel, std::string_view target);
 
-  // Writes the score of each query, not negative; 0 if it shows nothing. For the goals about verdicts it solves each
-  // query's radius.
-  void evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores);
+  void evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores) override;
+  // Into the box of Goal::error.
+  void settle(Numbers<Real>& q) const override;
+  // For a relative error now and then a step to where the comparison's scale vanishes.
+  bool step(const Aim& aim, Dice& random, Numbers<Real>& q) const override;
 
   // The quantity that vanishes where a comparison loses its scale, in binary64: l for a radius comparison, l - r for a
   // side comparison. Guides Newton's steps.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "exact/trait/oracles.h"
+
 namespace axiscert {
 
 std::string name(const Aim& aim) {
@@ -13,6 +15,10 @@ std::string name(const Aim& aim) {
 
 std::vector<Aim> aims_of(const Kernel& kernel, const std::vector<Comparison>& only) {
   std::vector<Aim> aims;
+  if (kernel.test != &first_test()) {
+    if (oracles_of(*kernel.test).has_depth()) aims = {{Goal::missed_contact}, {Goal::phantom_contact}};
+    return aims;
+  }
   if (kernel.exposes == Exposure::sides && has_comparisons(kernel.formulae)) {
     for (const Goal goal : {Goal::error, Goal::relative_error, Goal::overflow, Goal::underflow}) {
       for (std::size_t k = 0; k < comparison_count; ++k) {

@@ -19,7 +19,8 @@ enum class Goal : std::uint8_t {
   // such a query of size 1/2 to 1 makes the comparison leave the range.
   overflow,
   underflow,
-  // Depth of a wrong verdict; the radius is the kernel's own critical radius, or the float below it.
+  // Depth of a wrong verdict; the radius, or the length that another test has, is the kernel's own critical one, or the
+  // float below it.
   missed_contact,
   phantom_contact,
   // The kernel's critical radius relative to the exact distance, in ulps of the latter.
@@ -42,7 +43,8 @@ struct Aim {
 std::string name(const Aim& aim);
 
 // The aims that a search can have for a kernel: comparisons if it exposes their sides and claims formulae, restricted
-// to `only` unless that is empty; verdicts only if `only` is empty.
+// to `only` unless that is empty; verdicts only if `only` is empty. A kernel of a test other than sphere-triangle has
+// wrong verdicts alone, and these where the test's oracles have a depth.
 std::vector<Aim> aims_of(const Kernel& kernel, const std::vector<Comparison>& only);
 
 }  // namespace axiscert

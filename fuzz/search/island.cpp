@@ -1,7 +1,6 @@
 #include "fuzz/search/island.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "fuzz/search/moves.h"
 
@@ -11,41 +10,21 @@ namespace {
 // The last part, 1 / polish_share, of an island's evaluations, in which only single numbers change, by a few ulps.
 constexpr std::uint64_t polish_share = 8;
 
-// Moves one number to where the comparison's scale vanishes, by one Newton step, which is exact if the margin is affine
-// in the number; then by a few ulps.
 template <class Real>
-void step_to_cancellation(const Evaluator<Real>& evaluator, Comparison which, Dice& random, Query<Real>& q) {
-  auto v = coordinates(q);
-  Real& x = v[random.below(coordinate_count)];
-  const Real start = x;
-  const double here = evaluator.vanishing(which, q);
-  const double by = start == 0 ? 0x1p-12 : double(start) * 0x1p-12;
-  x = static_cast<Real>(start + by);
-  const double slope = (evaluator.vanishing(which, from_coordinates(v)) - here) / (double(x) - double(start));
-  const double root = start - here / slope;
-  x = std::fabs(root) <= 4 ? moved_by_ulps(static_cast<Real>(root), random.integer(-3, 3)) : start;
-  q = from_coordinates(v);
-}
-
-template <class Real>
-Query<Real> child(const Evaluator<Real>& evaluator, const Aim& aim, Dice& random, const Query<Real>& parent,
-                  const Query<Real>& other, bool is_polishing) {
-  Query<Real> q = parent;
+Numbers<Real> child(const Guide<Real>& guide, const Aim& aim, Dice& random, const Numbers<Real>& parent,
+                    const Numbers<Real>& other, bool is_polishing) {
+  Numbers<Real> q = parent;
   if (is_polishing) {
-    auto v = coordinates(q);
     const auto count = 1 + random.below(2);
     for (std::uint64_t i = 0; i < count; ++i) {
-      Real& x = v[random.below(coordinate_count)];
+      Real& x = q[random.below(q.size())];
       x = moved_by_ulps(x, random.integer(-64, 64));
     }
-    q = from_coordinates(v);
-  } else if (aim.goal == Goal::relative_error && random.below(8) == 0) {
-    step_to_cancellation(evaluator, aim.which, random, q);
-  } else {
-    do move(random, q, other);
+  } else if (!guide.step(aim, random, q)) {
+    do move(random, guide.shape(), q, other);
     while (random.below(4) == 0);
   }
-  settle(q);
+  guide.settle(q);
   return q;
 }
 
@@ -58,16 +37,16 @@ void best_first(std::vector<ScoredQuery<Real>>& candidates) {
 }  // namespace
 
 template <class Real>
-std::vector<ScoredQuery<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim, Dice& random,
-                                     const std::vector<Query<Real>>& starts, std::uint64_t evaluations) {
-  QueryBatch<Real> batch(walkers * children, coordinate_count);
+std::vector<ScoredQuery<Real>> climb(Guide<Real>& guide, const Aim& aim, Dice& random,
+                                     const std::vector<Numbers<Real>>& starts, std::uint64_t evaluations) {
+  QueryBatch<Real> batch(walkers * children, guide.shape().numbers);
   std::vector<double> scores;
   std::vector<ScoredQuery<Real>> found;
-  for (Query<Real> q : starts) {
-    settle(q);
+  for (Numbers<Real> q : starts) {
+    guide.settle(q);
     batch.push_back(q);
   }
-  evaluator.evaluate(aim, batch, scores);
+  guide.evaluate(aim, batch, scores);
   for (std::size_t i = 0; i < starts.size(); ++i) found.push_back({batch[i], scores[i]});
   best_first(found);
   found.resize(std::min(found.size(), walkers));
@@ -76,11 +55,11 @@ std::vector<ScoredQuery<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim,
     batch.clear();
     for (const ScoredQuery<Real>& parent : found) {
       for (std::size_t i = 0; i < children; ++i) {
-        const Query<Real>& other = found[random.below(found.size())].query;
-        batch.push_back(child(evaluator, aim, random, parent.query, other, is_polishing));
+        const Numbers<Real>& other = found[random.below(found.size())].query;
+        batch.push_back(child(guide, aim, random, parent.query, other, is_polishing));
       }
     }
-    evaluator.evaluate(aim, batch, scores);
+    guide.evaluate(aim, batch, scores);
     for (std::size_t w = 0; w < found.size(); ++w) {
       const auto first = scores.begin() + static_cast<std::ptrdiff_t>(w * children);
       const auto best = std::max_element(first, first + children);
@@ -92,9 +71,9 @@ std::vector<ScoredQuery<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim,
   return found;
 }
 
-template std::vector<ScoredQuery<float>> climb(Evaluator<float>&, const Aim&, Dice&, const std::vector<Query<float>>&,
+template std::vector<ScoredQuery<float>> climb(Guide<float>&, const Aim&, Dice&, const std::vector<Numbers<float>>&,
                                                std::uint64_t);
-template std::vector<ScoredQuery<double>> climb(Evaluator<double>&, const Aim&, Dice&,
-                                                const std::vector<Query<double>>&, std::uint64_t);
+template std::vector<ScoredQuery<double>> climb(Guide<double>&, const Aim&, Dice&, const std::vector<Numbers<double>>&,
+                                                std::uint64_t);
 
 }  // namespace axiscert

@@ -2,16 +2,14 @@
 // end.
 #pragma once
 
-#include "fuzz/search/dice.h"
-#include "fuzz/search/evaluator.h"
-#include "kernel/sphere_triangle/query.h"
+#include "fuzz/search/guide.h"
 
 namespace axiscert {
 
 // A query and its estimated score.
 template <class Real>
 struct ScoredQuery {
-  Query<Real> query;
+  Numbers<Real> query;
   double score = 0;
 };
 
@@ -20,7 +18,7 @@ inline constexpr std::size_t walkers = 8, children = 8;  // walkers climb; child
 // Climbs from the best of `starts`, at most walkers * children of them, with `evaluations` evaluations of queries, and
 // returns the best query of each walker, best first. Depends on its arguments alone.
 template <class Real>
-std::vector<ScoredQuery<Real>> climb(Evaluator<Real>& evaluator, const Aim& aim, Dice& random,
-                                     const std::vector<Query<Real>>& starts, std::uint64_t evaluations);
+std::vector<ScoredQuery<Real>> climb(Guide<Real>& guide, const Aim& aim, Dice& random,
+                                     const std::vector<Numbers<Real>>& starts, std::uint64_t evaluations);
 
 }  // namespace axiscert

@@ -52,12 +52,21 @@ Real with_random_tail(Dice& random, Real x) {
   return std::bit_cast<Real>(static_cast<Bits<Real>>((std::bit_cast<Bits<Real>>(x) & ~mask) | (noise & mask)));
 }
 
-// A new coordinate of the centre along one axis, with the vertices moved along: the translated coordinates remain about
-// the same, their roundings do not.
+// A query that is moved, and what its numbers are.
 template <class Real>
-void move_centre(Dice& random, std::array<Real, coordinate_count>& v) {
-  const auto axis = static_cast<std::size_t>(random.below(3));
-  Real& p = v[place_of(3, axis)];
+struct MovedQuery {
+  const QueryShape& shape;
+  Numbers<Real>& v;
+  Real& at(std::size_t point, std::size_t axis) const { return v[shape.points[point] + axis]; }
+};
+
+// A new coordinate of the centre, the last point, along one axis, with the others moved along: the translated
+// coordinates remain about the same, their roundings do not.
+template <class Real>
+void move_centre(Dice& random, const MovedQuery<Real>& moving) {
+  const std::size_t vertices = moving.shape.vertices();
+  const auto axis = static_cast<std::size_t>(random.below(moving.shape.axes));
+  Real& p = moving.at(vertices, axis);
   const Real before = p;
   switch (random.below(4)) {
     case 0:
@@ -72,21 +81,37 @@ void move_centre(Dice& random, std::array<Real, coordinate_count>& v) {
     default:  // fine numbers, whose low bits are below those of the vertices
       p = fine_number<Real>(random, digits<Real> + 2);
   }
-  for (std::size_t vertex = 0; vertex < 3; ++vertex) {
-    Real& x = v[place_of(vertex, axis)];
+  for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
+    Real& x = moving.at(vertex, axis);
     x = (x - before) + p;
   }
 }
 
 template <class Real>
-void swap_vertices(std::array<Real, coordinate_count>& v, std::size_t a, std::size_t b) {
-  for (std::size_t axis = 0; axis < 3; ++axis) std::swap(v[place_of(a, axis)], v[place_of(b, axis)]);
+void swap_vertices(const MovedQuery<Real>& moving, std::size_t a, std::size_t b) {
+  for (std::size_t axis = 0; axis < moving.shape.axes; ++axis) std::swap(moving.at(a, axis), moving.at(b, axis));
+}
+
+// A whole vertex or direction of the other query, or one axis of it.
+template <class Real>
+void move_part(Dice& random, const MovedQuery<Real>& moving, const Numbers<Real>& other) {
+  const QueryShape& shape = moving.shape;
+  Numbers<Real>& v = moving.v;
+  if (random.coin()) {
+    const auto part = static_cast<std::size_t>(random.below(shape.vertices() + shape.directions.size()));
+    const std::size_t first = part < shape.vertices() ? shape.points[part] : shape.directions[part - shape.vertices()];
+    for (std::size_t axis = 0; axis < shape.axes; ++axis) v[first + axis] = other[first + axis];
+  } else {
+    const auto axis = static_cast<std::size_t>(random.below(shape.axes));
+    for (const std::size_t first : shape.points) v[first + axis] = other[first + axis];
+    for (const std::size_t first : shape.directions) v[first + axis] = other[first + axis];
+  }
 }
 
 // Changes one number by ulps, or in its tail, exponent or sign; or replaces it.
 template <class Real>
-void move_number(Dice& random, std::array<Real, coordinate_count>& v) {
-  const auto place = static_cast<std::size_t>(random.below(coordinate_count));
+void move_number(Dice& random, Numbers<Real>& v) {
+  const auto place = static_cast<std::size_t>(random.below(v.size()));
   Real& x = v[place];
   switch (random.below(8)) {
     case 0:
@@ -109,7 +134,7 @@ void move_number(Dice& random, std::array<Real, coordinate_count>& v) {
       x = random_number<Real>(random);
       break;
     default: {
-      const Real number = v[random.below(coordinate_count)];
+      const Real number = v[random.below(v.size())];
       x = random.coin() ? number : -number;
     }
   }
@@ -176,43 +201,56 @@ void settle(Query<Real>& q) {
 }
 
 template <class Real>
-void move(Dice& random, Query<Real>& q, const Query<Real>& other) {
-  auto v = coordinates(q);
-  const auto o = coordinates(other);
+void settle(const QueryShape& shape, Numbers<Real>& q) {
+  constexpr Real most = 0x1p8f;
+  Real greatest = 0;
+  for (std::size_t k = 0; k < q.size(); ++k) {
+    Real& x = q[k];
+    if (!(std::fabs(x) <= most)) x = std::isnan(x) ? Real(0) : std::copysign(most, x);
+    if (shape.is_length[k]) x = std::fabs(x);
+    greatest = std::max(greatest, std::fabs(x));
+  }
+  if (greatest == 0 || greatest >= Real(0.5)) return;
+  const int up = -1 - std::ilogb(greatest);
+  for (Real& x : q) x = std::ldexp(x, up);
+}
+
+const QueryShape& sphere_triangle_shape() {
+  static const QueryShape shape = shape_of(first_test().entries.front());
+  return shape;
+}
+
+template <class Real>
+void move(Dice& random, const QueryShape& shape, Numbers<Real>& v, const Numbers<Real>& o) {
   const auto index = [&](std::uint64_t n) { return static_cast<std::size_t>(random.below(n)); };
+  const MovedQuery<Real> moving{shape, v};
   switch (random.below(16)) {
     case 0:
     case 1:
-      move_centre(random, v);
+      move_centre(random, moving);
       break;
     case 2: {  // all tails
       const auto count = 1 + random.below(4);
       for (std::uint64_t i = 0; i < count; ++i) {
-        Real& x = v[index(coordinate_count)];
+        Real& x = v[index(v.size())];
         x = with_random_tail(random, x);
       }
       break;
     }
-    case 3:  // a whole point of the other query, or one axis of it
-      if (random.coin()) {
-        const std::size_t vertex = index(3);
-        for (std::size_t axis = 0; axis < 3; ++axis) v[place_of(vertex, axis)] = o[place_of(vertex, axis)];
-      } else {
-        const std::size_t axis = index(3);
-        for (std::size_t vertex = 0; vertex < 4; ++vertex) v[place_of(vertex, axis)] = o[place_of(vertex, axis)];
-      }
+    case 3:
+      move_part(random, moving, o);
       break;
     case 4: {
-      const std::size_t place = index(coordinate_count);
+      const std::size_t place = index(v.size());
       v[place] = random.coin() ? o[place] : v[place] + (o[place] - v[place]) * Real(0.5);
       break;
     }
     case 5:
       if (random.coin()) {
-        const std::size_t vertex = index(3);
-        swap_vertices(v, vertex, (vertex + 1) % 3);
+        const std::size_t vertex = index(shape.vertices());
+        swap_vertices(moving, vertex, (vertex + 1) % shape.vertices());
       } else {
-        std::swap(v[index(coordinate_count)], v[index(coordinate_count)]);
+        std::swap(v[index(v.size())], v[index(v.size())]);  // which of the two is drawn first does not matter
       }
       break;
     default: {
@@ -220,14 +258,22 @@ void move(Dice& random, Query<Real>& q, const Query<Real>& other) {
       for (std::uint64_t i = 0; i < count; ++i) move_number(random, v);
     }
   }
-  q = from_coordinates(v);
 }
 
-#define AXISCERT_INSTANTIATE(Real)                 \
-  template bool is_within_one(Real, Real);         \
-  template bool is_in_box(const Query<Real>&);     \
-  template Real moved_by_ulps(Real, std::int64_t); \
-  template void settle(Query<Real>&);              \
+template <class Real>
+void move(Dice& random, Query<Real>& q, const Query<Real>& other) {
+  Numbers<Real> v = q;
+  move(random, sphere_triangle_shape(), v, Numbers<Real>(other));
+  q = query_from(v);
+}
+
+#define AXISCERT_INSTANTIATE(Real)                                                    \
+  template bool is_within_one(Real, Real);                                            \
+  template bool is_in_box(const Query<Real>&);                                        \
+  template Real moved_by_ulps(Real, std::int64_t);                                    \
+  template void settle(Query<Real>&);                                                 \
+  template void settle(const QueryShape&, Numbers<Real>&);                            \
+  template void move(Dice&, const QueryShape&, Numbers<Real>&, const Numbers<Real>&); \
   template void move(Dice&, Query<Real>&, const Query<Real>&);
 AXISCERT_INSTANTIATE(float)
 AXISCERT_INSTANTIATE(double)

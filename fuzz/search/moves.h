@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fuzz/search/dice.h"
+#include "fuzz/queries/query_shape.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
@@ -20,11 +21,21 @@ bool is_in_box(const Query<Real>& q);
 template <class Real>
 void settle(Query<Real>& q);
 
+// The same for a query of any other test: every number finite and at most 2^8 in magnitude, so that formulae of degree
+// 6 keep to the normal numbers, lengths not negative, and the greatest number at least 1/2 unless all are zero.
+template <class Real>
+void settle(const QueryShape& shape, Numbers<Real>& q);
+
 // One random move: numbers changed by ulps, random low bits, exponents, signs; numbers copied, swapped or replaced; the
-// whole scene moved to a new centre, with the translated vertices unchanged; vertices, axes of the box, blends with
-// `other`. The result is not settled.
+// whole scene moved to a new centre, with the translated vertices unchanged; vertices, directions, axes of the box,
+// blends with `other`. The result is not settled.
+template <class Real>
+void move(Dice& random, const QueryShape& shape, Numbers<Real>& q, const Numbers<Real>& other);
 template <class Real>
 void move(Dice& random, Query<Real>& q, const Query<Real>& other);
+
+// The shape of a query of sphere-triangle.
+const QueryShape& sphere_triangle_shape();
 
 // Moves one number by `ulps` steps, for refining the least significant bits of a result; negative steps go downwards.
 template <class Real>

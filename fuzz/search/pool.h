@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <tuple>
+#include <cstdint>
 #include <vector>
 
 #include "exact/numbers/decimal6.h"
-#include "kernel/sphere_triangle/query.h"
+#include "kernel/query.h"
 
 namespace axiscert {
 
@@ -18,7 +18,7 @@ class Pool {
  public:
   struct Entry {
     Decimal6 value;
-    Query<Real> query;
+    Numbers<Real> query;
   };
   static constexpr std::size_t capacity = 8;
 
@@ -40,9 +40,11 @@ class Pool {
   const Entry& best() const { return entries_.front(); }
 
  private:
-  static auto bits(const Query<Real>& q) {
+  static auto bits(const Numbers<Real>& q) {
     using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-    return std::bit_cast<std::array<Bits, coordinate_count>>(coordinates(q));
+    std::vector<Bits> all;
+    for (const Real x : q) all.push_back(std::bit_cast<Bits>(x));
+    return all;
   }
   std::vector<Entry> entries_;
 };

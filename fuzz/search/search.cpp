@@ -6,16 +6,18 @@
 #include <tbb/task_arena.h>
 
 #include <chrono>
+#include <memory>
 #include <mutex>
 
-#include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/search/beginning.h"
 #include "fuzz/search/confirm.h"
+#include "fuzz/search/evaluator.h"
 #include "fuzz/search/island.h"
 #include "fuzz/search/moves.h"
 #include "fuzz/search/pool.h"
 #include "fuzz/search/range.h"
 #include "fuzz/search/state.h"
+#include "fuzz/search/verdict_guide.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -29,7 +31,9 @@ struct Share {
   std::uint64_t evaluations;
 };
 constexpr std::size_t most_islands = 12;
-constexpr Share share_of(const Aim& aim) {
+// The truth of another test than sphere-triangle has no quick estimate.
+constexpr Share share_of(const Aim& aim, bool is_first_test) {
+  if (!is_first_test) return {1, 1 << 10};
   const Axis axis = info(aim.which).axis;
   if (aim.goal == Goal::error && axis == Axis::plane) return {most_islands, 1 << 16};
   if (aim.goal == Goal::error && axis >= Axis::edge_ab) return {6, 1 << 16};
@@ -45,11 +49,11 @@ struct Slot {
   std::uint64_t evaluations;
 };
 // The islands of an epoch, with the aims in turn.
-std::vector<Slot> slots_of(const std::vector<Aim>& aims) {
+std::vector<Slot> slots_of(const std::vector<Aim>& aims, bool is_first_test) {
   std::vector<Slot> slots;
   for (std::size_t round = 0; round < most_islands; ++round) {
     for (std::size_t i = 0; i < aims.size(); ++i) {
-      const Share share = share_of(aims[i]);
+      const Share share = share_of(aims[i], is_first_test);
       if (round < share.islands) slots.push_back({i, share.evaluations});
     }
   }
@@ -91,7 +95,9 @@ class Search {
   using Entry = typename Pool<Real>::Entry;
 
   explicit Search(const SearchPlan& plan)
-      : plan_(plan), aims_(aims_of(*plan.kernel, plan.comparisons)), slots_(slots_of(aims_)) {
+      : plan_(plan), aims_(aims_of(*plan.kernel, plan.comparisons)), slots_(slots_of(aims_, is_first_test())) {
+    if (aims_.empty() && !is_first_test())
+      throw Error(fmt::format("the test {} has no depth, by which wrong verdicts are compared", plan.kernel->test->id));
     if (aims_.empty()) throw Error(fmt::format("kernel {} exposes none of these comparisons", plan.kernel->id));
     known_.resize(aims_.size());
   }
@@ -115,11 +121,12 @@ class Search {
     const auto found = first_found<Real>(plan_, aims_, interrupted);
     if (interrupted) return;  // not all of it: a search that is resumed begins again
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
+    const auto guide = made_guide();
     for (std::size_t i = 0; i < aims_.size(); ++i) {
-      for (const Query<Real>& q : found[i]) {
+      for (const Numbers<Real>& q : found[i]) {
         if (const auto value = confirmer.value(aims_[i], q)) known_[i].best.put({*value, q});
-        Query<Real> start = q;
-        settle(start);
+        Numbers<Real> start = q;
+        guide->settle(start);
         const auto value = confirmer.value(aims_[i], start);
         if (!value) continue;
         known_[i].best.put({*value, start});
@@ -145,12 +152,21 @@ class Search {
   static Pool<Real> read(const Aim& aim, const std::vector<StoredQuery>& queries, Confirmer<Real>& confirmer) {
     Pool<Real> pool;
     for (const StoredQuery& stored : queries) {
-      const auto q = sphere_triangle_query_in<Real>(stored);
+      const auto& q = std::get<Numbers<Real>>(stored.numbers);
       const auto value = confirmer.value(aim, q);
       if (!value) throw Error(fmt::format("the state to resume from: '{}' cannot be confirmed", stored.id));
       pool.put({*value, q});
     }
     return pool;
+  }
+
+  bool is_first_test() const { return plan_.kernel->test == &first_test(); }
+  StoredQuery stored_query(std::string id, const Numbers<Real>& q) const {
+    return {std::move(id), plan_.precision, q, 0, plan_.kernel->test};
+  }
+  std::unique_ptr<Guide<Real>> made_guide() const {
+    if (is_first_test()) return std::make_unique<Evaluator<Real>>(*plan_.kernel, plan_.target);
+    return std::make_unique<VerdictGuide<Real>>(*plan_.kernel, plan_.target);
   }
 
   double elapsed() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
@@ -199,9 +215,9 @@ class Search {
     const Aim& aim = aims_[slot.aim];
     Stream stream(plan_.seed, name_hash("search"), 1, plan_.precision, island);
     Dice random(stream);
-    Evaluator<Real> evaluator(*plan_.kernel, plan_.target);
+    const auto guide = made_guide();
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
-    const auto candidates = climb(evaluator, aim, random, starts(slot.aim, random), slot.evaluations);
+    const auto candidates = climb(*guide, aim, random, starts(slot.aim, random), slot.evaluations);
     std::vector<Entry> found;
     for (const ScoredQuery<Real>& candidate : candidates) {
       if (candidate.score == 0 || found.size() == 2) break;
@@ -211,10 +227,10 @@ class Search {
   }
 
   // On average one island in four starts from families, the others from the lineage.
-  std::vector<Query<Real>> starts(std::size_t aim, Dice& random) const {
+  std::vector<Numbers<Real>> starts(std::size_t aim, Dice& random) const {
     const auto& lineage = known_[aim].lineage.entries();
     const bool anew = lineage.empty() || random.below(4) == 0;
-    std::vector<Query<Real>> all(anew ? drawn : walkers);
+    std::vector<Numbers<Real>> all(anew ? drawn : walkers);
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (anew) {
         const auto& source = plan_.sources[random.below(plan_.sources.size())];
@@ -229,13 +245,14 @@ class Search {
 
   // Tries the best queries of every comparison on each other one, in all six orders of the vertices.
   void share(std::vector<Known<Real>>& known) const {
+    if (!is_first_test()) return;
     Evaluator<Real> evaluator(*plan_.kernel, plan_.target);
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     for (const Goal goal : {Goal::error, Goal::relative_error, Goal::overflow, Goal::underflow}) {
       QueryBatch<Real> images(6 * comparison_count, coordinate_count);
       for (std::size_t i = 0; i < aims_.size(); ++i) {
         if (aims_[i].goal != goal || known[i].best.empty()) continue;
-        const Query<Real>& q = known[i].best.best().query;
+        const Query<Real> q = known[i].best.best().query;
         for (const auto& [a, b, c] :
              {std::tuple(q.a, q.b, q.c), std::tuple(q.a, q.c, q.b), std::tuple(q.b, q.a, q.c),
               std::tuple(q.b, q.c, q.a), std::tuple(q.c, q.a, q.b), std::tuple(q.c, q.b, q.a)}) {
@@ -249,7 +266,7 @@ class Search {
         evaluator.evaluate(aims_[i], images, scores);
         const auto best = std::max_element(scores.begin(), scores.end());
         if (*best <= (known[i].best.empty() ? 0 : known[i].best.best().value.value())) continue;
-        const Query<Real> q = images[static_cast<std::size_t>(best - scores.begin())];
+        const Numbers<Real> q = images[static_cast<std::size_t>(best - scores.begin())];
         if (const auto value = confirmer.value(aims_[i], q)) known[i].best.put({*value, q});
       }
     }
@@ -259,7 +276,7 @@ class Search {
     SearchState state{islands_, evaluations_, std::vector<StoredPools>(aims_.size())};
     const auto stored = [&](const Pool<Real>& pool) {
       std::vector<StoredQuery> queries;
-      for (const Entry& entry : pool.entries()) queries.push_back({"", plan_.precision, entry.query});
+      for (const Entry& entry : pool.entries()) queries.push_back(stored_query("", entry.query));
       return queries;
     };
     for (std::size_t i = 0; i < aims_.size(); ++i) {
@@ -278,12 +295,12 @@ class Search {
       if (known[i].best.empty()) continue;
       const Aim& aim = aims_[i];
       const auto& [value, query] = known[i].best.best();
-      Find find{aim, value, {name(aim), plan_.precision, query}};
+      Find find{aim, value, stored_query(name(aim), query)};
       if (is_about_range(aim.goal)) {
         find.range_exponent = range_exponent(aim.goal, plan_.precision, value.value());
-        find.witness.numbers = at_scale(query, find.range_exponent);
+        find.witness.numbers = Numbers<Real>(at_scale(query_from(query), find.range_exponent));
       } else if (!is_about_a_comparison(aim.goal)) {
-        find.links = confirmer.examine(query).judgement.verdict_links;
+        find.links = confirmer.verdict_links(query);
       }
       result.finds.push_back(find);
     }

@@ -94,7 +94,8 @@ SearchState parse_state(std::string_view text, const SearchPlan& plan, const std
     bool found = false;
     for (std::size_t i = 0; i < aims.size(); ++i) {
       for (const Kind& kind : kinds) {
-        if (found || stored.precision != plan.precision || stored.id != std::string(kind.prefix) + name(aims[i]))
+        if (found || stored.precision != plan.precision || stored.test != plan.kernel->test ||
+            stored.id != std::string(kind.prefix) + name(aims[i]))
           continue;
         (state.pools[i].*kind.queries).push_back(stored);
         found = true;

@@ -1,27 +1,35 @@
 #include "fuzz/shrink/keep.h"
 
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include <algorithm>
 
 namespace axiscert {
 
 template <class Real>
-Keep::Keep(const Query<Real>& q, const Severity& severity) : classes_(input_classes(q, squared_distance(q))) {
-  const auto* depth = std::get_if<ExactDepth>(&severity.exact);
-  if (depth == nullptr) return;
-  // |sqrt(dd) - r| / sqrt(ss) times the factor.
-  greatest_ = {Rational(depth->dd * depth_factor * depth_factor), Rational(depth->r * depth_factor), depth->ss};
+Keep::Keep(const TestDescription& test, const Numbers<Real>& q, const Severity& severity)
+    : test_(&test), classes_(classes_of(test, q)) {
+  if (const auto* depth = std::get_if<ExactDepth>(&severity.exact)) {
+    // |sqrt(dd) - r| / sqrt(ss) times the factor.
+    greatest_ = {
+        ExactDepth{Rational(depth->dd * depth_factor * depth_factor), Rational(depth->r * depth_factor), depth->ss},
+        ""};
+  }
+  if (const auto* depth = std::get_if<RoundedDepth>(&severity.exact))
+    greatest_ = {RoundedDepth{depth->value * depth_factor}, ""};
 }
-template Keep::Keep(const Query<float>&, const Severity&);
-template Keep::Keep(const Query<double>&, const Severity&);
+template Keep::Keep(const TestDescription&, const Numbers<float>&, const Severity&);
+template Keep::Keep(const TestDescription&, const Numbers<double>&, const Severity&);
 
 template <class Real>
-bool Keep::allows(const Query<Real>& q, const Severity& severity) const {
-  if (greatest_ && compare(std::get<ExactDepth>(severity.exact), *greatest_) > 0) return false;
+bool Keep::allows(const Numbers<Real>& q, const Severity& severity) const {
+  if (greatest_ && !is_no_less(*greatest_, severity)) return false;
   if (!classes_) return true;
-  const InputClassSet meets = input_classes(q, squared_distance(q));
-  return class_of(meets) == class_of(*classes_) && classes_->contains_all(meets);
+  const std::vector<std::string_view> meets = classes_of(*test_, q);
+  const auto is_kept = [&](std::string_view name) {
+    return std::find(classes_->begin(), classes_->end(), name) != classes_->end();
+  };
+  return meets.front() == classes_->front() && std::all_of(meets.begin(), meets.end(), is_kept);
 }
-template bool Keep::allows(const Query<float>&, const Severity&) const;
-template bool Keep::allows(const Query<double>&, const Severity&) const;
+template bool Keep::allows(const Numbers<float>&, const Severity&) const;
+template bool Keep::allows(const Numbers<double>&, const Severity&) const;
 
 }  // namespace axiscert

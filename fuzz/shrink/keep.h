@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "exact/sphere_triangle/measures/input_class.h"
+#include "fuzz/shrink/query_class.h"
 #include "fuzz/shrink/symptom.h"
 
 namespace axiscert {
@@ -19,19 +19,20 @@ class Keep {
   Keep() = default;
   // Keeps the class of this valid query, which has this severity.
   template <class Real>
-  Keep(const Query<Real>& q, const Severity& severity);
+  Keep(const TestDescription& test, const Numbers<Real>& q, const Severity& severity);
 
   // Whether a smaller query has the same class and meets no definition of a class that the given one does not, and a
   // depth of at most depth_factor times the given one's. Only a depth is limited, not a margin or an error.
   template <class Real>
-  bool allows(const Query<Real>& q, const Severity& severity) const;
+  bool allows(const Numbers<Real>& q, const Severity& severity) const;
 
-  // Those of the given query; empty if nothing is kept.
-  const std::optional<InputClassSet>& classes() const { return classes_; }
+  // The definitions of classes that the given query meets, the first of them its class; empty if nothing is kept.
+  const std::optional<std::vector<std::string_view>>& classes() const { return classes_; }
 
  private:
-  std::optional<InputClassSet> classes_;
-  std::optional<ExactDepth> greatest_;
+  const TestDescription* test_ = &first_test();
+  std::optional<std::vector<std::string_view>> classes_;
+  std::optional<Severity> greatest_;
 };
 
 }  // namespace axiscert

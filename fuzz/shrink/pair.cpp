@@ -117,7 +117,8 @@ template <class Real>
 ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::string_view target, std::uint64_t limit,
                              Keeping keeping, const Evaluated& evaluated) {
   PairDiagnosis<Real> diagnosis(kernel, target);
-  const auto severity = [&](const Query<Real>& q) -> std::optional<Severity> {
+  const auto severity = [&](const Numbers<Real>& numbers) -> std::optional<Severity> {
+    const Query<Real> q = numbers;
     const auto image_of_it = image_by(pair.map, q);
     if (!image_of_it) return std::nullopt;
     const auto symptom = diagnosis.symptom(q, *image_of_it, pair.map);
@@ -128,8 +129,9 @@ ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::
     throw Error(
         fmt::format("{} does not answer the query and its image differently: {}", kernel.id, text(pair.symptom)));
   }
-  ShrunkPair<Real> found{shrink<Real>(pair.query, SeverityOn<Real>(severity), keeping, limit, evaluated), {}};
-  found.image = *image_by(pair.map, found.query.query);
+  ShrunkPair<Real> found{shrink<Real>(first_test(), pair.query, SeverityOn<Real>(severity), keeping, limit, evaluated),
+                         {}};
+  found.image = *image_by(pair.map, query_from(found.query.query));
   return found;
 }
 template ShrunkPair<float> shrink_pair(const Pair<float>&, const Kernel&, std::string_view, std::uint64_t, Keeping,

@@ -1,4 +1,5 @@
-// A query and an image of it that a kernel answers differently, and a smaller pair of which the same is true.
+// A query of sphere-triangle and an image of it that a kernel answers differently, and a smaller pair of which the same
+// is true.
 #pragma once
 
 #include <optional>

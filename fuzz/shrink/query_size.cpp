@@ -15,12 +15,13 @@ BinaryDigits binary_digits(double x) {
   return {digits >> zeros, exponent - 53 + zeros};
 }
 
+namespace {
+
 template <class Real>
-QuerySize size_of(const Query<Real>& q) {
+QuerySize size_in(const Numbers<Real>& v) {
   QuerySize size;
-  std::array<Real, coordinate_count> seen{};
-  const auto v = coordinates(q);
-  for (std::size_t k = 0; k < coordinate_count; ++k) {
+  Numbers<Real> seen(v.size());
+  for (std::size_t k = 0; k < v.size(); ++k) {
     size.negatives += std::signbit(v[k]);
     if (v[k] == 0) continue;
     const auto width = static_cast<int>(std::bit_width(binary_digits(v[k]).digits));
@@ -36,7 +37,10 @@ QuerySize size_of(const Query<Real>& q) {
   }
   return size;
 }
-template QuerySize size_of<float>(const Query<float>&);
-template QuerySize size_of<double>(const Query<double>&);
+
+}  // namespace
+
+QuerySize size_of(const Numbers<float>& q) { return size_in(q); }
+QuerySize size_of(const Numbers<double>& q) { return size_in(q); }
 
 }  // namespace axiscert

@@ -4,24 +4,24 @@
 #include <compare>
 #include <cstdint>
 
-#include "kernel/sphere_triangle/query.h"
+#include "kernel/query.h"
 
 namespace axiscert {
 
 // Compared from the first member to the last. All are natural numbers, so a sequence of decreasing sizes is finite.
 struct QuerySize {
-  int nonzero = 0;     // numbers that are not zero, including P's: a sphere at the origin has three fewer
+  int nonzero = 0;     // numbers that are not zero, including a sphere's centre: at the origin it has three fewer
   int bits = 0;        // significant bits of all of them: from the first set bit to the last
   int exponents = 0;   // the sum of |exponent of the first bit|
   int magnitudes = 0;  // different nonzero absolute values
   int negatives = 0;   // sign bits, including those of zeros
-  int places = 0;      // the sum of the positions of the numbers that are not zero, ax at 0 to r at 12
+  int places = 0;      // the sum of the columns of the numbers that are not zero, the first at 0
   auto operator<=>(const QuerySize&) const = default;
 };
 
-// The size of a query with finite numbers.
-template <class Real>
-QuerySize size_of(const Query<Real>& q);
+// The size of a query of any test with finite numbers.
+QuerySize size_of(const Numbers<float>& q);
+QuerySize size_of(const Numbers<double>& q);
 
 // A finite nonzero number as +-digits 2^exponent with odd digits.
 struct BinaryDigits {

@@ -4,6 +4,7 @@
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/queries/random.h"
+#include "exact/trait/oracles.h"
 #include "fuzz/shrink/shrink_moves.h"
 #include "kernel/base/error.h"
 
@@ -13,23 +14,27 @@ namespace {
 
 // When no single move helps, this many attempts are made with several moves and with small changes that may repair
 // their effect. The attempts are determined by this seed and their number alone.
-constexpr std::uint64_t seed = 1, attempts = 400000, most_moves = 6, most_nudges = 6;
+constexpr std::uint64_t seed = 1, most_moves = 6, most_nudges = 6;
+// The truth of the other tests has no quick filter before exact arithmetic, and takes as many times as long.
+std::uint64_t attempts_of(const TestDescription& test) { return &test == &first_test() ? 400000 : 20000; }
 
 template <class Real>
 class Walk {
  public:
-  Walk(const Query<Real>& q, const SeverityOn<Real>& severity, Keeping keeping, std::uint64_t limit,
-       const Evaluated& evaluated)
-      : severity_(severity), limit_(limit), evaluated_(evaluated) {
+  Walk(const TestDescription& test, const Numbers<Real>& q, const SeverityOn<Real>& severity, Keeping keeping,
+       std::uint64_t limit, const Evaluated& evaluated)
+      : test_(test), severity_(severity), limit_(limit), evaluated_(evaluated) {
     const Severity given = *severity(q);
-    const Keep keep = keeping == Keeping::symptom ? Keep() : Keep(q, given);
+    const Keep keep = keeping == Keeping::symptom ? Keep() : Keep(test, q, given);
     out_ = {q, given, given, keep, {size_of(q)}, 0, true};
   }
 
   Shrunk<Real> run() && {
     do singly();
     while (out_.complete && several());
-    exact_truth(out_.query, true);  // MPFR checks the result before it is returned
+    // MPFR checks the result before it is returned, where it has a part in the truth.
+    if (&test_ == &first_test()) exact_truth(query_from(out_.query), true);
+    else oracles_of(test_).truth(out_.query);
     return std::move(out_);
   }
 
@@ -37,17 +42,17 @@ class Walk {
   // Applies single moves until a round of all moves accepts none.
   void singly() {
     for (std::size_t k = 0, in_vain = 0; in_vain < moves_.size() && out_.complete; k = (k + 1) % moves_.size()) {
-      in_vain = taken(moved(out_.query, moves_[k])) ? 0 : in_vain + 1;
+      in_vain = taken(moved(shape_, out_.query, moves_[k])) ? 0 : in_vain + 1;
     }
   }
 
   // Returns whether a combination was accepted.
   bool several() {
-    for (std::uint64_t n = 0; n < attempts && out_.complete; ++n) {
+    for (std::uint64_t n = 0; n < attempts_of(test_) && out_.complete; ++n) {
       Stream random(seed, name_hash("shrink"), 1, precision_of<Real>, n);
-      std::optional<Query<Real>> q = out_.query;
+      std::optional<Numbers<Real>> q = out_.query;
       const auto change = [&](const std::vector<Move>& moves, std::uint64_t times) {
-        for (; times > 0 && q; --times) q = moved(*q, moves[random.below(moves.size())]);
+        for (; times > 0 && q; --times) q = moved(shape_, *q, moves[random.below(moves.size())]);
       };
       change(moves_, 1 + random.below(most_moves));
       change(nudges_, random.below(most_nudges + 1));
@@ -56,7 +61,7 @@ class Walk {
     return false;
   }
 
-  bool taken(const std::optional<Query<Real>>& q) {
+  bool taken(const std::optional<Numbers<Real>>& q) {
     if (!q) return false;
     const QuerySize size = size_of(*q);
     if (!(size < out_.sizes.back())) return false;
@@ -74,37 +79,40 @@ class Walk {
     return true;
   }
 
+  const TestDescription& test_;
   const SeverityOn<Real>& severity_;
   std::uint64_t limit_;
   const Evaluated& evaluated_;
-  const std::vector<Move> moves_ = moves<Real>(), nudges_ = nudges();
+  const QueryShape shape_ = shape_of(test_.entries.front());
+  const std::vector<Move> moves_ = moves<Real>(shape_), nudges_ = nudges(shape_);
   Shrunk<Real> out_;
 };
 
 }  // namespace
 
 template <class Real>
-Shrunk<Real> shrink(const Query<Real>& q, const SeverityOn<Real>& severity, Keeping keeping, std::uint64_t limit,
-                    const Evaluated& evaluated) {
-  return Walk<Real>(q, severity, keeping, limit, evaluated).run();
+Shrunk<Real> shrink(const TestDescription& test, const Numbers<Real>& q, const SeverityOn<Real>& severity,
+                    Keeping keeping, std::uint64_t limit, const Evaluated& evaluated) {
+  return Walk<Real>(test, q, severity, keeping, limit, evaluated).run();
 }
-template Shrunk<float> shrink(const Query<float>&, const SeverityOn<float>&, Keeping, std::uint64_t, const Evaluated&);
-template Shrunk<double> shrink(const Query<double>&, const SeverityOn<double>&, Keeping, std::uint64_t,
-                               const Evaluated&);
+template Shrunk<float> shrink(const TestDescription&, const Numbers<float>&, const SeverityOn<float>&, Keeping,
+                              std::uint64_t, const Evaluated&);
+template Shrunk<double> shrink(const TestDescription&, const Numbers<double>&, const SeverityOn<double>&, Keeping,
+                               std::uint64_t, const Evaluated&);
 
 template <class Real>
-Shrunk<Real> shrink(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
+Shrunk<Real> shrink(const Numbers<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
                     std::uint64_t limit, Keeping keeping, const Evaluated& evaluated) {
   Diagnosis<Real> diagnosis(kernel, target);
   if (!diagnosis.severity(q, symptom)) {
     throw Error(fmt::format("the query does not show {} of {}", text(symptom), kernel.id));
   }
-  return shrink<Real>(q, SeverityOn<Real>([&](const Query<Real>& at) { return diagnosis.severity(at, symptom); }),
-                      keeping, limit, evaluated);
+  const SeverityOn<Real> severity = [&](const Numbers<Real>& at) { return diagnosis.severity(at, symptom); };
+  return shrink<Real>(*kernel.test, q, severity, keeping, limit, evaluated);
 }
-template Shrunk<float> shrink<float>(const Query<float>&, const Symptom&, const Kernel&, std::string_view,
+template Shrunk<float> shrink<float>(const Numbers<float>&, const Symptom&, const Kernel&, std::string_view,
                                      std::uint64_t, Keeping, const Evaluated&);
-template Shrunk<double> shrink<double>(const Query<double>&, const Symptom&, const Kernel&, std::string_view,
+template Shrunk<double> shrink<double>(const Numbers<double>&, const Symptom&, const Kernel&, std::string_view,
                                        std::uint64_t, Keeping, const Evaluated&);
 
 }  // namespace axiscert

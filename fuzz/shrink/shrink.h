@@ -11,7 +11,7 @@ namespace axiscert {
 
 template <class Real>
 struct Shrunk {
-  Query<Real> query;
+  Numbers<Real> query;
   Severity before, after;
   Keep kept;                      // besides the symptom
   std::vector<QuerySize> sizes;   // size of the given query, then after each accepted step: strictly decreasing
@@ -21,7 +21,7 @@ struct Shrunk {
 
 // The severity of what has to be kept, on a valid query; empty if the query does not show it.
 template <class Real>
-using SeverityOn = std::function<std::optional<Severity>(const Query<Real>&)>;
+using SeverityOn = std::function<std::optional<Severity>(const Numbers<Real>&)>;
 
 // Whether a smaller query keeps the class of the given one, and its depth within depth_factor (fuzz/shrink/keep.h).
 enum class Keeping : std::uint8_t { symptom_and_class, symptom };
@@ -32,14 +32,15 @@ using Evaluated = std::function<void(std::uint64_t)>;
 // Tries all ways to change one thing (fuzz/shrink/shrink_moves.h) and accepts each that makes the query smaller by
 // QuerySize and keeps what has to be kept with a severity not below that of the given query; ends after a round in
 // which none does. It always ends, since sizes cannot decrease for ever; `limit` bounds the time. Precondition: the
-// given query shows it. Throws HarnessFault if the oracles contradict their earlier answer.
+// given query, of the first entry of `test`, shows it. Throws HarnessFault if the oracles contradict their earlier
+// answer.
 template <class Real>
-Shrunk<Real> shrink(const Query<Real>& q, const SeverityOn<Real>& severity, Keeping keeping, std::uint64_t limit,
-                    const Evaluated& evaluated = {});
+Shrunk<Real> shrink(const TestDescription& test, const Numbers<Real>& q, const SeverityOn<Real>& severity,
+                    Keeping keeping, std::uint64_t limit, const Evaluated& evaluated = {});
 
-// The same for a symptom of a kernel. Throws Error if the given query does not show it.
+// The same for a symptom of a kernel, whose test it is. Throws Error if the given query does not show it.
 template <class Real>
-Shrunk<Real> shrink(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
+Shrunk<Real> shrink(const Numbers<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
                     std::uint64_t limit, Keeping keeping = Keeping::symptom_and_class, const Evaluated& evaluated = {});
 
 }  // namespace axiscert

@@ -11,11 +11,6 @@
 namespace axiscert {
 namespace {
 
-constexpr int points = 4, axes = 3, numbers = static_cast<int>(coordinate_count), radius = numbers - 1;
-
-template <class Real>
-using Coordinates = std::array<Real, coordinate_count>;
-
 // x rounded to `bits` significant bits; empty if it has no more than that.
 template <class Real>
 std::optional<Real> rounded(Real x, int bits, bool away_from_zero) {
@@ -34,7 +29,7 @@ Real last_unit(Real x) {
 }
 
 template <class Real>
-bool round_all(Coordinates<Real>& v, int bits) {
+bool round_all(Numbers<Real>& v, int bits) {
   bool changed = false;
   for (Real& x : v) {
     const auto down = rounded(x, bits, false), up = rounded(x, bits, true);
@@ -45,30 +40,84 @@ bool round_all(Coordinates<Real>& v, int bits) {
   return changed;
 }
 
+// A move at work on the numbers of one query.
 template <class Real>
-void scale_point(Coordinates<Real>& v, int point, int power) {
-  for (int axis = 0; axis < axes; ++axis) {
-    const Real p = v[static_cast<std::size_t>(9 + axis)];
-    Real& x = v[static_cast<std::size_t>(3 * point + axis)];
-    x = std::ldexp(x - p, power) + p;
+class Moving {
+ public:
+  Moving(const QueryShape& shape, Numbers<Real>& v) : shape_(shape), v_(v) {}
+
+  // Whether the move has a meaning.
+  bool apply(const Move& move);
+
+ private:
+  Real& number(int k) { return v_[static_cast<std::size_t>(k)]; }
+  Real& point(int i, std::size_t axis) { return v_[shape_.points[static_cast<std::size_t>(i)] + axis]; }
+  Real& direction(int i, std::size_t axis) { return v_[shape_.directions[static_cast<std::size_t>(i)] + axis]; }
+  bool is_length(int k) const { return shape_.is_length[static_cast<std::size_t>(k)]; }
+  int exponent(int k) { return number(k) == 0 ? 0 : std::ilogb(number(k)); }
+  int last() const { return static_cast<int>(shape_.vertices()); }
+
+  // change(i) for the first number of each point, and then of each direction.
+  template <class Change>
+  void of_points(Change&& change) {
+    for (const std::size_t first : shape_.points) change(first);
   }
+  template <class Change>
+  void of_all(Change&& change) {
+    of_points(change);
+    for (const std::size_t first : shape_.directions) change(first);
+  }
+  template <class Change>
+  void on_axis(int axis, Change&& change) {
+    of_all([&](std::size_t first) { change(v_[first + static_cast<std::size_t>(axis)]); });
+  }
+  bool translate(int i, int axis);
+  bool align(int i, int from, int power, bool is_beyond);
+  bool trade(const Move& move);
+
+  const QueryShape& shape_;
+  Numbers<Real>& v_;
+};
+
+template <class Real>
+bool Moving<Real>::translate(int i, int along) {
+  for (std::size_t axis = 0; axis < shape_.axes; ++axis) {
+    const Real by = point(i, axis);
+    if (along != static_cast<int>(axis) && along != static_cast<int>(shape_.axes)) continue;
+    of_points([&](std::size_t first) { v_[first + axis] -= by; });
+  }
+  return true;
 }
 
 template <class Real>
-bool apply(Coordinates<Real>& v, const Move& move) {
+bool Moving<Real>::align(int i, int from, int power, bool is_beyond) {
+  if (from == i) return false;
+  for (std::size_t axis = 0; axis < shape_.axes; ++axis) {
+    const Real p = point(last(), axis), x = std::ldexp(point(from, axis) - p, power);
+    point(i, axis) = (is_beyond ? -x : x) + p;
+  }
+  return true;
+}
+
+template <class Real>
+bool Moving<Real>::trade(const Move& move) {
   const int i = move.i, j = move.j;
-  const auto number = [&](int k) -> Real& { return v[static_cast<std::size_t>(k)]; };
-  const auto on_axis = [&](int axis, auto&& change) {
-    for (int point = 0; point < points; ++point) change(number(3 * point + axis));
-  };
-  const auto exponent = [&](int k) { return number(k) == 0 ? 0 : std::ilogb(number(k)); };
+  if (number(i) == 0) return false;
+  const auto bits = static_cast<int>(std::bit_width(binary_digits(number(i)).digits));
+  const auto x = rounded(number(i), bits - 1, move.kind == MoveKind::trade_up);
+  const int other = j < 0 ? -1 - j : j;
+  if (!x || bits < 2) return false;
+  number(i) = *x;
+  number(other) += j < 0 ? -last_unit(number(other)) : last_unit(number(other));
+  return true;
+}
+
+template <class Real>
+bool Moving<Real>::apply(const Move& move) {
+  const int i = move.i, j = move.j, vertices = last();
   switch (move.kind) {
     case MoveKind::translate:
-      for (int axis = 0; axis < axes; ++axis) {
-        const Real by = number(3 * i + axis);
-        if (j == axis || j == axes) on_axis(axis, [&](Real& x) { x -= by; });
-      }
-      return true;
+      return translate(i, j);
     case MoveKind::zero:
       number(i) = number(j) = 0;
       return true;
@@ -76,32 +125,28 @@ bool apply(Coordinates<Real>& v, const Move& move) {
       on_axis(i, [](Real& x) { x = 0; });
       return true;
     case MoveKind::round_all:
-      return round_all(v, i);
+      return round_all(v_, i);
     case MoveKind::copy_point:
-      for (int axis = 0; axis < axes; ++axis) number(3 * i + axis) = number(3 * j + axis);
+      for (std::size_t axis = 0; axis < shape_.axes; ++axis) point(i, axis) = point(j, axis);
       return true;
-    case MoveKind::align: {
-      const int from = std::abs(j) % 3, power = std::abs(j) / 3 - 3;
-      if (from == i) return false;
-      for (int axis = 0; axis < axes; ++axis) {
-        const Real p = number(9 + axis), x = std::ldexp(number(3 * from + axis) - p, power);
-        number(3 * i + axis) = (j < 0 ? -x : x) + p;
-      }
-      return true;
-    }
+    case MoveKind::align:
+      return align(i, std::abs(j) % vertices, std::abs(j) / vertices - 3, j < 0);
     case MoveKind::copy:
-      number(i) = i == radius ? std::fabs(number(j)) : number(j);
+      number(i) = is_length(i) ? std::fabs(number(j)) : number(j);
       return true;
     case MoveKind::copy_negated:
       number(i) = -number(j);
-      return i != radius;
+      return !is_length(i);
     case MoveKind::scale_all: {
       const int power = -exponent(i);
-      for (Real& x : v) x = std::ldexp(x, power);
+      for (Real& x : v_) x = std::ldexp(x, power);
       return power != 0;
     }
     case MoveKind::scale_point:
-      scale_point(v, i, j);
+      for (std::size_t axis = 0; axis < shape_.axes; ++axis) {
+        const Real p = point(vertices, axis);
+        point(i, axis) = std::ldexp(point(i, axis) - p, j) + p;
+      }
       return true;
     case MoveKind::scale_axis:
       on_axis(i, [&](Real& x) { x = std::ldexp(x, j); });
@@ -126,25 +171,39 @@ bool apply(Coordinates<Real>& v, const Move& move) {
       number(i) = -number(i);
       return true;
     case MoveKind::swap_axes:
-      for (int point = 0; point < points; ++point) std::swap(number(3 * point + i), number(3 * point + j));
+      of_all([&](std::size_t first) {
+        std::swap(v_[first + static_cast<std::size_t>(i)], v_[first + static_cast<std::size_t>(j)]);
+      });
       return true;
     case MoveKind::swap_points:
-      for (int axis = 0; axis < axes; ++axis) std::swap(number(3 * i + axis), number(3 * j + axis));
+      for (std::size_t axis = 0; axis < shape_.axes; ++axis) std::swap(point(i, axis), point(j, axis));
       return true;
     case MoveKind::trade_down:
-    case MoveKind::trade_up: {
-      if (number(i) == 0) return false;
-      const auto bits = static_cast<int>(std::bit_width(binary_digits(number(i)).digits));
-      const auto x = rounded(number(i), bits - 1, move.kind == MoveKind::trade_up);
-      const int other = j < 0 ? -1 - j : j;
-      if (!x || bits < 2) return false;
-      number(i) = *x;
-      number(other) += j < 0 ? -last_unit(number(other)) : last_unit(number(other));
+    case MoveKind::trade_up:
+      return trade(move);
+    case MoveKind::nudge:
+      number(i) = is_length(i) ? step_radius(number(i), j) : step_ulps(number(i), j);
+      return true;
+    case MoveKind::zero_direction:
+      for (std::size_t axis = 0; axis < shape_.axes; ++axis) direction(i, axis) = 0;
+      return true;
+    case MoveKind::scale_direction:
+      for (std::size_t axis = 0; axis < shape_.axes; ++axis) direction(i, axis) = std::ldexp(direction(i, axis), j);
+      return true;
+    case MoveKind::along:
+      for (std::size_t axis = 0; axis < shape_.axes; ++axis) point(vertices, axis) += std::ldexp(direction(i, axis), j);
+      return true;
+    case MoveKind::reverse:
+      for (std::size_t axis = 0; axis < shape_.axes; ++axis) {
+        point(vertices, axis) += direction(i, axis);
+        direction(i, axis) = -direction(i, axis);
+      }
+      return true;
+    case MoveKind::between: {
+      const int from = j / (vertices + 1), to = j % (vertices + 1);
+      for (std::size_t axis = 0; axis < shape_.axes; ++axis) direction(i, axis) = point(to, axis) - point(from, axis);
       return true;
     }
-    case MoveKind::nudge:
-      number(i) = i == radius ? step_radius(number(i), j) : step_ulps(number(i), j);
-      return true;
   }
   return false;
 }
@@ -152,85 +211,12 @@ bool apply(Coordinates<Real>& v, const Move& move) {
 }  // namespace
 
 template <class Real>
-std::vector<Move> moves() {
-  using enum MoveKind;
-  constexpr int digits = std::numeric_limits<Real>::digits;
-  std::vector<Move> all;
-  const auto add = [&](MoveKind kind, int i, int j = 0) { all.push_back({kind, i, j}); };
-  for (const int axis : {3, 0, 1, 2}) {
-    for (const int point : {3, 0, 1, 2}) add(translate, point, axis);
-  }
-  for (int axis = 0; axis < axes; ++axis) add(flatten, axis);
-  for (int distance = 0; distance < numbers; ++distance) {
-    for (int i = 0; i + distance < numbers; ++i) add(zero, i, i + distance);
-  }
-  for (int bits = 1; bits < digits; ++bits) add(round_all, bits);
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < points; ++j) {
-      if (i != j) add(copy_point, i, j);
-    }
-  }
-  for (int i = 0; i < 3; ++i) {
-    for (int j = -20; j <= 20; ++j) add(align, i, j);
-  }
-  for (int i = 0; i < numbers; ++i) add(scale_all, i);
-  for (int i = 0; i < numbers; ++i) {
-    for (int bits = 1; bits < digits; ++bits) {
-      add(round_down, i, bits);
-      add(round_up, i, bits);
-    }
-  }
-  for (int i = 0; i < numbers; ++i) {
-    for (int j = 0; j < numbers; ++j) {
-      if (i == j) continue;
-      add(copy, i, j);
-      add(copy_negated, i, j);
-    }
-  }
-  for (int i = 0; i < numbers; ++i) {
-    for (int j = -numbers; j < numbers; ++j) {
-      if ((j < 0 ? -1 - j : j) == i) continue;
-      add(trade_down, i, j);
-      add(trade_up, i, j);
-    }
-  }
-  for (const int power : {-16, 16, -4, 4, -1, 1}) {
-    for (int point = 0; point < 3; ++point) add(scale_point, point, power);
-    for (int axis = 0; axis < axes; ++axis) add(scale_axis, axis, power);
-  }
-  for (int i = 0; i < numbers; ++i) {
-    add(centre, i);
-    for (const int power : {-16, 16, -4, 4, -1, 1}) add(scale, i, power);
-  }
-  for (int axis = 0; axis < axes; ++axis) add(reflect, axis);
-  for (int i = 0; i < numbers; ++i) add(negate, i);
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < i; ++j) {
-      add(swap_axes, i, j);
-      add(swap_points, i, j);
-    }
-  }
-  return all;
+std::optional<Numbers<Real>> moved(const QueryShape& shape, const Numbers<Real>& q, const Move& move) {
+  Numbers<Real> v = q;
+  if (!Moving<Real>(shape, v).apply(move) || !may_be_valid(shape, v)) return std::nullopt;
+  return v;
 }
-template std::vector<Move> moves<float>();
-template std::vector<Move> moves<double>();
-
-std::vector<Move> nudges() {
-  std::vector<Move> all;
-  for (int i = 0; i < numbers; ++i) {
-    for (const int floats : {-16, -4, -2, -1, 1, 2, 4, 16}) all.push_back({MoveKind::nudge, i, floats});
-  }
-  return all;
-}
-
-template <class Real>
-std::optional<Query<Real>> moved(const Query<Real>& q, const Move& move) {
-  Coordinates<Real> v = coordinates(q);
-  if (!apply(v, move)) return std::nullopt;
-  const Query<Real> out = from_coordinates(v);
-  return is_valid(out) ? std::optional(out) : std::nullopt;
-}
-template std::optional<Query<float>> moved<float>(const Query<float>&, const Move&);
-template std::optional<Query<double>> moved<double>(const Query<double>&, const Move&);
+template std::optional<Numbers<float>> moved(const QueryShape&, const Numbers<float>&, const Move&);
+template std::optional<Numbers<double>> moved(const QueryShape&, const Numbers<double>&, const Move&);
 
 }  // namespace axiscert

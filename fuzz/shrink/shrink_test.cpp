@@ -8,6 +8,7 @@
 #include <cmath>
 #include <deque>
 
+#include "exact/sphere_triangle/measures/input_class.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/supervised_testing.h"
 #include "fuzz/queries/address.h"
@@ -97,22 +98,23 @@ bool shows(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel) {
 template <class Real>
 void expect_smaller_and_as_bad(const Query<Real>& q, const Symptom& symptom, const Kernel& kernel) {
   SCOPED_TRACE(text(symptom) + " of " + kernel.id);
-  const auto found = shrink(q, symptom, kernel, scalar_target, 20000);
+  const auto found = shrink<Real>(q, symptom, kernel, scalar_target, 20000);
+  const Query<Real> smaller = found.query;
   ASSERT_EQ(found.sizes.front(), size_of(q));
   ASSERT_EQ(found.sizes.back(), size_of(found.query));
   for (std::size_t i = 1; i < found.sizes.size(); ++i) ASSERT_LT(found.sizes[i], found.sizes[i - 1]);
   EXPECT_GT(found.sizes.size(), 1u);
   EXPECT_TRUE(is_no_less(found.after, found.before));
   if (symptom.kind) {
-    EXPECT_TRUE(shows(found.query, symptom, kernel));
+    EXPECT_TRUE(shows(smaller, symptom, kernel));
   }
   const InputClassSet before = input_classes(q, squared_distance(q));
-  const InputClassSet after = input_classes(found.query, squared_distance(found.query));
+  const InputClassSet after = input_classes(smaller, squared_distance(smaller));
   EXPECT_EQ(class_of(after), class_of(before));
   EXPECT_TRUE(before.contains_all(after));
   if (symptom.level == Level::verdict) {
-    EXPECT_LE(depth(found.query, squared_distance(found.query)), depth_factor * depth(q, squared_distance(q)) * 1.001);
-    EXPECT_GE(WideDepth(depth_of(found.query)).order(WideDepth(depth_of(q))), 0);
+    EXPECT_LE(depth(smaller, squared_distance(smaller)), depth_factor * depth(q, squared_distance(q)) * 1.001);
+    EXPECT_GE(WideDepth(depth_of(smaller)).order(WideDepth(depth_of(q))), 0);
   }
 }
 
@@ -166,7 +168,7 @@ TEST(Shrink, TheLimitEndsItAndSaysSo) {
   std::uint64_t n = 0;
   const auto at = [&]() -> Query<float> { return find_family("tangent").make<float>(seed, n); };
   while (diagnosis.flips(at()).empty()) ++n;
-  const auto found = shrink(at(), diagnosis.flips(at()).front(), kernel, scalar_target, 3);
+  const auto found = shrink<float>(at(), diagnosis.flips(at()).front(), kernel, scalar_target, 3);
   EXPECT_EQ(found.evaluations, 3u);
   EXPECT_FALSE(found.complete);
 }
@@ -189,15 +191,17 @@ TEST(Shrink, KeepsTheClassOfTheInputAndTheDepth) {
   const Kernel kernel = two_faults();
   const Query<double> q = {{1, 0.25, 1}, {-0.5, 1, 1}, {-1, -1.25, 1}, {0.125, 0.0625, 0}, 1 + 0x1p-50};
   const Symptom missed{.kind = FlipKind::false_separation, .decisive = true, .links = {Link::unattributed}};
-  const auto kept = shrink(q, missed, kernel, scalar_target, 3000);
-  EXPECT_EQ(input_classes(kept.query, squared_distance(kept.query)), InputClassSet{InputClass::near_tie});
-  EXPECT_EQ(*kept.kept.classes(), InputClassSet{InputClass::near_tie});
+  const auto kept = shrink<double>(q, missed, kernel, scalar_target, 3000);
+  const Query<double> smaller = kept.query;
+  EXPECT_EQ(input_classes(smaller, squared_distance(smaller)), InputClassSet{InputClass::near_tie});
+  EXPECT_EQ(*kept.kept.classes(), std::vector<std::string_view>{"near_tie"});
   EXPECT_LT(kept.sizes.back(), kept.sizes.front());
-  EXPECT_LT(depth(kept.query, squared_distance(kept.query)), 4e-15);
-  const auto free = shrink(q, missed, kernel, scalar_target, 3000, Keeping::symptom);
+  EXPECT_LT(depth(smaller, squared_distance(smaller)), 4e-15);
+  const auto free = shrink<double>(q, missed, kernel, scalar_target, 3000, Keeping::symptom);
+  const Query<double> smallest = free.query;
   EXPECT_FALSE(free.kept.classes());
-  EXPECT_GT(depth(free.query, squared_distance(free.query)), 0.01) << "what the class is kept against";
-  EXPECT_TRUE(shape_classes(free.query).contains(InputClass::repeated));
+  EXPECT_GT(depth(smallest, squared_distance(smallest)), 0.01) << "what the class is kept against";
+  EXPECT_TRUE(shape_classes(smallest).contains(InputClass::repeated));
 }
 
 TEST(ImageMaps, AreFoundFromThePairAlone) {
@@ -246,9 +250,9 @@ TEST(ShrinkPairs, TheAnswersToTheSmallerQueryAndItsImageStillDiffer) {
     const auto found = shrink_pair(*pair, kernel, scalar_target, 3000);
     EXPECT_LT(found.query.sizes.back(), found.query.sizes.front()) << address;
     Examiner examiner(kernel, scalar_target);
-    EXPECT_EQ(examiner.examine(found.query.query).answer.verdict, pair->symptom.of_query);
+    EXPECT_EQ(examiner.examine(query_from(found.query.query)).answer.verdict, pair->symptom.of_query);
     EXPECT_EQ(examiner.examine(found.image).answer.verdict, pair->symptom.of_image);
-    EXPECT_EQ(map_between(found.query.query, found.image)->exponent, pair->map.exponent);
+    EXPECT_EQ(map_between(query_from(found.query.query), found.image)->exponent, pair->map.exponent);
     n += group.size;
   }
   EXPECT_EQ(pairs, 4) << "seed " << seed;
@@ -261,7 +265,7 @@ TEST(ShrinkPairs, TheAnswersToTheSmallerQueryAndItsImageStillDiffer) {
 TEST(Shrink, AQueryWithoutTheSymptomIsAnError) {
   const Query<float> q = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, 2};
   const Symptom symptom{.kind = FlipKind::false_separation, .decisive = true, .links = {Link::rounding}};
-  EXPECT_THROW(shrink(q, symptom, find_kernel("published"), scalar_target, 10), Error);
+  EXPECT_THROW(shrink<float>(q, symptom, find_kernel("published"), scalar_target, 10), Error);
 }
 
 }  // namespace

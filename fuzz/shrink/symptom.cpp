@@ -9,26 +9,31 @@
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/measures/limits.h"
+#include "exact/trait/examine.h"
 #include "kernel/sphere_triangle/shown_sides.h"
 
 namespace axiscert {
 namespace {
 
-// (lhs - rhs) / (|lhs| + |rhs|), or the same with the signed squares; 0/0 and undefined values give 0.
-Rational relative_margin(const ExactComparison& sides) {
-  if (sides.undefined) return 0;
-  Rational lhs = rational(sides.lhs), rhs = rational(sides.rhs);
-  if (sides.rooted) rhs = rhs * abs(rhs);
+// (lhs - rhs) / (|lhs| + |rhs|); 0/0 gives 0.
+Rational margin_of(const Rational& lhs, const Rational& rhs) {
   const Rational scale = abs(lhs) + abs(rhs);
   return sgn(scale) == 0 ? Rational(0) : Rational((lhs - rhs) / scale);
 }
 
-// An axis separates if all of its comparisons hold: the least margin decides.
-Rational axis_margin(const FormulaTruth& own, Axis axis) {
+// The same, or with the signed squares; undefined values give 0.
+Rational relative_margin(const ExactComparison& sides) {
+  if (sides.undefined) return 0;
+  Rational lhs = rational(sides.lhs), rhs = rational(sides.rhs);
+  if (sides.rooted) rhs = rhs * abs(rhs);
+  return margin_of(lhs, rhs);
+}
+
+// An axis separates if all of its comparisons hold: the least margin decides. relative(k) is that of comparison k.
+template <class Relative>
+Rational axis_margin(const TestDescription& test, std::size_t axis, Relative&& relative) {
   Rational least = 1;
-  for (std::size_t k = 0; k < comparison_count; ++k) {
-    if (comparisons[k].axis == axis) least = std::min(least, relative_margin(own.comparison(k)));
-  }
+  for_each_bit(test.clauses[axis].comparisons, [&](std::size_t k) { least = std::min(least, Rational(relative(k))); });
   return least;
 }
 
@@ -43,30 +48,30 @@ bool can_show(const Symptom& symptom, const Answer& answer) {
     return answer.verdict == (symptom.kind == FlipKind::false_separation ? Verdict::separated : Verdict::contact);
   }
   if (!answer.bits) return false;
-  const ComparisonBits bits = symptom.level == Level::axis ? axes_of(*answer.bits) : *answer.bits;
+  const std::uint64_t bits = symptom.level == Level::axis ? clauses_of(*symptom.test, *answer.bits) : *answer.bits;
   return !symptom.kind || has_bit(bits, symptom.index) == (symptom.kind == FlipKind::false_separation);
 }
 
-ComparisonBits causes_of(const Judgement& judgement, const Flip& flip) {
+ComparisonBits causes_of(const TestDescription& test, const Judgement& judgement, const Flip& flip) {
   switch (flip.level) {
     case Level::verdict:
       return judgement.comparison_decisive;
     case Level::axis:
-      return judgement.comparison_flips & comparisons_of(static_cast<Axis>(flip.index));
+      return judgement.comparison_flips & test.clauses[flip.index].comparisons;
     case Level::comparison:
       return one_bit<ComparisonBits>(flip.index);
   }
   return 0;
 }
 
-Symptom symptom_of(const Judgement& judgement, const Flip& flip) {
-  return {flip.level, flip.index, flip.kind, flip.decisive, flip.links, causes_of(judgement, flip)};
+Symptom symptom_of(const TestDescription& test, const Judgement& judgement, const Flip& flip) {
+  return {flip.level, flip.index, flip.kind, flip.decisive, flip.links, causes_of(test, judgement, flip), &test};
 }
 
 bool shows(const Judgement& judgement, const Symptom& symptom) {
   bool found = false;
   judgement.for_each_flip([&](const Flip& flip) {
-    const Symptom s = symptom_of(judgement, flip);
+    const Symptom s = symptom_of(*symptom.test, judgement, flip);
     const bool same_causes = (s.causes & ~symptom.causes) == 0 && (s.causes != 0) == (symptom.causes != 0);
     found = found || (s.level == symptom.level && s.index == symptom.index && s.kind == symptom.kind &&
                       s.links == symptom.links && s.decisive >= symptom.decisive && same_causes);
@@ -76,13 +81,13 @@ bool shows(const Judgement& judgement, const Symptom& symptom) {
 
 }  // namespace
 
-std::string_view name(const Symptom& s) { return name(first_test(), Flip{s.level, s.index, FlipKind{}, false, {}}); }
+std::string_view name(const Symptom& s) { return name(*s.test, Flip{s.level, s.index, FlipKind{}, false, {}}); }
 
 std::string text(const Symptom& s) {
   if (!s.kind) return fmt::format("{} error", name(s));
   std::vector<std::string_view> causes;
-  for (std::size_t i = 0; i < comparison_count && s.level != Level::comparison; ++i) {
-    if (has_bit(s.causes, i)) causes.push_back(comparisons[i].name);
+  for (std::size_t i = 0; i < s.test->comparisons.size() && s.level != Level::comparison; ++i) {
+    if (has_bit(s.causes, i)) causes.push_back(s.test->comparisons[i].name);
   }
   return fmt::format("{} {}{} [{}]{}{}", name(s), flip_kind_names[*s.kind],
                      s.level == Level::verdict ? ""
@@ -94,13 +99,16 @@ std::string text(const Symptom& s) {
 bool is_no_less(const Severity& now, const Severity& then) {
   if (const auto* depth = std::get_if<ExactDepth>(&now.exact))
     return compare(*depth, std::get<ExactDepth>(then.exact)) >= 0;
+  // Rounding is monotone: a greater rounded depth is a greater one.
+  if (const auto* depth = std::get_if<RoundedDepth>(&now.exact))
+    return depth->value >= std::get<RoundedDepth>(then.exact).value;
   if (const auto* margin = std::get_if<Rational>(&now.exact)) return *margin >= std::get<Rational>(then.exact);
   // Rounding up is monotone: the number with the greater rounded value is the greater one.
   return std::get<Decimal6>(now.exact) > std::get<Decimal6>(then.exact);
 }
 
 template <class Real>
-Reply<Real> Diagnosis<Real>::asked(const Query<Real>& q) {
+Reply<Real> Diagnosis<Real>::asked(const Numbers<Real>& q) {
   if (!implementation_) implementation_ = kernel_.on<Real>(target_);
   Reply<Real> reply = ask(*implementation_, q);
   if (reply.verdicts[0] == Verdict::unanswered) implementation_.reset();
@@ -108,15 +116,46 @@ Reply<Real> Diagnosis<Real>::asked(const Query<Real>& q) {
 }
 
 template <class Real>
-std::vector<Symptom> Diagnosis<Real>::flips(const Query<Real>& q) {
+Judgement Diagnosis<Real>::judgement(const Numbers<Real>& q) {
+  const Answer answer = asked(q).outcome(0);
+  if (kernel_.test == &first_test()) return examine(query_from(q), kernel_, answer).judgement;
+  return examine_by_oracles(q, kernel_, answer).judgement;
+}
+
+template <class Real>
+std::vector<Symptom> Diagnosis<Real>::flips(const Numbers<Real>& q) {
   std::vector<Symptom> all;
-  const Judgement judgement = examine(q, kernel_, asked(q).outcome(0)).judgement;
-  judgement.for_each_flip([&](const Flip& flip) { all.push_back(symptom_of(judgement, flip)); });
+  const Judgement found = judgement(q);
+  found.for_each_flip([&](const Flip& flip) { all.push_back(symptom_of(*kernel_.test, found, flip)); });
   return all;
 }
 
 template <class Real>
-std::optional<Severity> Diagnosis<Real>::severity(const Query<Real>& q, const Symptom& symptom) {
+std::optional<Severity> Diagnosis<Real>::severity(const Numbers<Real>& q, const Symptom& symptom) {
+  if (kernel_.test == &first_test()) return severity_of_first_test(query_from(q), symptom);
+  return severity_by_oracles(q, symptom);
+}
+
+template <class Real>
+std::optional<Severity> Diagnosis<Real>::severity_by_oracles(const Numbers<Real>& q, const Symptom& symptom) {
+  const Answer answer = asked(q).outcome(0);
+  if (!can_show(symptom, answer) || !symptom.kind) return std::nullopt;
+  const OracleExamination found = examine_by_oracles(q, kernel_, answer);
+  if (!shows(found.judgement, symptom)) return std::nullopt;
+  if (symptom.level == Level::verdict) {
+    if (!found.depth) return Severity{RoundedDepth{0}, "no depth: the test has none"};
+    return Severity{RoundedDepth{*found.depth}, fmt::format("{:.6g} of the scene", *found.depth)};
+  }
+  const auto relative = [&](std::size_t k) {
+    return margin_of(found.claim->sides->lhs[k], found.claim->sides->rhs[k]);
+  };
+  if (!found.claim || !found.claim->sides) return std::nullopt;
+  return of_margin(symptom.level == Level::axis ? axis_margin(*symptom.test, symptom.index, relative)
+                                                : relative(symptom.index));
+}
+
+template <class Real>
+std::optional<Severity> Diagnosis<Real>::severity_of_first_test(const Query<Real>& q, const Symptom& symptom) {
   if (!is_valid(q) || !is_within(kernel_.limits, q)) return std::nullopt;
   const Reply<Real> reply = asked(q);
   const Answer answer = reply.outcome(0);
@@ -144,7 +183,9 @@ std::optional<Severity> Diagnosis<Real>::severity(const Query<Real>& q, const Sy
       return Severity{exact_depth(q, distance), fmt::format("{:.6g} of the scene", depth(q, distance))};
     }
     case Level::axis:
-      return of_margin(axis_margin(*claims.sides(kernel_.formulae), static_cast<Axis>(symptom.index)));
+      return of_margin(axis_margin(*symptom.test, symptom.index, [&](std::size_t k) {
+        return relative_margin(claims.sides(kernel_.formulae)->comparison(k));
+      }));
     case Level::comparison:
       return of_margin(relative_margin(claims.sides(kernel_.formulae)->comparison(symptom.index)));
   }

@@ -5,11 +5,12 @@
 
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/claims/examine.h"
+#include "exact/trait/oracles.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
 
-// A flip; or, if `kind` is empty, the error of a comparison, whatever its sign.
+// A flip; or, if `kind` is empty, the error of a comparison, whatever its sign: for sphere-triangle alone.
 struct Symptom {
   Level level = Level::verdict;
   std::uint8_t index = 0;  // index of the axis or comparison
@@ -19,26 +20,32 @@ struct Symptom {
   // For a wrong verdict the decisive comparison flips, for an axis its comparison flips: some of these have to remain,
   // if there are any, and no others may be added.
   ComparisonBits causes = 0;
+  const TestDescription* test = &first_test();
 };
 std::string_view name(const Symptom& symptom);  // "verdict", "edge_ab", "edge_ab.radius"
 // "verdict false_separation [rounding]", "edge_ab.radius error".
 std::string text(const Symptom& symptom);
 
+// A depth, rounded once to the nearest binary64.
+struct RoundedDepth {
+  double value;
+};
+
 // Exact, without a unit:
-//   for a wrong verdict, its depth;
-//   for a comparison's flip, |lhs - rhs| / (|lhs| + |rhs|) of the exact sides, 0 where both are 0; if lhs is a root,
-//   the same with the signed squares of the sides, which orders queries in the same way;
-//   for an axis, the value of the comparison that decides: the least one if all of them hold, otherwise that of the
-//   comparison farthest from holding; for a comparison's error, that error in u; rounded up to six digits if a side is
-//   a root.
+//   for a wrong verdict, its depth: of a test other than sphere-triangle as its oracles round it, once, and 0 where
+//   they have none; for a comparison's flip, |lhs - rhs| / (|lhs| + |rhs|) of the exact sides, 0 where both are 0; if
+//   lhs is a root, the same with the signed squares of the sides, which orders queries in the same way; for an axis,
+//   the value of the comparison that decides: the least one if all of them hold, otherwise that of the comparison
+//   farthest from holding; for a comparison's error, that error in u; rounded up to six digits if a side is a root.
 struct Severity {
-  std::variant<ExactDepth, Rational, Decimal6> exact;
+  std::variant<ExactDepth, RoundedDepth, Rational, Decimal6> exact;
   std::string text;  // "0.68 of the scene", "relative margin 1.2e-05", "961.012 u"
 };
-// Only if certain: two rounded errors that are equal are not decisive, so the result is false.
+// Only if certain: two rounded errors that are equal are not decisive, so the result is false. Two rounded depths that
+// are equal are no less: a scene at another scale has the same depth.
 bool is_no_less(const Severity& now, const Severity& then);
 
-// Asks one kernel about queries, by CGAL and the exact formulae. A foreign kernel's process is begun once, and again
+// Asks one kernel about queries of its test, by the test's oracles. A foreign kernel's process is begun once, and again
 // after a query that it did not answer.
 template <class Real>
 class Diagnosis {
@@ -47,12 +54,15 @@ class Diagnosis {
   Diagnosis(const Kernel& kernel, std::string_view target) : kernel_(kernel), target_(target) {}
 
   // Every flip, in the order verdict, axes, comparisons. Throws OracleDisagreement.
-  std::vector<Symptom> flips(const Query<Real>& q);
+  std::vector<Symptom> flips(const Numbers<Real>& q);
   // Empty if the query does not show the symptom, or shows it only outside the limits that the kernel declares.
-  std::optional<Severity> severity(const Query<Real>& q, const Symptom& symptom);
+  std::optional<Severity> severity(const Numbers<Real>& q, const Symptom& symptom);
 
  private:
-  Reply<Real> asked(const Query<Real>& q);
+  Reply<Real> asked(const Numbers<Real>& q);
+  Judgement judgement(const Numbers<Real>& q);
+  std::optional<Severity> severity_of_first_test(const Query<Real>& q, const Symptom& symptom);
+  std::optional<Severity> severity_by_oracles(const Numbers<Real>& q, const Symptom& symptom);
 
   const Kernel& kernel_;
   std::string_view target_;

@@ -21,7 +21,29 @@ class SearchReport {
         fmt::format("The worst of {} found, {}, {} evaluations, seed {}{}", plan_.kernel->id, name(plan_.precision),
                     thousands(result_.evaluations), plan_.seed, result_.complete ? "" : ", interrupted");
     report.command = command;
-    report.notes = {
+    if (plan_.kernel->test == &first_test()) report.notes = notes_of_first_test();
+    else report.notes = notes_by_oracles();
+    if (plan_.first_queries != 0) {
+      report.notes.push_back(
+          fmt::format("It began from a run of {} queries of each of {} families, and reports nothing less severe than "
+                      "that run found.",
+                      thousands(plan_.first_queries), plan_.first_sources.size()));
+    }
+    if (InstrumentTable table = comparison_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
+    if (InstrumentTable table = verdict_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
+    report.data = data();
+    return report;
+  }
+
+ private:
+  static std::vector<std::string> notes_by_oracles() {
+    return {
+        "A depth is in units of the scene. Queries are of numbers up to 2^8; a length is set to where the kernel's own "
+        "verdict changes. Every witness was confirmed by all oracles of the test. These are lower bounds of the worst: "
+        "a search proves nothing about what it does not find."};
+  }
+  static std::vector<std::string> notes_of_first_test() {
+    return {
         "Attained: |(l^ - r^) - (l - r)| in u, the greatest found where every coordinate of A - P, B - P, C - P is in "
         "[-1, 1] and r in [0, 1], the rounding of the translation included. Proved: a bound that a checker accepted; "
         "open "
@@ -37,19 +59,8 @@ class SearchReport {
         "confirmed by exact arithmetic. All of these are lower bounds of the worst: a search proves nothing about what "
         "it "
         "does not find."};
-    if (plan_.first_queries != 0) {
-      report.notes.push_back(
-          fmt::format("It began from a run of {} queries of each of {} families, and reports nothing less severe than "
-                      "that run found.",
-                      thousands(plan_.first_queries), plan_.first_sources.size()));
-    }
-    if (InstrumentTable table = comparison_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
-    if (InstrumentTable table = verdict_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
-    report.data = data();
-    return report;
   }
 
- private:
   const Find* find(const Aim& aim) const {
     for (const Find& find : result_.finds) {
       if (find.aim == aim) return &find;

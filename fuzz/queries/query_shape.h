@@ -1,0 +1,31 @@
+// The parts of a query by the description of its test: which numbers are points, directions and lengths.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "kernel/query.h"
+#include "kernel/test.h"
+
+namespace axiscert {
+
+struct QueryShape {
+  std::size_t numbers = 0, axes = 0;    // axes: numbers of a point
+  std::vector<std::size_t> points;      // the first column of each; the last point is the one that the others are seen
+                                        // from, as a sphere's centre
+  std::vector<std::size_t> directions;  // the same of displacements, which a translation leaves as they are
+  std::array<bool, most_columns> is_length{};
+
+  std::size_t vertices() const { return points.empty() ? 0 : points.size() - 1; }
+};
+
+// The points are the groups of coordinates of the size of the first such group, and directions have this size too;
+// numbers of other groups are moved one by one.
+QueryShape shape_of(const TestEntry& entry);
+
+// Whether all numbers are finite and no length is negative: what every test asks of a query.
+template <class Real>
+bool may_be_valid(const QueryShape& shape, const Numbers<Real>& q);
+
+}  // namespace axiscert

@@ -1,0 +1,31 @@
+// What leads a search: how much of its aim a query shows, and which queries it is about.
+#pragma once
+
+#include <vector>
+
+#include "fuzz/queries/query_shape.h"
+#include "fuzz/search/dice.h"
+#include "fuzz/search/goal.h"
+
+namespace axiscert {
+
+template <class Real>
+class Guide {
+ public:
+  explicit Guide(const QueryShape& shape) : shape_(shape) {}
+  virtual ~Guide() = default;
+  const QueryShape& shape() const { return shape_; }
+
+  // Writes the score of each query, not negative; 0 if it shows nothing. It may change the queries, as the goals about
+  // verdicts do: they solve each query's radius.
+  virtual void evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores) = 0;
+  // Brings a query to where the aim is looked for.
+  virtual void settle(Numbers<Real>& q) const = 0;
+  // A step that an aim has besides the moves that all have; false where this one was not to be taken.
+  virtual bool step(const Aim&, Dice&, Numbers<Real>&) const { return false; }
+
+ private:
+  QueryShape shape_;
+};
+
+}  // namespace axiscert
