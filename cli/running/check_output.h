@@ -21,7 +21,7 @@ struct Checked {
   bool within_limits = true;
   std::vector<Finding> findings;
   std::vector<Detail> details = {};  // of the truth; none if it is `invalid`
-  // Of a test with measures: those that the kernel gave, and how they are wrong.
+  // The measures that the kernel gave, where its test has any, and how they are wrong.
   Json measures = {};
   std::string measures_text = {};
 };

@@ -49,7 +49,7 @@ class MotionJudge {
   virtual ~MotionJudge() = default;
   // The measures beside a contact, the first of the test's.
   virtual MotionJudgement hit(std::span<const double> measures) = 0;
-  // Of an answer that there is no contact.
+  // The tunnel of an answer that there is no contact.
   virtual Tunnel missed() = 0;
 };
 

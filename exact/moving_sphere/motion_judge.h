@@ -21,7 +21,7 @@ class ContactJudge final : public MotionJudge {
   TimeVerdict time_verdict(double time) const;
   void measure_time(double time, MotionJudgement& out) const;
   void measure_place(std::span<const double> measures, MotionJudgement& out);
-  // Of the motion until a time in [0, 1], and at it.
+  // The least squared distance of the motion until a time in [0, 1], and the squared distance at that time.
   Rational least_squared(const Rational& until) const;
   Rational squared_distance(const Rational& at) const;
   // The nearest point of the triangle at the first contact, and the vector from it to the centre; seen from P.

@@ -10,7 +10,7 @@ namespace axiscert {
 // The names of the measures that the kernel gives.
 Json given_measures_json(const Kernel& kernel);
 
-// What the kernel promises of motions.
+// The kernel's promises about motions.
 Json policy_json(const MotionPolicy& policy);
 
 // Those of one family. A measure that the kernel does not give is null.

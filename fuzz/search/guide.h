@@ -1,4 +1,4 @@
-// What leads a search: how much of its aim a query shows, and which queries it is about.
+// The guide of a search: how much of its aim a query shows, and which queries it is about.
 #pragma once
 
 #include <vector>

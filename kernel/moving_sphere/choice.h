@@ -17,7 +17,7 @@ AXISCERT_INLINE float chosen(bool where, float yes, float no) { return where ? y
 AXISCERT_INLINE double chosen(bool where, double yes, double no) { return where ? yes : no; }
 #endif
 
-// What a comparison of two numbers gives.
+// The result of a comparison of two numbers.
 template <class T>
 using Held = decltype(T() > T());
 

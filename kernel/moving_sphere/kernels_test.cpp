@@ -46,7 +46,8 @@ TEST(MotionKernels, AllFindTheFaceAnEdgeAndAVertex) {
     ASSERT_TRUE(edge) << id;
     EXPECT_NEAR(*edge, 0.51780, 1e-4) << id << ": against AB, from a little above the plane";
     EXPECT_EQ(time_by(id, {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 3}, {0, 0, 4}, 1}), std::nullopt) << id << ": away";
-    EXPECT_EQ(time_by(id, {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 3}, {0, 0, -1}, 1}), std::nullopt) << id << ": short";
+    EXPECT_EQ(time_by(id, {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 3}, {0, 0, -1}, 1}), std::nullopt)
+        << id << ": short";
   }
 }
 

@@ -48,7 +48,7 @@ struct TwoCapsules {
     const auto seen = ray.origin - at;
     return lesser_root(dot(ray.along, ray.along), 2 * dot(seen, ray.along), dot(seen, seen) - r * r);
   }
-  // Of a t^2 + b t + c, with a > 0.
+  // The lesser root of a t^2 + b t + c, with a > 0.
   template <class Real>
   static std::optional<Real> lesser_root(Real a, Real b, Real c) {
     const Real discriminant = b * b - 4 * a * c;

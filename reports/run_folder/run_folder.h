@@ -10,7 +10,7 @@
 
 namespace axiscert {
 
-// What a gate writes into the folder, for the reports.
+// The file that a gate writes into the folder, for the reports.
 inline constexpr const char* ratchet_outcome_file = "ratchet.json";
 
 struct Run {

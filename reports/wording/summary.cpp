@@ -135,7 +135,7 @@ std::string touching_text(const Json& kernel) {
 
 namespace {
 
-// What the kernel leaves out of its promise about motions.
+// The part of its promise about motions that the kernel leaves out.
 void add_policy(const Json& kernel, std::vector<std::string>& parts) {
   const auto policy = kernel.find("motion");
   if (policy == kernel.end()) return;

@@ -1,4 +1,4 @@
-// What a run counts of the first contacts that a kernel reports: times, tunnels, features, normals and points.
+// The counts of the first contacts that a kernel reports: times, tunnels, features, normals and points.
 #pragma once
 
 #include <array>
