@@ -6,6 +6,7 @@
 #include "kernel/registry/called.h"
 #include "kernel/plugin/load.h"
 #include "kernel/test.h"
+#include "fuzz/confirm/motion_record.h"
 #include "fuzz/confirm/record.h"
 
 namespace axiscert {
@@ -101,6 +102,15 @@ std::vector<std::string> targets_of(const Kernel& kernel) {
 void print_one(const Kernel& kernel) {
   print_kernel(kernel, kernel.file.empty() ? fmt::format("{}", fmt::join(targets_of(kernel), " ")) : how_run(kernel));
   fmt::print("{:<20} test {}, entry {}\n", "", kernel.test->id, kernel.test->entries[kernel.entry].name);
+  if (kernel.measure_count != 0) {
+    std::vector<std::string_view> names;
+    for (std::size_t k = 0; k < kernel.measure_count; ++k) names.push_back(kernel.test->measures[k].name);
+    fmt::print("{:<20} measures {}\n", "", fmt::join(names, " "));
+  }
+  if (kernel.motion != MotionPolicy{}) {
+    fmt::print("{:<20} of motions: start {}, still {}, sides {}\n", "", start_policy_names[kernel.motion.start],
+               still_policy_names[kernel.motion.still], sides_policy_names[kernel.motion.sides]);
+  }
   if (!kernel.source.empty()) fmt::print("{:<20} source {}\n", "", kernel.source);
   for (const Finding& finding : kernel.findings) fmt::print("{:<20} {}: {}\n", "", name(finding.kind), finding.detail);
 }
@@ -118,17 +128,22 @@ Json kernel_json(const Kernel& kernel) {
   for (const Finding& finding : kernel.findings) {
     findings.push_back({{"kind", name(finding.kind)}, {"detail", finding.detail}});
   }
-  return {{"id", kernel.id},
-          {"summary", kernel.summary},
-          {"test", kernel.test->id},
-          {"entry", kernel.test->entries[kernel.entry].name},
-          {"formulae", name(kernel.formulae)},
-          {"precisions", precisions_of(kernel)},
-          {"targets", targets_of(kernel)},
-          {"exposes", exposures_json(kernel)},
-          {"source", kernel.source.empty() ? Json() : Json(kernel.source)},
-          {"findings", findings},
-          {"arithmetics", composed}};
+  Json json = {{"id", kernel.id},
+               {"summary", kernel.summary},
+               {"test", kernel.test->id},
+               {"entry", kernel.test->entries[kernel.entry].name},
+               {"formulae", name(kernel.formulae)},
+               {"precisions", precisions_of(kernel)},
+               {"targets", targets_of(kernel)},
+               {"exposes", exposures_json(kernel)},
+               {"source", kernel.source.empty() ? Json() : Json(kernel.source)},
+               {"findings", findings},
+               {"arithmetics", composed}};
+  if (!kernel.test->measures.empty()) {
+    json["measures"] = given_measures_json(kernel);
+    json["motion"] = policy_json(kernel.motion);
+  }
+  return json;
 }
 
 int list_kernels(const std::string& format, const std::vector<std::string>& ids, const std::string& test_id) {

@@ -1,8 +1,9 @@
 #include "exact/moving_sphere/first_contact.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+
+#include "exact/moving_sphere/sizes.h"
 
 namespace axiscert::moving_sphere {
 namespace {
@@ -76,17 +77,13 @@ bool is_promised(const MotionPolicy& policy, const MovingQuery<double>& q) {
   return policy.start == StartPolicy::approaching && sgn(motion.pieces.front().b) > 0;
 }
 
-// The numbers from 0 to 1 are in the order of their bits.
+// The guess is the nearest number or one beside it; what is returned is decided by comparisons.
 template <class Real>
 Real rounded_down(const RootTime& t) {
-  using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-  Bits not_late = 0, above = std::bit_cast<Bits>(Real(1)) + 1;
-  while (above - not_late > 1) {
-    const Bits middle = not_late + (above - not_late) / 2;
-    if (compare(t, exact(std::bit_cast<Real>(middle))) >= 0) not_late = middle;
-    else above = middle;
-  }
-  return std::bit_cast<Real>(not_late);
+  Real not_late = nearest<Real>(approximate(t));
+  while (compare(t, exact(not_late)) < 0) not_late = std::nextafter(not_late, Real(0));
+  for (Real next; (next = std::nextafter(not_late, Real(2))) <= 1 && compare(t, exact(next)) >= 0;) not_late = next;
+  return not_late;
 }
 template float rounded_down<float>(const RootTime&);
 template double rounded_down<double>(const RootTime&);

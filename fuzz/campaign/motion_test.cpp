@@ -16,7 +16,7 @@ namespace {
 
 using moving_sphere::FirstContact;
 
-constexpr std::uint64_t motion_queries = 300;
+constexpr std::uint64_t motion_queries = 100;
 
 // A time and a feature told beside a contact, made of the right ones.
 struct Told {
