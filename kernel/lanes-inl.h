@@ -28,7 +28,8 @@ struct Lanes {
 template <class D>
 using LanesOf = Lanes<hn::Vec<D>>;
 
-// The lanes in which something holds, and what is made of it: kernel/moving_sphere/choice.h has the same for one number.
+// The lanes in which something holds, and what is made of it: kernel/moving_sphere/choice.h has the same for one
+// number.
 template <class V>
 struct HeldLanes {
   hn::Mask<hn::DFromV<V>> m;
@@ -98,7 +99,8 @@ void with_padded_tail(const QueryColumns<Real>& batch, std::size_t begin, Body&&
   body(tail);
 }
 
-// Verdicts of a batch by Mask::separated(from, i), the bits of the lanes that are separated among those from query i on.
+// Verdicts of a batch by Mask::separated(from, i), the bits of the lanes that are separated among those from query i
+// on.
 template <class Mask, class Real>
 AXISCERT_INLINE void verdicts_in_lanes(const QueryColumns<Real>& batch, Verdict* out) {
   constexpr std::size_t lanes = hn::MaxLanes(hn::ScalableTag<Real>());
@@ -126,8 +128,8 @@ AXISCERT_INLINE void for_each_vector(const QueryColumns<Real>& batch, OneVector&
   std::size_t i = 0;
   for (; i + lanes <= batch.size; i += lanes) one_vector(batch, i, i, lanes);
   if (i == batch.size) return;
-  with_padded_tail<Real, lanes>(
-      batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR { one_vector(tail, 0, i, tail.size); });
+  with_padded_tail<Real, lanes>(batch, i,
+                                [&](const QueryColumns<Real>& tail) HWY_ATTR { one_vector(tail, 0, i, tail.size); });
 }
 
 // Writes the first `count` lanes to queries i, i + 1, ... of a column.

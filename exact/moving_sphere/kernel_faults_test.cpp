@@ -23,7 +23,8 @@ QueryClass class_of(const MovingQuery<double>& q, const std::optional<FirstConta
   if (dot(normal, normal) == 0) return QueryClass::no_area;
   if (q.r == 0) return QueryClass::point;
   if (contact && contact->start != Start::clear) return QueryClass::start;
-  if (contact && cmp(least_distance(q).squared, Rational(Rational(q.r) * Rational(q.r))) == 0) return QueryClass::touching;
+  if (contact && cmp(least_distance(q).squared, Rational(Rational(q.r) * Rational(q.r))) == 0)
+    return QueryClass::touching;
   if (dot(q.d, normal) == 0) return QueryClass::parallel;
   return QueryClass::general;
 }
@@ -37,11 +38,22 @@ MovingQuery<double> lattice_query(std::mt19937_64& random, int i) {
   q.d = q.d * static_cast<double>(1 + i % 4);
   q.r = std::min(q.r, 3.0);
   switch (i % 16) {
-    case 0: case 1: q.c = q.a + (q.b - q.a) * one; break;
-    case 2: q.d = portable::Vec3<double>{0, 0, 0}; break;
-    case 3: q.r = 0; break;
-    case 4: case 5: q.d = (q.b - q.a) * one + (q.c - q.a) * other; break;
-    default: break;
+    case 0:
+    case 1:
+      q.c = q.a + (q.b - q.a) * one;
+      break;
+    case 2:
+      q.d = portable::Vec3<double>{0, 0, 0};
+      break;
+    case 3:
+      q.r = 0;
+      break;
+    case 4:
+    case 5:
+      q.d = (q.b - q.a) * one + (q.c - q.a) * other;
+      break;
+    default:
+      break;
   }
   return q;
 }
@@ -50,7 +62,8 @@ struct FaultCounts {
   int missed = 0, late = 0, early = 0, phantoms = 0;
   std::string text() const {
     std::string found;
-    for (const auto& [count, name] : {std::pair{missed, "missed"}, {late, "late"}, {early, "early"}, {phantoms, "phantom"}}) {
+    for (const auto& [count, name] :
+         {std::pair{missed, "missed"}, {late, "late"}, {early, "early"}, {phantoms, "phantom"}}) {
       if (count > 0) found += fmt::format("{}{} {}", found.empty() ? "" : ", ", count, name);
     }
     return found.empty() ? "0" : found;
@@ -92,8 +105,8 @@ TEST(FaultTable, IsThatOfTheDocument) {
   std::vector<std::string> head = {"contacts"};
   for (const int count : contacts) head.push_back(std::to_string(count));
   std::vector<std::string> rows = {table_row(head)};
-  for (const std::string_view id : {"twenty", "twenty-nonstrict", "gated", "walk", "rounded", "fauerby", "physx4", "physx5",
-                                    "segment", "advance", "advance-by-length"}) {
+  for (const std::string_view id : {"twenty", "twenty-nonstrict", "gated", "walk", "rounded", "fauerby", "physx4",
+                                    "physx5", "segment", "advance", "advance-by-length"}) {
     const Answered<double> kernel(id, batch);
     std::array<FaultCounts, class_count> counts;
     for (std::size_t i = 0; i < truths.size(); ++i) {

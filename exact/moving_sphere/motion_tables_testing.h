@@ -59,7 +59,8 @@ inline void expect_in_the_document(const std::vector<std::string>& rows) {
   std::vector<std::string> lines;
   for (std::string line; std::getline(file, line);) lines.push_back(line);
   for (const std::string& row : rows) {
-    EXPECT_NE(std::find(lines.begin(), lines.end(), row), lines.end()) << "docs/moving.md has to have the line\n" << row;
+    EXPECT_NE(std::find(lines.begin(), lines.end(), row), lines.end()) << "docs/moving.md has to have the line\n"
+                                                                       << row;
   }
 }
 

@@ -1,5 +1,5 @@
-// What distance does to b^2 - a c: ordinary queries in binary32 from further and further away, against the exact answer.
-// The tables of docs/moving.md.
+// What distance does to b^2 - a c: ordinary queries in binary32 from further and further away, against the exact
+// answer. The tables of docs/moving.md.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -14,7 +14,8 @@ float uniform_float(std::mt19937_64& random, float bound) {
   return (static_cast<float>(random() >> 40) * 0x1p-23f - 1) * bound;
 }
 
-// Triangle and radius of about 1, centre in [-R, R]^3, and D towards a point near the triangle and up to half as far again.
+// Triangle and radius of about 1, centre in [-R, R]^3, and D towards a point near the triangle and up to half as far
+// again.
 MovingQuery<float> aimed_query(std::mt19937_64& random, float distance) {
   const auto point = [&](float bound) {
     const float x = uniform_float(random, bound), y = uniform_float(random, bound), z = uniform_float(random, bound);
@@ -74,13 +75,15 @@ TEST(RoundingByDistanceLong, IsThatOfTheDocument) {
       truths.push_back(first_contact(exactly(batch[static_cast<std::size_t>(i)])));
       contacts += truths.back().has_value();
     }
-    std::vector<std::string> verdict = {std::to_string(distance), std::to_string(contacts)}, time = {std::to_string(distance)};
+    std::vector<std::string> verdict = {std::to_string(distance), std::to_string(contacts)},
+                             time = {std::to_string(distance)};
     for (const std::string_view id : {"rounded", "rounded-quotient", "rounded-products", "gated", "twenty-nonstrict"}) {
       RoundingCounts counts = counted(id, batch, truths);
       verdict.push_back(fmt::format("{} / {}", counts.missed, counts.phantoms));
       if (counts.ulps.empty()) continue;
       time.push_back(fmt::format("{:.2f}", counts.median()));
-      if (id == "gated") time.push_back(fmt::format("{:.0f} %", 100.0 * counts.late / static_cast<double>(counts.ulps.size())));
+      if (id == "gated")
+        time.push_back(fmt::format("{:.0f} %", 100.0 * counts.late / static_cast<double>(counts.ulps.size())));
       if (distance == 4096 && id == "rounded") {
         EXPECT_GT(counts.missed, contacts / 50) << "b^2 - a c loses contacts";
       }

@@ -36,8 +36,7 @@ const QueryBatch<float>& queries() {
   return batch;
 }
 
-void time_verdicts(benchmark::State& state,
-                   const std::function<void(const QueryColumns<float>&, Verdict*)>& verdicts) {
+void time_verdicts(benchmark::State& state, const std::function<void(const QueryColumns<float>&, Verdict*)>& verdicts) {
   const auto columns = queries().columns();
   std::vector<Verdict> out(query_count);
   for (auto _ : state) {

@@ -49,12 +49,13 @@ struct Fauerby {
     for (const Vector& at : {triangle.a, triangle.b, triangle.c}) {
       if (const auto t = root(dot(velocity, velocity), -2 * dot(velocity, at), dot(at, at) - 1, first)) take(*t);
     }
-    for (const auto& [from, to] : {std::pair{triangle.a, triangle.b}, std::pair{triangle.b, triangle.c},
-                                   std::pair{triangle.c, triangle.a}}) {
+    for (const auto& [from, to] :
+         {std::pair{triangle.a, triangle.b}, std::pair{triangle.b, triangle.c}, std::pair{triangle.c, triangle.a}}) {
       const Vector along = to - from;
       const Real e = dot(along, along), ahead = dot(along, velocity), behind = dot(along, from);
-      const auto t = root(ahead * ahead - e * dot(velocity, velocity), e * (2 * dot(velocity, from)) - 2 * ahead * behind,
-                          e * (1 - dot(from, from)) + behind * behind, first);
+      const auto t =
+          root(ahead * ahead - e * dot(velocity, velocity), e * (2 * dot(velocity, from)) - 2 * ahead * behind,
+               e * (1 - dot(from, from)) + behind * behind, first);
       if (!t) continue;
       const Real share = (ahead * *t - behind) / e;
       if (share >= 0 && share <= 1) take(*t);

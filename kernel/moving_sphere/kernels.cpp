@@ -29,6 +29,11 @@ Kernel with_simd(Kernel kernel, const MotionSimd& (*simd)()) {
   return kernel;
 }
 
+Kernel taking_arithmetic(Kernel kernel) {
+  kernel.takes_arithmetic = true;
+  return kernel;
+}
+
 template <class M>
 Kernel timed(std::string id, std::string summary) {
   return plain_verdict_kernel<MovingSphere, Timed<M>>(std::move(id), std::move(summary));
@@ -43,23 +48,26 @@ Kernel promising(const MotionPolicy& policy, Kernel kernel) {
 
 std::vector<Kernel> moving_sphere_kernels() {
   return {
-      with_simd(plain_kernel<MovingSphere, Twenty>("moving-sphere/twenty",
-                                                   "the sphere against the prism of the motion: 20 axes"),
-                simd_twenty),
-      with_simd(plain_kernel<MovingSphere, TwentyNonstrict>(
-                    "moving-sphere/twenty-nonstrict", "the same with >= in the sides: over the reals right for every query"),
-                simd_twenty_nonstrict),
+      taking_arithmetic(with_simd(plain_kernel<MovingSphere, Twenty>(
+                                      "moving-sphere/twenty", "the sphere against the prism of the motion: 20 axes"),
+                                  simd_twenty)),
+      taking_arithmetic(with_simd(
+          plain_kernel<MovingSphere, TwentyNonstrict>(
+              "moving-sphere/twenty-nonstrict", "the same with >= in the sides: over the reals right for every query"),
+          simd_twenty_nonstrict)),
       timed<Gated>("moving-sphere/gated", "the verdict by the twenty axes, the time by c / (b + sqrt(b^2 - a c))"),
       timed<Walk>("moving-sphere/walk", "the seven static axes tracked over time, from interval to interval"),
-      with_simd(timed<OneNumber<portable::Rounded>>(
-                    "moving-sphere/rounded", "the centre's path against face, cylinders and spheres, by roots of quadratics"),
-                simd_rounded),
+      with_simd(
+          timed<OneNumber<portable::Rounded>>(
+              "moving-sphere/rounded", "the centre's path against face, cylinders and spheres, by roots of quadratics"),
+          simd_rounded),
       timed<OneNumber<portable::RoundedQuotient>>("moving-sphere/rounded-quotient",
                                                   "the same, a root as c / (b + sqrt(b^2 - a c))"),
       timed<OneNumber<portable::RoundedProducts>>("moving-sphere/rounded-products",
                                                   "then b^2 - a c as a difference of products"),
-      promising({.still = StillPolicy::ignored},
-                timed<Fauerby>("moving-sphere/fauerby", "Fauerby's sweep of a unit sphere, for both sides of the triangle")),
+      promising(
+          {.still = StillPolicy::ignored},
+          timed<Fauerby>("moving-sphere/fauerby", "Fauerby's sweep of a unit sphere, for both sides of the triangle")),
       promising({.still = StillPolicy::ignored},
                 timed<PhysX4>("moving-sphere/physx4", "PhysX 4.1: the plane's point picks one vertex or one edge")),
       promising({.still = StillPolicy::ignored},

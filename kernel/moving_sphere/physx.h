@@ -41,8 +41,8 @@ struct Sweep {
     if (area == 0 || length == 0) return std::nullopt;
     const Ray<Real> centre{q.p, q.d / length};
 
-    const Vector nearest = methods::ClosestPoint::closest(
-        portable::Centred<Real>{q.a - q.p, q.b - q.p, q.c - q.p, Real(0)}, Real(0));
+    const Vector nearest =
+        methods::ClosestPoint::closest(portable::Centred<Real>{q.a - q.p, q.b - q.p, q.c - q.p, Real(0)}, Real(0));
     if (dot(nearest, nearest) <= q.r * q.r) return Real(0);
 
     Vector out = (crossed / area) * q.r;
@@ -54,8 +54,8 @@ struct Sweep {
     const Real inverse = 1 / determinant;
     const Real u = dot(from_a, turned) * inverse, v = dot(centre.along, around) * inverse;
     const bool inside = !(u < 0 || u > 1 || v < 0 || u + v > 1);
-    const std::optional<Real> distance = inside ? ahead(dot(other, around) * inverse)
-                                                : Rest::hit(centre, corner, q.r, u, v);
+    const std::optional<Real> distance =
+        inside ? ahead(dot(other, around) * inverse) : Rest::hit(centre, corner, q.r, u, v);
     if (!distance || *distance > length) return std::nullopt;
     return *distance / length;
   }

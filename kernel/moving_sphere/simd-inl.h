@@ -18,12 +18,8 @@ template <class D, class Real = hn::TFromD<D>>
 AXISCERT_INLINE MovingLanes<LanesOf<D>> load_motion(D d, const QueryColumns<Real>& batch, std::size_t i) {
   using T = LanesOf<D>;
   const auto lanes = [&](std::size_t k) HWY_ATTR { return T{hn::LoadU(d, batch.column[k] + i)}; };
-  return {{lanes(0), lanes(1), lanes(2)},
-          {lanes(3), lanes(4), lanes(5)},
-          {lanes(6), lanes(7), lanes(8)},
-          {lanes(9), lanes(10), lanes(11)},
-          {lanes(12), lanes(13), lanes(14)},
-          lanes(15)};
+  return {{lanes(0), lanes(1), lanes(2)},   {lanes(3), lanes(4), lanes(5)},    {lanes(6), lanes(7), lanes(8)},
+          {lanes(9), lanes(10), lanes(11)}, {lanes(12), lanes(13), lanes(14)}, lanes(15)};
 }
 
 // i is a constant to the compiler wherever a sink is called.

@@ -32,7 +32,9 @@ HWY_EXPORT(twenty_nonstrict64);
 namespace moving_sphere {
 
 MotionSimd::MotionSimd(Implementation<float> (*binary32)(), Implementation<double> (*binary64)())
-    : table_([&] { return Forms{binary32(), binary64()}; }) {}
+    : table_([&] {
+        return Forms{binary32(), binary64()};
+      }) {}
 
 const MotionSimd& simd_twenty() {
   static const MotionSimd forms([] { return HWY_DYNAMIC_DISPATCH(twenty32)(); },
