@@ -29,6 +29,11 @@ Kernel with_simd(Kernel kernel, const MotionSimd& (*simd)()) {
   return kernel;
 }
 
+Kernel taking_arithmetic(Kernel kernel) {
+  kernel.takes_arithmetic = true;
+  return kernel;
+}
+
 template <class M>
 Kernel timed(std::string id, std::string summary) {
   return plain_verdict_kernel<MovingSphere, Timed<M>>(std::move(id), std::move(summary));
@@ -43,13 +48,13 @@ Kernel promising(const MotionPolicy& policy, Kernel kernel) {
 
 std::vector<Kernel> moving_sphere_kernels() {
   return {
-      with_simd(plain_kernel<MovingSphere, Twenty>("moving-sphere/twenty",
-                                                   "the sphere against the prism of the motion: 20 axes"),
-                simd_twenty),
-      with_simd(
+      taking_arithmetic(with_simd(plain_kernel<MovingSphere, Twenty>(
+                                      "moving-sphere/twenty", "the sphere against the prism of the motion: 20 axes"),
+                                  simd_twenty)),
+      taking_arithmetic(with_simd(
           plain_kernel<MovingSphere, TwentyNonstrict>(
               "moving-sphere/twenty-nonstrict", "the same with >= in the sides: over the reals right for every query"),
-          simd_twenty_nonstrict),
+          simd_twenty_nonstrict)),
       timed<Gated>("moving-sphere/gated", "the verdict by the twenty axes, the time by c / (b + sqrt(b^2 - a c))"),
       timed<Walk>("moving-sphere/walk", "the seven static axes tracked over time, from interval to interval"),
       with_simd(

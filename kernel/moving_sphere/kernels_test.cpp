@@ -175,5 +175,45 @@ TYPED_TEST(MotionSimdTest, TheStrictFormIsNotTheNonstrictOne) {
   EXPECT_NE(asked("rounded", batch, target).verdicts, asked("twenty", batch).verdicts);
 }
 
+// Whether a side of some query differs by more than which NaN it is.
+template <class Real>
+bool differ(const Reply<Real>& one, const Reply<Real>& other) {
+  for (std::size_t k = 0; k < comparison_names.size(); ++k) {
+    const auto& a = one.answers.lhs[k];
+    if (!std::equal(a.begin(), a.end(), other.answers.lhs[k].begin(), same<Real>)) return true;
+  }
+  return false;
+}
+
+// Of {-1, 0, 1} no operation is rounded in any of them; of other numbers some are rounded otherwise.
+TYPED_TEST(MotionSimdTest, EveryArithmeticIsThePlainOneWhereNothingIsRounded) {
+  std::mt19937_64 random(9);
+  QueryBatch<TypeParam> lattice(2000, 16);
+  for (int i = 0; i < 2000; ++i) {
+    Numbers<TypeParam> numbers(16);
+    for (TypeParam& x : numbers) x = static_cast<TypeParam>(static_cast<int>(random() % 3) - 1);
+    lattice.push_back(numbers);
+  }
+  const QueryBatch<TypeParam> rounded = mixed_queries<TypeParam>(2000, 3);
+  int checked = 0, different = 0;
+  for (const std::string rung : {"twenty", "twenty-nonstrict"}) {
+    const Reply<TypeParam> plain = asked(rung, lattice), plain_rounded = asked(rung, rounded);
+    for (const ArithmeticInfo& arithmetic : arithmetics()) {
+      const std::string id = rung + "+" + arithmetic.name;
+      const Kernel& kernel = find_kernel("moving-sphere/" + id);
+      if (!kernel.has(precision_of<TypeParam>)) continue;
+      ++checked;
+      const Reply<TypeParam> there = asked(id, lattice);
+      EXPECT_EQ(there.verdicts, plain.verdicts) << id;
+      EXPECT_EQ(there.answers.bits, plain.answers.bits) << id;
+      different += differ(asked(id, rounded), plain_rounded);
+      EXPECT_FALSE(kernel.is_reference) << id;
+      EXPECT_EQ(kernel.claims, rung);
+    }
+  }
+  EXPECT_GE(checked, 26);
+  EXPECT_GE(different, 16) << "of " << checked;
+}
+
 }  // namespace
 }  // namespace axiscert::moving_sphere

@@ -11,6 +11,7 @@
 #include "kernel/registry/called.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
+#include "kernel/moving_sphere/arithmetic.h"
 #include "kernel/plugin/load.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 #include "kernel/sphere_triangle/mutants/mutant.h"
@@ -64,6 +65,7 @@ const Kernel& kept(std::string_view id, const Make& make) {
 
 // The kernel "RUNG+ARITHMETIC".
 Kernel composed(std::string_view id, const Kernel& rung, const ArithmeticInfo& arithmetic) {
+  if (rung.formulae == Formulae::none) return moving_sphere::twenty_in(id, rung, arithmetic);
   Kernel kernel;
   kernel.id = id;
   kernel.summary = fmt::format("{}; {}", rung.summary, arithmetic.summary);
