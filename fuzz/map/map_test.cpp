@@ -211,7 +211,7 @@ TEST(MapsOfOracles, ShowWhatTheOraclesAndTheKernelSay) {
     const PixelClass shown = pictures[0].pixels[i];
     const bool is_phantom = truth.verdict == Verdict::separated && said == Verdict::contact;
     EXPECT_EQ(shown == PixelClass::missed_separation, is_phantom) << i;
-    if (truth.touching) EXPECT_EQ(shown, PixelClass::tie) << i;
+    EXPECT_EQ(shown == PixelClass::tie, truth.touching) << i;
     phantoms += is_phantom;
     touching += truth.touching;
   }

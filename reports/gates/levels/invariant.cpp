@@ -23,7 +23,7 @@ constexpr EnumArray<ImageKind, std::string_view> kind_words = {  // "the same qu
     "in two parts"};
 
 // The families of the run's test that make such images, for a run without one.
-std::string families_to_add(ImageKind kind, const Subject& subject) {
+std::string families_with(ImageKind kind, const Subject& subject) {
   std::vector<std::string> options;
   for (const Family* family : families_of(test_of(subject.record()["plan"]))) {
     const ImageGroup* group = image_group(family->name);
@@ -76,7 +76,7 @@ LevelFindings judge_invariant(const AskedLevel& asked, const Subject& subject) {
   }
   if (images == 0) {
     found.not_checked =
-        fmt::format("no answered query is another one {}; {}", kind_words[kind], families_to_add(kind, subject));
+        fmt::format("no answered query is another one {}; {}", kind_words[kind], families_with(kind, subject));
     return found;
   }
   found.covers = fmt::format("{} queries of {}, each the same as another {}", thousands(images),
