@@ -1,22 +1,55 @@
 #include "cli/options/instrument_options.h"
+#include "cli/options/test_options.h"
 #include "cli/progress_line.h"
+#include "fuzz/instruments/critical_distance.h"
 #include "fuzz/queries/address.h"
+#include "fuzz/queries/image_groups.h"
 #include "reports/instrument/critical_radius_report.h"
 
 namespace axiscert {
 namespace {
 
+struct Defaults {
+  std::vector<std::string> kernels, families;
+};
+
+// All kernels and families of a test other than the first, but images, which are the same radius again.
+Defaults defaults_of(const TestDescription& test) {
+  if (&test == &first_test()) {
+    return {
+        {"published", "nonstrict", "reduced", "ladder-0", "minkowski", "closest-point", "segments", "packed-nonstrict"},
+        {"general", "far", "sliver", "needle", "collinear", "repeated", "ratio", "scale"}};
+  }
+  Defaults all;
+  for (const Kernel& kernel : kernels()) {
+    if (kernel.test == &test) all.kernels.push_back(kernel.id);
+  }
+  for (const Family* family : families_of(test)) {
+    if (image_group(family->name) == nullptr) all.families.emplace_back(family->name);
+  }
+  return all;
+}
+
+// The test of the kernels or the families that are given; the first where neither are.
+const TestDescription& test_of(const InstrumentOptions& options) {
+  std::vector<const Kernel*> kernels;
+  for (const std::string& id : options.kernels) kernels.push_back(&find_kernel(id));
+  if (!kernels.empty() || options.families.empty()) return test_of_kernels("", kernels);
+  return find_family(options.families.front()).test();
+}
+
 int measure(const InstrumentOptions& options) {
-  const CriticalRadiusPlan plan{
-      instrument_kernels(options,
-                         {"published", "nonstrict", "reduced", "ladder-0", "minkowski", "closest-point", "segments",
-                          "packed-nonstrict"},
-                         Measures::verdicts),
-      instrument_sources(options, {"general", "far", "sliver", "needle", "collinear", "repeated", "ratio", "scale"}),
-      parse_precision(options.precision),
-      options.trials,
-      options.seed,
-      options.threads};
+  const std::vector<const TestDescription*> served = tests_with_critical_distance();
+  const TestDescription& test = test_of(options);
+  require_served(options.command, test, served);
+  const Defaults defaults = defaults_of(test);
+  const CriticalRadiusPlan plan{instrument_kernels(options, defaults.kernels, Measures::verdicts, served),
+                                instrument_sources(options, defaults.families, served),
+                                parse_precision(options.precision),
+                                options.trials,
+                                options.seed,
+                                options.threads};
+  require_one_test(plan.kernels, plan.sources);
   const auto result =
       with_progress("critical-radius", [&](const ShowProgress& show) { return measure_critical_radii(plan, show); });
   return put_instrument(critical_radius_report(plan, result, instrument_command("critical-radius", options)), options);

@@ -10,13 +10,15 @@
 #include "cli/progress_line.h"
 #include "cli/values.h"
 #include "cli/running/run_output.h"
+#include "exact/trait/oracles.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
+#include "kernel/moving_sphere/moving_sphere.h"
 #include "kernel/registry/self_check.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/confirm/finding_record.h"
 #include "reports/instrument/map.h"
-#include "fuzz/files/sphere_triangle_query.h"
 #include "reports/wording/reproduce.h"
 #include "reports/run_folder/run_folder.h"
 
@@ -24,8 +26,8 @@ namespace axiscert {
 namespace {
 
 struct MapOptions {
-  std::string query, id, kernel = "published", target = "auto", precision = "binary32", along, across, name = "map",
-                         out = "out", format = "text";
+  std::string query, id, kernel, target = "auto", precision = "binary32", along, across, name = "map", out = "out",
+                                 format = "text";
   std::vector<std::string> what;
   bool exponents = false;
   std::optional<std::size_t> size;
@@ -33,7 +35,13 @@ struct MapOptions {
   AddressFiles files;
 };
 
-constexpr std::size_t default_size = 256;
+// The pixels each way of a map with filters, and of one that is drawn by oracles alone.
+constexpr std::size_t filtered_size = 256, exact_size = 64;
+std::size_t default_size(const StoredQuery& witness) {
+  return witness.test == &first_test() ? filtered_size : exact_size;
+}
+
+std::vector<const TestDescription*> map_tests() { return {&sphere_triangle_test(), &moving_sphere_test()}; }
 
 // The query of the file, or the one that --id chooses.
 StoredQuery witness_of(const MapOptions& options) {
@@ -45,40 +53,46 @@ StoredQuery witness_of(const MapOptions& options) {
     throw Error(fmt::format("{}: {} queries{}; a map is drawn around one query: choose it with --id", options.query,
                             queries.size(), options.id.empty() ? "" : " of the id '" + options.id + "'"));
   }
-  const bool valid = std::visit([](const auto& q) { return is_valid(q); }, sphere_triangle_query(queries.front()));
+  const StoredQuery& only = queries.front();
+  require_served("map", *only.test, map_tests());
+  const bool valid = std::visit(
+      [&](const auto& q) { return oracles_of(*only.test).truth(q).verdict != Verdict::invalid; }, only.numbers);
   if (!valid) throw Error(fmt::format("query '{}': not a valid query to draw a map around", queries.front().id));
   return queries.front();
 }
 
 std::vector<MapSubject> subjects_of(const MapOptions& options, const Kernel& kernel) {
-  std::vector<MapSubject> all = map_subjects();
+  std::vector<MapSubject> all = map_subjects(*kernel.test);
   if (!has_comparison_maps(kernel)) all.resize(1);
   if (options.what.empty()) return all;
   std::vector<std::string_view> names;
-  for (const MapSubject& subject : all) names.push_back(name(subject));
+  for (const MapSubject& subject : all) names.push_back(name(subject, *kernel.test));
   for (const std::string& what : options.what) {
     if (std::find(names.begin(), names.end(), what) != names.end()) continue;
     throw Error(fmt::format("--what {}: unknown{} kernel {} has maps of: {}", what, did_you_mean(what, names),
                             kernel.id, fmt::join(most_alike_first(what, names), ", ")));
   }
   std::erase_if(all, [&](const MapSubject& subject) {
-    return std::find(options.what.begin(), options.what.end(), name(subject)) == options.what.end();
+    return std::find(options.what.begin(), options.what.end(), name(subject, *kernel.test)) == options.what.end();
   });
   return all;
 }
 
 Plane plane_of(const MapOptions& options, const StoredQuery& witness) {
-  const auto given = [](const std::string& text, const char* otherwise) {
-    return parse_numbers(text.empty() ? otherwise : text);
+  const auto given = [&](const std::string& text, const char* otherwise) {
+    return parse_numbers(text.empty() ? otherwise : text, witness.columns());
   };
   const MovedNumbers across = given(options.across, "r");
   if (!options.exponents) {
-    return ulp_plane(given(options.along, "a.x"), across, options.size.value_or(default_size), options.ulps);
+    return ulp_plane(given(options.along, "a.x"), across, options.size.value_or(default_size(witness)), options.ulps);
   }
   const MovedNumbers along = given(options.along, "scene");
   return std::visit(
-      [&](const auto& q) { return exponent_plane(q, along, across, options.size.value_or(greatest_map)); },
-      sphere_triangle_query(witness));
+      [&](const auto& q) {
+        const std::size_t most = witness.test == &first_test() ? greatest_map : exact_size;
+        return exponent_plane(q, along, across, options.size.value_or(most));
+      },
+      witness.numbers);
 }
 
 std::string command_of(const MapOptions& options, const MapPlan& plan) {
@@ -92,20 +106,27 @@ std::string command_of(const MapOptions& options, const MapPlan& plan) {
   if (!options.id.empty()) command += " --id " + shell_word(options.id);
   if (options.precision != MapOptions().precision) command += " --precision " + options.precision;
   if (options.target != MapOptions().target) command += " --target " + options.target;
-  command += fmt::format(" --kernel {} --along {} --across {}", shell_word(options.kernel),
+  command += fmt::format(" --kernel {} --along {} --across {}", shell_word(plan.kernel->id),
                          plan.plane.along.numbers.name, plan.plane.across.numbers.name);
   if (options.exponents) command += " --exponents";
   else command += fmt::format(" --ulps {}", options.ulps);
-  if (options.size || !options.exponents) command += fmt::format(" --size {}", options.size.value_or(default_size));
+  if (options.size || !options.exponents) {
+    command += fmt::format(" --size {}", options.size.value_or(default_size(plan.witness)));
+  }
   for (const std::string& what : options.what) command += " --what " + what;
   return command + " --name " + options.name;
 }
 
 int draw(const MapOptions& options) {
-  const Kernel& kernel = find_kernel(options.kernel);
-  require_served("map", *kernel.test);
-  require_loaded(kernel);
   const StoredQuery witness = witness_of(options);
+  const Kernel& kernel = options.kernel.empty() ? default_kernel(*witness.test) : find_kernel(options.kernel);
+  require_served("map", *kernel.test, map_tests());
+  require_loaded(kernel);
+  if (kernel.test != witness.test || kernel.entry != witness.entry) {
+    throw Error(
+        fmt::format("query '{}' is of the test {}, and kernel {} of {}; give a kernel of its test with --kernel",
+                    witness.id, witness.test->id, kernel.id, kernel.test->id));
+  }
   if (!kernel.has(witness.precision)) {
     throw Error(fmt::format("query '{}' is in {}, in which kernel {} does not exist", witness.id,
                             name(witness.precision), kernel.id));
@@ -135,13 +156,16 @@ void add_map(CLI::App& app, Action& action) {
   MapOptions& o = *options;
   command->add_option("QUERY", o.query, "query file (- for standard input) or address")->required();
   command->add_option("--id", o.id, "id of the query in the file");
-  command->add_option("--kernel", o.kernel, "kernel id")->capture_default_str();
+  command->add_option("--kernel", o.kernel, "kernel id (default: published, or the first of the query's test)");
   command->add_option("--along", o.along,
-                      "the number that changes to the right: a.x ... p.z, r (default: a.x); with --exponents also "
-                      "a, b, c, p, triangle, scene (default: scene)");
+                      "the number that changes to the right: a.x ... p.z, d.x ... d.z, r (default: a.x); with "
+                      "--exponents also a, b, c, p, d, triangle, scene (default: scene)");
   command->add_option("--across", o.across, "the number that changes upwards (default: r)");
   auto* exponents = command->add_flag("--exponents", o.exponents, "every power of two instead of ulps");
-  command->add_option("--size", o.size, "pixels each way (default: 256; with --exponents at most these, default: 4096)")
+  command
+      ->add_option("--size", o.size,
+                   "pixels each way (default: 256; with --exponents at most these, default: 4096; of a test other than "
+                   "sphere-triangle 64)")
       ->check(whole_number(2, greatest_map));
   command->add_option("--ulps", o.ulps, "ulps from pixel to pixel")
       ->check(whole_number(1, greatest_ulps))

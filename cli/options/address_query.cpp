@@ -22,7 +22,16 @@ const Family& family_of(const Address& address) {
 
 // The source that an address names: a family, or the given file if its SHA-256 is the address's.
 SourcePtr source_of(const Address& address, const AddressFiles& files) {
-  const auto is_into = [&](const char* kind) { return address.name.starts_with(kind); };
+  // A mesh has queries of several tests: those of a test other than the first are TEST/mesh-SHA256.
+  const TestDescription* test = &first_test();
+  std::string_view name = address.name;
+  for (const TestDescription* other : mesh_tests()) {
+    const std::string own = std::string(other->id) + "/";
+    if (!name.starts_with(own + "mesh-")) continue;
+    test = other;
+    name.remove_prefix(own.size());
+  }
+  const auto is_into = [&](const char* kind) { return name.starts_with(kind); };
   const bool is_mesh = is_into("mesh-"), is_corpus = is_into("corpus-");
   if (!is_mesh && !is_corpus && !is_into("queries-")) return family_source(family_of(address));
   const std::string& path = is_mesh ? files.mesh : is_corpus ? files.corpus : files.queries;
@@ -31,7 +40,7 @@ SourcePtr source_of(const Address& address, const AddressFiles& files) {
     throw Error(fmt::format("address '{}' is in a file: give that file with {} FILE", text(address), option));
   }
   const std::string place = is_corpus && path.empty() ? default_corpus_folder() : path;
-  const SourcePtr source = is_mesh     ? mesh_source(place)
+  const SourcePtr source = is_mesh     ? mesh_source(place, *test)
                            : is_corpus ? corpus_source(place)
                                        : query_file_source(place, address.precision);
   if (source->address_name() != address.name) {

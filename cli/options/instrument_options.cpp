@@ -24,6 +24,10 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   if (!file) throw Error(fmt::format("{}: cannot be written", path.string()));
 }
 
+std::vector<const TestDescription*> served_or_first(const std::vector<const TestDescription*>& served) {
+  return served.empty() ? std::vector<const TestDescription*>{&first_test()} : served;
+}
+
 }  // namespace
 
 void add_instrument_options(CLI::App& command, InstrumentOptions& o, std::uint64_t trials) {
@@ -46,12 +50,12 @@ void add_instrument_options(CLI::App& command, InstrumentOptions& o, std::uint64
 }
 
 std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, std::vector<std::string> defaults,
-                                              Measures measures) {
+                                              Measures measures, const std::vector<const TestDescription*>& served) {
   const Precision precision = parse_precision(options.precision);
   std::vector<const Kernel*> kernels;
   for (const std::string& id : options.kernels.empty() ? defaults : options.kernels) {
     const Kernel& kernel = find_kernel(id);
-    require_served(options.command, *kernel.test);
+    require_served(options.command, *kernel.test, served_or_first(served));
     if (measures == Measures::formulae && !kernel.file.empty()) {
       throw Error(
           fmt::format("--kernel {}: this command measures built-in formulae; plug-ins are accepted by run, check, "
@@ -71,11 +75,12 @@ std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, 
   return kernels;
 }
 
-std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std::vector<std::string> defaults) {
+std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std::vector<std::string> defaults,
+                                          const std::vector<const TestDescription*>& served) {
   std::vector<SourcePtr> sources;
   for (const std::string& name : options.families.empty() ? defaults : options.families) {
     const Family& family = find_family(name);
-    require_served(options.command, family.test());
+    require_served(options.command, family.test(), served_or_first(served));
     sources.push_back(family_source(family));
   }
   return sources;

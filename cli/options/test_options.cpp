@@ -1,6 +1,7 @@
 #include "cli/options/test_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/description.h"
@@ -81,9 +82,17 @@ const TestDescription& test_of_sources(const std::string& test, const std::vecto
 }
 
 void require_served(std::string_view command, const TestDescription& test) {
-  const TestDescription& served = sphere_triangle_test();
-  if (&test == &served) return;
-  throw Error(fmt::format("{} does not serve the test {} yet; it serves {}", command, test.id, served.id));
+  require_served(command, test, {&sphere_triangle_test()});
+}
+
+void require_served(std::string_view command, const TestDescription& test,
+                    const std::vector<const TestDescription*>& served) {
+  std::vector<std::string_view> names;
+  for (const TestDescription* one : served) {
+    if (&test == one) return;
+    names.push_back(one->id);
+  }
+  throw Error(fmt::format("{} does not serve the test {} yet; it serves {}", command, test.id, fmt::join(names, ", ")));
 }
 
 }  // namespace axiscert

@@ -27,7 +27,10 @@ void require_one_test(const std::vector<const Kernel*>& kernels, const std::vect
 // another test.
 const TestDescription& test_of_sources(const std::string& test, const std::vector<SourcePtr>& sources);
 
-// For a command, or an option of one, that serves sphere-triangle alone: throws Error for any other test.
+// For a command, or an option of one, that serves sphere-triangle alone, or the given tests: throws Error for any
+// other.
 void require_served(std::string_view command, const TestDescription& test);
+void require_served(std::string_view command, const TestDescription& test,
+                    const std::vector<const TestDescription*>& served);
 
 }  // namespace axiscert

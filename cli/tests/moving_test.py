@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """The moving sphere from the command: a run, query lines, and what does not serve it yet."""
+import hashlib
 import json
 import unittest
 
@@ -15,11 +16,11 @@ PHANTOM = ('{"id":"line","test":"moving-sphere","precision":"binary32","a":[0,0,
 
 class MovingSphere(Case):
     def test_a_run_judges_every_kernel_and_family_of_the_test(self):
-        record = self.run_ok("--test", "moving-sphere", "--trials", "30", "--kernel", "moving-sphere/twenty",
+        record = self.run_ok("--test", "moving-sphere", "--trials", "16", "--kernel", "moving-sphere/twenty",
                              "--kernel", "moving-sphere/twenty-nonstrict", "--kernel", "moving-sphere/rounded")
         self.assertEqual(record["plan"]["test"], "moving-sphere")
         for entry in record["kernels"]:
-            self.assertEqual(len(entry["families"]), 17, entry["id"])
+            self.assertEqual(len(entry["families"]), 30, entry["id"])
         by = {(k["id"], k["precision"]): k["families"]["moving-sphere/lattice"] for k in record["kernels"]}
         for precision in ("binary32", "binary64"):
             exact = by["moving-sphere/twenty-nonstrict", precision]["verdict"]
@@ -88,13 +89,64 @@ class MovingSphere(Case):
 
     def test_what_does_not_serve_the_test_says_so_in_one_line(self):
         kernel = ("--kernel", "moving-sphere/twenty")
-        for command in (("mutate", *kernel), ("ladder", *kernel), ("precision", *kernel),
-                        ("condition", *kernel), ("critical-radius", *kernel),
+        for command in (("mutate", *kernel), ("ladder", *kernel), ("precision", *kernel), ("condition", *kernel),
                         ("run", "--test", "moving-sphere", "--corpus", "--out", self.folder / "out")):
             done = self.refused(*command, says=["does not serve the test moving-sphere yet; it serves sphere-triangle"])
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
         done = self.refused("check", "-", "--errors", stdin=GRAZE, says=["--errors does not serve the test moving-sphere"])
         self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+
+    def test_a_mesh_is_swept_and_an_address_gives_its_query_again(self):
+        mesh = self.folder / "floor.obj"
+        mesh.write_text("v 0 0 0\nv 4 0 0\nv 0 4 0\nv 4 4 1\nf 1 2 3\nf 2 4 3\n")
+        record = self.run_ok("--test", "moving-sphere", "--mesh", mesh, "--trials", "60", "--precision", "binary32",
+                             "--kernel", "moving-sphere/twenty", "--kernel", "moving-sphere/rounded")
+        family = record["kernels"][0]["families"]["mesh/floor.obj"]
+        self.assertEqual((family["trials"], family["base_triangles"]), (60, 2))
+        self.assertGreater(family["truth"]["contact"], 10)
+        address = "1:moving-sphere/mesh-%s:1:binary32:0:7" % hashlib.sha256(mesh.read_bytes()).hexdigest()
+        line = axiscert("query", address, "--mesh", mesh)
+        self.assertEqual(line.returncode, 0, line.stderr)
+        done = axiscert("check", "-", "--format", "jsonl", stdin=line.stdout)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = json.loads(done.stdout)
+        self.assertEqual((found["test"], found["id"]), ("moving-sphere", address))
+        self.refused("query", address, says=["--mesh FILE"])
+
+    def test_images_judge_a_kernel_without_an_oracle(self):
+        families = [word for name in ("inverted", "reversed", "split", "units")
+                    for word in ("--family", "moving-sphere/" + name)]
+        done = axiscert("run", "--kernel", "moving-sphere/twenty-nonstrict", *families, "--trials", "210",
+                        "--precision", "binary32", "--require", "invariant=mirror", "--require", "invariant=scale",
+                        "--out", self.folder / "images")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        record = json.loads((self.folder / "images" / "record.json").read_text())
+        families = record["kernels"][0]["families"]
+        self.assertEqual(families["moving-sphere/reversed"]["invariance"]["reversal"]["images"], 105)
+        self.assertEqual(families["moving-sphere/split"]["invariance"]["split"]["images"], 90)
+        done = axiscert("run", "--kernel", "moving-sphere/twenty", "--family", "moving-sphere/general", "--trials", "10",
+                        "--require", "invariant=reversal", "--out", self.folder / "none")
+        self.assertIn("add --family moving-sphere/reversed", done.stdout + done.stderr)
+
+    def test_a_map_is_drawn_around_a_motion(self):
+        done = axiscert("map", "-", "--along", "d.x", "--size", "8", "--what", "verdict", "--what", "start.plane.radius",
+                        "--format", "json", "--out", self.folder / "maps", stdin=PHANTOM)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = json.loads(done.stdout)
+        self.assertEqual(found["kernel"], "moving-sphere/twenty")
+        self.assertEqual([picture["name"] for picture in found["pictures"]], ["verdict", "start.plane.radius"])
+        self.assertEqual(found["pictures"][0]["counts"]["missed_separation"], 64)
+        self.refused("map", "-", "--along", "e.x", stdin=PHANTOM, says=["'e.x'", "a.x", "r"])
+        self.refused("map", "-", "--kernel", "published", stdin=PHANTOM, says=["is of the test moving-sphere"])
+
+    def test_critical_radii_are_measured_from_the_least_distance(self):
+        done = axiscert("critical-radius", "--kernel", "moving-sphere/twenty-nonstrict", "--family",
+                        "moving-sphere/general", "--trials", "40", "--format", "json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        (total,) = json.loads(done.stdout)["totals"]
+        self.assertEqual(total["measured"], 40)
+        self.refused("critical-radius", "--kernel", "moving-sphere/twenty", "--family", "general",
+                     says=["is of the test moving-sphere", "sphere-triangle"])
 
     def test_bad_numbers_are_told_with_their_field(self):
         self.refused("check", "-", stdin=GRAZE.replace('"d":[1,0,0]', '"d":[1,0]'), says=["field 'd'", "three numbers"])

@@ -110,7 +110,7 @@ void narrow_in(const Plan& plan, const Kernel& kernel, const Source& source, std
     std::vector<UnitFlip*> wide;
     for (UnitFlip& flip : flips) {
       if (is_narrow(flip)) continue;
-      const Query<Real> base = source.make<Real>(plan.seed, flip.base);
+      const Numbers<Real> base = source.make<Real>(plan.seed, flip.base);
       batch.push_back(times_power(base, (flip.right + flip.wrong) / 2));
       wide.push_back(&flip);
     }
@@ -161,6 +161,7 @@ void narrow(const Plan& plan, const Kernel& kernel, const Source& source, Precis
 
 std::vector<AbsoluteSize> absolute_sizes(const Plan& plan, const Source& source, Precision precision,
                                          std::span<const UnitFlip> flips) {
+  if (&source.test() != &first_test()) return {};
   return precision == Precision::binary32 ? sizes_in<float>(plan, source, flips)
                                           : sizes_in<double>(plan, source, flips);
 }

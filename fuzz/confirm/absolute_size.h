@@ -56,6 +56,7 @@ struct AbsoluteSize {
 };
 
 // The quantities that explain most of the flips, at least three quarters of them; three at most, in the order above.
+// None for a test other than the first, whose quantities these are.
 std::vector<AbsoluteSize> absolute_sizes(const Plan& plan, const Source& source, Precision precision,
                                          std::span<const UnitFlip> flips);
 

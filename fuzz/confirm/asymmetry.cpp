@@ -7,6 +7,7 @@
 
 #include "exact/sphere_triangle/measures/limits.h"
 #include "kernel/ask.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {
@@ -22,6 +23,11 @@ class AsymmetryBlock {
         source_(source),
         group_(group),
         batch_(batch_bases * group.size, source.columns().size()) {
+    for (std::size_t i = 0; i < group.size; ++i) {
+      // The comparisons of a motion that is turned round, or of a part of one, are others than its own.
+      const bool are_others = i != 0 && (group.kind(i) == ImageKind::reversal || group.kind(i) == ImageKind::split);
+      of_base_.push_back(are_others ? std::nullopt : std::optional(ComparisonsOfBase(group.test(), group.order(i))));
+    }
     if (!plan.replies) implementation_ = kernel.on<Real>(plan.target);
   }
 
@@ -48,14 +54,30 @@ class AsymmetryBlock {
     queries_.clear();
     verdicts_.clear();
     std::optional<Outcome> base;
-    for (std::size_t i = 0; i < group_.size; ++i) {
-      const auto image = answer(position + i, in_batch + i);
+    for (std::size_t i = 0; i < group_.size; i += i == 0 ? 1 : group_.parts) {
+      const auto image = i == 0 ? answer(position, in_batch) : answer_of_parts(position, in_batch, i);
       if (i == 0) base = image;
       else if (base && image) count_image(*base, *image, {position, position + i}, i);
-      queries_.push_back(query_from(batch_[in_batch + i]));
-      verdicts_.push_back(image ? std::optional(image->verdict) : std::nullopt);
+      const std::size_t parts = i == 0 ? 1 : group_.parts;
+      for (std::size_t part = 0; part < parts; ++part) {
+        queries_.push_back(batch_[in_batch + i + part]);
+        verdicts_.push_back(image && part == 0 ? std::optional(image->verdict) : std::nullopt);
+      }
     }
     count_invariance<Real>(found_.invariance, {group_, position, queries_, verdicts_});
+  }
+
+  // Of image i: separated where every part is, and in contact where any is.
+  std::optional<Outcome> answer_of_parts(std::uint64_t position, std::size_t in_batch, std::size_t i) const {
+    std::optional<Outcome> all;
+    for (std::size_t part = i; part < i + group_.parts; ++part) {
+      const std::optional<Outcome> one = answer(position + part, in_batch + part);
+      if (!one) return std::nullopt;
+      const bool decides = one->verdict == Verdict::contact ||
+                           (one->verdict != Verdict::separated && all && all->verdict == Verdict::separated);
+      if (!all || decides) all = one;
+    }
+    return all;
   }
 
   void count_image(const Outcome& base, const Outcome& image, const ImagePair& pair, std::size_t i) {
@@ -64,7 +86,7 @@ class AsymmetryBlock {
       ++found_.verdicts;
       if (!found_.first_verdict) found_.first_verdict = pair;
     }
-    if (image.bits && base.bits && bits_of_base(*image.bits, group_.order(i)) != *base.bits) {
+    if (image.bits && base.bits && of_base_[i] && (*of_base_[i])(*image.bits) != *base.bits) {
       ++found_.comparisons;
       if (!found_.first_comparison) found_.first_comparison = pair;
     }
@@ -77,7 +99,8 @@ class AsymmetryBlock {
   Implementation<Real> implementation_;
   QueryBatch<Real> batch_;
   Reply<Real> reply_;
-  std::vector<Query<Real>> queries_;  // of the group at hand
+  std::vector<std::optional<ComparisonsOfBase>> of_base_;  // by image; empty where comparisons are not compared
+  std::vector<Numbers<Real>> queries_;                     // of the group at hand
   std::vector<std::optional<Verdict>> verdicts_;
   Asymmetry found_;
 };

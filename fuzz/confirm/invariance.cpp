@@ -6,6 +6,8 @@
 
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/trait/oracles.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {
@@ -17,14 +19,28 @@ int image_size(ImageKind kind, const AnsweredGroup<Real>& answered, std::size_t 
   const ImageGroup& group = answered.group;
   if (kind == ImageKind::scale) return group.exponent(precision_of<Real>, answered.position / group.size, image);
   if (kind != ImageKind::translation) return 0;
-  const auto by = answered.queries[image].p - answered.queries[0].p;
-  const Real greatest = std::max({std::abs(by.x), std::abs(by.y), std::abs(by.z)});
+  const Numbers<Real>&base = answered.queries[0], &moved = answered.queries[image];
+  const std::vector<TestColumn>& columns = group.test().entries[0].columns;
+  Real greatest = 0;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (columns[k].role == Role::coordinate) greatest = std::max(greatest, std::abs(moved[k] - base[k]));
+  }
   return greatest == 0 ? 0 : std::ilogb(greatest);
 }
 
-// The right verdict on a clear query; empty if it is not clear.
+// The right verdict on a clear query; empty if it is not clear. A test of which no quick bounds of a depth are known
+// goes by its depth rounded once.
 template <class Real>
-std::optional<Verdict> clear_verdict(const Query<Real>& q) {
+std::optional<Verdict> clear_verdict(const TestDescription& test, const Numbers<Real>& numbers) {
+  if (&test != &first_test()) {
+    const Oracles& oracles = oracles_of(test);
+    const Truth truth = oracles.truth(numbers);
+    if (truth.verdict == Verdict::invalid) return std::nullopt;
+    const std::optional<double> depth = oracles.depth(numbers);
+    if (!depth || *depth <= std::ldexp(1.0, clear_depth_exponent)) return std::nullopt;
+    return truth.verdict;
+  }
+  const Query<Real> q = numbers;
   const DepthRange range = depth_range(q);
   const double threshold = std::ldexp(1.0, clear_depth_exponent);
   if (range.high <= threshold) return std::nullopt;
@@ -55,7 +71,7 @@ void keep_flip(UnitFaults& faults, std::uint64_t position, Verdict right, std::s
 
 template <class Real>
 void count_units(UnitFaults& faults, const AnsweredGroup<Real>& answered) {
-  const std::optional<Verdict> right = clear_verdict(answered.queries[0]);
+  const std::optional<Verdict> right = clear_verdict(answered.group.test(), answered.queries[0]);
   if (!right) return;
   std::vector<ScaledAnswer> answers;
   const bool base_is_right = *answered.verdicts[0] == *right;

@@ -10,7 +10,7 @@
 #include "fuzz/confirm/absolute_size.h"
 #include "fuzz/queries/image_groups.h"
 #include "kernel/outcome.h"
-#include "kernel/sphere_triangle/query.h"
+#include "kernel/query.h"
 
 namespace axiscert {
 
@@ -50,12 +50,13 @@ struct Invariance {
   void merge(const Invariance& later);
 };
 
-// The verdicts of one kernel on the images of one base; empty: no answer, or outside the kernel's limits.
+// The verdicts of one kernel on the images of one base; empty: no answer, or outside the kernel's limits. Of an image
+// in parts the first has the verdict of all of them, and the others none.
 template <class Real>
 struct AnsweredGroup {
   const ImageGroup& group;
-  std::uint64_t position;                // of the base
-  std::span<const Query<Real>> queries;  // the base first
+  std::uint64_t position;                  // of the base
+  std::span<const Numbers<Real>> queries;  // the base first
   std::span<const std::optional<Verdict>> verdicts;
 };
 template <class Real>

@@ -2,12 +2,13 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "exact/sphere_triangle/measures/critical_radius.h"
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/instruments/blocks.h"
+#include "fuzz/instruments/critical_distance.h"
 #include "fuzz/instruments/on_threads.h"
 #include "fuzz/files/query_file.h"
 
@@ -20,18 +21,18 @@ struct BlockResult {
 };
 
 template <class Real>
-ReversalWitness witness_of(const RadiusReversal<Real>& reversal, Query<Real> q, std::string address,
-                           std::uint64_t position) {
+ReversalWitness witness_of(const RadiusReversal<Real>& reversal, QueryWithRadius<Real> q, const Source& source,
+                           std::string address, std::uint64_t position) {
   const auto line = [&](Real radius, const char* answer) {
-    q.r = radius;
-    return query_line({address + " " + answer, precision_of<Real>, q});
+    q.numbers[q.column] = radius;
+    return query_line({address + " " + answer, precision_of<Real>, q.numbers, 0, &source.test(), source.entry()});
   };
   return {position, line(reversal.contact, "contact"), line(reversal.separated, "separated")};
 }
 
 template <class Real>
-void measure(const Implementation<Real>& kernel, const Query<Real>& q, const Rational& squared_distance,
-             Real exact_radius, const Address& address, CriticalRadii& cell) {
+void measure(const Implementation<Real>& kernel, const QueryWithRadius<Real>& q, const Rational& squared_distance,
+             Real exact_radius, const Source& source, const Address& address, CriticalRadii& cell) {
   const std::uint64_t position = address.position();
   const auto critical = critical_radius(kernel, q);
   if (!critical.answered) {
@@ -57,8 +58,22 @@ void measure(const Implementation<Real>& kernel, const Query<Real>& q, const Rat
   }
   if (const auto reversal = radius_reversal<Real>(kernel, q, radius, exact_radius)) {
     ++cell.reversals;
-    if (!cell.first_reversal) cell.first_reversal = witness_of(*reversal, q, text(address), position);
+    if (!cell.first_reversal) cell.first_reversal = witness_of(*reversal, q, source, text(address), position);
   }
+}
+
+// Finite numbers, and a radius that is not negative.
+template <class Real>
+bool is_measurable(const QueryWithRadius<Real>& q) {
+  return q.numbers[q.column] >= 0 &&
+         std::all_of(q.numbers.begin(), q.numbers.end(), [](Real x) { return std::isfinite(x); });
+}
+
+template <class Real>
+Numbers<double> in_doubles(const Numbers<Real>& q) {
+  Numbers<double> wide(q.size());
+  for (std::size_t k = 0; k < q.size(); ++k) wide[k] = static_cast<double>(q[k]);
+  return wide;
 }
 
 template <class Real>
@@ -68,13 +83,14 @@ BlockResult run(const CriticalRadiusPlan& plan, const QueryBlock& block, Progres
   for (const Kernel* kernel : plan.kernels) kernels.push_back(kernel->on<Real>(scalar_target));
   BlockResult result{0, std::vector<CriticalRadii>(kernels.size())};
   const Source& source = *plan.sources[block.source];
+  const CriticalDistance distance = critical_distance_of(source.test());
   for (std::uint64_t position = block.first; position < block.first + block.size; ++position) {
-    const Query<Real> q = source.make<Real>(plan.seed, position);
+    const QueryWithRadius<Real> q = {source.make<Real>(plan.seed, position), distance.radius};
     progress.asked(1);
     std::optional<Rational> squared;
     std::optional<Real> exact_radius;
-    if (is_valid(q)) {
-      squared = squared_distance(q);
+    if (is_measurable(q)) {
+      squared = distance.squared(in_doubles(q.numbers));
       exact_radius = exact_critical_radius<Real>(*squared);
     }
     if (!exact_radius) {
@@ -83,7 +99,7 @@ BlockResult run(const CriticalRadiusPlan& plan, const QueryBlock& block, Progres
     }
     const Address address = address_of(source, plan.seed, plan.precision, position);
     for (std::size_t k = 0; k < kernels.size(); ++k) {
-      measure(kernels[k], q, *squared, *exact_radius, address, result.cells[k]);
+      measure(kernels[k], q, *squared, *exact_radius, source, address, result.cells[k]);
     }
   }
   return result;

@@ -13,6 +13,7 @@
 
 namespace axiscert {
 
+// Kernels and sources are of one test, which has a critical distance (critical_distance.h).
 struct CriticalRadiusPlan {
   std::vector<const Kernel*> kernels;
   std::vector<SourcePtr> sources;

@@ -6,8 +6,10 @@
 
 #include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/instruments/critical_distance.h"
 #include "fuzz/instruments/instruments_testing.h"
 #include "fuzz/files/query_file.h"
+#include "kernel/moving_sphere/moving_sphere.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
@@ -69,6 +71,27 @@ TEST(CriticalRadiusInstrument, InvalidQueriesAndDistancesBeyondThePrecisionAreLe
   const CriticalRadiusResult result = measure_critical_radii(plan);
   EXPECT_EQ(result.left_out[0] + result.cells[0][0].measured, plan.trials);
   EXPECT_GT(result.left_out[0], 0u);
+}
+
+// The least distance of the motion, from which the static instrument's measures follow.
+TEST(CriticalRadiusInstrument, MeasuresAMovingSphereFromTheLeastDistanceOfItsMotion) {
+  auto plan =
+      radius_plan({&find_kernel("moving-sphere/twenty-nonstrict"), &find_kernel("moving-sphere/advance-by-length")},
+                  {"moving-sphere/general", "moving-sphere/slide"});
+  plan.trials = 60;
+  const CriticalRadiusResult result = measure_critical_radii(plan);
+  for (const auto& by_family : result.cells) {
+    for (const CriticalRadii& cell : by_family) {
+      expect_consistent(cell);
+      EXPECT_EQ(cell.measured, plan.trials);
+    }
+  }
+  EXPECT_LE(result.cells[0][0].quantile(0.5)->value(), 2) << "general motions: within some floats of the truth";
+  EXPECT_GT(result.cells[1][1].late, 0u) << "steps by |D| alone end before a motion along the face does";
+  // A static query has the same critical radius as its motion by 0.
+  const Numbers<double> still = {0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, 3, 0, 0, 0, 0};
+  EXPECT_EQ(critical_distance_of(moving_sphere_test()).squared(still), 9);
+  EXPECT_EQ(critical_distance_of(moving_sphere_test()).radius, 15u);
 }
 
 TEST(CriticalRadiusInstrument, DoesNotDependOnThreads) {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "fuzz/files/sphere_triangle_query.h"
+#include "fuzz/map/canvas.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/filters/decided_check.h"
@@ -19,8 +20,7 @@
 namespace axiscert {
 namespace {
 
-// A new foreign process is begun for each block, as for a unit of a run.
-constexpr std::size_t block_pixels = std::size_t{1} << 14, batch_pixels = 256, second_opinion_pixels = 4096;
+constexpr std::size_t second_opinion_pixels = 4096;
 
 // The truth about one pixel's query, and the kernel's answer to it.
 struct Pixel {
@@ -52,22 +52,11 @@ bool is_verdict_settled(ComparisonBits bits, ComparisonBits certain) {
   return every_axis;
 }
 
-// The content of one pixel of one picture.
-struct Shown {
-  bool yes, tie, certain;
-  std::optional<bool> said;   // empty: the kernel gave no such answer
-  std::optional<bool> right;  // empty: neither answer is wrong
-  bool not_finite = false;
-};
-
 Shown verdict_shown(const Pixel& p) {
-  std::optional<bool> said, right;
-  if (p.said.verdict == Verdict::separated || p.said.verdict == Verdict::contact) {
-    said = p.said.verdict == Verdict::separated;
-  }
+  std::optional<bool> right;
   if (p.right) right = *p.right == Verdict::separated;
-  return {p.truth.verdict == Verdict::separated, p.truth.touching, is_verdict_settled(p.all_exact, p.certain), said,
-          right};
+  return {p.truth.verdict == Verdict::separated, p.truth.touching, is_verdict_settled(p.all_exact, p.certain),
+          said_by(p.said), right};
 }
 
 Shown axis_shown(const Pixel& p, std::size_t axis) {
@@ -97,23 +86,6 @@ Shown subject_shown(const MapSubject& subject, const Pixel& p) {
   }
   return {};
 }
-
-PixelClass class_of(const Shown& s) {
-  if (!s.said) return PixelClass::declined;
-  if (s.right && *s.said != *s.right) {
-    return *s.said ? PixelClass::false_separation : PixelClass::missed_separation;
-  }
-  if (s.not_finite) return PixelClass::not_finite;
-  if (s.tie) return PixelClass::tie;
-  if (s.yes) return s.certain ? PixelClass::yes : PixelClass::yes_uncertain;
-  return s.certain ? PixelClass::no : PixelClass::no_uncertain;
-}
-
-// A picture that is being drawn: its classes, and for each pixel whether the exact answer is yes.
-struct Canvas {
-  std::vector<PixelClass> pixels;
-  std::vector<char> yes;
-};
 
 template <class Real>
 class Drawing {
@@ -212,9 +184,7 @@ class Drawing {
 
   void put(std::size_t position, const Pixel& p) const {
     for (std::size_t s = 0; s < plan_.subjects.size(); ++s) {
-      const Shown what = subject_shown(plan_.subjects[s], p);
-      canvases_[s].pixels[position] = class_of(what);
-      canvases_[s].yes[position] = static_cast<char>(what.yes);
+      canvases_[s].put(position, subject_shown(plan_.subjects[s], p));
     }
   }
 
@@ -256,26 +226,46 @@ void draw(const MapPlan& plan, std::vector<Canvas>& canvases, const ShowProgress
 
 }  // namespace
 
-std::string_view name(const MapSubject& subject) {
-  return name(first_test(), Flip{subject.level, subject.index, FlipKind::false_separation, false, {}});
+PixelClass class_of(const Shown& s) {
+  if (!s.said) return PixelClass::declined;
+  if (s.right && *s.said != *s.right) {
+    return *s.said ? PixelClass::false_separation : PixelClass::missed_separation;
+  }
+  if (s.not_finite) return PixelClass::not_finite;
+  if (s.tie) return PixelClass::tie;
+  if (s.yes) return s.certain ? PixelClass::yes : PixelClass::yes_uncertain;
+  return s.certain ? PixelClass::no : PixelClass::no_uncertain;
 }
 
-std::vector<MapSubject> map_subjects() {
+std::optional<bool> said_by(const Outcome& said) {
+  if (said.verdict != Verdict::separated && said.verdict != Verdict::contact) return std::nullopt;
+  return said.verdict == Verdict::separated;
+}
+
+std::string_view name(const MapSubject& subject, const TestDescription& test) {
+  return name(test, Flip{subject.level, subject.index, FlipKind::false_separation, false, {}});
+}
+
+std::vector<MapSubject> map_subjects(const TestDescription& test) {
   std::vector<MapSubject> all = {{Level::verdict, 0}};
-  for (std::uint8_t i = 0; i < axis_count; ++i) all.push_back({Level::axis, i});
-  for (std::uint8_t i = 0; i < comparison_count; ++i) all.push_back({Level::comparison, i});
+  for (std::size_t i = 0; i < test.clauses.size(); ++i) all.push_back({Level::axis, static_cast<std::uint8_t>(i)});
+  for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
+    all.push_back({Level::comparison, static_cast<std::uint8_t>(i)});
+  }
   return all;
 }
 
 bool has_comparison_maps(const Kernel& kernel) {
-  return kernel.exposes != Exposure::verdict && has_comparisons(kernel.formulae);
+  const bool has_formulae = kernel.test == &first_test() ? has_comparisons(kernel.formulae) : !kernel.claims.empty();
+  return kernel.exposes != Exposure::verdict && has_formulae;
 }
 
 std::vector<MapPicture> draw_map(const MapPlan& plan, const ShowProgress& report) {
   const std::size_t pixels = plan.plane.columns() * plan.plane.rows();
   const Canvas empty{std::vector<PixelClass>(pixels, PixelClass::no_query), std::vector<char>(pixels, 0)};
   std::vector<Canvas> canvases(plan.subjects.size(), empty);
-  if (plan.witness.precision == Precision::binary32) draw<float>(plan, canvases, report);
+  if (plan.kernel->test != &first_test()) draw_by_oracles(plan, canvases, report);
+  else if (plan.witness.precision == Precision::binary32) draw<float>(plan, canvases, report);
   else draw<double>(plan, canvases, report);
   std::vector<MapPicture> pictures;
   for (std::size_t s = 0; s < canvases.size(); ++s) {

@@ -40,14 +40,14 @@ struct MapSubject {
   std::uint8_t index;  // 0 for the verdict
   bool operator==(const MapSubject&) const = default;
 };
-std::string_view name(const MapSubject& subject);
-// The verdict, seven axes and sixteen comparisons, in this order.
-std::vector<MapSubject> map_subjects();
+std::string_view name(const MapSubject& subject, const TestDescription& test = first_test());
+// The verdict, the axes and the comparisons, in this order.
+std::vector<MapSubject> map_subjects(const TestDescription& test = first_test());
 
 struct MapPlan {
   const Kernel* kernel;  // has to exist in the witness's precision
   std::string target;    // resolved
-  StoredQuery witness;
+  StoredQuery witness;   // of the kernel's test
   Plane plane;
   std::vector<MapSubject> subjects;  // only the verdict if the kernel exposes no comparisons of its own formulae
 };
@@ -63,6 +63,9 @@ struct MapPicture {
 // Draws on all cores; the result is the same for any number of them. `report` counts pixels as queries. For every
 // 4096th pixel, and for every 64th of those that needed integers of any size, the signs are decided again by CGAL, the
 // exact formulae and MPFR: throws OracleDisagreement.
+//
+// A test without filters is drawn by its oracles at every pixel, some hundred times as slowly, and has no uncertain
+// band.
 //
 // The uncertain band of a comparison is the region where a bound does not determine its sign: the proved bound for the
 // kernel's own sides if there is one and the query is in its box (fuzz/search/proved.h), otherwise that of the lanes of

@@ -8,9 +8,12 @@
 
 #include "exact/sphere_triangle/claims/examine.h"
 #include "exact/numbers/rational.h"
+#include "exact/trait/oracles.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/instruments/instruments_testing.h"
 #include "fuzz/files/query_testing.h"
+#include "kernel/ask.h"
+#include "kernel/moving_sphere/moving_sphere.h"
 
 namespace axiscert {
 namespace {
@@ -185,6 +188,45 @@ TEST(MapPictures, ShowTheBoundaryTiesAndTheWrongBit) {
     EXPECT_EQ(count(PixelClass::false_separation) + count(PixelClass::missed_separation) == 64, is_it)
         << name(picture.subject);
   }
+}
+
+// A test without filters: every pixel of the verdict is as the oracles and the kernel say.
+TEST(MapsOfOracles, ShowWhatTheOraclesAndTheKernelSay) {
+  // Along a triangle that is a segment, at height 2: strict sides invent a contact for any radius.
+  const Numbers<float> q = MovingQuery<float>{{0, 0, 0}, {4, 0, 0}, {8, 0, 0}, {1, 0, 2}, {1, 0, 0}, 2};
+  const TestEntry& columns = moving_sphere_test().entries[0];
+  const Kernel& strict = find_kernel("moving-sphere/twenty");
+  const StoredQuery witness = {"q", Precision::binary32, q, 0, &moving_sphere_test()};
+  const MapPlan plan{&strict, std::string(scalar_target), witness,
+                     ulp_plane(parse_numbers("d.x", columns), parse_numbers("r", columns), 8, 1),
+                     map_subjects(moving_sphere_test())};
+  ASSERT_EQ(plan.subjects.size(), 1u + 20 + 61);
+  const std::vector<MapPicture> pictures = draw_map(plan);
+  ASSERT_EQ(pictures.size(), plan.subjects.size());
+  std::size_t phantoms = 0, touching = 0;
+  for (std::size_t i = 0; i < 64; ++i) {
+    const Numbers<float> at = query_at(plan.plane, q, i % 8, i / 8);
+    const Truth truth = oracles_of(moving_sphere_test()).truth(at);
+    const Verdict said = ask(strict.on<float>(scalar_target), at).verdicts[0];
+    const PixelClass shown = pictures[0].pixels[i];
+    const bool is_phantom = truth.verdict == Verdict::separated && said == Verdict::contact;
+    EXPECT_EQ(shown == PixelClass::missed_separation, is_phantom) << i;
+    EXPECT_EQ(shown == PixelClass::tie, truth.touching) << i;
+    phantoms += is_phantom;
+    touching += truth.touching;
+  }
+  EXPECT_EQ(phantoms, 32u) << "the four rows with a radius below 2";
+  EXPECT_EQ(touching, 8u);
+  EXPECT_EQ(name(plan.subjects[1], moving_sphere_test()), "start.plane");
+}
+
+TEST(MapNumbers, AreThoseOfTheEntry) {
+  const TestEntry& columns = moving_sphere_test().entries[0];
+  EXPECT_EQ(parse_numbers("d.z", columns).places, std::uint64_t{1} << 14);
+  EXPECT_EQ(parse_numbers("r", columns).places, std::uint64_t{1} << 15);
+  EXPECT_EQ(parse_numbers("scene", columns).places, 0xffffu);
+  EXPECT_EQ(parse_numbers("triangle", columns).places, 0x1ffu);
+  EXPECT_THROW(parse_numbers("e.x", columns), Error);
 }
 
 // 2^11 is still within the range of binary32 at degree 6; at 2^30 an edge's sides overflow and it no longer separates.

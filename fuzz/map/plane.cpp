@@ -1,11 +1,13 @@
 #include "fuzz/map/plane.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "fuzz/search/moves.h"
 #include "kernel/base/error.h"
@@ -13,7 +15,14 @@
 namespace axiscert {
 namespace {
 
-constexpr std::uint16_t every_place = (1u << coordinate_count) - 1, vertex_places = (1u << 9) - 1;
+constexpr std::string_view xyz = "xyz";
+
+// The columns of a group.
+std::uint64_t places_of(const ColumnGroup& group) {
+  std::uint64_t places = 0;
+  for (std::size_t k = 0; k < group.size; ++k) places |= one_bit<std::uint64_t>(group.first + k);
+  return places;
+}
 
 bool moves(const PlaneSide& side, std::size_t place) { return has_bit(side.numbers.places, place); }
 
@@ -24,18 +33,17 @@ void require_different(const MovedNumbers& along, const MovedNumbers& across) {
 
 // The greatest exponent of the moved numbers.
 template <class Real>
-int exponent_of(const Query<Real>& witness, const MovedNumbers& numbers) {
+int exponent_of(const Numbers<Real>& witness, const MovedNumbers& numbers) {
   Real greatest = 0;
-  const auto v = coordinates(witness);
-  for (std::size_t k = 0; k < coordinate_count; ++k) {
-    if (has_bit(numbers.places, k)) greatest = std::max(greatest, std::fabs(v[k]));
+  for (std::size_t k = 0; k < witness.size(); ++k) {
+    if (has_bit(numbers.places, k)) greatest = std::max(greatest, std::fabs(witness[k]));
   }
   if (greatest == 0) throw Error(fmt::format("{}: zero in this query, and so zero at every exponent", numbers.name));
   return std::ilogb(greatest);
 }
 
 template <class Real>
-PlaneSide exponent_side(const Query<Real>& witness, const MovedNumbers& numbers, std::size_t size) {
+PlaneSide exponent_side(const Numbers<Real>& witness, const MovedNumbers& numbers, std::size_t size) {
   using Limits = std::numeric_limits<Real>;
   const int now = exponent_of(witness, numbers);
   const std::int64_t least = Limits::min_exponent - Limits::digits - now, greatest = Limits::max_exponent - 1 - now;
@@ -47,27 +55,36 @@ PlaneSide exponent_side(const Query<Real>& witness, const MovedNumbers& numbers,
 
 }  // namespace
 
-MovedNumbers parse_numbers(std::string_view name) {
-  constexpr std::string_view points = "abcp", xyz = "xyz";
+MovedNumbers parse_numbers(std::string_view name, const TestEntry& entry) {
   const std::string text(name);
-  if (name == "r") return {text, one_bit<std::uint16_t>(12)};
-  if (name == "scene") return {text, every_place};
-  if (name == "triangle") return {text, vertex_places};
-  const std::size_t point = name.empty() ? points.npos : points.find(name[0]);
-  if (point != points.npos && name.size() == 1) return {text, static_cast<std::uint16_t>(7u << (3 * point))};
-  const std::size_t axis = name.size() == 3 && name[1] == '.' ? xyz.find(name[2]) : xyz.npos;
-  if (point != points.npos && axis != xyz.npos) return {text, one_bit<std::uint16_t>(3 * point + axis)};
-  std::string guess;  // "ax" and "a.X" are near
-  for (const char p : points) {
-    for (const char x : xyz) {
-      if (name.size() >= 2 && name.front() == p && (name.back() | 0x20) == x) guess = fmt::format("{}.{}", p, x);
+  const std::vector<ColumnGroup> groups = groups_of(entry);
+  std::uint64_t triangle = 0, scene = 0;
+  std::vector<std::string> whole, one;  // names that move several numbers, and one
+  std::string guess;                    // "ax" and "a.X" are near
+  for (const ColumnGroup& group : groups) {
+    const std::uint64_t places = places_of(group);
+    if (name == group.name) return {text, places};
+    for (std::size_t k = 0; k < group.size && group.size == xyz.size(); ++k) {
+      const std::string own = fmt::format("{}.{}", group.name, xyz[k]);
+      if (name == own) return {text, one_bit<std::uint64_t>(group.first + k)};
+      if (name.size() >= 2 && name.front() == group.name.front() && (name.back() | 0x20) == xyz[k]) guess = own;
+      one.push_back(own);
     }
+    if (group.size == 1) one.emplace_back(group.name);
+    else whole.emplace_back(group.name);
+    if (group.name == "a" || group.name == "b" || group.name == "c") triangle |= places;
+    scene |= places;
   }
+  if (name == "scene") return {text, scene};
+  if (name == "triangle" && triangle != 0) return {text, triangle};
+  // All but the first and the last of the vectors' numbers are left out: a.x, a.y, a.z, b.x ... p.z, r.
+  constexpr std::size_t shown_first = 4;
+  std::string names = fmt::format("{}", fmt::join(one.begin(), one.begin() + std::min(shown_first, one.size()), ", "));
+  if (one.size() > shown_first + 2) names += fmt::format(" ... {}, {}", one[one.size() - 2], one.back());
   throw Error(
-      fmt::format("'{}' is not a name of numbers of a query{} the names are a.x, a.y, a.z, b.x ... p.z, r and, with "
-                  "--exponents, a, "
-                  "b, c, p, triangle, scene",
-                  name, guess.empty() ? ";" : fmt::format("; did you mean '{}'?", guess)));
+      fmt::format("'{}' is not a name of numbers of a query{} the names are {} and, with --exponents, {}{}, scene",
+                  name, guess.empty() ? ";" : fmt::format("; did you mean '{}'?", guess), names, fmt::join(whole, ", "),
+                  triangle != 0 ? ", triangle" : ""));
 }
 
 Plane ulp_plane(const MovedNumbers& along, const MovedNumbers& across, std::size_t size, std::int64_t ulps) {
@@ -82,27 +99,27 @@ Plane ulp_plane(const MovedNumbers& along, const MovedNumbers& across, std::size
 }
 
 template <class Real>
-Plane exponent_plane(const Query<Real>& witness, const MovedNumbers& along, const MovedNumbers& across,
+Plane exponent_plane(const Numbers<Real>& witness, const MovedNumbers& along, const MovedNumbers& across,
                      std::size_t size) {
   require_different(along, across);
   return {PlaneKind::exponents, exponent_side(witness, along, size), exponent_side(witness, across, size)};
 }
 
 template <class Real>
-Query<Real> query_at(const Plane& plane, const Query<Real>& witness, std::size_t column, std::size_t row) {
+Numbers<Real> query_at(const Plane& plane, const Numbers<Real>& witness, std::size_t column, std::size_t row) {
   const std::int64_t along = plane.along.offset(column), across = plane.offset_of_row(row);
-  auto v = coordinates(witness);
-  for (std::size_t k = 0; k < coordinate_count; ++k) {
+  Numbers<Real> v = witness;
+  for (std::size_t k = 0; k < v.size(); ++k) {
     const std::int64_t offset = (moves(plane.along, k) ? along : 0) + (moves(plane.across, k) ? across : 0);
     if (offset == 0) continue;  // keeps the sign of a witness's -0
     v[k] = plane.kind == PlaneKind::ulps ? moved_by_ulps(v[k], offset) : std::ldexp(v[k], static_cast<int>(offset));
   }
-  return from_coordinates(v);
+  return v;
 }
 
-#define AXISCERT_INSTANTIATE(Real)                                                                          \
-  template Plane exponent_plane(const Query<Real>&, const MovedNumbers&, const MovedNumbers&, std::size_t); \
-  template Query<Real> query_at(const Plane&, const Query<Real>&, std::size_t, std::size_t);
+#define AXISCERT_INSTANTIATE(Real)                                                                            \
+  template Plane exponent_plane(const Numbers<Real>&, const MovedNumbers&, const MovedNumbers&, std::size_t); \
+  template Numbers<Real> query_at(const Plane&, const Numbers<Real>&, std::size_t, std::size_t);
 AXISCERT_INSTANTIATE(float)
 AXISCERT_INSTANTIATE(double)
 #undef AXISCERT_INSTANTIATE

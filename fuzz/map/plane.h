@@ -5,18 +5,20 @@
 #include <string>
 #include <string_view>
 
+#include "kernel/query.h"
 #include "kernel/sphere_triangle/query.h"
+#include "kernel/test.h"
 
 namespace axiscert {
 
-// Numbers of a query that move together; bit k is coordinate k.
+// Numbers of a query that move together; bit k is column k.
 struct MovedNumbers {
   std::string name;  // "a.x", "r"; "a", "triangle", "scene"
-  std::uint16_t places;
+  std::uint64_t places;
 };
-// One of the thirteen coordinates, a point, the triangle (A, B and C) or the scene (all thirteen). Throws Error that
-// lists the valid names.
-MovedNumbers parse_numbers(std::string_view name);
+// One number of the entry, by its group and x, y or z where the group has three; a group; the triangle (a, b and c) or
+// the scene (all of them). Throws Error that lists the valid names.
+MovedNumbers parse_numbers(std::string_view name, const TestEntry& entry = first_test().entries[0]);
 
 // From pixel to pixel a number changes by ulps, through zero to the other sign; or by powers of two.
 enum class PlaneKind : std::uint8_t { ulps, exponents };
@@ -55,12 +57,21 @@ Plane ulp_plane(const MovedNumbers& along, const MovedNumbers& across, std::size
 // binary32, 2098 in binary64, or every second, third ... if these are more than `size`. Numbers that are moved by both
 // sides are moved twice. Throws Error if all numbers of a side are zero, or both sides move the same numbers.
 template <class Real>
-Plane exponent_plane(const Query<Real>& witness, const MovedNumbers& along, const MovedNumbers& across,
+Plane exponent_plane(const Numbers<Real>& witness, const MovedNumbers& along, const MovedNumbers& across,
                      std::size_t size);
+template <class Real>
+Plane exponent_plane(const Query<Real>& witness, const MovedNumbers& along, const MovedNumbers& across,
+                     std::size_t size) {
+  return exponent_plane(Numbers<Real>(witness), along, across, size);
+}
 
 // The query of a pixel. It is not valid beyond the numbers of the precision, or if the radius is below zero; a number
 // that a power of two moves into the subnormals is rounded to nearest, once.
 template <class Real>
-Query<Real> query_at(const Plane& plane, const Query<Real>& witness, std::size_t column, std::size_t row);
+Numbers<Real> query_at(const Plane& plane, const Numbers<Real>& witness, std::size_t column, std::size_t row);
+template <class Real>
+Query<Real> query_at(const Plane& plane, const Query<Real>& witness, std::size_t column, std::size_t row) {
+  return query_from(query_at(plane, Numbers<Real>(witness), column, row));
+}
 
 }  // namespace axiscert

@@ -11,6 +11,7 @@
 #include "kernel/base/sha256.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
+#include "kernel/moving_sphere/moving_sphere.h"
 
 namespace axiscert {
 namespace {
@@ -44,7 +45,8 @@ double box_diagonal(const std::vector<MeshTriangle>& triangles) {
 
 class MeshSource final : public ColumnSource<MeshSource> {
  public:
-  MeshSource(const std::string& path, const std::string& bytes) : mesh_(load_mesh(path, bytes.size())) {
+  MeshSource(const std::string& path, const std::string& bytes, const TestDescription& test)
+      : mesh_(load_mesh(path, bytes.size())), test_(test), is_moving_(&test == &moving_sphere_test()) {
     file_.path = path;
     file_.name = base_name(path);
     file_.kind = "mesh";
@@ -53,15 +55,23 @@ class MeshSource final : public ColumnSource<MeshSource> {
     file_.degenerate_triangles = mesh_.degenerate_triangles;
     file_.skipped_primitives = mesh_.skipped_primitives;
     generator_ = name_hash(address_name());
+    placements_ = name_hash("mesh-" + file_.sha256);
   }
 
   std::string name() const override { return "mesh/" + file_.name; }
-  std::string address_name() const override { return "mesh-" + file_.sha256; }
+  std::string address_name() const override {
+    return (is_moving_ ? std::string(test_.id) + "/" : std::string()) + "mesh-" + file_.sha256;
+  }
   std::string purpose() const override {
+    if (is_moving_) {
+      return "a real mesh's triangles: steps of a walking sphere, balls dropped on edges and vertices, bullets, "
+             "arrivals from afar, a shaking camera";
+    }
     return "a real mesh's triangles: spheres resting on them, sinking in, hovering, grazing edges and vertices, "
            "centred on them, far";
   }
-  int version() const override { return 2; }
+  int version() const override { return is_moving_ ? 1 : placements_version; }
+  const TestDescription& test() const override { return test_; }
   std::uint64_t base_triangles(Precision, std::uint64_t trials) const override {
     return std::min(trials, file_.triangles);
   }
@@ -69,13 +79,18 @@ class MeshSource final : public ColumnSource<MeshSource> {
 
   template <class Real>
   void fill_columns(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {
-    mesh_queries(mesh_, StreamName(seed, generator_, version(), precision_of<Real>), first, out);
+    const StreamName placed(seed, placements_, placements_version, precision_of<Real>);
+    if (!is_moving_) return mesh_queries(mesh_, placed, first, out);
+    mesh_motions(mesh_, placed, StreamName(seed, generator_, version(), precision_of<Real>), first, out);
   }
 
  private:
+  static constexpr int placements_version = 2;
   Mesh mesh_;
+  const TestDescription& test_;
+  bool is_moving_;
   FileInfo file_;
-  std::uint64_t generator_ = 0;
+  std::uint64_t generator_ = 0, placements_ = 0;  // names of streams, hashed
 };
 
 }  // namespace
@@ -95,6 +110,14 @@ Mesh load_mesh(const std::string& path, std::uint64_t file_size) {
   return mesh;
 }
 
-SourcePtr mesh_source(const std::string& path) { return std::make_shared<MeshSource>(path, read_bytes(path)); }
+std::vector<const TestDescription*> mesh_tests() { return {&first_test(), &moving_sphere_test()}; }
+
+SourcePtr mesh_source(const std::string& path, const TestDescription& test) {
+  const std::vector<const TestDescription*> served = mesh_tests();
+  if (std::find(served.begin(), served.end(), &test) == served.end()) {
+    throw Error(fmt::format("{}: a mesh has no queries of the test {}", path, test.id));
+  }
+  return std::make_shared<MeshSource>(path, read_bytes(path), test);
+}
 
 }  // namespace axiscert

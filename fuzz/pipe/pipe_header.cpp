@@ -142,7 +142,7 @@ class Reader {
     const TestDescription& test = test_of(json);
     const std::size_t entry = entry_of(json, test);
     for (const Json& part : json.at("sources")) {
-      plan.parts.push_back({source_of(part, plan.precision), whole<std::uint64_t>(part, "queries")});
+      plan.parts.push_back({source_of(part, plan.precision, test), whole<std::uint64_t>(part, "queries")});
       check(part, plan.parts.back(), plan.precision);
     }
     if (const std::string other = other_test(plan, test, entry); !other.empty()) {
@@ -192,7 +192,7 @@ class Reader {
     }
   }
 
-  SourcePtr source_of(const Json& part, Precision precision) const {
+  SourcePtr source_of(const Json& part, Precision precision, const TestDescription& test) const {
     const auto kind = part.at("kind").get<std::string>(), base = part.at("name").get<std::string>();
     if (kind != "family" && kind != "mesh" && kind != "queries") {
       fail(fmt::format("its plan has a source of unknown kind '{}'", shown(kind)));
@@ -201,7 +201,7 @@ class Reader {
       if (kind == "family") return family_source(find_family(base));
       const auto place = places_.find(base);
       const std::string path = place != places_.end() ? place->second : part.at("path").get<std::string>();
-      return kind == "mesh" ? mesh_source(path) : query_file_source(path, precision, known_);
+      return kind == "mesh" ? mesh_source(path, test) : query_file_source(path, precision, known_);
     } catch (const Error& wrong) {
       if (kind == "family") fail(wrong.what());
       fail(fmt::format("its queries come from a file. {}; give its present path with --{} FILE", wrong.what(), kind));

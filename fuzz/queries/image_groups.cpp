@@ -1,59 +1,88 @@
 #include "fuzz/queries/image_groups.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
 #include "fuzz/queries/images.h"
+#include "kernel/base/error.h"
 
 namespace axiscert {
 namespace {
 
-// A comparison by its meaning: the vertices of its feature, bit i for vertex i, and the vertex of its side, 3 for a
-// radius.
-struct Meaning {
-  unsigned feature, side;
-  bool operator==(const Meaning&) const = default;
-};
-constexpr std::array<Meaning, comparison_count> meanings = {{{7, 3},  // plane
-                                                             {1, 3},
-                                                             {1, 1},
-                                                             {1, 2},  // vertices
-                                                             {2, 3},
-                                                             {2, 0},
-                                                             {2, 2},
-                                                             {4, 3},
-                                                             {4, 0},
-                                                             {4, 1},
-                                                             {3, 3},
-                                                             {3, 2},  // edges
-                                                             {6, 3},
-                                                             {6, 0},
-                                                             {5, 3},
-                                                             {5, 1}}};
+constexpr std::string_view vertex_letters = "abc";
 
-Meaning in_base(const Meaning& image, const std::array<std::uint8_t, 3>& order) {
-  Meaning base{0, image.side == 3 ? 3u : order[image.side]};
-  for (unsigned i = 0; i < 3; ++i) {
-    if (has_bit(image.feature, i)) base.feature |= one_bit<unsigned>(order[i]);
+// The part of a name after the last underscore is made of vertices: "vertex_a", "side_c", "edge_ca".
+bool names_vertices(std::string_view part) {
+  const std::size_t underscore = part.find('_');
+  return underscore != part.npos && part.find_first_not_of(vertex_letters, underscore + 1) == part.npos;
+}
+
+std::string part_in_base(std::string_view part, const std::array<std::uint8_t, 3>& order) {
+  std::string renamed(part);
+  if (!names_vertices(part)) return renamed;
+  const std::size_t first = part.find('_') + 1;
+  for (std::size_t i = first; i < part.size(); ++i) renamed[i] = vertex_letters[order[vertex_letters.find(part[i])]];
+  // An edge runs from a vertex to the next: ab, bc, ca.
+  if (part.size() == first + 2) {
+    const std::size_t from = vertex_letters.find(renamed[first]), to = vertex_letters.find(renamed[first + 1]);
+    if ((from + 1) % 3 != to) std::swap(renamed[first], renamed[first + 1]);
   }
-  return base;
+  return renamed;
+}
+
+std::string name_in_base(std::string_view name, const std::array<std::uint8_t, 3>& order) {
+  std::string renamed;
+  for (;;) {
+    const std::size_t dot = name.find('.');
+    renamed += part_in_base(name.substr(0, dot), order);
+    if (dot == name.npos) return renamed;
+    renamed += '.';
+    name.remove_prefix(dot + 1);
+  }
 }
 
 }  // namespace
 
+std::vector<const ImageGroup*> image_groups() {
+  std::vector<const ImageGroup*> all;
+  for (const auto groups : {sphere_triangle_image_groups(), moving_sphere_image_groups()}) {
+    all.insert(all.end(), groups.begin(), groups.end());
+  }
+  return all;
+}
+
 const ImageGroup* image_group(std::string_view family) {
-  for (const ImageGroup* group : image_groups()) {
-    if (group->family == family) return group;
+  for (const auto groups : {sphere_triangle_image_groups(), moving_sphere_image_groups()}) {
+    for (const ImageGroup* group : groups) {
+      if (group->family == family) return group;
+    }
   }
   return nullptr;
 }
 
-ComparisonBits bits_of_base(ComparisonBits image, const std::array<std::uint8_t, 3>& order) {
+ComparisonsOfBase::ComparisonsOfBase(const TestDescription& test, const std::array<std::uint8_t, 3>& order) {
+  for (const TestComparison& comparison : test.comparisons) {
+    const std::string wanted = name_in_base(comparison.name, order);
+    const auto base = std::find_if(test.comparisons.begin(), test.comparisons.end(),
+                                   [&](const TestComparison& other) { return other.name == wanted; });
+    if (base == test.comparisons.end()) {
+      throw HarnessFault(fmt::format("{}: comparison {} would be {} with the vertices in another order, which is none",
+                                     test.id, comparison.name, wanted));
+    }
+    base_.push_back(static_cast<std::uint8_t>(base - test.comparisons.begin()));
+  }
+}
+
+ComparisonBits ComparisonsOfBase::operator()(ComparisonBits image) const {
   ComparisonBits bits = 0;
-  for_each_bit(image, [&](std::size_t k) {
-    const Meaning meaning = in_base(meanings[k], order);
-    std::size_t base = 0;
-    while (meanings[base] != meaning) ++base;
-    bits |= one_bit<ComparisonBits>(base);
-  });
+  for_each_bit(image, [&](std::size_t k) { bits |= one_bit<ComparisonBits>(base_[k]); });
   return bits;
+}
+
+ComparisonBits bits_of_base(ComparisonBits image, const std::array<std::uint8_t, 3>& order) {
+  return ComparisonsOfBase(first_test(), order)(image);
 }
 
 }  // namespace axiscert

@@ -1,25 +1,29 @@
-// Families of images: a base query, followed by the same query rotated, mirrored, moved or scaled, exactly. The exact
-// answers to a query and its images agree, except for the names of the vertices; if a kernel's answers differ, that is
-// an asymmetry (fuzz/confirm/asymmetry.h).
+// Families of images: a base query, followed by the same query rotated, mirrored, moved or scaled, exactly; a motion
+// turned round, or in parts. The exact answers to a query and its images agree, except for the names of comparisons; if
+// a kernel's answers differ, that is an asymmetry (fuzz/confirm/asymmetry.h).
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "kernel/base/enum_array.h"
 #include "kernel/sphere_triangle/query.h"
+#include "kernel/test.h"
 
 namespace axiscert {
 
 // How an image is made of its base: the vertices in another order; the axes exchanged, some of them turned round or
-// not; signs changed alone; all numbers times a power of two; all points moved.
-enum class ImageKind : std::uint8_t { order, axes, mirror, scale, translation };
+// not; signs changed alone; all numbers times a power of two; all points moved; a motion from its end to its start; one
+// in two parts, the second from where the first ends, which touch where one of them does.
+enum class ImageKind : std::uint8_t { order, axes, mirror, scale, translation, reversal, split };
 template <>
-inline constexpr std::size_t enum_count<ImageKind> = 5;
-inline constexpr EnumArray<ImageKind, std::string_view> image_kind_names = {"order", "axes", "mirror", "scale",
-                                                                            "translation"};
+inline constexpr std::size_t enum_count<ImageKind> = 7;
+inline constexpr EnumArray<ImageKind, std::string_view> image_kind_names = {
+    "order", "axes", "mirror", "scale", "translation", "reversal", "split"};
 
 // The powers of two from 2^least to 2^greatest.
 struct PowerRange {
@@ -38,12 +42,29 @@ struct ImageGroup {
   // The powers of two times which no form of degree 6 in the base's differences overflows or underflows; null where
   // that is not known of every base.
   PowerRange (*range)(Precision precision) = nullptr;
+  const TestDescription& (*test)() = first_test;
+  // So many queries after each other are one image: separated where all of them are, and in contact where any is.
+  std::size_t parts = 1;
 };
 // The group of a family; null if the family makes no images.
 const ImageGroup* image_group(std::string_view family);
+// The groups of all tests.
+std::vector<const ImageGroup*> image_groups();
 
-// The comparisons of an image by their names in the base: for an image whose B and C are the base's A and B, the bit of
-// vertex_b.side_c becomes that of vertex_a.side_b.
+// The comparisons of images by their names in the base: for an image whose B and C are the base's A and B,
+// vertex_b.side_c is the base's vertex_a.side_b. The names of a test's comparisons tell its vertices: "vertex_a",
+// "side_a", "edge_ab".
+class ComparisonsOfBase {
+ public:
+  // Throws HarnessFault where a comparison has no name in the base.
+  ComparisonsOfBase(const TestDescription& test, const std::array<std::uint8_t, 3>& order);
+  ComparisonBits operator()(ComparisonBits image) const;
+
+ private:
+  std::vector<std::uint8_t> base_;  // by comparison of the image
+};
+
+// The same of one image of the first test.
 ComparisonBits bits_of_base(ComparisonBits image, const std::array<std::uint8_t, 3>& order);
 
 // The query in another unit of length: every number times 2^exponent, rounded where it leaves the range.
@@ -52,6 +73,13 @@ Query<Real> times_power(const Query<Real>& q, int exponent) {
   auto v = coordinates(q);
   for (Real& x : v) x = std::ldexp(x, exponent);
   return from_coordinates(v);
+}
+// The same of any test, every number of which is a length, a place or a direction.
+template <class Real>
+Numbers<Real> times_power(const Numbers<Real>& numbers, int exponent) {
+  Numbers<Real> v = numbers;
+  for (Real& x : v) x = std::ldexp(x, exponent);
+  return v;
 }
 
 }  // namespace axiscert

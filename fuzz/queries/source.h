@@ -82,8 +82,11 @@ class ColumnSource : public Source {
 using SourcePtr = std::shared_ptr<const Source>;
 
 SourcePtr family_source(const Family& family);
-// Defined in fuzz/meshes/mesh.cpp: any format that assimp reads. Throws Error with the file and its fault.
-SourcePtr mesh_source(const std::string& path);
+// Defined in fuzz/meshes/mesh.cpp: any format that assimp reads. Throws Error with the file and its fault, or for a
+// test that is not one of mesh_tests().
+SourcePtr mesh_source(const std::string& path, const TestDescription& test = first_test());
+// The tests of which a mesh has queries.
+std::vector<const TestDescription*> mesh_tests();
 // Defined in fuzz/files/query_source.cpp: JSON Lines or CSV, "-" for standard input; `csv_precision` applies to CSV,
 // which does not state one, and `known` are the tests of which queries are understood. Throws Error if the queries have
 // not one test and one entry.

@@ -81,7 +81,8 @@ std::optional<Pair<Real>> asymmetric_pair(const std::string& given, const Kernel
   const std::optional<Address> address = address_in(given);
   if (!address) return std::nullopt;
   const ImageGroup* group = image_group(address->name);
-  if (group == nullptr || address->precision != precision_of<Real>) return std::nullopt;
+  if (group == nullptr || &group->test() != &first_test() || address->precision != precision_of<Real>)
+    return std::nullopt;
   const SourcePtr source = family_source(find_family(address->name));
   if (source->version() != address->version || source->test().id != kernel.test->id) return std::nullopt;
   const std::uint64_t position = address->position(), base = position - position % group->size;

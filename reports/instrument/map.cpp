@@ -31,8 +31,8 @@ Json side_json(const PlaneSide& side) {
 // The characters allowed in the name of a map, which begins the names of its files.
 constexpr std::string_view name_letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
 
-std::string picture_file(const std::string& map, const MapSubject& subject) {
-  return fmt::format("{}-{}.png", map, name(subject));
+std::string picture_file(const std::string& map, const MapPlan& plan, const MapSubject& subject) {
+  return fmt::format("{}-{}.png", map, name(subject, *plan.kernel->test));
 }
 
 }  // namespace
@@ -75,8 +75,8 @@ Json map_json(const std::string& map_name, const MapPlan& plan, const std::vecto
     Json counts = Json::object();
     for (std::size_t c = 0; c < pixel_class_count; ++c) counts[std::string(pixel_class_names[c])] = picture.counts[c];
     map["pictures"].push_back({{"level", level_names[picture.subject.level]},
-                               {"name", name(picture.subject)},
-                               {"file", picture_file(map_name, picture.subject)},
+                               {"name", name(picture.subject, *plan.kernel->test)},
+                               {"file", picture_file(map_name, plan, picture.subject)},
                                {"counts", counts}});
   }
   return map;
@@ -90,7 +90,7 @@ std::map<std::string, std::string> map_files(const Json& map, const MapPlan& pla
   for (const MapPicture& picture : pictures) {
     static_assert(sizeof(PixelClass) == 1);
     const std::span pixels(reinterpret_cast<const std::uint8_t*>(picture.pixels.data()), picture.pixels.size());
-    files[picture_file(map["name"], picture.subject)] = indexed_png(plan.plane.columns(), pixels, palette);
+    files[picture_file(map["name"], plan, picture.subject)] = indexed_png(plan.plane.columns(), pixels, palette);
   }
   Json maps = Json::array();
   if (!index.empty()) {

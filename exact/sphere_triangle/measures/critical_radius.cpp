@@ -26,13 +26,30 @@ Real ulp_of(Real x) {
 }
 
 template <class Real>
-std::vector<Verdict> verdicts_at(const Implementation<Real>& kernel, Query<Real> query,
+std::size_t columns_of(const Query<Real>&) {
+  return coordinate_count;
+}
+template <class Real>
+std::size_t columns_of(const QueryWithRadius<Real>& query) {
+  return query.numbers.size();
+}
+template <class Real>
+Query<Real> with_radius(Query<Real> query, Real r) {
+  query.r = r;
+  return query;
+}
+template <class Real>
+Numbers<Real> with_radius(const QueryWithRadius<Real>& query, Real r) {
+  Numbers<Real> numbers = query.numbers;
+  numbers[query.column] = r;
+  return numbers;
+}
+
+template <class Real, class AnyQuery>
+std::vector<Verdict> verdicts_at(const Implementation<Real>& kernel, const AnyQuery& query,
                                  const std::vector<BitsOf<Real>>& radii) {
-  QueryBatch<Real> batch(radii.size(), coordinate_count);
-  for (const auto radius : radii) {
-    query.r = std::bit_cast<Real>(radius);
-    batch.push_back(query);
-  }
+  QueryBatch<Real> batch(radii.size(), columns_of(query));
+  for (const auto radius : radii) batch.push_back(with_radius(query, std::bit_cast<Real>(radius)));
   std::vector<Verdict> verdicts(radii.size());
   kernel.verdicts(batch.columns(), verdicts.data());
   return verdicts;
@@ -61,12 +78,10 @@ std::vector<BitsOf<Real>> probes(std::optional<Real> critical, std::optional<Rea
   return radii;
 }
 
-}  // namespace
-
-template <class Real>
-std::vector<CriticalRadius<Real>> critical_radii(const Implementation<Real>& kernel,
-                                                 const std::vector<Query<Real>>& queries,
-                                                 const RadiusRange<Real>& range) {
+// By bisection, all queries in step.
+template <class Real, class AnyQuery>
+std::vector<CriticalRadius<Real>> bisected(const Implementation<Real>& kernel, const std::vector<AnyQuery>& queries,
+                                           const RadiusRange<Real>& range) {
   using Bits = BitsOf<Real>;
   struct Search {
     std::size_t query;
@@ -77,15 +92,13 @@ std::vector<CriticalRadius<Real>> critical_radii(const Implementation<Real>& ker
   const Bits least = std::bit_cast<Bits>(range.least), greatest = std::bit_cast<Bits>(range.greatest);
   for (std::size_t i = 0; i < queries.size(); ++i) searches.push_back({i, least, greatest, greatest});
 
-  QueryBatch<Real> batch(queries.size(), coordinate_count);
+  QueryBatch<Real> batch(queries.size(), queries.empty() ? 0 : columns_of(queries.front()));
   std::vector<Verdict> verdicts(queries.size());
   for (bool is_first = true; !searches.empty(); is_first = false) {
     batch.clear();
     for (Search& search : searches) {
       if (!is_first) search.asked = search.low + (search.high - search.low) / 2;
-      Query<Real> q = queries[search.query];
-      q.r = std::bit_cast<Real>(search.asked);
-      batch.push_back(q);
+      batch.push_back(with_radius(queries[search.query], std::bit_cast<Real>(search.asked)));
     }
     kernel.verdicts(batch.columns(), verdicts.data());
     std::size_t left = 0;
@@ -104,10 +117,38 @@ std::vector<CriticalRadius<Real>> critical_radii(const Implementation<Real>& ker
   return found;
 }
 
+template <class Real, class AnyQuery>
+std::optional<RadiusReversal<Real>> first_reversal(const Implementation<Real>& kernel, const AnyQuery& query,
+                                                   std::optional<Real> critical, std::optional<Real> exact_radius) {
+  const auto radii = probes(critical, exact_radius);
+  const auto verdicts = verdicts_at(kernel, query, radii);
+  std::optional<Real> contact;
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const Real radius = std::bit_cast<Real>(radii[i]);
+    if (verdicts[i] == Verdict::contact) contact = radius;
+    else if (contact && verdicts[i] == Verdict::separated) return RadiusReversal<Real>{*contact, radius};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+template <class Real>
+std::vector<CriticalRadius<Real>> critical_radii(const Implementation<Real>& kernel,
+                                                 const std::vector<Query<Real>>& queries,
+                                                 const RadiusRange<Real>& range) {
+  return bisected(kernel, queries, range);
+}
+
 template <class Real>
 CriticalRadius<Real> critical_radius(const Implementation<Real>& kernel, const Query<Real>& query,
                                      const RadiusRange<Real>& range) {
   return critical_radii(kernel, {query}, range).front();
+}
+template <class Real>
+CriticalRadius<Real> critical_radius(const Implementation<Real>& kernel, const QueryWithRadius<Real>& query,
+                                     const RadiusRange<Real>& range) {
+  return bisected(kernel, std::vector{query}, range).front();
 }
 
 template <class Real>
@@ -161,20 +202,22 @@ CriticalRadiusError critical_radius_error(const Implementation<Real>& kernel, co
 template <class Real>
 std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>& kernel, const Query<Real>& query,
                                                     std::optional<Real> critical, std::optional<Real> exact_radius) {
-  const auto radii = probes(critical, exact_radius);
-  const auto verdicts = verdicts_at(kernel, query, radii);
-  std::optional<Real> contact;
-  for (std::size_t i = 0; i < radii.size(); ++i) {
-    const Real radius = std::bit_cast<Real>(radii[i]);
-    if (verdicts[i] == Verdict::contact) contact = radius;
-    else if (contact && verdicts[i] == Verdict::separated) return RadiusReversal<Real>{*contact, radius};
-  }
-  return std::nullopt;
+  return first_reversal(kernel, query, critical, exact_radius);
+}
+template <class Real>
+std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>& kernel,
+                                                    const QueryWithRadius<Real>& query, std::optional<Real> critical,
+                                                    std::optional<Real> exact_radius) {
+  return first_reversal(kernel, query, critical, exact_radius);
 }
 
 #define AXISCERT_INSTANTIATE(Real)                                                                                     \
   template CriticalRadius<Real> critical_radius(const Implementation<Real>&, const Query<Real>&,                       \
                                                 const RadiusRange<Real>&);                                             \
+  template CriticalRadius<Real> critical_radius(const Implementation<Real>&, const QueryWithRadius<Real>&,             \
+                                                const RadiusRange<Real>&);                                             \
+  template std::optional<RadiusReversal<Real>> radius_reversal(                                                        \
+      const Implementation<Real>&, const QueryWithRadius<Real>&, std::optional<Real>, std::optional<Real>);            \
   template std::vector<CriticalRadius<Real>> critical_radii(                                                           \
       const Implementation<Real>&, const std::vector<Query<Real>>&, const RadiusRange<Real>&);                         \
   template std::optional<Real> distance_within(const Rational&, const RadiusRange<Real>&);                             \

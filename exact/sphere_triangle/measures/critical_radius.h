@@ -30,6 +30,17 @@ std::vector<CriticalRadius<Real>> critical_radii(const Implementation<Real>& ker
                                                  const std::vector<Query<Real>>& queries,
                                                  const RadiusRange<Real>& range = {});
 
+// A query of any test, whose radius is the number of one column.
+template <class Real>
+struct QueryWithRadius {
+  Numbers<Real> numbers;
+  std::size_t column;
+};
+// The same for such a query.
+template <class Real>
+CriticalRadius<Real> critical_radius(const Implementation<Real>& kernel, const QueryWithRadius<Real>& query,
+                                     const RadiusRange<Real>& range = {});
+
 // The true critical radius: the least float that is not below the exact distance. Empty if that is beyond the greatest
 // float.
 template <class Real>
@@ -77,5 +88,10 @@ struct RadiusReversal {
 template <class Real>
 std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>& kernel, const Query<Real>& query,
                                                     std::optional<Real> critical, std::optional<Real> exact_radius);
+
+template <class Real>
+std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>& kernel,
+                                                    const QueryWithRadius<Real>& query, std::optional<Real> critical,
+                                                    std::optional<Real> exact_radius);
 
 }  // namespace axiscert

@@ -6,6 +6,7 @@
   X(graze)                          \
   X(touch_end)                      \
   X(touch_start)                    \
+  X(exact_time)                     \
   X(slide)                          \
   X(skim)                           \
   X(along_edge)                     \
@@ -18,7 +19,19 @@
   X(line_sweep)                     \
   X(repeated_sweep)                 \
   X(point)                          \
-  X(lattice)
+  X(lattice)                        \
+  X(units)                          \
+  X(scale)                          \
+  X(scene_walk)                     \
+  X(scene_fall)                     \
+  X(scene_bullet)                   \
+  X(scene_shake)                    \
+  X(orders)                         \
+  X(axes)                           \
+  X(inverted)                       \
+  X(translated)                     \
+  X(reversed)                       \
+  X(split)
 
 namespace axiscert {
 namespace moving_sphere {

@@ -60,20 +60,11 @@ Numbers<Real> no_motion(Stream& random, std::uint64_t position) {
   return q;
 }
 
-// Small integers and radii in halves, on which no operation of `twenty` rounds: the greatest term is (r r) (V.V), in
-// quarters at most 12,288 m^6, below 2^24 for m = 3 and below 2^53 for m = 90.
 template <class Real>
 Numbers<Real> lattice_motion(Stream& random, std::uint64_t position) {
   const std::int64_t most = sizeof(Real) == 4 ? 3 : 90,
                      m = std::array{std::int64_t{1}, std::int64_t{2}, most}[position % 3];
-  const auto point = [&] {
-    const auto x = static_cast<Real>(random.integer(-m, m)), y = static_cast<Real>(random.integer(-m, m));
-    const auto z = static_cast<Real>(random.integer(-m, m));
-    return Vec3<Real>{x, y, z};
-  };
-  const Vec3<Real> a = point(), b = point(), c = point(), p = point(), d = point();
-  const auto halves = static_cast<Real>(random.integer(0, 8 * m));
-  return MovingQuery<Real>{a, b, c, p, d, halves * Real(0.5)};
+  return small_integers<Real>(random, m);
 }
 
 }  // namespace

@@ -24,6 +24,17 @@ Numbers<Real> touching_at_the_start(Stream& random, std::uint64_t position) {
   return q;
 }
 
+// D = k d reaches X + n at the time s / k exactly: within the motion, at its end, or just not.
+template <class Real>
+Numbers<Real> touching_on_the_way(Stream& random, std::uint64_t position) {
+  const Touched t = touched(random, feature_in_turn(position));
+  const Whole d = against(random, t.normal);
+  const std::int64_t k = random.integer(2, 8), s = random.integer(1, k + 1);
+  MovingQuery<Real> q = spread<Real>(random, t.vertex, t.at + t.normal - d * s, d * k, t.r);
+  nudge(random, position, q);
+  return q;
+}
+
 // n is at right angles to an edge at the vertex X: the regions of vertex and edge meet there. Every third time the edge
 // goes both ways, and in the face's turn n is the normal and X a vertex, where three regions meet.
 template <class Real>
@@ -71,6 +82,10 @@ extern const Family moving_sphere_touch_end_family =
 extern const Family moving_sphere_touch_start_family =
     moving_family<touching_at_the_start<float>, touching_at_the_start<double>>(
         "moving-sphere/touch_start", "touches at the start and leaves, every other time; or P or r by ulps");
+extern const Family moving_sphere_exact_time_family =
+    moving_family<touching_on_the_way<float>, touching_on_the_way<double>>(
+        "moving-sphere/exact_time",
+        "would first touch at 1 / 8 to 3 / 2 of the way exactly, every other time; or P or r by ulps");
 extern const Family moving_sphere_seam_time_family = moving_family<meeting_a_seam<float>, meeting_a_seam<double>>(
     "moving-sphere/seam_time", "meets a vertex where the region of an edge, or of the face too, begins");
 extern const Family moving_sphere_overlap_ulp_family = moving_family<overlap_by_ulps<float>, overlap_by_ulps<double>>(

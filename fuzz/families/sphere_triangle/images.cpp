@@ -127,7 +127,7 @@ constexpr Family family_of_images(std::string_view purpose) {
 
 extern const ImageGroup units_group, spans_group;  // of the files of their families
 
-std::span<const ImageGroup* const> image_groups() {
+std::span<const ImageGroup* const> sphere_triangle_image_groups() {
   static const ImageGroup* const all[] = {&groups[0], &groups[1],   &groups[2],  &groups[3],
                                           &groups[4], &units_group, &spans_group};
   return all;

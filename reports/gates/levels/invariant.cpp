@@ -2,25 +2,38 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
 #include "kernel/base/error.h"
 #include "reports/gates/levels/level.h"
+#include "reports/run_folder/run_folder.h"
 #include "reports/wording/invariance.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {
 
-struct KindWords {
-  std::string_view image;     // "the same query ..."
-  std::string_view families;  // of those that make such images, for a run without one
-};
-constexpr EnumArray<ImageKind, KindWords> kind_words = {
-    KindWords{"with its vertices in another order", "--family orders"},
-    KindWords{"with its coordinate axes exchanged", "--family axes"},
-    KindWords{"with coordinates of the other sign", "--family inverted --family axes"},
-    KindWords{"times a power of two", "--family units --family spans"},
-    KindWords{"moved", "--family translated --family spans"}};
+constexpr EnumArray<ImageKind, std::string_view> kind_words = {  // "the same query ..."
+    "with its vertices in another order",
+    "with its coordinate axes exchanged",
+    "with coordinates of the other sign",
+    "times a power of two",
+    "moved",
+    "from its end to its start",
+    "in two parts"};
+
+// The families of the run's test that make such images, for a run without one.
+std::string families_with(ImageKind kind, const Subject& subject) {
+  std::vector<std::string> options;
+  for (const Family* family : families_of(test_of(subject.record()["plan"]))) {
+    const ImageGroup* group = image_group(family->name);
+    if (group == nullptr || (kind == ImageKind::scale && group->range == nullptr)) continue;
+    bool makes = false;
+    for (std::size_t i = 1; i < group->size; ++i) makes |= group->kind(i) == kind;
+    if (makes) options.push_back(fmt::format("--family {}", family->name));
+  }
+  return options.empty() ? "no family of this test makes one" : fmt::format("add {}", fmt::join(options, " "));
+}
 
 ImageKind kind_of(const AskedLevel& asked) {
   for (const ImageKind kind : enumerators<ImageKind>) {
@@ -56,18 +69,18 @@ LevelFindings judge_invariant(const AskedLevel& asked, const Subject& subject) {
       subject.add_pair(found.failures, family, change.count, change.what, change.first);
     } else {
       subject.add_pair(found.failures, family, (*changes)["changed"].get<std::uint64_t>(),
-                       fmt::format("another verdict on the same query {}{}", kind_words[kind].image,
+                       fmt::format("another verdict on the same query {}{}", kind_words[kind],
                                    size_text(kind, (*changes)["by_size"])),
                        (*changes)["first"]);
     }
   }
   if (images == 0) {
     found.not_checked =
-        fmt::format("no answered query is another one {}; add {}", kind_words[kind].image, kind_words[kind].families);
+        fmt::format("no answered query is another one {}; {}", kind_words[kind], families_with(kind, subject));
     return found;
   }
   found.covers = fmt::format("{} queries of {}, each the same as another {}", thousands(images),
-                             fmt::join(families, ", "), kind_words[kind].image);
+                             fmt::join(families, ", "), kind_words[kind]);
   found.leaves_out = kind == ImageKind::scale ? "scales at which a form of degree 6 overflows or underflows"
                                               : "other queries than these families make";
   return found;
@@ -76,10 +89,10 @@ LevelFindings judge_invariant(const AskedLevel& asked, const Subject& subject) {
 }  // namespace
 
 extern const GateLevel invariant_level = {
-    "invariant=KIND", "no verdict that changes with KIND: order, axes, mirror, scale or translation",
+    "invariant=KIND", "no verdict that changes with KIND: order, axes, mirror, scale, translation, reversal or split",
     [](const AskedLevel& asked) { kind_of(asked); },
     [](const AskedLevel& asked) {
-      return fmt::format("the same verdict on the same query {}", kind_words[kind_of(asked)].image);
+      return fmt::format("the same verdict on the same query {}", kind_words[kind_of(asked)]);
     },
     judge_invariant};
 

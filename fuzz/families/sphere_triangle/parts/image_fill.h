@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "fuzz/queries/random.h"
-#include "kernel/sphere_triangle/query.h"
+#include "kernel/query.h"
 
 namespace axiscert {
 
@@ -17,7 +17,7 @@ void fill_groups(const StreamName& name, std::uint64_t first, const MutableColum
   for (std::size_t i = 0; i < out.size;) {
     const std::uint64_t base = (first + i) / size;
     Stream random(name, base);
-    const Query<Real> q = make(random, base);
+    const auto q = make(random, base);
     for (; i < out.size && (first + i) / size == base; ++i) {
       Stream after = random;
       out.set(i, image(after, q, base, static_cast<std::size_t>((first + i) % size)));

@@ -77,6 +77,35 @@ inline Axes axes(Stream& random, bool level) {
   return {x, cross(up, x), up};
 }
 
+// In the ground's plane: two legs, the longer up to four times the shorter, at an angle of 20 to 120 degrees, so that
+// no angle is below 6 degrees.
+inline std::array<Point, 3> triangle_of_ground(Stream& random) {
+  const double shorter = any_length(random);
+  const double longer = std::fmin(shorter * (1 + 3 * random.unit<double>()), 100);
+  const double cosine = -0.5 + 1.4375 * random.unit<double>(), sine = std::sqrt(1 - cosine * cosine);
+  const bool longer_first = random.coin();
+  const double first = longer_first ? longer : shorter, second = longer_first ? shorter : longer;
+  return {{{0, 0, 0}, {first, 0, 0}, {second * cosine, second * sine, 0}}};
+}
+
+// The point of the ground below the sphere: in turn inside the triangle, and at an edge and at a vertex, there for half
+// of the queries exactly and for the others up to half a radius to each side.
+inline Point foot_on_ground(Stream& random, std::uint64_t which, const std::array<Point, 3>& v, double r) {
+  const auto feature = static_cast<std::size_t>(random.below(3));
+  double share[3];
+  for (double& s : share) s = random.unit<double>() + 0x1p-5;
+  const bool beside = random.coin();
+  const double aside = random.symmetric<double>() * r / 2, ahead = random.symmetric<double>() * r / 2;
+  if (which == 0) {
+    const double sum = (share[0] + share[1]) + share[2];
+    return (v[0] * (share[0] / sum) + v[1] * (share[1] / sum)) + v[2] * (share[2] / sum);
+  }
+  const auto& from = v[feature];
+  const double part = which == 1 ? share[0] / (1 + 0x1p-4) : 0;
+  const Point on_feature = from + (v[shapes::next(feature)] - from) * part;
+  return beside ? on_feature + Point{aside, ahead, 0} : on_feature;
+}
+
 // The query of local points around `centre`. The third coordinate of the world is up or, for half of the scenes, the
 // second; the triangle begins with any of its vertices. Both keep its orientation.
 template <class Real>
