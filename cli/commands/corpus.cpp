@@ -20,6 +20,11 @@ std::string folder_of(const CorpusOptions& options) {
   return options.folder.empty() ? default_corpus_folder() : options.folder;
 }
 
+// One file for each kind of provenance; for each test but the first one of its own.
+std::string file_for(const StoredQuery& stored, const Provenance& provenance) {
+  return (stored.test == &first_test() ? provenance.kind : std::string(stored.test->id)) + ".jsonl";
+}
+
 int list(const CorpusOptions& options) {
   const auto entries = read_corpus(folder_of(options));
   for (const CorpusEntry& entry : entries) {
@@ -50,7 +55,7 @@ int add(const CorpusOptions& options) {
   if (!std::filesystem::is_empty(folder, problem) && !problem) entries = read_corpus(folder);
   if (problem) throw Error(fmt::format("{}: the corpus cannot be read: {}", folder, problem.message()));
   CorpusEntry entry{queries.front(), provenance, options.note, exact_answers(queries.front()),
-                    (std::filesystem::path(folder) / (provenance.kind + ".jsonl")).string()};
+                    (std::filesystem::path(folder) / file_for(queries.front(), provenance)).string()};
   entry.stored.id = options.name;
   for (const CorpusEntry& other : entries) {
     if (other.stored.id == options.name) {

@@ -20,6 +20,18 @@ const Family& family_of(const Address& address) {
   }
 }
 
+// The corpus's queries of the test that has this address; of sphere-triangle where none has.
+SourcePtr corpus_of(const Address& address, const std::string& folder) {
+  for (const TestDescription* test : tests()) {
+    if (test == &first_test()) continue;
+    try {
+      if (SourcePtr source = corpus_source(folder, *test); source->address_name() == address.name) return source;
+    } catch (const Error&) {  // none of this test
+    }
+  }
+  return corpus_source(folder);
+}
+
 // The source that an address names: a family, or the given file if its SHA-256 is the address's.
 SourcePtr source_of(const Address& address, const AddressFiles& files) {
   // A mesh has queries of several tests: those of a test other than the first are TEST/mesh-SHA256.
@@ -41,7 +53,7 @@ SourcePtr source_of(const Address& address, const AddressFiles& files) {
   }
   const std::string place = is_corpus && path.empty() ? default_corpus_folder() : path;
   const SourcePtr source = is_mesh     ? mesh_source(place, *test)
-                           : is_corpus ? corpus_source(place)
+                           : is_corpus ? corpus_of(address, place)
                                        : query_file_source(place, address.precision);
   if (source->address_name() != address.name) {
     throw Error(

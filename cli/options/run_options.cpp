@@ -196,7 +196,6 @@ void add_run_options(CLI::App& command, RunOptions& o) {
 
 std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescription& test, Precision csv_precision) {
   if (!options.meshes.empty()) require_served("--mesh", test, mesh_tests());
-  if (options.corpus) require_served("--corpus", test);
   std::vector<SourcePtr> sources;
   const auto add = [&](SourcePtr source) {
     for (const SourcePtr& other : sources) {
@@ -219,7 +218,7 @@ std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescri
   }
   for (const std::string& path : options.meshes) add(mesh_source(path, test));
   for (const std::string& path : options.queries) add(query_file_source(path, csv_precision));
-  if (options.corpus) add(corpus_source(*options.corpus));
+  if (options.corpus) add(corpus_source(*options.corpus, test));
   return sources;
 }
 

@@ -8,7 +8,6 @@
 
 #include "cli/commands.h"
 #include "cli/options/source_place.h"
-#include "cli/options/test_options.h"
 #include "cli/values.h"
 #include "cli/running/judged_run.h"
 #include "cli/progress_line.h"

@@ -51,14 +51,6 @@ class ShrinkMotion(Case):
             (flip,) = checked(found, *ROUNDED)["flips"]
             self.assertEqual(flip["kind"], found["kept"]["kind"])
 
-    def test_an_axis_of_a_kernel_that_shows_it(self):
-        done = axiscert("shrink", "-", "--what", "sweep.edge_ab.side", "--evaluations", 200, "--format", "jsonl",
-                        "--kernel", "moving-sphere/twenty", stdin=PHANTOM)
-        if done.returncode == 0:  # its flip is shown by this query
-            self.assertEqual(json.loads(done.stdout)["kept"]["name"], "sweep.edge_ab.side")
-        else:
-            self.assertIn("has it right", done.stderr)
-
     def test_what_it_cannot_keep_is_said(self):
         self.refused("shrink", "-", stdin=FALLS, says=["'falls'", "moving-sphere/twenty is not wrong"])
         self.refused("shrink", "-", "--what", "asymmetry", stdin=FALLS,
@@ -69,6 +61,20 @@ class ShrinkMotion(Case):
                      says=["query 'falls' is of the test moving-sphere", "kernel published of sphere-triangle"])
         self.refused("shrink", "-", stdin=FALLS.replace('"r":1', '"r":-1'),
                      says=["'falls'", "not a valid query", "the radius not negative"])
+
+
+class MotionCorpus(Case):
+    def test_a_run_replays_it_and_its_kernels_are_wrong_there(self):
+        record = self.run_ok("--test", "moving-sphere", "--corpus", *ROUNDED, "--kernel", "moving-sphere/segment",
+                             "--kernel", "moving-sphere/twenty-nonstrict", "--precision", "binary32")
+        self.assertEqual(record["plan"]["families"], ["corpus"])
+        wrong = {k["id"]: sum(k["families"]["corpus"]["verdict"][f] for f in ("false_separation", "false_contact"))
+                 for k in record["kernels"]}
+        self.assertGreaterEqual(wrong["moving-sphere/rounded"], 3)
+        self.assertGreaterEqual(wrong["moving-sphere/segment"], 1)
+        address = next(w["address"] for w in record["witnesses"])
+        again = axiscert("query", address)
+        self.assertEqual(json.loads(again.stdout)["test"], "moving-sphere", again.stderr)
 
 
 class SearchMotion(Case):

@@ -5,7 +5,7 @@
 //                 "about": "static" | "sweep" | "other", the subject of the report
 //   "note": TEXT, optional
 //   "expected": {"verdict", "touching", "squared_distance", "comparisons", "ties"}, as the `exact` of `axiscert check`;
-//   the last three are null if the verdict is `invalid`
+//   the last three are null if the verdict is `invalid`, and for a query of a test other than sphere-triangle
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ struct Provenance {
   std::string kind, where, about;
 };
 
-// The exact answers to a query; the last three are empty if the verdict is `invalid`.
+// The exact answers to a query; the last three are empty if the verdict is `invalid`, or the test another one.
 struct ExactAnswers {
   Verdict verdict = Verdict::invalid;
   bool touching = false;
@@ -28,7 +28,7 @@ struct ExactAnswers {
   std::optional<ComparisonBits> comparisons = {}, ties = {};  // those of the published formulae, strict
   bool operator==(const ExactAnswers&) const = default;
 };
-// Computed by CGAL, the exact formulae and MPFR. Throws OracleDisagreement.
+// Computed by CGAL, the exact formulae and MPFR; of another test by all of its oracles. Throws OracleDisagreement.
 ExactAnswers exact_answers(const StoredQuery& stored);
 
 struct CorpusEntry {
@@ -53,8 +53,8 @@ Provenance parse_provenance(const std::string& text, const std::string& about);
 // The folder share/axiscert/corpus beside an installed command, otherwise that of the source tree.
 std::string default_corpus_folder();
 
-// The corpus's queries as a source named "corpus". Its address is "corpus-SHA256", the hash of the queries' lines, one
-// file after the other.
-SourcePtr corpus_source(const std::string& folder);
+// The corpus's queries of one test as a source named "corpus". Its address is "corpus-SHA256", the hash of the queries'
+// lines, one file after the other. Throws Error where it has none.
+SourcePtr corpus_source(const std::string& folder, const TestDescription& test = first_test());
 
 }  // namespace axiscert

@@ -7,6 +7,8 @@
 #include <cctype>
 #include <fstream>
 
+#include "exact/moving_sphere/least_distance.h"
+#include "exact/moving_sphere/swept_distance.h"
 #include "exact/sphere_triangle/oracles/feature_walk.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/second_oracle.h"
@@ -58,12 +60,32 @@ Rational walked(const Query<Real>& q) {
   return found.numerator / found.denominator;
 }
 
+Numbers<double> wide_numbers(const StoredQuery& stored) {
+  return std::visit(
+      [](const auto& q) {
+        Numbers<double> wide(q.size());
+        std::copy(q.begin(), q.end(), wide.begin());
+        return wide;
+      },
+      stored.numbers);
+}
+
 TEST_P(CorpusEntryTest, HasTheseExactAnswers) {
   const CorpusEntry& entry = GetParam();
   SCOPED_TRACE(entry.file + ":" + std::to_string(entry.stored.line));
   const ExactAnswers& expected = entry.expected;
   EXPECT_EQ(exact_answers(entry.stored), expected);
   if (expected.verdict == Verdict::invalid) return;
+  if (entry.stored.test == &moving_sphere_test()) {
+    // Each oracle separately: our own rationals, and CGAL's distance of two triangles.
+    const Numbers<double> q = wide_numbers(entry.stored);
+    const MovingQuery<double> motion = MovingSphere::problem<double>([&](std::size_t k) { return q[k]; });
+    const int order = expected.verdict == Verdict::separated ? 1 : expected.touching ? 0 : -1;
+    const Rational r(motion.r), squared = moving_sphere::least_distance(motion).squared;
+    EXPECT_EQ(moving_sphere::swept_distance_order(motion), order) << "CGAL";
+    EXPECT_EQ(sgn(Rational(squared - r * r)), order) << "feature by feature";
+    return;
+  }
   std::visit(
       [&](const auto& q) {
         // Checks each oracle separately.

@@ -150,13 +150,15 @@ SourcePtr query_file_source(const std::string& path, Precision csv_precision,
                                            parse_queries(bytes, where, csv_precision, known));
 }
 
-SourcePtr corpus_source(const std::string& folder) {
+SourcePtr corpus_source(const std::string& folder, const TestDescription& test) {
   std::string lines;
   std::vector<StoredQuery> queries;
   for (const CorpusEntry& entry : read_corpus(folder)) {
+    if (entry.stored.test != &test) continue;
     lines += query_line(entry.stored) + "\n";
     queries.push_back(entry.stored);
   }
+  if (queries.empty()) throw Error(fmt::format("{}: the corpus has no query of the test {}", folder, test.id));
   return std::make_shared<QueryFileSource>("corpus", FileInfo{folder, "corpus"}, lines, queries);
 }
 

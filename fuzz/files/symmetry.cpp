@@ -113,6 +113,16 @@ std::span<const Symmetry> symmetries() {
 }
 
 std::string canonical_form(const StoredQuery& stored) {
+  if (stored.test != &first_test()) {
+    std::string text(stored.test->id);
+    text += " " + std::string(name(stored.precision));
+    std::visit(
+        [&](const auto& q) {
+          for (const auto x : q) text += " " + format_number(x == 0 ? x - x : x);
+        },
+        stored.numbers);
+    return text;
+  }
   return std::visit(
       [&](const auto& q) {
         const auto v = coordinates(q);
