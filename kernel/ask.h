@@ -24,12 +24,21 @@ struct Reply {
     if (has_bits && found.verdict != Verdict::unanswered) found.bits = answers.bits[i];
     return found;
   }
+
+  // The measures that the kernel gives, in the order of the test's; empty where it gave no answer. Floats widen
+  // exactly.
+  std::vector<double> measures(std::size_t i) const {
+    std::vector<double> found;
+    if (verdicts[i] == Verdict::unanswered) return found;
+    for (const std::vector<Real>& column : answers.measures) found.push_back(column[i]);
+    return found;
+  }
 };
 
 template <class Real>
 void ask(const Implementation<Real>& kernel, const QueryColumns<Real>& batch, Reply<Real>& reply) {
   reply.verdicts.assign(batch.size, Verdict::unanswered);
-  reply.answers.resize(batch.size, kernel.comparisons);
+  reply.answers.resize(batch.size, kernel.comparisons, kernel.measure_count);
   reply.findings.clear();
   reply.has_bits = kernel.explain != nullptr;
   if (kernel.supervised) {
@@ -38,6 +47,7 @@ void ask(const Implementation<Real>& kernel, const QueryColumns<Real>& batch, Re
   }
   kernel.verdicts(batch, reply.verdicts.data());
   if (kernel.explain) kernel.explain(batch, reply.answers);
+  if (kernel.measure) kernel.measure(batch, reply.answers);
 }
 
 // A batch of one.

@@ -11,6 +11,7 @@
 #include "kernel/arithmetic/arithmetic_list.h"
 #include "kernel/finding.h"
 #include "kernel/formulae_list.h"
+#include "kernel/motion_policy.h"
 #include "kernel/names.h"
 #include "kernel/outcome.h"
 #include "kernel/query.h"
@@ -18,17 +19,21 @@
 
 namespace axiscert {
 
-// The full answer of a kernel to a batch: the comparison bits, and for each comparison a column of each computed side.
+// The full answer of a kernel to a batch: the comparison bits, for each comparison a column of each computed side, and
+// a column of each measure that it gives.
 template <class Real>
 struct Answers {
   std::vector<ComparisonBits> bits;
   std::vector<std::vector<Real>> lhs, rhs;
+  std::vector<std::vector<Real>> measures;
 
-  void resize(std::size_t queries, std::size_t comparisons) {
+  void resize(std::size_t queries, std::size_t comparisons, std::size_t measure_count = 0) {
     bits.resize(queries);
-    for (auto* sides : {&lhs, &rhs}) {
-      sides->resize(comparisons);
-      for (std::vector<Real>& column : *sides) column.resize(queries);
+    lhs.resize(comparisons);
+    rhs.resize(comparisons);
+    measures.resize(measure_count);
+    for (auto* columns : {&lhs, &rhs, &measures}) {
+      for (std::vector<Real>& column : *columns) column.resize(queries);
     }
   }
 };
@@ -42,7 +47,10 @@ struct Implementation {
   std::function<void(const QueryColumns<Real>& batch, Verdict* out)> verdicts;
   // Comparison bits and computed sides; `out` is sized to the batch. Empty for a kernel that shows only verdicts.
   std::function<void(const QueryColumns<Real>& batch, Answers<Real>& out)> explain = {};
-  // For a kernel that is not built in: verdicts and sides at once, computed again in other arrangements and supervised.
+  // The first of the test's measures; `out.measures` has a column for each and is sized to the batch. A measure has no
+  // meaning where the verdict is not one that it is given with. Empty for a kernel that gives none.
+  std::function<void(const QueryColumns<Real>& batch, Answers<Real>& out)> measure = {};
+  // For a kernel that is not built in: all of these at once, computed again in other arrangements and supervised.
   // Appends the faults found; a query that got no answer is `unanswered`. Empty for a built-in kernel.
   std::function<void(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>& answers,
                      std::vector<Finding>& findings)>
@@ -52,7 +60,8 @@ struct Implementation {
   std::function<double(const QueryColumns<Real>& batch, Verdict* out)> timed = {};
   // The bits of `explain` alone. Empty where computing them alone is not faster.
   std::function<void(const QueryColumns<Real>& batch, ComparisonBits* out)> bits = {};
-  std::size_t comparisons = 0;  // of the kernel's test; Kernel::on sets it
+  std::size_t comparisons = 0;    // of the kernel's test; Kernel::on sets this and the next
+  std::size_t measure_count = 0;  // that the kernel gives
 };
 
 // The range in which a kernel promises to be right, bounds included; a bound of 0 means no limit. A wrong answer to a
@@ -103,6 +112,7 @@ struct Kernel {
   // Such a kernel has Formulae::none.
   std::string claims = {};
   Exposure exposes = Exposure::sides;
+  std::size_t measure_count = 0;  // it gives so many of the test's measures, from the first on
   // Empty where the kernel does not exist in that precision. A kernel that has only one form runs it on every target.
   std::function<Implementation<float>(std::string_view target)> binary32;
   std::function<Implementation<double>(std::string_view target)> binary64;
@@ -112,6 +122,7 @@ struct Kernel {
   bool takes_arithmetic = false;  // may be the rung in RUNG+ARITHMETIC
   Touching touching = Touching::contact;
   Limits limits = {};
+  MotionPolicy motion = {};  // of a test of motions
   Call call = {};
   std::string file = {};           // path of a plug-in
   std::string declared_name = {};  // of a plug-in: its own name for its first kernel; empty: built in, or not loaded
@@ -123,6 +134,7 @@ struct Kernel {
     const auto begin = [&](const auto& implementation) {
       Implementation<Real> begun = implementation ? implementation(target) : Implementation<Real>{};
       begun.comparisons = test->comparisons.size();
+      begun.measure_count = measure_count;
       return begun;
     };
     if constexpr (sizeof(Real) == 4) return begin(binary32);

@@ -12,10 +12,15 @@
 //   template <class T, class Sink>
 //   static void comparisons(const Problem<T>&, Sink& sink);       sink(i, lhs, rhs) for each: comparison i is lhs > rhs
 //   static constexpr ComparisonBits nonstrict;                    optional: those that are lhs >= rhs
+// Formulae, and a method that has a verdict alone, may give the first of the test's measures:
+//   static constexpr std::size_t measure_count;
+//   template <class Real>
+//   static void measure(const Problem<Real>&, Real* out);         measure_count numbers
 // A number type has + - *, > and >= alone, magnitude(x), and T(x) of a double x, so that each is exact in exact
 // arithmetic.
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 
@@ -47,6 +52,26 @@ ComparisonBits bits_of(const Problem& problem, See&& see) {
   return bits;
 }
 
+template <class M>
+concept GivesMeasures = requires { M::measure_count; };
+
+// Formulae or a method M with the measures that it gives; empty where it gives none.
+template <class Test, class M, class Real>
+std::function<void(const QueryColumns<Real>&, Answers<Real>&)> plain_measures() {
+  if constexpr (!GivesMeasures<M>) {
+    return {};
+  } else {
+    return [](const QueryColumns<Real>& batch, Answers<Real>& out) {
+      for (std::size_t i = 0; i < batch.size; ++i) {
+        std::array<Real, M::measure_count> found;
+        M::template measure<Real>(Test::template problem<Real>([&](std::size_t k) { return batch.column[k][i]; }),
+                                  found.data());
+        for (std::size_t k = 0; k < found.size(); ++k) out.measures[k][i] = found[k];
+      }
+    };
+  }
+}
+
 template <class Test, class F, class Real>
 Implementation<Real> plain_implementation() {
   const auto bits_at = [](const QueryColumns<Real>& batch, std::size_t i, auto&& see) {
@@ -67,31 +92,33 @@ Implementation<Real> plain_implementation() {
       });
     }
   };
+  plain.measure = plain_measures<Test, F, Real>();
   return plain;
 }
 
-// The members that all plain kernels have; such a kernel is judged by its verdicts alone.
-template <class Test>
+// The members that all plain kernels have; such a kernel is judged by its verdicts, and by the measures that M gives.
+template <class Test, class M>
 Kernel plain_kernel_named(std::string id, std::string summary) {
   Kernel kernel;
   kernel.id = std::move(id);
   kernel.summary = std::move(summary);
   kernel.test = &Test::description();
   kernel.formulae = Formulae::none;
+  if constexpr (GivesMeasures<M>) kernel.measure_count = M::measure_count;
   return kernel;
 }
 
 // The kernel claims these formulae and the bits of the reference, which is itself.
 template <class Test, class F>
 Kernel plain_kernel(std::string id, std::string summary) {
-  Kernel kernel = plain_kernel_named<Test>(std::move(id), std::move(summary));
+  Kernel kernel = plain_kernel_named<Test, F>(std::move(id), std::move(summary));
   kernel.claims = F::name;
   kernel.binary32 = [](std::string_view) { return plain_implementation<Test, F, float>(); };
   kernel.binary64 = [](std::string_view) { return plain_implementation<Test, F, double>(); };
   return kernel;
 }
 
-// A method M that has a verdict alone: static bool separated(const Problem<Real>&). It claims nothing.
+// A method M that has no comparisons: static bool separated(const Problem<Real>&). It claims nothing.
 template <class Test, class M, class Real>
 Implementation<Real> plain_verdicts() {
   Implementation<Real> plain;
@@ -101,11 +128,12 @@ Implementation<Real> plain_verdicts() {
       out[i] = M::template separated<Real>(q) ? Verdict::separated : Verdict::contact;
     }
   };
+  plain.measure = plain_measures<Test, M, Real>();
   return plain;
 }
 template <class Test, class M>
 Kernel plain_verdict_kernel(std::string id, std::string summary) {
-  Kernel kernel = plain_kernel_named<Test>(std::move(id), std::move(summary));
+  Kernel kernel = plain_kernel_named<Test, M>(std::move(id), std::move(summary));
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;
   kernel.binary32 = [](std::string_view) { return plain_verdicts<Test, M, float>(); };

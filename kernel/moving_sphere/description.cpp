@@ -6,6 +6,10 @@ namespace {
 
 TestDescription moving_sphere_described() {
   constexpr Role place = Role::coordinate, direction = Role::direction;
+  constexpr std::string_view normal = "of the unit vector from the triangle's nearest point to the centre at contact",
+                             angle = "of the three, the angle in radians where the two are apart at the first contact",
+                             point = "of the triangle's point at contact, in the unit of the coordinates",
+                             distance = "of the three, the distance relative to the scene, as a depth";
   TestDescription test{
       .id = "moving-sphere",
       .asks = "does a closed solid sphere that moves along a line have a point in common with a closed triangle",
@@ -34,7 +38,16 @@ TestDescription moving_sphere_described() {
                     {"r", Role::length, "r"}}}},
       .comparisons = {},
       .clauses = {},
-      .measures = {},
+      .measures = {{"time", "fraction of the displacement at the first contact, from 0 to 1; NaN: none is given",
+                    "late or early; in ulps of the greatest number that is not late, and in u of the displacement"},
+                   {"feature", "0, 1, 2: vertex a, b, c; 3, 4, 5: edge ab, bc, ca; 6: face; NaN: none is given",
+                    "wrong where another part of the triangle is nearer to the centre at the first contact"},
+                   {"normal_x", normal, angle},
+                   {"normal_y", normal, angle},
+                   {"normal_z", normal, angle},
+                   {"point_x", point, distance},
+                   {"point_y", point, distance},
+                   {"point_z", point, distance}},
   };
   for (std::size_t i = 0; i < moving_sphere::comparison_names.size(); ++i) {
     const std::string_view clause = moving_sphere::clause_name(i);

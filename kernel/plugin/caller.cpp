@@ -41,12 +41,14 @@ std::span<std::byte> Caller<Real>::array(std::size_t which, std::size_t size, Pl
 
 template <class Real>
 template <class Visit>
-void Caller<Real>::for_each_output(Exposure asked, const Visit& visit) const {
+void Caller<Real>::for_each_output(const Arrangement& arrangement, const Visit& visit) const {
   const Shape& shape = process_->shape();
+  const Exposure asked = arrangement.asked;
   const std::size_t end = asked == Exposure::sides         ? shape.measure()
                           : asked == Exposure::comparisons ? shape.bits() + 1
                                                            : shape.verdict() + 1;
   for (std::size_t which = shape.verdict(); which < end; ++which) visit(which);
+  for (std::size_t k = 0; k < arrangement.measures; ++k) visit(shape.measure() + k);
 }
 
 template <class Real>
@@ -65,25 +67,26 @@ auto Caller<Real>::call(const QueryColumns<Real>& batch, std::size_t first, std:
     std::memcpy(place(k).data(), batch.column[k] + first, size * sizeof(Real));
   }
   const auto filling = std::byte{arrangement.filling};
-  for_each_output(arrangement.asked,
+  for_each_output(arrangement,
                   [&](std::size_t which) { std::fill_n(process_->area(which), process_->area_bytes(), filling); });
 
   out.verdicts.clear();
   out.bits.clear();
   out.lhs.assign(shape.comparisons, {});
   out.rhs.assign(shape.comparisons, {});
+  out.measures.assign(arrangement.measures, {});
   Result result;
   const Request request{.kernel = callee_.index,
                         .size = static_cast<std::uint32_t>(size),
                         .exposes = static_cast<std::uint32_t>(arrangement.asked),
-                        .measures = 0,
+                        .measures = static_cast<std::uint32_t>(arrangement.measures),
                         .placement = arrangement.placement,
                         .seconds = seconds,
                         .start_seconds = program_start * first_seconds_};
   result.stop = process_->call(request, seconds, result.reply);
   if (result.stop) return result;
 
-  for_each_output(arrangement.asked, [&](std::size_t which) {
+  for_each_output(arrangement, [&](std::size_t which) {
     const std::span<std::byte> area{process_->area(which), process_->area_bytes()}, written = place(which);
     const auto begin = static_cast<std::size_t>(written.data() - area.data());
     const bool wrote_before = is_written(area.first(begin), filling);
@@ -102,6 +105,7 @@ auto Caller<Real>::call(const QueryColumns<Real>& batch, std::size_t first, std:
     copy_out(place(shape.lhs() + k), out.lhs[k]);
     copy_out(place(shape.rhs() + k), out.rhs[k]);
   }
+  for (std::size_t k = 0; k < arrangement.measures; ++k) copy_out(place(shape.measure() + k), out.measures[k]);
   return result;
 }
 

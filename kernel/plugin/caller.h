@@ -17,6 +17,7 @@ struct Outputs {
   // Empty unless asked for.
   std::vector<std::uint64_t> bits;          // as wide as plugin.h has them
   std::vector<std::vector<Real>> lhs, rhs;  // by comparison
+  std::vector<std::vector<Real>> measures;  // as many as asked for
 };
 
 // A kernel of a plug-in, and how it is called.
@@ -31,6 +32,7 @@ struct Callee {
 struct Arrangement {
   Placement placement = {};
   Exposure asked = Exposure::verdict;
+  std::size_t measures = 0;     // asked for
   std::uint8_t filling = 0xa5;  // what the outputs hold before: an entry that still holds it was not written
 };
 
@@ -52,7 +54,7 @@ class Caller {
  private:
   std::span<std::byte> array(std::size_t which, std::size_t size, Placement placement) const;
   template <class Visit>
-  void for_each_output(Exposure asked, const Visit& visit) const;
+  void for_each_output(const Arrangement& arrangement, const Visit& visit) const;
 
   Callee callee_;
   double first_seconds_;

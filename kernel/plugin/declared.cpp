@@ -65,6 +65,7 @@ void subject(const Description& d, Kernel& kernel) {
     refuse(fmt::format("it gives {} measures; test '{}' has {}", d.measure_count, kernel.test->id,
                        kernel.test->measures.size()));
   }
+  kernel.measure_count = d.measure_count;
 }
 
 Limits limits_of(const Description& d) {
@@ -133,15 +134,17 @@ void add_declared(const Description& d, std::uint32_t index, const Hosted& hoste
   described.declared_name = kernel.declared_name.empty() ? text_of(d.name) : kernel.declared_name;
   claim(d, described);
   const bool is_first = !kernel.binary32 && !kernel.binary64;
-  if (!is_first &&
-      (described.exposes != kernel.exposes || described.touching != kernel.touching ||
-       described.limits != kernel.limits || described.test != kernel.test || described.entry != kernel.entry ||
-       described.formulae != kernel.formulae || described.strictness != kernel.strictness ||
-       described.arithmetic != kernel.arithmetic || described.is_reference != kernel.is_reference)) {
+  if (!is_first && (described.exposes != kernel.exposes || described.touching != kernel.touching ||
+                    described.limits != kernel.limits || described.measure_count != kernel.measure_count ||
+                    described.test != kernel.test || described.entry != kernel.entry ||
+                    described.formulae != kernel.formulae || described.strictness != kernel.strictness ||
+                    described.arithmetic != kernel.arithmetic || described.is_reference != kernel.is_reference)) {
     refuse("its kernels in binary32 and in binary64 say different things of themselves; make two plug-ins of them");
   }
-  const Supervised supervised{
-      {hosted, index, d.abi, {described.test, described.entry}}, described.exposes, described.strictness};
+  const Supervised supervised{{hosted, index, d.abi, {described.test, described.entry, described.measure_count}},
+                              described.exposes,
+                              described.strictness,
+                              described.measure_count};
   if (d.precision == 32 ? kernel.binary32 != nullptr : kernel.binary64 != nullptr) {
     refuse(fmt::format("it has two kernels of precision {}", d.precision));
   }

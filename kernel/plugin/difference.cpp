@@ -24,6 +24,10 @@ std::optional<std::string> difference_at(const TestDescription& test, const Outp
   if (a.verdicts[i] != b.verdicts[j]) {
     return fmt::format("verdict {}, then {}", verdict_text(a.verdicts[i]), verdict_text(b.verdicts[j]));
   }
+  for (std::size_t k = 0; k < b.measures.size(); ++k) {
+    const Real before = a.measures[k][i], after = b.measures[k][j];
+    if (!same(before, after)) return fmt::format("{} {:a}, then {:a}", test.measures[k].name, before, after);
+  }
   if (b.bits.empty()) return std::nullopt;
   if (const std::uint64_t flipped = a.bits[i] ^ b.bits[j]) {
     const std::size_t which = first_bit(flipped);

@@ -191,8 +191,9 @@ std::optional<Stop> HostProcess::call_program(const Request& request, Reply& rep
 void HostProcess::write_headers() {
   if (!hosted_.is_program() || subject_.test == nullptr) return;
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
-    const std::string bytes = program_header(*subject_.test, subject_.entry, precision);
+    const std::string bytes = program_header(*subject_.test, subject_.entry, precision, subject_.measures);
     ProgramHeader& header = control_->headers[index_of(precision)];
+    header.measures = static_cast<std::uint32_t>(subject_.measures);
     if (bytes.size() > sizeof header.bytes) throw HarnessFault("the header of a batch for a program is too long");
     header.size = static_cast<std::uint32_t>(bytes.size());
     std::memcpy(header.bytes, bytes.data(), bytes.size());

@@ -33,6 +33,7 @@ struct Hosted {
 struct Subject {
   const TestDescription* test = nullptr;
   std::size_t entry = 0;
+  std::size_t measures = 0;  // of a program: those that each of its replies gives
 
   Shape shape() const;
   // The name that plugin.h or the test gives an array: "ax", "verdict", "lhs[3]".

@@ -46,6 +46,7 @@ Description described(const Manifest& manifest, Precision precision) {
   d.size = d.least_size = sizeof(axiscert_kernel);
   const TestDescription& test = manifest.test.empty() ? first_test() : find_test(manifest.test);
   d.column_count = test.entries[find_entry(test, manifest.entry)].columns.size();
+  d.measure_count = manifest.measures;
   const Limits& l = manifest.limits;
   const double limits[] = {l.least_coordinate, l.greatest_coordinate, l.least_area, l.least_radius, l.greatest_radius};
   std::copy(std::begin(limits), std::end(limits), d.limits);
@@ -211,8 +212,8 @@ Kernel load_program(std::string id, const std::string& path) {
   } catch (const Error& unknown) {
     throw Error(fmt::format("{}: {}", path, unknown.what()));
   }
-  const auto out =
-      std::make_shared<TryOut>(std::move(id), hosted, Subject{kernel.test, kernel.entry}, manifest.precisions.front());
+  const auto out = std::make_shared<TryOut>(
+      std::move(id), hosted, Subject{kernel.test, kernel.entry, kernel.measure_count}, manifest.precisions.front());
   try_first<float>(out, kernel.binary32);
   try_first<double>(out, kernel.binary64);
   return kernel;

@@ -93,7 +93,8 @@ struct Fault {
 // For a program: the bytes before the queries of each batch (pipe_format.h), with a count of 0.
 inline constexpr std::size_t longest_program_header = 1024;
 struct ProgramHeader {
-  std::uint32_t size;  // bytes; 0: it does not exist in this precision
+  std::uint32_t size;      // bytes; 0: it does not exist in this precision
+  std::uint32_t measures;  // numbers that follow each reply
   char bytes[longest_program_header];
 };
 

@@ -55,6 +55,12 @@ struct Supervisor<Real>::Chunk {
 };
 
 template <class Real>
+Arrangement Supervisor<Real>::whole(const Chunk& chunk, std::uint8_t with) const {
+  if (!chunk.explained) return {{anchor_}, Exposure::verdict, 0, with};
+  return {{anchor_}, kernel_.exposes, kernel_.measures, with};
+}
+
+template <class Real>
 auto Supervisor<Real>::ask(const Chunk& chunk, const Arrangement& arrangement, Outputs<Real>& outputs) -> Result {
   Result result = caller_.call(chunk.batch, chunk.first, chunk.size, arrangement, seconds_for(chunk.size), outputs);
   if (result.stop && (!is_program() || (result.stop->kind == FindingKind::hang && chunk.size > 1))) ++stops_;
@@ -95,19 +101,19 @@ void Supervisor<Real>::take(const Chunk& chunk, const Outputs<Real>& outputs) {
     put(outputs.lhs[k], chunk.explained->lhs[k]);
     put(outputs.rhs[k], chunk.explained->rhs[k]);
   }
+  for (std::size_t k = 0; k < outputs.measures.size(); ++k) put(outputs.measures[k], chunk.explained->measures[k]);
 }
 
 template <class Real>
 void Supervisor<Real>::run_chunk(const Chunk& chunk) {
   if (stops_ >= most_stops) return unanswered(chunk);
-  const Exposure asked = asked_of(chunk);
   Outputs<Real> outputs;
-  Result result = ask(chunk, {{anchor_}, asked, filling}, outputs);
+  Result result = ask(chunk, whole(chunk, filling), outputs);
   if (result.stop && result.stop->kind == FindingKind::out_of_bounds && anchor_ == Anchor::end) {
     // With room around its arrays it may yet answer.
     tell(chunk, *result.stop);
     anchor_ = Anchor::middle;
-    result = ask(chunk, {{anchor_}, asked, filling}, outputs);
+    result = ask(chunk, whole(chunk, filling), outputs);
   }
   if (result.stop) {
     if (chunk.size > 1) return is_program() ? run_parts(chunk, *result.stop) : run_singly(chunk, *result.stop);
@@ -156,7 +162,7 @@ void Supervisor<Real>::run_parts(const Chunk& chunk, const Stop& of_batch) {
 template <class Real>
 bool Supervisor<Real>::repeats(const Chunk& chunk, const Outputs<Real>& outputs) {
   Outputs<Real> again;
-  const Result result = ask(chunk, {{anchor_}, asked_of(chunk), other_filling}, again);
+  const Result result = ask(chunk, whole(chunk, other_filling), again);
   if (result.stop) {
     tell(chunk, *result.stop, ", asked the same again");
     return false;
@@ -183,7 +189,12 @@ void Supervisor<Real>::rearrange(const Chunk& chunk, const Outputs<Real>& output
     if (anchor_ == Anchor::middle) placement.anchor = anchor_;
     const std::string where = is_program() ? "" : ", " + placed(placement);
     const bool verdict_alone = !chunk.explained || (number % 2 == 1 && !is_program());
-    const Result result = ask(piece, {placement, verdict_alone ? Exposure::verdict : kernel_.exposes, filling}, found);
+    Arrangement arrangement{placement, Exposure::verdict, 0, filling};
+    if (!verdict_alone) {
+      arrangement.asked = kernel_.exposes;
+      arrangement.measures = kernel_.measures;
+    }
+    const Result result = ask(piece, arrangement, found);
     if (result.stop) {
       tell(piece, *result.stop, fmt::format(" (a batch of {}{})", size, where));
       rearranges_ = false;
@@ -204,7 +215,7 @@ void Supervisor<Real>::look_for_changed_environment(const Chunk& chunk, std::uin
   std::size_t which = 0;
   Outputs<Real> outputs;
   for (std::size_t i = 0; i < chunk.size && chunk.size > 1; ++i) {
-    const Result result = ask(chunk.part(i, 1), {{anchor_}, Exposure::verdict, filling}, outputs);
+    const Result result = ask(chunk.part(i, 1), {{anchor_}, Exposure::verdict, 0, filling}, outputs);
     if (!result.stop && result.reply.changed == 0) continue;
     which = result.stop ? 0 : i;
     break;
@@ -270,7 +281,7 @@ template <class Real>
 Implementation<Real> supervised_implementation(const Supervised& kernel) {
   // A process each: what a plain question does to the plug-in is no part of what is watched.
   const auto plain = std::make_shared<Supervisor<Real>>(kernel), watched = std::make_shared<Supervisor<Real>>(kernel);
-  const bool verdict_alone = kernel.exposes == Exposure::verdict;
+  const bool verdict_alone = kernel.exposes == Exposure::verdict && kernel.measures == 0;
   Implementation<Real> implementation;
   implementation.verdicts = [=](const QueryColumns<Real>& batch, Verdict* out) {
     plain->run(batch, out, nullptr, nullptr);
@@ -284,11 +295,12 @@ Implementation<Real> supervised_implementation(const Supervised& kernel) {
                                   std::vector<Finding>& findings) {
     watched->run(batch, out, verdict_alone ? nullptr : &answers, &findings);
   };
-  if (verdict_alone) return implementation;
-  implementation.explain = [=](const QueryColumns<Real>& batch, Answers<Real>& out) {
+  const auto explain = [=](const QueryColumns<Real>& batch, Answers<Real>& out) {
     std::vector<Verdict> verdicts(batch.size);
     plain->run(batch, verdicts.data(), &out, nullptr);
   };
+  if (kernel.exposes != Exposure::verdict) implementation.explain = explain;
+  if (kernel.measures != 0) implementation.measure = explain;
   return implementation;
 }
 template Implementation<float> supervised_implementation(const Supervised&);

@@ -17,6 +17,7 @@ struct Supervised {
   Callee callee;
   Exposure exposes;
   Strictness strictness;
+  std::size_t measures = 0;  // that it gives
 };
 
 // Holds one process, started when it is first asked. Asked from one thread at a time; others wait.
@@ -43,7 +44,8 @@ class Supervisor {
   Result ask(const Chunk& chunk, const Arrangement& arrangement, Outputs<Real>& out);
   void tell(const Chunk& chunk, FindingKind kind, std::size_t query, std::string detail);
   void tell(const Chunk& chunk, const Stop& stop, const std::string& where = {});
-  Exposure asked_of(const Chunk& chunk) const { return chunk.explained ? kernel_.exposes : Exposure::verdict; }
+  // In place, with all that is asked of the chunk.
+  Arrangement whole(const Chunk& chunk, std::uint8_t filling) const;
   void unanswered(const Chunk& chunk);
   void take(const Chunk& chunk, const Outputs<Real>& outputs);
   void run_chunk(const Chunk& chunk);

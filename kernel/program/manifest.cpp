@@ -18,8 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const std::vector<std::string_view> members = {
-    "format",      "name",     "command", "test",   "entry",   "precisions", "exposes", "touching", "limits",
-    "conforms_to", "formulae", "summary", "source", "package", "version",    "code",    "files"};
+    "format", "name",        "command",  "test",    "entry",  "precisions", "exposes", "measures", "touching",
+    "limits", "conforms_to", "formulae", "summary", "source", "package",    "version", "code",     "files"};
 const std::vector<std::string_view> limit_members = {"least_coordinate", "greatest_coordinate", "least_area",
                                                      "least_radius", "greatest_radius"};
 
@@ -61,6 +61,7 @@ class ManifestReader {
     if (json_.contains("exposes")) manifest.exposes = one_of<Exposure>("exposes", text_of("exposes"), exposure_names);
     if (manifest.exposes == Exposure::sides)
       fail("\"exposes\": a program's replies have no sides; known: verdict, comparisons");
+    manifest.measures = measures();
     if (json_.contains("touching"))
       manifest.touching = one_of<Touching>("touching", text_of("touching"), touching_names);
     manifest.limits = limits();
@@ -148,6 +149,15 @@ class ManifestReader {
     if (found != names.end()) return static_cast<Enum>(found - names.begin());
     fail(fmt::format("\"{}\": '{}'; known: {}", member, plain_line(word),
                      fmt::join(std::vector<std::string_view>(names.begin(), names.end()), ", ")));
+  }
+
+  std::size_t measures() const {
+    const auto found = json_.find("measures");
+    if (found == json_.end() || found->is_null()) return 0;
+    if (!found->is_number_unsigned() || found->get<std::uint64_t>() > most_measures)
+      fail(fmt::format("\"measures\" is {}; known: 0 to {}, the number that follows each reply", shown_value(*found),
+                       most_measures));
+    return found->get<std::size_t>();
   }
 
   Limits limits() const {

@@ -18,6 +18,7 @@ struct Manifest {
   std::vector<Precision> precisions;
   std::string test, entry;               // empty: the first
   Exposure exposes = Exposure::verdict;  // verdicts, or also comparison bits
+  std::size_t measures = 0;              // so many of the test's measures follow each reply
   Touching touching = Touching::contact;
   Limits limits = {};
   std::string conforms_to, formulae, summary, source;  // as in plugin.h; empty: none

@@ -55,7 +55,10 @@ struct WideReplyRecord {
 };
 static_assert(sizeof(WideReplyRecord) == 16 && offsetof(WideReplyRecord, bits) == 8);
 
-inline constexpr std::uint8_t has_bits = 1;  // the only flag: `bits` is given
+inline constexpr std::uint8_t has_bits = 1;  // `bits` is given
+// A flag of version 2: the reply is followed by measures, in the stream's precision. How many, the plan says
+// (`measures`, plugin::program_header).
+inline constexpr std::uint8_t has_measures = 2;
 
 constexpr std::uint32_t code_of(Precision precision) { return precision == Precision::binary32 ? 32 : 64; }
 constexpr std::uint32_t record_size_of(Precision precision, std::size_t columns) {

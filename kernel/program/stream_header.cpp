@@ -24,11 +24,13 @@ std::string pipe::stream_header(std::string plan, const TestDescription& test, s
   return bytes + plan;
 }
 
-std::string plugin::program_header(const TestDescription& test, std::size_t entry, Precision precision) {
+std::string plugin::program_header(const TestDescription& test, std::size_t entry, Precision precision,
+                                   std::size_t measures) {
   const TestEntry& given = test.entries[entry];
-  std::string plan = fmt::format(R"({{"precision":"{}","test":"{}","entry":"{}","columns":{}}})"
+  const std::string more = measures == 0 ? "" : fmt::format(R"(,"measures":{})", measures);
+  std::string plan = fmt::format(R"({{"precision":"{}","test":"{}","entry":"{}","columns":{}{}}})"
                                  "\n",
-                                 name(precision), test.id, given.name, given.columns.size());
+                                 name(precision), test.id, given.name, given.columns.size(), more);
   return pipe::stream_header(std::move(plan), test, given.columns.size(), precision, 0);
 }
 

@@ -18,8 +18,10 @@ std::string stream_header(std::string plan, const TestDescription& test, std::si
 namespace plugin {
 
 // The header that a program reads before the queries of each batch, with a count of 0. The plan names the test, its
-// entry and the precision; nothing can be made again from it.
-std::string program_header(const TestDescription& test, std::size_t entry, Precision precision);
+// entry and the precision, and how many measures follow each reply where there are any; nothing can be made again from
+// it.
+std::string program_header(const TestDescription& test, std::size_t entry, Precision precision,
+                           std::size_t measures = 0);
 
 }  // namespace plugin
 

@@ -92,6 +92,7 @@ On<Real> on_call(const On<Real>& on, const Call& call) {
     if (!call.has_modes()) return implementation;
     implementation.verdicts = in_modes(implementation.verdicts, call);
     implementation.explain = in_modes(implementation.explain, call);
+    implementation.measure = in_modes(implementation.measure, call);
     implementation.bits = in_modes(implementation.bits, call);
     return implementation;
   };

@@ -89,7 +89,12 @@ typedef struct axiscert_answers {
   void* const* lhs;
   void* const* rhs;
   /* Numbers beside the verdict, such as a time of impact, in the kernel's precision: as many arrays as the kernel's own
-   * measure_count. Sphere-triangle has none. */
+   * measure_count, or none where they are not asked for. A NaN says that the number is not given. Sphere-triangle has
+   * none; those of moving-sphere are
+   *   0 time      fraction of the displacement at the first contact, from 0 to 1
+   *   1 feature   what is nearest to the centre then: 0, 1, 2 vertex a, b, c; 3, 4, 5 edge ab, bc, ca; 6 the face
+   *   2, 3, 4     normal: unit vector from the triangle's nearest point to the centre then
+   *   5, 6, 7     point: the triangle's point */
   size_t measure_count;
   void* const* measure;
 } axiscert_answers;

@@ -157,7 +157,8 @@ Reply answer(Program& program, const Request& request, Arrays& arrays, Control& 
   arrays.placed = {request.placement, request.size, {request.kernel == 0 ? 4u : 8u, bits_bytes(AXISCERT_PLUGIN_ABI)}};
   const std::vector<std::byte> stream = stream_of(header, request, arrays);
   const auto whole = std::span(stream);
-  ReplyReader replies(whole.first(header.size), request.size, wants_bits);
+  const std::size_t number = arrays.placed.bytes.real;
+  ReplyReader replies(whole.first(header.size), request.size, wants_bits, header.measures * number);
   const auto start = std::chrono::steady_clock::now();
   const auto stop = request.size == 0 ? program.try_out(whole, replies, request.start_seconds)
                                       : program.ask(whole, replies, {request.seconds, request.start_seconds});
@@ -173,6 +174,12 @@ Reply answer(Program& program, const Request& request, Arrays& arrays, Control& 
   std::memcpy(arrays.first(shape.verdict()), replies.verdicts().data(), request.size);
   if (wants_bits) {
     std::memcpy(arrays.first(shape.bits()), replies.bits().data(), request.size * sizeof(std::uint64_t));
+  }
+  for (std::size_t k = 0; k < request.measures; ++k) {
+    for (std::size_t i = 0; i < request.size; ++i) {
+      std::memcpy(arrays.first(shape.measure() + k) + i * number,
+                  replies.measures().data() + (i * header.measures + k) * number, number);
+    }
   }
   return {0, nanoseconds(taken), false};
 }

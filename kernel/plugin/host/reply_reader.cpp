@@ -30,8 +30,9 @@ std::string_view view(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-ReplyReader::ReplyReader(std::span<const std::byte> header, std::size_t queries, bool wants_bits)
-    : header_(header), queries_(queries), wants_bits_(wants_bits) {
+ReplyReader::ReplyReader(std::span<const std::byte> header, std::size_t queries, bool wants_bits,
+                         std::size_t measure_bytes)
+    : header_(header), queries_(queries), wants_bits_(wants_bits), measure_bytes_(measure_bytes) {
   std::uint32_t version = 0;
   std::memcpy(&version, header.data() + offsetof(pipe::Head, version), sizeof version);
   is_wide_ = version != pipe::first_version;
@@ -46,6 +47,7 @@ void ReplyReader::restart(bool is_next) {
   instead_of_header_.clear();
   verdicts_.clear();
   bits_.clear();
+  measures_.clear();
 }
 
 std::size_t ReplyReader::take(std::span<const std::byte> bytes) {
@@ -92,14 +94,18 @@ void ReplyReader::take_reply() {
   }
   const bool has_padding =
       is_wide_ && std::any_of(reply_.begin() + 2, reply_.begin() + 8, [](std::byte b) { return b != std::byte{}; });
-  if ((flags & ~pipe::has_bits) != 0) {
-    return fail(fmt::format("has flags {:#04x}; bit 0 says that comparison bits are given, the others are 0", flags));
+  const bool has_measures = measure_bytes_ != 0;
+  if ((flags & ~pipe::has_bits) != (has_measures ? pipe::has_measures : 0)) {
+    return fail(fmt::format("has flags {:#04x}; bit 0 says that comparison bits are given, {}the others are 0", flags,
+                            has_measures ? "bit 1, which its manifest asks for, that measures follow, " : ""));
   }
   if (has_padding) return fail("has bytes 3 to 8 that are not 0");
-  if (flags == 0 && bits != 0) return fail("has comparison bits, without the flag that says so");
-  if (flags == 0 && wants_bits_) return fail("has no comparison bits, which its manifest says that it shows");
+  const bool has_bits = (flags & pipe::has_bits) != 0;
+  if (!has_bits && bits != 0) return fail("has comparison bits, without the flag that says so");
+  if (!has_bits && wants_bits_) return fail("has no comparison bits, which its manifest says that it shows");
   verdicts_.push_back(verdict);
   bits_.push_back(bits);
+  measures_.insert(measures_.end(), reply_.begin() + static_cast<std::ptrdiff_t>(record_size()), reply_.end());
   reply_.clear();
 }
 
