@@ -47,6 +47,6 @@ class BulletWorld {
 
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::sweep_kernel<axiscert::peer::BulletWorld>(
-      index, {"bullet-sweep-test", "Bullet's convexSweepTest against a mesh of one triangle, float",
+      index, {"bullet-world", "Bullet's convexSweepTest against a mesh of one triangle, float",
               AXISCERT_TOUCHING_IS_EITHER, AXISCERT_SOURCE});
 }
