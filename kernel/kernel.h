@@ -47,10 +47,7 @@ struct Implementation {
   std::function<void(const QueryColumns<Real>& batch, Verdict* out)> verdicts;
   // Comparison bits and computed sides; `out` is sized to the batch. Empty for a kernel that shows only verdicts.
   std::function<void(const QueryColumns<Real>& batch, Answers<Real>& out)> explain = {};
-  // The first of the test's measures; `out.measures` has a column for each and is sized to the batch. A measure has no
-  // meaning where the verdict is not one that it is given with. Empty for a kernel that gives none.
-  std::function<void(const QueryColumns<Real>& batch, Answers<Real>& out)> measure = {};
-  // For a kernel that is not built in: all of these at once, computed again in other arrangements and supervised.
+  // For a kernel that is not built in: these and its measures at once, computed again in other arrangements and supervised.
   // Appends the faults found; a query that got no answer is `unanswered`. Empty for a built-in kernel.
   std::function<void(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>& answers,
                      std::vector<Finding>& findings)>
@@ -60,6 +57,9 @@ struct Implementation {
   std::function<double(const QueryColumns<Real>& batch, Verdict* out)> timed = {};
   // The bits of `explain` alone. Empty where computing them alone is not faster.
   std::function<void(const QueryColumns<Real>& batch, ComparisonBits* out)> bits = {};
+  // The first of the test's measures; `out.measures` has a column for each and is sized to the batch. A measure has no
+  // meaning where the verdict is not one that it is given with. Empty for a kernel that gives none.
+  std::function<void(const QueryColumns<Real>& batch, Answers<Real>& out)> measure = {};
   std::size_t comparisons = 0;    // of the kernel's test; Kernel::on sets this and the next
   std::size_t measure_count = 0;  // that the kernel gives
 };
