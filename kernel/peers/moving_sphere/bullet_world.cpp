@@ -1,5 +1,5 @@
 // Bullet as games ask it, in float: convexSweepTest of a collision world that has one static btBvhTriangleMeshShape of
-// this triangle, its margin 0. The description applies to Bullet 3.24. Against a mesh the world casts by
+// this triangle, whose margin is 0 as it is made. The description applies to Bullet 3.24. Against a mesh the world casts by
 // btSubsimplexConvexCast, and drops a hit whose normal is 0 and one whose time is 1.
 #include <memory>
 
@@ -20,7 +20,6 @@ class BulletWorld {
     btTriangleMesh triangles;
     triangles.addTriangle(bullet_vector(q.a), bullet_vector(q.b), bullet_vector(q.c));
     btBvhTriangleMeshShape mesh(&triangles, true);
-    mesh.setMargin(0);
     btCollisionObject object;
     object.setCollisionShape(&mesh);
     world.addCollisionObject(&object);

@@ -3,9 +3,8 @@
 //   mesh-beside  a second triangle is in the mesh
 //   hull         btConvexHullShape of the three vertices, its margin 0
 //   hull-margin  the same with its margin of 0.04, as it is made
-//   sweep        of the test moving-sphere: convexSweepTest against the mesh, its margin 0. It takes where the centre
-//                ends, rounded here.
-//   sweep-margin the same with the mesh's margin of 0.04, as it is made
+//   sweep        of the test moving-sphere: convexSweepTest against the mesh. It takes where the centre ends, rounded
+//                here.
 import {createRequire} from 'node:module';
 
 import {hit, SEPARATED, serve, UNDECIDED, verdictOf} from './frame.mjs';
@@ -16,8 +15,7 @@ const asked = form({
   'mesh-beside': {two: true},
   'hull': {hull: true, margin: 0},
   'hull-margin': {hull: true},
-  'sweep': {sweep: true, margin: 0},
-  'sweep-margin': {sweep: true},
+  'sweep': {sweep: true},
 });
 
 async function make() {
@@ -48,9 +46,7 @@ async function make() {
     if (made === null) return null;
     const triangles = new Ammo.btTriangleMesh(true, false);
     for (const three of made.triangles) triangles.addTriangle(...three.map((v, i) => moved(corners[i], v)), false);
-    const shape = new Ammo.btBvhTriangleMeshShape(triangles, true, true);
-    if (asked.margin !== undefined) shape.setMargin(asked.margin);
-    return [triangles, shape];
+    return [triangles, new Ammo.btBvhTriangleMeshShape(triangles, true, true)];
   }
 
   function sphereTriangle(q) {

@@ -4,7 +4,6 @@
 //   trimesh         Ball.intersectsShape, a TriMesh
 //   trimesh-beside  the same, a second triangle is in the mesh
 //   sweep           of the test moving-sphere: Ball.castShape with a Triangle, its velocity d, from time 0 to 1
-//   sweep-trimesh   the same with a TriMesh
 import RAPIER from '@dimforge/rapier3d-compat';
 
 import {CONTACT, hit, SEPARATED, serve, UNDECIDED, verdictOf} from './frame.mjs';
@@ -16,7 +15,6 @@ const asked = form({
   'trimesh': {mesh: true},
   'trimesh-beside': {mesh: true, two: true},
   'sweep': {sweep: true},
-  'sweep-trimesh': {sweep: true, mesh: true},
 });
 
 const vector = (v) => ({x: v[0], y: v[1], z: v[2]});
