@@ -1,4 +1,5 @@
-// btContinuousConvexCollision: conservative advancement over btGjkPairDetector, with EPA for the depth of a penetration.
+// btContinuousConvexCollision: conservative advancement over btGjkPairDetector, with EPA for the depth of a
+// penetration.
 #include <BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 

@@ -18,6 +18,6 @@ struct Subsimplex {
 
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::sweep_kernel<axiscert::peer::BulletCast<axiscert::peer::Subsimplex>>(
-      index, {"bullet-subsimplex", "Bullet's btSubsimplexConvexCast, float", AXISCERT_TOUCHING_IS_EITHER,
-              AXISCERT_SOURCE});
+      index,
+      {"bullet-subsimplex", "Bullet's btSubsimplexConvexCast, float", AXISCERT_TOUCHING_IS_EITHER, AXISCERT_SOURCE});
 }

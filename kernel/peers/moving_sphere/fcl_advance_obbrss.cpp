@@ -1,5 +1,5 @@
-// FCL's continuousCollide by conservative advancement, on a mesh with bounding volumes of the type OBBRSS. Tracker: fcl 120,
-// 555.
+// FCL's continuousCollide by conservative advancement, on a mesh with bounding volumes of the type OBBRSS. Tracker: fcl
+// 120, 555.
 #include "kernel/peers/moving_sphere/fcl_motion.h"
 
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {

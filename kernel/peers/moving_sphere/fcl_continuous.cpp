@@ -4,7 +4,6 @@
 
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   using Motion = axiscert::peer::FclMotion<fcl::OBBRSS<double>, fcl::CCDC_NAIVE>;
-  return axiscert::peer::sweep_kernel<Motion>(
-      index, {"fcl-continuous", "FCL's continuousCollide as by default, double", AXISCERT_TOUCHING_IS_EITHER,
-              AXISCERT_SOURCE});
+  return axiscert::peer::sweep_kernel<Motion>(index, {"fcl-continuous", "FCL's continuousCollide as by default, double",
+                                                      AXISCERT_TOUCHING_IS_EITHER, AXISCERT_SOURCE});
 }

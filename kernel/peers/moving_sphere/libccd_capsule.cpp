@@ -1,5 +1,5 @@
-// libccd has no sweep: what the sphere covers on its way is a capsule, here a static one against the triangle, in double:
-// ccdGJKIntersect. A verdict alone. Faults of libccd's GJK (../libccd_gjk.cpp) are faults here too.
+// libccd has no sweep: what the sphere covers on its way is a capsule, here a static one against the triangle, in
+// double: ccdGJKIntersect. A verdict alone. Faults of libccd's GJK (../libccd_gjk.cpp) are faults here too.
 #include "kernel/peers/libccd_shapes.h"
 #include "kernel/peers/moving_sphere/sweep.h"
 

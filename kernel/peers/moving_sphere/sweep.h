@@ -27,10 +27,10 @@ struct Sweep {
 template <class Real>
 struct FirstContact {
   static constexpr Real unsaid = std::numeric_limits<Real>::quiet_NaN();
-  Real time = unsaid;                                 // as a fraction of d
-  Real feature = unsaid;                              // no library here names one
-  Vec3<Real> normal = {unsaid, unsaid, unsaid};       // from the triangle to the centre, of length 1
-  Vec3<Real> point = {unsaid, unsaid, unsaid};        // of the triangle
+  Real time = unsaid;                            // as a fraction of d
+  Real feature = unsaid;                         // no library here names one
+  Vec3<Real> normal = {unsaid, unsaid, unsaid};  // from the triangle to the centre, of length 1
+  Vec3<Real> point = {unsaid, unsaid, unsaid};   // of the triangle
 
   std::array<Real, sweep_measures> in_order() const {
     return {time, feature, normal.x, normal.y, normal.z, point.x, point.y, point.z};
