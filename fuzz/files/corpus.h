@@ -6,6 +6,8 @@
 //   "note": TEXT, optional
 //   "expected": {"verdict", "touching", "squared_distance", "comparisons", "ties"}, as the `exact` of `axiscert check`;
 //   the last three are null if the verdict is `invalid`
+// Queries of other tests are there as well, in files of their own. They are none of the entries: `expected` has what
+// `axiscert check` prints for them, and a test of the command compares the two (cli/tests/motions_test.py).
 #pragma once
 
 #include <optional>

@@ -30,10 +30,22 @@ TEST(FclSweepFaults, ItGoesThroughTheFaceBetweenTwoOfTenPositions) {
   expect_answer("fcl-continuous", motion<double>({1, 1, 9}, {0, 0, -18}, 0.25), 's');
 }
 
+// fcl-late-by-a-step: at height 1, after 4/9; the first contact is at 1.99, after 0.3894.
 TEST(FclSweepFaults, AHitIsLateByUpToAStep) {
   const auto answer = ask_sweeps<double>("fcl-continuous", {motion<double>({1, 1, 9}, {0, 0, -18}, 1.99)});
   ASSERT_EQ(letters_of(answer), "c");
-  EXPECT_EQ(answer[0].measures[0], 4.0 / 9);  // at height 1; the first contact is at 1.99, after 0.3894
+  EXPECT_EQ(answer[0].measures[0], 4.0 / 9);
+}
+
+// fcl-advance-face
+TEST(FclSweepFaults, AdvancementMissesAFaceStraightBelow) {
+  for (const char* peer : {"fcl-advance-rss", "fcl-advance-obbrss"})
+    expect_answer(peer, motion<double>({1, 1, 3}, {0, 0, -4}, 1), 's');
+}
+
+// ode-capsule-vertex
+TEST(OdeSweepFaults, ACapsuleThatEndsOnAVertexIsMissed) {
+  expect_answer("ode-capsule", motion<double>({-3, -4, 0.5}, {3, 4, -0.5}, 1), 's');
 }
 
 }  // namespace
