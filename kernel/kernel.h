@@ -47,8 +47,8 @@ struct Implementation {
   std::function<void(const QueryColumns<Real>& batch, Verdict* out)> verdicts;
   // Comparison bits and computed sides; `out` is sized to the batch. Empty for a kernel that shows only verdicts.
   std::function<void(const QueryColumns<Real>& batch, Answers<Real>& out)> explain = {};
-  // For a kernel that is not built in: these and its measures at once, computed again in other arrangements and supervised.
-  // Appends the faults found; a query that got no answer is `unanswered`. Empty for a built-in kernel.
+  // For a kernel that is not built in: these and its measures at once, computed again in other arrangements and
+  // supervised. Appends the faults found; a query that got no answer is `unanswered`. Empty for a built-in kernel.
   std::function<void(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>& answers,
                      std::vector<Finding>& findings)>
       supervised = {};

@@ -26,8 +26,9 @@ std::optional<SideErrors> errors_of(const StoredQuery& stored, const Kernel& ker
 template <class Real>
 Checked checked_by_oracles(OracleExaminer& examiner, const Numbers<Real>& q) {
   const OracleExamination found = examiner.examine(q);
-  if (found.truth.verdict == Verdict::invalid) return checked_of(found, {});
-  return checked_of(found, oracles_of(*examiner.kernel().test).details(q));
+  const TestDescription& test = *examiner.kernel().test;
+  if (found.truth.verdict == Verdict::invalid) return checked_of(test, found, {});
+  return checked_of(test, found, oracles_of(test).details(q));
 }
 
 void require_query_of(const Kernel& kernel, const StoredQuery& stored, const std::string& file) {

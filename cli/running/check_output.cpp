@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
+#include "fuzz/confirm/motion_record.h"
 #include "fuzz/text/number_text.h"
 #include "reports/instrument/figures.h"
 
@@ -89,11 +92,47 @@ std::string remarks(const Checked& found, const Kernel& kernel) {
   return all.empty() ? "" : fmt::format(" ({})", fmt::join(all, "; "));
 }
 
+// "late by 2.5 ulps, tunnel 1e-07": how the time of a right contact is wrong.
+std::string time_text(const MotionJudgement& motion) {
+  if (!motion.time) return "";
+  switch (*motion.time) {
+    case TimeVerdict::none:
+      return "no time is given";
+    case TimeVerdict::invalid:
+      return "no time in [0, 1]";
+    case TimeVerdict::early:
+      return fmt::format("early by {} ulps, {} u", motion.ulps.text(), motion.in_u.text());
+    case TimeVerdict::best:
+      return "the best time";
+    case TimeVerdict::late:
+      return fmt::format("late by {} ulps, {} u, tunnel {}", motion.ulps.text(), motion.in_u.text(),
+                         motion.tunnel->depth.text());
+  }
+  return "";
+}
+
+// " (time 0.25, feature 3, ...; late by 2.5 ulps, ...)": beside a contact that is right, and of a missed one its
+// tunnel.
+std::string measures_text(const TestDescription& test, const OracleExamination& found) {
+  if (found.missed) return fmt::format(" (tunnel {})", found.missed->depth.text());
+  if (!found.motion || found.measures.empty()) return "";
+  std::vector<std::string> given, wrong;
+  for (std::size_t k = 0; k < found.measures.size(); ++k) {
+    if (!std::isnan(found.measures[k])) given.push_back(fmt::format("{} {}", test.measures[k].name, found.measures[k]));
+  }
+  const MotionJudgement& motion = *found.motion;
+  wrong.push_back(time_text(motion));
+  if (motion.feature_is_right == false) wrong.emplace_back("a feature that is not touched first");
+  if (motion.normal_angle) wrong.push_back(fmt::format("normal off by {:.3g} radians", *motion.normal_angle));
+  if (motion.point_error) wrong.push_back(fmt::format("point off by {:.3g} of the scene", *motion.point_error));
+  return fmt::format(" ({}; {})", fmt::join(given, ", "), fmt::join(wrong, ", "));
+}
+
 }  // namespace
 
 Checked checked_of(const Examination& found) {
   Checked checked{found.truth,         found.squared_distance, {}, {}, found.answer, found.judgement, found.depth,
-                  found.within_limits, found.findings,         {}};
+                  found.within_limits, found.findings};
   if (const auto& formula = found.truth.formula) {
     checked.exact = formula->strict;
     checked.ties = formula->ties;
@@ -101,9 +140,12 @@ Checked checked_of(const Examination& found) {
   return checked;
 }
 
-Checked checked_of(const OracleExamination& found, std::vector<Detail> details) {
-  Checked checked{found.truth,       {}, {}, {}, found.answer, found.judgement, found.depth, true, found.findings,
-                  std::move(details)};
+Checked checked_of(const TestDescription& test, const OracleExamination& found, std::vector<Detail> details) {
+  Checked checked{
+      found.truth,       {}, {}, {}, found.answer, found.judgement, found.depth, found.is_promised, found.findings,
+      std::move(details)};
+  if (!test.measures.empty()) checked.measures = measures_json(test, found);
+  checked.measures_text = measures_text(test, found);
   if (found.claim && found.claim->sides) {
     checked.exact = found.claim->sides->holds;
     checked.ties = found.claim->sides->ties;
@@ -113,8 +155,9 @@ Checked checked_of(const OracleExamination& found, std::vector<Detail> details) 
 
 std::string check_text(const std::string& id, const Kernel& kernel, const Checked& found) {
   const bool answered = found.answer.verdict != Verdict::unanswered;
-  std::string line = fmt::format("{}: exact {}{}, {} {}", id, name(found.truth.verdict), remarks(found, kernel),
-                                 kernel.id, answered ? name(found.answer.verdict) : "gave no answer");
+  std::string line =
+      fmt::format("{}: exact {}{}, {} {}{}", id, name(found.truth.verdict), remarks(found, kernel), kernel.id,
+                  answered ? name(found.answer.verdict) : "gave no answer", found.measures_text);
   if (!found.within_limits) line += " (outside the limits that it declares)";
   if (found.depth) line += fmt::format(", wrong by {:.3g} of the scene", *found.depth);
   for (const Flip& flip : found.judgement.flips()) {
@@ -137,6 +180,7 @@ Json check_json(const std::string& id, const Kernel& kernel, const Checked& foun
                {"within_limits", found.within_limits},
                {"findings", findings_json(found.findings)},
                {"flips", flips_json(test, found.judgement)}};
+  if (!test.measures.empty()) json["computed"]["measures"] = found.measures;
   if (&test != &first_test()) json["test"] = test.id;
   return json;
 }

@@ -21,9 +21,12 @@ struct Checked {
   bool within_limits = true;
   std::vector<Finding> findings;
   std::vector<Detail> details = {};  // of the truth; none if it is `invalid`
+  // Of a test with measures: those that the kernel gave, and how they are wrong.
+  Json measures = {};
+  std::string measures_text = {};
 };
 Checked checked_of(const Examination& found);
-Checked checked_of(const OracleExamination& found, std::vector<Detail> details);
+Checked checked_of(const TestDescription& test, const OracleExamination& found, std::vector<Detail> details);
 
 // One line, without its line end.
 std::string check_text(const std::string& id, const Kernel& kernel, const Checked& found);

@@ -17,6 +17,7 @@
 #include "reports/wording/depths.h"
 #include "reports/wording/classes.h"
 #include "reports/wording/finding.h"
+#include "reports/wording/motion.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"
 
@@ -171,6 +172,20 @@ std::string classes_table(const Json& kernels) {
   return rows.empty() ? "" : aligned_table(columns, rows) + nearest;
 }
 
+// The first contacts that the kernels report, in a test of motions.
+std::string motion_table(const Json& kernels) {
+  std::vector<std::string> columns = {"kernel", "precision"};
+  columns.insert(columns.end(), motion_columns().begin(), motion_columns().end());
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& kernel : kernels) {
+    const std::vector<std::string> cells = motion_cells(all_families(kernel));
+    if (cells.empty()) continue;
+    auto& row = rows.emplace_back(std::vector<std::string>{kernel["id"], kernel["precision"]});
+    row.insert(row.end(), cells.begin(), cells.end());
+  }
+  return rows.empty() ? "" : aligned_table(columns, rows);
+}
+
 }  // namespace
 
 std::string summary_text(const Json& record, double seconds) {
@@ -184,6 +199,7 @@ std::string summary_text(const Json& record, double seconds) {
   for (const std::string& kernel : not_judged(record))
     text += fmt::format("{}: NOT JUDGED: it could not be loaded\n", kernel);
   text += kernels_table(record["kernels"]);
+  text += motion_table(record["kernels"]);
   text += depths_table(record);
   text += classes_table(record["kernels"]);
   text += fmt::format("{}{:.1f} s\n", record["complete"].get<bool>() ? "" : "interrupted; ", seconds);

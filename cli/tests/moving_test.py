@@ -51,6 +51,30 @@ class MovingSphere(Case):
         self.assertIn("graze: exact contact (time 0.5, features face, start clear), moving-sphere/twenty contact\n",
                       axiscert("check", "-", stdin=falls).stdout)
 
+    def test_check_tells_a_kernels_contact_beside_the_exact_one(self):
+        falls = GRAZE.replace('"p":[1,1,1],"d":[1,0,0]', '"p":[1,1,3],"d":[0,0,-4]')
+        done = axiscert("check", "-", "--kernel", "moving-sphere/rounded", "--format", "jsonl", stdin=falls)
+        told = json.loads(done.stdout)["computed"]["measures"]
+        self.assertEqual([told["given"][name] for name in ("time", "feature", "normal_z", "point_x")],
+                         ["0x1p-1", "0x1.8p+2", "0x1p+0", "0x1p+0"])
+        self.assertEqual((told["time"], told["feature_is_right"], told["normal_angle"], told["point_error"]),
+                         ("best", True, 0.0, 0.0))
+        self.assertIn("moving-sphere/rounded contact (time 0.5, feature 6, ", axiscert(
+            "check", "-", "--kernel", "moving-sphere/rounded", stdin=falls).stdout)
+
+    def test_a_run_says_how_late_its_kernels_are(self):
+        record = self.run_ok("--test", "moving-sphere", "--trials", "200", "--kernel", "moving-sphere/rounded",
+                             "--kernel", "moving-sphere/twenty", "--family", "moving-sphere/approach",
+                             "--require", "never-late", "--require", "no-tunnel", code=1)
+        for entry in record["kernels"]:
+            motion = entry["families"]["moving-sphere/approach"]["motion"]
+            if entry["id"] == "moving-sphere/twenty":
+                self.assertEqual((entry["measures"], motion["time"]), ([], None))
+                continue
+            time = motion["time"]
+            self.assertEqual(sum(time[name] for name in ("none", "invalid", "early", "best", "late")), motion["hits"])
+            self.assertGreater(time["late"], 0)
+
     def test_check_says_why_strict_sides_are_wrong(self):
         done = axiscert("check", "-", stdin=PHANTOM)
         self.assertIn("line: exact separated, moving-sphere/twenty contact", done.stdout)

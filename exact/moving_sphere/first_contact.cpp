@@ -55,8 +55,9 @@ int sign_at(const RootTime& t, const Rational& value, const Rational& slope) {
   return rest_sign * cmp(rest * rest, slope * slope * t.square);
 }
 
-std::optional<FirstContact> first_contact(const MovingQuery<double>& q) {
-  const MotionPieces motion(q);
+std::optional<FirstContact> first_contact(const MovingQuery<double>& q) { return first_contact(q, MotionPieces(q)); }
+
+std::optional<FirstContact> first_contact(const MovingQuery<double>& q, const MotionPieces& motion) {
   const Rational limit = limit_of(q, motion);
   for (const Piece& piece : motion.pieces) {
     if (const std::optional<RootTime> t = first_within(piece, limit)) {
@@ -64,6 +65,15 @@ std::optional<FirstContact> first_contact(const MovingQuery<double>& q) {
     }
   }
   return std::nullopt;
+}
+
+bool is_promised(const MotionPolicy& policy, const MovingQuery<double>& q) {
+  const MotionPieces motion(q);
+  if (policy.still == StillPolicy::ignored && portable::dot(motion.d, motion.d) == 0) return false;
+  if (policy.sides == SidesPolicy::front && sgn(portable::dot(motion.d, motion.normal)) >= 0) return false;
+  if (policy.start == StartPolicy::reported || start_of(motion, limit_of(q, motion)) == Start::clear) return true;
+  // At time 0 the squared distance falls by 2 b; it is smooth, so every piece that begins there has the same.
+  return policy.start == StartPolicy::approaching && sgn(motion.pieces.front().b) > 0;
 }
 
 // The numbers from 0 to 1 are in the order of their bits.

@@ -9,6 +9,8 @@
 
 #include "exact/moving_sphere/first_contact.h"
 #include "exact/moving_sphere/least_distance.h"
+#include "exact/moving_sphere/motion_judge.h"
+#include "exact/moving_sphere/sizes.h"
 #include "exact/moving_sphere/swept_distance.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/trait/oracles.h"
@@ -56,19 +58,9 @@ struct MovingSphereTrait : MovingSphere {
   // least distance of the motion.
   static double depth(const Numbers<double>& numbers) {
     const MovingQuery<double> q = query(numbers);
-    const Rational r(q.r);
-    Rational scene = r * r;
-    for (const auto& v : {q.a, q.b, q.c}) {
-      Rational start, end;
-      for (const auto& [x, p, d] : {std::array{v.x, q.p.x, q.d.x}, {v.y, q.p.y, q.d.y}, {v.z, q.p.z, q.d.z}}) {
-        const Rational from = Rational(x) - Rational(p), to = from - Rational(d);
-        start += from * from;
-        end += to * to;
-      }
-      scene = std::max({scene, start, end});
-    }
+    const Rational scene = squared_scene(q);
     if (scene == 0) return 0;
-    return rounded_depth({least_distance(q).squared, r, scene});
+    return rounded_depth({least_distance(q).squared, exact(q.r), scene});
   }
 
   // `time`: the greatest number of the precision that is not later than the first contact. `features`: all that are
@@ -84,6 +76,15 @@ struct MovingSphereTrait : MovingSphere {
       features.value = std::move(names);
     }
     return {time, features, start};
+  }
+
+  static bool is_promised(const MotionPolicy& policy, const Numbers<double>& numbers) {
+    return moving_sphere::is_promised(policy, query(numbers));
+  }
+
+  template <class Real>
+  static std::unique_ptr<MotionJudge> motion_judge(const Numbers<double>& numbers) {
+    return std::make_unique<ContactJudge<Real>>(query(numbers));
   }
 };
 

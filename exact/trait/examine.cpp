@@ -9,7 +9,7 @@ OracleExamination OracleExaminer::examine(const Numbers<Real>& q) {
   auto& implementation = std::get<std::optional<Implementation<Real>>>(begun_);
   if (!implementation) implementation = kernel_.on<Real>(target_);
   Reply<Real> reply = ask(*implementation, q);
-  OracleExamination out = examine_by_oracles(q, kernel_, reply.outcome(0));
+  OracleExamination out = examine_by_oracles(q, kernel_, reply.outcome(0), reply.measures(0));
   out.findings = std::move(reply.findings);
   if (out.answer.verdict == Verdict::unanswered) implementation.reset();
   return out;
@@ -18,9 +18,11 @@ template OracleExamination OracleExaminer::examine(const Numbers<float>&);
 template OracleExamination OracleExaminer::examine(const Numbers<double>&);
 
 template <class Real>
-OracleExamination examine_by_oracles(const Numbers<Real>& q, const Kernel& kernel, const Answer& answer) {
+OracleExamination examine_by_oracles(const Numbers<Real>& q, const Kernel& kernel, const Answer& answer,
+                                     std::vector<double> measures) {
   const Oracles& oracles = oracles_of(*kernel.test);
-  OracleExamination out{oracles.truth(q), answer, {}, {}, {}, {}};
+  OracleExamination out{oracles.truth(q), answer, {}, {}, {}, std::move(measures), {}, {}, {}};
+  if (out.truth.verdict != Verdict::invalid) out.is_promised = oracles.is_promised(kernel.motion, q);
   std::optional<Reference> chain;
   if (out.truth.verdict != Verdict::invalid) {
     out.claim = oracles.claimed(kernel, q);
@@ -28,9 +30,15 @@ OracleExamination examine_by_oracles(const Numbers<Real>& q, const Kernel& kerne
   }
   out.judgement = judge(*kernel.test, out.truth, chain, answer, kernel.touching);
   if (out.judgement.verdict_flip) out.depth = oracles.depth(q);
+  if (!kernel.test->measures.empty() && right_verdict(out.truth, kernel.touching) == Verdict::contact) {
+    const auto motion = oracles.motion_judge(q);
+    if (answer.verdict == Verdict::contact) out.motion = motion->hit(out.measures);
+    if (answer.verdict == Verdict::separated) out.missed = motion->missed();
+  }
   return out;
 }
-template OracleExamination examine_by_oracles(const Numbers<float>&, const Kernel&, const Answer&);
-template OracleExamination examine_by_oracles(const Numbers<double>&, const Kernel&, const Answer&);
+template OracleExamination examine_by_oracles(const Numbers<float>&, const Kernel&, const Answer&, std::vector<double>);
+template OracleExamination examine_by_oracles(const Numbers<double>&, const Kernel&, const Answer&,
+                                              std::vector<double>);
 
 }  // namespace axiscert

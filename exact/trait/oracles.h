@@ -1,12 +1,14 @@
 // The oracles of one test, as code that serves every test sees them.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "exact/judge/judge.h"
+#include "exact/judge/motion_judgement.h"
 #include "exact/numbers/rational.h"
 #include "kernel/kernel.h"
 
@@ -56,6 +58,14 @@ class Oracles {
   // Facts about a valid query besides its truth, in the order in which `check` shows them; most tests have none.
   virtual std::vector<Detail> details(const Numbers<float>&) const { return {}; }
   virtual std::vector<Detail> details(const Numbers<double>&) const { return {}; }
+
+  // Whether a kernel with this policy promises to be right on a valid query.
+  virtual bool is_promised(const MotionPolicy&, const Numbers<float>&) const { return true; }
+  virtual bool is_promised(const MotionPolicy&, const Numbers<double>&) const { return true; }
+
+  // The judge of a kernel's measures on a valid query that has contact; null for a test that has none.
+  virtual std::unique_ptr<MotionJudge> motion_judge(const Numbers<float>&) const { return nullptr; }
+  virtual std::unique_ptr<MotionJudge> motion_judge(const Numbers<double>&) const { return nullptr; }
 
   template <class Real>
   std::optional<Reference> chain(const Kernel& kernel, const Numbers<Real>& numbers) const {

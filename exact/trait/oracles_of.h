@@ -31,6 +31,10 @@ class OraclesOf final : public Oracles {
   std::optional<double> depth(const Numbers<double>& q) const override { return depth_of(q); }
   std::vector<Detail> details(const Numbers<float>& q) const override { return details_of(q); }
   std::vector<Detail> details(const Numbers<double>& q) const override { return details_of(q); }
+  bool is_promised(const MotionPolicy& policy, const Numbers<float>& q) const override { return promises(policy, q); }
+  bool is_promised(const MotionPolicy& policy, const Numbers<double>& q) const override { return promises(policy, q); }
+  std::unique_ptr<MotionJudge> motion_judge(const Numbers<float>& q) const override { return motion_judge_of(q); }
+  std::unique_ptr<MotionJudge> motion_judge(const Numbers<double>& q) const override { return motion_judge_of(q); }
 
  private:
   template <class... F>
@@ -131,6 +135,16 @@ class OraclesOf final : public Oracles {
   static std::vector<Detail> details_of(const Numbers<Real>& q) {
     if constexpr (HasDetails<Test, Real>) return Test::template details<Real>(widened(q));
     else return {};
+  }
+  template <class Real>
+  static bool promises(const MotionPolicy& policy, const Numbers<Real>& q) {
+    if constexpr (HasMotionPolicy<Test>) return policy == MotionPolicy{} || Test::is_promised(policy, widened(q));
+    else return true;
+  }
+  template <class Real>
+  static std::unique_ptr<MotionJudge> motion_judge_of(const Numbers<Real>& q) {
+    if constexpr (HasMotionJudge<Test, Real>) return Test::template motion_judge<Real>(widened(q));
+    else return nullptr;
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include "exact/judge/truth.h"
 #include "exact/trait/exact_number.h"
+#include "kernel/motion_policy.h"
 #include "kernel/plain_kernel.h"
 #include "kernel/test.h"
 
@@ -21,6 +22,8 @@ namespace axiscert {
 //                      signs, lhs > rhs and lhs == rhs; the result says what the theorem excludes, or is empty
 //   depth              optional: how far the query is from touching, relative to its scene: exact, rounded once
 //   details<Real>      optional: further facts about a query in this precision (exact/trait/oracles.h)
+//   is_promised        of a test of motions, optional: whether a kernel with this policy promises to be right on a
+//   query motion_judge<Real> of a test with measures: the judge of those of a query that has contact
 template <class Test>
 concept TestTrait =
     requires(const Numbers<double>& numbers, const Truth& truth, ComparisonBits holds, ComparisonBits ties) {
@@ -39,5 +42,13 @@ concept HasDepth = requires(const Numbers<double>& numbers) {
 
 template <class Test, class Real>
 concept HasDetails = requires(const Numbers<double>& numbers) { Test::template details<Real>(numbers); };
+
+template <class Test>
+concept HasMotionPolicy = requires(const MotionPolicy& policy, const Numbers<double>& numbers) {
+  { Test::is_promised(policy, numbers) } -> std::same_as<bool>;
+};
+
+template <class Test, class Real>
+concept HasMotionJudge = requires(const Numbers<double>& numbers) { Test::template motion_judge<Real>(numbers); };
 
 }  // namespace axiscert

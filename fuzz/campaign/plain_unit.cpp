@@ -41,6 +41,21 @@ class ExactQuery final : public DepthOf {
     return *depth_;
   }
 
+  bool is_promised(const MotionPolicy& policy) const {
+    return policy == MotionPolicy{} || truth_.verdict == Verdict::invalid || oracles_.is_promised(policy, numbers_);
+  }
+
+  // Counts what the answer says of a motion, where the query has contact and touching is contact for the kernel.
+  void count_motion(const Kernel& kernel, std::uint64_t position, Verdict said, std::span<const double> measures,
+                    MotionTally& tally) {
+    const bool is_contact = right_verdict(truth_, kernel.touching) == Verdict::contact;
+    const bool is_hit = said == Verdict::contact;
+    if (!is_contact || (!is_hit && said != Verdict::separated)) return;
+    if (!motion_judge_) motion_judge_ = oracles_.motion_judge(numbers_);
+    if (is_hit) count_hit(tally, position, motion_judge_->hit(measures));
+    else count_missed(tally, position, motion_judge_->missed());
+  }
+
  private:
   struct Known {
     const Kernel* kernel;
@@ -51,6 +66,7 @@ class ExactQuery final : public DepthOf {
   Truth truth_;
   std::deque<Known> known_;
   std::optional<double> depth_;
+  std::unique_ptr<MotionJudge> motion_judge_;
 };
 
 // One kernel at work on the batches of one unit.
@@ -83,8 +99,13 @@ class PlainRun {
     std::optional<Reference> chain;
     if (claim) chain = claim->chain;
     const Judgement judgement = axiscert::judge(*kernel_.test, query.truth(), chain, said, kernel_.touching);
+    if (!query.is_promised(kernel_.motion)) return count_outside(tally_, query.truth(), said, judgement, query);
     count(tally_, position_ + i, query.truth(), chain ? chain->ties : ComparisonBits{0}, said, judgement, query,
           standing_);
+    if (!kernel_.test->measures.empty()) {
+      const std::vector<double> measures = replies_ ? std::vector<double>{} : reply_.measures(i);
+      query.count_motion(kernel_, position_ + i, said.verdict, measures, tally_.motion);
+    }
     const bool has_sides = !replies_ && kernel_.exposes == Exposure::sides && reply_.has_bits;
     if (!has_sides || said.verdict == Verdict::unanswered || !claim || !claim->sides) return;
     count_errors(tally_, position_ + i, *kernel_.test, *claim->sides, reply_.answers, i, tolerances_);

@@ -13,6 +13,7 @@
 #include "fuzz/confirm/class_record.h"
 #include "fuzz/campaign/counts/tally.h"
 #include "fuzz/confirm/finding_record.h"
+#include "fuzz/confirm/motion_record.h"
 #include "fuzz/confirm/plan.h"
 #include "fuzz/confirm/witness.h"
 
@@ -25,12 +26,6 @@ Json link_counts(const LinkCounts& counts, std::size_t first, std::size_t last) 
   return json;
 }
 
-// A JSON number; text if binary64 cannot represent it.
-Json number(Decimal6 decimal) {
-  const double value = decimal.value();
-  return std::isfinite(value) ? Json(value) : Json(decimal.text());
-}
-
 // The members that axes and comparisons have in common. `null`, not a count of zero failures, if no tolerance was
 // given.
 void put_signs(Json& json, const SignTally& tally, bool has_tolerance, Decimal6 max_error) {
@@ -39,7 +34,7 @@ void put_signs(Json& json, const SignTally& tally, bool has_tolerance, Decimal6 
   json["masked"] = tally.masked;
   json["decisive"] = tally.decisive;
   json["tolerance_failures"] = has_tolerance ? Json(tally.tolerance_failures) : Json(nullptr);
-  json["max_error_u"] = json["smallest_passing_tolerance"] = number(max_error);
+  json["max_error_u"] = json["smallest_passing_tolerance"] = decimal_json(max_error);
   // Flips are relative to the kernel's own exact formulae, so none is a specification fault.
   json["links"] = link_counts(tally.links, index_of(Link::rounding), link_count - 1);
 }
@@ -127,7 +122,9 @@ Json engine_json(const EngineTally& engine) {
           {"depths", depths_json(engine.wrong)}};
 }
 
-Json verdict_json(const VerdictTally& v, const TestDescription& test, const Limits& limits) {
+Json verdict_json(const VerdictTally& v, const Kernel& kernel) {
+  const TestDescription& test = *kernel.test;
+  const bool is_limited = kernel.limits.any() || kernel.motion != MotionPolicy{};
   const double separation = v.deepest_false_separation.best(), contact = v.deepest_false_contact.best();
   constexpr std::size_t last = link_count - 1;
   return {{"false_separation", v.false_separation},
@@ -143,7 +140,7 @@ Json verdict_json(const VerdictTally& v, const TestDescription& test, const Limi
           {"first_by_link", first_by_link_json(v)},
           {"touching_flips", v.touching_flips},
           {"touching_links", link_counts(v.touching_links, 0, last)},
-          {"outside_limits", limits.any() ? outside_json(v.outside_limits) : Json(nullptr)},
+          {"outside_limits", is_limited ? outside_json(v.outside_limits) : Json(nullptr)},
           {"depths", oracles_of(test).has_depth() ? depths_json(v.depths) : Json(nullptr)},
           {"engine_like", &test == &first_test() ? engine_json(v.engine) : Json(nullptr)}};
 }
@@ -160,7 +157,7 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
                  {"contact", tally.contact},
                  {"touching", tally.touching},
                  {"invalid", tally.invalid}}},
-               {"verdict", verdict_json(tally.verdict, *plan.test, kernel.limits)},
+               {"verdict", verdict_json(tally.verdict, kernel)},
                {"axes", nullptr},
                {"comparisons", nullptr},
                {"critical_radius", critical_radius_json(tally.critical_radius)}};
@@ -171,6 +168,7 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
                         [&](const auto& flips) { return absolute_sizes(plan, source, precision, flips); });
   }
   if (has_input_classes(kernel)) json["classes"] = classes_json(tally.classes, address);
+  if (!plan.test->measures.empty()) json["motion"] = motion_json(tally.motion, kernel);
   Json &axes = json["axes"], &all = json["comparisons"];
   if (kernel.exposes == Exposure::verdict) return json;
   axes = all = Json::object();
@@ -205,6 +203,11 @@ Json digest_json(const Plan& plan, const Kernel& kernel) {
 }
 
 }  // namespace
+
+Json decimal_json(Decimal6 decimal) {
+  const double value = decimal.value();
+  return std::isfinite(value) ? Json(value) : Json(decimal.text());
+}
 
 Json exposures_json(const Kernel& kernel) {
   Json names = Json::array();
@@ -250,6 +253,10 @@ Json record_of(const Plan& plan, const CampaignResult& result, const Required& r
           {"limits", limits_json(kernel.limits)},
           {"critical_radius", nullptr},
           {"families", Json::object()}};
+      if (!kernel.test->measures.empty()) {
+        entry["measures"] = given_measures_json(kernel);
+        entry["motion"] = policy_json(kernel.motion);
+      }
       CriticalRadiusTally radii;
       std::vector<TalliedSource> tallied;
       for (std::size_t s = 0; s < plan.sources.size(); ++s) {

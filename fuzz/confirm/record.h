@@ -26,6 +26,8 @@ void put_query(Json& into, const TestEntry& entry, const Numbers<Real>& numbers)
 Json exposures_json(const Kernel& kernel);
 // The limits that a kernel declares; null if it has none, and null for each limit that it does not set.
 Json limits_json(const Limits& limits);
+// A JSON number; text if binary64 cannot represent it.
+Json decimal_json(Decimal6 decimal);
 // Flips in the form in which `check` and the witnesses list them.
 Json flips_json(const TestDescription& test, const Judgement& judgement);
 

@@ -4,6 +4,7 @@
 
 #include "fuzz/queries/address.h"
 #include "fuzz/text/number_text.h"
+#include "fuzz/confirm/motion_record.h"
 #include "fuzz/confirm/witness_sides.h"
 #include "kernel/sphere_triangle/description.h"
 
@@ -73,6 +74,7 @@ void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision pr
       shown[candidate.position].largest_errors |= one_bit<ComparisonBits>(i);
     }
   }
+  note_motion(tally.motion, shown);
   if (asymmetry) add_pairs(source, precision, *asymmetry, shown);
   if (!examiner_ || &examiner_->kernel() != &kernel) {
     examiner_.emplace(kernel, plan_.target);
@@ -115,6 +117,29 @@ void WitnessWriter::add_pairs(const Source& source, Precision precision, const A
       });
 }
 
+void WitnessWriter::note_motion(const MotionTally& motion, Shown& shown) {
+  const auto note = [&](const auto& leaders, auto&& what) {
+    for (const auto& candidate : leaders.candidates()) shown[candidate.position].texts.push_back(what(candidate.rank));
+  };
+  const auto worst = [](const char* what, const char* unit) {
+    return [=](const Decimal6& size) { return fmt::format("{}: {}{}", what, size.text(), unit); };
+  };
+  const auto largest = [](const char* what, const char* unit) {
+    return [=](double size) { return fmt::format("{}: {:.6g}{}", what, size, unit); };
+  };
+  note(motion.no_time, [](bool given) { return given ? "a time outside [0, 1]" : "a contact without a time"; });
+  note(motion.late.largest_ulps, worst("latest time", " ulps"));
+  note(motion.late.largest_in_u, worst("latest time", " u of the displacement"));
+  note(motion.late_tunnels.deepest, worst("deepest tunnel of a late time", ""));
+  note(motion.missed_tunnels.deepest, worst("deepest tunnel of a missed contact", ""));
+  note(motion.early.largest_ulps, worst("earliest time", " ulps"));
+  note(motion.early.largest_in_u, worst("earliest time", " u of the displacement"));
+  note(motion.largest_gap, largest("largest gap of an early time", " of the scene"));
+  note(motion.wrong_feature, [](bool) { return "a feature that is not touched first"; });
+  note(motion.largest_angle, largest("largest angle of a normal", " radians"));
+  note(motion.largest_point_error, largest("largest error of a contact's point", " of the scene"));
+}
+
 template <class Real>
 WitnessWriter::Examined WitnessWriter::examined(const Kernel& kernel, const Source& source, std::uint64_t position,
                                                 const Numbers<Real>& numbers, const Reasons& why) {
@@ -123,7 +148,7 @@ WitnessWriter::Examined WitnessWriter::examined(const Kernel& kernel, const Sour
   if (plan_.test != &sphere_triangle_test()) {
     const OracleExamination found =
         reply ? examine_by_oracles(numbers, kernel, *reply) : oracle_examiner_->examine(numbers);
-    return {found.truth, found.answer, found.judgement, found.depth, {}, nullptr};
+    return {found.truth, found.answer, found.judgement, found.depth, {}, nullptr, measures_json(*plan_.test, found)};
   }
   const Query<Real> q = numbers;
   const Examination found = reply ? examine(q, kernel, *reply) : examiner_->examine(q);
@@ -137,7 +162,8 @@ WitnessWriter::Examined WitnessWriter::examined(const Kernel& kernel, const Sour
     }
   }
   return {found.truth, found.answer, found.judgement,
-          found.depth, input_class,  sides_json(q, kernel, found, why.largest_errors)};
+          found.depth, input_class,  sides_json(q, kernel, found, why.largest_errors),
+          nullptr};
 }
 
 template <class Real>
@@ -163,6 +189,7 @@ void WitnessWriter::write(const Kernel& kernel, const Source& source, const Show
     witness["shows"] = what.texts;
     witness["flips"] = flips_json(test, found.judgement);
     witness["sides"] = std::move(found.sides);
+    if (!test.measures.empty()) witness["measures"] = std::move(found.measures);
     witnesses_.push_back(std::move(witness));
   }
 }

@@ -18,7 +18,8 @@ class WitnessWriter {
  public:
   explicit WitnessWriter(const Plan& plan) : plan_(plan) {}
   // Adds the deepest wrong verdicts of each kind, with each broken link and on input of each class; for each comparison
-  // a flip of each kind, a decisive one if there is one, and the largest error; for an asymmetry, and for each way in
+  // a flip of each kind, a decisive one if there is one, and the largest error; the worst of each kind of measure; for
+  // an asymmetry, and for each way in
   // which answers change with an image, the first image and its base. A query that
   // shows several of these is stored once.
   void add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally,
@@ -41,7 +42,9 @@ class WitnessWriter {
     std::optional<double> depth;
     std::optional<InputClass> input_class;  // of a wrong verdict of a kernel with classes
     Json sides;
+    Json measures;  // of a test with measures
   };
+  static void note_motion(const MotionTally& motion, Shown& shown);
   void add_pairs(const Source& source, Precision precision, const Asymmetry& asymmetry, Shown& shown) const;
   template <class Real>
   Examined examined(const Kernel& kernel, const Source& source, std::uint64_t position, const Numbers<Real>& numbers,

@@ -76,6 +76,15 @@ Limits limits_of(const Description& d) {
   return limits;
 }
 
+MotionPolicy motion_of(const Description& d, const TestDescription& test) {
+  const MotionPolicy motion{one_of<StartPolicy>(d.start, start_policy_names.size(), "policy for the start"),
+                            one_of<StillPolicy>(d.still, still_policy_names.size(), "policy for no motion"),
+                            one_of<SidesPolicy>(d.sides, sides_policy_names.size(), "policy for sides")};
+  if (motion != MotionPolicy{} && test.measures.empty())
+    refuse(fmt::format("it declares what it promises of motions; test '{}' has none", test.id));
+  return motion;
+}
+
 void claim(const Description& d, Kernel& kernel) {
   const Precision precision = d.precision == 32 ? Precision::binary32 : Precision::binary64;
   kernel.is_reference = d.has_conforms_to;
@@ -129,16 +138,18 @@ void add_declared(const Description& d, std::uint32_t index, const Hosted& hoste
   described.exposes = one_of<Exposure>(d.exposes, exposure_names.size(), "exposure");
   described.touching = one_of<Touching>(d.touching, touching_names.size(), "touching convention");
   described.limits = limits_of(d);
+  described.motion = motion_of(d, *described.test);
   described.summary = d.summary[0] != 0 ? fmt::format("{}: {}", text_of(d.name), text_of(d.summary)) : text_of(d.name);
   if (d.name[0] == 0) refuse("it has no name");
   described.declared_name = kernel.declared_name.empty() ? text_of(d.name) : kernel.declared_name;
   claim(d, described);
   const bool is_first = !kernel.binary32 && !kernel.binary64;
   if (!is_first && (described.exposes != kernel.exposes || described.touching != kernel.touching ||
-                    described.limits != kernel.limits || described.measure_count != kernel.measure_count ||
-                    described.test != kernel.test || described.entry != kernel.entry ||
-                    described.formulae != kernel.formulae || described.strictness != kernel.strictness ||
-                    described.arithmetic != kernel.arithmetic || described.is_reference != kernel.is_reference)) {
+                    described.limits != kernel.limits || described.motion != kernel.motion ||
+                    described.measure_count != kernel.measure_count || described.test != kernel.test ||
+                    described.entry != kernel.entry || described.formulae != kernel.formulae ||
+                    described.strictness != kernel.strictness || described.arithmetic != kernel.arithmetic ||
+                    described.is_reference != kernel.is_reference)) {
     refuse("its kernels in binary32 and in binary64 say different things of themselves; make two plug-ins of them");
   }
   const Supervised supervised{{hosted, index, d.abi, {described.test, described.entry, described.measure_count}},

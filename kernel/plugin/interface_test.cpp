@@ -216,8 +216,12 @@ TEST(Interface, ACallerTakesTheColumnsOfItsTestAndNoOthers) {
     for (std::size_t k = 0; k < 40; ++k) numbers[k] = static_cast<double>((k * (i + 3)) % 11);
     queries.push_back(numbers);
   }
-  const auto result = caller.call(queries.columns(), 0, 3, {.asked = Exposure::sides}, 1, outputs);
+  const auto result = caller.call(queries.columns(), 0, 3, {.asked = Exposure::sides, .measures = 2}, 1, outputs);
   ASSERT_FALSE(result.stop) << result.stop->detail;
+  ASSERT_EQ(outputs.measures.size(), 2u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t m = 0; m < 2; ++m) EXPECT_EQ(outputs.measures[m][i], queries[i][m + 1] - queries[i][0]);
+  }
   ASSERT_EQ(outputs.lhs.size(), 33u);
   for (std::size_t i = 0; i < 3; ++i) {
     const Numbers<double> numbers = queries[i];
@@ -226,6 +230,8 @@ TEST(Interface, ACallerTakesTheColumnsOfItsTestAndNoOthers) {
       EXPECT_EQ(has_bit(outputs.bits[i], k), numbers[k] > numbers[k + 7]);
     }
   }
+  ASSERT_FALSE(caller.call(queries.columns(), 0, 3, {}, 1, outputs).stop);
+  EXPECT_TRUE(outputs.measures.empty()) << "not asked for";
   const auto narrow = [&] { caller.call(random_queries<double>().columns(), 0, 1, {}, 1, outputs); };
   EXPECT_THAT(narrow, testing::ThrowsMessage<HarnessFault>(HasSubstr("takes 40 columns; the batch has 13")));
 }

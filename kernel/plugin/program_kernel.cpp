@@ -47,6 +47,9 @@ Description described(const Manifest& manifest, Precision precision) {
   const TestDescription& test = manifest.test.empty() ? first_test() : find_test(manifest.test);
   d.column_count = test.entries[find_entry(test, manifest.entry)].columns.size();
   d.measure_count = manifest.measures;
+  d.start = static_cast<std::uint32_t>(manifest.motion.start);
+  d.still = static_cast<std::uint32_t>(manifest.motion.still);
+  d.sides = static_cast<std::uint32_t>(manifest.motion.sides);
   const Limits& l = manifest.limits;
   const double limits[] = {l.least_coordinate, l.greatest_coordinate, l.least_area, l.least_radius, l.greatest_radius};
   std::copy(std::begin(limits), std::end(limits), d.limits);

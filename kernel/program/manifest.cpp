@@ -18,8 +18,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const std::vector<std::string_view> members = {
-    "format", "name",        "command",  "test",    "entry",  "precisions", "exposes", "measures", "touching",
-    "limits", "conforms_to", "formulae", "summary", "source", "package",    "version", "code",     "files"};
+    "format", "name",        "command",  "test",    "entry",  "precisions", "exposes", "measures", "touching", "limits",
+    "motion", "conforms_to", "formulae", "summary", "source", "package",    "version", "code",     "files"};
+const std::vector<std::string_view> motion_members = {"start", "still", "sides"};
 const std::vector<std::string_view> limit_members = {"least_coordinate", "greatest_coordinate", "least_area",
                                                      "least_radius", "greatest_radius"};
 
@@ -65,6 +66,7 @@ class ManifestReader {
     if (json_.contains("touching"))
       manifest.touching = one_of<Touching>("touching", text_of("touching"), touching_names);
     manifest.limits = limits();
+    manifest.motion = motion();
     manifest.test = text_of("test");
     manifest.entry = text_of("entry");
     manifest.conforms_to = text_of("conforms_to");
@@ -158,6 +160,24 @@ class ManifestReader {
       fail(fmt::format("\"measures\" is {}; known: 0 to {}, the number that follows each reply", shown_value(*found),
                        most_measures));
     return found->get<std::size_t>();
+  }
+
+  MotionPolicy motion() const {
+    MotionPolicy motion;
+    const auto found = json_.find("motion");
+    if (found == json_.end() || found->is_null()) return motion;
+    if (!found->is_object()) fail(fmt::format("\"motion\" is {}, which is no object", shown_value(*found)));
+    require_known(*found, motion_members, "member");
+    const auto read = [&](const char* member, auto& policy, const auto& names) {
+      const auto word = found->find(member);
+      if (word == found->end()) return;
+      check_text(member, *word);
+      policy = one_of<std::remove_reference_t<decltype(policy)>>(member, word->template get<std::string>(), names);
+    };
+    read("start", motion.start, start_policy_names);
+    read("still", motion.still, still_policy_names);
+    read("sides", motion.sides, sides_policy_names);
+    return motion;
   }
 
   Limits limits() const {

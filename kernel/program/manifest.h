@@ -21,6 +21,7 @@ struct Manifest {
   std::size_t measures = 0;              // so many of the test's measures follow each reply
   Touching touching = Touching::contact;
   Limits limits = {};
+  MotionPolicy motion = {};
   std::string conforms_to, formulae, summary, source;  // as in plugin.h; empty: none
   std::string package, version;                        // of what it asks, where that has them
   // Asks it one query by hand, in its own language, with places for the numbers (code_lines.h); none: not stated.

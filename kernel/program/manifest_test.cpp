@@ -38,6 +38,15 @@ TEST(ManifestFile, DeclaresWhatAPluginDeclares) {
   EXPECT_EQ(manifest.exposes, Exposure::comparisons);
   EXPECT_EQ(manifest.limits.least_radius, 0.5);
   EXPECT_EQ(manifest.test, "t");
+  EXPECT_EQ(manifest.measures, 0u);
+  EXPECT_EQ(manifest.motion, MotionPolicy{});
+}
+
+TEST(ManifestFile, DeclaresMeasuresAndWhatIsNotPromisedOfMotions) {
+  const Manifest manifest = read_manifest(
+      "{" + least + R"(,"measures":8,"motion":{"start":"approaching","still":"ignored","sides":"front"}})", "m.json");
+  EXPECT_EQ(manifest.measures, 8u);
+  EXPECT_EQ(manifest.motion, (MotionPolicy{StartPolicy::approaching, StillPolicy::ignored, SidesPolicy::front}));
 }
 
 TEST(ManifestFile, SaysHowItsEngineIsAskedByHand) {
@@ -71,6 +80,11 @@ TEST(ManifestFile, IsRefusedWithWhatWouldBeRight) {
            {"{" + least + R"(,"comand":1})", "unknown member 'comand'; did you mean 'command'?"},
            {"{" + least + R"(,"touching":"no"})", "\"touching\": 'no'; known: contact, separated, either"},
            {"{" + least + R"(,"exposes":"sides"})", "known: verdict, comparisons"},
+           {"{" + least + R"(,"measures":-1})", "\"measures\" is -1; known: 0 to 64"},
+           {"{" + least + R"(,"measures":"all"})", "\"measures\" is \"all\""},
+           {"{" + least + R"(,"motion":"front"})", "\"motion\" is \"front\", which is no object"},
+           {"{" + least + R"(,"motion":{"sides":"back"}})", "\"sides\": 'back'; known: both, front"},
+           {"{" + least + R"(,"motion":{"stop":1}})", "unknown member 'stop'"},
            {"{" + least + R"(,"limits":{"least_radius":-1}})", "\"least_radius\" is -1"},
            {"{" + least + R"(,"limits":{"radius":1}})", "unknown limit 'radius'"},
            {"{" + least + R"(,"files":"a.mjs"})", "\"files\" is \"a.mjs\", which is no list"},

@@ -12,6 +12,7 @@
 #include "reports/run_folder/run_folder.h"
 #include "reports/page/embedded.h"
 #include "reports/wording/classes.h"
+#include "reports/wording/motion.h"
 #include "reports/wording/depths.h"
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
@@ -213,6 +214,7 @@ Json page_data(const Run& run) {
   data["target"] = run.info.is_null() || !run.info.contains("target") ? Json(nullptr) : run.info["target"];
   data["attached"] = attachments(run.folder, image_bytes);
   data["files"] = raw_files(run.folder);
+  data["motion_note"] = motion_note;
   return data;
 }
 

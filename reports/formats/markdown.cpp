@@ -8,11 +8,13 @@
 #include "reports/formats/format.h"
 #include "reports/formats/classes_section.h"
 #include "reports/formats/depths_section.h"
+#include "reports/formats/motion_section.h"
 #include "reports/formats/requirements_section.h"
 #include "reports/formats/signs_section.h"
 #include "reports/wording/markdown_text.h"
 #include "reports/wording/reproduce.h"
 #include "reports/gates/requirement.h"
+#include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -46,9 +48,9 @@ class MarkdownReport {
       text += "\n> **INCOMPLETE**: the run was interrupted. The figures below cover only the queries that were run.\n";
     }
     return text + ratchet() + findings() + requirements_section(record_, outcomes_) + summary() +
-           classes_section(record_) + depths_section(record_) + families() + outside() + asymmetries() +
-           signs_section(record_, totals_, "axes") + signs_section(record_, totals_, "comparisons") + broken_links() +
-           witnesses() + critical_radius() + reproduce();
+           motion_section(record_) + classes_section(record_) + depths_section(record_) + families() + outside() +
+           asymmetries() + signs_section(record_, totals_, "axes") + signs_section(record_, totals_, "comparisons") +
+           broken_links() + witnesses() + critical_radius() + reproduce();
   }
 
  private:
@@ -114,7 +116,7 @@ class MarkdownReport {
       section.row(cells);
     }
     for (const Json& kernel : record_["kernels"]) {
-      if (kernel["touching"] == name(Touching::contact) && kernel["limits"].is_null()) continue;
+      if (kernel["touching"] == name(Touching::contact) && !has_limits(kernel)) continue;
       section.line(fmt::format("\n{} {} declares: {}; limits: {}.", plain(kernel["id"]),
                                kernel["precision"].get<std::string>(), touching_text(kernel), limits_text(kernel)));
     }

@@ -80,6 +80,37 @@ function radius_table(data, entries) {
   ], rows, (row) => (row.total ? 'total' : ''));
 }
 
+// The first contacts that kernels of a test of motions report; nothing for any other test.
+function motion_table(data, rows) {
+  const told = rows.filter((row) => row.result.motion && (row.result.motion.time || row.result.motion.missed.deepest_tunnel > 0));
+  if (told.length === 0) return el('div');
+  const none = {none: 'not given'};
+  const time = (label, get, type, more) => column[type](label, (row) => row.result.motion.time && get(row.result.motion.time), {...none, ...more});
+  const size = (label, get, more) => time(label, get, 'text', {numeric: true, key: (value) => (value === null ? -Infinity : magnitude(value)), ...more,
+    cell: (td, value) => td.append(value === null ? none.none : error_amount(value))});
+  const side = (name, alarm) => [
+    time('times', (t) => t[name], 'count', {group: name, alarm}),
+    size('largest, ulps', (t) => t[`${name}_errors`].largest_ulps, {group: name}),
+    size('largest, u', (t) => t[`${name}_errors`].largest_in_u, {group: name}),
+  ];
+  const of = (measure, member, type, label, more) => column[type](label,
+    (row) => row.result.motion[measure] && row.result.motion[measure][member], {...none, ...more});
+  return el('div', '', el('h3', '', 'First contacts'), el('p', 'lead', data.motion_note), table('First contacts', [
+    ...family_columns(),
+    column.count('contacts', (row) => row.result.motion.hits),
+    ...side('late', 'bad'),
+    size('tunnel', (t) => t.late_tunnels.deepest_tunnel, {group: 'late'}),
+    ...side('early'),
+    time('no time', (t) => t.none + t.invalid, 'count', {alarm: 'bad'}),
+    of('feature', 'wrong', 'count', 'wrong features', {alarm: 'warn'}),
+    of('normal', 'largest_angle', 'amount', 'normal off by', {digits: 3}),
+    of('point', 'largest_error', 'amount', 'point off by', {digits: 3}),
+    of('missed', 'through', 'count', 'through', {group: 'missed contacts', alarm: 'bad'}),
+    column.text('tunnel', (row) => row.result.motion.missed.deepest_tunnel, {numeric: true, key: magnitude, group: 'missed contacts',
+      cell: (td, value) => td.append(error_amount(value))}),
+  ], told));
+}
+
 // For one kernel entry, or for all.
 function show_families(data) {
   const {kernels} = data;
@@ -87,7 +118,8 @@ function show_families(data) {
   const show = (index) => {
     const chosen = index < kernels.length ? [kernels[index]] : kernels;
     const rows = family_rows(chosen);
-    for (const [id, made] of [['families-table', families_table(data, rows)], ['link-counts', link_counts_table(data, rows)],
+    for (const [id, made] of [['families-table', families_table(data, rows)], ['motion-table', motion_table(data, rows)],
+                              ['link-counts', link_counts_table(data, rows)],
                               ['radius-table', radius_table(data, chosen)]]) {
       document.getElementById(id).replaceChildren(made);
     }

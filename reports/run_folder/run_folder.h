@@ -24,6 +24,9 @@ struct Run {
 // test.
 const TestDescription& test_of(const Json& plan);
 
+// Whether a kernel entry of a record states limits of its promise: by numbers, or of motions.
+bool has_limits(const Json& kernel);
+
 // Reads a JSON file. Throws Error where it cannot be read or is not JSON.
 Json read_json(const std::filesystem::path& path);
 // Throws Error that names the file and says what would be right: no record, not JSON, another schema, a member that the

@@ -9,12 +9,23 @@
 #include <map>
 #include <set>
 
+#include "reports/run_folder/run_folder.h"
+
 namespace axiscert {
 namespace {
 
 // Members that are maxima over queries; every other number is a count.
-const std::set<std::string, std::less<>> maxima = {"deepest",     "deepest_false_separation",   "deepest_false_contact",
-                                                   "max_error_u", "smallest_passing_tolerance", "largest_ulps"};
+const std::set<std::string, std::less<>> maxima = {"deepest",
+                                                   "deepest_false_separation",
+                                                   "deepest_false_contact",
+                                                   "max_error_u",
+                                                   "smallest_passing_tolerance",
+                                                   "largest_ulps",
+                                                   "largest_in_u",
+                                                   "deepest_tunnel",
+                                                   "largest_gap",
+                                                   "largest_angle",
+                                                   "largest_error"};
 
 // The six digits of a text of a number too large for binary64 are kept by the logarithm.
 double magnitude(const Json& number) {
@@ -122,10 +133,26 @@ std::string touching_text(const Json& kernel) {
   return "a touching sphere is in contact";
 }
 
+namespace {
+
+// What the kernel leaves out of its promise about motions.
+void add_policy(const Json& kernel, std::vector<std::string>& parts) {
+  const auto policy = kernel.find("motion");
+  if (policy == kernel.end()) return;
+  if ((*policy)["start"] == "ignored") parts.emplace_back("no contact before the motion");
+  if ((*policy)["start"] == "approaching") parts.emplace_back("no contact before a motion that does not approach");
+  if ((*policy)["still"] == "ignored") parts.emplace_back("a displacement that is not zero");
+  if ((*policy)["sides"] == "front") parts.emplace_back("triangles met from the front");
+}
+
+}  // namespace
+
 std::string limits_text(const Json& kernel) {
-  const Json& limits = kernel["limits"];
-  if (limits.is_null()) return "none: it promises to be right everywhere";
+  if (!has_limits(kernel)) return "none: it promises to be right everywhere";
   std::vector<std::string> parts;
+  add_policy(kernel, parts);
+  const Json& limits = kernel["limits"];
+  if (limits.is_null()) return fmt::format("{}", fmt::join(parts, ", "));
   const auto range = [&](const std::string& what, const Json& least, const Json& greatest) {
     std::string part = what;
     if (!least.is_null()) part += fmt::format(" from {:.6g}", least.get<double>());

@@ -171,6 +171,7 @@ void Tally::merge(const Tally& other) {
   for (const FindingKind kind : enumerators<FindingKind>) merge_finding(findings[kind], other.findings[kind]);
   margins.merge(other.margins);
   classes.merge(other.classes);
+  motion.merge(other.motion);
 }
 
 void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth, const Standing& standing) {

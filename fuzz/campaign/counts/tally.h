@@ -13,6 +13,7 @@
 #include "fuzz/campaign/counts/class_tally.h"
 #include "fuzz/campaign/counts/leaders.h"
 #include "fuzz/campaign/counts/margins.h"
+#include "fuzz/campaign/counts/motion_tally.h"
 #include "kernel/finding.h"
 #include "kernel/sphere_triangle/decision.h"
 
@@ -88,6 +89,7 @@ struct Tally {
   EnumArray<FindingKind, FindingTally> findings;
   MarginTally margins;  // of the source's first queries (has_margins)
   ClassTally classes;   // of a kernel with has_input_classes()
+  MotionTally motion;   // of a test with measures
 
   void merge(const Tally& other);
 };

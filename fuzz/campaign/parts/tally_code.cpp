@@ -46,9 +46,25 @@ void visit_verdict(Archive& archive, Tally& tally) {
 }
 
 template <class Archive, class Tally>
+void visit_motion(Archive& archive, Tally& tally) {
+  auto& [hits, times, no_time, late, early, late_tunnels, missed_tunnels, largest_gap, features, wrong_features,
+         normals, points, wrong_feature, largest_angle, largest_point_error] = tally;
+  archive(hits, times, no_time);
+  for (auto* errors : {&late, &early}) {
+    auto& [by_power, largest_ulps, largest_in_u] = *errors;
+    archive(by_power, largest_ulps, largest_in_u);
+  }
+  for (auto* tunnels : {&late_tunnels, &missed_tunnels}) {
+    auto& [through, deepest] = *tunnels;
+    archive(through, deepest);
+  }
+  archive(largest_gap, features, wrong_features, normals, points, wrong_feature, largest_angle, largest_point_error);
+}
+
+template <class Archive, class Tally>
 void visit_tally(Archive& archive, Tally& tally) {
   auto& [trials, separated, contact, touching, invalid, verdict, axes, comparisons, critical_radius, findings, margins,
-         classes] = tally;
+         classes, motion] = tally;
   archive(trials, separated, contact, touching, invalid);
   visit_verdict(archive, verdict);
   using Signs = std::conditional_t<std::is_const_v<Tally>, const SignTally, SignTally>;
@@ -74,6 +90,7 @@ void visit_tally(Archive& archive, Tally& tally) {
     archive(false_separation, false_contact, deepest);
   }
   archive(first_wrong);
+  visit_motion(archive, motion);
 }
 
 template <class Archive, class Of>

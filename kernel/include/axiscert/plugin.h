@@ -58,6 +58,22 @@ enum axiscert_touching {
   AXISCERT_TOUCHING_IS_EITHER = 2 /* it makes no promise: neither answer is counted as wrong */
 };
 
+/* What a kernel of a test of motions promises, where engines differ. Queries beyond it are counted apart and fail no
+ * requirement. Zero is the whole promise. */
+enum axiscert_start {                                    /* of two that have a point in common before the motion */
+                      AXISCERT_START_IS_REPORTED = 0,    /* contact, at time 0 */
+                      AXISCERT_START_IF_APPROACHING = 1, /* contact, where the distance between them falls at first */
+                      AXISCERT_START_IS_IGNORED = 2      /* nothing */
+};
+enum axiscert_still { /* of a displacement of zero */
+                      AXISCERT_STILL_IS_REPORTED = 0,
+                      AXISCERT_STILL_IS_IGNORED = 1
+};
+enum axiscert_sides { /* of triangles */
+                      AXISCERT_BOTH_SIDES = 0,
+                      AXISCERT_FRONT_ONLY = 1 /* those that the motion meets from the front: d.(ab x ac) < 0 */
+};
+
 /* A batch of queries, structure of arrays. Each column has exactly `count` numbers of the kernel's precision, float or
  * double, and no more alignment than one of these; it is read-only, and the pages around it cannot be touched. Any bits
  * can come: infinities, NaN, subnormal numbers, negative radii. `count` is any number from 1 on. */
@@ -89,8 +105,8 @@ typedef struct axiscert_answers {
   void* const* lhs;
   void* const* rhs;
   /* Numbers beside the verdict, such as a time of impact, in the kernel's precision: as many arrays as the kernel's own
-   * measure_count, or none where they are not asked for. A NaN says that the number is not given. Sphere-triangle has
-   * none; those of moving-sphere are
+   * measure_count, or none where they are not asked for. Every entry is written; a NaN says that the number is not
+   * given, as beside any verdict but contact. Sphere-triangle has none; those of moving-sphere are
    *   0 time      fraction of the displacement at the first contact, from 0 to 1
    *   1 feature   what is nearest to the centre then: 0, 1, 2 vertex a, b, c; 3, 4, 5 edge ab, bc, ca; 6 the face
    *   2, 3, 4     normal: unit vector from the triangle's nearest point to the centre then
@@ -135,6 +151,9 @@ typedef struct axiscert_kernel {
    * kernel of sphere-triangle that exposes comparisons, and else none, so that only its verdict is judged. */
   const char* formulae;
   const axiscert_limits* limits; /* null: none */
+  uint32_t start;                /* an axiscert_start, of a test of motions, as the next two */
+  uint32_t still;                /* an axiscert_still */
+  uint32_t sides;                /* an axiscert_sides */
 } axiscert_kernel;
 
 /* The only export of a plug-in: kernel number `index`, from 0 on; null where there is none. The kernel is read once and

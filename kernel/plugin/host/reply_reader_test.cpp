@@ -52,6 +52,33 @@ TEST(ReplyReader, LeavesWhatComesAfterTheLastReply) {
   EXPECT_TRUE(reader.is_complete());
 }
 
+// Two replies of the moving sphere, each followed by a time in binary32.
+TEST(ReplyReader, TakesTheMeasuresAfterEachReply) {
+  const TestDescription& test = find_test("moving-sphere");
+  const auto header = bytes_of(program_header(test, 0, Precision::binary32, 1));
+  std::string replies(40, '\0');
+  const float times[] = {0.25f, 0.75f};
+  for (std::size_t i = 0; i < 2; ++i) {
+    replies[20 * i + 1] = 2;  // flags: measures
+    std::memcpy(&replies[20 * i + 16], &times[i], sizeof(float));
+  }
+  auto stream = header;
+  for (const std::byte b : bytes_of(replies)) stream.push_back(b);
+  for (std::size_t part = 1; part <= 41; part += 4) {
+    ReplyReader reader(header, 2, false, sizeof(float));
+    for (std::size_t at = 0; at < stream.size(); at += part) {
+      reader.take(std::span(stream).subspan(at, std::min(part, stream.size() - at)));
+    }
+    ASSERT_TRUE(reader.is_complete()) << reader.fault();
+    ASSERT_EQ(reader.measures().size(), sizeof times);
+    EXPECT_EQ(std::memcmp(reader.measures().data(), times, sizeof times), 0);
+  }
+  ReplyReader without(header, 2, false, sizeof(float));
+  without.take(header);
+  without.take(bytes_of(std::string(20, '\0')));
+  EXPECT_THAT(without.fault(), testing::HasSubstr("bit 1, which its manifest asks for, that measures follow"));
+}
+
 std::string fault_of(const std::vector<std::byte>& stream, bool wants_bits = false, bool is_next = false) {
   ReplyReader reader(batch_header(), 3, wants_bits);
   reader.restart(is_next);

@@ -13,7 +13,9 @@
   X(conservative)               \
   X(depth)                      \
   X(no_worse_than)              \
-  X(invariant)
+  X(invariant)                  \
+  X(never_late)                 \
+  X(no_tunnel)
 
 namespace axiscert {
 

@@ -50,6 +50,25 @@ void Subject::add(std::vector<Failure>& failures, const std::string& family, std
                       deepest == nullptr ? "" : (*deepest)["id"].get<std::string>()});
 }
 
+void Subject::add_shown(std::vector<Failure>& failures, const std::string& family, std::uint64_t count,
+                        const std::string& what, std::string_view reason) const {
+  if (count == 0) return;
+  Failure failure{kernel_["id"], kernel_["precision"], family, count, what, ""};
+  for (const Json& witness : record_["witnesses"]) {
+    const bool is_ours = witness["family"].get_ref<const std::string&>() == family &&
+                         witness["kernel"] == kernel_["id"] && witness["precision"] == kernel_["precision"];
+    const Json& shows = witness["shows"];
+    if (!is_ours || !std::any_of(shows.begin(), shows.end(), [&](const Json& text) {
+          return text.get_ref<const std::string&>().starts_with(reason);
+        })) {
+      continue;
+    }
+    failure.witness = witness["id"];
+    break;
+  }
+  failures.push_back(std::move(failure));
+}
+
 void Subject::add_pair(std::vector<Failure>& failures, const std::string& family, std::uint64_t count,
                        const std::string& what, const Json& pair) const {
   if (count == 0) return;

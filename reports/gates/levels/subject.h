@@ -50,6 +50,11 @@ class Subject {
   // The same for wrong verdicts with a broken link; for an unattributed one, those in exact arithmetic.
   void add_link(std::vector<Failure>& failures, const std::string& family, Link link, std::uint64_t count) const;
 
+  // Adds a failure of this kernel, unless `count` is 0; its witness is the first that was kept for a reason that begins
+  // with `reason`.
+  void add_shown(std::vector<Failure>& failures, const std::string& family, std::uint64_t count,
+                 const std::string& what, std::string_view reason) const;
+
   // Adds a failure of this kernel that two queries show together, unless `count` is 0. `pair` has the addresses of
   // "base" and "image", of which the witness is the second; null: none is known.
   void add_pair(std::vector<Failure>& failures, const std::string& family, std::uint64_t count, const std::string& what,

@@ -1,0 +1,56 @@
+// The judgement of what a kernel says of a first contact beside its verdict: of the measures of a test of motions.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "exact/numbers/decimal6.h"
+#include "kernel/base/enum_array.h"
+
+namespace axiscert {
+
+// The time beside a contact that is right. Late is unsafe: what is moved to that time is in the obstacle.
+enum class TimeVerdict : std::uint8_t {
+  none,     // NaN: not given
+  invalid,  // infinite, or outside [0, 1]
+  early,    // less than the greatest number of the precision that is not late
+  best,     // that number
+  late,     // after the first contact
+};
+template <>
+inline constexpr std::size_t enum_count<TimeVerdict> = 5;
+inline constexpr EnumArray<TimeVerdict, std::string_view> time_verdict_names = {"none", "invalid", "early", "best",
+                                                                                "late"};
+
+// How far the moving body goes into the obstacle, or through it, before the contact that is reported, and without one
+// in the whole motion: (r - least distance of that motion) / r. 1: the centre comes to the obstacle itself, as that of
+// a point (r = 0) always does.
+struct Tunnel {
+  Decimal6 depth;   // rounded down: it is at least F, a number of at most six digits, exactly where the tunnel is
+  bool is_through;  // exactly 1
+};
+
+// Sizes are decided exactly and rounded once, or to 2^-250 before.
+struct MotionJudgement {
+  std::optional<TimeVerdict> time;  // empty: the kernel gives no times
+  // Early or late: |t^ - t*| in units in the last place of the best number, and in u = 2^-24 or 2^-53; rounded up.
+  Decimal6 ulps, in_u;
+  std::optional<Tunnel> tunnel;  // of a late time
+  double gap = 0;                // of an early time: distance - r at that time, relative to the scene
+  // Empty where not given.
+  std::optional<bool> feature_is_right;
+  std::optional<double> normal_angle;  // radians, at the exact first contact; empty too where the distance is 0 then
+  std::optional<double> point_error;   // relative to the scene
+};
+
+// Judges the measures of any kernel's answers to one query, which has contact.
+class MotionJudge {
+ public:
+  virtual ~MotionJudge() = default;
+  // The measures beside a contact, the first of the test's.
+  virtual MotionJudgement hit(std::span<const double> measures) = 0;
+  // Of an answer that there is no contact.
+  virtual Tunnel missed() = 0;
+};
+
+}  // namespace axiscert

@@ -1,0 +1,148 @@
+#include "exact/moving_sphere/motion_judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "exact/moving_sphere/sizes.h"
+#include "exact/sphere_triangle/measures/depth.h"
+#include "kernel/moving_sphere/names.h"
+
+namespace axiscert::moving_sphere {
+namespace {
+
+using Vector = portable::Vec3<Rational>;
+using portable::dot;
+
+// The squared distance at a time of the piece, in squares of the motion's unit.
+Rational squared_at(const Piece& piece, const Rational& t) {
+  return ((piece.a * t - 2 * piece.b) * t + piece.c) / piece.divisor;
+}
+
+Vector rationals(const portable::Vec3<mpz_class>& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
+Vector in_units_of(const Vector& v, int exponent) {
+  return {scaled(v.x, exponent), scaled(v.y, exponent), scaled(v.z, exponent)};
+}
+
+std::optional<Vector> vector_at(std::span<const double> measures, std::size_t first) {
+  if (measures.size() < first + 3) return std::nullopt;
+  const auto is_finite = [](double x) { return std::isfinite(x); };
+  if (!std::all_of(measures.begin() + static_cast<std::ptrdiff_t>(first),
+                   measures.begin() + static_cast<std::ptrdiff_t>(first + 3), is_finite)) {
+    return std::nullopt;
+  }
+  return Vector{exact(measures[first]), exact(measures[first + 1]), exact(measures[first + 2])};
+}
+
+std::optional<bool> feature_is_right(double feature, FeatureSet right) {
+  if (std::isnan(feature)) return std::nullopt;
+  for (const Feature one : right) {
+    if (feature == static_cast<double>(index_of(one))) return true;
+  }
+  return false;
+}
+
+template <class Real>
+Rational next_above(double time) {
+  return exact(std::nextafter(static_cast<Real>(time), std::numeric_limits<Real>::infinity()));
+}
+
+}  // namespace
+
+template <class Real>
+ContactJudge<Real>::ContactJudge(const MovingQuery<double>& q)
+    : q_(q), motion_(q), contact_(first_contact(q, motion_).value()), r_(exact(q.r)), scene_(squared_scene(q)) {}
+
+template <class Real>
+Rational ContactJudge<Real>::least_squared(const Rational& until) const {
+  std::optional<Rational> least;
+  for (const Piece& piece : motion_.pieces) {
+    if (piece.first > until) continue;
+    const Rational last = std::min(piece.last, until);
+    // A parabola that is nowhere negative is least at b / a, or at the end that is nearer to it.
+    const Rational at = piece.a == 0 ? piece.first : std::max(piece.first, std::min(last, quotient(piece.b, piece.a)));
+    Rational squared = squared_at(piece, at);
+    if (!least || squared < *least) least = std::move(squared);
+  }
+  return scaled(*least, 2 * motion_.exponent);
+}
+
+template <class Real>
+Rational ContactJudge<Real>::squared_distance(const Rational& at) const {
+  for (const Piece& piece : motion_.pieces) {
+    if (piece.first <= at && at <= piece.last) return scaled(squared_at(piece, at), 2 * motion_.exponent);
+  }
+  return {};  // not reached: the pieces cover [0, 1]
+}
+
+template <class Real>
+TimeVerdict ContactJudge<Real>::time_verdict(double time) const {
+  if (std::isnan(time)) return TimeVerdict::none;
+  if (!(time >= 0 && time <= 1)) return TimeVerdict::invalid;
+  if (compare(contact_.time, exact(time)) < 0) return TimeVerdict::late;
+  return compare(contact_.time, next_above<Real>(time)) < 0 ? TimeVerdict::best : TimeVerdict::early;
+}
+
+template <class Real>
+void ContactJudge<Real>::measure_time(double time, MotionJudgement& out) const {
+  out.time = time_verdict(time);
+  if (out.time != TimeVerdict::early && out.time != TimeVerdict::late) return;
+  const Rational t = exact(time), error = apart(contact_.time, t);
+  const auto best = static_cast<double>(rounded_down<Real>(contact_.time));
+  out.ulps = round_up(Rational(error / (next_above<Real>(best) - exact(best))));
+  out.in_u = round_up(scaled(error, std::numeric_limits<Real>::digits));
+  if (out.time == TimeVerdict::late) out.tunnel = tunnel_of(r_, least_squared(t));
+  else if (sgn(scene_) != 0) out.gap = rounded_depth({squared_distance(t), r_, scene_});
+}
+
+template <class Real>
+auto ContactJudge<Real>::place() const -> Place {
+  const Vector d = rationals(motion_.d), centre = d * approximate(contact_.time);
+  const std::size_t feature = index_of(*contact_.features.begin());
+  const auto vertex = [&](std::size_t i) { return rationals(motion_.vertex[i % 3]); };
+  Vector point = vertex(feature);
+  if (feature == index_of(Feature::face)) {
+    const Vector normal = rationals(motion_.normal);
+    point = centre + normal * Rational(dot(vertex(0) - centre, normal) / dot(normal, normal));
+  } else if (feature >= index_of(Feature::edge_ab)) {
+    const Vector along = vertex(feature + 1) - point;
+    point = point + along * Rational(dot(centre - point, along) / dot(along, along));
+  }
+  return {point, centre - point};
+}
+
+template <class Real>
+void ContactJudge<Real>::measure_place(std::span<const double> measures, MotionJudgement& out) {
+  const std::optional<Vector> normal = vector_at(measures, normal_measure), point = vector_at(measures, point_measure);
+  if (!normal && !point) return;
+  if (!place_) place_ = place();
+  if (normal && sgn(dot(place_->to_centre, place_->to_centre)) != 0) {
+    out.normal_angle = angle_between(*normal, place_->to_centre);
+  }
+  if (!point || sgn(scene_) == 0) return;
+  const Vector p{exact(q_.p.x), exact(q_.p.y), exact(q_.p.z)};
+  const Vector off = *point - p - in_units_of(place_->point, motion_.exponent);
+  const double error = nearest_sqrt<double>(Rational(dot(off, off) / scene_));
+  out.point_error = std::min(error, std::numeric_limits<double>::max());
+}
+
+template <class Real>
+MotionJudgement ContactJudge<Real>::hit(std::span<const double> measures) {
+  MotionJudgement out;
+  if (measures.size() > time_measure) measure_time(measures[time_measure], out);
+  if (measures.size() > feature_measure) {
+    out.feature_is_right = feature_is_right(measures[feature_measure], contact_.features);
+  }
+  measure_place(measures, out);
+  return out;
+}
+
+template <class Real>
+Tunnel ContactJudge<Real>::missed() {
+  return tunnel_of(r_, least_squared(1));
+}
+
+template class ContactJudge<float>;
+template class ContactJudge<double>;
+
+}  // namespace axiscert::moving_sphere

@@ -1,0 +1,40 @@
+// The judge of a kernel's time, feature, normal and point of a first contact.
+#pragma once
+
+#include "exact/judge/motion_judgement.h"
+#include "exact/moving_sphere/first_contact.h"
+
+namespace axiscert::moving_sphere {
+
+// `Real` is the precision of the kernel and of the query. Which times are late, early or best, which features are right
+// and which tunnels reach what is decided exactly, by the comparisons of first_contact.h.
+template <class Real>
+class ContactJudge final : public MotionJudge {
+ public:
+  // Precondition: the query is valid and has contact.
+  explicit ContactJudge(const MovingQuery<double>& q);
+
+  MotionJudgement hit(std::span<const double> measures) override;
+  Tunnel missed() override;
+
+ private:
+  TimeVerdict time_verdict(double time) const;
+  void measure_time(double time, MotionJudgement& out) const;
+  void measure_place(std::span<const double> measures, MotionJudgement& out);
+  // Of the motion until a time in [0, 1], and at it.
+  Rational least_squared(const Rational& until) const;
+  Rational squared_distance(const Rational& at) const;
+  // The nearest point of the triangle at the first contact, and the vector from it to the centre; seen from P.
+  struct Place {
+    portable::Vec3<Rational> point, to_centre;
+  };
+  Place place() const;
+
+  MovingQuery<double> q_;
+  MotionPieces motion_;
+  FirstContact contact_;
+  Rational r_, scene_;  // the scene's extent is squared
+  std::optional<Place> place_;
+};
+
+}  // namespace axiscert::moving_sphere

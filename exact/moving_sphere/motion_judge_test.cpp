@@ -1,0 +1,189 @@
+// The judge of times, features, normals and points, on motions that are worked out by hand.
+#include "exact/moving_sphere/motion_judge.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "exact/moving_sphere/sizes.h"
+
+namespace axiscert::moving_sphere {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+
+// A sphere of radius r falls from z = 3 to z = -1 onto a wide triangle in z = 0: it touches at z = r.
+MovingQuery<double> falling(double r) { return {{-10, -10, 0}, {10, -10, 0}, {0, 10, 0}, {0, 0, 3}, {0, 0, -4}, r}; }
+const double falling_scene = std::sqrt(209.0);  // from P to A
+
+// Past a triangle that is one point, half a radius off the path: in contact where |4 t - 2| <= sqrt(3)/2.
+const MovingQuery<double> passing = {{2, 0.5, 0}, {2, 0.5, 0}, {2, 0.5, 0}, {0, 0, 0}, {4, 0, 0}, 1};
+
+template <class Real = float>
+MotionJudgement judged(const MovingQuery<double>& q, std::initializer_list<double> measures) {
+  const std::vector<double> given = measures;
+  return ContactJudge<Real>(q).hit(given);
+}
+TimeVerdict time_of(const MovingQuery<double>& q, double time) { return judged(q, {time}).time.value(); }
+
+float above(float x) { return std::nextafter(x, 2.0f); }
+float below(float x) { return std::nextafter(x, -1.0f); }
+
+TEST(ContactJudge, TheBestTimeIsTheGreatestThatIsNotLate) {
+  EXPECT_EQ(time_of(falling(1), 0.5), TimeVerdict::best);
+  EXPECT_EQ(time_of(falling(1), above(0.5f)), TimeVerdict::late);
+  EXPECT_EQ(time_of(falling(1), below(0.5f)), TimeVerdict::early);
+  EXPECT_EQ(judged<double>(falling(1), {below(0.5f)}).time, TimeVerdict::early);
+}
+
+TEST(ContactJudge, AnIrrationalTimeHasTwoFloatsAroundIt) {
+  const auto best = static_cast<float>(0.28349364905389035);  // (2 - sqrt(3)/2) / 4
+  const float not_late = static_cast<double>(best) > 0.28349364905389035 ? below(best) : best;
+  EXPECT_EQ(time_of(passing, not_late), TimeVerdict::best);
+  EXPECT_EQ(time_of(passing, above(not_late)), TimeVerdict::late);
+  EXPECT_EQ(time_of(passing, below(not_late)), TimeVerdict::early);
+  const MotionJudgement late = judged(passing, {above(not_late)});
+  EXPECT_GT(late.ulps.value(), 0);
+  EXPECT_LT(late.ulps.value(), 1);
+}
+
+TEST(ContactJudge, ErrorsAreInUlpsOfTheBestTimeAndInU) {
+  // An ulp of 1/2 is 2^-24 = u; the float below is half of that away.
+  const MotionJudgement late = judged(falling(1), {above(0.5f)}), early = judged(falling(1), {below(0.5f)});
+  EXPECT_EQ(late.ulps.value(), 1);
+  EXPECT_EQ(late.in_u.value(), 1);
+  EXPECT_EQ(early.ulps.value(), 0.5);
+  EXPECT_EQ(early.in_u.value(), 0.5);
+  EXPECT_EQ(judged(falling(1), {1}).ulps.value(), 8.38861e6) << "2^23 ulps, rounded up to six digits";
+}
+
+TEST(ContactJudge, ATunnelIsHowFarTheSphereGoesInBefore) {
+  const auto tunnel = [](double r, double time) { return judged(falling(r), {time}).tunnel.value(); };
+  EXPECT_EQ(tunnel(1, 0.625).depth.value(), 0.5);  // z = 1/2
+  EXPECT_FALSE(tunnel(1, 0.625).is_through);
+  EXPECT_EQ(tunnel(1, above(0.5f)).depth.value(), 2.38418e-7) << "2^-22, rounded down to six digits";
+  for (const double time : {0.75, 1.0}) {
+    EXPECT_EQ(tunnel(1, time).depth.value(), 1) << time;
+    EXPECT_TRUE(tunnel(1, time).is_through) << time;
+  }
+  EXPECT_FALSE(tunnel(1, below(0.75f)).is_through);
+  EXPECT_LT(tunnel(1, below(0.75f)).depth.value(), 1);
+  EXPECT_TRUE(tunnel(0, 1).is_through) << "a point that is late is beyond";
+  EXPECT_FALSE(judged(falling(1), {0.25}).tunnel) << "early";
+}
+
+TEST(ContactJudge, TheRootOfTheWrongSignTunnels) {
+  const MotionJudgement left = judged(passing, {0.71650635});  // where the sphere leaves
+  EXPECT_EQ(left.time, TimeVerdict::late);
+  EXPECT_EQ(left.tunnel->depth.value(), 0.5);
+}
+
+TEST(ContactJudge, AMissIsATunnelOfTheWholeMotion) {
+  EXPECT_EQ(ContactJudge<float>(passing).missed().depth.value(), 0.5);
+  EXPECT_TRUE(ContactJudge<float>(falling(1)).missed().is_through);
+  EXPECT_TRUE(ContactJudge<double>(falling(0)).missed().is_through);
+  // Touching at the end is missed by nothing.
+  const MovingQuery<double> grazing = {{-10, -10, 0}, {10, -10, 0}, {0, 10, 0}, {0, 0, 3}, {0, 0, -2}, 1};
+  EXPECT_TRUE(ContactJudge<float>(grazing).missed().depth.is_zero());
+}
+
+TEST(ContactJudge, AGapIsWhatIsLeftAtAnEarlyTime) {
+  EXPECT_EQ(judged(falling(1), {0.25}).gap, 1 / falling_scene);
+  EXPECT_EQ(judged(falling(1), {0.0}).gap, 2 / falling_scene);
+  EXPECT_EQ(judged(falling(1), {0.5}).gap, 0);
+}
+
+TEST(ContactJudge, WhatIsNoTimeIsSaid) {
+  EXPECT_EQ(time_of(falling(1), nan), TimeVerdict::none);
+  for (const double time : {infinity, -infinity, -0x1p-149, 1 + 0x1p-23, 3e38}) {
+    EXPECT_EQ(time_of(falling(1), time), TimeVerdict::invalid) << time;
+  }
+  EXPECT_EQ(time_of(falling(1), -0.0), TimeVerdict::early) << "-0 is 0";
+  EXPECT_FALSE(judged(falling(1), {}).time) << "a kernel without times";
+}
+
+TEST(ContactJudge, AnOverlapAtTheStartIsAtTimeZero) {
+  EXPECT_EQ(time_of(falling(4), 0.0), TimeVerdict::best);
+  EXPECT_EQ(time_of(falling(4), 0x1p-149), TimeVerdict::late);
+  EXPECT_EQ(judged<double>(falling(3), {0.0}).time, TimeVerdict::best) << "touching";
+}
+
+TEST(ContactJudge, AFeatureHasToBeNearestAtTheFirstContact) {
+  const auto feature = [](double number) { return judged(falling(1), {0.5, number}).feature_is_right; };
+  EXPECT_EQ(feature(6), true);
+  for (const double wrong : {0.0, 5.0, 7.0, 5.5, -1.0, infinity}) EXPECT_EQ(feature(wrong), false) << wrong;
+  EXPECT_FALSE(feature(nan));
+  EXPECT_FALSE(judged(falling(1), {0.5}).feature_is_right);
+  for (const double vertex : {0.0, 1.0, 2.0}) EXPECT_EQ(judged(passing, {0.5, vertex}).feature_is_right, true);
+}
+
+TEST(ContactJudge, ANormalIsJudgedByItsAngle) {
+  const auto angle = [](double x, double y, double z) { return judged(falling(1), {0.5, 6, x, y, z}).normal_angle; };
+  EXPECT_EQ(angle(0, 0, 1), 0);
+  EXPECT_EQ(angle(0, 0, 7), 0) << "its length is not judged";
+  EXPECT_DOUBLE_EQ(angle(1, 0, 0).value(), std::numbers::pi / 2);
+  EXPECT_DOUBLE_EQ(angle(0, 0, -1).value(), std::numbers::pi);
+  EXPECT_DOUBLE_EQ(angle(0, 0, 0).value(), std::numbers::pi);
+  EXPECT_DOUBLE_EQ(angle(0x1p-30, 0, 1).value(), 0x1p-30);
+  EXPECT_FALSE(angle(nan, nan, nan));
+  EXPECT_FALSE(judged(falling(0), {0.75, 6, 0, 0, 1}).normal_angle) << "no distance, no normal";
+}
+
+TEST(ContactJudge, APointIsJudgedByItsDistance) {
+  const auto error = [](double x, double z) { return judged(falling(1), {0.5, 6, 0, 0, 1, x, 0, z}).point_error; };
+  EXPECT_EQ(error(0, 0), 0);
+  EXPECT_DOUBLE_EQ(error(3, 4).value(), 5 / falling_scene);
+  EXPECT_FALSE(error(nan, 0));
+}
+
+// A normal and a point seen from the sphere of `passing`: the contact is at the vertex, the normal irrational.
+TEST(ContactJudge, AnIrrationalContactHasItsNormal) {
+  const double x = -std::sqrt(3.0) / 2;
+  const MotionJudgement found = judged<double>(passing, {0.28349364905389035, 0, x, -0.5, 0, 2, 0.5, 0});
+  EXPECT_LT(found.normal_angle.value(), 1e-15);
+  EXPECT_EQ(found.point_error.value(), 0);
+}
+
+TEST(MotionPolicy, APromiseIsDecidedExactly) {
+  const MotionPolicy whole, front{.sides = SidesPolicy::front}, still{.still = StillPolicy::ignored},
+      none{.start = StartPolicy::ignored}, approaching{.start = StartPolicy::approaching};
+  MovingQuery<double> down = falling(1), up = falling(1), rest = falling(1), over = falling(1);
+  up.d = {0, 0, 4};
+  rest.d = {0, 0, 0};
+  over.d = {4, 0, 0x1p-1000};  // along the face, by a hair away from it
+  for (const auto& q : {down, up, rest, over}) EXPECT_TRUE(is_promised(whole, q) && is_promised(none, q));
+  EXPECT_TRUE(is_promised(front, down));
+  for (const auto& q : {up, rest, over}) EXPECT_FALSE(is_promised(front, q));
+  EXPECT_TRUE(is_promised(still, over));
+  EXPECT_FALSE(is_promised(still, rest));
+  // The start touches or overlaps.
+  for (const double r : {3.0, 4.0}) {
+    for (auto* q : {&down, &up, &rest, &over}) q->r = r;
+    for (const auto& q : {down, up, rest, over}) EXPECT_FALSE(is_promised(none, q));
+    EXPECT_TRUE(is_promised(approaching, down));
+    for (const auto& q : {up, rest, over}) EXPECT_FALSE(is_promised(approaching, q));
+  }
+}
+
+TEST(Sizes, ARootIsBelowAndNear) {
+  for (const Rational& q : {Rational(2), Rational(1, 3), exact(0x1p-1000), exact(0x1.8p900), Rational(0)}) {
+    const Rational root = root_below(q), above = root * (1 + exact(0x1p-250));
+    EXPECT_LE(Rational(root * root), q);
+    EXPECT_GE(Rational(above * above), q);
+  }
+}
+
+// The decimal of a tunnel is the greatest of six digits that it reaches, also beside one that it only just reaches.
+TEST(Sizes, ATunnelIsRoundedDownToSixDigits) {
+  const Rational quarter(1, 4);  // least distance 1/2 of 1
+  EXPECT_EQ(tunnel_of(1, quarter).depth.value(), 0.5);
+  EXPECT_EQ(tunnel_of(1, quarter + exact(0x1p-200)).depth.value(), 0.499999);
+  EXPECT_EQ(tunnel_of(1, quarter - exact(0x1p-200)).depth.value(), 0.5);
+  EXPECT_EQ(tunnel_of(1, scaled(Rational(1), -2000)).depth.value(), 0.999999);
+  EXPECT_TRUE(tunnel_of(1, 1).depth.is_zero());
+}
+
+}  // namespace
+}  // namespace axiscert::moving_sphere

@@ -1,0 +1,31 @@
+#include "reports/formats/motion_section.h"
+
+#include "reports/wording/markdown_text.h"
+#include "reports/wording/motion.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+
+std::string motion_section(const Json& record) {
+  Section section("First contacts");
+  section.line(std::string(motion_note) + "\n");
+  std::vector<std::string> columns = {"kernel", "precision", "family"};
+  columns.insert(columns.end(), motion_columns().begin(), motion_columns().end());
+  section.head(columns, 3);
+  bool any = false;
+  for (const Json& kernel : record["kernels"]) {
+    const auto add = [&](const std::string& name, const Json& family) {
+      const std::vector<std::string> cells = motion_cells(family);
+      if (cells.empty()) return;
+      any = true;
+      std::vector<std::string> row = {plain(kernel["id"]), kernel["precision"], plain(name)};
+      row.insert(row.end(), cells.begin(), cells.end());
+      section.row(row);
+    };
+    add("all", all_families(kernel));
+    for (const auto& [family, result] : kernel["families"].items()) add(family, result);
+  }
+  return any ? section.text() : "";
+}
+
+}  // namespace axiscert
