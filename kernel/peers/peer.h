@@ -67,7 +67,10 @@ constexpr axiscert_kernel kernel_in(const Description& says) {
           .measure_count = 0,
           .conforms_to = nullptr,
           .formulae = nullptr,
-          .limits = nullptr};
+          .limits = nullptr,
+          .start = 0,
+          .still = 0,
+          .sides = 0};
 }
 
 // The kernels for axiscert_plugin: binary32, and binary64 too if the library computes in double.

@@ -96,7 +96,10 @@ constexpr axiscert_kernel sweep_kernel_in(const Description& says) {
           .measure_count = Peer::measure_count,
           .conforms_to = nullptr,
           .formulae = nullptr,
-          .limits = nullptr};
+          .limits = nullptr,
+          .start = AXISCERT_START_IS_REPORTED,
+          .still = AXISCERT_STILL_IS_REPORTED,
+          .sides = AXISCERT_BOTH_SIDES};
 }
 
 // The kernels for axiscert_plugin: binary32, and binary64 too if the library computes in double.
