@@ -1,6 +1,6 @@
 // Bullet as games ask it, in float: convexSweepTest of a collision world that has one static btBvhTriangleMeshShape of
-// this triangle, whose margin is 0 as it is made. The description applies to Bullet 3.24. Its answers are nearly those of
-// btContinuousConvexCollision; it drops a hit whose normal is 0 and one whose time is 1.
+// this triangle, whose margin is 0 as it is made. The description applies to Bullet 3.24. Its answers are nearly those
+// of btContinuousConvexCollision; it drops a hit whose normal is 0 and one whose time is 1.
 #include <memory>
 
 #include "kernel/peers/moving_sphere/bullet_cast.h"

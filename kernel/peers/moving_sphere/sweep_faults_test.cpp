@@ -1,5 +1,5 @@
 // The known faults of each library that is asked about a sphere that moves, by kind: a change to one of these requires
-// a change to docs/league.md. The truth of each query is in fuzz/corpus/motions.jsonl, under the name given here.
+// a change to docs/moving.md. The truth of each query is in fuzz/corpus/motions.jsonl, under the name given here.
 #include "kernel/peers/moving_sphere/sweeps_testing.h"
 
 namespace axiscert::peer {
