@@ -12,8 +12,12 @@ foreach(room kernel/peers kernel/sphere_triangle/faults)
   foreach(target ${targets})
     get_target_property(type ${target} TYPE)
     if(type STREQUAL MODULE_LIBRARY)
-      # A build for the quick tests has no peers.
-      install(TARGETS ${target} LIBRARY DESTINATION lib/axiscert/${folder} OPTIONAL)
+      # A build for the quick tests has no peers. Those of another test than the first have a folder of its name.
+      get_target_property(room ${target} AXISCERT_ROOM)
+      if(NOT room)
+        set(room "")
+      endif()
+      install(TARGETS ${target} LIBRARY DESTINATION lib/axiscert/${folder}/${room} OPTIONAL)
     endif()
   endforeach()
   # Which ones this build lacks, and for want of what.

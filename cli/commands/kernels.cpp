@@ -40,10 +40,8 @@ std::vector<const Kernel*> built_in_kernels(const TestDescription& test) {
 std::vector<const Kernel*> shipped_kernels(const TestDescription& test) {
   std::vector<const Kernel*> all;
   for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
-    for (const std::string& name : shipped.names) {
-      const Kernel& kernel = find_kernel(std::string(shipped.prefix) + name);
-      if (kernel.test == &test) all.push_back(&kernel);
-    }
+    if (shipped.test != &test) continue;
+    for (const std::string& name : shipped.names) all.push_back(&find_kernel(shipped.prefix + name));
   }
   return all;
 }
@@ -80,8 +78,8 @@ void print_kernels(const TestDescription& test) {
       "\nPlug-ins: plugin:PATH.so is one of your own, program:MANIFEST.json a program; peer/ are libraries, fault/ "
       "kernels with a planted fault:\n");
   for (const Kernel* kernel : shipped_kernels(test)) print_kernel(*kernel, how_run(*kernel));
-  if (&test != &first_test()) return;  // those that were not built are of the first
   for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
+    if (shipped.test != &test) continue;
     for (const auto& absent : shipped.absent) {
       const std::string id = fmt::format("{}{}", shipped.prefix, absent.name);
       if (!absent.command.empty()) {

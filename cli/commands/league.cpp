@@ -51,9 +51,10 @@ void add_kernel(League& league, const std::string& id) {
 void add_all_kernels(League& league, bool engines) {
   for (const std::string& id : own_kernels) add_kernel(league, id);
   for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
+    if (shipped.test != &first_test()) continue;
     const bool competes = shipped.prefix == "peer/";
     for (const std::string& name : shipped.names) {
-      const std::string id = std::string(shipped.prefix) + name;
+      const std::string id = shipped.prefix + name;
       if (engines || !plugin::is_program(find_kernel(id))) add_kernel(league, id);
     }
     if (competes) league.contenders = league.plan.kernels.size();

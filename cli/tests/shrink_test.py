@@ -144,7 +144,7 @@ class Corpus(Case):
     def test_run_replays_it_beside_families(self):
         record = self.run_ok("--corpus", CORPUS, "--kernel", "nonstrict", "--kernel", "published")
         entries = [json.loads(line) for f in sorted(CORPUS.glob("*.jsonl")) for line in f.read_text().splitlines()]
-        entries = [e for e in entries if "test" not in e]  # a run is of one test
+        entries = [entry for entry in entries if "test" not in entry]  # a run is of one test
         for precision in ("binary32", "binary64"):
             expected = [e["expected"] for e in entries if e["precision"] == precision]
             truth = family(record, "corpus", precision)["truth"]

@@ -7,15 +7,11 @@
 // value is its answer.
 //
 // A peer is a type with a number type `Real` and `int operator()(const Query<Real>&)`, which returns an
-// axiscert_verdict. It lives for one batch, and keeps nothing from query to query. One that gives the first measures of
-// its test has `static constexpr std::size_t measure_count` and `int operator()(const Query<Real>&, Real* measures)`;
-// those that it does not write are NaN.
+// axiscert_verdict. It lives for one batch, and keeps nothing from query to query.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <concepts>
-#include <limits>
 
 #include "kernel/include/axiscert/plugin.h"
 #include "kernel/sphere_triangle/query.h"
@@ -37,19 +33,6 @@ int verdict_within(Real distance, Real reach) {
   return std::isnan(distance) ? AXISCERT_INVALID : verdict_of(distance <= reach);
 }
 
-template <class Peer>
-constexpr std::size_t measure_count_of() {
-  if constexpr (requires { Peer::measure_count; }) return Peer::measure_count;
-  else return 0;
-}
-
-// The peer's verdict on a valid query, and its measures.
-template <class Peer, class Query>
-int ask_peer(Peer& peer, const Query& q, std::array<typename Peer::Real, measure_count_of<Peer>()>& measures) {
-  if constexpr (measure_count_of<Peer>() == 0) return peer(q);
-  else return peer(q, measures.data());
-}
-
 // Answers a batch of queries in `Input`, whose numbers are exact in the peer's own number type.
 template <class Peer, std::floating_point Input>
 void run(const axiscert_batch* batch, const axiscert_answers* answers) {
@@ -59,16 +42,11 @@ void run(const axiscert_batch* batch, const axiscert_answers* answers) {
     for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = static_cast<const Input*>(batch->column[k])[i];
     const Query<Input> q = from_coordinates(v);
     int verdict = AXISCERT_INVALID;
-    std::array<typename Peer::Real, measure_count_of<Peer>()> measures;
-    measures.fill(std::numeric_limits<typename Peer::Real>::quiet_NaN());
     if (is_valid(q)) {
-      if constexpr (std::same_as<typename Peer::Real, Input>) verdict = ask_peer(peer, q, measures);
-      else verdict = ask_peer(peer, widened(q), measures);
+      if constexpr (std::same_as<typename Peer::Real, Input>) verdict = peer(q);
+      else verdict = peer(widened(q));
     }
     answers->verdict[i] = static_cast<std::uint8_t>(verdict);
-    for (std::size_t k = 0; k < answers->measure_count; ++k) {
-      static_cast<Input*>(answers->measure[k])[i] = static_cast<Input>(measures[k]);
-    }
   }
 }
 
@@ -86,10 +64,13 @@ constexpr axiscert_kernel kernel_in(const Description& says) {
           .source = says.source,
           .exposes = AXISCERT_VERDICT_ONLY,
           .touching = says.touching,
-          .measure_count = measure_count_of<Peer>(),
+          .measure_count = 0,
           .conforms_to = nullptr,
           .formulae = nullptr,
-          .limits = nullptr};
+          .limits = nullptr,
+          .start = 0,
+          .still = 0,
+          .sides = 0};
 }
 
 // The kernels for axiscert_plugin: binary32, and binary64 too if the library computes in double.

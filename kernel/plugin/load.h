@@ -47,14 +47,17 @@ struct Shipped {
     std::string name, package;
     std::string command;  // which installs it; empty: it is a Debian package
   };
-  std::string_view prefix;         // "peer/": libraries that answer the same question; "fault/": kernels with a fault
+  const TestDescription* test = nullptr;  // that they answer
+  // "peer/": libraries that answer the same question; "fault/": kernels with a fault. Of any test but the first the id
+  // of the test comes before: "moving-sphere/peer/".
+  std::string prefix;
   std::vector<std::string> names;  // that were built, in the order of the alphabet; then programs that are installed
   std::vector<Absent> absent;      // for want of a package
 };
 std::vector<Shipped> shipped_plugins();
 
-// The file of an id "plugin:PATH", "program:MANIFEST", "peer/NAME" or "fault/NAME"; nothing for any other id. Throws
-// Error where there is no such peer or fault.
+// The file of an id "plugin:PATH", "program:MANIFEST", "peer/NAME", "TEST/peer/NAME" or "fault/NAME"; nothing for any
+// other id. Throws Error where there is no such peer or fault.
 std::optional<std::string> plugin_path(std::string_view id);
 
 // The path that an id of no kernel looks like: "my_kernel.so" without "plugin:", "Plugin:my_kernel.so", "my_kernel"

@@ -15,10 +15,7 @@
 namespace axiscert::plugin {
 namespace {
 
-struct Kind {
-  std::string_view prefix, folder;
-};
-constexpr Kind kinds[] = {{"peer/", "peers"}, {"fault/", "faults"}};
+constexpr std::string_view peers_folder = "peers";
 constexpr std::string_view programs_folder = "npm";  // in that of the peers
 
 // The command that brings the packages of the programs in `folder`, which in a build tree is a link to the source's.
@@ -27,13 +24,31 @@ std::string engines_command(const std::filesystem::path& folder) {
   return fmt::format("npm ci --ignore-scripts --prefix {}", std::filesystem::weakly_canonical(folder).string());
 }
 
+// Plug-ins of a test: in `folder`, for a test other than the first in a folder of its name there.
+struct Kind {
+  const TestDescription* test;
+  std::string prefix;
+  std::string_view folder;
+  std::string inside;  // of `folder`: "", or "moving-sphere/"
+};
+
+std::vector<Kind> kinds() {
+  std::vector<Kind> all = {{&first_test(), "peer/", peers_folder, ""}, {&first_test(), "fault/", "faults", ""}};
+  for (const TestDescription* test : tests()) {
+    if (test == &first_test()) continue;
+    all.push_back({test, fmt::format("{}/peer/", test->id), peers_folder, fmt::format("{}/", test->id)});
+  }
+  return all;
+}
+
 // A program that comes along: its manifest, and the package or program that it needs and that is not here.
 struct ShippedProgram {
   std::string manifest, missing;
 };
 
-// Those of PEERS/npm, by the names that they declare. Other files of JSON are there too.
-std::map<std::string, ShippedProgram> shipped_programs(const std::filesystem::path& peers) {
+// Those of PEERS/npm that answer a test, by the names that they declare. Other files of JSON are there too.
+std::map<std::string, ShippedProgram> shipped_programs(const std::filesystem::path& peers,
+                                                       const TestDescription& test) {
   std::map<std::string, ShippedProgram> found;
   const std::filesystem::path folder = peers / programs_folder;
   std::error_code none;
@@ -42,6 +57,7 @@ std::map<std::string, ShippedProgram> shipped_programs(const std::filesystem::pa
     const std::string path = at->path().string(), text = manifest_text(path);
     if (text.find(manifest_format) == text.npos) continue;
     const Manifest manifest = read_manifest(text, path);
+    if ((manifest.test.empty() ? first_test().id : manifest.test) != test.id) continue;
     ShippedProgram& program = found[manifest.name];
     program.manifest = path;
     if (program_file(manifest.command.front(), folder).empty()) program.missing = manifest.command.front();
@@ -61,21 +77,27 @@ struct Located {
 Located located(const Kind& kind) {
   Located all;
   Shipped& found = all.found;
+  found.test = kind.test;
   found.prefix = kind.prefix;
   const auto folder = shipped_folder(kind.folder);
   if (!folder) return all;
-  for (const auto& entry : std::filesystem::directory_iterator(*folder)) {
-    if (entry.path().extension() != ".so") continue;
-    found.names.push_back(entry.path().stem().string());
-    all.files[found.names.back()] = fmt::format("{}/{}.so", *folder, found.names.back());
+  std::error_code none;
+  const std::filesystem::path inside = std::filesystem::path(*folder) / kind.inside;
+  for (std::filesystem::directory_iterator at(inside, none), end; !none && at != end; at.increment(none)) {
+    if (at->path().extension() != ".so") continue;
+    found.names.push_back(at->path().stem().string());
+    all.files[found.names.back()] = at->path().string();
   }
   std::sort(found.names.begin(), found.names.end());
+  // Lines "NAME<TAB>package", and "TEST/NAME<TAB>package" for the others.
   std::ifstream list(std::filesystem::path(*folder) / "absent.txt");
   for (std::string line; std::getline(list, line);) {
-    const std::size_t tab = line.find('\t');
-    if (tab != line.npos) found.absent.push_back({line.substr(0, tab), line.substr(tab + 1), ""});
+    const std::size_t tab = line.find('\t'), slash = line.substr(0, tab).rfind('/');
+    if (tab == line.npos || line.substr(0, slash == line.npos ? 0 : slash + 1) != kind.inside) continue;
+    found.absent.push_back({line.substr(kind.inside.size(), tab - kind.inside.size()), line.substr(tab + 1), ""});
   }
-  for (const auto& [name, program] : shipped_programs(*folder)) {
+  if (kind.folder != peers_folder) return all;
+  for (const auto& [name, program] : shipped_programs(*folder, *kind.test)) {
     if (!program.missing.empty()) {
       found.absent.push_back(
           {name, program.missing, engines_command(std::filesystem::path(*folder) / programs_folder)});
@@ -91,7 +113,7 @@ Located located(const Kind& kind) {
 
 std::vector<Shipped> shipped_plugins() {
   std::vector<Shipped> all;
-  for (const Kind& kind : kinds) all.push_back(located(kind).found);
+  for (const Kind& kind : kinds()) all.push_back(located(kind).found);
   return all;
 }
 
@@ -99,7 +121,7 @@ std::optional<std::string> plugin_path(std::string_view id) {
   for (const std::string_view prefix : {by_path, by_manifest}) {
     if (id.starts_with(prefix)) return std::string(id.substr(prefix.size()));
   }
-  for (const Kind& kind : kinds) {
+  for (const Kind& kind : kinds()) {
     if (!id.starts_with(kind.prefix)) continue;
     const auto [known, files] = located(kind);
     const std::string_view name = id.substr(kind.prefix.size());

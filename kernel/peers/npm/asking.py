@@ -41,11 +41,11 @@ def numbers_of(line, test="sphere-triangle"):
     return numbers
 
 
-def stream(queries, precision="binary32", test="sphere-triangle"):
-    """The bytes of a query stream."""
+def stream(queries, precision="binary32", test="sphere-triangle", measures=0):
+    """The bytes of a query stream that asks for so many measures beside each verdict."""
     bits = {"binary32": 32, "binary64": 64}[precision]
     columns = sum(1 if member == "r" else 3 for member in COLUMNS[test])
-    plan = json.dumps({"test": test, "columns": columns}).encode().ljust(64)
+    plan = json.dumps({"test": test, "columns": columns, **({"measures": measures} if measures else {})}).encode().ljust(64)
     version = 1 if test == "sphere-triangle" else 2
     head = struct.pack("<8sIIQII", b"AXISCERT", version, bits, len(queries), 64 + len(plan), columns * bits // 8)
     record = struct.Struct(f"<{columns}{'f' if bits == 32 else 'd'}")
@@ -66,6 +66,21 @@ def verdicts(output, sent, count):
     assert len(output) >= end, f"{len(output)} bytes of reply, not {end}"
     assert not any(output[i] for i in range(size, end) if (i - size) % reply), "a reply has more than a verdict"
     return [VERDICTS[v] for v in output[size:end:reply]], output[end:]
+
+
+def ask_measures(command, folder, queries, count, precision="binary32", test="moving-sphere"):
+    """Verdict and `count` measures of each query, from a stream that asks for these."""
+    sent = stream(queries, precision, test, count)
+    done = run(command, folder, sent)
+    assert done.returncode == 0, f"{command} exited with {done.returncode}: {done.stderr.decode(errors='replace')[-2000:]}"
+    size = struct.unpack_from("<I", sent, 24)[0]
+    reply = struct.Struct(f"<BB14x{count}{'f' if precision == 'binary32' else 'd'}")
+    assert len(done.stdout) == size + reply.size * len(queries), f"{len(done.stdout)} bytes"
+    answers = []
+    for verdict, flags, *numbers in reply.iter_unpack(done.stdout[size:]):
+        assert flags == 2, f"the flags are {flags}; bit 1 says that measures follow"
+        answers.append((VERDICTS[verdict], numbers))
+    return answers
 
 
 def ask_each(command, folder, streams, precision="binary32", test="sphere-triangle"):

@@ -70,6 +70,18 @@ class Answers(unittest.TestCase):
         self.assertEqual(asking.ask(TOY, asking.FOLDER, moved, test="moving-sphere"),
                          ["contact", "separated", "contact", "invalid"])
 
+    def test_measures_follow_each_reply_where_the_stream_asks_for_them(self):
+        moved = [query(RIGHT)[:12] + [0, 0, dz, 1] for dz in (7, 0, 8, 9, math.nan)]
+        for precision in ("binary32", "binary64"):
+            for count in (1, 5, 8):
+                answers = asking.ask_measures(TOY, asking.FOLDER, moved, count, precision)
+                self.assertEqual([verdict for verdict, _ in answers], ["contact", "separated", "invalid", "contact", "invalid"])
+                self.assertEqual(str(answers[0][1]), str([0.5, math.nan, 0.0, 0.0, 1.0, math.nan, math.nan, math.nan][:count]))
+                for _, said in answers[1:]:
+                    self.assertTrue(all(math.isnan(number) for number in said), said)
+        self.assertEqual(asking.ask(TOY, asking.FOLDER, moved, test="moving-sphere"),
+                         ["contact", "separated", "invalid", "contact", "invalid"])
+
     def test_replies_come_before_the_input_ends(self):
         sent = asking.stream([query(RIGHT)])
         with subprocess.Popen(TOY, cwd=asking.FOLDER, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as program:
@@ -126,7 +138,9 @@ class NoStream(unittest.TestCase):
                            (with_field(24, 2**21), "header's size"), (with_field(28, 51), "has 52 bytes, not 51"),
                            (good + b"AXIS", "not a query stream"),
                            (asking.stream([], test="moving-sphere").replace(b"moving-sphere", b"parking-cones"), "'parking-cones'"),
-                           (asking.stream([], test="moving-sphere").replace(b'{"test"', b'["test"'), "JSON")):
+                           (asking.stream([], test="moving-sphere").replace(b'{"test"', b'["test"'), "JSON"),
+                           (asking.stream([], test="moving-sphere", measures=9), "9 measures; moving-sphere has 8"),
+                           (asking.stream([], test="moving-sphere", measures="x"), "x measures")):
             with self.subTest(says):
                 self.refused(sent, says)
 
@@ -149,6 +163,8 @@ class Manifests(unittest.TestCase):
                     self.assertIn(f"'{form}':", program)
                 self.assertIn(of["touching"], ("contact", "separated", "either"))
                 self.assertLessEqual(set(of["precisions"]), {"binary32", "binary64"})
+                self.assertIn(of["test"], asking.COLUMNS)
+                self.assertEqual(of.get("measures", 0), 8 if of["test"] == "moving-sphere" else 0)
 
     def test_every_engine_has_one(self):
         self.assertEqual({of["package"] for of in self.MANIFESTS.values()}, set(self.WANTED))

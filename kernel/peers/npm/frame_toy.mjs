@@ -1,5 +1,5 @@
 // An engine for frame_test.py, which needs no package. The number ax says what it does.
-import {CONTACT, SEPARATED, serve, UNDECIDED, verdictOf} from './engines/frame.mjs';
+import {CONTACT, hit, SEPARATED, serve, UNDECIDED, verdictOf} from './engines/frame.mjs';
 
 // A WebAssembly module whose function `trap` is one instruction, unreachable.
 const trapping = new WebAssembly.Module(Uint8Array.of(
@@ -22,7 +22,16 @@ async function make() {
       default: return UNDECIDED;
     }
   };
-  return {'sphere-triangle': answer, 'moving-sphere': (q) => verdictOf(q[14] === 7)};
+  // A contact after half of the way for dz = 7, with a time that is none for dz = 8, and without a word on it for dz = 9.
+  const moving = (q) => {
+    switch (q[14]) {
+      case 7: return hit(0.5, [0, 0, 1]);
+      case 8: return hit(NaN);
+      case 9: return CONTACT;
+      default: return SEPARATED;
+    }
+  };
+  return {'sphere-triangle': answer, 'moving-sphere': moving};
 }
 
 await serve(make);

@@ -3,24 +3,32 @@
 //   mesh-beside  a second triangle is in the mesh
 //   hull         btConvexHullShape of the three vertices, its margin 0
 //   hull-margin  the same with its margin of 0.04, as it is made
+//   sweep        of the test moving-sphere: convexSweepTest against the mesh. It takes where the centre ends, rounded
+//                here.
 import {createRequire} from 'node:module';
 
-import {serve, UNDECIDED, verdictOf} from './frame.mjs';
-import {centre, form, mesh, radius, vertices} from './triangle.mjs';
+import {hit, SEPARATED, serve, UNDECIDED, verdictOf} from './frame.mjs';
+import {centre, end, form, mesh, radius, vertices} from './triangle.mjs';
 
-const asked = form({'mesh': {}, 'mesh-beside': {two: true}, 'hull': {hull: true, margin: 0}, 'hull-margin': {hull: true}});
+const asked = form({
+  'mesh': {},
+  'mesh-beside': {two: true},
+  'hull': {hull: true, margin: 0},
+  'hull-margin': {hull: true},
+  'sweep': {sweep: true},
+});
 
 async function make() {
   const Ammo = await createRequire(import.meta.url)('ammojs-typed/wasm')();
   const configuration = new Ammo.btDefaultCollisionConfiguration(), dispatcher = new Ammo.btCollisionDispatcher(configuration);
   const world = new Ammo.btDiscreteDynamicsWorld(dispatcher, new Ammo.btDbvtBroadphase(),
                                                  new Ammo.btSequentialImpulseConstraintSolver(), configuration);
-  const place = new Ammo.btTransform(), point = new Ammo.btVector3(0, 0, 0), corners = [0, 1, 2].map(() => new Ammo.btVector3(0, 0, 0));
+  const place = new Ammo.btTransform(), arrival = new Ammo.btTransform(), point = new Ammo.btVector3(0, 0, 0), corners = [0, 1, 2].map(() => new Ammo.btVector3(0, 0, 0));
   const object = new Ammo.btPairCachingGhostObject(), ball = new Ammo.btPairCachingGhostObject();
-  let hit = false;
+  let touches = false;
   const heard = new Ammo.ConcreteContactResultCallback();
   heard.addSingleResult = (contact) => {
-    if (Ammo.wrapPointer(contact, Ammo.btManifoldPoint).getDistance() <= 0) hit = true;
+    if (Ammo.wrapPointer(contact, Ammo.btManifoldPoint).getDistance() <= 0) touches = true;
     return 0;
   };
 
@@ -51,13 +59,36 @@ async function make() {
     place.setOrigin(moved(point, centre(q)));
     ball.setWorldTransform(place);
     ball.setCollisionShape(sphere);
-    hit = false;
+    touches = false;
     world.contactPairTest(ball, object, heard);
     for (const used of [sphere, ...shapes.reverse()]) Ammo.destroy(used);
-    return verdictOf(hit);
+    return verdictOf(touches);
   }
 
-  return {'sphere-triangle': sphereTriangle};
+  function movingSphere(q) {
+    const to = end(q);
+    if (to === null) return UNDECIDED;
+    const shapes = shapesOf(q), sphere = new Ammo.btSphereShape(radius(q));
+    place.setIdentity();
+    object.setWorldTransform(place);
+    object.setCollisionShape(shapes.at(-1));
+    world.addCollisionObject(object, 1, -1);
+    place.setOrigin(moved(corners[0], centre(q)));
+    arrival.setIdentity();
+    arrival.setOrigin(moved(corners[1], to));
+    const found = new Ammo.ClosestConvexResultCallback(corners[0], corners[1]);
+    world.convexSweepTest(sphere, place, arrival, found, 0);
+    let answer = SEPARATED;
+    if (found.hasHit()) {
+      const n = found.get_m_hitNormalWorld(), on = found.get_m_hitPointWorld();
+      answer = hit(found.get_m_closestHitFraction(), [n.x(), n.y(), n.z()], [on.x(), on.y(), on.z()]);
+    }
+    world.removeCollisionObject(object);
+    for (const used of [found, sphere, ...shapes.reverse()]) Ammo.destroy(used);
+    return answer;
+  }
+
+  return asked.sweep ? {'moving-sphere': movingSphere} : {'sphere-triangle': sphereTriangle};
 }
 
 await serve(make);

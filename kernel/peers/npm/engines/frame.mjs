@@ -5,8 +5,9 @@
 //   await serve(async () => ({'sphere-triangle': (q) => verdict}));
 //
 // `make` loads the engine and returns a function for each test that it answers, by the test's id. That function takes
-// the numbers of one query, in the order of the test's columns, and returns a verdict. Queries that are none (a number
-// that is not finite, a negative length) are answered `invalid` and not handed on.
+// the numbers of one query, in the order of the test's columns, and returns a verdict; or, where the engine says more of
+// a contact, what `hit` makes of it, for streams that ask for measures. Queries that are none (a number that is not
+// finite, a negative length) are answered `invalid` and not handed on.
 //
 // An exception declines the query: `undecided`, with a line on standard error. After a trap of WebAssembly the engine's
 // memory cannot be trusted, and after an abort it answers nothing: it is made anew.
@@ -18,8 +19,16 @@ export const CONTACT = 0, SEPARATED = 1, UNDECIDED = 2, INVALID = 3;
 export const verdictOf = (contact) => (contact ? CONTACT : SEPARATED);
 // The verdict of an engine that gives a distance.
 export const verdictWithin = (distance, reach) => (Number.isNaN(distance) ? INVALID : verdictOf(distance <= reach));
+// The answer of an engine that hits: what it says of the first contact, in the order of the measures of moving-sphere
+// (`axiscert tests`). `time` is a fraction of the displacement; `normal` and `point` have three numbers each. A hit whose
+// time is NaN is no answer.
+const UNSAID = [NaN, NaN, NaN];
+export function hit(time, normal = UNSAID, point = UNSAID) {
+  return {verdict: Number.isNaN(time) ? INVALID : CONTACT, measures: [time, NaN, ...normal, ...point]};
+}
 
 const HEAD = 64, GREATEST_HEADER = 1 << 20;
+const MEASURES_FOLLOW = 2;  // bit 1 of a reply's flags
 // Queries whose replies are written together: few, so that a reader knows how far a program came that hangs.
 const QUERIES_A_WRITE = 64;
 // Lines on standard error for each stream. Some engines print one for every shape that they refuse.
@@ -84,10 +93,10 @@ function readHeader(answers) {
   const plan = Buffer.alloc(size - HEAD);
   if (readAll(plan) < plan.length) fail('the stream ends within its header');
 
-  let id = 'sphere-triangle';
+  let id = 'sphere-triangle', measures = 0;
   if (version === 2) {
     try {
-      id = JSON.parse(plan.toString('utf8')).test;
+      ({test: id, measures = 0} = JSON.parse(plan.toString('utf8')));
     } catch {
       fail('the plan of a stream of version 2 is to be JSON with a member "test"');
     }
@@ -95,10 +104,14 @@ function readHeader(answers) {
   const ids = Object.keys(answers);
   if (!ids.includes(id)) fail(`the stream asks '${id}'; this program answers ${ids.join(', ')}`);
   const columns = tests[id].columns;
+  if (!(measures >= 0 && measures <= tests[id].measures)) {
+    fail(`the stream asks for ${measures} measures; ${id} has ${tests[id].measures}`);
+  }
   if (recordSize !== columns * precision / 8) {
     fail(`a record of ${id} in binary${precision} has ${columns * precision / 8} bytes, not ${recordSize}`);
   }
-  return {bytes: Buffer.concat([head, plan]), id, precision, count, columns, recordSize, replySize: version === 1 ? 4 : 16};
+  return {bytes: Buffer.concat([head, plan]), id, precision, count, columns, recordSize, measures,
+          replySize: version === 1 ? 4 : 16 + measures * precision / 8};
 }
 
 function isQuery(test, q) {
@@ -113,9 +126,10 @@ export async function serve(make) {
   let answers = await make();
   for (let header; (header = readHeader(answers)) !== null;) {
     lines = 0;
-    const {id, columns, recordSize, replySize} = header;
+    const {id, columns, recordSize, replySize, measures} = header;
     const records = Buffer.from(new ArrayBuffer(QUERIES_A_WRITE * recordSize));
     const numbers = new (header.precision === 32 ? Float32Array : Float64Array)(records.buffer);
+    const put = header.precision === 32 ? Buffer.prototype.writeFloatLE : Buffer.prototype.writeDoubleLE;
     writeAll(1, header.bytes);
     for (let first = 0; first < header.count; first += QUERIES_A_WRITE) {
       const count = Math.min(QUERIES_A_WRITE, header.count - first);
@@ -124,10 +138,11 @@ export async function serve(make) {
       const replies = Buffer.alloc(count * replySize);
       for (let i = 0; i < count; ++i) {
         const q = numbers.subarray(i * columns, (i + 1) * columns);
-        let verdict = INVALID;
+        let verdict = INVALID, said = [];
         if (isQuery(tests[id], q)) {
           try {
-            verdict = answers[id](q);
+            const answer = answers[id](q);
+            ({verdict, measures: said} = typeof answer === 'object' ? answer : {verdict: answer, measures: []});
           } catch (error) {
             verdict = UNDECIDED;
             say(`query ${first + i}: ${error}`);
@@ -136,6 +151,9 @@ export async function serve(make) {
         }
         if (![CONTACT, SEPARATED, UNDECIDED, INVALID].includes(verdict)) fail(`query ${first + i}: '${verdict}' is not a verdict`);
         replies[i * replySize] = verdict;
+        if (measures === 0) continue;
+        replies[i * replySize + 1] = MEASURES_FOLLOW;
+        for (let k = 0; k < measures; ++k) put.call(replies, said[k] ?? NaN, i * replySize + 16 + k * header.precision / 8);
       }
       writeAll(1, replies);
     }

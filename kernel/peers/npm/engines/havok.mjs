@@ -2,15 +2,17 @@
 //   mesh         HP_Shape_CreateMesh
 //   mesh-beside  a second triangle is in the mesh
 //   hull         HP_Shape_CreateConvexHull of the three vertices
+//   sweep        of the test moving-sphere: HP_World_ShapeCastWithCollector against the mesh. It takes where the centre
+//                ends, rounded here.
 import {readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 
 import HavokPhysics from '@babylonjs/havok';
 
-import {serve, UNDECIDED, verdictOf} from './frame.mjs';
-import {centre, form, mesh, radius} from './triangle.mjs';
+import {hit, SEPARATED, serve, UNDECIDED, verdictOf} from './frame.mjs';
+import {centre, end, form, mesh, radius} from './triangle.mjs';
 
-const asked = form({'mesh': {}, 'mesh-beside': {two: true}, 'hull': {hull: true}});
+const asked = form({'mesh': {}, 'mesh-beside': {two: true}, 'hull': {hull: true}, 'sweep': {sweep: true}});
 const wasm = readFileSync(createRequire(import.meta.url).resolve('@babylonjs/havok').replace(/umd[/\\][^/\\]*$/, 'esm/HavokPhysics.wasm'));
 
 async function make() {
@@ -30,7 +32,8 @@ async function make() {
     return result === hk.Result.RESULT_OK ? shape : null;
   }
 
-  function sphereTriangle(q) {
+  // What `ask` says of the sphere, with the triangle in the world; undecided where Havok refuses one of them.
+  function withShapes(q, ask) {
     const [result, sphere] = hk.HP_Shape_CreateSphere(origin, radius(q));
     if (result !== hk.Result.RESULT_OK) return UNDECIDED;
     const shape = shapeOf(q);
@@ -43,16 +46,28 @@ async function make() {
     hk.HP_Body_SetShape(body, shape);
     hk.HP_Body_SetQTransform(body, [origin, noTurn]);
     hk.HP_World_AddBody(world, body, false);
-    hk.HP_World_ShapeProximityWithCollector(world, collector, [sphere, [...centre(q)], noTurn, 0, false, nobody]);
-    const verdict = verdictOf(hk.HP_QueryCollector_GetNumHits(collector)[1] > 0);
+    const answer = ask(sphere);
     hk.HP_World_RemoveBody(world, body);
     hk.HP_Body_Release(body);
     hk.HP_Shape_Release(shape);
     hk.HP_Shape_Release(sphere);
-    return verdict;
+    return answer;
   }
+  const hits = () => hk.HP_QueryCollector_GetNumHits(collector)[1] > 0;
 
-  return {'sphere-triangle': sphereTriangle};
+  const sphereTriangle = (q) => withShapes(q, (sphere) => {
+    hk.HP_World_ShapeProximityWithCollector(world, collector, [sphere, [...centre(q)], noTurn, 0, false, nobody]);
+    return verdictOf(hits());
+  });
+
+  const movingSphere = (q) => end(q) === null ? UNDECIDED : withShapes(q, (sphere) => {
+    hk.HP_World_ShapeCastWithCollector(world, collector, [sphere, noTurn, [...centre(q)], [...end(q)], false, nobody]);
+    if (!hits()) return SEPARATED;
+    const [fraction, , on] = hk.HP_QueryCollector_GetShapeCastResult(collector, 0)[1];
+    return hit(fraction, on[4], on[3]);
+  });
+
+  return asked.sweep ? {'moving-sphere': movingSphere} : {'sphere-triangle': sphereTriangle};
 }
 
 await serve(make);

@@ -3,16 +3,20 @@
 //   mesh-one-sided   as by default
 //   mesh-beside      back faces collide; a second triangle is in the mesh
 //   hull             a convex hull of the three vertices, with the default convex radius
-import {serve, UNDECIDED, verdictOf} from './frame.mjs';
+//   sweep            of the test moving-sphere: TransformedShape.CastShape with the mesh, back faces too
+//   sweep-one-sided  the same, back faces ignored, as by default
+import {hit, SEPARATED, serve, UNDECIDED, verdictOf} from './frame.mjs';
 import initialized from 'jolt-physics';
 
-import {centre, form, mesh, radius, vertices} from './triangle.mjs';
+import {centre, form, mesh, motion, radius, unit, vertices} from './triangle.mjs';
 
 const asked = form({
   'mesh': {backFaces: true},
   'mesh-one-sided': {backFaces: false},
   'mesh-beside': {backFaces: true, two: true},
   'hull': {backFaces: true, hull: true},
+  'sweep': {backFaces: true, sweep: true},
+  'sweep-one-sided': {backFaces: false, sweep: true},
 });
 
 async function make() {
@@ -29,7 +33,9 @@ async function make() {
 
   const settings = new Jolt.CollideShapeSettings();
   settings.mMaxSeparationDistance = 0;
-  settings.mBackFaceMode = asked.backFaces ? Jolt.EBackFaceMode_CollideWithBackFaces : Jolt.EBackFaceMode_IgnoreBackFaces;
+  const casting = new Jolt.ShapeCastSettings();
+  settings.mBackFaceMode = casting.mBackFaceModeTriangles = casting.mBackFaceModeConvex =
+      asked.backFaces ? Jolt.EBackFaceMode_CollideWithBackFaces : Jolt.EBackFaceMode_IgnoreBackFaces;
   const one = new Jolt.Vec3(1, 1, 1), zero = new Jolt.Vec3(0, 0, 0), noTurn = new Jolt.Quat(0, 0, 0, 1);
   const origin = new Jolt.RVec3(0, 0, 0), filter = new Jolt.ShapeFilter();
 
@@ -72,7 +78,8 @@ async function make() {
     return shape;
   }
 
-  function sphereTriangle(q) {
+  // What `ask` says of the triangle's shape and the sphere; undecided where Jolt refuses one of them.
+  function withShapes(q, ask) {
     const sphereSettings = new Jolt.SphereShapeSettings(radius(q));
     sphereSettings.AddRef();
     const sphere = created(sphereSettings);
@@ -83,18 +90,36 @@ async function make() {
       transformed.mShape = shape;
       transformed.SetWorldTransform(origin, noTurn, one);
       const p = centre(q), at = new Jolt.RVec3(p[0], p[1], p[2]);
-      const place = Jolt.RMat44.prototype.sTranslation(at);
-      const collector = new Jolt.CollideShapeAnyHitCollisionCollector();
-      transformed.CollideShape(sphere, one, place, settings, origin, collector, filter);
-      verdict = verdictOf(collector.HadHit());
-      for (const made of [collector, at, transformed]) Jolt.destroy(made);
+      verdict = ask(transformed, sphere, Jolt.RMat44.prototype.sTranslation(at));
+      for (const made of [at, transformed]) Jolt.destroy(made);
       shape.Release();
     }
     if (sphere) sphere.Release();
     return verdict;
   }
 
-  return {'sphere-triangle': sphereTriangle};
+  const sphereTriangle = (q) => withShapes(q, (transformed, sphere, place) => {
+    const collector = new Jolt.CollideShapeAnyHitCollisionCollector();
+    transformed.CollideShape(sphere, one, place, settings, origin, collector, filter);
+    const verdict = verdictOf(collector.HadHit());
+    Jolt.destroy(collector);
+    return verdict;
+  });
+
+  const movingSphere = (q) => withShapes(q, (transformed, sphere, place) => {
+    const d = motion(q), direction = new Jolt.Vec3(d[0], d[1], d[2]);
+    const cast = new Jolt.RShapeCast(sphere, one, place, direction), collector = new Jolt.CastShapeClosestHitCollisionCollector();
+    transformed.CastShape(cast, casting, origin, collector, filter);
+    let answer = SEPARATED;
+    if (collector.HadHit()) {
+      const {mFraction, mPenetrationAxis: axis, mContactPointOn2: on} = collector.mHit;  // the axis leads to the triangle
+      answer = hit(mFraction, unit([axis.GetX(), axis.GetY(), axis.GetZ()], -1), [on.GetX(), on.GetY(), on.GetZ()]);
+    }
+    for (const made of [collector, cast, direction]) Jolt.destroy(made);
+    return answer;
+  });
+
+  return asked.sweep ? {'moving-sphere': movingSphere} : {'sphere-triangle': sphereTriangle};
 }
 
 await serve(make);

@@ -3,11 +3,13 @@
 //   mesh-uncleaned  overlap; cooked with eDISABLE_CLEAN_MESH
 //   mesh-beside     overlap; as by default, a second triangle is in the mesh
 //   point-distance  pointDistance from the centre, a squared distance, against r r
-//   sweep           of the test moving-sphere: sweep with eMESH_BOTH_SIDES; contact where it hits
+//   sweep           of the test moving-sphere: sweep with eMESH_BOTH_SIDES. It takes a direction of length 1 and a
+//                   distance, both rounded here, and has none for a displacement of length 0, which is undecided. The
+//                   time is its distance over ours.
 import {readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 
-import {serve, UNDECIDED, verdictOf, verdictWithin} from './frame.mjs';
+import {hit, SEPARATED, serve, UNDECIDED, verdictOf, verdictWithin} from './frame.mjs';
 import {centre, form, mesh, motion, radius} from './triangle.mjs';
 
 const asked = form({
@@ -94,13 +96,19 @@ async function make() {
     if (cooked === null || length === 0) return UNDECIDED;
     const shape = new Px.PxTriangleMeshGeometry(cooked, unscaled, flags), sphere = new Px.PxSphereGeometry(radius(q));
     const point = new Px.PxVec3(p[0], p[1], p[2]), direction = new Px.PxVec3(d[0] / length, d[1] / length, d[2] / length);
-    const hit = new Px.PxSweepHit(), hitFlags = new Px.PxHitFlags(Px.PxHitFlagEnum.eDEFAULT | Px.PxHitFlagEnum.eMESH_BOTH_SIDES);
+    const found = new Px.PxSweepHit(), hitFlags = new Px.PxHitFlags(Px.PxHitFlagEnum.eDEFAULT | Px.PxHitFlagEnum.eMESH_BOTH_SIDES);
     place.p = point;
-    const verdict = query.isValid(sphere) ? verdictOf(query.sweep(direction, length, sphere, place, shape, origin, hit, hitFlags))
-                                          : UNDECIDED;
-    for (const used of [hitFlags, hit, direction, point, sphere, shape]) Px.destroy(used);
+    let answer = UNDECIDED;
+    if (query.isValid(sphere)) {
+      answer = SEPARATED;
+      if (query.sweep(direction, length, sphere, place, shape, origin, found, hitFlags)) {
+        const {normal: n, position: at} = found, has = found.flags.isSet(Px.PxHitFlagEnum.ePOSITION);
+        answer = hit(found.distance / length, [n.x, n.y, n.z], has ? [at.x, at.y, at.z] : undefined);
+      }
+    }
+    for (const used of [hitFlags, found, direction, point, sphere, shape]) Px.destroy(used);
     cooked.release();
-    return verdict;
+    return answer;
   }
 
   return asked.sweep ? {'moving-sphere': movingSphere} : {'sphere-triangle': sphereTriangle};

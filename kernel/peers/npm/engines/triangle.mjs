@@ -4,6 +4,16 @@ export const vertices = (q) => [q.subarray(0, 3), q.subarray(3, 6), q.subarray(6
 export const centre = (q) => q.subarray(9, 12);
 export const radius = (q) => q[q.length - 1];
 export const motion = (q) => q.subarray(12, 15);  // of moving-sphere
+// Where the centre ends, rounded: some engines take this and not the displacement. Null where float has no such place.
+export function end(q) {
+  const p = centre(q), to = Float32Array.from(motion(q), (d, k) => p[k] + d);
+  return to.every(Number.isFinite) ? to : null;
+}
+// A vector of length 1 in the direction of v, or against it where `sign` is -1; NaN where v has none.
+export function unit(v, sign = 1) {
+  const length = sign * Math.hypot(...v);
+  return v.map((x) => x / length);
+}
 
 // A triangle that the sphere does not touch, of the first one's size and at least 1 (a metre, to most engines), beyond
 // the triangle and the sphere in the direction of x; null where float has no room for it. Engines drop a triangle with

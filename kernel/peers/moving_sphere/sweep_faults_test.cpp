@@ -1,0 +1,52 @@
+// The known faults of each library that is asked about a sphere that moves, by kind: a change to one of these requires
+// a change to docs/moving.md. The truth of each query is in fuzz/corpus/moving-sphere.jsonl, under the name given here.
+#include "kernel/peers/moving_sphere/sweeps_testing.h"
+
+namespace axiscert::peer {
+namespace {
+
+const char* const bullets[] = {"bullet-subsimplex", "bullet-continuous", "bullet-gjk-cast", "bullet-world"};
+
+template <class Real>
+void expect_answer(const char* peer, const Sweep<Real>& query, char wrong) {
+  EXPECT_EQ(letters_of(ask_sweeps<Real>(peer, {query})), std::string(1, wrong)) << peer;
+}
+
+// bullet-no-motion
+TEST(BulletSweepFaults, WithoutMotionAnOverlapIsMissed) {
+  for (const char* peer : bullets) expect_answer(peer, motion<float>({1, 1, 0.5f}, {0, 0, 0}, 1), 's');
+}
+
+// bullet-overlap-leaving, bullet-overlap-beside
+TEST(BulletSweepFaults, AnOverlapAtTheStartIsMissedWhereTheSphereDoesNotApproach) {
+  for (const char* peer : bullets) {
+    expect_answer(peer, motion<float>({1, 1, 0.5f}, {0, 0, 2}, 1), 's');
+    expect_answer(peer, motion<float>({1, 1, 0.5f}, {2, 0, 0}, 1), 's');
+  }
+}
+
+// fcl-ten-positions: it asks at the heights 9, 7, 5, 3, 1, -1, ...
+TEST(FclSweepFaults, ItGoesThroughTheFaceBetweenTwoOfTenPositions) {
+  expect_answer("fcl-continuous", motion<double>({1, 1, 9}, {0, 0, -18}, 0.25), 's');
+}
+
+// fcl-late-by-a-step: at height 1, after 4/9; the first contact is at 1.99, after 0.3894.
+TEST(FclSweepFaults, AHitIsLateByUpToAStep) {
+  const auto answer = ask_sweeps<double>("fcl-continuous", {motion<double>({1, 1, 9}, {0, 0, -18}, 1.99)});
+  ASSERT_EQ(letters_of(answer), "c");
+  EXPECT_EQ(answer[0].measures[0], 4.0 / 9);
+}
+
+// fcl-advance-face
+TEST(FclSweepFaults, AdvancementMissesAFaceStraightBelow) {
+  for (const char* peer : {"fcl-advance-rss", "fcl-advance-obbrss"})
+    expect_answer(peer, motion<double>({1, 1, 3}, {0, 0, -4}, 1), 's');
+}
+
+// ode-capsule-vertex
+TEST(OdeSweepFaults, ACapsuleThatEndsOnAVertexIsMissed) {
+  expect_answer("ode-capsule", motion<double>({-3, -4, 0.5}, {3, 4, -0.5}, 1), 's');
+}
+
+}  // namespace
+}  // namespace axiscert::peer
