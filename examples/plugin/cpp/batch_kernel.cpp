@@ -100,7 +100,10 @@ constexpr axiscert_kernel kernel = {
     // This kernel evaluates the published formulae in its own way: its comparisons are compared with their exact
     // values.
     .formulae = "published",
-    .limits = nullptr,  // none: it is meant to be right everywhere
+    .limits = nullptr,                    // none: it is meant to be right everywhere
+    .start = AXISCERT_START_IS_REPORTED,  // this and the next two are for tests of motions
+    .still = AXISCERT_STILL_IS_REPORTED,
+    .sides = AXISCERT_BOTH_SIDES,
 };
 
 }  // namespace
