@@ -110,7 +110,7 @@ TYPED_TEST(MovingFamilies, OfScenesAreOfAFrame) {
                                    {"fall", 0.1, 1, 0.01, 2},
                                    {"bullet", 0, 0.01, 1, 17.01},
                                    {"shake", 0.1, 1, 0, 1.01e-3}}) {
-    const Family& family = find_family(fmt::format("moving-sphere/scene-{}", expected.name));
+    const Family& family = find_family(fmt::format("moving-sphere/scene_{}", expected.name));
     for (std::uint64_t position = 0; position < 300; ++position) {
       const MovingQuery<double> q = widened_motion(family.make<TypeParam>(1, position));
       const double step = std::sqrt(portable::dot(q.d, q.d));
