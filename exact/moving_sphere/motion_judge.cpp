@@ -11,7 +11,7 @@
 namespace axiscert::moving_sphere {
 namespace {
 
-using Vector = portable::Vec3<Rational>;
+using RationalVector = portable::Vec3<Rational>;
 using portable::dot;
 
 // The squared distance at a time of the piece, in squares of the motion's unit.
@@ -19,19 +19,19 @@ Rational squared_at(const Piece& piece, const Rational& t) {
   return ((piece.a * t - 2 * piece.b) * t + piece.c) / piece.divisor;
 }
 
-Vector rationals(const portable::Vec3<mpz_class>& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
-Vector in_units_of(const Vector& v, int exponent) {
+RationalVector rationals(const portable::Vec3<mpz_class>& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
+RationalVector in_units_of(const RationalVector& v, int exponent) {
   return {scaled(v.x, exponent), scaled(v.y, exponent), scaled(v.z, exponent)};
 }
 
-std::optional<Vector> vector_at(std::span<const double> measures, std::size_t first) {
+std::optional<RationalVector> vector_at(std::span<const double> measures, std::size_t first) {
   if (measures.size() < first + 3) return std::nullopt;
   const auto is_finite = [](double x) { return std::isfinite(x); };
   if (!std::all_of(measures.begin() + static_cast<std::ptrdiff_t>(first),
                    measures.begin() + static_cast<std::ptrdiff_t>(first + 3), is_finite)) {
     return std::nullopt;
   }
-  return Vector{exact(measures[first]), exact(measures[first + 1]), exact(measures[first + 2])};
+  return RationalVector{exact(measures[first]), exact(measures[first + 1]), exact(measures[first + 2])};
 }
 
 std::optional<bool> feature_is_right(double feature, FeatureSet right) {
@@ -97,15 +97,15 @@ void ContactJudge<Real>::measure_time(double time, MotionJudgement& out) const {
 
 template <class Real>
 auto ContactJudge<Real>::place() const -> Place {
-  const Vector d = rationals(motion_.d), centre = d * approximate(contact_.time);
+  const RationalVector d = rationals(motion_.d), centre = d * approximate(contact_.time);
   const std::size_t feature = index_of(*contact_.features.begin());
   const auto vertex = [&](std::size_t i) { return rationals(motion_.vertex[i % 3]); };
-  Vector point = vertex(feature);
+  RationalVector point = vertex(feature);
   if (feature == index_of(Feature::face)) {
-    const Vector normal = rationals(motion_.normal);
+    const RationalVector normal = rationals(motion_.normal);
     point = centre + normal * Rational(dot(vertex(0) - centre, normal) / dot(normal, normal));
   } else if (feature >= index_of(Feature::edge_ab)) {
-    const Vector along = vertex(feature + 1) - point;
+    const RationalVector along = vertex(feature + 1) - point;
     point = point + along * Rational(dot(centre - point, along) / dot(along, along));
   }
   return {point, centre - point};
@@ -113,15 +113,16 @@ auto ContactJudge<Real>::place() const -> Place {
 
 template <class Real>
 void ContactJudge<Real>::measure_place(std::span<const double> measures, MotionJudgement& out) {
-  const std::optional<Vector> normal = vector_at(measures, normal_measure), point = vector_at(measures, point_measure);
+  const std::optional<RationalVector> normal = vector_at(measures, normal_measure),
+                                      point = vector_at(measures, point_measure);
   if (!normal && !point) return;
   if (!place_) place_ = place();
   if (normal && sgn(dot(place_->to_centre, place_->to_centre)) != 0) {
     out.normal_angle = angle_between(*normal, place_->to_centre);
   }
   if (!point || sgn(scene_) == 0) return;
-  const Vector p{exact(q_.p.x), exact(q_.p.y), exact(q_.p.z)};
-  const Vector off = *point - p - in_units_of(place_->point, motion_.exponent);
+  const RationalVector p{exact(q_.p.x), exact(q_.p.y), exact(q_.p.z)};
+  const RationalVector off = *point - p - in_units_of(place_->point, motion_.exponent);
   const double error = nearest_sqrt<double>(Rational(dot(off, off) / scene_));
   out.point_error = std::min(error, std::numeric_limits<double>::max());
 }

@@ -14,7 +14,7 @@ Json contacts(std::uint64_t late, double late_tunnel, double missed_tunnel) {
   };
   const Json none = {{"largest_ulps", 0}, {"largest_in_u", 0}, {"by_power", Json::object()}};
   Json errors = none;
-  errors["largest_ulps"] = late == 0 ? 0.0 : 2.5;
+  errors["largest_in_u"] = late == 0 ? 0.0 : 2.5;
   return {{"hits", 900},
           {"missed", tunnels(missed_tunnel)},
           {"time",
@@ -56,7 +56,8 @@ TEST(MotionLevels, NeverLateRefusesOneLateTime) {
   const auto failures = unmet(motions(contacts(1, 1e-7, 0)), "never-late");
   ASSERT_EQ(failures.size(), 1u);
   EXPECT_EQ(failures[0].text(),
-            "<script> binary32 on tangent: times after the first contact, the latest by 2.5 ulps: 1 (witness late)");
+            "<script> binary32 on tangent: times after the first contact, the latest by 2.5 u of the displacement: 1 "
+            "(witness late)");
   const LevelOutcome met = outcomes_at(motions(contacts(0, 0, 0)), "never-late")[0];
   EXPECT_EQ(met.state, LevelState::met);
   EXPECT_THAT(met.covers, HasSubstr("1,800 contacts of"));
@@ -72,7 +73,11 @@ TEST(MotionLevels, NoTunnelRefusesWhatGoesInAsDeepAsItsNumber) {
   EXPECT_FALSE(refused(0.249999, 0.1, "no-tunnel=0.25"));
   EXPECT_TRUE(refused(0.25, 0, "no-tunnel=0.25"));
   EXPECT_TRUE(refused(0, 0.3, "no-tunnel=0.25"));
-  EXPECT_EQ(unmet(motions(contacts(5, 1, 0)), "no-tunnel")[0].count, 3u) << "those that go through";
+  const Failure through = unmet(motions(contacts(5, 1, 0)), "no-tunnel")[0];
+  EXPECT_EQ(through.count, 3u);
+  EXPECT_EQ(through.what, "late times with which the centre comes to the triangle");
+  EXPECT_EQ(unmet(motions(contacts(5, 0, 0.5)), "no-tunnel=0.25")[0].what,
+            "the deepest missed contact goes in by 0.5 of the radius, and less than 0.25 is allowed");
 }
 
 TEST(MotionLevels, AContactWithoutATimeMeetsNeither) {

@@ -69,10 +69,11 @@ LevelFindings judge_never_late(const AskedLevel&, const Subject& subject) {
   if (!found.not_checked.empty()) return found;
   add_untimed(subject, found);
   for (const auto& [family, result] : subject.families().items()) {
-    const Json &time = result["motion"]["time"], &largest = time["late_errors"]["largest_ulps"];
-    subject.add_shown(found.failures, family, count_at(time, "late"),
-                      fmt::format("times after the first contact, the latest by {} ulps", error_amount(largest)),
-                      "latest time");
+    const Json &time = result["motion"]["time"], &largest = time["late_errors"]["largest_in_u"];
+    subject.add_shown(
+        found.failures, family, count_at(time, "late"),
+        fmt::format("times after the first contact, the latest by {} u of the displacement", error_amount(largest)),
+        "latest time");
   }
   found.covers = hits_covered(subject);
   found.leaves_out = "missed contacts, which no-tunnel and conservative ask about";
@@ -86,17 +87,23 @@ LevelFindings judge_no_tunnel(const AskedLevel& asked, const Subject& subject) {
   if (!found.not_checked.empty()) return found;
   add_untimed(subject, found);
   for (const auto& [family, result] : subject.families().items()) {
-    const auto check = [&](const Json& tunnels, const char* what, const char* shown) {
+    const auto check = [&](const Json& tunnels, const char* many, const char* one, const char* shown) {
       const double deepest = tunnels["deepest_tunnel"].get<double>();
       if (deepest < most) return;
-      // How many are that deep is counted for those that go through.
-      const std::uint64_t count = std::max<std::uint64_t>(count_at(tunnels, "through"), 1);
+      // The record counts those that go through; of the others it has the deepest.
+      if (most == whole_radius) {
+        subject.add_shown(found.failures, family, count_at(tunnels, "through"),
+                          fmt::format("{} with which the centre comes to the triangle", many), shown);
+        return;
+      }
       subject.add_shown(
-          found.failures, family, count,
-          fmt::format("{}, the deepest by {:.6g} of the radius; less than {} is allowed", what, deepest, most), shown);
+          found.failures, family, 1,
+          fmt::format("{} goes in by {:.6g} of the radius, and less than {} is allowed", one, deepest, most), shown);
     };
-    check(result["motion"]["missed"], "missed contacts that tunnel", "deepest tunnel of a missed contact");
-    check(result["motion"]["time"]["late_tunnels"], "late times that tunnel", "deepest tunnel of a late time");
+    check(result["motion"]["missed"], "missed contacts", "the deepest missed contact",
+          "deepest tunnel of a missed contact");
+    check(result["motion"]["time"]["late_tunnels"], "late times", "the deepest late time",
+          "deepest tunnel of a late time");
   }
   found.covers = hits_covered(subject) + ", and every missed contact";
   found.leaves_out = "queries that these families do not make";
