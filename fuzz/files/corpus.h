@@ -5,8 +5,8 @@
 //                 "about": "static" | "sweep" | "other", the subject of the report
 //   "note": TEXT, optional
 //   "expected": {"verdict", "touching", "squared_distance", "comparisons", "ties"}, as the `exact` of `axiscert check`;
-//   the last three are null if the verdict is `invalid`. For a query of another test than sphere-triangle the first two,
-//   and whatever else `exact` has for that test.
+//   the last three are null if the verdict is `invalid`. For a query of another test than sphere-triangle the first
+//   two, and whatever else `exact` has for that test.
 #pragma once
 
 #include <optional>

@@ -22,7 +22,7 @@ Numbers<Real> grazing_motion(Stream& random, std::uint64_t position) {
 // Over the face, or beside it at the height of its plane, D.V = 0.
 template <class Real>
 MovingQuery<Real> over_the_face(Stream& random) {
-  Touched t = touched(random, Feature::face);
+  Touched t = touched(random, FeatureKind::face);
   const std::int64_t away = random.integer(0, 2);
   t.at = t.at + across(random, t.normal) * away;
   return passing<Real>(random, t, across(random, t.normal));
@@ -47,7 +47,7 @@ Numbers<Real> skimming_motion(Stream& random, std::uint64_t position) {
 // D is parallel to AB: M = 0.
 template <class Real>
 Numbers<Real> motion_along_an_edge(Stream& random, std::uint64_t position) {
-  const Touched t = touched(random, Feature::edge);
+  const Touched t = touched(random, FeatureKind::edge);
   Whole d = t.along * random.integer(1, 3);
   if (random.coin()) d = Whole{0, 0, 0} - d;
   MovingQuery<Real> q = passing<Real>(random, t, d);

@@ -39,7 +39,7 @@ Numbers<Real> touching_on_the_way(Stream& random, std::uint64_t position) {
 // goes both ways, and in the face's turn n is the normal and X a vertex, where three regions meet.
 template <class Real>
 Numbers<Real> meeting_a_seam(Stream& random, std::uint64_t position) {
-  Touched t = touched(random, Feature::vertex);
+  Touched t = touched(random, FeatureKind::vertex);
   t.vertex = {t.at, t.at + t.along, t.at + behind(random, t.normal)};
   if (position % 3 == 2) t.vertex[2] = t.at + cross(t.normal, t.along);
   t.vertex = shapes::shuffled(random, t.vertex);

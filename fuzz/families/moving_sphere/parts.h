@@ -18,7 +18,7 @@ using portable::dot;
 using portable::Vec3;
 using Whole = Vec3<std::int64_t>;
 
-enum class Feature { face, vertex, edge };
+enum class FeatureKind { face, vertex, edge };
 
 // The vertices' order is random. n.n = r r, and n.(Y - at) <= 0 for every vertex Y, with equality on the feature.
 struct Touched {
@@ -69,21 +69,21 @@ inline Whole against(Stream& random, const Whole& n, std::int64_t bound = 20) {
   return dot(n, w) < 0 ? w : w - n;
 }
 
-inline Touched touched(Stream& random, Feature feature) {
+inline Touched touched(Stream& random, FeatureKind feature) {
   Touched t;
   std::tie(t.normal, t.r) = whole_normal(random);
   t.at = shapes::integers(random, 20);
   t.along = across(random, t.normal);
   switch (feature) {
-    case Feature::vertex:
+    case FeatureKind::vertex:
       t.vertex = {t.at, t.at + behind(random, t.normal), t.at + behind(random, t.normal)};
       break;
-    case Feature::edge: {
+    case FeatureKind::edge: {
       const std::int64_t before = random.integer(1, 3), after = random.integer(1, 3);
       t.vertex = {t.at - t.along * before, t.at + t.along * after, t.at + behind(random, t.normal)};
       break;
     }
-    case Feature::face: {
+    case FeatureKind::face: {
       Whole other = cross(t.normal, t.along);
       if (random.coin()) other = other + t.along;
       t.vertex = {t.at + t.along, t.at + other, t.at - t.along - other};  // `at` is their centroid
@@ -94,7 +94,7 @@ inline Touched touched(Stream& random, Feature feature) {
   return t;
 }
 
-constexpr Feature feature_in_turn(std::uint64_t position) { return static_cast<Feature>(position % 3); }
+constexpr FeatureKind feature_in_turn(std::uint64_t position) { return static_cast<FeatureKind>(position % 3); }
 
 // All numbers times one odd integer, so that products have to be rounded, though the query is exact. The numbers are
 // below 2^13 in magnitude.
