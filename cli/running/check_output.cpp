@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fuzz/confirm/motion_record.h"
+#include "fuzz/files/details.h"
 #include "fuzz/text/number_text.h"
 #include "reports/instrument/figures.h"
 
@@ -17,14 +18,6 @@ Json bits_json(const TestDescription& test, const std::optional<ComparisonBits>&
 }
 Json axes_json(const TestDescription& test, const std::optional<ComparisonBits>& bits) {
   return bits ? Json(bit_string(clauses_of(test, *bits), test.clauses.size())) : Json(nullptr);
-}
-
-// A number as query lines have it.
-Json detail_json(const Detail& detail) {
-  if (const double* number = std::get_if<double>(&detail.value)) return format_number(*number);
-  if (const auto* word = std::get_if<std::string_view>(&detail.value)) return *word;
-  if (const auto* names = std::get_if<std::vector<std::string_view>>(&detail.value)) return *names;
-  return nullptr;
 }
 
 // "time 0.25, features vertex_a edge_ab": those that the query has, numbers in decimal.

@@ -74,7 +74,9 @@ std::string shrunk_witnesses(const Json& record, const std::string& target, std:
     progress.finished();  // when the next one is begun
     const Kernel& kernel = find_kernel(witness["kernel"].get<std::string>());
     const std::string id = witness["id"];
-    const StoredQuery stored = parse_queries(witness.dump(), id, Precision::binary32).front();
+    Json line = witness;
+    line["test"] = kernel.test->id;
+    const StoredQuery stored = parse_queries(line.dump(), id, Precision::binary32).front();
     std::visit(
         [&]<class Real>(const Numbers<Real>& q) {
           if (witness["flips"].empty()) {  // half of a pair, or kept as an extreme

@@ -11,6 +11,7 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/trait/oracles.h"
+#include "fuzz/files/details.h"
 #include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
@@ -200,6 +201,11 @@ std::string corpus_line(const CorpusEntry& entry) {
   nlohmann::ordered_json expected = {{"verdict", name(entry.expected.verdict)}, {"touching", entry.expected.touching}};
   if (entry.stored.test == &first_test()) {
     for (const char* member : {"squared_distance", "comparisons", "ties"}) expected[member] = nullptr;
+  } else if (entry.expected.verdict != Verdict::invalid) {
+    const Oracles& oracles = oracles_of(*entry.stored.test);
+    for (const Detail& detail : std::visit([&](const auto& q) { return oracles.details(q); }, entry.stored.numbers)) {
+      expected[std::string(detail.name)] = detail_json(detail);
+    }
   }
   if (const auto& d = entry.expected.squared_distance) {
     expected["squared_distance"] = d->get_num().get_str() + "/" + d->get_den().get_str();

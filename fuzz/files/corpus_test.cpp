@@ -169,6 +169,7 @@ TEST(CorpusSource, HasEveryQueryInItsPrecision) {
   EXPECT_EQ(source->name(), "corpus");
   std::size_t n32 = 0, n64 = 0;
   for (const CorpusEntry& entry : entries_or_none()) {
+    if (entry.stored.test != &first_test()) continue;
     if (entry.stored.precision == Precision::binary32) {
       const Query<float> q = source->make<float>(1, n32++);
       expect_same_bits(q, sphere_triangle_query_in<float>(entry.stored));

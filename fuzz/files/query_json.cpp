@@ -27,7 +27,7 @@ constexpr std::string_view written_beside_queries[] = {
     "kernel", "family",      "address",       "truth",      "computed", "touching", "depth", "exact_comparisons",
     "shows",  "flips",       "sides",         "provenance", "note",     "expected", "exact", "computed_comparisons",
     "errors", "findings",    "within_limits", "severity",   "bits",     "nonzero",  "kept",  "before",
-    "steps",  "evaluations", "complete"};
+    "steps",  "evaluations", "complete",      "measures"};
 bool is_written_beside_queries(std::string_view field) {
   return std::find(std::begin(written_beside_queries), std::end(written_beside_queries), field) !=
          std::end(written_beside_queries);

@@ -230,7 +230,7 @@ TEST(Interface, ACallerTakesTheColumnsOfItsTestAndNoOthers) {
       EXPECT_EQ(has_bit(outputs.bits[i], k), numbers[k] > numbers[k + 7]);
     }
   }
-  ASSERT_FALSE(caller.call(queries.columns(), 0, 3, {}, 1, outputs).stop);
+  ASSERT_FALSE(caller.call(queries.columns(), 0, 3, {.asked = Exposure::sides}, 1, outputs).stop);
   EXPECT_TRUE(outputs.measures.empty()) << "not asked for";
   const auto narrow = [&] { caller.call(random_queries<double>().columns(), 0, 1, {}, 1, outputs); };
   EXPECT_THAT(narrow, testing::ThrowsMessage<HarnessFault>(HasSubstr("takes 40 columns; the batch has 13")));
