@@ -21,7 +21,10 @@ template <class Real>
 OracleExamination examine_by_oracles(const Numbers<Real>& q, const Kernel& kernel, const Answer& answer,
                                      std::vector<double> measures) {
   const Oracles& oracles = oracles_of(*kernel.test);
-  OracleExamination out{oracles.truth(q), answer, {}, {}, {}, std::move(measures), {}, {}, {}};
+  OracleExamination out;
+  out.truth = oracles.truth(q);
+  out.answer = answer;
+  out.measures = std::move(measures);
   if (out.truth.verdict != Verdict::invalid) out.is_promised = oracles.is_promised(kernel.motion, q);
   std::optional<Reference> chain;
   if (out.truth.verdict != Verdict::invalid) {
