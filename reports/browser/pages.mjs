@@ -65,13 +65,19 @@ before(async () => {
 
 after(async () => { await browser?.close(); });
 
+// A page that waits: a machine may be busy.
+export async function patient_page(context) {
+  const page = await context.newPage();
+  page.setDefaultTimeout(120000);
+  return page;
+}
+
 // Opens a page without a network; the test fails on any error, error message, or request other than for the file.
 export async function opened(into, options = {}) {
   const context = await browser.newContext({viewport: {width: 1440, height: 900}, ...options});
   await context.setOffline(true);
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-  const page = await context.newPage();
-  page.setDefaultTimeout(120000);  // a machine may be busy
+  const page = await patient_page(context);
   const problems = [];
   page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) problems.push(message.text()); });
   page.on('pageerror', (error) => problems.push(String(error)));

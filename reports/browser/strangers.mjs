@@ -5,7 +5,7 @@ import path from 'node:path';
 import test from 'node:test';
 import {pathToFileURL} from 'node:url';
 
-import {browser, folder, opened, real, render, testdata} from './pages.mjs';
+import {browser, folder, opened, patient_page, real, render, testdata} from './pages.mjs';
 
 test('shows names from plug-ins, meshes and queries as text', async () => {
   const evil = folder('evil');
@@ -95,7 +95,7 @@ test('says so where the file was cut off', async () => {
   const at = html.indexOf('id="data">') + 1000;
   fs.writeFileSync(path.join(cut, 'report.html'), html.slice(0, at) + html.slice(html.indexOf('</script>', at)));
   const context = await browser.newContext();
-  const page = await context.newPage();
+  const page = await patient_page(context);
   await page.goto(pathToFileURL(path.join(cut, 'report.html')).href);
   await page.waitForSelector('.banner.bad');
   assert.match(await page.locator('#banner').innerText(), /cannot read its own data: the file was cut off or edited/);
