@@ -20,6 +20,9 @@ std::string bytes_of(const Numbers<Real>& q) {
 
 constexpr std::uint64_t seed = 20261121;
 
+// Slow builds ask one of seven pairs of a count and an offset: 7 has no factor in common with the numbers of either.
+constexpr std::size_t stride_of_pairs = TRIAL_DIVISOR == 1 ? 1 : 7;
+
 TEST(Filling, MeetsEveryInstructionSetOfTheKernels) {
   std::vector<std::string> met;
   for_each_instruction_set([&](const std::string& target) { met.push_back(target); });
@@ -40,8 +43,10 @@ TYPED_TEST(Filling, IsMakeAtEveryOffsetAndCountOnEveryInstructionSet) {
     }
     for_each_instruction_set([&](const std::string& target) {
       QueryBatch<TypeParam> batch(most, family->column_count());
+      std::size_t pair = 0;
       for (const std::size_t count : {0, 1, 2, 3, 5, 7, 8, 9, 15, 16, 17, 31, 33, 63, 64, 65, 127, 128, 150}) {
         for (const std::size_t offset : {0, 1, 2, 3, 4, 7, 8, 13, 63, 64, 65, 149}) {
+          if (pair++ % stride_of_pairs != 0) continue;
           source->fill(seed, start + offset, count, batch);
           ASSERT_EQ(batch.size(), count);
           for (std::size_t i = 0; i < count; ++i) {
