@@ -145,6 +145,8 @@ TEST(Lattice, ExhaustiveOverMinusOneToOne) {
   EXPECT_EQ(count.oracle_differences, 0u);
 }
 
+// Slow builds have the triangles of -1 to 1 alone, a hundredth of these, through the same code.
+#if TRIAL_DIVISOR == 1
 TEST(LatticeLong, ExhaustiveOverMinusTwoToTwo) {
   const LatticeCount count = judge_lattice(2);
   EXPECT_EQ(count.triangles, 1953125u);
@@ -154,6 +156,7 @@ TEST(LatticeLong, ExhaustiveOverMinusTwoToTwo) {
   EXPECT_EQ(count.missed_contacts, 0u);
   EXPECT_EQ(count.oracle_differences, 0u);
 }
+#endif
 
 }  // namespace
 }  // namespace axiscert
