@@ -72,7 +72,11 @@ test('has the first contact at a radius from the triangle, whatever the ratios',
       const {point} = closest_point(scene.triangle.map((vertex) => vec.sub(vertex, scene.centre)));
       const overlaps = card.first_contact.start === 'overlap';
       const error = overlaps ? Math.max(0, vec.size(point) - scene.r) : Math.abs(vec.size(point) - scene.r);
-      return [error / Math.max(scene.r, 1e-7), card.id, card.family];
+      // The start of the way is as far from A as P is.
+      const [a, p] = [card.a.map(parse_hex), card.p.map(parse_hex)];
+      const away = vec.size(vec.sub(p, a)) / parse_hex(card.r), drawn = vec.size(vec.sub(scene.start, scene.triangle[0])) / scene.r;
+      const misplaced = scene.r > 0 ? Math.abs(drawn - away) / (1 + away) : 0;
+      return [Math.max(error / Math.max(scene.r, 1e-7), misplaced), card.id, card.family];
     }).sort(([x], [y]) => y - x)[0];
   });
   assert.ok(worst[0] < 1e-6, worst.join(' '));
@@ -94,11 +98,15 @@ test('gives code with D and times that compiles, and lines that are the witness'
   const {page, close} = await opened(motions);
   const code = await page.evaluate(async () => {
     const {cards} = await unpacked(document.getElementById('witness-data').textContent.trim());
-    return cards.map((card) => [cpp_test(card), c_array(card), json_line(card)]);
+    return cards.map((card) => [cpp_test(card), c_array(card), json_line(card), card.measures?.time, card.first_contact?.time]);
   });
   const lines = fs.readFileSync(path.join(motions, 'witnesses.jsonl'), 'utf8').split('\n');
   for (const [, , line] of code) assert.ok(lines.includes(line), line);
-  assert.ok(code.some(([tests]) => /time_of_contact\(a, b, c, p, d, r\) <= 0x/.test(tests)));
+  for (const [said, sign] of [['late', '<='], ['early', '>=']]) {
+    const asked = code.filter(([, , , time]) => time === said);
+    assert.ok(asked.length > 0, said);
+    for (const [tests, , , , best] of asked) assert.ok(tests.includes(`time_of_contact(a, b, c, p, d, r) ${sign} ${best}f)`), tests);
+  }
   const source = folder('motion_snippets');
   fs.writeFileSync(path.join(source, 'arrays.c'), code.map(([, array]) => array).join('\n') + 'int main(void) { return 0; }\n');
   fs.writeFileSync(path.join(source, 'tests.cpp'), '#define TEST(suite, name) void name()\n#define EXPECT_TRUE(x) (void)(x)\n#define EXPECT_FALSE(x) (void)(x)\n' +

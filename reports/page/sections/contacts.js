@@ -15,17 +15,20 @@ function part_words(name) {
   return letters ? `${kind} ${letters.toUpperCase()}` : kind;
 }
 
+// `amount` of a number of either sign.
+function signed_amount(x, digits) { return (x < 0 ? '−' : '') + amount(Math.abs(x), digits); }
+
 // A number given as hex, and beneath it in decimal.
 function number_cell(hex, precision) {
   const value = parse_hex(hex);
   const digits = precision === 'binary32' ? 9 : 17;
-  return [el('code', '', hex), el('small', '', Number.isFinite(value) ? amount(value, digits) : '')];
+  return [el('code', '', hex), el('small', '', Number.isFinite(value) ? signed_amount(value, digits) : '')];
 }
 
 // Three numbers, of which some may be missing.
 function vector_cell(values) {
   return values.some((value) => value === undefined) ? ['not given']
-    : values.map((value) => el('small', 'coordinate', Number.isFinite(value) ? amount(value, 9) : String(value)));
+    : values.map((value) => el('small', 'coordinate', Number.isFinite(value) ? signed_amount(value, 9) : String(value)));
 }
 
 function time_judged({time, ulps, in_u, tunnel, gap}) {
