@@ -1,6 +1,7 @@
 // The judgement of what a kernel says of a first contact beside its verdict: of the measures of a test of motions.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -43,6 +44,14 @@ struct MotionJudgement {
   std::optional<double> point_error;   // relative to the scene
 };
 
+// The exact first contact, to be shown: each number is the nearest of binary64.
+struct ContactPlace {
+  double after_best;                            // its time less the best time
+  std::array<double, 3> point;                  // of the obstacle, the nearest to the centre of what moves
+  std::array<double, 3> from_a;                 // the same point less the obstacle's first vertex
+  std::optional<std::array<double, 3>> normal;  // unit vector from there to the centre; empty where they are the same
+};
+
 // Judges the measures of any kernel's answers to one query, which has contact.
 class MotionJudge {
  public:
@@ -51,6 +60,7 @@ class MotionJudge {
   virtual MotionJudgement hit(std::span<const double> measures) = 0;
   // The tunnel of an answer that there is no contact.
   virtual Tunnel missed() = 0;
+  virtual ContactPlace first() const = 0;
 };
 
 }  // namespace axiscert

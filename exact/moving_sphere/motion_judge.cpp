@@ -24,6 +24,19 @@ RationalVector in_units_of(const RationalVector& v, int exponent) {
   return {scaled(v.x, exponent), scaled(v.y, exponent), scaled(v.z, exponent)};
 }
 
+std::array<double, 3> rounded(const RationalVector& v) {
+  return {nearest<double>(v.x), nearest<double>(v.y), nearest<double>(v.z)};
+}
+// v / |v|, for a v that is not zero.
+std::array<double, 3> unit_vector(const RationalVector& v) {
+  const Rational squared = dot(v, v);
+  const auto share = [&](const Rational& x) {
+    const double size = nearest_sqrt<double>(Rational(x * x / squared));
+    return sgn(x) < 0 ? -size : size;
+  };
+  return {share(v.x), share(v.y), share(v.z)};
+}
+
 std::optional<RationalVector> vector_at(std::span<const double> measures, std::size_t first) {
   if (measures.size() < first + 3) return std::nullopt;
   const auto is_finite = [](double x) { return std::isfinite(x); };
@@ -112,6 +125,22 @@ auto ContactJudge<Real>::place() const -> Place {
 }
 
 template <class Real>
+RationalVector ContactJudge<Real>::exact_centre() const {
+  return {exact(q_.p.x), exact(q_.p.y), exact(q_.p.z)};
+}
+
+template <class Real>
+ContactPlace ContactJudge<Real>::first() const {
+  const Place here = place_ ? *place_ : place();
+  ContactPlace out;
+  out.after_best = nearest<double>(apart(contact_.time, exact(rounded_down<Real>(contact_.time))));
+  out.point = rounded(exact_centre() + in_units_of(here.point, motion_.exponent));
+  out.from_a = rounded(in_units_of(here.point - rationals(motion_.vertex[0]), motion_.exponent));
+  if (sgn(dot(here.to_centre, here.to_centre)) != 0) out.normal = unit_vector(here.to_centre);
+  return out;
+}
+
+template <class Real>
 void ContactJudge<Real>::measure_place(std::span<const double> measures, MotionJudgement& out) {
   const std::optional<RationalVector> normal = vector_at(measures, normal_measure),
                                       point = vector_at(measures, point_measure);
@@ -121,8 +150,7 @@ void ContactJudge<Real>::measure_place(std::span<const double> measures, MotionJ
     out.normal_angle = angle_between(*normal, place_->to_centre);
   }
   if (!point || sgn(scene_) == 0) return;
-  const RationalVector p{exact(q_.p.x), exact(q_.p.y), exact(q_.p.z)};
-  const RationalVector off = *point - p - in_units_of(place_->point, motion_.exponent);
+  const RationalVector off = *point - exact_centre() - in_units_of(place_->point, motion_.exponent);
   const double error = nearest_sqrt<double>(Rational(dot(off, off) / scene_));
   out.point_error = std::min(error, std::numeric_limits<double>::max());
 }

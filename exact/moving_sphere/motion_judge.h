@@ -16,6 +16,7 @@ class ContactJudge final : public MotionJudge {
 
   MotionJudgement hit(std::span<const double> measures) override;
   Tunnel missed() override;
+  ContactPlace first() const override;
 
  private:
   TimeVerdict time_verdict(double time) const;
@@ -29,6 +30,7 @@ class ContactJudge final : public MotionJudge {
     portable::Vec3<Rational> point, to_centre;
   };
   Place place() const;
+  portable::Vec3<Rational> exact_centre() const;  // P
 
   MovingQuery<double> q_;
   MotionPieces motion_;

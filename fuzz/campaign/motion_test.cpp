@@ -217,6 +217,10 @@ TEST(Motion, TheRecordHasTheWorstAndItsWitness) {
   for (const Json& witness : record["witnesses"]) {
     const Json& measures = witness["measures"];
     ASSERT_TRUE(measures["given"].contains("time")) << witness.dump();
+    const Json& exact = witness["first_contact"];
+    const bool has_contact = witness["truth"].get<std::string>() == "contact";
+    EXPECT_EQ(exact["time"].is_null(), !has_contact) << witness.dump();
+    EXPECT_EQ(exact.contains("point_from_a"), has_contact) << witness.dump();
     for (const Json& reason : witness["shows"]) {
       if (!reason.get<std::string>().starts_with("latest time")) continue;
       is_shown = true;

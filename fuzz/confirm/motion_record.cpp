@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "exact/trait/oracles.h"
 #include "fuzz/confirm/record.h"
+#include "fuzz/files/details.h"
 #include "fuzz/text/number_text.h"
 
 namespace axiscert {
@@ -91,5 +93,22 @@ Json measures_json(const TestDescription& test, const OracleExamination& found) 
   json["point_error"] = motion.point_error ? Json(*motion.point_error) : Json(nullptr);
   return json;
 }
+
+template <class Real>
+Json first_contact_json(const TestDescription& test, const Truth& truth, const Numbers<Real>& numbers) {
+  if (truth.verdict == Verdict::invalid) return nullptr;
+  const Oracles& oracles = oracles_of(test);
+  Json json = Json::object();
+  for (const Detail& detail : oracles.details(numbers)) json[std::string(detail.name)] = detail_json(detail);
+  if (truth.verdict != Verdict::contact) return json;
+  const ContactPlace place = oracles.motion_judge(numbers)->first();
+  json["after_time"] = place.after_best;
+  json["point"] = place.point;
+  json["point_from_a"] = place.from_a;
+  json["normal"] = place.normal ? Json(*place.normal) : Json(nullptr);
+  return json;
+}
+template Json first_contact_json(const TestDescription&, const Truth&, const Numbers<float>&);
+template Json first_contact_json(const TestDescription&, const Truth&, const Numbers<double>&);
 
 }  // namespace axiscert

@@ -189,7 +189,10 @@ void WitnessWriter::write(const Kernel& kernel, const Source& source, const Show
     witness["shows"] = what.texts;
     witness["flips"] = flips_json(test, found.judgement);
     witness["sides"] = std::move(found.sides);
-    if (!test.measures.empty()) witness["measures"] = std::move(found.measures);
+    if (!test.measures.empty()) {
+      witness["measures"] = std::move(found.measures);
+      witness["first_contact"] = first_contact_json(test, found.truth, numbers);
+    }
     witnesses_.push_back(std::move(witness));
   }
 }

@@ -3,5 +3,6 @@
 // Every test opens pages that the command rendered; the run's seed is in the plan in pages.mjs.
 import './figures.mjs';
 import './cards.mjs';
+import './motions.mjs';
 import './strangers.mjs';
 import './appearance.mjs';

@@ -12,6 +12,11 @@
 
 namespace axiscert {
 
+// The places of the first contacts that a kernel of a test of motions reports: "time" and "feature", counted among the
+// contacts that it found, and "missed", for the contacts that it did not.
+inline constexpr std::string_view places_of_contacts[] = {"time", "missed", "feature"};
+bool is_place_of_contacts(std::string_view place);
+
 struct Cell {
   enum class Kind {
     count,    // a number of queries
@@ -19,7 +24,7 @@ struct Cell {
     finding   // how often a plug-in broke a rule: wrong from the first time on
   };
   std::string kernel, precision, family;  // for a finding made in loading, the last two are empty
-  std::string place;                      // "verdict", a comparison, or "finding"
+  std::string place;                      // "verdict", a comparison, "finding", or one of first contacts
   std::string member;                     // the name in the record; for a finding, its kind
   Kind kind = Kind::count;
   Json figure = 0;                // a maximum may be the text of a number that binary64 cannot hold
@@ -27,6 +32,7 @@ struct Cell {
   std::uint64_t independent = 0;  // how many of these queries do not share a triangle
   std::string identity = {};      // what other runs know the kernel by; `kernel` is its id in this record
 
+  bool is_of_contacts() const { return is_place_of_contacts(place); }
   std::string name() const { return place + "." + member; }
   std::uint64_t count() const { return figure.get<std::uint64_t>(); }
   bool is_zero() const { return figure == 0; }
@@ -36,8 +42,11 @@ struct Cell {
   Json key_of(const std::string& known_by) const { return Json::array({known_by, precision, family, name()}); }
 };
 
-// The figures of a place, but for errors in u: of "verdict", of "finding", or of any comparison.
+// The figures of a place, but for errors in u: of "verdict", of "finding", of a place of first contacts, or of any
+// comparison.
 std::vector<std::string_view> members_of(std::string_view place);
+// Whether a cell is the largest error in u: compared on the same queries, and not held by a ratchet.
+bool is_error_in_u(const Cell& cell);
 
 // The cells in the record's order, including those with the figure zero. `record` must be one that read_run accepted.
 std::vector<Cell> cells_of(const Json& record);

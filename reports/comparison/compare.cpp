@@ -7,6 +7,7 @@
 #include <set>
 
 #include "kernel/base/error.h"
+#include "reports/comparison/given_measures.h"
 #include "reports/run_folder/identity.h"
 #include "reports/run_folder/plan_queries.h"
 #include "reports/wording/finding.h"
@@ -146,6 +147,7 @@ class Comparer {
                                ? "could not be loaded in OLD"
                                : "has no precision and family with valid queries in both runs");
       } else {
+        say_given_by_one(before_, after_, kernel, result_);
         for (const Json& precision : precisions_of(before_, kernel.before)) {
           if (compared_.contains({kernel.before, precision})) continue;
           say(fmt::format("{} {}", kernel.before, precision.get<std::string>()),
@@ -180,6 +182,7 @@ class Comparer {
     if (!has_precision(is_before ? after_ : before_, is_before ? kernel.after : kernel.before, cell.precision)) return;
     const std::string family = fmt::format("{} {} on {}", cell.kernel, cell.precision, cell.family);
     if (cell.place == "verdict" || cell.kind == Cell::Kind::finding) absent_.emplace(family, why);
+    else if (cell.is_of_contacts()) absent_.emplace(family + ": first contacts", why);
     else if (cell.member == "tolerance_failures") absent_.emplace(family + ": " + cell.name(), why);
     else if (absent_.count(family) == 0) absent_.emplace(family + ": comparisons", why);
   }

@@ -58,10 +58,12 @@ struct RunComparison {
   std::size_t tested = 0;               // number of cells that Holm's correction covers
   std::vector<ComparedKernel> kernels;  // OLD's, then those that only NEW has
   // Sentences on what was to be compared and could not be: a kernel of OLD, or a precision of it, of which no cell
-  // is, a kernel of NEW that could not be loaded, two runs without a common cell. Each forbids exit code 0.
+  // is, a kernel of NEW that could not be loaded or gives fewer measures than in OLD, two runs without a common cell.
+  // Each forbids exit code 0.
   std::vector<std::string> unchecked;
-  std::vector<Replayed> replayed;  // OLD's witnesses
-  std::size_t alarms() const;      // cells that are new or worse, and witnesses that were right and are now wrong
+  std::vector<std::string> only_new;  // sentences on measures that only NEW gives; no fault
+  std::vector<Replayed> replayed;     // OLD's witnesses
+  std::size_t alarms() const;         // cells that are new or worse, and witnesses that were right and are now wrong
   std::size_t count(Change change) const;
   std::size_t compared() const;  // number of cells over queries of both runs
   bool passes() const { return alarms() == 0 && unchecked.empty(); }

@@ -170,7 +170,9 @@ std::string answer(const RunComparison& comparison) {
                                                             [](const Replayed& r) { return r.is_alarm(); }));
   if (wrong != 0) parts.push_back(fmt::format("{} known witnesses wrong now", thousands(wrong)));
   std::string open;
-  for (const std::string& sentence : comparison.unchecked) open += (open.empty() ? "NOT COMPARED: " : "; ") + sentence;
+  for (const auto& sentences : {comparison.unchecked, comparison.only_new}) {
+    for (const std::string& sentence : sentences) open += (open.empty() ? "NOT COMPARED: " : "; ") + sentence;
+  }
   if (parts.empty() && comparison.compared() == 0) return open;
   const std::string change =
       parts.empty() ? "no change"
@@ -228,6 +230,7 @@ Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison) 
                {"compared", comparison.compared()},
                {"unchecked", comparison.unchecked},
                {"kernels", Json::array()}};
+  if (!comparison.only_new.empty()) json["only_new"] = comparison.only_new;
   for (const ComparedKernel& kernel : comparison.kernels) {
     const auto id = [](const std::string& given) { return given.empty() ? Json(nullptr) : Json(given); };
     Json& entry = json["kernels"].emplace_back();

@@ -61,6 +61,7 @@ Json witness_card(const Json& witness, const Json& plan) {
     else
       for (const Json& number : numbers) decimals[member].push_back(decimal(number, witness["precision"]));
   }
+  if (const TestDescription& test = test_of(plan); &test != &first_test()) card["test"] = test.id;
   card["command"] = replay_command(witness, plan);
   return card;
 }
@@ -215,15 +216,20 @@ Json page_data(const Run& run) {
   data["attached"] = attachments(run.folder, image_bytes);
   data["files"] = raw_files(run.folder);
   data["motion_note"] = motion_note;
+  Json& clauses = data["comparisons"] = Json::object();  // the axis, or other clause, of each
+  const TestDescription& test = test_of(record["plan"]);
+  for (const TestComparison& comparison : test.comparisons)
+    clauses[std::string(comparison.name)] = test.clauses[comparison.clause].name;
   return data;
 }
 
 // In an order in which each may use those before it.
 std::string scripts() {
   using namespace embedded;
-  const std::string_view all[] = {chart_min_js, chart_js,   table_js,    answer_js,  classes_js, heat_js,
-                                  bounds_js,    origins_js, maps_js,     margins_js, scene_js,   snippets_js,
-                                  witnesses_js, results_js, appendix_js, report_js};
+  const std::string scenes = scene_scripts();
+  const std::string_view all[] = {chart_min_js, chart_js,     table_js,   answer_js,   classes_js, heat_js,
+                                  bounds_js,    origins_js,   maps_js,    margins_js,  scenes,     snippets_js,
+                                  contacts_js,  witnesses_js, results_js, appendix_js, report_js};
   return fmt::format("{}", fmt::join(all, "\n"));
 }
 

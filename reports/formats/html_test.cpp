@@ -1,5 +1,5 @@
 // The contents of report.html; no name in a record may become markup.
-#include "reports/testing/test_run.h"
+#include "reports/testing/motion_run.h"
 
 #include <fmt/format.h>
 
@@ -146,6 +146,24 @@ TEST(Html, WitnessHasDecimalsAndItsReplay) {
   EXPECT_EQ(cards[4]["id"], "w3");  // no depth: last
   EXPECT_THAT(cards[4]["command"].get<std::string>(), HasSubstr("' --mesh 'a|b.obj' > "));
   EXPECT_THAT(cards[2]["command"].get<std::string>(), HasSubstr("--kernel '<script>'"));
+}
+
+// The page draws and names by the test: the axis of each comparison, the first contact, the time that was reported.
+TEST(Html, AMotionHasItsTestAndItsFirstContact) {
+  const TestFolder folder(motions(contacts(9, 0.25, 0)));
+  ASSERT_EQ(folder.rendering_error(), "");
+  const Json data = page_data(folder.read("report.html")), card = data["witnesses"]["cards"][0];
+  EXPECT_EQ(data["comparisons"]["start.vertex_a.side_b"], "start.vertex_a");
+  EXPECT_EQ(data["comparisons"].size(), 61u);
+  EXPECT_EQ(card["test"], "moving-sphere");
+  EXPECT_EQ(card["first_contact"]["time"], "0x1p-2");
+  EXPECT_EQ(card["measures"]["time"], "late");
+  EXPECT_EQ(card["decimal"]["d"], Json::array({"2", "0", "0"}));
+  const TestFolder first(stored_record());
+  render_reports(first.path());
+  const Json other = page_data(first.read("report.html"));
+  EXPECT_FALSE(other["witnesses"]["cards"][0].contains("test"));
+  EXPECT_EQ(other["comparisons"]["edge_ab.side_c"], "edge_ab");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "kernel/names.h"
+#include "reports/comparison/cells.h"
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
 #include "reports/wording/reproduce.h"
@@ -60,10 +61,19 @@ std::string skipped(const std::string& why) {
   return fmt::format("<skipped message=\"{}\"/>", xml("NOT CHECKED: " + why));
 }
 
-// Whether a failure of ratchet.json is about this case: a family's verdict or comparison.
+// The place of a failure's cell, whose name ends with the figure.
+std::string place_of(const Json& failure) {
+  const std::string cell = failure["cell"];
+  return cell.substr(0, cell.rfind('.'));
+}
+
+// Whether a failure of ratchet.json is about this case: a family's verdict, with what is said of its contacts, or
+// comparison.
 bool is_about_case(const Json& failure, const Json& kernel, const std::string& family, const std::string& place) {
-  return failure["kernel"] == kernel["id"] && failure["precision"] == kernel["precision"] &&
-         failure["family"] == family && failure["cell"].get<std::string>().starts_with(place + ".");
+  if (failure["kernel"] != kernel["id"] || failure["precision"] != kernel["precision"] || failure["family"] != family)
+    return false;
+  const std::string given = place_of(failure);
+  return given == place || (place == "verdict" && is_place_of_contacts(given));
 }
 
 // The ratchet's failures for a case of a run with --ratchet; empty where there are none.
@@ -189,14 +199,14 @@ Suite suite_of(const Run& run, const Json& kernel, const std::vector<LevelOutcom
 Suite suite_of_ratchet(const Run& run) {
   Suite suite{"ratchet"};
   const auto has_case = [&](const Json& failure) {
-    const std::string place = failure["cell"];
-    if (place.starts_with("finding.")) return false;
+    const std::string place = place_of(failure);
+    if (place == "finding") return false;
     for (const Json& kernel : run.record["kernels"]) {
       const Json& families = kernel["families"];
       if (kernel["id"] != failure["kernel"] || kernel["precision"] != failure["precision"]) continue;
       const auto family = families.find(failure["family"].get<std::string>());
       if (family == families.end()) continue;
-      return place.starts_with("verdict.") || !(*family)["comparisons"].is_null();
+      return place == "verdict" || is_place_of_contacts(place) || !(*family)["comparisons"].is_null();
     }
     return false;
   };

@@ -53,7 +53,7 @@ const Rule* rule_of(const Cell& cell) {
   for (const Rule& rule : rules) {
     if (cell.member == rule.member && rule.of_verdict == (cell.place == "verdict")) return &rule;
   }
-  return nullptr;  // a maximum
+  return nullptr;  // a maximum, or a figure of first contacts: the latter are the ratchet's and the levels'
 }
 
 Json rule_json(const Rule& rule) {

@@ -1,55 +1,11 @@
 // never-late and no-tunnel: times that a record says are late, missing or deep, and kernels of which nothing is known.
 #include "reports/gates/requirement.h"
-#include "reports/testing/test_run.h"
+#include "reports/testing/motion_run.h"
 
 namespace axiscert {
 namespace {
 
 using testing::HasSubstr;
-
-// A family's first contacts: 900 are right, of which some are late.
-Json contacts(std::uint64_t late, double late_tunnel, double missed_tunnel) {
-  const auto tunnels = [](double deepest) {
-    return Json{{"through", deepest == 1 ? 3 : 0}, {"deepest_tunnel", deepest}};
-  };
-  const Json none = {{"largest_ulps", 0}, {"largest_in_u", 0}, {"by_power", Json::object()}};
-  Json errors = none;
-  errors["largest_in_u"] = late == 0 ? 0.0 : 2.5;
-  return {{"hits", 900},
-          {"missed", tunnels(missed_tunnel)},
-          {"time",
-           {{"none", 0},
-            {"invalid", 0},
-            {"early", 100},
-            {"best", 800 - late},
-            {"late", late},
-            {"late_errors", errors},
-            {"late_tunnels", tunnels(late_tunnel)},
-            {"early_errors", none},
-            {"largest_gap", 0.0}}},
-          {"feature", nullptr},
-          {"normal", nullptr},
-          {"point", nullptr}};
-}
-
-// `<script>` as a kernel of moving-sphere with these contacts on `tangent`, and all times the best on `lattice`.
-Json motions(const Json& on_tangent) {
-  Json record = stored_record();
-  for (Json* kernels : {&record["kernels"], &record["plan"]["kernels"]}) kernels->erase(0);
-  record["plan"]["test"] = "moving-sphere";
-  Json& kernel = record["kernels"][0];
-  kernel["measures"] = {"time"};
-  kernel["families"]["lattice"]["motion"] = contacts(0, 0, 0);
-  kernel["families"]["tangent"]["motion"] = on_tangent;
-  Json witness = record["witnesses"].back();
-  witness["id"] = "late";
-  witness["family"] = "tangent";
-  witness["kernel"] = kernel["id"];
-  witness["precision"] = kernel["precision"];
-  witness["shows"] = {"latest time: 2.5 ulps"};
-  record["witnesses"] = Json::array({witness});
-  return record;
-}
 
 TEST(MotionLevels, NeverLateRefusesOneLateTime) {
   EXPECT_TRUE(unmet(motions(contacts(0, 0, 0.5)), "never-late").empty());

@@ -18,12 +18,13 @@
 namespace axiscert {
 namespace {
 
-bool is_held(const Cell& cell) { return !cell.is_zero() && cell.member != "max_error_u"; }
+bool is_held(const Cell& cell) { return !cell.is_zero() && !is_error_in_u(cell); }
 
 // The order of failures, the worst first: what was not checked at all, faults other than wrong answers, missed contacts
-// and missing answers, phantom contacts, then what no verdict shows.
+// and missing answers, late and missing times, phantom contacts, early times, then what no verdict shows.
 int severity(const Cell& cell) {
   if (cell.kind == Cell::Kind::finding) return 1;
+  if (cell.is_of_contacts()) return cell.place == "feature" ? 6 : cell.member == "early" ? 4 : 2;
   if (cell.place != "verdict") return cell.member == "tolerance_failures" ? 5 : 6;
   if (cell.member == "undecided") return 4;
   return cell.member == "false_contact" || cell.member == "deepest_false_contact" ? 3 : 2;
@@ -102,8 +103,10 @@ class Holder {
     const RatchetEntry* const entry = entry_of(cell);
     const Json key = cell.key(), accepted = entry == nullptr ? Json(0) : entry->figure;
     const std::string where = entry == nullptr ? "" : fmt::format(" ({}:{})", ratchet_.name, entry->line);
-    const std::string text = fmt::format("{}: {}, accepted is {}{}", cell_text(cell.key_of(cell.kernel)),
-                                         cell.figure.dump(), accepted.dump(), where);
+    const std::string among =
+        cell.is_of_contacts() && cell.of.trials != 0 ? fmt::format(" of {}", thousands(cell.of.trials)) : "";
+    const std::string text = fmt::format("{}: {}{}, accepted is {}{}", cell_text(cell.key_of(cell.kernel)),
+                                         cell.figure.dump(), among, accepted.dump(), where);
     if (is_less(accepted, cell.figure)) {
       const double excess = entry == nullptr || accepted == 0 ? cell.figure.get<double>()
                                                               : cell.figure.get<double>() / accepted.get<double>();

@@ -173,7 +173,9 @@ class Lines {
   void check_place(const std::string& place, const Line& line) const {
     std::vector<std::string_view> known = {"verdict", "finding"};
     try {
-      for (const TestComparison& comparison : find_test(ratchet_.test).comparisons) known.push_back(comparison.name);
+      const TestDescription& test = find_test(ratchet_.test);
+      if (!test.measures.empty()) known.insert(known.end(), places_of_contacts, std::end(places_of_contacts));
+      for (const TestComparison& comparison : test.comparisons) known.push_back(comparison.name);
     } catch (const Error&) {
       return;
     }

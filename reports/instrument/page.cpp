@@ -106,7 +106,7 @@ std::string instrument_page(const InstrumentReport& report) {
       {"/*DATA*/", inert_json(plots)},
       {"/*SCENES*/", inert_json(scenes)},
       {"/*JS*/", fmt::format("{}\n{}\n{}\n{}\n{}", embedded::chart_min_js, embedded::chart_js, embedded::table_js,
-                             embedded::scene_js, embedded::instrument_js)}};
+                             scene_scripts(), embedded::instrument_js)}};
   return filled(embedded::instrument_html, places);
 }
 

@@ -1,8 +1,11 @@
 #include "reports/page/page_template.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <stdexcept>
+
+#include "reports/page/embedded.h"
 
 namespace axiscert {
 
@@ -46,6 +49,12 @@ std::string filled(std::string_view page_template, std::span<const std::pair<std
     rest.remove_prefix(at + place.size());
   }
   return page.append(rest);
+}
+
+std::string scene_scripts() {
+  using namespace embedded;
+  const std::string_view all[] = {scene_view_js, sphere_triangle_scene_js, moving_sphere_scene_js, pictures_js};
+  return fmt::format("{}", fmt::join(all, "\n"));
 }
 
 }  // namespace axiscert

@@ -18,4 +18,7 @@ std::string html_text(std::string_view text);
 // nothing in the data is taken for one. Throws std::logic_error for a place that the template does not have.
 std::string filled(std::string_view page_template, std::span<const std::pair<std::string_view, std::string>> places);
 
+// The scripts of the pictures of witnesses, each after those that it uses; they use table.js.
+std::string scene_scripts();
+
 }  // namespace axiscert

@@ -10,41 +10,66 @@ function c_number(text, precision) {
 
 function c_point(values, precision) { return `{${values.map((value) => c_number(value, precision)).join(', ')}}`; }
 
+function c_type(witness) { return witness.precision === 'binary32' ? 'float' : 'double'; }
+function c_name(witness) { return witness.id.replace(/[^A-Za-z0-9]/g, '_'); }
+
 function origin(witness) {
   return one_line(`${witness.id}: ${witness.kernel}, ${witness.precision}, family ${witness.family}, address ${witness.address}`);
 }
 
+// What a time of contact has to be, where the witness shows that it is not; nothing for a test without times.
+function time_lines(witness, name, numbers) {
+  const best = witness.first_contact?.time;
+  const said = witness.measures?.time;
+  if (!name || !best || !said || said === 'best') return [];
+  const call = `${name}(${numbers})`;
+  if (said === 'late' || said === 'early') {
+    return [`  // The best time is the greatest ${c_type(witness)} that is not after the first contact; that kernel: ${said}.`,
+            `  EXPECT_TRUE(${call} ${said === 'late' ? '<=' : '>='} ${c_number(best, witness.precision)});`];
+  }
+  return [`  EXPECT_TRUE(${call} >= 0 && ${call} <= 1);  // that kernel: ${said === 'none' ? 'no time' : 'a time outside [0, 1]'}`];
+}
+
 function cpp_test(witness) {
-  const type = witness.precision === 'binary32' ? 'float' : 'double';
-  const name = witness.id.replace(/[^A-Za-z0-9]/g, '_');
-  const lines = ['a', 'b', 'c', 'p'].map((member) => `  const ${type} ${member}[3] = ${c_point(witness[member], witness.precision)};`);
+  const type = c_type(witness);
+  const {groups, suite, time} = page_test_of(witness);
+  const line = (group) => {
+    const value = witness[group];
+    return Array.isArray(value) ? `  const ${type} ${group}[${value.length}] = ${c_point(value, witness.precision)};`
+                                : `  const ${type} ${group} = ${c_number(value, witness.precision)};`;
+  };
+  const numbers = groups.join(', ');
   const right = witness.truth === 'contact' ? 'TRUE' : 'FALSE';
-  const touching = witness.touching ? ' The distance is exactly r.' : '';
+  const touching = witness.touching ? ` The ${time ? 'least ' : ''}distance is exactly r.` : '';
+  const times = time_lines(witness, time, numbers);
   return [
     `// ${origin(witness)}.`,
-    `// Exact: ${one_line(witness.truth)}; that kernel: ${one_line(witness.computed)}.${touching} Replace in_contact by your own function.`,
-    `TEST(SphereTriangle, Witness_${name}) {`, ...lines,
-    `  const ${type} r = ${c_number(witness.r, witness.precision)};`,
-    witness.truth === 'invalid' ? '  EXPECT_TRUE(is_refused(a, b, c, p, r));  // an input is not finite, or the radius negative'
-      : `  EXPECT_${right}(in_contact(a, b, c, p, r));`,
-    '}', ''].join('\n');
+    `// Exact: ${one_line(witness.truth)}; that kernel: ${one_line(witness.computed)}.${touching} Replace in_contact` +
+      `${times.length > 0 ? ` and ${time}` : ''} by your own function${times.length > 0 ? 's' : ''}.`,
+    `TEST(${suite}, Witness_${c_name(witness)}) {`, ...groups.map(line),
+    witness.truth === 'invalid' ? `  EXPECT_TRUE(is_refused(${numbers}));  // an input is not finite, or the radius negative`
+      : `  EXPECT_${right}(in_contact(${numbers}));`,
+    ...times, '}', ''].join('\n');
 }
 
 function c_array(witness) {
-  const type = witness.precision === 'binary32' ? 'float' : 'double';
-  const name = witness.id.replace(/[^A-Za-z0-9]/g, '_');
-  const needs_math = [...witness.a, ...witness.b, ...witness.c, ...witness.p, witness.r].some((value) => /nan|inf/.test(value));
+  const {groups} = page_test_of(witness);
+  const values = groups.map((group) => [witness[group]].flat());
+  const count_of_numbers = values.flat().length;
+  const needs_math = values.flat().some((value) => /nan|inf/.test(value));
+  const names = groups.map((group) => group.toUpperCase()).slice(0, -1).join(', ');
+  const text = values.map((some) => `    ${some.map((value) => c_number(value, witness.precision)).join(', ')}`).join(',\n');
   return [
     ...(needs_math ? ['#include <math.h>'] : []),
-    `/* ${origin(witness)}. Exact: ${one_line(witness.truth)}. A, B, C, P, then r. */`,
-    `static const ${type} witness_${name}[13] = {`,
-    ...['a', 'b', 'c', 'p'].map((member) => `    ${c_point(witness[member], witness.precision).slice(1, -1)},`),
-    `    ${c_number(witness.r, witness.precision)}};`, ''].join('\n');
+    `/* ${origin(witness)}. Exact: ${one_line(witness.truth)}. ${names}, then ${groups.at(-1)}. */`,
+    `static const ${c_type(witness)} witness_${c_name(witness)}[${count_of_numbers}] = {`, `${text}};`, ''].join('\n');
 }
 
+// A line of a query file, as witnesses.jsonl has it.
 function json_line(witness) {
-  const {id, precision, a, b, c, p, r} = witness;
-  return JSON.stringify({id, precision, a, b, c, p, r});
+  const {id, precision, test} = witness;
+  const numbers = Object.fromEntries(page_test_of(witness).groups.map((group) => [group, witness[group]]));
+  return JSON.stringify({id, precision, ...(test ? {test} : {}), ...numbers});
 }
 
 const snippet_kinds = [['C++ test', cpp_test], ['C array', c_array], ['JSON line', json_line]];

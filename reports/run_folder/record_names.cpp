@@ -18,10 +18,10 @@ using Fault = std::optional<std::string>;
 using Names = std::vector<std::string_view>;
 
 // The members besides the numbers of the query.
-constexpr std::array<std::string_view, 16> witness_members = {
-    "id",       "precision", "kernel", "family",  "address",           "truth",
-    "computed", "touching",  "depth",  "sides",   "exact_comparisons", "computed_comparisons",
-    "shows",    "flips",     "class",  "measures"};
+constexpr std::array<std::string_view, 17> witness_members = {
+    "id",       "precision", "kernel", "family",   "address",           "truth",
+    "computed", "touching",  "depth",  "sides",    "exact_comparisons", "computed_comparisons",
+    "shows",    "flips",     "class",  "measures", "first_contact"};
 constexpr std::array<std::string_view, 7> finding_members = {"kernel", "precision", "family", "kind",
                                                              "count",  "detail",    "address"};
 

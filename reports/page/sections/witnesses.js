@@ -5,18 +5,18 @@ const kind_words = {
 };
 
 function inputs_table(witness) {
-  const points = ['a', 'b', 'c', 'p'].map((member) => [member.toUpperCase(), witness[member], witness.decimal[member]]);
-  const rows = [...points, ['r', [witness.r], [witness.decimal.r]]];
-  const body = el('tbody', '', ...rows.map(([name, hex, decimal]) => {
-    const tr = el('tr', '', el('th', '', name));
+  const {groups} = page_test_of(witness);
+  const body = el('tbody', '', ...groups.map((group) => {
+    const [hex, decimal] = [[witness[group]].flat(), [witness.decimal[group]].flat()];
+    const tr = el('tr', '', el('th', '', hex.length === 1 ? group : group.toUpperCase()));
     hex.forEach((value, i) => tr.append(el('td', 'n', el('code', '', value), el('small', '', decimal[i]))));
     return tr;
   }));
   return el('div', 'scroll', el('table', 'inputs', el('caption', '', 'Inputs, hex and decimal'), body));
 }
 
-// The bits of the comparisons under their names, exact above computed.
-function bits_table(witness, names) {
+// The bits of the comparisons under their names, exact above computed; `clauses` has the axis of each.
+function bits_table(witness, clauses) {
   if (witness.exact_comparisons === null || witness.computed_comparisons === null) {
     return el('p', 'empty', 'Comparisons: not exposed, or none on an invalid query.');
   }
@@ -32,14 +32,13 @@ function bits_table(witness, names) {
   };
   const lines = [['exact', witness.exact_comparisons], ['computed', witness.computed_comparisons]].map(line);
   const marks = el('tr', 'marks', el('th', '', 'differs'));
-  names.forEach((name, i) => {
-    const [axis, kind] = name.split('.');
-    if (kind === 'radius') {
+  Object.entries(clauses).forEach(([name, axis], i, all) => {
+    if (i === 0 || all[i - 1][1] !== axis) {
       const th = el('th', 'group', axis);
-      th.colSpan = names.filter((other) => other.startsWith(`${axis}.`)).length;
+      th.colSpan = all.filter(([, other]) => other === axis).length;
       axes.append(th);
     }
-    kinds.append(el('th', 'bit', kind));
+    kinds.append(el('th', 'bit', name.startsWith(`${axis}.`) ? name.slice(axis.length + 1) : name));
     marks.append(el('td', 'bit', witness.exact_comparisons[i] === witness.computed_comparisons[i] ? '' : '≠'));
   });
   return el('div', 'scroll', el('table', 'bits', el('caption', '', 'Comparisons: the kernel\'s own formulae in exact ' +
@@ -92,7 +91,7 @@ function flips_table(witness) {
 
 function verdict_flip(witness) { return witness.flips.find((flip) => flip.level === 'verdict'); }
 
-function witness_body(witness, names) {
+function witness_body(witness, clauses) {
   const facts = el('dl', 'facts');
   const fact = (label, text) => facts.append(el('dt', '', label), el('dd', '', text));
   fact('truth', witness.truth + (witness.touching ? ', touching' : ''));
@@ -102,32 +101,40 @@ function witness_body(witness, names) {
   fact('kept for', witness.shows.join('; '));
   return el('div', 'body',
     el('div', 'columns', scene_figure(witness), el('div', 'stack', facts, inputs_table(witness))),
-    sides_table(witness), bits_table(witness, names), flips_table(witness),
+    contact_table(witness), sides_table(witness), bits_table(witness, clauses), flips_table(witness),
     el('p', 'label', 'Reproduce it and judge it'), command(witness.command), snippets(witness));
 }
 
-function witness_card(witness, names) {
+// How deep a wrong verdict is, or how deep the sphere goes in until a late time.
+function depth_words({depth, measures}) {
+  if (depth !== null) return `depth ${amount(depth, 4)}`;
+  return measures?.tunnel ? `tunnel ${error_amount(measures.tunnel)}` : '';
+}
+
+function witness_card(witness, clauses) {
   const verdict = verdict_flip(witness);
   const title = verdict ? kind_words[verdict.kind] : 'verdict right';
   const card = el('details', 'witness', el('summary', '',
     el('span', 'name id', witness.id),
     chip(title, !verdict ? 'good' : verdict.kind === 'false_separation' ? 'bad' : 'warn'),
+    time_chip(witness),
     el('span', '', el('span', 'name', witness.kernel), `, ${witness.precision}`),
     el('span', 'name', witness.family),
     el('span', 'chips', ...(verdict?.links ?? []).map((link) => chip(link, `link-${link}`))),
-    el('span', 'depth', witness.depth === null ? '' : `depth ${amount(witness.depth, 4)}`)));
+    el('span', 'depth', depth_words(witness))));
   card.id = `witness-${witness.id}`;
   card.addEventListener('toggle', () => {
-    if (card.open && card.children.length === 1) card.append(witness_body(witness, names));
+    if (card.open && card.children.length === 1) card.append(witness_body(witness, clauses));
   });
   return card;
 }
 
 // Whether a witness shows what a cell of the heat table counts.
-function shows(witness, {kernel, family, place, weight, kind, verdict}) {
+function shows(witness, {kernel, family, place, weight, kind, verdict, time}) {
   if (kernel && `${witness.kernel}, ${witness.precision}` !== kernel) return false;
   if (family && witness.family !== family) return false;
   if (verdict && (verdict_flip(witness)?.kind ?? 'right') !== verdict) return false;
+  if (time && (witness.measures?.time ?? '') !== time) return false;
   if (!place) return true;
   return witness.flips.some((flip) => flip.name === place && (!kind || flip.kind === kind) &&
     (!weight || flip.decisive === (weight === 'decisive')));
@@ -140,7 +147,7 @@ let choose_witnesses = () => {};
 
 function show_witnesses(data) {
   const {total, cards} = data.witnesses;
-  const names = Object.keys(data.notes.comparisons);
+  const clauses = data.comparisons;
   const left_out = total - cards.length;
   document.getElementById('witnesses-count').textContent = total === 0 ? 'None were kept.'
     : `${count(cards.length)} of ${count(total)} are in this file, deepest first. ` +
@@ -153,16 +160,18 @@ function show_witnesses(data) {
   const options = {
     kernel: some((witness) => `${witness.kernel}, ${witness.precision}`), family: some((witness) => witness.family),
     verdict: ['false_separation', 'false_contact', 'right'],
-    place: [...names.filter((name) => name.endsWith('.radius')).map((name) => name.split('.')[0]), ...names],
+    place: [...new Set(Object.values(clauses)), ...Object.keys(clauses)],
+    time: Object.keys(time_chips),
   };
-  const labels = {kernel: 'Kernel', family: 'Family', verdict: 'Verdict', place: 'Flip at'};
-  const words = (key, value) => (key === 'verdict' ? kind_words[value] ?? 'right' : value);
+  const has_times = cards.some((witness) => witness.measures);
+  const labels = {kernel: 'Kernel', family: 'Family', verdict: 'Verdict', place: 'Flip at', ...(has_times ? {time: 'Time'} : {})};
+  const words = (key, value) => (key === 'verdict' ? kind_words[value] ?? 'right' : key === 'time' ? time_chips[value][0] : value);
   let filter = {};
   let matching = [];
   let made = 0;
   const selects = {};
   const grow = (to) => {
-    list.append(...matching.slice(made, to).map((witness) => witness_card(witness, names)));
+    list.append(...matching.slice(made, to).map((witness) => witness_card(witness, clauses)));
     made = Math.min(to, matching.length);
     more.hidden = made >= matching.length;
     more.textContent = `Show more: ${count(matching.length - made)} left`;

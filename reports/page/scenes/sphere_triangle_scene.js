@@ -1,0 +1,53 @@
+// The sphere and the triangle of a query.
+
+// The query translated to the centre and scaled so that the greatest of |A-P|, |B-P|, |C-P|, r is 1; null where a
+// number is not finite or all are zero.
+function scene_of(query) {
+  const near = near_one(query, ['a', 'b', 'c', 'p', 'r']);
+  if (near === null) return null;
+  const triangle = [near.a, near.b, near.c].map((vertex) => vec.sub(vertex, near.p));
+  const scale = Math.max(...triangle.map(vec.size), Math.abs(near.r));
+  if (!(scale > 0)) return null;
+  const scaled = triangle.map((vertex) => vec.mul(vertex, 1 / scale));
+  return {triangle: scaled, r: near.r / scale, closest: closest_point(scaled)};
+}
+
+class SphereTriangleView extends SceneView {
+  constructor(scene) { super(scene, 'Sphere and triangle'); }
+
+  // The whole, the triangle, or the gap between the sphere and the nearest point.
+  looks() {
+    const {triangle, r, closest} = this.scene;
+    const distance = vec.size(closest.point);
+    const middle = vec.mul(triangle.reduce(vec.add), 1 / 3);
+    return {
+      Whole: [[0, 0, 0], 1.15 * Math.max(r, ...triangle.map(vec.size))],
+      Triangle: [middle, 1.3 * Math.max(1e-9, ...triangle.map((vertex) => vec.size(vec.sub(vertex, middle))))],
+      'Nearest point': [closest.point, Math.max(1e-9, 4 * Math.abs(distance - r), distance * 1e-7)],
+    };
+  }
+
+  shapes() {
+    const {triangle, r, closest} = this.scene;
+    const centre = [0, 0, 0];
+    return [...this.sphere(centre, r, 'ball'), this.area(triangle, 'triangle'),
+            this.feature(closest.vertices.map((i) => triangle[i])), this.line([centre, closest.point], 'gap'),
+            this.dot(centre, 'centre'), this.dot(closest.point, 'nearest'), ...triangle.map((vertex) => this.dot(vertex, 'vertex')),
+            ...this.labels([centre, ...triangle].map((point, i) => [point, 'PABC'[i]]))];
+  }
+}
+
+function feature_words({closest, r}) {
+  const letters = closest.vertices.map((i) => 'ABC'[i]).sort().join('');
+  const name = closest.feature === 'face' ? 'the face' : `${closest.feature} ${letters}`;
+  const distance = vec.size(closest.point);
+  const gap = distance - r;
+  return `Nearest feature: ${name}. As a share of the greatest of |A−P|, |B−P|, |C−P| and r: distance ${amount(distance, 4)}, ` +
+    `radius ${amount(r, 4)}, ${gap > 0 ? 'gap' : 'overlap'} about ${amount(Math.abs(gap), 3)}. ` +
+    'Drawn in binary64; the truth next to it is exact.';
+}
+
+function sphere_triangle_figure(query) {
+  const scene = scene_of(query);
+  return scene === null ? null : scene_box(new SphereTriangleView(scene), feature_words(scene));
+}
