@@ -20,7 +20,7 @@ class MovingSphere(Case):
                              "--kernel", "moving-sphere/twenty-nonstrict", "--kernel", "moving-sphere/rounded")
         self.assertEqual(record["plan"]["test"], "moving-sphere")
         for entry in record["kernels"]:
-            self.assertEqual(len(entry["families"]), 30, entry["id"])
+            self.assertEqual(len(entry["families"]), 31, entry["id"])
         by = {(k["id"], k["precision"]): k["families"]["moving-sphere/lattice"] for k in record["kernels"]}
         for precision in ("binary32", "binary64"):
             exact = by["moving-sphere/twenty-nonstrict", precision]["verdict"]
@@ -113,7 +113,7 @@ class MovingSphere(Case):
         self.refused("query", address, says=["--mesh FILE"])
 
     def test_images_judge_a_kernel_without_an_oracle(self):
-        families = [word for name in ("inverted", "reversed", "split", "units")
+        families = [word for name in ("inverted", "reversed", "split", "halved", "units")
                     for word in ("--family", "moving-sphere/" + name)]
         done = axiscert("run", "--kernel", "moving-sphere/twenty-nonstrict", *families, "--trials", "210",
                         "--precision", "binary32", "--require", "invariant=mirror", "--require", "invariant=scale",
@@ -123,6 +123,8 @@ class MovingSphere(Case):
         families = record["kernels"][0]["families"]
         self.assertEqual(families["moving-sphere/reversed"]["invariance"]["reversal"]["images"], 105)
         self.assertEqual(families["moving-sphere/split"]["invariance"]["split"]["images"], 90)
+        halving = families["moving-sphere/halved"]["invariance"]["halving"]["images"]
+        self.assertTrue(0 < halving < 156 and halving % 3 == 0, halving)  # three of each contact
         done = axiscert("run", "--kernel", "moving-sphere/twenty", "--family", "moving-sphere/general", "--trials", "10",
                         "--require", "invariant=reversal", "--out", self.folder / "none")
         self.assertIn("add --family moving-sphere/reversed", done.stdout + done.stderr)

@@ -3,6 +3,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -39,10 +40,10 @@ class Box {
 double below(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
 double above(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
 
-CGAL::Bbox_3 box_of(const Sphere& s) {
-  const Point p = point(s.centre);
-  const double r = s.radius;
-  return {below(p[0] - r), below(p[1] - r), below(p[2] - r), above(p[0] + r), above(p[1] + r), above(p[2] + r)};
+CGAL::Bbox_3 box_of(const CentreBox& centre, double r) {
+  const auto& [low, high] = centre;
+  return {below(low[0] - r),  below(low[1] - r),  below(low[2] - r),
+          above(high[0] + r), above(high[1] + r), above(high[2] + r)};
 }
 
 }  // namespace
@@ -59,9 +60,17 @@ BroadPhase::BroadPhase(const std::vector<MeshTriangle>& triangles) : tree_(std::
 BroadPhase::~BroadPhase() = default;
 
 void BroadPhase::candidates(const Sphere& sphere, std::vector<std::uint32_t>& out) const {
+  const Point centre = point(sphere.centre);
+  candidates(std::array{CentreBox{centre, centre}}, sphere.radius, out);
+}
+
+void BroadPhase::candidates(std::span<const CentreBox> boxes, float radius, std::vector<std::uint32_t>& out) const {
   std::vector<const MeshTriangle*> found;
-  tree_->boxes.all_intersected_primitives(box_of(sphere), std::back_inserter(found));
+  for (const CentreBox& box : boxes) {
+    tree_->boxes.all_intersected_primitives(box_of(box, radius), std::back_inserter(found));
+  }
   std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   out.clear();
   for (const MeshTriangle* t : found) out.push_back(static_cast<std::uint32_t>(t - tree_->first));
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,11 @@ struct Sphere {
 using Point = std::array<double, 3>;  // need not be exact in float
 inline Point point(const Vec3<float>& v) { return {v.x, v.y, v.z}; }
 
+// A box in which a sphere's centre is.
+struct CentreBox {
+  Point low, high;
+};
+
 // CGAL's AABB_tree: kept as long as the mesh, and asked once per sphere.
 class BroadPhase {
  public:
@@ -26,6 +32,8 @@ class BroadPhase {
   ~BroadPhase();
   // The triangles whose boxes intersect the sphere's, ascending: every contact is among them.
   void candidates(const Sphere& sphere, std::vector<std::uint32_t>& out) const;
+  // The same of a sphere that is anywhere in the boxes.
+  void candidates(std::span<const CentreBox> boxes, float radius, std::vector<std::uint32_t>& out) const;
 
  private:
   struct Tree;

@@ -34,7 +34,7 @@ def tables(text):
     return [[line.split() for line in table.splitlines()[1:]] for table in text.split("NOT CHECKED")[0].split("\n\n")[1:]]
 
 
-class Program(unittest.TestCase):
+class Walked(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -46,6 +46,8 @@ class Program(unittest.TestCase):
         self.assertEqual(done.stderr, "")
         return done.stdout
 
+
+class Program(Walked):
     def test_the_same_walk_gives_the_same_bytes_and_another_seed_another(self):
         made = []
         for out in ("a.svg", "b.svg"):
@@ -181,6 +183,70 @@ class Program(unittest.TestCase):
             stored = ROOT / "docs/plots" / f"walk-{Path(arguments[0]).stem}.svg"
             if stored.exists():
                 self.assertEqual((self.folder / "walk.svg").read_bytes(), stored.read_bytes(), stored)
+
+
+class Sweeps(Walked):
+    def tables(self, *args):
+        """The rows of a journey's tables by their first cell, "twenty, certain" among them; without their head."""
+        found = []
+        for table in self.walked(*args).split("\n\n")[1:]:
+            rows = [re.split(r"\s{2,}", line.strip()) for line in table.splitlines()[1:]]
+            found.append({row[0]: row[1:] for row in rows})
+        return found
+
+    def test_the_certain_sphere_enters_nothing_and_every_errand_meets_something(self):
+        for errand in ("walk", "fall", "bullet"):
+            motions, answers, entered, rates = self.tables(SPIDER, "--sweep", errand, "--steps", 40)
+            self.assertEqual(len(motions), 4, errand)
+            self.assertGreater(int(motions["twenty, certain"][1]), 0, errand)
+            self.assertEqual(answers["twenty, certain"], ["0", "0", "-", "-"])
+            self.assertEqual(entered["twenty, certain"], ["0", "0", "0", "-"])
+            self.assertEqual(rates["twenty, certain"], ["0.00", "0.00", "-", "0.00", "0.00", "0.00"])
+
+    def test_the_same_journey_gives_the_same_bytes_and_another_seed_another(self):
+        made = [self.walked(SPIDER, "--sweep", "walk", "--steps", 30) for _ in range(2)]
+        self.assertEqual(*made)
+        self.assertNotEqual(self.walked(SPIDER, "--sweep", "walk", "--steps", 30, "--seed", 2), made[0])
+
+    def test_a_run_on_the_motions_of_falls_counts_what_is_counted_here(self):
+        file = self.folder / "falls.jsonl"
+        kernel = "moving-sphere/rounded"  # it steers another sphere, and all falls are the same motions
+        motions, answers, _, _ = self.tables(SPIDER, "--sweep", "fall", "--steps", 60, "--kernel", kernel, "--queries", file)
+        lines = [json.loads(line) for line in file.read_text().splitlines()]
+        self.assertEqual(len(lines), int(motions["twenty, certain"][2]))
+        self.assertEqual({line["test"] for line in lines}, {"moving-sphere"})
+        self.assertEqual(len({line["id"] for line in lines}), len(lines))
+        done = axiscert("run", "--test", "moving-sphere", "--queries", file, "--precision", "binary32", "--kernel", kernel, "--out", self.folder / "run")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        (judged,) = json.loads((self.folder / "run/record.json").read_text())["kernels"]
+        (found,) = judged["families"].values()
+        self.assertEqual(found["trials"], len(lines))
+        self.assertEqual(found["truth"]["contact"], int(motions[kernel][3]))
+        self.assertEqual([str(found["verdict"][kind]) for kind in ("false_separation", "false_contact")], answers[kernel][:2])
+
+    def test_bad_options_are_refused(self):
+        for arguments, says in (
+                ([SPIDER, "--sweep", "swim"], ["--sweep", "swim", "walk"]),
+                ([SPIDER, "--sweep", "walk", "--kernel", "published"], ["--kernel published", "sphere-triangle", "moving-sphere"]),
+                ([SPIDER, "--kernel", "moving-sphere/rounded"], ["--kernel moving-sphere/rounded", "--sweep"]),
+                ([SPIDER, "--sweep", "walk", "--out", self.folder / "walk.svg"], ["--sweep", "--out"]),
+                ([SPIDER, "--stride", 4], ["--stride", "--sweep"]),
+                ([SPIDER, "--sweep", "walk", "--stride", 0], ["--stride", "0.125"]),
+                ([SPIDER, "--sweep", "walk", "--skin", 1], ["--skin", "0.5"])):
+            with self.subTest(arguments=arguments):
+                done = character(*arguments)
+                self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+                self.assertEqual(done.stdout, "")
+                for part in says:
+                    self.assertIn(part, done.stderr)
+
+    @unittest.skipUnless(DIVISOR == 1, "sanitized they are slow")
+    def test_the_figures_of_the_document_are_what_the_command_makes(self):
+        section = re.search(r"## A walk by sweeps\n(.*?)\n## ", (ROOT / "docs/moving.md").read_text(), re.DOTALL)[1]
+        blocks = re.findall(r"```\n\$ character (.*?)\n(.*?)```", section, re.DOTALL)
+        self.assertTrue(blocks)
+        for command, figures in blocks:
+            self.assertEqual(self.walked(*(word.replace("/usr/share/assimp/models", str(MODELS)) for word in shlex.split(command))), figures, command)
 
 
 if __name__ == "__main__":

@@ -24,8 +24,7 @@ class AsymmetryBlock {
         group_(group),
         batch_(batch_bases * group.size, source.columns().size()) {
     for (std::size_t i = 0; i < group.size; ++i) {
-      // The comparisons of a motion that is turned round, or of a part of one, are others than its own.
-      const bool are_others = i != 0 && (group.kind(i) == ImageKind::reversal || group.kind(i) == ImageKind::split);
+      const bool are_others = i != 0 && has_own_comparisons(group.kind(i));
       of_base_.push_back(are_others ? std::nullopt : std::optional(ComparisonsOfBase(group.test(), group.order(i))));
     }
     if (!plan.replies) implementation_ = kernel.on<Real>(plan.target);
@@ -81,6 +80,7 @@ class AsymmetryBlock {
   }
 
   void count_image(const Outcome& base, const Outcome& image, const ImagePair& pair, std::size_t i) {
+    if (!decides_image(group_.kind(i), base.verdict)) return;
     ++found_.images;
     if (image.verdict != base.verdict) {
       ++found_.verdicts;

@@ -8,7 +8,8 @@
 namespace axiscert {
 
 struct Asymmetry {
-  std::uint64_t images = 0;       // compared with their base; both answered and within the kernel's limits
+  std::uint64_t images = 0;       // compared with their base, which decides them; both answered and within the kernel's
+                                  // limits
   std::uint64_t verdicts = 0;     // images whose verdict differs
   std::uint64_t comparisons = 0;  // images with a comparison that differs, by the base's names, whatever the verdict
   std::optional<ImagePair> first_verdict, first_comparison;

@@ -135,6 +135,7 @@ void count_invariance(Invariance& into, const AnsweredGroup<Real>& answered) {
     const auto said = answered.verdicts[i];
     if (!said) continue;
     const ImageKind kind = group.kind(i);
+    if (!decides_image(kind, *base)) continue;
     const int size = image_size(kind, answered, i);
     const bool is_changed = differ(*said, *base);
     into.kinds[kind].add(size, {answered.position, answered.position + i}, is_changed);

@@ -1,6 +1,6 @@
 // Families of images: a base query, followed by the same query rotated, mirrored, moved or scaled, exactly; a motion
-// turned round, or in parts. The exact answers to a query and its images agree, except for the names of comparisons; if
-// a kernel's answers differ, that is an asymmetry (fuzz/confirm/asymmetry.h).
+// turned round, in parts, or going on. The exact answers to a query and its images agree, except for the names of
+// comparisons; if a kernel's answers differ, that is an asymmetry (fuzz/confirm/asymmetry.h).
 #pragma once
 
 #include <array>
@@ -18,12 +18,22 @@ namespace axiscert {
 
 // How an image is made of its base: the vertices in another order; the axes exchanged, some of them turned round or
 // not; signs changed alone; all numbers times a power of two; all points moved; a motion from its end to its start; one
-// in two parts, the second from where the first ends, which touch where one of them does.
-enum class ImageKind : std::uint8_t { order, axes, mirror, scale, translation, reversal, split };
+// in two parts, the second from where the first ends, which touch where one of them does; one of which the base is a
+// half, a quarter or an eighth, which is in contact where the base is.
+enum class ImageKind : std::uint8_t { order, axes, mirror, scale, translation, reversal, split, halving };
 template <>
-inline constexpr std::size_t enum_count<ImageKind> = 7;
+inline constexpr std::size_t enum_count<ImageKind> = 8;
 inline constexpr EnumArray<ImageKind, std::string_view> image_kind_names = {
-    "order", "axes", "mirror", "scale", "translation", "reversal", "split"};
+    "order", "axes", "mirror", "scale", "translation", "reversal", "split", "halving"};
+
+// Whether the verdict on the base decides that on an image of this kind: a motion may meet what its half does not.
+constexpr bool decides_image(ImageKind kind, Verdict base) {
+  return kind != ImageKind::halving || base == Verdict::contact;
+}
+// Whether the comparisons of such an image are others than the base's.
+constexpr bool has_own_comparisons(ImageKind kind) {
+  return kind == ImageKind::reversal || kind == ImageKind::split || kind == ImageKind::halving;
+}
 
 // The powers of two from 2^least to 2^greatest.
 struct PowerRange {

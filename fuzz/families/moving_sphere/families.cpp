@@ -31,7 +31,8 @@
   X(inverted)                       \
   X(translated)                     \
   X(reversed)                       \
-  X(split)
+  X(split)                          \
+  X(halved)
 
 namespace axiscert {
 namespace moving_sphere {

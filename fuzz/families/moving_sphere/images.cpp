@@ -1,5 +1,6 @@
 // A motion near tangency, and its images: in six vertex orders, in 48 permutations and reflections of the axes, with
-// all signs changed, translated, turned round, and in two parts. Every image is exact, so that no exact answer differs.
+// all signs changed, translated, turned round, in two parts, and going on. Every image is exact, so that no exact
+// answer differs.
 #include <algorithm>
 #include <limits>
 
@@ -109,6 +110,14 @@ Numbers<Real> part_of_motion(const Numbers<Real>& base, std::size_t i, Stream&) 
   return q;
 }
 
+// The motion, and twice, four and eight times as far.
+template <class Real>
+Numbers<Real> motion_going_on(const Numbers<Real>& base, std::size_t i, Stream&) {
+  MovingQuery<Real> q = named(base);
+  q.d = q.d * static_cast<Real>(1 << i);
+  return q;
+}
+
 using Order = std::array<std::uint8_t, 3>;
 Order as_in_base(std::size_t) { return {0, 1, 2}; }
 template <ImageKind kind>
@@ -117,7 +126,7 @@ constexpr ImageKind every_image(std::size_t) {
 }
 ImageKind mirror_or_axes(std::size_t image) { return image < 8 ? ImageKind::mirror : ImageKind::axes; }
 
-constexpr std::array<ImageGroup, 6> groups = {{
+constexpr std::array<ImageGroup, 7> groups = {{
     {"moving-sphere/orders", 6, [](std::size_t image) -> Order { return symmetries()[48 * image].vertices; },
      every_image<ImageKind::order>, nullptr, nullptr, moving_sphere_test},
     {"moving-sphere/axes", 48, as_in_base, mirror_or_axes, nullptr, nullptr, moving_sphere_test},
@@ -126,6 +135,7 @@ constexpr std::array<ImageGroup, 6> groups = {{
      moving_sphere_test},
     {"moving-sphere/reversed", 2, as_in_base, every_image<ImageKind::reversal>, nullptr, nullptr, moving_sphere_test},
     {"moving-sphere/split", 7, as_in_base, every_image<ImageKind::split>, nullptr, nullptr, moving_sphere_test, 2},
+    {"moving-sphere/halved", 4, as_in_base, every_image<ImageKind::halving>, nullptr, nullptr, moving_sphere_test},
 }};
 
 template <class Real, std::size_t group, Numbers<Real> (*make_image)(const Numbers<Real>&, std::size_t, Stream&)>
@@ -163,6 +173,8 @@ extern const Family moving_sphere_reversed_family = family_of_images<4, reversed
     "a motion near tangency, and from its end to its start");
 extern const Family moving_sphere_split_family = family_of_images<5, part_of_motion<float>, part_of_motion<double>>(
     "a motion near tangency, and three times in two parts, of which one touches where the whole does");
+extern const Family moving_sphere_halved_family = family_of_images<6, motion_going_on<float>, motion_going_on<double>>(
+    "a motion near tangency, and two, four and eight times as far, which touches where its half does");
 
 }  // namespace axiscert::moving_sphere
 

@@ -58,6 +58,11 @@ TYPED_TEST(MovingImages, HaveTheExactAnswersOfTheBase) {
       contacts += own.truth.verdict == Verdict::contact;
       for (std::size_t i = 1; i < group->size; i += group->parts) {
         const ImageTruth image = truth_of_image<TypeParam>(family, at + i, group->parts);
+        if (group->kind(i) == ImageKind::halving) {  // it has more of the way, and another scene
+          EXPECT_TRUE(image.truth.verdict == Verdict::contact || own.truth.verdict != Verdict::contact)
+              << family.name << " at " << at + i;
+          continue;
+        }
         EXPECT_EQ(image.truth.verdict, own.truth.verdict) << family.name << " at " << at + i;
         if (group->parts > 1) continue;  // parts have scenes of their own
         EXPECT_EQ(image.truth.touching, own.truth.touching) << family.name << " at " << at + i;
@@ -66,6 +71,25 @@ TYPED_TEST(MovingImages, HaveTheExactAnswersOfTheBase) {
     }
     EXPECT_TRUE(contacts > 0 && contacts < 24) << family.name;
   }
+}
+
+TYPED_TEST(MovingImages, GoingOnTwiceAsFarHalvesTheTimeExactly) {
+  const Oracles& oracles = oracles_of(moving_sphere_test());
+  const Family& family = find_family("moving-sphere/halved");
+  std::size_t contacts = 0;
+  for (std::uint64_t base = 0; base < 24; ++base) {
+    const auto details = oracles.details(family.make<TypeParam>(1, 4 * base));
+    const double* const time = std::get_if<double>(&details[0].value);
+    if (time == nullptr) continue;
+    ++contacts;
+    for (const std::uint64_t i : {1, 2, 3}) {
+      const auto going_on = oracles.details(family.make<TypeParam>(1, 4 * base + i));
+      const double* const sooner = std::get_if<double>(&going_on[0].value);
+      ASSERT_NE(sooner, nullptr) << 4 * base + i;
+      EXPECT_EQ(*sooner, std::ldexp(*time, -static_cast<int>(i))) << 4 * base + i;
+    }
+  }
+  EXPECT_GT(contacts, 4u);
 }
 
 TYPED_TEST(MovingImages, AreAllDifferentAndAsManyAsTheySay) {
@@ -118,6 +142,12 @@ TEST(MovingAsymmetries, OfTheTwentyAxesAreThoseOfItsRoundings) {
   EXPECT_EQ(split.images, 300u);
   EXPECT_EQ(split.comparisons, 0u) << "those of a part are others than the whole's";
   EXPECT_EQ(split.invariance.kinds[ImageKind::split].images, 300u);
+  // Contacts alone say something of a motion that goes on.
+  const Asymmetry halved = counted_on(nonstrict, "moving-sphere/halved", 4000);
+  EXPECT_GT(halved.images, 300u);
+  EXPECT_LT(halved.images, 3000u);
+  EXPECT_EQ(halved.comparisons, 0u) << "those of the end are others";
+  EXPECT_EQ(halved.invariance.kinds[ImageKind::halving].images, halved.images);
 }
 
 TEST(MovingAsymmetries, AreFoundWhereAFaultIsPlanted) {
@@ -129,11 +159,15 @@ TEST(MovingAsymmetries, AreFoundWhereAFaultIsPlanted) {
   const auto slow = nonstrict_but([](const QueryColumns<float>& q, std::size_t i) {
     return std::fabs(q.column[12][i]) + std::fabs(q.column[13][i]) + std::fabs(q.column[14][i]) < 1e4f;
   });
+  const auto fast = nonstrict_but([](const QueryColumns<float>& q, std::size_t i) {
+    return std::fabs(q.column[12][i]) + std::fabs(q.column[13][i]) + std::fabs(q.column[14][i]) > 1e6f;
+  });
   for (const char* family : {"moving-sphere/inverted", "moving-sphere/axes", "moving-sphere/reversed"}) {
     EXPECT_GT(counted_on(to_the_left, family, 960).verdicts, 0u) << family;
   }
   EXPECT_GT(counted_on(far, "moving-sphere/translated", 960).verdicts, 0u);
   EXPECT_GT(counted_on(slow, "moving-sphere/split", 1400).verdicts, 0u);
+  EXPECT_GT(counted_on(fast, "moving-sphere/halved", 960).verdicts, 0u);
   const Asymmetry in_units = counted_on(tiny, "moving-sphere/units", 4000);
   EXPECT_GT(in_units.invariance.units.wrong.changed, 0u) << "a length of its own, on clear queries";
   EXPECT_FALSE(in_units.invariance.units.small.empty());

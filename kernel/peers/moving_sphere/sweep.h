@@ -3,7 +3,8 @@
 //
 // A peer is a type with a number type `Real`, a constant `measure_count`, and
 // `int operator()(const Sweep<Real>&, FirstContact<Real>&)`, which returns an axiscert_verdict. It lives for one batch,
-// and keeps nothing from query to query.
+// and keeps nothing from query to query. Where its library says that it promises nothing of two that overlap at the
+// start, it has a constant `start` too, an axiscert_start; where the library says nothing of it, an answer is expected.
 #pragma once
 
 #include <array>
@@ -79,6 +80,12 @@ void run_sweeps(const axiscert_batch* batch, const axiscert_answers* answers) {
   }
 }
 
+template <class Peer>
+constexpr std::uint32_t start_promise() {
+  if constexpr (requires { Peer::start; }) return Peer::start;
+  else return AXISCERT_START_IS_REPORTED;
+}
+
 template <class Peer, std::floating_point Input>
 constexpr axiscert_kernel sweep_kernel_in(const Description& says) {
   return {.abi = AXISCERT_PLUGIN_ABI,
@@ -97,7 +104,7 @@ constexpr axiscert_kernel sweep_kernel_in(const Description& says) {
           .conforms_to = nullptr,
           .formulae = nullptr,
           .limits = nullptr,
-          .start = AXISCERT_START_IS_REPORTED,
+          .start = start_promise<Peer>(),
           .still = AXISCERT_STILL_IS_REPORTED,
           .sides = AXISCERT_BOTH_SIDES};
 }

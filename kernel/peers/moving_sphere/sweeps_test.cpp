@@ -19,9 +19,10 @@ struct ExpectedSweeps {
   std::size_t measures;
   const char* clear = "cccc";  // its answers to clear_contacts; 's' is a known fault
   double time_error = 2e-3;    // of the way; a library that samples is late by a step
+  axiscert_start start = AXISCERT_START_IS_REPORTED;
 };
 constexpr ExpectedSweeps expected_sweeps[] = {
-    {"bullet-subsimplex", false, 8},
+    {"bullet-subsimplex", false, 8, "cccc", 2e-3, AXISCERT_START_IS_IGNORED},
     {"bullet-continuous", false, 8},
     {"bullet-gjk-cast", false, 8},
     {"bullet-world", false, 8},
@@ -64,16 +65,16 @@ TEST_P(SweepPeer, SaysWhatItIs) {
   const Reply reply = in_peer(fmt::format("moving-sphere/{}", peer.name), [](AxiscertPlugin* plugin) {
     std::string lines;
     for (std::uint32_t i = 0; const axiscert_kernel* k = plugin(i); ++i) {
-      lines += fmt::format("{} {} {} columns {} measures {} touching {}\n", k->test, k->name, k->precision,
-                           k->column_count, k->measure_count, k->touching);
+      lines += fmt::format("{} {} {} columns {} measures {} touching {} start {}\n", k->test, k->name, k->precision,
+                           k->column_count, k->measure_count, k->touching, k->start);
     }
     return lines;
   });
   std::string right;
   for (const int precision : {32, 64}) {
     if (precision == 64 && !peer.has_binary64) continue;
-    right += fmt::format("moving-sphere {} {} columns 16 measures {} touching {}\n", peer.name, precision,
-                         peer.measures, static_cast<int>(AXISCERT_TOUCHING_IS_EITHER));
+    right += fmt::format("moving-sphere {} {} columns 16 measures {} touching {} start {}\n", peer.name, precision,
+                         peer.measures, static_cast<int>(AXISCERT_TOUCHING_IS_EITHER), static_cast<int>(peer.start));
   }
   EXPECT_EQ(reply.bytes, right);
 }

@@ -20,7 +20,8 @@ constexpr EnumArray<ImageKind, std::string_view> kind_words = {  // "the same qu
     "times a power of two",
     "moved",
     "from its end to its start",
-    "in two parts"};
+    "in two parts",
+    "going on twice, four or eight times as far, after a contact"};
 
 // The families of the run's test that make such images, for a run without one.
 std::string families_with(ImageKind kind, const Subject& subject) {
@@ -89,7 +90,9 @@ LevelFindings judge_invariant(const AskedLevel& asked, const Subject& subject) {
 }  // namespace
 
 extern const GateLevel invariant_level = {
-    "invariant=KIND", "no verdict that changes with KIND: order, axes, mirror, scale, translation, reversal or split",
+    "invariant=KIND",
+    "no verdict that changes with KIND: order, axes, mirror, scale, translation, reversal, split or "
+    "halving",
     [](const AskedLevel& asked) { kind_of(asked); },
     [](const AskedLevel& asked) {
       return fmt::format("the same verdict on the same query {}", kind_words[kind_of(asked)]);

@@ -1,0 +1,21 @@
+// Journeys by sweeps as text.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "examples/character/sweeps/judgement.h"
+
+namespace axiscert::character {
+
+struct Travelled {
+  std::string sweeper;
+  std::uint64_t turns, set_down, left;
+  SweepCounts counts;
+  bool gives_times;
+};
+
+// Tables of the motions, of what was answered, and of what the sphere went into; the last per 1000 steps too.
+std::string sweeps_table(std::span<const Travelled> travelled, const JourneyOptions& options);
+
+}  // namespace axiscert::character
