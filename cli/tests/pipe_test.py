@@ -205,7 +205,7 @@ class Pipe(Case):
             file = self.stored(f"{time}.bin", replies)
             code = 0 if time == 0 else 1
             record = self.judged(file, "--require", "never-late", out=f"late{time}", code=code)
-            late[time] = family(record, "moving-sphere/general")["motion"]["time"]["late"]
+            late[time] = family(record, "moving-sphere/general", kernel="pipe")["motion"]["time"]["late"]
             self.assertEqual(record["plan"]["replies"]["measures"], 1)
             self.assertEqual(record["kernels"][0]["measures"], ["time"])
         self.assertEqual(late[0], 0)
