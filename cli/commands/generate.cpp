@@ -20,6 +20,7 @@ namespace {
 struct GenerateOptions : SourceOptions {
   std::string precision = "binary32", out_file = "-";
   bool binary = false;
+  std::size_t measures = 0;
   int threads = 0;
 };
 
@@ -68,7 +69,7 @@ const TestDescription& test_of_families(const GenerateOptions& options) {
 }
 
 PipePlan plan_of(const GenerateOptions& options) {
-  PipePlan plan{options.seed, parse_precision(options.precision), {}};
+  PipePlan plan{options.seed, parse_precision(options.precision), {}, options.measures};
   const auto sources = sources_of(options, test_of_families(options), plan.precision);
   test_of_sources(options.test, sources);
   say_what_is_left_out(sources, {plan.precision});
@@ -111,7 +112,12 @@ void add_generate(CLI::App& app, Action& action) {
   add_source_options(*command, *options);
   command->add_option("--precision", options->precision, "binary32 or binary64; also the precision of CSV files")
       ->capture_default_str();
-  command->add_flag("--binary", options->binary, "the query stream of docs/pipe.md instead of JSON Lines");
+  auto* binary = command->add_flag("--binary", options->binary, "the query stream of docs/pipe.md instead of JSON Lines");
+  command
+      ->add_option("--measures", options->measures,
+                   "the program gives so many of the test's measures beside each verdict, from the first on (`axiscert "
+                   "tests`)")
+      ->needs(binary);
   command->add_option("-o,--out-file", options->out_file, "file to write, - for standard output")
       ->capture_default_str();
   add_thread_option(*command, options->threads);

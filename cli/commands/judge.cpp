@@ -105,6 +105,7 @@ Kernel program(const JudgeOptions& options, const StoredReplies& replies) {
                 .is_reference = false};
   kernel.test = &replies.sources().front()->test();
   kernel.entry = replies.sources().front()->entry();
+  kernel.measure_count = replies.measure_count();
   if (const std::string& id = options.claim.conforms_to; !id.empty()) {
     const Kernel& model = claimed("--conforms-to", id, replies);
     if (!model.is_reference) {

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import unittest
 
-from command import BUILD, DIVISOR, MODELS, QUERY, SCHEMAS, ROOT, Case, axiscert
+from command import BUILD, DIVISOR, MODELS, QUERY, SCHEMAS, ROOT, Case, axiscert, family
 
 EXAMPLES = ROOT / "examples/pipe"
 PYTHON = [sys.executable, EXAMPLES / "published.py"]
@@ -192,6 +192,28 @@ class Pipe(Case):
         self.assertGreater(links["unattributed"], 0)
         self.assertEqual(sum(links.values()), links["unattributed"])
         self.judged("-", "--touching", "either", "--require", "exact", stdin=bytes(replies), code=1)
+
+    def test_times_of_motions_are_judged(self):
+        """Contact at the start is never late; at the end it is wherever the motion touches before."""
+        plan = ("--test", "moving-sphere", "--family", "moving-sphere/general", "--trials", 100)
+        late = {}
+        for time in (0, 1):
+            queries = self.queries(*plan, "--measures", 1)
+            size, count = struct.unpack_from("<I", queries, 24)[0], struct.unpack_from("<Q", queries, 16)[0]
+            self.assertEqual(count, 100)
+            replies = queries[:size] + struct.pack("<BB6xQf", 0, 2, 0, time) * count
+            file = self.stored(f"{time}.bin", replies)
+            code = 0 if time == 0 else 1
+            record = self.judged(file, "--require", "never-late", out=f"late{time}", code=code)
+            late[time] = family(record, "moving-sphere/general", kernel="pipe")["motion"]["time"]["late"]
+            self.assertEqual(record["plan"]["replies"]["measures"], 1)
+            self.assertEqual(record["kernels"][0]["measures"], ["time"])
+        self.assertEqual(late[0], 0)
+        self.assertGreater(late[1], 10)
+        self.assertIn("--measures 1 | PROGRAM", (self.folder / "late1/report.md").read_text())
+        self.refused("generate", "--binary", "--family", "general", "--measures", 1, says=["the test sphere-triangle has none"])
+        self.refused("generate", "--binary", *plan, "--measures", 9, says=["has 8, from time to point_z"])
+        self.refused("generate", *plan, "--measures", 1, says=["--measures", "--binary"])
 
     def test_json_lines_are_a_query_file_with_addresses(self):
         lines = self.bytes_of("generate", "--family", "tie", "--mesh", SPIDER, "--trials", 3, "--precision", "binary64").decode()

@@ -103,7 +103,8 @@ class PlainRun {
     count(tally_, position_ + i, query.truth(), chain ? chain->ties : ComparisonBits{0}, said, judgement, query,
           standing_);
     if (!kernel_.test->measures.empty()) {
-      const std::vector<double> measures = replies_ ? std::vector<double>{} : reply_.measures(i);
+      const std::vector<double> measures =
+          replies_ ? replies_->measures(source_, precision_of<Real>, position_ + i) : reply_.measures(i);
       query.count_motion(kernel_, position_ + i, said.verdict, measures, tally_.motion);
     }
     const bool has_sides = !replies_ && kernel_.exposes == Exposure::sides && reply_.has_bits;

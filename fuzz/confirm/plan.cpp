@@ -6,9 +6,11 @@ namespace {
 // The statement that no kernel was run, and the claim made for the program.
 Json replies_json(const Plan& plan) {
   const auto given = [](const std::string& id) { return id.empty() ? Json(nullptr) : Json(id); };
-  return {{"conforms_to", given(plan.claim.conforms_to)},
-          {"formulae", given(plan.claim.formulae)},
-          {"touching", name(plan.kernels.front()->touching)}};
+  Json json = {{"conforms_to", given(plan.claim.conforms_to)},
+               {"formulae", given(plan.claim.formulae)},
+               {"touching", name(plan.kernels.front()->touching)}};
+  if (plan.replies->measure_count() != 0) json["measures"] = plan.replies->measure_count();
+  return json;
 }
 
 // One level as text, as records of one level have it.

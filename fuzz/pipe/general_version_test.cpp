@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <deque>
 #include <fstream>
@@ -30,7 +31,7 @@ const TestDescription& piped_test() {
                          .entries = {{"first", "any", {{"y", Role::length, "y"}}}, {"numbers", "any", {}}},
                          .comparisons = {},
                          .clauses = {{"all", (std::uint64_t{1} << 33) - 1}},
-                         .measures = {}};
+                         .measures = {{"time", "fraction", "ulps"}, {"height", "length", "u"}}};
     for (std::size_t k = 0; k < 40; ++k) {
       wide.entries[1].columns.push_back({names.emplace_back(fmt::format("x{}", k)), Role::coordinate, "x"});
     }
@@ -133,6 +134,39 @@ TEST_F(WideStream, AWrongReplyIsNamed) {
   EXPECT_THAT(stream_refusal(header + stream_bytes({{0, 1, {}, 0}})), HasSubstr("ends after 1 of 2 replies"));
   EXPECT_THAT(stream_refusal(header + stream_bytes({{0, 1, {}, 0}}) + "1234"),
               HasSubstr("4 bytes of the next; a reply has 16"));
+}
+
+// Each reply is followed by two numbers of the stream's precision, and says so in its flags.
+TEST_F(WideStream, MeasuresFollowTheReplies) {
+  PipePlan measured = plan();
+  measured.measures = 2;
+  const std::string header = header_of(measured);
+  EXPECT_THAT(header, HasSubstr(R"("columns":40,"measures":2,"sources":[)"));
+  const auto reply = [](std::uint8_t flags, std::array<float, 2> numbers) {
+    return stream_bytes({{0, flags, {}, 0}}) + std::string(reinterpret_cast<const char*>(numbers.data()), 8);
+  };
+  std::vector<ReplyStream> streams;
+  streams.push_back(read_stream(header + reply(2, {0.25F, 7}) + reply(2, {1, -INFINITY})));
+  const StoredReplies replies(std::move(streams));
+  const Source& source = *replies.sources()[0];
+  EXPECT_EQ(replies.measure_count(), 2u);
+  EXPECT_EQ(replies.measures(source, Precision::binary32, 0), (std::vector<double>{0.25, 7}));
+  EXPECT_EQ(replies.measures(source, Precision::binary32, 1), (std::vector<double>{1, -INFINITY}));
+
+  EXPECT_EQ(stream_refusal(header + reply(2, {}) + reply(0, {})),
+            fmt::format("r.bin: reply 2 of 2, at byte {}: flags 0x00, without bit 1: the plan asks for 2 measures after "
+                        "each reply",
+                        header.size() + 24));
+  EXPECT_THAT(stream_refusal(header + reply(2, {}) + stream_bytes({{0, 2, {}, 0}})),
+              HasSubstr("ends after 1 of 2 replies and 16 bytes of the next; a reply has 24"));
+  EXPECT_THAT(stream_refusal(header_of(plan()) + stream_bytes({{0, 2, {}, 0}, {0, 2, {}, 0}})),
+              HasSubstr("flags 0x02; bit 0 says that comparison bits are given, the others are 0"));
+  measured.measures = 3;
+  EXPECT_THAT([&] { header_of(measured); },
+              testing::ThrowsMessage<Error>(
+                  "3 measures, but the test wide has 2, from time to height (`axiscert tests`)"));
+  EXPECT_THAT(stream_refusal(changed(header, 2, "\"measures\":2", "\"measures\":9") + reply(2, {})),
+              HasSubstr("r.bin: its plan has 9 measures, but the test wide has 2"));
 }
 
 TEST_F(WideStream, VersionAndTestBelongTogether) {

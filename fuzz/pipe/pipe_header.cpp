@@ -50,6 +50,14 @@ std::string other_test(const PipePlan& plan, const TestDescription& test, std::s
   return "";
 }
 
+// The fault of a plan that asks for more measures than its test has; empty if there is none.
+std::string too_many_measures(const TestDescription& test, std::size_t measures) {
+  if (measures <= test.measures.size()) return "";
+  if (test.measures.empty()) return fmt::format("{} measures, but the test {} has none", measures, test.id);
+  return fmt::format("{} measures, but the test {} has {}, from {} to {} (`axiscert tests`)", measures, test.id,
+                     test.measures.size(), test.measures.front().name, test.measures.back().name);
+}
+
 std::array<std::byte, 32> hash_of(std::string_view text) { return sha256(std::as_bytes(std::span(text))); }
 
 // Detects everything that can be wrong with one header, in the order in which it is read.
@@ -137,7 +145,7 @@ class Reader {
       fail(fmt::format("these queries were made by axiscert {}, and this is {}: generate them again", shown(version),
                        AXISCERT_VERSION));
     }
-    PipePlan plan{whole<std::uint64_t>(json, "seed"), Precision::binary32, {}};
+    PipePlan plan{whole<std::uint64_t>(json, "seed"), Precision::binary32, {}, 0};
     if (json.at("precision") == axiscert::name(Precision::binary64)) plan.precision = Precision::binary64;
     const TestDescription& test = test_of(json);
     const std::size_t entry = entry_of(json, test);
@@ -147,6 +155,10 @@ class Reader {
     }
     if (const std::string other = other_test(plan, test, entry); !other.empty()) {
       fail(fmt::format("its plan is of the test {}, entry {}, but {} here", test.id, test.entries[entry].name, other));
+    }
+    if (json.contains("measures")) plan.measures = whole<std::size_t>(json, "measures");
+    if (const std::string wrong = too_many_measures(test, plan.measures); !wrong.empty()) {
+      fail("its plan has " + wrong);
     }
     return plan;
   }
@@ -258,11 +270,13 @@ std::string header_of(const PipePlan& plan) {
     throw Error(fmt::format("a stream is of one test and one entry: {} has queries of {}, entry {}, but {}",
                             plan.parts.front().source->name(), plan.test().id, plan.columns().name, other));
   }
+  if (const std::string wrong = too_many_measures(plan.test(), plan.measures); !wrong.empty()) throw Error(wrong);
   Json json = {{"axiscert", AXISCERT_VERSION}, {"seed", plan.seed}, {"precision", name(plan.precision)}};
   if (pipe::version_of(plan.test()) != pipe::first_version) {
     json["test"] = plan.test().id;
     json["entry"] = plan.columns().name;
     json["columns"] = plan.columns().columns.size();
+    if (plan.measures != 0) json["measures"] = plan.measures;
   }
   json["sources"] = Json::array();
   std::string text;

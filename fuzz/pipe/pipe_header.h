@@ -20,6 +20,7 @@ struct PipePlan {
   std::uint64_t seed = 1;
   Precision precision = Precision::binary32;
   std::vector<Part> parts;  // in the stream's order; their queries have one test and one entry
+  std::size_t measures = 0;  // so many of the test's measures, from the first on, follow each reply
 
   const TestDescription& test() const { return parts.empty() ? first_test() : parts.front().source->test(); }
   std::size_t entry() const { return parts.empty() ? 0 : parts.front().source->entry(); }
@@ -28,8 +29,8 @@ struct PipePlan {
   std::uint64_t queries() const;
 };
 
-// The header's bytes. Throws Error if the header cannot name a source (standard input, a path that is not UTF-8), or if
-// the sources have not one test and one entry.
+// The header's bytes. Throws Error if the header cannot name a source (standard input, a path that is not UTF-8), if
+// the sources have not one test and one entry, or if the test has fewer measures.
 std::string header_of(const PipePlan& plan);
 
 // The present paths of files, by base name; a file that is not listed is at the path in the plan.

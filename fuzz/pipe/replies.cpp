@@ -25,17 +25,23 @@ std::string padding_fault(const pipe::WideReplyRecord& reply) {
 
 // The fault of a reply that differs in kind from the first one, or is not valid; empty if there is none.
 template <class Record>
-std::string fault(const Record& reply, bool has_bits, const TestDescription& test) {
+std::string fault(const Record& reply, bool has_bits, std::size_t measures, const TestDescription& test) {
   const auto bytes = std::bit_cast<std::array<char, sizeof reply>>(reply);
   if (reply.verdict > static_cast<std::uint8_t>(Verdict::invalid)) {
     return fmt::format("verdict {}; 0 is contact, 1 separated, 2 undecided, 3 invalid{}", reply.verdict,
                        text_hint({bytes.data(), bytes.size()}));
   }
-  if ((reply.flags & ~pipe::has_bits) != 0) {
-    return fmt::format("flags {:#04x}; bit 0 says that comparison bits are given, the others are 0", reply.flags);
+  const unsigned known_flags = pipe::has_bits | (measures != 0 ? unsigned{pipe::has_measures} : 0);
+  if ((reply.flags & ~known_flags) != 0) {
+    return fmt::format("flags {:#04x}; bit 0 says that comparison bits are given, {}the others are 0", reply.flags,
+                       measures != 0 ? "bit 1 that measures follow, " : "");
+  }
+  if (measures != 0 && (reply.flags & pipe::has_measures) == 0) {
+    return fmt::format("flags {:#04x}, without bit 1: the plan asks for {} measures after each reply", reply.flags,
+                       measures);
   }
   if (const std::string wrong = padding_fault(reply); !wrong.empty()) return wrong;
-  if ((reply.flags == pipe::has_bits) != has_bits) {
+  if (((reply.flags & pipe::has_bits) != 0) != has_bits) {
     return has_bits ? "no comparison bits, but the replies before it have them; all replies must have them, or none"
                     : "comparison bits, but the replies before it have none; all replies must have them, or none";
   }
@@ -55,16 +61,31 @@ std::string fault(const Record& reply, bool has_bits, const TestDescription& tes
   return "";
 }
 
-// Reads the records that follow a header of `header_size` bytes into `records`, one of the two of the stream.
+// Appends `count` numbers of the precision.
+void append_numbers(std::vector<double>& numbers, const char* bytes, std::size_t count, Precision precision) {
+  const auto append = [&]<class Real>(Real number) {
+    for (std::size_t k = 0; k < count; ++k) {
+      std::memcpy(&number, bytes + k * sizeof number, sizeof number);
+      numbers.push_back(number);
+    }
+  };
+  if (precision == Precision::binary32) append(0.0F);
+  else append(0.0);
+}
+
+// Reads the records that follow a header of `header_size` bytes into `records`, one of the two of the stream, and the
+// measures that follow each record.
 template <class Record>
 void read_records(std::istream& in, std::uint32_t header_size, ReplyStream& stream, std::vector<Record>& records) {
   const std::string& name = stream.name;
   const std::uint64_t due = stream.plan.queries();
-  constexpr std::uint64_t size = sizeof(Record);
+  const std::size_t measures = stream.plan.measures;
+  const std::uint64_t size = sizeof(Record) + pipe::record_size_of(stream.plan.precision, measures);
   const auto fail = [&](const std::string& what) { throw Error(fmt::format("{}: {}", name, what)); };
   const auto came = [&] { return fmt::format("{} of {} replies", records.size(), due); };
 
-  std::array<char, 1 << 16> block;
+  // A whole number of replies at a time.
+  std::vector<char> block((std::size_t{1} << 16) / size * size);
   std::size_t got = 1;
   // The count is only a claim: memory is allocated for the bytes that arrive.
   while (records.size() < due && got != 0) {
@@ -75,10 +96,11 @@ void read_records(std::istream& in, std::uint32_t header_size, ReplyStream& stre
       std::memcpy(&reply, block.data() + i, size);
       const std::size_t k = records.size();
       if (k == 0) stream.has_bits = (reply.flags & pipe::has_bits) != 0;
-      if (const std::string wrong = fault(reply, stream.has_bits, stream.plan.test()); !wrong.empty()) {
+      if (const std::string wrong = fault(reply, stream.has_bits, measures, stream.plan.test()); !wrong.empty()) {
         fail(fmt::format("reply {} of {}, at byte {}: {}", k + 1, due, header_size + k * size, wrong));
       }
       records.push_back(reply);
+      append_numbers(stream.numbers, block.data() + i + sizeof(Record), measures, stream.plan.precision);
     }
     if (got % size != 0)
       fail(fmt::format("ends after {} and {} bytes of the next; a reply has {}", came(), got % size, size));
@@ -95,7 +117,7 @@ void read_records(std::istream& in, std::uint32_t header_size, ReplyStream& stre
 ReplyStream read_replies(std::istream& in, const std::string& name, const FilePlaces& places,
                          std::span<const TestDescription* const> known) {
   PipeHeader header = read_header(in, name, places, known);
-  ReplyStream stream{name, std::move(header.plan), false, {}, {}};
+  ReplyStream stream{name, std::move(header.plan), false, {}, {}, {}};
   if (pipe::version_of(stream.plan.test()) == pipe::first_version) {
     read_records(in, header.size, stream, stream.replies);
   } else {
@@ -111,6 +133,11 @@ Answer ReplyStream::at(std::uint64_t position) const {
     return found;
   };
   return replies.empty() ? answer(wide_replies[position]) : answer(replies[position]);
+}
+
+std::vector<double> ReplyStream::measures(std::uint64_t position) const {
+  const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(position * plan.measures);
+  return {first, first + static_cast<std::ptrdiff_t>(plan.measures)};
 }
 
 StoredReplies::StoredReplies(std::vector<ReplyStream> streams) : streams_(std::move(streams)) {
@@ -136,6 +163,9 @@ StoredReplies::StoredReplies(std::vector<ReplyStream> streams) : streams_(std::m
       differ(fmt::format("made with seeds {} and {}; give one seed", first.plan.seed, stream.plan.seed));
     if (stream.has_bits != first.has_bits)
       differ("one gives comparison bits and the other none; all replies must have them, or none");
+    if (stream.plan.measures != first.plan.measures)
+      differ(fmt::format("{} and {} measures; generate the queries of both with one --measures", first.plan.measures,
+                         stream.plan.measures));
     std::uint64_t next = 0;
     for (const PipePlan::Part& part : stream.plan.parts) {
       parts_.push_back({shared(part.source, stream).get(), stream.plan.precision, &stream, next, part.queries});
@@ -180,6 +210,11 @@ std::uint64_t StoredReplies::size(const Source& source, Precision precision) con
 Answer StoredReplies::at(const Source& source, Precision precision, std::uint64_t position) const {
   const Part* part = find(source, precision);
   return part->stream->at(part->first + position);
+}
+
+std::vector<double> StoredReplies::measures(const Source& source, Precision precision, std::uint64_t position) const {
+  const Part* part = find(source, precision);
+  return part->stream->measures(part->first + position);
 }
 
 }  // namespace axiscert

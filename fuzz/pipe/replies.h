@@ -18,8 +18,10 @@ struct ReplyStream {
   // One of these holds the replies: the first in version 1 of the format, the second in version 2.
   std::vector<pipe::ReplyRecord> replies;
   std::vector<pipe::WideReplyRecord> wide_replies;
+  std::vector<double> numbers;  // the measures of each reply, plan.measures of them, one reply after the other
 
   Answer at(std::uint64_t position) const;
+  std::vector<double> measures(std::uint64_t position) const;
 };
 
 // Throws Error that begins with `name` and says which reply is wrong and at which byte: a stream is never read
@@ -30,18 +32,22 @@ ReplyStream read_replies(std::istream& in, const std::string& name, const FilePl
 // The replies of one program, with at most one stream in each precision. Immutable: any thread may ask at any time.
 class StoredReplies {
  public:
-  // Throws Error if the streams do not fit together: two of one precision, different tests or seeds, comparison bits in
-  // only some, different files under one name.
+  // Throws Error if the streams do not fit together: two of one precision, different tests or seeds, comparison bits or
+  // measures in only some, different files under one name.
   explicit StoredReplies(std::vector<ReplyStream> streams);
 
   std::uint64_t seed() const { return streams_.front().plan.seed; }
   bool has_bits() const { return streams_.front().has_bits; }
+  // The replies give so many of the test's measures, from the first on.
+  std::size_t measure_count() const { return streams_.front().plan.measures; }
   std::vector<Precision> precisions() const;
   const std::vector<SourcePtr>& sources() const { return sources_; }
   // The number of replies; 0 if the program was not asked.
   std::uint64_t size(const Source& source, Precision precision) const;
   // Precondition: `source` is one of sources(), position < size.
   Answer at(const Source& source, Precision precision, std::uint64_t position) const;
+  // The measures that were given with that answer; NaN where one was not. The same precondition.
+  std::vector<double> measures(const Source& source, Precision precision, std::uint64_t position) const;
 
  private:
   // The replies to one source in one precision.

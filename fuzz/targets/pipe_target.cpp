@@ -78,6 +78,7 @@ void check(const std::string& stream, const FilePlaces& places) {
   if (const auto size = read.replies.size() + read.wide_replies.size(); size != read.plan.queries()) {
     fault(fmt::format("{} replies to the {} queries of the plan", size, read.plan.queries()));
   }
+  if (read.numbers.size() != read.plan.queries() * read.plan.measures) fault("not as many measures as the plan says");
   std::string again;
   if (!accepts([&] { again = header_of(read.plan); })) fault("the header of a plan that was read cannot be written");
   std::istringstream in(again);

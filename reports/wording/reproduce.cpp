@@ -132,9 +132,13 @@ std::string judge_command(const Json& plan) {
 // One stream for each precision; through files where there are two.
 std::string pipe_command(const Json& plan) {
   const bool has_two = plan["precisions"].size() == 2;
+  const Json& replies = plan["replies"];
+  const std::string measures =
+      replies.contains("measures") ? fmt::format(" --measures {}", replies["measures"].get<std::uint64_t>()) : "";
   std::string command, files;
   for (const std::string precision : plan["precisions"]) {
-    command += fmt::format("axiscert generate{} --precision {} --binary | PROGRAM", source_options(plan), precision);
+    command += fmt::format("axiscert generate{} --precision {} --binary{} | PROGRAM", source_options(plan), precision,
+                           measures);
     command += has_two ? fmt::format(" > {0}.replies && ", precision) : " | ";
     if (has_two) files += fmt::format(" {}.replies", precision);
   }
