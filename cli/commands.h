@@ -43,6 +43,7 @@ void add_mutate(CLI::App& app, Action& action);
 void add_generate(CLI::App& app, Action& action);
 void add_judge(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
+void add_explain(CLI::App& app, Action& action);
 void add_man(CLI::App& app, Action& action);
 
 // Prints on standard error what an action threw, and returns its ExitCode.

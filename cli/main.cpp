@@ -27,7 +27,8 @@ int main(int argc, char** argv) {
            add_run,    add_plan,      add_merge,     add_check,           add_shrink, add_corpus,
            add_query,  add_kernels,   add_tests,     add_families,        add_report, add_compare,
            add_ladder, add_precision, add_condition, add_critical_radius, add_league, add_search,
-           add_map,    add_mutate,    add_prove,     add_generate,        add_judge,  add_man,
+           add_map,    add_mutate,    add_prove,     add_generate,        add_judge,  add_explain,
+           add_man,
        })
     add(app, action);
   try {

@@ -1,0 +1,62 @@
+#include "cli/glossary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "kernel/base/alike.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+// Lower case, and a space for each '-' and '_'.
+std::string plain(std::string_view word) {
+  std::string out(word);
+  std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) {
+    return c == '-' || c == '_' ? ' ' : static_cast<char>(std::tolower(c));
+  });
+  return out;
+}
+
+std::vector<std::string> split(std::string_view text, std::string_view separator) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, at), text.size());
+    parts.emplace_back(text.substr(at, end - at));
+    at = end + separator.size();
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::vector<GlossaryEntry> glossary_entries(std::string_view text) {
+  std::vector<GlossaryEntry> entries;
+  std::vector<std::string> sections = split(text, "\n## ");
+  sections.erase(sections.begin());  // what is said before the first heading
+  for (const std::string& section : sections) {
+    const std::size_t end = section.find('\n');
+    std::string body = section.substr(std::min(end, section.size()));
+    const auto is_space = [](unsigned char c) { return std::isspace(c) != 0; };
+    body.erase(body.begin(), std::find_if_not(body.begin(), body.end(), is_space));
+    body.erase(std::find_if_not(body.rbegin(), body.rend(), is_space).base(), body.end());
+    entries.push_back({split(std::string_view(section).substr(0, end), ", "), body});
+  }
+  return entries;
+}
+
+const GlossaryEntry& find_entry(const std::vector<GlossaryEntry>& entries, std::string_view word) {
+  const std::string given = plain(word), singular = given.ends_with('s') ? given.substr(0, given.size() - 1) : given;
+  std::vector<std::string_view> words;
+  for (const GlossaryEntry& entry : entries) {
+    for (const std::string& known : entry.words) {
+      if (plain(known) == given || plain(known) == singular) return entry;
+      words.push_back(known);
+    }
+  }
+  throw Error(unknown_name("word", "words", word, words));
+}
+
+}  // namespace axiscert
