@@ -22,7 +22,7 @@ namespace axiscert {
 namespace {
 
 struct MutateOptions {
-  std::string kernel = std::string(mutants::bases.front()), precision, format = "text", out;
+  std::string test, kernel, precision, format = "text", out;
   std::vector<std::string> mutants, families;
   std::vector<double> magnitudes;
   std::optional<std::uint64_t> trials;
@@ -31,9 +31,14 @@ struct MutateOptions {
   bool list = false, no_controls = false, verdict_only = false;
 };
 
-// A mutant that shows its verdict alone is judged as a run does, at many times the cost: the default is a minute or
-// two.
+// A mutant that shows its verdict alone is judged as a run does, at many times the cost.
 constexpr std::uint64_t trials_by_formulae = std::uint64_t{1} << 16, trials_by_verdict = std::uint64_t{1} << 11;
+// Without filters every query is judged by exact arithmetic, and there are more formulae and families.
+constexpr std::uint64_t divisor_without_filters = 8;
+std::uint64_t default_trials(const MutateOptions& options, const TestDescription& test) {
+  const std::uint64_t trials = options.verdict_only ? trials_by_verdict : trials_by_formulae;
+  return &test == &first_test() ? trials : trials / divisor_without_filters;
+}
 
 // The controls in other arithmetics are judged by exact arithmetic, at a hundred times the cost of a mutant's query.
 constexpr std::uint64_t trials_of_a_control(std::uint64_t trials) { return std::max<std::uint64_t>(1, trials / 64); }
@@ -117,22 +122,30 @@ int mutate_by_verdict(const MutateOptions& options, const MutationPlan& plan,
   return put_score(options, folder, report, report, score.complete, black_box_faults(score));
 }
 
-int mutate(const MutateOptions& options) {
+// The kernel that the mutants are made of: the one given, or the first of the test.
+std::string base_asked(const MutateOptions& options) {
+  if (options.kernel.empty()) return std::string(mutants::base_for(test_given(options.test)));
+  mutants::base_index(options.kernel);  // throws an error that lists what exists
+  test_of_kernels(options.test, {&find_kernel(options.kernel)});
+  return options.kernel;
+}
+
+int mutate(const MutateOptions& given) {
+  MutateOptions options = given;
+  options.kernel = base_asked(given);
   MutationPlan plan;
-  for (const Kernel& kernel : kernels()) {
-    if (kernel.id == options.kernel) require_served("mutate", *kernel.test);
-  }
   plan.mutants = mutants_asked(options);
   plan.base = options.kernel;
   if (options.list) return show_list(plan);
+  const Kernel& base = find_kernel(plan.base);
   for (const std::string& name : options.families) {
     plan.families.push_back(&find_family(name));
-    require_served("mutate", plan.families.back()->test());
+    require_one_test({&base}, {family_source(*plan.families.back())});
   }
-  if (plan.families.empty()) plan.families = families_of(first_test());
+  if (plan.families.empty()) plan.families = families_of(*base.test);
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};
-  plan.trials = options.trials.value_or(options.verdict_only ? trials_by_verdict : trials_by_formulae);
+  plan.trials = options.trials.value_or(default_trials(options, *base.test));
   plan.seed = options.seed;
   plan.threads = threads_of(options.threads);
   plan.controls = !options.no_controls;
@@ -167,16 +180,17 @@ void add_mutate(CLI::App& app, Action& action) {
       "mutate", "Plant one fault after the other in a correct kernel, and show which are caught, and how soon");
   auto options = std::make_shared<MutateOptions>();
   MutateOptions& o = *options;
-  command
-      ->add_option("--kernel", o.kernel,
-                   fmt::format("kernel that the mutants are made from: {}", fmt::join(mutants::bases, ", ")))
-      ->capture_default_str();
+  add_test_option(*command, o.test, "test whose first such kernel the mutants are made from (axiscert tests)");
+  command->add_option(
+      "--kernel", o.kernel,
+      fmt::format("kernel that the mutants are made from: {} (default: the first of the test)", fmt::join(mutants::bases, ", ")));
   command->add_option("--mutant", o.mutants, "id or fault, repeatable (default: all)")->allow_extra_args(false);
   command->add_option("--family", o.families, "family, repeatable (default: all)")->allow_extra_args(false);
   command
       ->add_option("--trials", o.trials,
-                   fmt::format("queries per family and precision (default: {}; with --verdict-only {})",
-                               trials_by_formulae, trials_by_verdict))
+                   fmt::format("queries per family and precision (default: {}, with --verdict-only {}; of a test other "
+                               "than {} an eighth)",
+                               trials_by_formulae, trials_by_verdict, first_test().id))
       ->check(whole_number(1, std::uint64_t{1} << 48));
   command->add_option("--seed", o.seed, "seed of every family")->check(whole_number())->capture_default_str();
   command->add_option("--precision", o.precision, "binary32 or binary64")->default_str("both");

@@ -89,7 +89,7 @@ class MovingSphere(Case):
 
     def test_what_does_not_serve_the_test_says_so_in_one_line(self):
         kernel = ("--kernel", "moving-sphere/twenty")
-        for command in (("mutate", *kernel), ("ladder", *kernel), ("precision", *kernel), ("condition", *kernel)):
+        for command in (("ladder", *kernel), ("precision", *kernel), ("condition", *kernel)):
             done = self.refused(*command, says=["does not serve the test moving-sphere yet; it serves sphere-triangle"])
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
         done = self.refused("check", "-", "--errors", stdin=GRAZE, says=["--errors does not serve the test moving-sphere"])

@@ -56,6 +56,40 @@ class MutateByVerdict(MutateCase):
         self.refused("mutate", "--verdict-only", "--magnitude", "-1", says=["--magnitude", "'-1' is not a number > 0"])
 
 
+class MutateMotions(MutateCase):
+    TWENTY = "moving-sphere/twenty-nonstrict"
+
+    def test_faults_of_the_twenty_axes_are_caught_by_families_of_motions(self):
+        found = self.mutate("--test", "moving-sphere", "--mutant", "drop", "--mutant", "index-left:37", "--trials", 500,
+                            "--precision", "binary32", "--no-controls")
+        self.assertEqual(found["kernel"], self.TWENTY)
+        self.assertEqual({name.split("/")[0] for name in found["families"]}, {"moving-sphere"})
+        self.assertEqual(found["score"]["binary32"]["mutants"], 20 + 1)
+        self.assertEqual([m["id"] for m in found["mutants"] if m["caught"] is None], [])
+        schema = json.loads((SCHEMAS / "mutation.schema.json").read_text())
+        jsonschema.validators.validator_for(schema)(schema).validate(found)
+        again = axiscert(*found["command"].split()[1:], "--format", "json", "--threads", 1)
+        self.assertEqual(json.loads(again.stdout), found)
+        caught = next(m for m in found["mutants"] if m["fault"] == "drop")
+        query = axiscert("query", caught["caught"]["address"]).stdout
+        checked = json.loads(axiscert("check", "-", "--format", "jsonl", "--kernel", caught["id"], stdin=query).stdout)
+        self.assertIn("implementation", checked["flips"][0]["links"])
+
+    def test_by_its_verdict_alone_a_fault_of_logic_is_refused_and_the_kernel_itself_is_not(self):
+        found = self.mutate("--test", "moving-sphere", "--verdict-only", "--mutant", "drop:start.edge_ab", "--mutant",
+                            "clamp:r:0.5", "--mutant", "plus-relative:r:1e-20", "--family", "moving-sphere/lattice",
+                            "--trials", 400, "--precision", "binary32")
+        refused = {m["id"].split("~")[1]: m["refused"] is not None for m in found["mutants"]}
+        self.assertEqual(refused, {"drop:start.edge_ab": True, "clamp:r:0.5": True, "plus-relative:r:1e-20": False})
+        self.assertEqual([(c["kernel"], c["refused"]) for c in found["controls"]], [(self.TWENTY, None)])
+
+    def test_bad_input(self):
+        self.refused("mutate", "--kernel", "moving-sphere/twenty", says=["moving-sphere/twenty", self.TWENTY])
+        self.refused("mutate", "--kernel", "nonstrict", "--test", "moving-sphere", says=["nonstrict", "--test is moving-sphere"])
+        self.refused("mutate", "--family", "moving-sphere/lattice", says=["nonstrict", "moving-sphere/lattice"])
+        self.refused("mutate", "--test", "nosuch", says=["nosuch", "moving-sphere"])
+
+
 class Mutate(MutateCase):
     def test_a_fault_of_each_kind_is_caught_and_the_files_are_written(self):
         out = self.folder / "out"

@@ -4,11 +4,11 @@
 #include <atomic>
 #include <vector>
 
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/trait/oracles.h"
 #include "fuzz/campaign/unit.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
-#include "kernel/sphere_triangle/mutants/mutant.h"
+#include "kernel/mutants/mutant.h"
 
 namespace axiscert {
 
@@ -23,12 +23,17 @@ inline bool shows_formulae(std::string_view family, bool exact_arithmetic) {
 template <class Real>
 struct Asked {
   const Family* family;
-  QueryBatch<Real> batch{batch_size, coordinate_count};
+  const Oracles* oracles = &oracles_of(family->test());
+  QueryBatch<Real> batch{batch_size, family->column_count()};
   std::vector<ComparisonBits> base;
   std::vector<Verdict> base_verdicts;
-  // For each query: distance_order, or one of these. Threads that ask at the same time find the same.
+  // For each query: -1, 0, 1 where the two overlap, touch or are apart, or one of these. Threads that ask at the same
+  // time find the same.
   static constexpr signed char unknown = 2, invalid = 3;
   std::vector<std::atomic<signed char>> order = std::vector<std::atomic<signed char>>(batch_size);
+
+  explicit Asked(const Family* of) : family(of) {}
+  const TestDescription& test() const { return family->test(); }
 
   // Makes `size` queries of the family from position `first` on, and the answers of the kernel without a fault.
   void prepare(const mutants::Mutant& without_fault, std::uint64_t seed, std::uint64_t first, std::size_t size) {
@@ -38,7 +43,7 @@ struct Asked {
     mutants::mutant_bits(without_fault, batch.columns(), base.data());
     base_verdicts.resize(size);
     for (std::size_t i = 0; i < size; ++i) {
-      base_verdicts[i] = verdict_of(axes_of(base[i]));
+      base_verdicts[i] = verdict_of(test(), base[i]);
       order[i].store(unknown, std::memory_order_relaxed);
     }
   }
@@ -48,12 +53,12 @@ struct Asked {
   signed char order_of(std::size_t i) {
     signed char known = order[i].load(std::memory_order_relaxed);
     if (known != unknown) return known;
-    const Query<Real> q = batch[i];
-    known = is_valid(q) ? static_cast<signed char>(distance_order(q)) : invalid;
+    const Truth truth = oracles->truth(batch[i]);
+    known = truth.verdict == Verdict::invalid ? invalid : truth.touching ? 0 : truth.verdict == Verdict::separated ? 1 : -1;
     order[i].store(known, std::memory_order_relaxed);
     return known;
   }
-  // Whether that verdict is wrong, touching spheres being contacts.
+  // Whether that verdict is wrong, touching being contact.
   bool is_wrong(std::size_t i, Verdict verdict) {
     const signed char known = order_of(i);
     return known != invalid && (known > 0) != (verdict == Verdict::separated);

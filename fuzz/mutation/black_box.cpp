@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <deque>
 
-#include "exact/sphere_triangle/measures/depth.h"
 #include "fuzz/campaign/unit.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/mutation/asked.h"
@@ -21,11 +20,13 @@ constexpr std::uint64_t round_growth = 8, rounds = 3;
 // Wrong verdicts of a mutant whose depth is found, for each family and batch.
 constexpr int depths_each = 4;
 
-// The first queries of every family in one precision, judged: what `run` does with these kernels.
+}  // namespace
+
 Json record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
                        std::vector<const Kernel*> kernels) {
   Plan campaign;
   campaign.seed = plan.seed;
+  campaign.test = kernels.front()->test;
   campaign.kernels = std::move(kernels);
   for (const Family* family : plan.families) campaign.sources.push_back(family_source(*family));
   campaign.precisions = {precision};
@@ -45,6 +46,8 @@ Json record_of_kernels(const MutationPlan& plan, Precision precision, std::uint6
   }
   return record_of(campaign, result, Required());
 }
+
+namespace {
 
 std::optional<GateFailure> first_about(const std::vector<GateFailure>& failures, const std::string& kernel) {
   const auto found = std::find_if(failures.begin(), failures.end(),
@@ -68,7 +71,7 @@ class BaseComparison {
   BaseComparison(const MutationPlan& plan, std::vector<BlackBoxResult*> results)
       : plan_(plan), results_(std::move(results)) {
     base_.id = plan.base;
-    for (const Family* family : plan.families) asked_.emplace_back().family = family;
+    for (const Family* family : plan.families) asked_.emplace_back(family);
   }
 
   void run_batch(std::uint64_t first) {
@@ -88,7 +91,7 @@ class BaseComparison {
     counts.queries += asked.batch.size();
     int depths = 0;
     for (std::size_t i = 0; i < asked.batch.size(); ++i) {
-      const Verdict verdict = verdict_of(axes_of(bits[i]));
+      const Verdict verdict = verdict_of(asked.test(), bits[i]);
       if (verdict == asked.base_verdicts[i]) continue;
       ++counts.other_verdicts;
       if (!asked.is_wrong(i, verdict)) continue;
@@ -96,8 +99,7 @@ class BaseComparison {
       const bool touches = asked.order_of(i) == 0;
       if (asked.family->exact_arithmetic) ++(touches ? counts.touching_in_exact : counts.wrong_in_exact);
       if (touches || depths++ >= depths_each) continue;
-      const Query<Real> q = asked.batch[i];
-      const double deep = depth(q, squared_distance(q));
+      const double deep = asked.oracles->depth(asked.batch[i]).value_or(0);
       if (counts.deepest_family != nullptr && deep <= counts.deepest) continue;
       counts.deepest_family = asked.family;
       counts.deepest_position = first + i;
@@ -174,9 +176,10 @@ class Judge {
   void judge_controls() {
     std::deque<Kernel> boxes;
     std::vector<const Kernel*> kernels;
-    for (const std::string& id : correct_forms()) {
+    for (const std::string& id : correct_forms(*find_kernel(plan_.base).test)) {
       Kernel& box = boxes.emplace_back(find_kernel(id));
       box.formulae = Formulae::none;
+      box.claims.clear();
       box.exposes = Exposure::verdict;
       box.is_reference = false;
       kernels.push_back(&box);

@@ -53,6 +53,11 @@ struct BlackBoxScore {
   bool complete = true;  // false: interrupted
 };
 
+// What `run` records of these kernels, all of one test, on the first `trials` queries of each of the plan's families.
+// Throws OracleDisagreement.
+Json record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
+                       std::vector<const Kernel*> kernels);
+
 // Runs each mutant in rounds of more and more queries, until the gate refuses it or it has passed on all of the plan's.
 // The mutants may be of both kinds (mutants_of, value_mutants_of). `interrupted` is polled between groups of mutants;
 // `report` may be empty. The result depends on the plan and the gate, not on the threads. Throws OracleDisagreement.

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <deque>
 
-#include "exact/sphere_triangle/measures/depth.h"
-#include "exact/sphere_triangle/claims/examine.h"
+#include "exact/trait/examine.h"
 #include "fuzz/mutation/asked.h"
 #include "kernel/base/error.h"
 
@@ -22,7 +21,7 @@ class MutationRun {
       : plan_(plan), results_(std::move(results)) {
     base_.id = plan.base;
     for (const Family* family : plan.families) {
-      asked_.emplace_back().family = family;
+      asked_.emplace_back(family);
       exact_families_ += asked_.back().shows_formulae();
     }
   }
@@ -58,7 +57,7 @@ class MutationRun {
 
   void look(MutantResult& result, Asked<Real>& asked, std::size_t i, ComparisonBits bits, std::uint64_t queries,
             std::uint64_t exact_queries) {
-    const Verdict verdict = verdict_of(axes_of(bits));
+    const Verdict verdict = verdict_of(asked.test(), bits);
     if (verdict == asked.base_verdicts[i]) return;
     if (!asked.is_wrong(i, verdict)) return;
     const bool in_exact_arithmetic = asked.shows_formulae() && asked.order_of(i) != 0;
@@ -76,10 +75,10 @@ class MutationRun {
 
   Catch confirmed(const mutants::Mutant& mutant, const Asked<Real>& asked, std::size_t i, const Answer& answer,
                   bool in_exact_arithmetic) const {
-    const Query<Real> q = asked.batch[i];
+    const Numbers<Real> q = asked.batch[i];
     Kernel kernel = mutants::kernel_of(mutant);
-    const Examination found = examine(q, kernel, answer);
-    const auto require = [&](const Examination& examined, Link link) {
+    const OracleExamination found = examine_by_oracles(q, kernel, answer);
+    const auto require = [&](const OracleExamination& examined, Link link) {
       if (examined.judgement.verdict_flip && examined.judgement.verdict_links.contains(link)) return;
       throw HarnessFault(fmt::format("{} is wrong on {} at {}, but the judge does not attribute that to {}", mutant.id,
                                      asked.family->name, first_ + i, link_names[link]));
@@ -87,7 +86,7 @@ class MutationRun {
     require(found, Link::implementation);
     if (in_exact_arithmetic) {
       kernel.is_reference = false;
-      require(examine(q, kernel, answer), Link::unattributed);
+      require(examine_by_oracles(q, kernel, answer), Link::unattributed);
     }
     return {asked.family, first_ + i, 0, *found.judgement.verdict_flip, *found.depth};
   }

@@ -11,7 +11,7 @@
 #include "exact/judge/judge.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/queries/family.h"
-#include "kernel/sphere_triangle/mutants/mutant.h"
+#include "kernel/mutants/mutant.h"
 
 namespace axiscert {
 
@@ -66,8 +66,8 @@ struct Control {
 };
 std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials, const std::atomic<bool>& interrupted,
                                   const ShowProgress& report = {});
-// The kernels that are right over the reals, in forms of their own.
-const std::vector<std::string>& correct_forms();
+// The kernels of a test that are right over the reals, in forms of their own.
+std::vector<std::string> correct_forms(const TestDescription& test);
 
 // Mutants that no query can distinguish from their base, each with the reason: fuzz/mutation/equivalent.txt. A line is
 // NAME: REASON. Each of them has the same comparison bits as its base on every query; the tests check that in addition

@@ -1,15 +1,23 @@
 // Correct kernels in other forms, which a harness that detects mutants must not flag.
 #include "fuzz/mutation/mutation.h"
 
+#include <algorithm>
+#include <array>
+
 #include "fuzz/mutation/asked.h"
 
 namespace axiscert {
 namespace {
 
+// Right over the reals for every query.
+constexpr std::array<std::string_view, 6> right_forms = {
+    "nonstrict", "reduced-nonstrict", "reduced-shared-nonstrict", "packed-nonstrict", "minkowski",
+    "moving-sphere/twenty-nonstrict"};
+
 // In addition to the correct forms each arithmetic under the base.
 std::vector<Kernel> kernels_of(const std::string& base) {
   std::vector<Kernel> kernels;
-  for (const std::string& id : correct_forms()) kernels.push_back(find_kernel(id));
+  for (const std::string& id : correct_forms(*find_kernel(base).test)) kernels.push_back(find_kernel(id));
   for (const ArithmeticInfo& arithmetic : arithmetics()) {
     if (arithmetic.arithmetic != Arithmetic::plain) kernels.push_back(find_kernel(base + "+" + arithmetic.name));
   }
@@ -33,10 +41,10 @@ std::uint64_t flagged(const VerdictTally& verdict, bool claims_bits, bool shows_
 
 }  // namespace
 
-const std::vector<std::string>& correct_forms() {
-  static const std::vector<std::string> forms = {"nonstrict", "reduced-nonstrict", "reduced-shared-nonstrict",
-                                                 "packed-nonstrict", "minkowski"};
-  return forms;
+std::vector<std::string> correct_forms(const TestDescription& test) {
+  std::vector<std::string> ids(right_forms.begin(), right_forms.end());
+  std::erase_if(ids, [&](const std::string& id) { return find_kernel(id).test != &test; });
+  return ids;
 }
 
 std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials, const std::atomic<bool>& interrupted,
@@ -45,10 +53,12 @@ std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials
   const std::size_t by_bits = kernels.size();
   for (std::size_t k = 0; k < by_bits; ++k) {
     // A method has no comparisons to claim; its scalar form is itself the reference.
-    if (has_comparisons(kernels[k].formulae)) kernels.push_back(claiming_formulae_alone(kernels[k]));
+    const bool claims_formulae = has_comparisons(kernels[k].formulae) || !kernels[k].claims.empty();
+    if (claims_formulae) kernels.push_back(claiming_formulae_alone(kernels[k]));
   }
   Plan campaign;
   campaign.seed = plan.seed;
+  campaign.test = kernels.front().test;
   for (const Kernel& kernel : kernels) campaign.kernels.push_back(&kernel);
   for (const Family* family : plan.families) campaign.sources.push_back(family_source(*family));
   campaign.precisions = plan.precisions;

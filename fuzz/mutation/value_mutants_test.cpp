@@ -5,7 +5,7 @@
 
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/mutants/mutant.h"
+#include "kernel/mutants/mutant.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

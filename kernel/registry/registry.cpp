@@ -14,7 +14,7 @@
 #include "kernel/moving_sphere/arithmetic.h"
 #include "kernel/plugin/load.h"
 #include "kernel/sphere_triangle/forms/simd.h"
-#include "kernel/sphere_triangle/mutants/mutant.h"
+#include "kernel/mutants/mutant.h"
 #include "kernel/sphere_triangle/reference/scalar_kernel.h"
 #include "kernel/test_list.h"
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/sphere_triangle/mutants/mutant.h"
+#include "kernel/mutants/mutant.h"
 
 namespace axiscert::mutants {
 

@@ -7,8 +7,9 @@
 
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/mutants/mutant.h"
-#include "kernel/sphere_triangle/mutants/value_list.h"
+#include "kernel/mutants/forms.h"
+#include "kernel/mutants/mutant.h"
+#include "kernel/mutants/value_list.h"
 
 namespace axiscert::mutants {
 namespace {
@@ -36,21 +37,23 @@ Described described(Fault fault) {
 
 class List {
  public:
-  List(std::string_view base, const Operations& operations) : base_(base), operations_(operations) {
-    for (std::size_t i = 0; i < operations.all.size(); ++i) add_operation(i);
-    for (std::size_t i = 0; i < comparison_count; ++i) {
+  explicit List(std::size_t base) : base_(bases[base]), operations_(operations_of(base)) {
+    const TestDescription& test = test_of(base);
+    for (std::size_t i = 0; i < operations_.all.size(); ++i) add_operation(i);
+    for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
       for (const ComparisonFault fault :
            {ComparisonFault::strictness, ComparisonFault::reverse, ComparisonFault::always, ComparisonFault::epsilon,
             ComparisonFault::slack, ComparisonFault::flush}) {
-        Mutant& m = add(fault, std::string(comparisons[i].name), "");
+        Mutant& m = add(fault, std::string(test.comparisons[i].name), "");
         m.comparison = fault;
         m.place = i;
       }
     }
-    for (std::size_t i = 0; i < axis_count; ++i) add_kernel(KernelFault::drop, std::string(axis_names[i]), i);
+    for (std::size_t i = 0; i < test.clauses.size(); ++i)
+      add_kernel(KernelFault::drop, std::string(test.clauses[i].name), i);
     for (const Verdict verdict : {Verdict::contact, Verdict::separated}) {
       Mutant& m = add_kernel(KernelFault::small_area, std::string(name(verdict)), index_of(verdict));
-      m.operation.kept = operations.squared_normal;
+      m.operation.kept = operations_.squared_normal;
     }
     for (std::size_t lane = 0; lane < 8; ++lane) add_kernel(KernelFault::lane, std::to_string(lane), lane);
     for (const std::size_t width : {2, 4, 8, 16}) add_kernel(KernelFault::tail, std::to_string(width), width);
@@ -134,10 +137,11 @@ class List {
 };
 
 const std::vector<Mutant>& list_of(std::size_t base) {
-  static const std::array<std::vector<Mutant>, bases.size()> lists = {List(bases[0], published_operations()).take(),
-                                                                      List(bases[1], reduced_operations()).take()};
+  static const std::array<std::vector<Mutant>, bases.size()> lists = {List(0).take(), List(1).take(), List(2).take()};
   return lists[base];
 }
+
+}  // namespace
 
 std::size_t base_index(std::string_view base) {
   const auto found = std::find(bases.begin(), bases.end(), base);
@@ -148,12 +152,20 @@ std::size_t base_index(std::string_view base) {
   }
   return static_cast<std::size_t>(found - bases.begin());
 }
-
-}  // namespace
+std::size_t base_of(const Mutant& mutant) { return base_index(mutant.id.substr(0, mutant.id.find('~'))); }
+const TestDescription& test_of(std::size_t base) {
+  return with_form(base, [](auto form) -> const TestDescription& { return form.test(); });
+}
 
 std::span<const Mutant> mutants_of(std::string_view base) { return list_of(base_index(base)); }
 
-Formulae formulae_of(std::string_view base) { return base_index(base) == 0 ? Formulae::published : Formulae::reduced; }
+std::string_view base_for(const TestDescription& test) {
+  for (std::size_t base = 0; base < bases.size(); ++base) {
+    if (&test_of(base) == &test) return bases[base];
+  }
+  throw Error(fmt::format("no kernel of the test {} is one that mutants are made of; such kernels: {}", test.id,
+                          fmt::join(bases, ", ")));
+}
 
 const Mutant& find_mutant(std::string_view id) {
   const std::span<const Mutant> all = mutants_of(id.substr(0, id.find('~')));

@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "kernel/sphere_triangle/mutants/mutant.h"
+#include "kernel/base/geometry.h"
+#include "kernel/mutants/mutant.h"
 
 namespace axiscert::mutants {
 
@@ -21,10 +22,10 @@ class PlantedValue {
   PlantedValue(const Mutant& mutant, const Numbers& number) : mutant_(mutant) {
     for (std::size_t i = 0; i < width; ++i) {
       const auto from = [&](std::size_t first, std::size_t origin) {
-        return Vec3<Real>{number(i, first) - number(i, origin), number(i, first + 1) - number(i, origin + 1),
+        return portable::Vec3<Real>{number(i, first) - number(i, origin), number(i, first + 1) - number(i, origin + 1),
                           number(i, first + 2) - number(i, origin + 2)};
       };
-      const auto square = [](const Vec3<Real>& u) { return u.x * u.x + u.y * u.y + u.z * u.z; };
+      const auto square = [](const portable::Vec3<Real>& u) { return u.x * u.x + u.y * u.y + u.z * u.z; };
       e_.at[i] = magnitude();
       if (mutant.is_relative) e_.at[i] *= scale(square(from(0, 9)), square(from(3, 0)), square(from(6, 0)));
       if (mutant.quantity == Quantity::verdict && answers_early(mutant.value)) {
@@ -46,9 +47,9 @@ class PlantedValue {
   }
 
   // The left side of this comparison in lane i.
-  Real left(Comparison which, std::size_t i, Real lhs, Real rhs) {
+  Real left(std::size_t which, std::size_t i, Real lhs, Real rhs) {
     const bool is_here = mutant_.quantity == Quantity::verdict ||
-                         (mutant_.quantity == Quantity::side && index_of(which) == mutant_.place);
+                         (mutant_.quantity == Quantity::side && which == mutant_.place);
     if (!is_here) return lhs;
     const Real e = mutant_.is_relative ? magnitude() * (std::fabs(lhs) + std::fabs(rhs)) : magnitude();
     if (mutant_.quantity == Quantity::side && answers_early(mutant_.value))

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "kernel/kernel.h"
-#include "kernel/sphere_triangle/mutants/number.h"
-#include "kernel/sphere_triangle/mutants/value_fault.h"
+#include "kernel/mutants/number.h"
+#include "kernel/mutants/value_fault.h"
 
 namespace axiscert::mutants {
 
@@ -51,7 +51,7 @@ struct Mutant {
   OperationSite operation{};
   ComparisonFault comparison = ComparisonFault::none;
   KernelFault kernel = KernelFault::none;
-  std::size_t place = 0;  // the comparison, the axis, the verdict, the lane or the width
+  std::size_t place = 0;  // the comparison, the axis (a clause), the verdict, the lane or the width
 
   ValueFault value = ValueFault::none;
   Quantity quantity = Quantity::radius;  // of a side, `place` is the comparison
@@ -59,9 +59,18 @@ struct Mutant {
   bool is_relative = false;
 };
 
-// The kernels that mutants are made of. They are right for every triangle over the reals, so a wrong verdict due to
-// specification or implementation comes from the fault.
-inline constexpr std::array<std::string_view, 2> bases = {"nonstrict", "reduced-nonstrict"};
+// The kernels that mutants are made of. They are right for every query over the reals, so a wrong verdict due to
+// specification or implementation comes from the fault. kernel/mutants/forms.h has the formulae of each, by its number
+// here.
+inline constexpr std::array<std::string_view, 3> bases = {"nonstrict", "reduced-nonstrict",
+                                                          "moving-sphere/twenty-nonstrict"};
+// The number of a base. Throws Error that names the bases.
+std::size_t base_index(std::string_view base);
+// That of a mutant; a mutant without a fault has its base's id.
+std::size_t base_of(const Mutant& mutant);
+const TestDescription& test_of(std::size_t base);
+// The first base of a test. Throws Error that names the bases.
+std::string_view base_for(const TestDescription& test);
 
 // All mutants of a base, in a fixed order. Throws Error that names the bases.
 std::span<const Mutant> mutants_of(std::string_view base);
@@ -70,9 +79,6 @@ std::span<const Mutant> mutants_of(std::string_view base);
 std::vector<const Mutant*> value_mutants_of(std::string_view base, std::span<const double> magnitudes);
 // The mutant with this id, of either kind. Throws Error that says what exists.
 const Mutant& find_mutant(std::string_view id);
-
-// The formulae of a base.
-Formulae formulae_of(std::string_view base);
 
 // The bits that the mutant answers to a batch.
 template <class Real>

@@ -1,4 +1,4 @@
-#include "kernel/sphere_triangle/mutants/value_list.h"
+#include "kernel/mutants/value_list.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "kernel/base/error.h"
+#include "kernel/mutants/forms.h"
 
 namespace axiscert::mutants {
 namespace {
@@ -35,34 +36,33 @@ std::vector<NamedFault> faults_of_values() {
 struct Place {
   std::string id, what, relative_to;
   Quantity quantity;
-  Comparison comparison = Comparison::plane_radius;  // of a side
+  std::size_t comparison = 0;  // of a side
 };
 
 // A side stands for all: of an edge's line, of an edge's other side, of a vertex.
-const std::vector<Place>& places() {
-  static const std::vector<Place> all = [] {
-    std::vector<Place> made;
-    const auto add = [&](Quantity quantity, std::string id, const std::string& what, const std::string& relative_to) {
-      if (quantity != Quantity::side) {
-        made.push_back({std::move(id), what, relative_to, quantity});
-        return;
-      }
-      for (const Comparison which :
-           {Comparison::edge_ab_radius, Comparison::edge_ab_side_c, Comparison::vertex_a_radius}) {
-        made.push_back({std::string(info(which).name), fmt::format("the left side of {}", info(which).name),
-                        relative_to, quantity, which});
-      }
-    };
+template <class Form>
+std::vector<Place> places_in() {
+  std::vector<Place> made;
+  const auto add = [&](Quantity quantity, std::string id, const std::string& what, const std::string& relative_to) {
+    if (quantity != Quantity::side) {
+      made.push_back({std::move(id), what, relative_to, quantity});
+      return;
+    }
+    for (const std::size_t which : {Form::edge_radius, Form::edge_side, Form::vertex_radius}) {
+      const std::string_view name = Form::test().comparisons[which].name;
+      made.push_back({std::string(name), fmt::format("the left side of {}", name), relative_to, quantity, which});
+    }
+  };
 #define AXISCERT_ADD(name, id, what, relative_to) add(Quantity::name, id, what, relative_to);
-    AXISCERT_QUANTITIES(AXISCERT_ADD)
+  AXISCERT_QUANTITIES(AXISCERT_ADD)
 #undef AXISCERT_ADD
-    return made;
-  }();
-  return all;
+  return made;
 }
-
-const Operations& operations_of(std::string_view base) {
-  return formulae_of(base) == Formulae::published ? published_operations() : reduced_operations();
+const std::vector<Place>& places(std::size_t base) {
+  return with_form(base, [](auto form) -> const std::vector<Place>& {
+    static const std::vector<Place> all = places_in<decltype(form)>();
+    return all;
+  });
 }
 
 // A relative answer on the extent of a scene would be none at all, or always.
@@ -83,10 +83,10 @@ Mutant made(std::string_view base, const NamedFault& fault, const Place& place, 
   m.what = fault.what;
   m.value = fault.fault;
   m.quantity = place.quantity;
-  m.place = index_of(place.comparison);
+  m.place = place.comparison;
   m.magnitude = magnitude;
   m.is_relative = fault.is_relative;
-  const Operations& operations = operations_of(base);
+  const Operations& operations = operations_of(base_index(base));
   const Key at = place.quantity == Quantity::squared_radius   ? operations.squared_radius
                  : place.quantity == Quantity::squared_edge   ? operations.squared_edge
                  : place.quantity == Quantity::squared_normal ? operations.squared_normal
@@ -127,7 +127,7 @@ const Mutant* find_value_mutant(std::string_view id) {
   if (problem != std::errc() || stop != end || !(magnitude > 0 && magnitude < 1e300)) return nullptr;
   for (const NamedFault& fault : faults_of_values()) {
     if (fault.name != fault_name) continue;
-    for (const Place& place : places()) {
+    for (const Place& place : places(base_index(base))) {
       if (place.id == place_id && exists(fault, place)) return kept(made(base, fault, place, magnitude));
     }
   }
@@ -142,7 +142,7 @@ std::vector<const Mutant*> value_mutants_of(std::string_view base, std::span<con
       throw Error(fmt::format("magnitude {}: give a number above 0 and below 1e300, as in 1e-6", magnitude));
   }
   for (const NamedFault& fault : faults_of_values()) {
-    for (const Place& place : places()) {
+    for (const Place& place : places(base_index(base))) {
       if (!exists(fault, place)) continue;
       for (const double magnitude : magnitudes) all.push_back(kept(made(base, fault, place, magnitude)));
     }

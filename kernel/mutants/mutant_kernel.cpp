@@ -4,18 +4,17 @@
 
 #include <algorithm>
 #include <limits>
+
 #include "kernel/base/environment.h"
-#include "kernel/sphere_triangle/reference/evaluate.h"
-#include "kernel/sphere_triangle/mutants/mutant.h"
-#include "kernel/sphere_triangle/mutants/planted_value.h"
-#include "kernel/sphere_triangle/reference/formulae_types.h"
+#include "kernel/mutants/forms.h"
+#include "kernel/mutants/mutant.h"
+#include "kernel/mutants/planted_value.h"
 
 namespace axiscert::mutants {
 namespace {
 
 constexpr double epsilon = 1e-6, small_area = 1e-10;  // values found in kernels in use
 constexpr std::size_t vector_width = 8;               // vectors of the lane faults
-constexpr std::size_t radius_column = coordinate_count - 1;
 
 template <class Real>
 using Number = Mutated<Lanes<Real>>;
@@ -28,10 +27,10 @@ struct Evaluation {
 };
 
 template <class Real>
-bool holds_wrongly(ComparisonFault fault, bool is_radius, Real lhs, Real rhs) {
+bool holds_wrongly(ComparisonFault fault, bool is_strict, Real lhs, Real rhs) {
   switch (fault) {
     case ComparisonFault::strictness:
-      return is_radius ? lhs >= rhs : lhs > rhs;
+      return is_strict ? lhs >= rhs : lhs > rhs;
     case ComparisonFault::reverse:
       std::swap(lhs, rhs);
       break;
@@ -50,43 +49,39 @@ bool holds_wrongly(ComparisonFault fault, bool is_radius, Real lhs, Real rhs) {
     case ComparisonFault::none:
       break;
   }
-  return is_radius ? lhs > rhs : lhs >= rhs;
+  return is_strict ? lhs > rhs : lhs >= rhs;
 }
 
 // Evaluates Lanes::width queries from `first` on; beyond the end of the batch the last query is repeated.
-template <class F, class Real>
+template <class Form, class Real>
 [[gnu::noinline]] Evaluation<Real> evaluate(const Mutant& mutant, const QueryColumns<Real>& batch, std::size_t first) {
   using N = Number<Real>;
-  std::array<N, coordinate_count + 1> in;
+  constexpr std::size_t radius = Form::columns - 1;
+  std::array<N, Form::columns> in;
   const auto number = [&](std::size_t i, std::size_t k) {
     return batch.column[k][std::min(first + i, batch.size - 1)];
   };
-  for (std::size_t k = 0; k < coordinate_count; ++k) {
+  for (std::size_t k = 0; k < in.size(); ++k) {
     in[k] = {Lanes<Real>::of([&](std::size_t i) { return number(i, k); }), input_key(k)};
   }
   std::optional<PlantedValue<Real>> value;
   if (mutant.value != ValueFault::none) value.emplace(mutant, number);
-  if (value && mutant.quantity == Quantity::radius) in[radius_column].value = value->replaced(in[radius_column].value);
-  in[coordinate_count] = {Lanes<Real>{}, input_key(coordinate_count)};
-  const portable::Problem<N> problem{
-      {in[0], in[1], in[2]}, {in[3], in[4], in[5]}, {in[6], in[7], in[8]}, {in[9], in[10], in[11]}, in[12], in[13]};
-  auto& site = N::site();
-  static_cast<OperationSite&>(site) = mutant.operation;
+  if (value && mutant.quantity == Quantity::radius) in[radius].value = value->replaced(in[radius].value);
+  auto& site = N::plant(mutant.operation, in);
   if (value) site.replaced = [&](const Lanes<Real>& x) { return value->replaced(x); };
   Evaluation<Real> result;
-  F::comparisons(problem, [&](Comparison which, const N& lhs, const N& rhs) {
-    const bool is_radius = info(which).is_radius;
-    const auto place = index_of(which);
+  Form::comparisons(in, N(0.0), [&](std::size_t place, const N& lhs, const N& rhs) {
+    const bool is_strict = !has_bit(Form::nonstrict, place);
     const ComparisonFault fault = place == mutant.place ? mutant.comparison : ComparisonFault::none;
     for (std::size_t i = 0; i < Lanes<Real>::width; ++i) {
       Real l = lhs.value.at[i];
       const Real r = rhs.value.at[i];
       if (value) [[unlikely]]
-        l = value->left(which, i, l, r);
-      bool holds = is_radius ? l > r : l >= r;
+        l = value->left(place, i, l, r);
+      bool holds = is_strict ? l > r : l >= r;
       if (fault != ComparisonFault::none) [[unlikely]]
-        holds = holds_wrongly(fault, is_radius, l, r);
-      result.bits[i] |= static_cast<ComparisonBits>(static_cast<unsigned>(holds) << place);
+        holds = holds_wrongly(fault, is_strict, l, r);
+      result.bits[i] |= static_cast<ComparisonBits>(holds) << place;
     }
   });
   result.kept = site.kept_value;
@@ -96,10 +91,10 @@ template <class F, class Real>
 }
 
 template <class Real>
-void answer_early(const Mutant& mutant, Evaluation<Real>& found) {
+void answer_early(const TestDescription& test, const Mutant& mutant, Evaluation<Real>& found) {
   const bool separated = mutant.value != ValueFault::none ? mutant.value == ValueFault::early_separated
                                                           : static_cast<Verdict>(mutant.place) == Verdict::separated;
-  const ComparisonBits all = separated ? comparisons_of(Axis::plane) : ComparisonBits{0};
+  const ComparisonBits all = separated ? test.clauses.front().comparisons : ComparisonBits{0};
   for (std::size_t i = 0; i < found.bits.size(); ++i) {
     const bool is_small = mutant.kernel == KernelFault::small_area && found.kept.at[i] < static_cast<Real>(small_area);
     if (is_small || found.is_early[i]) found.bits[i] = all;
@@ -117,17 +112,17 @@ void mix_up_lanes(const Mutant& mutant, std::size_t size, ComparisonBits* out) {
   }
 }
 
-template <class F, class Real>
+template <class Form, class Real>
 void bits(const Mutant& mutant, const QueryColumns<Real>& batch, ComparisonBits* out) {
   for (std::size_t first = 0; first < batch.size; first += Lanes<Real>::width) {
     std::optional<FloatingEnvironment> environment;
     if (mutant.kernel == KernelFault::ftz) environment.emplace(Rounding::nearest, true);
-    Evaluation<Real> found = evaluate<F>(mutant, batch, first);
-    if (mutant.kernel == KernelFault::small_area || answers_early(mutant.value)) answer_early(mutant, found);
+    Evaluation<Real> found = evaluate<Form>(mutant, batch, first);
+    if (mutant.kernel == KernelFault::small_area || answers_early(mutant.value)) answer_early(Form::test(), mutant, found);
     for (std::size_t i = 0; i < Lanes<Real>::width && first + i < batch.size; ++i) {
       ComparisonBits here = found.bits[i];
       if (mutant.kernel == KernelFault::drop) {
-        here &= static_cast<ComparisonBits>(~comparisons_of(static_cast<Axis>(mutant.place)));
+        here &= ~Form::test().clauses[mutant.place].comparisons;
       }
       out[first + i] = here;
     }
@@ -141,7 +136,8 @@ Implementation<Real> implementation_of(const Mutant& mutant) {
       [&mutant](const QueryColumns<Real>& batch, Verdict* out) {
         std::vector<ComparisonBits> bits(batch.size);
         mutant_bits(mutant, batch, bits.data());
-        for (std::size_t i = 0; i < batch.size; ++i) out[i] = verdict_of(axes_of(bits[i]));
+        const TestDescription& test = test_of(base_of(mutant));
+        for (std::size_t i = 0; i < batch.size; ++i) out[i] = verdict_of(test, bits[i]);
       },
       [&mutant](const QueryColumns<Real>& batch, Answers<Real>& out) { mutant_bits(mutant, batch, out.bits.data()); }};
 }
@@ -150,8 +146,7 @@ Implementation<Real> implementation_of(const Mutant& mutant) {
 
 template <class Real>
 void mutant_bits(const Mutant& mutant, const QueryColumns<Real>& batch, ComparisonBits* out) {
-  if (mutant.id.starts_with("reduced")) bits<FormulaeType<Formulae::reduced>>(mutant, batch, out);
-  else bits<FormulaeType<Formulae::published>>(mutant, batch, out);
+  with_form(base_of(mutant), [&](auto form) { bits<decltype(form)>(mutant, batch, out); });
 }
 template void mutant_bits<float>(const Mutant&, const QueryColumns<float>&, ComparisonBits*);
 template void mutant_bits<double>(const Mutant&, const QueryColumns<double>&, ComparisonBits*);
@@ -160,7 +155,11 @@ Kernel kernel_of(const Mutant& mutant) {
   Kernel kernel;
   kernel.id = mutant.id;
   kernel.summary = fmt::format("one fault: {}, at {}", mutant.what, mutant.where);
-  kernel.formulae = formulae_of(mutant.id.substr(0, mutant.id.find('~')));
+  with_form(base_of(mutant), [&]<class Form>(Form) {
+    kernel.test = &Form::test();
+    kernel.formulae = Form::formulae;
+    kernel.claims = Form::claims;
+  });
   kernel.strictness = Strictness::nonstrict;
   kernel.exposes = Exposure::comparisons;
   if (mutant.in_binary32) kernel.binary32 = [&mutant](std::string_view) { return implementation_of<float>(mutant); };
@@ -171,6 +170,7 @@ Kernel kernel_of(const Mutant& mutant) {
 Kernel black_box_of(const Mutant& mutant) {
   Kernel kernel = kernel_of(mutant);
   kernel.formulae = Formulae::none;
+  kernel.claims.clear();
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;
   return kernel;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/sphere_triangle/names.h"
+#include "kernel/query.h"
 
 namespace axiscert::mutants {
 
@@ -19,8 +19,9 @@ enum class Operator : std::uint8_t { plus, minus, times };
 // them checks.
 using Key = std::uint64_t;
 constexpr Key input_key(std::size_t input) { return input + 1; }
+inline constexpr Key zero_key = input_key(most_columns);
 constexpr Key key_of(Operator op, Key left, Key right) {
-  Key key = (left * 0x9e3779b97f4a7c15u) ^ ((right + static_cast<Key>(op) + 1) * 0xc2b2ae3d27d4eb4fu);
+  Key key = (left * 0x9e3779b97f4a7c15u) ^ (right * 0xc2b2ae3d27d4eb4fu + (static_cast<Key>(op) + 1) * 0x165667b19e3779f9u);
   key ^= key >> 29;
   return key * 0xbf58476d1ce4e5b9u;
 }
@@ -39,13 +40,13 @@ struct Operations {
   // The vectors that enter a dot or a cross product; the first three are the vertices relative to the sphere's centre.
   std::vector<std::array<Key, 3>> vectors;
   Key squared_normal;                // e = V.V, the greatest factor of plane.radius's right side
-  Key squared_radius, squared_edge;  // r r; AB.AB, the last factor of edge_ab.radius's right side
+  Key squared_radius, squared_edge;  // r r; AB.AB, the last factor of edge_ab.radius's right side; of the first
+                                     // plane and edge, where a test has several
 
   const Operation* find(Key key) const;
 };
 
-// The operations of the published and of the reduced formulae.
-const Operations& published_operations();
-const Operations& reduced_operations();
+// The operations of the formulae of a base, by its number (kernel/mutants/mutant.h).
+const Operations& operations_of(std::size_t base);
 
 }  // namespace axiscert::mutants

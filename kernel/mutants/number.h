@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <span>
 
 #include "kernel/arithmetic/number.h"
-#include "kernel/sphere_triangle/mutants/operations.h"
+#include "kernel/mutants/operations.h"
 
 namespace axiscert::mutants {
 
@@ -54,6 +55,9 @@ struct Lanes {
   [[gnu::noinline]] friend Lanes operator*(const Lanes& a, const Lanes& b) {
     return of([&](std::size_t i) { return a.at[i] * b.at[i]; });
   }
+  AXISCERT_INLINE static Lanes constant(double x) {
+    return of([&](std::size_t) { return static_cast<Real>(x); });
+  }
   friend Lanes operator-(const Lanes& a) {
     return of([&](std::size_t i) { return -a.at[i]; });
   }
@@ -65,7 +69,7 @@ struct Lanes {
   }
 };
 
-// The faulty operation, and an operation computed before it whose operands and result the fault needs.
+// The faulty operation, and an input, or an operation computed before it, whose operands and result the fault needs.
 struct OperationSite {
   OperationFault fault = OperationFault::none;
   Key at = 0, kept = 0;
@@ -77,7 +81,11 @@ template <class Base>
 class Mutated {
  public:
   Base value;
-  Key key;
+  Key key = 0;
+
+  Mutated() = default;
+  Mutated(const Base& computed, Key of) : value(computed), key(of) {}
+  explicit Mutated(double zero) : value(Base::constant(zero)), key(zero_key) {}  // the formulae's own zero
 
   struct Site : OperationSite {
     Base kept_value{}, kept_left{}, kept_right{};
@@ -85,6 +93,15 @@ class Mutated {
   };
   static Site& site() {
     static thread_local Site here;
+    return here;
+  }
+  // The fault that the formulae have from now on in this thread, over these inputs.
+  static Site& plant(const OperationSite& fault, std::span<const Mutated> inputs) {
+    Site& here = site();
+    static_cast<OperationSite&>(here) = fault;
+    for (const Mutated& input : inputs) {
+      if (input.key == fault.kept) here.kept_value = input.value;  // no operation makes it
+    }
     return here;
   }
 

@@ -1,11 +1,10 @@
-#include "kernel/sphere_triangle/mutants/operations.h"
+#include "kernel/mutants/operations.h"
 
 #include <algorithm>
 #include <map>
 #include <stdexcept>
 
-#include "kernel/sphere_triangle/reference/formulae_types.h"
-#include "kernel/sphere_triangle/query.h"
+#include "kernel/mutants/forms.h"
 
 namespace axiscert::mutants {
 namespace {
@@ -13,7 +12,7 @@ namespace {
 struct Recording {
   std::map<Key, Operation> operations;
   std::vector<std::array<Key, 3>> vectors;
-  EnumArray<Comparison, std::pair<Key, Key>> sides{};
+  std::vector<std::pair<Key, Key>> sides;  // by comparison
 };
 thread_local Recording* recording = nullptr;
 
@@ -30,21 +29,29 @@ Key record(Operator op, Key left, Key right) {
 // A number that records the operations on it.
 template <class Self>
 struct Recorded {
-  Key key;
-  friend Self operator+(const Self& a, const Self& b) { return {{record(Operator::plus, a.key, b.key)}}; }
-  friend Self operator-(const Self& a, const Self& b) { return {{record(Operator::minus, a.key, b.key)}}; }
-  friend Self operator*(const Self& a, const Self& b) { return {{record(Operator::times, a.key, b.key)}}; }
+  Key key = 0;
+  Recorded() = default;
+  explicit Recorded(Key of) : key(of) {}
+  friend Self operator+(const Self& a, const Self& b) { return Self(record(Operator::plus, a.key, b.key)); }
+  friend Self operator-(const Self& a, const Self& b) { return Self(record(Operator::minus, a.key, b.key)); }
+  friend Self operator*(const Self& a, const Self& b) { return Self(record(Operator::times, a.key, b.key)); }
 };
-struct Scalar : Recorded<Scalar> {};
+struct Scalar : Recorded<Scalar> {
+  using Recorded::Recorded;
+};
 
 // The same, which also records vectors, at the products that take them whole.
 struct Component : Recorded<Component> {
+  using Recorded::Recorded;
+  Component() = default;
+  explicit Component(double) : Recorded(zero_key) {}  // the formulae's own zero
+
   static Component dot(const Vec3<Component>& u, const Vec3<Component>& v) {
-    return {{portable::dot(noted(u), noted(v)).key}};
+    return Component(portable::dot(noted(u), noted(v)).key);
   }
   static Vec3<Component> cross(const Vec3<Component>& u, const Vec3<Component>& v) {
     const Vec3<Scalar> product = portable::cross(noted(u), noted(v));
-    return {{{product.x.key}}, {{product.y.key}}, {{product.z.key}}};
+    return {Component(product.x.key), Component(product.y.key), Component(product.z.key)};
   }
 
  private:
@@ -52,13 +59,14 @@ struct Component : Recorded<Component> {
     const std::array<Key, 3> vector = {u.x.key, u.y.key, u.z.key};
     auto& all = recording->vectors;
     if (std::find(all.begin(), all.end(), vector) == all.end()) all.push_back(vector);
-    return {{{vector[0]}}, {{vector[1]}}, {{vector[2]}}};
+    return {Scalar(vector[0]), Scalar(vector[1]), Scalar(vector[2])};
   }
 };
 
 class Numbering {
  public:
-  explicit Numbering(const Recording& recorded) : recorded_(recorded) {
+  Numbering(const TestDescription& test, const Recording& recorded)
+      : columns_(test.entries.front().columns), recorded_(recorded) {
     for (const auto& [lhs, rhs] : recorded.sides) {
       visit(lhs);
       visit(rhs);
@@ -79,11 +87,11 @@ class Numbering {
     all_.push_back(std::move(operation));
   }
 
-  static bool is_input(Key key) { return key <= input_key(coordinate_count); }
+  static bool is_input(Key key) { return key <= zero_key; }
   std::string operand(Key key) const {
     if (!is_input(key)) return names_.at(key);
-    if (key == input_key(coordinate_count)) return "0";
-    return coordinate_names[key - input_key(0)];
+    if (key == zero_key) return "0";
+    return std::string(columns_[key - input_key(0)].name);
   }
   // A vertex relative to the centre is "A.x"; a difference of two of them is short enough to be written out.
   std::string name_of(const Operation& operation) const {
@@ -98,31 +106,33 @@ class Numbering {
     return "#" + std::to_string(all_.size());
   }
 
+  const std::vector<TestColumn>& columns_;
   const Recording& recorded_;
   std::map<Key, std::string> names_;
   std::vector<Operation> all_;
 };
 
-template <class F>
+template <class Form>
 Operations record_operations() {
   Recording recorded;
+  recorded.sides.resize(Form::test().comparisons.size());
   recording = &recorded;
-  std::array<Component, coordinate_count + 1> in{};
-  for (std::size_t k = 0; k < in.size(); ++k) in[k].key = input_key(k);
-  const portable::Problem<Component> problem{
-      {in[0], in[1], in[2]}, {in[3], in[4], in[5]}, {in[6], in[7], in[8]}, {in[9], in[10], in[11]}, in[12], in[13]};
-  const auto centred = portable::centred(problem);
-  for (const auto& [x, y, z] : {centred.a, centred.b, centred.c}) recorded.vectors.push_back({x.key, y.key, z.key});
-  F::comparisons(problem, [&](Comparison which, const Component& lhs, const Component& rhs) {
+  std::array<Component, Form::columns> in;
+  for (std::size_t k = 0; k < in.size(); ++k) in[k] = Component(input_key(k));
+  for (std::size_t v = 0; v < 3; ++v) {
+    auto& vertex = recorded.vectors.emplace_back();
+    for (std::size_t axis = 0; axis < 3; ++axis) vertex[axis] = (in[3 * v + axis] - in[9 + axis]).key;
+  }
+  Form::comparisons(in, Component(zero_key), [&](std::size_t which, const Component& lhs, const Component& rhs) {
     recorded.sides[which] = {lhs.key, rhs.key};
   });
   recording = nullptr;
-  const auto right_side = [&](Comparison which) -> const Operation& {
+  const auto right_side = [&](std::size_t which) -> const Operation& {
     return recorded.operations.at(recorded.sides[which].second);
   };
-  const Operation& plane = right_side(Comparison::plane_radius);   // rr * e
-  const Operation& edge = right_side(Comparison::edge_ab_radius);  // rr * e1, or (rr * e1) * e1
-  return {Numbering(recorded).take(), recorded.vectors, plane.right, plane.left, edge.right};
+  const Operation& plane = right_side(Form::plane_radius);  // rr * e
+  const Operation& edge = right_side(Form::edge_radius);    // rr * e1, or (rr * e1) * e1
+  return {Numbering(Form::test(), recorded).take(), recorded.vectors, plane.right, plane.left, edge.right};
 }
 
 }  // namespace
@@ -132,13 +142,11 @@ const Operation* Operations::find(Key key) const {
   return found == all.end() ? nullptr : &*found;
 }
 
-const Operations& published_operations() {
-  static const Operations operations = record_operations<FormulaeType<Formulae::published>>();
-  return operations;
-}
-const Operations& reduced_operations() {
-  static const Operations operations = record_operations<FormulaeType<Formulae::reduced>>();
-  return operations;
+const Operations& operations_of(std::size_t base) {
+  return with_form(base, [](auto form) -> const Operations& {
+    static const Operations operations = record_operations<decltype(form)>();
+    return operations;
+  });
 }
 
 }  // namespace axiscert::mutants

@@ -1,0 +1,82 @@
+// Faults of a time are each seen in a kernel that shows its verdict and its time alone; the right times pass.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <deque>
+
+#include "fuzz/mutation/black_box.h"
+#include "fuzz/mutation/time_mutants.h"
+#include "kernel/moving_sphere/moving_sphere.h"
+#include "reports/gates/requirement.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::uint64_t time_mutants_seed = 7, motions_each = 12;
+
+// What the records of both precisions count of one kernel, over all families.
+struct TimesSeen {
+  std::uint64_t hits = 0, best = 0, early = 0, late = 0, untimed = 0, missed = 0, phantom = 0;
+  std::vector<std::string> refused_by;
+
+  void add(const Json& record, const Json& kernel) {
+    const auto count = [](const Json& of, const char* member) { return of[member].get<std::uint64_t>(); };
+    for (const Json& family : kernel["families"]) {
+      const Json &verdict = family["verdict"], &time = family["motion"]["time"];
+      hits += count(family["motion"], "hits");
+      best += count(time, "best");
+      early += count(time, "early");
+      late += count(time, "late");
+      untimed += count(time, "none") + count(time, "invalid");
+      missed += count(verdict, "false_separation");
+      phantom += count(verdict, "false_contact");
+    }
+    for (const char* level : {"logic", "never-late", "no-tunnel"}) {
+      if (std::find(refused_by.begin(), refused_by.end(), level) != refused_by.end()) continue;
+      for (const Failure& failure : unmet(record, level)) {
+        if (failure.kernel != kernel["id"]) continue;
+        refused_by.emplace_back(level);
+        break;
+      }
+    }
+  }
+  // A time before the best is no fault of safety: no level asks about it, and the record counts it.
+  bool is_caught() const { return !refused_by.empty() || early > 0; }
+  std::string text(std::string_view name) const {
+    return fmt::format("{}: {} contacts, {} best, {} early, {} late, {} untimed, {} missed, {} phantom; {}", name, hits,
+                       best, early, late, untimed, missed, phantom, fmt::join(refused_by, ", "));
+  }
+};
+
+EnumArray<TimeFault, TimesSeen> seen_of_all() {
+  std::deque<Kernel> kernels;
+  std::vector<const Kernel*> asked;
+  for (const TimeFault fault : enumerators<TimeFault>) asked.push_back(&kernels.emplace_back(time_mutant(fault)));
+  MutationPlan plan;
+  plan.families = families_of(moving_sphere_test());
+  plan.seed = time_mutants_seed;
+  EnumArray<TimeFault, TimesSeen> seen{};
+  for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+    const Json record = record_of_kernels(plan, precision, motions_each, asked);
+    for (const TimeFault fault : enumerators<TimeFault>) seen[fault].add(record, record["kernels"][index_of(fault)]);
+  }
+  return seen;
+}
+
+TEST(TimeMutants, AreEachSeenByVerdictAndTimeAloneAndTheRightTimesPass) {
+  const EnumArray<TimeFault, TimesSeen> seen = seen_of_all();
+  const TimesSeen& right = seen[TimeFault::right];
+  EXPECT_GT(right.hits, 200u);
+  EXPECT_EQ(right.best, right.hits);
+  EXPECT_EQ(right.missed + right.phantom, 0u);
+  for (const TimeFault fault : enumerators<TimeFault>) {
+    const std::string text = seen[fault].text(time_fault_texts[fault].name);
+    fmt::print("{}\n", text);
+    EXPECT_EQ(seen[fault].is_caught(), fault != TimeFault::right) << text << " seed " << time_mutants_seed;
+  }
+}
+
+}  // namespace
+}  // namespace axiscert
