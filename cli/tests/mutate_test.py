@@ -78,7 +78,7 @@ class MutateMotions(MutateCase):
     def test_by_its_verdict_alone_a_fault_of_logic_is_refused_and_the_kernel_itself_is_not(self):
         found = self.mutate("--test", "moving-sphere", "--verdict-only", "--mutant", "drop:start.edge_ab", "--mutant",
                             "clamp:r:0.5", "--mutant", "plus-relative:r:1e-20", "--family", "moving-sphere/lattice",
-                            "--trials", 400, "--precision", "binary32")
+                            "--trials", 2000, "--precision", "binary32")
         refused = {m["id"].split("~")[1]: m["refused"] is not None for m in found["mutants"]}
         self.assertEqual(refused, {"drop:start.edge_ab": True, "clamp:r:0.5": True, "plus-relative:r:1e-20": False})
         self.assertEqual([(c["kernel"], c["refused"]) for c in found["controls"]], [(self.TWENTY, None)])

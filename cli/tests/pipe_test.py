@@ -195,12 +195,12 @@ class Pipe(Case):
 
     def test_times_of_motions_are_judged(self):
         """Contact at the start is never late; at the end it is wherever the motion touches before."""
-        plan = ("--test", "moving-sphere", "--family", "moving-sphere/general", "--trials", 100)
+        plan = ("--test", "moving-sphere", "--family", "moving-sphere/general", "--trials", 400)
         late = {}
         for time in (0, 1):
             queries = self.queries(*plan, "--measures", 1)
             size, count = struct.unpack_from("<I", queries, 24)[0], struct.unpack_from("<Q", queries, 16)[0]
-            self.assertEqual(count, 100)
+            self.assertEqual(count, 400)
             replies = queries[:size] + struct.pack("<BB6xQf", 0, 2, 0, time) * count
             file = self.stored(f"{time}.bin", replies)
             code = 0 if time == 0 else 1
