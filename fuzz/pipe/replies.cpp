@@ -93,7 +93,7 @@ void read_records(std::istream& in, std::uint32_t header_size, ReplyStream& stre
     got = read_block(in, std::span(block).first(wanted), name);
     for (std::size_t i = 0; i + size <= got; i += size) {
       Record reply;
-      std::memcpy(&reply, block.data() + i, size);
+      std::memcpy(&reply, block.data() + i, sizeof(Record));
       const std::size_t k = records.size();
       if (k == 0) stream.has_bits = (reply.flags & pipe::has_bits) != 0;
       if (const std::string wrong = fault(reply, stream.has_bits, measures, stream.plan.test()); !wrong.empty()) {
