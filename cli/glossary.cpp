@@ -14,9 +14,8 @@ namespace {
 // Lower case, and a space for each '-' and '_'.
 std::string plain(std::string_view word) {
   std::string out(word);
-  std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) {
-    return c == '-' || c == '_' ? ' ' : static_cast<char>(std::tolower(c));
-  });
+  std::transform(out.begin(), out.end(), out.begin(),
+                 [](unsigned char c) { return c == '-' || c == '_' ? ' ' : static_cast<char>(std::tolower(c)); });
   return out;
 }
 

@@ -15,7 +15,8 @@ struct GlossaryEntry {
 // docs/glossary.md, compiled in.
 std::string_view glossary_text();
 
-// The entries of a glossary in its order: a heading of the second level, words separated by ", ", and the text below it.
+// The entries of a glossary in its order: a heading of the second level, words separated by ", ", and the text below
+// it.
 std::vector<GlossaryEntry> glossary_entries(std::string_view text);
 
 // The entry of a word: in any case, with spaces, '-' or '_' between its parts, in the plural too. Throws Error that has

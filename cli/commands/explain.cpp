@@ -8,7 +8,8 @@
 namespace axiscert {
 
 void add_explain(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("explain", "Say what a word of reports and documents means; without one, list the words");
+  auto* command =
+      app.add_subcommand("explain", "Say what a word of reports and documents means; without one, list the words");
   auto given = std::make_shared<std::vector<std::string>>();
   command->add_option("WORD", *given, "for example depth, or missed contact");
   command->callback([&action, given] {

@@ -181,9 +181,9 @@ void add_mutate(CLI::App& app, Action& action) {
   auto options = std::make_shared<MutateOptions>();
   MutateOptions& o = *options;
   add_test_option(*command, o.test, "test whose first such kernel the mutants are made from (axiscert tests)");
-  command->add_option(
-      "--kernel", o.kernel,
-      fmt::format("kernel that the mutants are made from: {} (default: the first of the test)", fmt::join(mutants::bases, ", ")));
+  command->add_option("--kernel", o.kernel,
+                      fmt::format("kernel that the mutants are made from: {} (default: the first of the test)",
+                                  fmt::join(mutants::bases, ", ")));
   command->add_option("--mutant", o.mutants, "id or fault, repeatable (default: all)")->allow_extra_args(false);
   command->add_option("--family", o.families, "family, repeatable (default: all)")->allow_extra_args(false);
   command

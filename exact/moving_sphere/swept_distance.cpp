@@ -1,6 +1,9 @@
 #include "exact/moving_sphere/swept_distance.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Mpzf.h>
+#include <CGAL/Quotient.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/squared_distance_3.h>
 
 // The distance of two triangles, degenerate ones included, was compared with least_distance() in this version alone.
@@ -11,23 +14,27 @@ namespace {
 
 using SweptKernel = CGAL::Exact_predicates_exact_constructions_kernel;
 
-SweptKernel::FT swept_distance(const MovingQuery<double>& q) {
-  const auto point = [](const portable::Vec3<double>& v) { return SweptKernel::Point_3(v.x, v.y, v.z); };
-  const SweptKernel::Point_3 from = point(q.p), to = from + SweptKernel::Vector_3(q.d.x, q.d.y, q.d.z);
-  return CGAL::squared_distance(SweptKernel::Triangle_3(point(q.a), point(q.b), point(q.c)),
-                                SweptKernel::Triangle_3(from, to, to));
+template <class K>
+typename K::FT swept_distance(const MovingQuery<double>& q) {
+  const auto point = [](const portable::Vec3<double>& v) { return typename K::Point_3(v.x, v.y, v.z); };
+  const typename K::Point_3 from = point(q.p), to = from + typename K::Vector_3(q.d.x, q.d.y, q.d.z);
+  return CGAL::squared_distance(typename K::Triangle_3(point(q.a), point(q.b), point(q.c)),
+                                typename K::Triangle_3(from, to, to));
 }
 
 }  // namespace
 
 Rational swept_squared_distance(const MovingQuery<double>& q) {
-  const SweptKernel::FT distance = swept_distance(q);  // outlives the reference into it
+  const SweptKernel::FT distance = swept_distance<SweptKernel>(q);  // outlives the reference into it
   return CGAL::exact(distance);
 }
 
+// Intervals would never decide: the triangle of a path has two equal corners, and CGAL asks whether its sides are
+// parallel. Quotients of binary numbers have no common divisors to look for.
 int swept_distance_order(const MovingQuery<double>& q) {
-  const SweptKernel::FT r(q.r);
-  return static_cast<int>(CGAL::compare(swept_distance(q), SweptKernel::FT(r * r)));
+  using Exact = CGAL::Quotient<CGAL::Mpzf>;
+  const Exact r(q.r);
+  return static_cast<int>(CGAL::compare(swept_distance<CGAL::Simple_cartesian<Exact>>(q), Exact(r * r)));
 }
 
 }  // namespace axiscert::moving_sphere

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "exact/numbers/floating.h"
+#include "exact/trait/dyadic_number.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
 #include "kernel/base/error.h"
@@ -59,17 +60,29 @@ class OraclesOf final : public Oracles {
   static ExactSides exact_sides(const Numbers<Real>& q) {
     const std::size_t count = Test::description().comparisons.size();
     ExactSides sides{std::vector<Rational>(count), std::vector<Rational>(count)};
-    const auto keep = [&](std::size_t i, const ExactNumber& lhs, const ExactNumber& rhs) {
+    const auto keep = [&](std::size_t i, const DyadicNumber& lhs, const DyadicNumber& rhs) {
       if (lhs.value == rhs.value) sides.ties |= one_bit<ComparisonBits>(i);
-      sides.lhs[i] = lhs.value;
-      sides.rhs[i] = rhs.value;
+      sides.lhs[i] = lhs.rational();
+      sides.rhs[i] = rhs.rational();
     };
-    sides.holds = bits_of<F, ExactNumber>(problem_of<ExactNumber>(q), keep);
+    sides.holds = bits_of<F, DyadicNumber>(problem_of<DyadicNumber>(q), keep);
     return sides;
   }
+
+  // Exact signs alone, for which no side has to be kept: lhs > rhs, or lhs >= rhs where the formulae say so; lhs ==
+  // rhs.
+  struct Signs {
+    ComparisonBits holds = 0, ties = 0;
+    ComparisonBits strict() const { return holds & ~ties; }
+  };
   template <class First, class... Rest, class Real>
-  static ExactSides theorem_sides(const Numbers<Real>& q, FormulaeList<First, Rest...>) {
-    return exact_sides<First>(q);
+  static Signs theorem_signs(const Numbers<Real>& q, FormulaeList<First, Rest...>) {
+    Signs signs;
+    const auto keep = [&](std::size_t i, const DyadicNumber& lhs, const DyadicNumber& rhs) {
+      if (lhs.value == rhs.value) signs.ties |= one_bit<ComparisonBits>(i);
+    };
+    signs.holds = bits_of<First, DyadicNumber>(problem_of<DyadicNumber>(q), keep);
+    return signs;
   }
 
   template <class Real>
@@ -77,8 +90,8 @@ class OraclesOf final : public Oracles {
     const Numbers<double> wide = widened(q);
     if (!Test::is_valid(wide)) return {Verdict::invalid, false};
     const Truth truth = Test::geometric_truth(wide);
-    const ExactSides sides = theorem_sides(q, typename Test::AllFormulae());
-    const std::string wrong = Test::contradiction(wide, truth, sides.holds, sides.ties);
+    const Signs signs = theorem_signs(q, typename Test::AllFormulae());
+    const std::string wrong = Test::contradiction(wide, truth, signs.holds, signs.ties);
     if (!wrong.empty()) {
       throw OracleDisagreement(fmt::format("{}: {}", Test::description().id, wrong), q, Test::description());
     }
@@ -116,13 +129,12 @@ class OraclesOf final : public Oracles {
 
   template <class Real>
   static void require_same_signs(std::string_view name, const ExactSides& rung, const Numbers<Real>& q) {
-    const ExactSides first = theorem_sides(q, typename Test::AllFormulae());
-    const auto strict = [](const ExactSides& sides) { return sides.holds & ~sides.ties; };
-    if (strict(rung) == strict(first) && rung.ties == first.ties) return;
+    const Signs first = theorem_signs(q, typename Test::AllFormulae()), signs{rung.holds, rung.ties};
+    if (signs.strict() == first.strict() && signs.ties == first.ties) return;
     throw OracleDisagreement(
         fmt::format("{}: formulae {} have the exact signs {:#b} ties {:#b}, the first formulae {:#b} ties {:#b} (bit 0 "
                     "is the first comparison)",
-                    Test::description().id, name, strict(rung), rung.ties, strict(first), first.ties),
+                    Test::description().id, name, signs.strict(), signs.ties, first.strict(), first.ties),
         q, Test::description());
   }
 

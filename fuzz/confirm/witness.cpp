@@ -147,9 +147,9 @@ WitnessWriter::Examined WitnessWriter::examined(const Kernel& kernel, const Sour
   if (plan_.replies) reply = plan_.replies->at(source, precision_of<Real>, position);
   if (plan_.test != &sphere_triangle_test()) {
     const OracleExamination found =
-        reply ? examine_by_oracles(numbers, kernel, *reply,
-                                   plan_.replies->measures(source, precision_of<Real>, position))
-              : oracle_examiner_->examine(numbers);
+        reply
+            ? examine_by_oracles(numbers, kernel, *reply, plan_.replies->measures(source, precision_of<Real>, position))
+            : oracle_examiner_->examine(numbers);
     return {found.truth, found.answer, found.judgement, found.depth, {}, nullptr, measures_json(*plan_.test, found)};
   }
   const Query<Real> q = numbers;

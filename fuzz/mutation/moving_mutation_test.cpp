@@ -14,8 +14,8 @@ constexpr std::string_view twenty = mutants::bases[2];
 const std::atomic<bool> goes_on = false;
 
 MutationPlan motion_mutants(std::size_t stride, std::uint64_t trials, std::string_view fault = "") {
-  MutationPlan plan{{}, std::string(twenty), {}, {Precision::binary32, Precision::binary64}, trials,
-                    motion_mutants_seed, 2};
+  MutationPlan plan{{},     std::string(twenty), {}, {Precision::binary32, Precision::binary64},
+                    trials, motion_mutants_seed, 2};
   std::size_t i = stride / 2;
   for (const mutants::Mutant& m : mutants::mutants_of(twenty)) {
     if (!fault.empty() && m.fault != fault) continue;

@@ -11,8 +11,8 @@ namespace {
 
 // Right over the reals for every query.
 constexpr std::array<std::string_view, 6> right_forms = {
-    "nonstrict", "reduced-nonstrict", "reduced-shared-nonstrict", "packed-nonstrict", "minkowski",
-    "moving-sphere/twenty-nonstrict"};
+    "nonstrict",        "reduced-nonstrict", "reduced-shared-nonstrict",
+    "packed-nonstrict", "minkowski",         "moving-sphere/twenty-nonstrict"};
 
 // In addition to the correct forms each arithmetic under the base.
 std::vector<Kernel> kernels_of(const std::string& base) {

@@ -83,8 +83,8 @@ TEST(Mutants, NamesAreStableAndEachIsFound) {
   EXPECT_THROW(find_kernel("nonstrict~nosuch:1"), Error);
 }
 
-// Every 29th mutant of each base of sphere-triangle: all are caught; those that round as the base does are also caught by
-// their claim of formulae alone.
+// Every 29th mutant of each base of sphere-triangle: all are caught; those that round as the base does are also caught
+// by their claim of formulae alone.
 TEST(Mutation, ASampleIsCaughtByBitsAndFaultsOfLogicByFormulaeAlone) {
   for (const std::string_view base : {mutants::bases[0], mutants::bases[1]}) {
     const MutationResult result = run(plan_of(base, every(base, 29), 4000));

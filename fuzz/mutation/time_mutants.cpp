@@ -13,8 +13,8 @@
 namespace axiscert::moving_sphere {
 namespace {
 
-// The least root of any feature that is nearest at some time, at whatever time in [0, 1] the root is; `reversed`: but not
-// inside the times at which its feature is nearest.
+// The least root of any feature that is nearest at some time, at whatever time in [0, 1] the root is; `reversed`: but
+// not inside the times at which its feature is nearest.
 template <class Real>
 std::optional<Real> least_ungated(const MovingQuery<double>& q, const MotionPieces& motion, bool reversed) {
   std::optional<Real> least;
@@ -83,9 +83,11 @@ std::optional<Real> faulty_time(TimeFault fault, const MovingQuery<double>& q) {
 template <class Real>
 Implementation<Real> implementation_of(TimeFault fault) {
   const auto time_at = [fault](const QueryColumns<Real>& batch, std::size_t i) -> std::optional<Real> {
-    const auto q = MovingSphere::problem<double>([&](std::size_t k) { return static_cast<double>(batch.column[k][i]); });
+    const auto q =
+        MovingSphere::problem<double>([&](std::size_t k) { return static_cast<double>(batch.column[k][i]); });
     const Numbers<double> numbers = q;
-    const bool is_query = q.r >= 0 && std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+    const bool is_query =
+        q.r >= 0 && std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
     return is_query ? faulty_time<Real>(fault, q) : std::nullopt;
   };
   Implementation<Real> made;
@@ -105,8 +107,9 @@ Implementation<Real> implementation_of(TimeFault fault) {
 namespace axiscert {
 
 Kernel time_mutant(TimeFault fault) {
-  Kernel kernel = plain_kernel_named<MovingSphere, void>(
-      fmt::format("moving-sphere/exact-time~{}", time_fault_texts[fault].name), std::string(time_fault_texts[fault].what));
+  Kernel kernel =
+      plain_kernel_named<MovingSphere, void>(fmt::format("moving-sphere/exact-time~{}", time_fault_texts[fault].name),
+                                             std::string(time_fault_texts[fault].what));
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;
   kernel.measure_count = moving_sphere::time_measure + 1;

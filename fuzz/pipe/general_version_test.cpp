@@ -153,18 +153,19 @@ TEST_F(WideStream, MeasuresFollowTheReplies) {
   EXPECT_EQ(replies.measures(source, Precision::binary32, 0), (std::vector<double>{0.25, 7}));
   EXPECT_EQ(replies.measures(source, Precision::binary32, 1), (std::vector<double>{1, -INFINITY}));
 
-  EXPECT_EQ(stream_refusal(header + reply(2, {}) + reply(0, {})),
-            fmt::format("r.bin: reply 2 of 2, at byte {}: flags 0x00, without bit 1: the plan asks for 2 measures after "
-                        "each reply",
-                        header.size() + 24));
+  EXPECT_EQ(
+      stream_refusal(header + reply(2, {}) + reply(0, {})),
+      fmt::format("r.bin: reply 2 of 2, at byte {}: flags 0x00, without bit 1: the plan asks for 2 measures after "
+                  "each reply",
+                  header.size() + 24));
   EXPECT_THAT(stream_refusal(header + reply(2, {}) + stream_bytes({{0, 2, {}, 0}})),
               HasSubstr("ends after 1 of 2 replies and 16 bytes of the next; a reply has 24"));
   EXPECT_THAT(stream_refusal(header_of(plan()) + stream_bytes({{0, 2, {}, 0}, {0, 2, {}, 0}})),
               HasSubstr("flags 0x02; bit 0 says that comparison bits are given, the others are 0"));
   measured.measures = 3;
-  EXPECT_THAT([&] { header_of(measured); },
-              testing::ThrowsMessage<Error>(
-                  "3 measures, but the test wide has 2, from time to height (`axiscert tests`)"));
+  EXPECT_THAT(
+      [&] { header_of(measured); },
+      testing::ThrowsMessage<Error>("3 measures, but the test wide has 2, from time to height (`axiscert tests`)"));
   EXPECT_THAT(stream_refusal(changed(header, 2, "\"measures\":2", "\"measures\":9") + reply(2, {})),
               HasSubstr("r.bin: its plan has 9 measures, but the test wide has 2"));
 }

@@ -19,7 +19,7 @@ struct PipePlan {
   };
   std::uint64_t seed = 1;
   Precision precision = Precision::binary32;
-  std::vector<Part> parts;  // in the stream's order; their queries have one test and one entry
+  std::vector<Part> parts;   // in the stream's order; their queries have one test and one entry
   std::size_t measures = 0;  // so many of the test's measures, from the first on, follow each reply
 
   const TestDescription& test() const { return parts.empty() ? first_test() : parts.front().source->test(); }

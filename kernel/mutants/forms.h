@@ -16,7 +16,8 @@ namespace axiscert::mutants {
 //   columns      how many numbers a query has: three for each of A, B, C and P, then others, the radius last
 //   nonstrict    the comparisons that are lhs >= rhs
 //   plane_radius, edge_radius, edge_side, vertex_radius
-//                comparisons of a plane, whose right side is rr (V.V), an edge and a vertex; their left sides are no zero
+//                comparisons of a plane, whose right side is rr (V.V), an edge and a vertex; their left sides are no
+//                zero
 //   comparisons(in, zero, sink)   the formulae over any number type: sink(i, lhs, rhs)
 template <Formulae claimed>
 struct TriangleForm {

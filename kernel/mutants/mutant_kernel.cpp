@@ -118,7 +118,8 @@ void bits(const Mutant& mutant, const QueryColumns<Real>& batch, ComparisonBits*
     std::optional<FloatingEnvironment> environment;
     if (mutant.kernel == KernelFault::ftz) environment.emplace(Rounding::nearest, true);
     Evaluation<Real> found = evaluate<Form>(mutant, batch, first);
-    if (mutant.kernel == KernelFault::small_area || answers_early(mutant.value)) answer_early(Form::test(), mutant, found);
+    if (mutant.kernel == KernelFault::small_area || answers_early(mutant.value))
+      answer_early(Form::test(), mutant, found);
     for (std::size_t i = 0; i < Lanes<Real>::width && first + i < batch.size; ++i) {
       ComparisonBits here = found.bits[i];
       if (mutant.kernel == KernelFault::drop) {

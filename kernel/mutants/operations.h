@@ -21,7 +21,8 @@ using Key = std::uint64_t;
 constexpr Key input_key(std::size_t input) { return input + 1; }
 inline constexpr Key zero_key = input_key(most_columns);
 constexpr Key key_of(Operator op, Key left, Key right) {
-  Key key = (left * 0x9e3779b97f4a7c15u) ^ (right * 0xc2b2ae3d27d4eb4fu + (static_cast<Key>(op) + 1) * 0x165667b19e3779f9u);
+  Key key =
+      (left * 0x9e3779b97f4a7c15u) ^ (right * 0xc2b2ae3d27d4eb4fu + (static_cast<Key>(op) + 1) * 0x165667b19e3779f9u);
   key ^= key >> 29;
   return key * 0xbf58476d1ce4e5b9u;
 }

@@ -23,7 +23,7 @@ class PlantedValue {
     for (std::size_t i = 0; i < width; ++i) {
       const auto from = [&](std::size_t first, std::size_t origin) {
         return portable::Vec3<Real>{number(i, first) - number(i, origin), number(i, first + 1) - number(i, origin + 1),
-                          number(i, first + 2) - number(i, origin + 2)};
+                                    number(i, first + 2) - number(i, origin + 2)};
       };
       const auto square = [](const portable::Vec3<Real>& u) { return u.x * u.x + u.y * u.y + u.z * u.z; };
       e_.at[i] = magnitude();
@@ -48,8 +48,8 @@ class PlantedValue {
 
   // The left side of this comparison in lane i.
   Real left(std::size_t which, std::size_t i, Real lhs, Real rhs) {
-    const bool is_here = mutant_.quantity == Quantity::verdict ||
-                         (mutant_.quantity == Quantity::side && which == mutant_.place);
+    const bool is_here =
+        mutant_.quantity == Quantity::verdict || (mutant_.quantity == Quantity::side && which == mutant_.place);
     if (!is_here) return lhs;
     const Real e = mutant_.is_relative ? magnitude() * (std::fabs(lhs) + std::fabs(rhs)) : magnitude();
     if (mutant_.quantity == Quantity::side && answers_early(mutant_.value))

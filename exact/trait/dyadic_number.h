@@ -1,0 +1,34 @@
+// A number of finitely many binary digits as a number type of the formulae (kernel/plain_kernel.h): what finite floats
+// become by +, - and *. Exact, and without the greatest common divisors of rationals.
+#pragma once
+
+#include <CGAL/Mpzf.h>
+
+#include "exact/numbers/rational.h"
+
+namespace axiscert {
+
+struct DyadicNumber {
+  CGAL::Mpzf value;
+
+  DyadicNumber() = default;
+  explicit DyadicNumber(double x) : value(x) {}  // finite
+  explicit DyadicNumber(CGAL::Mpzf x) : value(std::move(x)) {}
+
+  Rational rational() const {
+    Rational q;
+    value.export_to_mpq_t(q.get_mpq_t());
+    return q;
+  }
+
+  friend DyadicNumber operator+(const DyadicNumber& a, const DyadicNumber& b) { return DyadicNumber(a.value + b.value); }
+  friend DyadicNumber operator-(const DyadicNumber& a, const DyadicNumber& b) { return DyadicNumber(a.value - b.value); }
+  friend DyadicNumber operator*(const DyadicNumber& a, const DyadicNumber& b) { return DyadicNumber(a.value * b.value); }
+  friend DyadicNumber magnitude(const DyadicNumber& a) {
+    return DyadicNumber(a.value.sign() == CGAL::NEGATIVE ? -a.value : a.value);
+  }
+  friend bool operator>(const DyadicNumber& a, const DyadicNumber& b) { return a.value > b.value; }
+  friend bool operator>=(const DyadicNumber& a, const DyadicNumber& b) { return !(a.value < b.value); }
+};
+
+}  // namespace axiscert
