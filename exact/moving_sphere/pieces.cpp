@@ -81,10 +81,8 @@ MotionPieces::MotionPieces(const MovingQuery<double>& q) : exponent(common_expon
   const auto at = [&](std::size_t i) -> const Vector& { return vertex[i % 3]; };
   // The gate X.N >= 0 of a point X that is seen to move by -D.
   const auto gate = [&](const Vector& x, const Vector& n) { return Gate{dot(x, n), -dot(d, n)}; };
-  // The gate (X x U).V of an edge U at X: whether the centre is on the inner side of the edge's plane.
-  const auto inner = [&](const Vector& x, const Vector& along) {
-    return Gate{dot(cross(x, along), normal), -dot(cross(d, along), normal)};
-  };
+  // The gates (X x U).V of edges U at X: whether the centre is on the inner side of the edge's plane.
+  std::vector<Gate> inner;
   const auto add = [&](Piece piece) {
     if (has_times(piece)) pieces.push_back(std::move(piece));
   };
@@ -97,7 +95,9 @@ MotionPieces::MotionPieces(const MovingQuery<double>& q) : exponent(common_expon
     const Vector along = b - a, n = cross(a, along), m = cross(d, along);
     const Integer e = dot(along, along);
     if (e == 0) continue;
-    const Gate from = gate(a, along), to = gate(b, along), in = inner(a, along);
+    const Gate from = gate(a, along), to = gate(b, along);
+    inner.push_back({dot(n, normal), -dot(m, normal)});
+    const Gate& in = inner.back();
     add({static_cast<Feature>(3 + i),
          {{-from.value, -from.slope}, to, {-in.value, -in.slope}},
          {},
@@ -109,9 +109,8 @@ MotionPieces::MotionPieces(const MovingQuery<double>& q) : exponent(common_expon
   }
   if (const Integer v = dot(normal, normal); v != 0) {
     const Integer offset = dot(at(0), normal), m = dot(d, normal);
-    Piece face{Feature::face, {}, {}, {}, m * m, offset * m, offset * offset, v};
-    for (std::size_t i = 0; i < 3; ++i) face.gates.push_back(inner(at(i), at(i + 1) - at(i)));
-    add(std::move(face));
+    // A triangle with area has three edges.
+    add({Feature::face, std::move(inner), {}, {}, m * m, offset * m, offset * offset, v});
   }
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& x, const Piece& y) { return x.first < y.first; });
 }

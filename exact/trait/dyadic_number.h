@@ -21,9 +21,15 @@ struct DyadicNumber {
     return q;
   }
 
-  friend DyadicNumber operator+(const DyadicNumber& a, const DyadicNumber& b) { return DyadicNumber(a.value + b.value); }
-  friend DyadicNumber operator-(const DyadicNumber& a, const DyadicNumber& b) { return DyadicNumber(a.value - b.value); }
-  friend DyadicNumber operator*(const DyadicNumber& a, const DyadicNumber& b) { return DyadicNumber(a.value * b.value); }
+  friend DyadicNumber operator+(const DyadicNumber& a, const DyadicNumber& b) {
+    return DyadicNumber(a.value + b.value);
+  }
+  friend DyadicNumber operator-(const DyadicNumber& a, const DyadicNumber& b) {
+    return DyadicNumber(a.value - b.value);
+  }
+  friend DyadicNumber operator*(const DyadicNumber& a, const DyadicNumber& b) {
+    return DyadicNumber(a.value * b.value);
+  }
   friend DyadicNumber magnitude(const DyadicNumber& a) {
     return DyadicNumber(a.value.sign() == CGAL::NEGATIVE ? -a.value : a.value);
   }

@@ -1,5 +1,5 @@
 // The contents of junit.xml and report.sarif.
-#include "reports/testing/test_run.h"
+#include "reports/testing/motion_run.h"
 
 #include <map>
 
@@ -148,6 +148,20 @@ TEST(Sarif, AResultACellThatIsNotZero) {
   EXPECT_EQ(levels["published/binary32/tangent/edge_ab.side_c.false_separation"], "note");
   EXPECT_EQ(levels["published/binary32/tangent/plane.radius.tolerance_failures"], "error");
   EXPECT_EQ(levels.count("published/binary32/lattice/verdict.false_contact"), 0u);
+}
+
+TEST(Sarif, ALateTimeIsAWarningAndAnEarlyOneANote) {
+  const TestFolder folder(motions(contacts(7, 0.5, 0)));
+  render_reports(folder.path());
+  std::map<std::string, Json> results;
+  const Json log = Json::parse(folder.read("report.sarif"));
+  for (const Json& result : log["runs"][0]["results"]) results[result["ruleId"]] = result;
+  ASSERT_TRUE(results.contains("late-time"));
+  EXPECT_EQ(results["late-time"]["level"], "warning");
+  EXPECT_EQ(results["early-time"]["level"], "note");
+  EXPECT_FALSE(results.contains("no-time") || results.contains("invalid-time"));
+  const std::string text = results["late-time"]["message"]["text"];
+  EXPECT_NE(text.find("7 of 900 contacts found"), std::string::npos) << text;
 }
 
 }  // namespace

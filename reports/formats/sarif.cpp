@@ -22,38 +22,53 @@
 namespace axiscert {
 namespace {
 
+// What a cell counts: verdicts, a comparison, or the times of a test of motions.
+enum class CountOf { verdict, comparison, time };
+
 struct Rule {
   const char *id, *member;  // `member`: the cell's member that the rule is about
-  bool of_verdict;
+  CountOf of;
   const char *level, *sentence;
 };
 
-// A wrong comparison under a right verdict is a note: no contact was lost by it.
+// A wrong comparison under a right verdict is a note, since it lost no contact; so is a time before the contact.
 constexpr Rule rules[] = {
-    {"missed-contact", "false_separation", true, "error", "The kernel says separated where there is contact."},
-    {"phantom-contact", "false_contact", true, "warning", "The kernel says contact where there is none."},
-    {"undecided", "undecided", true, "note", "The kernel declines to answer a valid query."},
-    {"invalid-answer", "invalid", true, "error", "The kernel calls a valid query invalid."},
-    {"no-answer", "unanswered", true, "error", "The kernel gave no answer to a valid query."},
-    {"false-separation", "false_separation", false, "note",
+    {"missed-contact", "false_separation", CountOf::verdict, "error",
+     "The kernel says separated where there is contact."},
+    {"phantom-contact", "false_contact", CountOf::verdict, "warning", "The kernel says contact where there is none."},
+    {"undecided", "undecided", CountOf::verdict, "note", "The kernel declines to answer a valid query."},
+    {"invalid-answer", "invalid", CountOf::verdict, "error", "The kernel calls a valid query invalid."},
+    {"no-answer", "unanswered", CountOf::verdict, "error", "The kernel gave no answer to a valid query."},
+    {"false-separation", "false_separation", CountOf::comparison, "note",
      "A comparison holds that does not hold in exact arithmetic, by the kernel's own formulae."},
-    {"missed-separation", "missed_separation", false, "note",
+    {"missed-separation", "missed_separation", CountOf::comparison, "note",
      "A comparison does not hold that holds in exact arithmetic, by the kernel's own formulae."},
-    {"tolerance", "tolerance_failures", false, "error", "A comparison's error is above the tolerance given for it."},
+    {"tolerance", "tolerance_failures", CountOf::comparison, "error",
+     "A comparison's error is above the tolerance given for it."},
+    {"late-time", "late", CountOf::time, "warning",
+     "The time is later than the first contact: what moves so far goes in."},
+    {"early-time", "early", CountOf::time, "note", "The time is earlier than the best number of the precision."},
+    {"no-time", "none", CountOf::time, "error", "A contact that is found has no time, though the kernel gives times."},
+    {"invalid-time", "invalid", CountOf::time, "error", "The time is not a number from 0 to 1."},
 };
 constexpr Rule ratchet_rule = {
-    "worse-than-accepted", "", false, "error",
+    "worse-than-accepted", "", CountOf::verdict, "error",
     "A figure is worse than the ratchet accepts, its waiver has expired, or it was not checked."};
-constexpr Rule unchecked_rule = {"requirement-not-checked", "", false, "error",
+constexpr Rule unchecked_rule = {"requirement-not-checked", "", CountOf::verdict, "error",
                                  "A level of --require was not checked, which does not pass."};
-constexpr Rule finding_rule = {"plug-in", "", false, "error", "A plug-in violated the rules for kernels."};
+constexpr Rule finding_rule = {"plug-in", "", CountOf::verdict, "error", "A plug-in violated the rules for kernels."};
+
+CountOf counted_in(const Cell& cell) {
+  if (cell.place == "verdict") return CountOf::verdict;
+  return cell.place == "time" ? CountOf::time : CountOf::comparison;
+}
 
 const Rule* rule_of(const Cell& cell) {
   if (cell.kind == Cell::Kind::finding) return &finding_rule;
   for (const Rule& rule : rules) {
-    if (cell.member == rule.member && rule.of_verdict == (cell.place == "verdict")) return &rule;
+    if (cell.member == rule.member && rule.of == counted_in(cell)) return &rule;
   }
-  return nullptr;  // a maximum, or a figure of first contacts: the latter are the ratchet's and the levels'
+  return nullptr;  // a maximum, a feature, or a tunnel: the ratchet's and the levels'
 }
 
 Json rule_json(const Rule& rule) {
@@ -85,8 +100,7 @@ class Log {
       driver["rules"].push_back(rule_json(*rule));
     Json results = Json::array();
     for (const Cell& cell : cells_) {
-      const Rule* rule = rule_of(cell);
-      if (rule != nullptr && !cell.is_zero()) results.push_back(result(cell, *rule));
+      if (const Rule* rule = rule_of(cell); rule && !cell.is_zero()) results.push_back(result(cell, *rule));
     }
     for (const Json& failure : held_.is_null() ? Json::array() : held_["failures"])
       results.push_back(ratchet_result(failure));
@@ -108,8 +122,9 @@ class Log {
     const auto witnesses = witnesses_of(record_, cell);
     const Json* const worst = deepest(witnesses);
     const std::string where = fmt::format("{} {} on {}, {}", cell.kernel, cell.precision, cell.family, cell.place);
-    std::string message = fmt::format("{}: {} of {} queries. {}", where, thousands(cell.count()),
-                                      thousands(cell.of.trials), rule.sentence);
+    const char* const among = rule.of == CountOf::time ? "contacts found" : "queries";
+    std::string message = fmt::format("{}: {} of {} {}. {}", where, thousands(cell.count()), thousands(cell.of.trials),
+                                      among, rule.sentence);
     if (cell.kind == Cell::Kind::finding) message = finding_message(cell);
     if (const std::string depths = depths_of(cell); !depths.empty())
       message += fmt::format(" By depth, of the scene: {}.", depths);
