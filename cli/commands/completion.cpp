@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.h"
+#include "cli/glossary.h"
 #include "cli/values.h"
 #include "fuzz/queries/family.h"
 #include "kernel/kernel.h"
@@ -23,6 +24,7 @@ struct CommandWords {
   std::string description;
   std::vector<OptionWords> options;
   std::vector<std::pair<std::string, std::string>> parts;  // the subcommands and what they do
+  std::vector<std::string> words;  // known words that may stand without an option; without any, it may be a file
 };
 
 std::vector<std::string> kernel_words() {
@@ -37,6 +39,17 @@ std::vector<std::string> kernel_words() {
 std::vector<std::string> family_words() {
   std::vector<std::string> words{"all"};
   for (const Family* family : families()) words.emplace_back(family->name);
+  return words;
+}
+
+// Those of the glossary that are one word.
+std::vector<std::string> explained_words() {
+  std::vector<std::string> words;
+  for (const GlossaryEntry& entry : glossary_entries(glossary_text())) {
+    for (const std::string& word : entry.words) {
+      if (word.find(' ') == word.npos) words.push_back(word);
+    }
+  }
   return words;
 }
 
@@ -56,14 +69,17 @@ OptionWords words_of(const CLI::Option& option) {
   const auto is_named = [&](std::string_view name) { return option.get_name() == name; };
   if (is_named("--kernel")) words.values = kernel_words();
   else if (is_named("--family")) words.values = family_words();
+  else if (is_named("WORD")) words.values = explained_words();
   else words.values = listed_values(option.get_type_name());
   return words;
 }
 
 void add_commands(const CLI::App& app, const std::vector<std::string>& path, std::vector<CommandWords>& all) {
-  CommandWords words{path, app.get_description(), {}, {}};
+  CommandWords words{path, app.get_description(), {}, {}, {}};
   for (const CLI::Option* option : app.get_options()) {
-    if (!option->get_group().empty() && option->nonpositional()) words.options.push_back(words_of(*option));
+    if (option->get_group().empty()) continue;
+    if (option->nonpositional()) words.options.push_back(words_of(*option));
+    else words.words = words_of(*option).values;
   }
   std::vector<const CLI::App*> parts;
   for (const CLI::App* part : app.get_subcommands({})) {
@@ -80,7 +96,7 @@ void add_commands(const CLI::App& app, const std::vector<std::string>& path, std
 }
 
 // 'TEXT' as a shell reads it; fish has the same form but for the quote inside.
-std::string quoted(std::string_view text) {
+std::string shell_quoted(std::string_view text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return out + "'";
@@ -93,17 +109,20 @@ std::string bash_script(const std::vector<CommandWords>& commands) {
     const std::string path = fmt::format("{}", fmt::join(command.path, " "));
     std::vector<std::string> words;
     for (const auto& [name, description] : command.parts) words.push_back(name);
+    words.insert(words.end(), command.words.begin(), command.words.end());
     for (const OptionWords& option : command.options) {
       words.insert(words.end(), option.names.begin(), option.names.end());
       if (!option.has_value) continue;
       for (const std::string& name : option.names) {
-        cases += fmt::format("    {}) echo {} ;;\n", quoted(path + " " + name),
-                             quoted(option.values.empty() ? "FILE" : fmt::format("{}", fmt::join(option.values, " "))));
+        cases += fmt::format(
+            "    {}) echo {} ;;\n", shell_quoted(path + " " + name),
+            shell_quoted(option.values.empty() ? "FILE" : fmt::format("{}", fmt::join(option.values, " "))));
       }
     }
-    cases += fmt::format("    {}) echo {} ;;\n", quoted(path), quoted(fmt::format("{}", fmt::join(words, " "))));
+    cases +=
+        fmt::format("    {}) echo {} ;;\n", shell_quoted(path), shell_quoted(fmt::format("{}", fmt::join(words, " "))));
   }
-  return fmt::format(R"(# bash completion for axiscert {}, from `axiscert completion bash`.
+  return fmt::format(R"sh(# bash completion for axiscert {}, from `axiscert completion bash`.
 # The words after a command, or the values of an option of it; FILE where any file is one.
 _axiscert_words() {{
   case $1 in
@@ -130,12 +149,12 @@ _axiscert() {{
   fi
 }}
 complete -F _axiscert axiscert
-)",
+)sh",
                      AXISCERT_VERSION, cases);
 }
 
 // A description in zsh's `name[description]:value:(values)`: brackets and colons end its parts.
-std::string plain(std::string text) {
+std::string zsh_plain(std::string text) {
   for (char& c : text) {
     if (c == '[' || c == ']' || c == ':' || c == '\n') c = ' ';
   }
@@ -154,19 +173,25 @@ std::string zsh_script(const std::vector<CommandWords>& commands) {
           for (std::size_t at = 0; (at = value.find("plugin:", at)) != value.npos; at += 8) value.insert(at + 6, "\\");
           for (std::size_t at = 0; (at = value.find("program:", at)) != value.npos; at += 9) value.insert(at + 7, "\\");
         }
-        arguments += fmt::format("    {} \\\n", quoted("*" + name + "[" + plain(option.description) + "]" + value));
+        arguments +=
+            fmt::format("    {} \\\n", shell_quoted("*" + name + "[" + zsh_plain(option.description) + "]" + value));
       }
     }
-    const std::string function = fmt::format("_axiscert{}{}", command.path.empty() ? "" : "_", fmt::join(command.path, "_"));
+    const std::string function =
+        fmt::format("_axiscert{}{}", command.path.empty() ? "" : "_", fmt::join(command.path, "_"));
     for (const auto& [name, description] : command.parts) {
-      parts += fmt::format("    {}\n", quoted(name + ":" + plain(description)));
+      parts += fmt::format("    {}\n", shell_quoted(name + ":" + zsh_plain(description)));
       cases += fmt::format("    {0}) {1}_{0} ;;\n", name, function);
     }
-    const std::string rest = parts.empty() ? "    '*:file:_files'\n" : "    '1:command:->command' '*::argument:->argument'\n";
+    const std::string rest = !parts.empty() ? "    '1:command:->command' '*::argument:->argument'\n"
+                             : command.words.empty()
+                                 ? "    '*:file:_files'\n"
+                                 : fmt::format("    '*:word:({})'\n", fmt::join(command.words, " "));
     functions += fmt::format("{}() {{\n  local state line\n  _arguments -C \\\n{}{}", function, arguments, rest);
     if (!parts.empty()) {
       functions += fmt::format(
-          "  local -a commands=(\n{}  )\n  case $state in\n    command) _describe command commands ;;\n    argument) case "
+          "  local -a commands=(\n{}  )\n  case $state in\n    command) _describe command commands ;;\n    argument) "
+          "case "
           "$line[1] in\n{}    esac ;;\n  esac\n",
           parts, cases);
     }
@@ -187,17 +212,27 @@ std::string fish_script(const std::vector<CommandWords>& commands) {
     for (const auto& [name, description] : command.parts) names.push_back(name);
     const std::string none = fmt::format("not __fish_seen_subcommand_from {}", fmt::join(names, " "));
     for (const auto& [name, description] : command.parts) {
-      lines += fmt::format("complete -c axiscert -f -n {} -a {} -d {}\n", quoted(seen + none), quoted(name), quoted(description));
+      lines += fmt::format("complete -c axiscert -f -n {} -a {} -d {}\n", shell_quoted(seen + none), shell_quoted(name),
+                           shell_quoted(description));
     }
-    std::string where = seen + (names.empty() ? "true" : none);
+    const std::string where = seen + (names.empty() ? "true" : none);
+    if (!command.words.empty()) {
+      lines += fmt::format("complete -c axiscert -f -n {} -a {}\n", shell_quoted(where),
+                           shell_quoted(fmt::format("{}", fmt::join(command.words, " "))));
+    }
     for (const OptionWords& option : command.options) {
-      std::string line = fmt::format("complete -c axiscert -n {}", quoted(where));
-      for (const std::string& name : option.names) line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-      if (option.has_value) line += option.values.empty() ? " -r" : fmt::format(" -x -a {}", quoted(fmt::format("{}", fmt::join(option.values, " "))));
-      lines += fmt::format("{} -d {}\n", line, quoted(option.description));
+      std::string line = fmt::format("complete -c axiscert -n {}", shell_quoted(where));
+      for (const std::string& name : option.names)
+        line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+      if (option.has_value)
+        line += option.values.empty()
+                    ? " -r"
+                    : fmt::format(" -x -a {}", shell_quoted(fmt::format("{}", fmt::join(option.values, " "))));
+      lines += fmt::format("{} -d {}\n", line, shell_quoted(option.description));
     }
   }
-  return fmt::format("# fish completion for axiscert {}, from `axiscert completion fish`.\n{}", AXISCERT_VERSION, lines);
+  return fmt::format("# fish completion for axiscert {}, from `axiscert completion fish`.\n{}", AXISCERT_VERSION,
+                     lines);
 }
 
 }  // namespace

@@ -124,7 +124,8 @@ std::string kernels_table(const Json& kernels) {
   text += "\n";
   for (std::size_t i = 0; std::getline(table, line); ++i) text += coloured(line, colours[i]) + "\n";
   if (has_depth)
-    text += "  deepest: the distance of the worst one from being right, as a share of the scene (axiscert explain depth)\n";
+    text +=
+        "  deepest: the distance of the worst one from being right, as a share of the scene (axiscert explain depth)\n";
   return text;
 }
 

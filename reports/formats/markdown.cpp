@@ -180,8 +180,10 @@ class MarkdownReport {
   std::string asymmetries() const {
     Section section("Asymmetry");
     section.line(
-        "An image of a query has the same exact answer: it is the query with its vertices reordered, its axes exchanged, its "
-        "unit of length changed or the like. Counted are the images that the kernel answered otherwise than the query.\n");
+        "An image of a query has the same exact answer: it is the query with its vertices reordered, its axes "
+        "exchanged, its "
+        "unit of length changed or the like. Counted are the images that the kernel answered otherwise than the "
+        "query.\n");
     bool any = false;
     section.head({"kernel", "precision", "family", "first image with another verdict", "images", "other verdicts",
                   "other comparisons"},

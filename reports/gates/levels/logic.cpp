@@ -153,7 +153,8 @@ LevelFindings logic_findings(const Subject& subject) {
   return found;
 }
 
-extern const GateLevel logic_level = {"logic", "no wrong verdict but by rounding or range: the method is right, and so is the code", no_argument,
-                                      logic_sentence, judge_logic};
+extern const GateLevel logic_level = {
+    "logic", "no wrong verdict but by rounding or range: the method is right, and so is the code", no_argument,
+    logic_sentence, judge_logic};
 
 }  // namespace axiscert
