@@ -3,7 +3,7 @@
 
     blocks.py [ROOT]     prints each with what holds it; exits 1 where one is held by nothing
 
-A block is a fence (```) or a table of figures: one with a column of numbers. What may hold it:
+A block is a fence (```), lines that are indented like one, a table of figures (one with a column of numbers) or a picture. What may hold it:
 
 - docs/figures.py, which runs the command of `<!-- $ axiscert ... -->`, `<!-- table N of: $ axiscert ... -->`, where a test gives it the page
 - docs/readme_test.py, which makes the table between `<!-- table: NAME -->` and `<!-- end -->`
@@ -11,6 +11,7 @@ A block is a fence (```) or a table of figures: one with a column of numbers. Wh
   compares what it prints; there the fence after `<!-- file: NAME -->` is a file
 - the test named in `<!-- held by PATH -->` before it, which has to exist and to name the page
 - kernel/peers/npm/upstream_test.py, for the programs of docs/upstream
+- of a picture, a script or test that names its file (docs/checks/picture.py), or a page of a session that compares it
 
 A fence in a language (```c) is source, and no output. A fence of commands alone prints nothing; sessions_test.py asks whether each option in
 it exists. docs/checks/unheld.txt lists what none can hold, each with its reason; a line there that matches no block is an error too.
@@ -35,7 +36,7 @@ NUMBER = re.compile(r"^[-~<>=|]*\s*\d[\d.,]*(e[-+]?\d+)?(?=$|[\s%^(/;:.])")
 class Block:
     file: str      # from the root
     line: int      # of its first line, from 1
-    kind: str      # "fence" or "table"
+    kind: str      # "fence", "indented", "table" or "picture"
     language: str  # of a fence; empty where none is named
     marker: str    # the comment before it, without <!-- -->; empty where there is none
     lines: list
@@ -56,7 +57,7 @@ def is_of_figures(rows):
 
 def blocks_of(file, text):
     """Every fence and table of figures in the text of a page."""
-    found, marker, inside = [], "", ""
+    found, marker, inside, in_list = [], "", "", False
     lines = text.split("\n")
     at = 0
     while at < len(lines):
@@ -71,6 +72,12 @@ def blocks_of(file, text):
             if is_of_figures(lines[at + 2:end]):
                 found.append(Block(file, at + 1, "table", "", marker or inside, lines[at:end]))
             at = end - 1
+        elif line.startswith("    ") and (at == 0 or not lines[at - 1].strip() or lines[at - 1].startswith("#")) and not in_list:
+            end = next(i for i in range(at, len(lines)) if not lines[i].startswith("    "))
+            found.append(Block(file, at + 1, "indented", "", marker, [part[4:] for part in lines[at:end]]))
+            at = end - 1
+        elif line.startswith("!["):
+            found.append(Block(file, at + 1, "picture", "", marker or inside, [line]))
         elif comment and comment[1] != "end" and not comment[1].startswith("session"):
             marker = comment[1]
             inside = marker if re.match(r"table: |\$ |(table|plot) \d", marker) else ""
@@ -80,14 +87,36 @@ def blocks_of(file, text):
             inside = ""
         if line.strip():
             marker = ""
+            in_list = line.startswith(("- ", "* ", "  ")) or re.match(r"\d+\. ", line) is not None
         at += 1
     return found
+
+
+def whole_lines(lines):
+    """The lines, each with what follows it after a backslash."""
+    return re.sub(r"\\\n\s*", "", "\n".join(lines)).split("\n")
+
+
+def holder_of_picture(block, text, root, calls):
+    """As holder, of a picture."""
+    name = re.search(r"\((?:\S*/)?([^/\s]+)\)", block.lines[0])[1]
+    if "$ axiscert" in block.marker:
+        return FIGURES if re.search(rf"figures.*/{re.escape(block.file)}\b", calls) else ""
+    if SESSION.search(text) and re.search(rf"^\$ cmp .*/{re.escape(name)}$", text, re.M):
+        return SESSIONS
+    # The picture of a walk is named after its mesh.
+    words = (name, 'f"walk-') if name.startswith("walk-") else (name,)
+    scripts = [path for path in (*root.glob("docs/checks/*.py"), *root.glob("examples/**/*_test.py"))
+               if not path.name.startswith("blocks") and any(word in path.read_text() for word in words)]
+    return scripts[0].relative_to(root).as_posix() if scripts else ""
 
 
 def holder(block, text, root, calls):
     """What holds the block, or nothing; `calls` is the text of the lists of tests."""
     if block.language in LANGUAGES:
         return "source"
+    if block.kind == "picture":
+        return holder_of_picture(block, text, root, calls)
     page = block.file.removeprefix("docs/")
     if re.match(r"((table|plot) \d+ of: )?\$ axiscert ", block.marker):
         return FIGURES if re.search(rf"figures.*/docs/{re.escape(page)}\b", calls) else ""
@@ -105,7 +134,7 @@ def holder(block, text, root, calls):
     if block.file.startswith("docs/upstream/") and block.kind == "fence" and re.search(
             r"\n```\n\nIt prints\n\n```\n" + re.escape("\n".join(block.lines)) + "\n```\n", text):
         return UPSTREAM
-    if block.kind == "fence" and all(COMMAND.match(line) for line in block.lines if line.strip()):
+    if block.kind in ("fence", "indented") and all(COMMAND.match(line) for line in whole_lines(block.lines) if line.strip()):
         return SESSIONS + ", options"
     return ""
 

@@ -164,10 +164,10 @@ def written(text, page, build, models):
 
 def commands_in(text):
     """Every `axiscert ...` of a page: in fences, in code within lines and in indented lines."""
-    fences = [line for block in blocks.blocks_of("", text) if not block.language for line in block.lines]
+    fences = [line for block in blocks.blocks_of("", text) if not block.language for line in blocks.whole_lines(block.lines)]
     spans = [span.replace("\n", " ") for span in re.findall(r"(?<!`)`([^`]+)`(?!`)", re.sub(r"^```.*?^```", "", text, flags=re.S | re.M))]
     return [found for line in [*fences, *spans] if "git clone" not in line
-            for found in re.findall(r"(?:^|[\s/|])axiscert ([a-z][a-z-]*(?: [^|#>]*)?)", line)]
+            for found in re.findall(r"(?:^|[|(;&] *|\$ )(?:mpirun [^|]*?|[^\s|]*/)?axiscert ([a-z][a-z-]*(?: [^|#>]*)?)", line.strip())]
 
 
 def unknown_options(command, options):
@@ -206,6 +206,21 @@ class Options(unittest.TestCase):
         for command, word in (("run --kernle x", "--kernle"), ("check q.jsonl --errorz", "--errorz"), ("rnu --kernel x", "rnu")):
             (found,) = unknown_options(command, self.options)
             self.assertEqual(found if isinstance(found, str) else found[0], word)
+
+
+class Figures(unittest.TestCase):
+    def test_a_planted_stale_number_is_seen(self):
+        command = [sys.executable, ROOT / "docs/figures.py", "--check", BUILD / "axiscert"]
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(folder) / "page.md"
+            page.write_text("<!-- table 0 of: $ axiscert condition --trials 64 --family tangent -->\n<!-- end -->\n")
+            subprocess.run([word for word in command if word != "--check"] + [page], check=True)
+            self.assertEqual(subprocess.run([*command, page]).returncode, 0)
+            number = re.search(r"published +tangent +(\d+)", page.read_text())[1]
+            page.write_text(page.read_text().replace(f" {number} ", f" {int(number) + 1} ", 1))
+            done = subprocess.run([*command, page], text=True, capture_output=True)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("out of date", done.stderr)
 
 
 class Sessions(unittest.TestCase):
