@@ -208,6 +208,23 @@ class Options(unittest.TestCase):
             self.assertEqual(found if isinstance(found, str) else found[0], word)
 
 
+class Workflow(unittest.TestCase):
+    def test_it_installs_the_libraries_that_the_program_is_linked_with(self):
+        """docs/ci.md, where the build comes from a cache."""
+        installed = set(re.search(r"apt-get install -y.*?\n +- uses", (ROOT / "docs/ci.md").read_text(), re.S)[0].split())
+        present = {"libc6", "zlib1g", "libgcc-s1", "libstdc++6"}  # of debian:12, and of its gcc
+        linked = subprocess.run(["ldd", BUILD / "axiscert"], text=True, capture_output=True, check=True).stdout
+        needed = subprocess.run(["readelf", "-d", BUILD / "axiscert"], text=True, capture_output=True, check=True).stdout
+        packages = set()
+        for name in re.findall(r"\(NEEDED\).*\[(.*)\]", needed):
+            path = Path(re.search(rf"^\s*{re.escape(name)} => (\S+)", linked, re.M)[1]).resolve()
+            owner = subprocess.run(["dpkg", "-S", path], text=True, capture_output=True)
+            # A merged /usr: the package may say /lib.
+            owner = owner if owner.returncode == 0 else subprocess.run(["dpkg", "-S", str(path).removeprefix("/usr")], text=True, capture_output=True, check=True)
+            packages.add(owner.stdout.split(":")[0])
+        self.assertEqual(packages - present - installed, set())
+
+
 class Figures(unittest.TestCase):
     def test_a_planted_stale_number_is_seen(self):
         command = [sys.executable, ROOT / "docs/figures.py", "--check", BUILD / "axiscert"]
