@@ -44,6 +44,7 @@ void add_generate(CLI::App& app, Action& action);
 void add_judge(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_explain(CLI::App& app, Action& action);
+void add_completion(CLI::App& app, Action& action);
 void add_man(CLI::App& app, Action& action);
 
 // Prints on standard error what an action threw, and returns its ExitCode.

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <vector>
+
 #include "cli/commands.h"
 #include "cli/usage.h"
 #include "fuzz/files/query_file.h"
@@ -15,7 +17,7 @@ int main(int argc, char** argv) {
   }
   CLI::App app{
       "Runs sphere-triangle kernels together with exact arithmetic and reports where, how far and how often they are "
-      "wrong."};
+      "wrong. `axiscert explain WORD` says what a word of its output means."};
   app.set_version_flag("--version", "axiscert " AXISCERT_VERSION);
   app.require_subcommand(1);
   app.footer(
@@ -23,14 +25,26 @@ int main(int argc, char** argv) {
       "3 the oracles disagree, or the harness found a fault in itself; 130 interrupted.");
   set_query_notes([](const std::string& note) { fmt::print(stderr, "axiscert: {}\n", note); });
   Action action;
-  for (const auto add : {
-           add_run,    add_plan,      add_merge,     add_check,           add_shrink, add_corpus,
-           add_query,  add_kernels,   add_tests,     add_families,        add_report, add_compare,
-           add_ladder, add_precision, add_condition, add_critical_radius, add_league, add_search,
-           add_map,    add_mutate,    add_prove,     add_generate,        add_judge,  add_explain,
-           add_man,
-       })
-    add(app, action);
+  // Each subcommand, under what its user wants; `man` stays hidden.
+  struct Purpose {
+    const char* name;
+    std::vector<void (*)(CLI::App&, Action&)> adders;
+  };
+  for (const Purpose& purpose : {
+           Purpose{"Judge a kernel",
+                   {add_run, add_check, add_report, add_shrink, add_search, add_map, add_generate, add_judge}},
+           Purpose{"Use the right one", {add_league, add_kernels, add_tests}},
+           Purpose{"Keep it right in CI", {add_compare, add_corpus, add_plan, add_merge}},
+           Purpose{"Study precision",
+                   {add_ladder, add_precision, add_condition, add_critical_radius, add_mutate, add_prove}},
+           Purpose{"Look up", {add_explain, add_families, add_query, add_completion}},
+       }) {
+    for (const auto add : purpose.adders) {
+      add(app, action);
+      app.get_subcommands({}).back()->group(purpose.name);
+    }
+  }
+  add_man(app, action);
   try {
     app.parse(argc, argv);
     require_values(app);

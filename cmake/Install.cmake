@@ -34,6 +34,7 @@ install(DIRECTORY kernel/peers/npm/engines DESTINATION ${programs_folder} FILES_
 install(DIRECTORY fuzz/corpus DESTINATION share/axiscert FILES_MATCHING PATTERN "*.jsonl")
 
 install(FILES ${PROJECT_BINARY_DIR}/axiscert.1 DESTINATION share/man/man1)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/completion/share DESTINATION .)
 
 # For plug-ins: one header, and find_package(axiscert).
 add_library(axiscert_plugin INTERFACE)

@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
-"""The figures of README.md are those of the run that it shows.
+"""The tables of README.md and docs/ that are made of a run's record: each is between `<!-- table: NAME -->` and `<!-- end -->`.
 
-    readme_test.py AXISCERT MODELS           runs it, and fails where README says otherwise
-    readme_test.py AXISCERT MODELS --write   puts the run's figures in their places
+    readme_test.py AXISCERT MODELS quick|long     makes them and fails where a page says otherwise
+    readme_test.py AXISCERT MODELS --write [NAME...]    puts what the commands give now into the pages
+
+The commands are those that stand with the tables, and here in the function of each. The rows of a table are those that the page has.
 """
+import json
 import re
 import subprocess
 import sys
@@ -11,53 +14,204 @@ import tempfile
 import unittest
 from pathlib import Path
 
-README = Path(__file__).resolve().parents[1] / "README.md"
-SUMMARY = re.compile(r"(?<=```\n)  kernel +precision +queries .*?(?=```\n)", re.S)
-TABLE = re.compile(r"(?<=\| kernel \| family \| trials \| false_separation \| deepest \| false_contact \| deepest \| broken links \|\n"
-                   r"\|---\|---\|---:\|---:\|---:\|---:\|---:\|---\|\n)(?:\|.*\n)+")
+ROOT = Path(__file__).resolve().parents[1]
 MESHES = ("OBJ/spider.obj", "PLY/Wuson.ply", "STL/sphereWithHole.stl")
 
 
-def main_job(axiscert, models):
-    """The summary of `./dev run`, and the rows of its report for binary32 by kernel and family."""
-    with tempfile.TemporaryDirectory() as folder:
-        meshes = [word for mesh in MESHES for word in ("--mesh", Path(models) / mesh)]
-        done = subprocess.run([axiscert, "run", "--kernel", "published", "--kernel", "nonstrict", "--family", "all", *meshes, "--out",
-                               folder], text=True, capture_output=True, check=True)
-        report = (Path(folder) / "report.md").read_text()
-    summary = "".join(done.stdout.splitlines(keepends=True)[:5])
-    rows = {}
+class Commands:
+    """Runs each command once."""
+
+    def __init__(self, axiscert, models):
+        self.axiscert, self.models, self.done = axiscert, models, {}
+
+    def run(self, *words):
+        """What `axiscert run WORDS` prints, its record and its report.md."""
+        if words not in self.done:
+            with tempfile.TemporaryDirectory() as folder:
+                text = self.text("run", *words, "--out", folder)
+                self.done[words] = (text, json.loads((Path(folder) / "record.json").read_text()), (Path(folder) / "report.md").read_text())
+        return self.done[words]
+
+    def text(self, *words):
+        return subprocess.run([self.axiscert, *map(str, words)], text=True, capture_output=True, check=True).stdout
+
+
+def thousands(number):
+    return f"{number:,}"
+
+
+def options(name, values):
+    return [word for value in values for word in (name, value)]
+
+
+def cells_of(line):
+    return [cell.strip() for cell in line.strip().strip("|").split("|")]
+
+
+def row_of(cells):
+    return "| " + " | ".join(cells) + " |\n"
+
+
+# ---- README.md
+
+FRONT_KERNELS = {"published": "the published test", "peer/bullet": "Bullet 3.24", "peer/ode": "ODE 0.16.2", "reduced-nonstrict": "`reduced-nonstrict`",
+                 "certified": "**libaxiscert**"}
+FRONT_FAMILIES = {"scene-walk": "a character rests on a floor, in metres", "far": "far from the origin", "sliver": "thin triangles",
+                  "repeated": "triangles with two equal vertices"}
+
+
+def front(commands, old):
+    _, record, _ = commands.run(*options("--kernel", FRONT_KERNELS), "--precision", "binary32", "--trials", "65536",
+                                *options("--family", FRONT_FAMILIES))
+    lines = row_of(["", *FRONT_FAMILIES.values(), "deepest miss"]) + "|---|" + "---:|" * (len(FRONT_FAMILIES) + 1) + "\n"
+    for kernel in record["kernels"]:
+        verdicts = [kernel["families"][family]["verdict"] for family in FRONT_FAMILIES]
+        deepest = max(verdict["deepest_false_separation"] for verdict in verdicts)
+        lines += row_of([FRONT_KERNELS[kernel["id"]],
+                         *(f"{thousands(v['false_separation'])} / {thousands(v['false_contact'])}" for v in verdicts), f"{deepest:.2g}"])
+    return lines
+
+
+# ---- docs/main-job.md
+
+def main_job_run(commands):
+    return commands.run("--kernel", "published", "--kernel", "nonstrict", "--family", "all",
+                        *options("--mesh", (str(Path(commands.models) / mesh) for mesh in MESHES)))
+
+
+def main_job(commands, old):
+    return "```\n$ ./dev run\n" + "".join(main_job_run(commands)[0].splitlines(keepends=True)[:5]) + "```\n"
+
+
+def main_job_rows(commands, old):
+    report, rows = main_job_run(commands)[2], {}
     head = "| kernel | precision | family | broken links | trials |"
     for line in report[report.index(head):].split("\n\n", 1)[0].splitlines()[2:]:
-        kernel, precision, family, links, trials, _, _, _, _, missed, deepest, phantom, deepest_phantom, *_ = (
-            cell.strip() for cell in line.strip("|").split("|"))
+        kernel, precision, family, links, trials, _, _, _, _, missed, deepest, phantom, deepest_phantom, *_ = cells_of(line)
         if precision == "binary32":
             rows[kernel, family] = (trials, missed, deepest, phantom, deepest_phantom, links)
-    return summary, rows
+    lines = old.splitlines(keepends=True)
+    return "".join(lines[:2]) + "".join(row_of([*cells_of(line)[:2], *rows[tuple(cells_of(line)[:2])]]) for line in lines[2:])
 
 
-def with_figures(text, summary, rows):
+# ---- docs/proofs.md
+
+def declined(commands, old):
+    _, record, _ = commands.run("--kernel", "certified-filter", "--kernel", "certified-filter-published", "--family", "all", "--trials", "65536")
+
+    def share(family, precision, kernel):
+        (entry,) = [k for k in record["kernels"] if (k["id"], k["precision"]) == (kernel, precision)]
+        verdict, trials = entry["families"][family]["verdict"], entry["families"][family]["trials"]
+        assert verdict["false_separation"] + verdict["false_contact"] == 0, f"{kernel} is wrong on {family}"
+        undecided = verdict["undecided"]
+        percent = f"{100 * undecided / trials:.3g}"
+        return "0" if undecided == 0 else "> 99.9 %" if percent == "100" and undecided < trials else f"{percent} %"
+
+    lines = old.splitlines(keepends=True)
+    return "".join(lines[:2]) + "".join(
+        row_of([family, *(share(family, precision, kernel) for precision in ("binary32", "binary64")
+                          for kernel in ("certified-filter", "certified-filter-published"))])
+        for family in (cells_of(line)[0] for line in lines[2:]))
+
+
+# ---- docs/search.md and docs/corpus.md
+
+def shrunk(commands, old):
     def row(line):
-        kernel, family = (cell.strip() for cell in line.strip("|").split("|")[:2])
-        return " | ".join(("| " + kernel, family, *rows[kernel, family])) + " |"
+        address = cells_of(line)[0]
+        shown = commands.text("shrink", address)
+        (bits, depth), (less, deeper) = [re.search(rf"\n  {when} +(\d+) bits in +\d+ numbers, (\S+) of the scene", shown).groups()
+                                         for when in ("before", "after")]
+        return row_of([address, f"{bits} to {less}", f"{float(depth):.3g} to {float(deeper):.3g}"])
 
-    text = SUMMARY.sub(lambda _: summary, text, count=1)
-    return TABLE.sub(lambda table: "".join(row(line) + "\n" for line in table[0].splitlines()), text, count=1)
+    lines = old.splitlines(keepends=True)
+    return "".join(lines[:2]) + "".join(row(line) for line in lines[2:])
+
+
+# ---- docs/moving.md
+
+SWEEPS = ("general huge_d", "graze touch_end touch_start seam_time overlap_ulp", "slide skim along_edge", "approach", "tiny_d zero_d",
+          "line_sweep repeated_sweep", "point", "lattice")
+
+
+def sweeps(commands, old):
+    """Rows of engines from npm stay where the engine is not installed."""
+    known = commands.text("kernels", "--test", "moving-sphere")
+
+    def row(line):
+        name = cells_of(line)[0].strip("`")
+        kernel = name if name.startswith("moving-sphere/") else "moving-sphere/peer/" + name
+        if not re.search(rf"^{re.escape(kernel)} +(?!NOT)", known, re.M):
+            return line
+        record = commands.run("--test", "moving-sphere", "--precision", "binary32", "--trials", "1000", "--kernel", kernel)[1]
+        families = {family.split("/")[-1]: result["verdict"] for family, result in record["kernels"][0]["families"].items()}
+
+        def cell(group):
+            missed, phantom, declined = (sum(families[family][member] for family in group.split())
+                                         for member in ("false_separation", "false_contact", "undecided"))
+            return f"{missed:,} / {phantom:,}" + (f" / {declined:,}" if declined else "")
+
+        return row_of([cells_of(line)[0], *map(cell, SWEEPS)])
+
+    lines = old.splitlines(keepends=True)
+    return "".join(lines[:2]) + "".join(row(line) for line in lines[2:])
+
+
+# The page, the function and whether a test that makes it again takes long.
+TABLES = {
+    "front": ("README.md", front, "quick"),
+    "main-job": ("docs/main-job.md", main_job, "long"),
+    "main-job-rows": ("docs/main-job.md", main_job_rows, "long"),
+    "declined": ("docs/proofs.md", declined, "quick"),
+    "sweeps": ("docs/moving.md", sweeps, "long"),
+    "shrunk": ("docs/corpus.md", shrunk, "quick"),
+}
+
+
+def place(name):
+    return re.compile(rf"(?<=<!-- table: {name} -->\n).*?(?=<!-- end -->\n)", re.S)
+
+
+def made_again(name, text, commands):
+    """The page with the table as its command gives it now."""
+    (old,) = place(name).findall(text)
+    return place(name).sub(lambda _: TABLES[name][1](commands, old), text)
+
+
+def stale_lines(name, text, commands):
+    return [line for line in made_again(name, text, commands).splitlines() if line not in text.splitlines()]
+
+
+class Tables(unittest.TestCase):
+    def test_each_is_what_its_command_gives(self):
+        commands = Commands(*ARGUMENTS)
+        for name, (page, _, which) in TABLES.items():
+            if which == WHICH:
+                with self.subTest(name):
+                    stale = stale_lines(name, (ROOT / page).read_text(), commands)
+                    self.assertEqual(stale, [], f"{page} is stale: docs/readme_test.py AXISCERT MODELS --write {name} puts these lines there")
+
+    def test_a_planted_stale_number_is_seen(self):
+        name = "declined"
+        text = (ROOT / TABLES[name][0]).read_text()
+        (table,) = place(name).findall(text)
+        number = re.search(r"\d[\d,.]+(?= |$)", table.splitlines()[2])[0]
+        planted = text.replace(table, table.replace(number, number[:-1] + str((int(number[-1]) + 1) % 10), 1))
+        self.assertEqual(len(stale_lines(name, planted, Commands(*ARGUMENTS))), 1)
 
 
 class Readme(unittest.TestCase):
-    def test_its_figures_are_those_of_the_run(self):
-        text = README.read_text()
-        self.assertEqual((len(SUMMARY.findall(text)), len(TABLE.findall(text))), (1, 1), "the places of the figures")
-        new = with_figures(text, *main_job(*ARGUMENTS))
-        stale = [line for line in new.splitlines() if line not in text.splitlines()]
-        self.assertEqual(stale, [], "README.md is stale: docs/readme_test.py AXISCERT MODELS --write puts these lines there")
+    def test_it_is_one_page(self):
+        self.assertLessEqual(len((ROOT / "README.md").read_text().splitlines()), 120)
 
 
 if __name__ == "__main__":
-    write = "--write" in sys.argv
     ARGUMENTS = [sys.argv.pop(1), sys.argv.pop(1)]
-    if write:
-        README.write_text(with_figures(README.read_text(), *main_job(*ARGUMENTS)))
+    WHICH = sys.argv.pop(1)
+    if WHICH == "--write":
+        commands = Commands(*ARGUMENTS)
+        for name in sys.argv[1:] or TABLES:
+            path = ROOT / TABLES[name][0]
+            path.write_text(made_again(name, path.read_text(), commands))
     else:
         unittest.main()

@@ -87,7 +87,7 @@ std::string kernels_table(const Json& kernels) {
       "phantom contacts", "deepest",   "no answer", "outside its limits", "wrong there"};
   std::vector<std::vector<std::string>> rows;
   std::vector<TextColour> colours;
-  bool has_extra = false;
+  bool has_extra = false, has_depth = false;
   for (const Json& kernel : kernels) {
     std::uint64_t trials = 0, missed = 0, phantom = 0, unanswered = 0, outside = 0, outside_wrong = 0;
     double deepest_missed = 0, deepest_phantom = 0;
@@ -105,6 +105,7 @@ std::string kernels_table(const Json& kernels) {
       deepest_phantom = std::max(deepest_phantom, verdict["deepest_false_contact"].get<double>());
     }
     has_extra |= unanswered + outside != 0;
+    has_depth |= deepest_missed != 0 || deepest_phantom != 0;
     rows.push_back({kernel["id"], kernel["precision"], thousands(trials), thousands(missed), amount(deepest_missed, 3),
                     thousands(phantom), amount(deepest_phantom, 3), thousands(unanswered), thousands(outside),
                     thousands(outside_wrong)});
@@ -122,6 +123,9 @@ std::string kernels_table(const Json& kernels) {
   std::getline(table, text);
   text += "\n";
   for (std::size_t i = 0; std::getline(table, line); ++i) text += coloured(line, colours[i]) + "\n";
+  if (has_depth)
+    text +=
+        "  deepest: the distance of the worst one from being right, as a share of the scene (axiscert explain depth)\n";
   return text;
 }
 

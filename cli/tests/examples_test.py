@@ -159,8 +159,8 @@ class Examples(unittest.TestCase):
             fused[name] = "vfmadd" in done("objdump", "-d", self.built(source))
         self.assertEqual(fused, {"off": False, "fast": True})
 
-    def test_the_readme_shows_the_one_query_example(self):
-        blocks = re.findall(r"```c\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+    def test_the_page_shows_the_one_query_example(self):
+        blocks = re.findall(r"```c\n(.*?)```", (ROOT / "docs/plugins.md").read_text(), re.DOTALL)
         self.assertIn((EXAMPLES / "c" / "my_kernel.c").read_text(), blocks)
 
 

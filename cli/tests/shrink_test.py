@@ -61,10 +61,10 @@ class Shrink(Case):
         limited = axiscert("shrink", "-", "--evaluations", 2, stdin=json.dumps(PHANTOM))
         self.assertIn("--evaluations", limited.stdout)
 
-    def test_readme_says_what_it_prints(self):
+    def test_the_page_says_what_it_prints(self):
         address, before, after = re.search(
             r"`axiscert shrink (\S+)` makes a missed contact with (\d+) significant bits one with (\d+)\.",
-            (ROOT / "README.md").read_text()).groups()
+            (ROOT / "docs/queries.md").read_text()).groups()
         shown = axiscert("shrink", address).stdout
         self.assertIn("false_separation", shown.splitlines()[0])
         self.assertRegex(shown, rf"\n  before +{before} bits in")

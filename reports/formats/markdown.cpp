@@ -121,7 +121,8 @@ class MarkdownReport {
                                kernel["precision"].get<std::string>(), touching_text(kernel), limits_text(kernel)));
     }
     section.line(
-        "\nDepth is a share of the scene: |d - r| / max(|A-P|, |B-P|, |C-P|, r). A limit for zero failures holds for "
+        "\nDepth, how far a wrong verdict is from being right, is a share of the scene: |d - r| / max(|A-P|, |B-P|, "
+        "|C-P|, r); `axiscert explain WORD` says what any word here means. A limit for zero failures holds for "
         "this generator only. What a broken link of a wrong verdict means:\n");
     for (std::size_t i = 0; i < link_count; ++i) section.line(fmt::format("- {}: {}", link_names[i], link_meanings[i]));
     return section.text();
@@ -180,8 +181,10 @@ class MarkdownReport {
   std::string asymmetries() const {
     Section section("Asymmetry");
     section.line(
-        "Exact images of a query to which the kernel gave another answer than to the query; no exact answer "
-        "differs.\n");
+        "An image of a query has the same exact answer: it is the query with its vertices reordered, its axes "
+        "exchanged, its "
+        "unit of length changed or the like. Counted are the images that the kernel answered otherwise than the "
+        "query.\n");
     bool any = false;
     section.head({"kernel", "precision", "family", "first image with another verdict", "images", "other verdicts",
                   "other comparisons"},

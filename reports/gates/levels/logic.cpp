@@ -1,4 +1,4 @@
-// logic: no wrong verdict by specification or implementation.
+// logic: the formulae are right and the code computes them, so that only rounding or range makes a verdict wrong.
 #include "reports/gates/levels/logic.h"
 
 #include <fmt/format.h>
@@ -100,10 +100,10 @@ void find_logic_failures(const Subject& subject, const std::string& family, cons
 }
 
 std::string logic_sentence(const AskedLevel&) {
-  return "no wrong verdict with a broken specification or implementation link; for a kernel that claims no formulae, "
-         "or "
-         "evaluates them in its own way: none in exact arithmetic that its formulae do not give, touching spheres not "
-         "counted, and none that changes with the unit of length";
+  return "no wrong verdict but by rounding or range: neither the formulae are wrong (specification) nor the code that "
+         "computes them (implementation); for a kernel that claims no formulae, or evaluates them in its own way: none "
+         "where nothing is rounded that its formulae do not give, touching spheres not counted, and none that changes "
+         "with the unit of length";
 }
 
 LevelFindings judge_logic(const AskedLevel&, const Subject& subject) { return logic_findings(subject); }
@@ -153,7 +153,8 @@ LevelFindings logic_findings(const Subject& subject) {
   return found;
 }
 
-extern const GateLevel logic_level = {"logic", "no wrong verdict by specification or implementation", no_argument,
-                                      logic_sentence, judge_logic};
+extern const GateLevel logic_level = {
+    "logic", "no wrong verdict but by rounding or range: the method is right, and so is the code", no_argument,
+    logic_sentence, judge_logic};
 
 }  // namespace axiscert

@@ -44,6 +44,7 @@ LevelFindings judge_range(const AskedLevel&, const Subject& subject) {
 
 }  // namespace
 
-extern const GateLevel range_level = {"range", "nor by range", no_argument, range_sentence, judge_range};
+extern const GateLevel range_level = {"range", "no wrong verdict but by rounding", no_argument, range_sentence,
+                                      judge_range};
 
 }  // namespace axiscert

@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""Tables of docs/ whose figures are committed elsewhere, where a proof, a test or a lock file holds them, say the same here as there.
+
+    docs/league.md    versions of the engines: kernel/peers/npm/package.json
+    docs/proofs.md    bounds and thresholds: proofs/coq/Thresholds.v, kernel/sphere_triangle/certified_filter/thresholds.h
+    docs/bounds.md    bounds: proofs/bounds.cpp, which Gappa proves; errors attained: proofs/attained.h, and this those of docs/search.md
+    docs/moving.md    strict sides that are wrong: exact/moving_sphere/twenty_axes_test.cpp
+"""
+import json
+import math
+import re
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def text_of(path):
+    return (ROOT / path).read_text()
+
+
+def table(page, head):
+    """The rows of the table whose head begins so: lists of cells without ` and *."""
+    lines = text_of(page).splitlines()
+    (at,) = [i for i, line in enumerate(lines) if line.startswith(head)]
+    rows = []
+    for line in lines[at + 2:]:
+        if not line.startswith("|"):
+            return rows
+        rows.append([cell.strip(" `*") for cell in line.strip("|").split("|")])
+
+
+def numbers(text):
+    return [int(word) for word in re.findall(r"\d+", text)]
+
+
+def up(value, parts):
+    """value / parts, rounded up to a tenth, as text: a bound may not be shown less than it is."""
+    tenths = -(-value * 10 // parts)
+    return f"{tenths // 10:,}.{tenths % 10}" if tenths % 10 else f"{tenths // 10:,}"
+
+
+def thresholds_rows():
+    """The rows of docs/proofs.md, from the theory: bounds in u / 1024, thresholds as the filter has them."""
+    theory = text_of("proofs/coq/Thresholds.v")
+
+    def errors(name):
+        plain, fused = re.search(rf"Theorem {name} :.*?\[(.*?)\].*?\[(.*?)\]", theory, re.S).groups()
+        return [list(map(int, re.findall(r"Some \((\d+), ", part))) for part in (plain, fused)]
+
+    published, reduced = errors("published_errors"), errors("reduced_errors")
+    kinds = [("plane radius", published, 0), ("vertex radius", published, 1), ("vertex side", published, 2), ("edge radius, published", published, 3),
+             ("edge side, published", published, 4), ("edge radius, reduced", reduced, 3), ("edge side, reduced", reduced, 4)]
+    return [[name, *(up(form[part][at], 1024).replace(",", "") for part in (0, 1))] for name, form, at in kinds]
+
+
+def bounds_rows():
+    """The rows of docs/bounds.md: bounds of the scaled domain in u / 16, plain and fused, and what a search attained."""
+    source, attained = text_of("proofs/bounds.cpp"), text_of("proofs/attained.h")
+    rows = []
+    for name in ("vertex radius", "vertex side", "plane radius", "published edge radius", "published edge side", "reduced edge radius", "reduced edge side"):
+        form, kind = (name.split(" ", 1) if name.startswith(("published", "reduced")) else ("published", name))
+        plain, fused = numbers(re.search(rf'\{{"{name.replace(" radius", ".radius").replace(" side", ".side")}", \{{\{{\{{(.*?)\}}', source)[1])
+        (greatest,) = re.findall(rf'\{{"{form}", Kind::{kind.replace(" ", "_")}, ([\d.]+),', attained)
+        ratio = plain / 16 / float(greatest)
+        shown = f"{float(greatest):,.0f}" if float(greatest) >= 1000 else greatest
+        rows.append([name, up(plain, 16), up(fused, 16), shown, f"{ratio:.1f}"])
+    return rows
+
+
+class Records(unittest.TestCase):
+    def test_versions_of_engines_are_those_of_the_package(self):
+        packages = json.loads(text_of("kernel/peers/npm/package.json"))["dependencies"]
+        self.assertEqual({row[0]: row[1] for row in table("docs/league.md", "| package | version |")}, packages)
+
+    def test_bounds_of_the_theory(self):
+        rows = table("docs/proofs.md", "| comparison | degree | bound, plain |")
+        self.assertEqual([[row[0], *row[2:4]] for row in rows], thresholds_rows())
+        filters = set(numbers(text_of("kernel/sphere_triangle/certified_filter/thresholds.h")))
+        for row in rows:
+            self.assertGreater(int(row[4]), float(row[2]), row)
+            self.assertLessEqual(int(row[4]), math.ceil(float(row[2])) + 2, row)
+            self.assertIn(int(row[4]), filters, row)
+
+    def test_bounds_of_the_scaled_domain(self):
+        self.assertEqual(table("docs/bounds.md", "| comparison | plain | fma | attained"), bounds_rows())
+
+    def test_what_searches_attained_is_what_the_page_of_searches_shows(self):
+        found = dict(re.findall(r"^  ([\w.]+) +([\d.,]+) ", text_of("docs/search.md"), re.M))
+        for name, kind in (("plane.radius", "plane_radius"), ("vertex_a.radius", "vertex_radius"), ("vertex_a.side_b", "vertex_side"),
+                           ("edge_ab.radius", "edge_radius"), ("edge_ab.side_c", "edge_side")):
+            self.assertIn(f'{{"published", Kind::{kind}, {found[name].replace(",", "")}, ', text_of("proofs/attained.h"), name)
+
+    def test_configurations_whose_strict_sides_are_wrong(self):
+        found = dict(re.findall(r"EXPECT_EQ\(found\.(\w+), (\d{4,})\)", text_of("exact/moving_sphere/twenty_axes_test.cpp")))
+        self.assertEqual([numbers(row[1].replace(",", ""))[0] for row in table("docs/moving.md", "| | strict sides wrong |")],
+                         [int(found["zero_area"]), int(found["no_motion"]), int(found["parallel"]), 0, int(found["strict"])])
+
+
+if __name__ == "__main__":
+    unittest.main()
