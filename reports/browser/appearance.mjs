@@ -35,6 +35,14 @@ for (const scheme of ['light', 'dark']) {
   });
 }
 
+test('cuts no table of a card on a screen of 1,280 pixels', async () => {
+  const {page, close} = await opened(real, {viewport: {width: 1280, height: 800}});
+  const depths = page.locator('.scroll:has(table.depths)');
+  assert.ok(await depths.count() > 0);
+  assert.deepEqual(await depths.evaluateAll((all) => all.filter((box) => box.scrollWidth > box.clientWidth).map((box) => box.innerText)), []);
+  await close();
+});
+
 test('reaches everything by keyboard', async () => {
   const {page, close} = await opened(real);
   await page.keyboard.press('Tab');
