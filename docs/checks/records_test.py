@@ -3,13 +3,14 @@
 
     docs/league.md    versions of the engines: kernel/peers/npm/package.json
     docs/proofs.md    bounds and thresholds: proofs/coq/Thresholds.v, kernel/sphere_triangle/certified_filter/thresholds.h
-    docs/bounds.md    bounds: proofs/bounds.cpp, which Gappa proves; errors attained: proofs/attained.h, and this those of docs/search.md
+    docs/bounds.md    bounds: proofs/bounds.cpp, which Gappa proves; errors attained: proofs/attained.h, and these those of docs/search.md
     docs/moving.md    strict sides that are wrong: exact/moving_sphere/twenty_axes_test.cpp
 """
 import json
 import math
 import re
 import unittest
+from fractions import Fraction
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -62,9 +63,9 @@ def bounds_rows():
         form, kind = (name.split(" ", 1) if name.startswith(("published", "reduced")) else ("published", name))
         plain, fused = numbers(re.search(rf'\{{"{name.replace(" radius", ".radius").replace(" side", ".side")}", \{{\{{\{{(.*?)\}}', source)[1])
         (greatest,) = re.findall(rf'\{{"{form}", Kind::{kind.replace(" ", "_")}, ([\d.]+),', attained)
-        ratio = plain / 16 / float(greatest)
-        shown = f"{float(greatest):,.0f}" if float(greatest) >= 1000 else greatest
-        rows.append([name, up(plain, 16), up(fused, 16), shown, f"{ratio:.1f}"])
+        hundredths = math.ceil(Fraction(plain, 16) / Fraction(greatest) * 100)  # rounded up: no bound may look sharper than it is
+        shown = f"{int(greatest.partition('.')[0]):,}.{greatest.partition('.')[2]}"
+        rows.append([name, up(plain, 16), up(fused, 16), shown, f"{hundredths // 100}.{hundredths % 100:02}"])
     return rows
 
 
@@ -89,7 +90,8 @@ class Records(unittest.TestCase):
         found = dict(re.findall(r"^  ([\w.]+) +([\d.,]+) ", text_of("docs/search.md"), re.M))
         for name, kind in (("plane.radius", "plane_radius"), ("vertex_a.radius", "vertex_radius"), ("vertex_a.side_b", "vertex_side"),
                            ("edge_ab.radius", "edge_radius"), ("edge_ab.side_c", "edge_side")):
-            self.assertIn(f'{{"published", Kind::{kind}, {found[name].replace(",", "")}, ', text_of("proofs/attained.h"), name)
+            (greatest,) = re.findall(rf'\{{"published", Kind::{kind}, ([\d.]+),', text_of("proofs/attained.h"))
+            self.assertEqual(f"{float(greatest):.4g}", found[name].replace(",", ""), name)
 
     def test_configurations_whose_strict_sides_are_wrong(self):
         found = dict(re.findall(r"EXPECT_EQ\(found\.(\w+), (\d{4,})\)", text_of("exact/moving_sphere/twenty_axes_test.cpp")))
