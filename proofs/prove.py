@@ -57,6 +57,33 @@ FAULTS = {
         "ConservativeStep.v", "conservative_never_misses 24 (-149) (-42)", "conservative_never_misses 24 (-149) (-43)", "ConservativeStep.v"),
     "a margin of the conservative test with the error added": (
         "ConservativeStep.v", "(mix s xz yz) - error)", "(mix s xz yz) + error)", "ConservativeStep.v"),
+    "an open sphere that a triangle without area is apart from by its plane": (
+        "OpenSphere.v", "| plane_radius => normal A B C <> Vec 0 0 0", "| plane_radius => True", "OpenSphere.v"),
+    "an open sphere that an edge without length is an axis of": (
+        "OpenSphere.v", "| edge_bc_radius => sub C B <> Vec 0 0 0", "| edge_bc_radius => True", "OpenSphere.v"),
+    "an open sphere that touching counts as contact with": (
+        "OpenSphere.v", "in_triangle X A B C -> r <= distance P X", "in_triangle X A B C -> r < distance P X", "OpenSphere.v"),
+    "an open sphere's coarse range that overflows": (
+        "OpenCoarse.v", "24 128 (-21) 19 eq_refl", "24 128 (-21) 20 eq_refl", "OpenCoarse.v"),
+    "a pair's difference with an error of four units": (
+        "Margins.v", "Rabs (M - (x - y)) <= u * (Rabs x", "Rabs (M - (x - y)) <= 4 * u * (Rabs x", "Margins.v"),
+    "a leading double with an error of a sixteenth": (
+        "Margins.v", "Rabs (L - M) <= / 1048576 * Rabs M", "Rabs (L - M) <= / 16 * Rabs M", "Margins.v"),
+    "a pair's difference without its low parts": (
+        "Pairs.v", "(plus (minus (pair_low x) (pair_low y)) (pair_low s))", "(pair_low s)", "Pairs.v"),
+    "a lane that has the axis of another edge": (
+        "PairStep.v", "(holds edge_ab_radius /\\ holds edge_ab_side_c).", "(holds edge_bc_radius /\\ holds edge_bc_side_a).", "PairStep.v"),
+    "a lane that is not renamed": (
+        "PairStep.v", "lane_contact a b c p r && lane_contact b c a p r && lane_contact c a b p r",
+        "lane_contact a b c p r && lane_contact a b c p r && lane_contact c a b p r", "PairStep.v"),
+    "a face of the box on the wrong side": (
+        "Box.v", "then Bminus mode_NE p r else B754_infinity true", "then Bplus mode_NE p r else B754_infinity true", "Box.v"),
+    "a box about a sphere that is not valid": (
+        "Box.v", "then Bplus mode_NE p r else B754_infinity false", "then Bplus mode_NE p r else p", "Box.v"),
+    "a tie that counts as beyond for the closed sphere": (
+        "Known.v", "q = open_sphere /\\ has_normal A B C K)", "has_normal A B C K)", "Known.v"),
+    "a contact that one axis without a bit is enough for": (
+        "Known.v", "is_contact (k : known) : bool := forallb", "is_contact (k : known) : bool := existsb", "Known.v"),
     "phantoms too shallow": ("PhantomStep.v", "Definition phantom_depth : R := 20.", "Definition phantom_depth : R := 19.", "PhantomStep.v"),
 }
 
@@ -75,6 +102,13 @@ WEAKENED = {
     "a conservative test that may miss a point's contact": (
         "ConservativeStep.v", "in_format prec emin p -> 0 <= r ->\n  let rnd", "in_format prec emin p -> 0 < r ->\n  let rnd",
         "conservative_never_misses"),
+    "a single pair that may be wrong for an infinite radius": (
+        "PairStep.v", "(r : binary_float prec emax),\n  let closed", "(r : binary_float prec emax), is_finite r = true ->\n  let closed",
+        "float_pair_never_lies"),
+    "an open coarse step that may be wrong with fused products": (
+        "OpenCoarse.v", "  forall fused (a b c p : float_vec prec emax) (r : binary_float prec emax),\n  let apart",
+        "  forall fused (a b c p : float_vec prec emax) (r : binary_float prec emax), fused = false ->\n  let apart",
+        "float_coarse_never_lies_open"),
     "phantoms that may be deeper": (
         "PhantomStep.v", "Definition phantom_depth : R := 20.", "Definition phantom_depth : R := 21.", "phantom_depth"),
 }
