@@ -2,6 +2,7 @@
 """Checks the Coq theory in proofs/coq: builds it, compares the assumptions of each main theorem with
 Assumptions.expected and its statement with Statements.expected, and refuses admitted steps. coqc writes beside its
 sources, so a copy is built, in build/proofs; files that have not changed since the last time are not built again.
+Where everything holds, prove.json beside the copy has each main theorem's name, axioms and statement.
 
   prove.py [--build DIR] [--jobs N]            checks the whole theory
   prove.py --emitted [--build DIR] [--jobs N]  checks, in a minute, that what is emitted is what is proved: every statement,
@@ -10,6 +11,7 @@ sources, so a copy is built, in build/proofs; files that have not changed since 
 
 Exit status: 0 everything holds, 1 something does not, 2 coqc or Flocq is missing."""
 import argparse
+import json
 import pathlib
 import re
 import shutil
@@ -186,15 +188,23 @@ def changed_statements(build, *flags):
 
 
 def compare(build):
+    """Prints a line for each main theorem, and writes prove.json, with statements and axioms, where everything holds."""
     assumed, expected = printed_by(build, "Assumptions")
+    result = {}
     for theorem, assumptions in assumed.items():
         if assumptions != expected[theorem]:
             fail(f"{theorem} depends on\n  {assumptions}\nand should depend on\n  {expected[theorem]}")
         axioms = re.findall(r"[\w.]+\.(\w+) :", assumptions)
+        result[theorem] = axioms
         print(f"proved  {theorem:36} {', '.join(axioms) or 'no axioms'}")
     if unread := set(assumed) - set(by_theorem((SOURCES / "Statements.expected").read_text())):
         fail(f"Statements.v does not print {sorted(unread)}")
     require_statements(build)
+    statements = by_theorem((SOURCES / "Statements.expected").read_text())
+    version = subprocess.run(["coqc", "--print-version"], text=True, capture_output=True).stdout.split()
+    theorems = [{"name": name, "axioms": axioms, "statement": statements[name]} for name, axioms in result.items()]
+    text = json.dumps({"schema": "axiscert-theorems/1", "coq": version[0], "theorems": theorems}, indent=1)
+    (build.parent / "prove.json").write_text(text + "\n")
 
 
 def require_statements(build, *flags):
@@ -256,6 +266,7 @@ def main():
         sys.exit(2)
     refuse_unproved(SOURCES)
     copy_changed(SOURCES, options.build)
+    (options.build.parent / "prove.json").unlink(missing_ok=True)
     if options.emitted:
         check_emitted(options.build, options.jobs)
         return

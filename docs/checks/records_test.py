@@ -2,7 +2,8 @@
 """Tables of docs/ whose figures are committed elsewhere, where a proof, a test or a lock file holds them, say the same here as there.
 
     docs/league.md    versions of the engines: kernel/peers/npm/package.json
-    docs/proofs.md    bounds and thresholds: proofs/coq/Thresholds.v, kernel/sphere_triangle/certified_filter/thresholds.h
+    docs/proofs.md    bounds and thresholds: proofs/coq/Thresholds.v, kernel/sphere_triangle/certified_filter/thresholds.h; theorems named
+                      beside the steps of the certified predicate: proofs/coq/Assumptions.expected
     docs/bounds.md    bounds: proofs/bounds.cpp, which Gappa proves; errors attained: proofs/attained.h, and these those of docs/search.md
     docs/moving.md    strict sides that are wrong: exact/moving_sphere/twenty_axes_test.cpp
 """
@@ -82,6 +83,14 @@ class Records(unittest.TestCase):
             self.assertGreater(int(row[4]), float(row[2]), row)
             self.assertLessEqual(int(row[4]), math.ceil(float(row[2])) + 2, row)
             self.assertIn(int(row[4]), filters, row)
+
+    def test_theorems_named_beside_the_steps_are_main_theorems(self):
+        theorems = set(re.findall(r'^== "?(\w+)"?$', text_of("proofs/coq/Assumptions.expected"), re.M))
+        lines = text_of("docs/proofs.md").partition("| step | proved | on paper |")[2].partition("\n\n")[0].splitlines()[2:]
+        named = {name for line in lines for name in re.findall(r"`(\w+)`", line.split("|")[2])}
+        self.assertGreater(len(named), 20)
+        self.assertEqual(named - theorems, set())
+        self.assertEqual({"never_lies", "open_exact"} - theorems, {"never_lies"})  # a definition is not a theorem
 
     def test_bounds_of_the_scaled_domain(self):
         self.assertEqual(table("docs/bounds.md", "| comparison | plain | fma | attained"), bounds_rows())
