@@ -2,14 +2,16 @@
 """Tables of docs/ whose figures are committed elsewhere, where a proof, a test or a lock file holds them, say the same here as there.
 
     docs/league.md    versions of the engines: kernel/peers/npm/package.json
-    docs/proofs.md    bounds and thresholds: proofs/coq/Thresholds.v, kernel/sphere_triangle/certified_filter/thresholds.h
-    docs/bounds.md    bounds: proofs/bounds.cpp, which Gappa proves; errors attained: proofs/attained.h, and this those of docs/search.md
+    docs/proofs.md    bounds and thresholds: proofs/coq/Thresholds.v, kernel/sphere_triangle/certified_filter/thresholds.h; theorems named
+                      beside the steps of the certified predicate: proofs/coq/Assumptions.expected
+    docs/bounds.md    bounds: proofs/bounds.cpp, which Gappa proves; errors attained: proofs/attained.h, and these those of docs/search.md
     docs/moving.md    strict sides that are wrong: exact/moving_sphere/twenty_axes_test.cpp
 """
 import json
 import math
 import re
 import unittest
+from fractions import Fraction
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -62,9 +64,9 @@ def bounds_rows():
         form, kind = (name.split(" ", 1) if name.startswith(("published", "reduced")) else ("published", name))
         plain, fused = numbers(re.search(rf'\{{"{name.replace(" radius", ".radius").replace(" side", ".side")}", \{{\{{\{{(.*?)\}}', source)[1])
         (greatest,) = re.findall(rf'\{{"{form}", Kind::{kind.replace(" ", "_")}, ([\d.]+),', attained)
-        ratio = plain / 16 / float(greatest)
-        shown = f"{float(greatest):,.0f}" if float(greatest) >= 1000 else greatest
-        rows.append([name, up(plain, 16), up(fused, 16), shown, f"{ratio:.1f}"])
+        hundredths = math.ceil(Fraction(plain, 16) / Fraction(greatest) * 100)  # rounded up: no bound may look sharper than it is
+        shown = f"{int(greatest.partition('.')[0]):,}.{greatest.partition('.')[2]}"
+        rows.append([name, up(plain, 16), up(fused, 16), shown, f"{hundredths // 100}.{hundredths % 100:02}"])
     return rows
 
 
@@ -82,6 +84,14 @@ class Records(unittest.TestCase):
             self.assertLessEqual(int(row[4]), math.ceil(float(row[2])) + 2, row)
             self.assertIn(int(row[4]), filters, row)
 
+    def test_theorems_named_beside_the_steps_are_main_theorems(self):
+        theorems = set(re.findall(r'^== "?(\w+)"?$', text_of("proofs/coq/Assumptions.expected"), re.M))
+        lines = text_of("docs/proofs.md").partition("| step | proved | on paper |")[2].partition("\n\n")[0].splitlines()[2:]
+        named = {name for line in lines for name in re.findall(r"`(\w+)`", line.split("|")[2])}
+        self.assertGreater(len(named), 20)
+        self.assertEqual(named - theorems, set())
+        self.assertEqual({"never_lies", "open_exact"} - theorems, {"never_lies"})  # a definition is not a theorem
+
     def test_bounds_of_the_scaled_domain(self):
         self.assertEqual(table("docs/bounds.md", "| comparison | plain | fma | attained"), bounds_rows())
 
@@ -89,7 +99,8 @@ class Records(unittest.TestCase):
         found = dict(re.findall(r"^  ([\w.]+) +([\d.,]+) ", text_of("docs/search.md"), re.M))
         for name, kind in (("plane.radius", "plane_radius"), ("vertex_a.radius", "vertex_radius"), ("vertex_a.side_b", "vertex_side"),
                            ("edge_ab.radius", "edge_radius"), ("edge_ab.side_c", "edge_side")):
-            self.assertIn(f'{{"published", Kind::{kind}, {found[name].replace(",", "")}, ', text_of("proofs/attained.h"), name)
+            (greatest,) = re.findall(rf'\{{"published", Kind::{kind}, ([\d.]+),', text_of("proofs/attained.h"))
+            self.assertEqual(f"{float(greatest):.4g}", found[name].replace(",", ""), name)
 
     def test_configurations_whose_strict_sides_are_wrong(self):
         found = dict(re.findall(r"EXPECT_EQ\(found\.(\w+), (\d{4,})\)", text_of("exact/moving_sphere/twenty_axes_test.cpp")))

@@ -1,6 +1,6 @@
 (* Prints the assumptions of each main theorem; Assumptions.expected has the text that it has to print. *)
-From Axiscert Require Import Exact Reduced RecordedIsSat7 RecordedIsProgram Expression Run Windows Thresholds Filter Filters
-  Margins CertifiedStep CoarseFloat ConservativeStep PhantomStep Exported Decides.
+From Axiscert Require Import Exact Reduced OpenSphere Known Scaled RecordedIsSat7 RecordedIsProgram Expression Run Windows Thresholds
+  Filter Filters Margins Pairs CertifiedStep CoarseFloat OpenCoarse PairStep Box ConservativeStep PhantomStep Exported Decides.
 
 Tactic Notation "theorem" string(name) := idtac "==" name.
 Goal True. theorem "sat7_exact". Abort.
@@ -17,6 +17,24 @@ Goal True. theorem "reduced_equiv". Abort.
 Print Assumptions reduced_equiv.
 Goal True. theorem "reduced_exact". Abort.
 Print Assumptions reduced_exact.
+Goal True. theorem "open_exact". Abort.
+Print Assumptions open_exact.
+Goal True. theorem "open_contact". Abort.
+Print Assumptions open_contact.
+Goal True. theorem "open_left_side". Abort.
+Print Assumptions open_left_side.
+Goal True. theorem "either_exact". Abort.
+Print Assumptions either_exact.
+Goal True. theorem "sign_decides". Abort.
+Print Assumptions sign_decides.
+Goal True. theorem "both_are_sound". Abort.
+Print Assumptions both_are_sound.
+Goal True. theorem "known_is_right". Abort.
+Print Assumptions known_is_right.
+Goal True. theorem "last_step_decides". Abort.
+Print Assumptions last_step_decides.
+Goal True. theorem "scaled_is_same". Abort.
+Print Assumptions scaled_is_same.
 Goal True. theorem "recorded_published_is_sat7". Abort.
 Print Assumptions recorded_published_is_sat7.
 Goal True. theorem "recorded_reduced_is_sat7". Abort.
@@ -81,6 +99,18 @@ Goal True. theorem "edge_side_bound". Abort.
 Print Assumptions edge_side_bound.
 Goal True. theorem "times_length_bound". Abort.
 Print Assumptions times_length_bound.
+Goal True. theorem "double_dot_near". Abort.
+Print Assumptions double_dot_near.
+Goal True. theorem "double_cross_near". Abort.
+Print Assumptions double_cross_near.
+Goal True. theorem "double_minus_near". Abort.
+Print Assumptions double_minus_near.
+Goal True. theorem "sign_of_leading". Abort.
+Print Assumptions sign_of_leading.
+Goal True. theorem "pair_minus_cancels". Abort.
+Print Assumptions pair_minus_cancels.
+Goal True. theorem "leading_is_a_double". Abort.
+Print Assumptions leading_is_a_double.
 Goal True. theorem "coarse_never_lies32". Abort.
 Print Assumptions coarse_never_lies32.
 Goal True. theorem "coarse_never_lies64". Abort.
@@ -89,6 +119,18 @@ Goal True. theorem "float_coarse_never_lies32". Abort.
 Print Assumptions float_coarse_never_lies32.
 Goal True. theorem "float_coarse_never_lies64". Abort.
 Print Assumptions float_coarse_never_lies64.
+Goal True. theorem "float_coarse_never_lies_open32". Abort.
+Print Assumptions float_coarse_never_lies_open32.
+Goal True. theorem "float_coarse_never_lies_open64". Abort.
+Print Assumptions float_coarse_never_lies_open64.
+Goal True. theorem "float_pair_never_lies32". Abort.
+Print Assumptions float_pair_never_lies32.
+Goal True. theorem "float_pair_never_lies64". Abort.
+Print Assumptions float_pair_never_lies64.
+Goal True. theorem "beyond_is_separated". Abort.
+Print Assumptions beyond_is_separated.
+Goal True. theorem "passed_over_is_separated". Abort.
+Print Assumptions passed_over_is_separated.
 Goal True. theorem "conservative_never_misses32". Abort.
 Print Assumptions conservative_never_misses32.
 Goal True. theorem "conservative_never_misses64". Abort.

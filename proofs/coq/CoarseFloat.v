@@ -282,27 +282,25 @@ Section Float.
       destruct K; unfold float_threshold, coarse_threshold; (exact T2 || exact T4 || exact T6).
   Qed.
 
-  Hypothesis never_lies : coarse_never_lies prec emin least.
-  Lemma never_lies_here : (forall K, is_finite (float_margin K) = true /\ is_finite (float_threshold K) = true) /\
-    (some_axis_b (fun K => Bltb (float_threshold K) (float_margin K)) = true ->
-      separated (real_vec a) (real_vec b) (real_vec c) (real_vec p) (B2R r)) /\
+  (* So its answers are those of the program over rounded reals. *)
+  Lemma answers_are_the_programs :
+    let margin := coarse_margin nearest fused (real_vec a) (real_vec b) (real_vec c) (real_vec p) (B2R r) in
+    let threshold := coarse_threshold nearest fused (Expression.u prec) (real_vec a) (real_vec b) (real_vec c) (real_vec p) (B2R r) in
+    (forall K, is_finite (float_margin K) = true /\ is_finite (float_threshold K) = true) /\
+    (some_axis_b (fun K => Bltb (float_threshold K) (float_margin K)) = true -> some_axis (fun K => margin K > threshold K)) /\
     (some_axis_b (fun K => negb (Bltb (float_margin K) (Bopp (float_threshold K)))) = false ->
-      ~ separated (real_vec a) (real_vec b) (real_vec c) (real_vec p) (B2R r)).
+      ~ some_axis (fun K => margin K >= - threshold K)).
   Proof.
-    destruct range_spec as (_ & _ & _ & low & r0).
-    destruct (never_lies fused _ _ _ _ _ (in_format_real a) (in_format_real b) (in_format_real c) (in_format_real p) r0 low) as (_ & says &
-      denies).
-    assert (finite : forall K, is_finite (float_margin K) = true /\ is_finite (float_threshold K) = true).
-    { intros K. destruct (step_is_program K) as [(F & _) (F' & _)]. auto. }
-    split; [exact finite |]. split.
-    - rewrite some_axis_b_spec. intros some. apply says. revert some. apply some_axis_mono. intros K.
+    cbv zeta. split; [| split].
+    - intros K. destruct (step_is_program K) as [(F & _) (F' & _)]. auto.
+    - rewrite some_axis_b_spec. apply some_axis_mono. intros K.
       destruct (step_is_program K) as [(F & value & _) (F' & value' & _)]. rewrite Bltb_correct, value, value' by assumption.
       case Rlt_bool_spec; [intros beyond _; exact beyond | discriminate].
-    - intros none. apply denies. intros some. apply not_true_iff_false in none. apply none, some_axis_b_spec. revert some.
-    apply some_axis_mono. intros K.
+    - intros none some. apply not_true_iff_false in none. apply none, some_axis_b_spec. revert some.
+      apply some_axis_mono. intros K.
       destruct (step_is_program K) as [(F & value & _) (F' & value' & _)].
       rewrite Bltb_correct, B2R_Bopp, value, value' by (rewrite ?is_finite_Bopp; assumption).
-      case Rlt_bool_spec; [intros below above; cbv zeta in above; exfalso; unfold Run.nearest in *; lra | reflexivity].
+      case Rlt_bool_spec; [intros below above; exfalso; unfold Run.nearest in *; lra | reflexivity].
   Qed.
 End Float.
 
@@ -318,22 +316,35 @@ Definition float_coarse_never_lies (prec emax least half : Z) (prec_gt_0_ : Prec
   (float_separated prec emax _ _ fused least half a b c p r = true -> apart) /\
   (float_contact prec emax _ _ fused least half a b c p r = true -> ~ apart).
 
+(* The formats and ranges for which the step is a program over rounded reals. *)
+Definition step_fits (prec emax least half : Z) : Prop :=
+  (20 <= prec)%Z /\ (0 <= half)%Z /\ (6 * half + 13 <= emax)%Z /\ (3 - emax - prec <= -30)%Z /\
+  (3 - emax - prec <= least <= emax - prec)%Z /\ (3 - emax - prec + 5 + prec <= 0 /\ prec + 2 * half <= emax)%Z.
+
 Lemma float_instance prec emax least half prec_gt_0_ prec_lt_emax_ :
-  (20 <= prec)%Z -> (0 <= half)%Z -> (6 * half + 13 <= emax)%Z -> (3 - emax - prec <= -30)%Z ->
-    (3 - emax - prec <= least <= emax - prec)%Z ->
-  (3 - emax - prec + 5 + prec <= 0 /\ prec + 2 * half <= emax)%Z -> coarse_never_lies prec (3 - emax - prec) least ->
+  step_fits prec emax least half -> coarse_never_lies prec (3 - emax - prec) least ->
   float_coarse_never_lies prec emax least half prec_gt_0_ prec_lt_emax_.
 Proof.
-  intros p20 half0 fits deep least_range constants never fused a b c p r; intros.
-  pose proof (fun inside => never_lies_here prec emax _ _ fused least half a b c p r p20 half0 fits deep least_range constants inside
-    never) as all.
+  intros (p20 & half0 & fits & deep & least_range & constants) never fused a b c p r; intros.
+  assert (formats : forall v, in_format prec (3 - emax - prec) (real_vec prec emax v)) by apply in_format_real.
+  pose proof (fun inside => answers_are_the_programs prec emax _ _ fused least half a b c p r p20 half0 fits deep least_range constants
+    inside) as program.
+  pose proof (fun inside => range_spec prec emax _ _ fused least half a b c p r p20 half0 deep least_range constants inside) as spec.
+  assert (right : float_in_range prec emax _ _ fused least half a b c p r = true -> _) by
+    (intros inside; destruct (spec inside) as (_ & _ & _ & low & r0);
+     exact (never fused _ _ _ _ _ (formats a) (formats b) (formats c) (formats p) r0 low)).
   unfold float_separated, float_contact. split; [| split].
-  - intros inside. apply (proj1 (all inside)).
-  - rewrite andb_true_iff. intros [inside some]. apply (proj1 (proj2 (all inside)) some).
-  - rewrite andb_true_iff, negb_true_iff. intros [inside none]. apply (proj2 (proj2 (all inside)) none).
+  - intros inside. apply (program inside).
+  - rewrite andb_true_iff. intros [inside some]. apply (right inside). apply (program inside). exact some.
+  - rewrite andb_true_iff, negb_true_iff. intros [inside none]. apply (right inside). apply (program inside). exact none.
 Qed.
 
+Lemma step_fits32 : step_fits 24 128 (-21) 19.
+Proof. unfold step_fits. lia. Qed.
+Lemma step_fits64 : step_fits 53 1024 (-300) 150.
+Proof. unfold step_fits. lia. Qed.
+
 Theorem float_coarse_never_lies32 : float_coarse_never_lies 24 128 (-21) 19 eq_refl eq_refl.
-Proof. apply float_instance; try lia. apply coarse_never_lies32. Qed.
+Proof. apply float_instance; [apply step_fits32 | apply coarse_never_lies32]. Qed.
 Theorem float_coarse_never_lies64 : float_coarse_never_lies 53 1024 (-300) 150 eq_refl eq_refl.
-Proof. apply float_instance; try lia. apply coarse_never_lies64. Qed.
+Proof. apply float_instance; [apply step_fits64 | apply coarse_never_lies64]. Qed.

@@ -1,9 +1,12 @@
-(* The bounds beside the margins of exact/sphere_triangle/filters/margins-inl.h: each is proved to exceed its margin's
-   error by a thirty-second part, which is left for the rounding of the bound itself.
+(* The bounds beside the margins of exact/sphere_triangle/filters/margins-inl.h and
+   kernel/sphere_triangle/certified/margins-inl.h: each is proved to exceed its margin's error by a thirty-second part,
+   which is left for the rounding of the bound itself and of the pair whose leading double is compared.
 
-   u is the relative error of an operation: 2^-53 for doubles, 2^-103 for their pairs. Nothing underflows: a rounding
-   has no other error here. Lower case is exact, upper case computed; A, B, ... are leaves, N and V cross products of
-   leaves. *)
+   u is the unit of the arithmetic: 2^-53 for doubles, 2^-103 and 2^-102 for their pairs. A product of two numbers has a
+   relative error of u. A dot product, a difference of products and a difference have errors relative to the sizes of
+   what is added, not to the result, which may be far smaller: the sums of the certified predicate's pairs have no better
+   bound (Pairs.v). Doubles do better, which double_dot_near and its like prove. Nothing underflows: a rounding has no
+   other error here. Lower case is exact, upper case computed; A, B, ... are leaves, N and V cross products of leaves. *)
 From Coq Require Import Reals Lra Psatz.
 From Flocq Require Import Core.
 From Axiscert Require Import Vectors Lanes.
@@ -37,8 +40,13 @@ Section Margins.
   Variable u : R.
   Hypothesis u_range : 0 <= u <= / 1048576.
   Notation rounds := (rounds u 0).
-  Notation computed_dot := (computed_dot u 0).
-  Notation computed_cross := (computed_cross u 0).
+  (* The premises: a dot product, a b - c d, a cross product, x - y. *)
+  Definition near_dot (X Y : vec) (D : R) := Rabs (D - dot X Y) <= 3.001 * u * sizes X Y.
+  Definition near_difference (a b c d D : R) := Rabs (D - (a * b - c * d)) <= 2.001 * u * (Rabs (a * b) + Rabs (c * d)).
+  Definition near_cross (X Y N : vec) : Prop :=
+    near_difference (cy X) (cz Y) (cz X) (cy Y) (cx N) /\ near_difference (cz X) (cx Y) (cx X) (cz Y) (cy N) /\
+    near_difference (cx X) (cy Y) (cy X) (cx Y) (cz N).
+  Definition near_minus (x y M : R) := Rabs (M - (x - y)) <= u * (Rabs x + Rabs y).
   Notation leaf_of := (leaf_of u).
   Definition units (n : R) := n * (u * unit_factor).
 
@@ -113,10 +121,10 @@ Section Margins.
     pose proof (small s s0). pose proof (smaller s s0). lra.
   Qed.
 
-  Lemma leaf_dot a b A B D : near_leaf a A -> near_leaf b B -> computed_dot A B D ->
+  Lemma leaf_dot a b A B D : near_leaf a A -> near_leaf b B -> near_dot A B D ->
     Rabs (D - dot a b) <= 5.004 * u * sizes A B.
   Proof.
-    intros (ax & ay & az) (bx & by_ & bz) HD. apply dot_error in HD; [| lra | lra].
+    intros (ax & ay & az) (bx & by_ & bz) HD. unfold near_dot in HD.
     pose proof (leaf_times _ _ _ _ ax bx) as X. pose proof (leaf_times _ _ _ _ ay by_) as Y. pose proof (leaf_times _ _ _ _ az bz) as Z.
     rewrite Rabs_minus_sym in X, Y, Z.
     replace (D - dot a b) with ((D - dot A B) + (((cx A * cx B - cx a * cx b) + (cy A * cy B - cy a * cy b)) + (cz A * cz B - cz a * cz b)))
@@ -132,10 +140,10 @@ Section Margins.
   Lemma leaf_difference a b c d A B C D E x y : Rabs (a - A) <= 1.001 * u * Rabs A -> Rabs (b - B) <= 1.001 * u * Rabs B ->
     Rabs (c - C) <= 1.001 * u * Rabs C -> Rabs (d - D) <= 1.001 * u * Rabs D ->
     Rabs A <= x -> Rabs B <= y -> Rabs C <= x -> Rabs D <= y ->
-    computed_difference u 0 A B C D E -> Rabs (a * b - c * d - E) <= 8.012 * u * (x * y).
+    near_difference A B C D E -> Rabs (a * b - c * d - E) <= 8.012 * u * (x * y).
   Proof.
     intros Ha Hb Hc Hd. intros. pose proof (leaf_times _ _ _ _ Ha Hb) as L1. pose proof (leaf_times _ _ _ _ Hc Hd) as L2.
-    pose proof (difference_error u 0 u_range ltac:(lra) A B C D E ltac:(assumption)) as L3. rewrite Rabs_minus_sym in L3.
+    assert (near_difference A B C D E) as L3 by assumption. unfold near_difference in L3. rewrite Rabs_minus_sym in L3.
     pose proof (product_at_most A B x y ltac:(assumption) ltac:(assumption)) as s1.
     pose proof (product_at_most C D x y ltac:(assumption) ltac:(assumption)) as s2.
     apply (Rmult_le_compat_l u) in s1, s2; try lra. pose proof (small _ (Rabs_pos (A * B))).
@@ -144,7 +152,7 @@ Section Margins.
     eapply Rle_trans; [apply Rabs_triang |]. lra.
   Qed.
 
-  Lemma leaf_cross a b A B N : near_leaf a A -> near_leaf b B -> computed_cross A B N ->
+  Lemma leaf_cross a b A B N : near_leaf a A -> near_leaf b B -> near_cross A B N ->
     off_by (8.012 * u * (greatest_component A * greatest_component B)) (cross a b) N.
   Proof.
     intros (ax & ay & az) (bx & by_ & bz) (HX & HY & HZ).
@@ -181,9 +189,9 @@ Section Margins.
   Qed.
 
   (* A square, bounded from its computed value. *)
-  Lemma square_back N nn : computed_dot N N nn -> 0 <= nn /\ Rabs (nn - dot N N) <= 3.01 * u * nn.
+  Lemma square_back N nn : near_dot N N nn -> 0 <= nn /\ Rabs (nn - dot N N) <= 3.01 * u * nn.
   Proof.
-    intros H. apply dot_error in H; [| lra | lra]. rewrite sizes_square in H. pose proof (dot_self_nonneg N) as s0.
+    intros H. unfold near_dot in H. rewrite sizes_square in H. pose proof (dot_self_nonneg N) as s0.
     pose proof (small _ s0). pose proof (smaller _ s0). apply Rabs_le_inv in H as H'.
     assert (0 <= nn) by lra. split; [assumption |]. eapply Rle_trans; [exact H |].
     assert (u * dot N N <= u * (1.00001 * nn)) by (apply Rmult_le_compat_l; lra). lra.
@@ -199,14 +207,13 @@ Section Margins.
   Qed.
 
   (* |A|^2 - r^2. *)
-  Theorem vertex_radius_bound a A aa r rr M : leaf_of a A -> computed_dot A A aa -> rounds (r * r) rr -> rounds (aa - rr) M ->
+  Theorem vertex_radius_bound a A aa r rr M : leaf_of a A -> near_dot A A aa -> rounds (r * r) rr -> near_minus aa rr M ->
     Rabs (M - (dot a a - r * r)) <= kept * (units vertex_radius_units * (aa + rr)).
   Proof.
     intros la Haa Hrr HM. apply leaf_back in la. pose proof (square_back _ _ Haa) as [aa0 back].
     pose proof (leaf_dot _ _ _ _ _ la la Haa) as first. rewrite sizes_square in first.
-    destruct (radius_back _ _ Hrr) as [rr0 Hrr']. clear Hrr. rename Hrr' into Hrr. unfold Lanes.rounds in HM.
-    assert (Rabs (aa - rr) <= aa + rr) by (unfold Rabs; destruct Rcase_abs; lra).
-    assert (u * Rabs (aa - rr) <= u * (aa + rr)) by (apply Rmult_le_compat_l; lra).
+    destruct (radius_back _ _ Hrr) as [rr0 Hrr']. clear Hrr. rename Hrr' into Hrr. unfold near_minus in HM.
+    rewrite (Rabs_pos_eq aa aa0), (Rabs_pos_eq rr rr0) in HM.
     apply Rabs_le_inv in back. pose proof (small _ aa0). pose proof (smaller _ aa0).
     assert (u * dot A A <= u * (aa + 3.01 * u * aa)) by (apply Rmult_le_compat_l; lra).
     pose proof (minus_off _ _ _ _ _ _ first Hrr) as both.
@@ -216,7 +223,7 @@ Section Margins.
   Qed.
 
   (* A.(B - A). *)
-  Theorem vertex_side_bound a ab A AB M : leaf_of a A -> leaf_of ab AB -> computed_dot A AB M ->
+  Theorem vertex_side_bound a ab A AB M : leaf_of a A -> leaf_of ab AB -> near_dot A AB M ->
     Rabs (M - dot a ab) <= kept * (units vertex_side_units * (greatest_component A * greatest_component AB)).
   Proof.
     intros la lab H. apply leaf_back in la, lab. pose proof (leaf_dot _ _ _ _ _ la lab H). pose proof (sizes_greatest A AB) as s.
@@ -233,7 +240,7 @@ Section Margins.
     unfold component_error, units, unit_factor, normal_units. pose proof (greatest_nonneg A). pose proof (greatest_nonneg B).
     apply Rmult_le_pos; [lra | apply Rmult_le_pos; assumption].
   Qed.
-  Lemma cross_back a b A B N : leaf_of a A -> leaf_of b B -> computed_cross A B N ->
+  Lemma cross_back a b A B N : leaf_of a A -> leaf_of b B -> near_cross A B N ->
     off_by (0.943 * component_error A B) (cross a b) N.
   Proof.
     intros la lb H. apply leaf_back in la, lb. pose proof (leaf_cross _ _ _ _ _ la lb H) as (X & Y & Z).
@@ -246,7 +253,7 @@ Section Margins.
   (* V = CA x AB. Where B = C it is taken as zero, and so is omega. *)
   Definition computed_normal (ca ab CA AB V : vec) (omega : R) : Prop :=
     leaf_of ca CA /\ leaf_of ab AB /\
-    (computed_cross CA AB V /\ omega = component_error CA AB \/
+    (near_cross CA AB V /\ omega = component_error CA AB \/
      V = Vec 0 0 0 /\ omega = 0 /\ cross ca ab = Vec 0 0 0).
   Lemma normal_back ca ab CA AB V omega : computed_normal ca ab CA AB V omega ->
     0 <= omega /\ off_by (0.943 * omega) (cross ca ab) V.
@@ -256,7 +263,7 @@ Section Margins.
     - split; [lra |]. unfold off_by. cbn [cx cy cz]. rewrite Rminus_eq_0, Rabs_R0. repeat split; lra.
   Qed.
 
-  Lemma off_square e n N nn : 0 <= e -> off_by (0.943 * e) n N -> computed_dot N N nn ->
+  Lemma off_square e n N nn : 0 <= e -> off_by (0.943 * e) n N -> near_dot N N nn ->
     0 <= nn /\ Rabs (nn - dot n n) <= 3.01 * u * nn + e * (1.886 * total N + 2.67 * e).
   Proof.
     intros e0 off H. destruct (square_back _ _ H) as [nn0 back]. split; [assumption |].
@@ -289,11 +296,8 @@ Section Margins.
     assert (k * (u * u * X) <= 6 * (u * u * X)) by (apply Rmult_le_compat_r; lra). lra.
   Qed.
 
-  Lemma rounded_difference X Y M : 0 <= X -> 0 <= Y -> rounds (X - Y) M -> Rabs (M - (X - Y)) <= u * X + u * Y.
-  Proof.
-    intros X0 Y0 H. unfold Lanes.rounds in H. assert (Rabs (X - Y) <= X + Y) by (unfold Rabs; destruct Rcase_abs; lra).
-    assert (u * Rabs (X - Y) <= u * (X + Y)) by (apply Rmult_le_compat_l; lra). lra.
-  Qed.
+  Lemma rounded_difference X Y M : 0 <= X -> 0 <= Y -> near_minus X Y M -> Rabs (M - (X - Y)) <= u * X + u * Y.
+  Proof. intros X0 Y0 H. unfold near_minus in H. rewrite (Rabs_pos_eq X X0), (Rabs_pos_eq Y Y0) in H. lra. Qed.
 
   (* d^2 - r^2 |V|^2. *)
   Definition offset_error (A V : vec) (omega : R) := greatest_component A * (units offset_units * total V + thrice * omega).
@@ -302,8 +306,8 @@ Section Margins.
     (delta * (twice * Rabs D + delta * once_offset) + units plane_lhs_units * lhs) +
     (rr * (omega * (twice * total V + thrice * omega)) + units plane_rhs_units * rhs).
   Theorem plane_radius_bound a A ca ab CA AB V omega D E r rr lhs rhs M :
-    leaf_of a A -> computed_normal ca ab CA AB V omega -> computed_dot A V D -> computed_dot V V E -> rounds (r * r) rr ->
-    rounds (D * D) lhs -> rounds (rr * E) rhs -> rounds (lhs - rhs) M ->
+    leaf_of a A -> computed_normal ca ab CA AB V omega -> near_dot A V D -> near_dot V V E -> rounds (r * r) rr ->
+    rounds (D * D) lhs -> rounds (rr * E) rhs -> near_minus lhs rhs M ->
     let v := cross ca ab in
     Rabs (M - (dot a v * dot a v - r * r * dot v v)) <= kept * plane_bound A V omega D rr lhs rhs.
   Proof.
@@ -312,7 +316,7 @@ Section Margins.
     unfold plane_bound. set (delta := offset_error A V omega).
     pose proof (greatest_nonneg A) as g0. pose proof (total_nonneg V) as t0. pose proof (small _ t0) as ut.
     assert (Rabs (dot a v - D) <= 0.944 * delta) as Hd.
-    { pose proof (off_leaf_dot (0.943 * omega) _ _ _ _ ltac:(lra) la off) as H. apply dot_error in HD; [| lra | lra].
+    { pose proof (off_leaf_dot (0.943 * omega) _ _ _ _ ltac:(lra) la off) as H. unfold near_dot in HD.
       pose proof (sizes_mixed A V) as sm. apply (Rmult_le_compat_l u) in sm; [| lra]. rewrite Rabs_minus_sym in HD.
       replace (dot a v - D) with ((dot a v - dot A V) + (dot A V - D)) by ring. eapply Rle_trans; [apply Rabs_triang |].
       unfold delta, offset_error, units, unit_factor, offset_units, thrice.
@@ -348,8 +352,8 @@ Section Margins.
   Definition edge_radius_limit (N : vec) (nu nn rr_e : R) :=
     nu * (twice * total N + thrice * nu) + (units edge_square_units * nn + units edge_rhs_units * rr_e).
   Theorem edge_radius_bound a ab A AB N nn e r rr rr_e M :
-    leaf_of a A -> leaf_of ab AB -> computed_cross A AB N -> computed_dot N N nn -> computed_dot AB AB e -> rounds (r * r) rr ->
-    rounds (rr * e) rr_e -> rounds (nn - rr_e) M ->
+    leaf_of a A -> leaf_of ab AB -> near_cross A AB N -> near_dot N N nn -> near_dot AB AB e -> rounds (r * r) rr ->
+    rounds (rr * e) rr_e -> near_minus nn rr_e M ->
     let n := cross a ab in
     Rabs (M - (dot n n - r * r * dot ab ab)) <= kept * edge_radius_limit N (component_error A AB) nn rr_e.
   Proof.
@@ -376,12 +380,12 @@ Section Margins.
   Definition edge_side_limit (N V : vec) (nu omega : R) :=
     omega * once * (thrice_in_side * nu + total N) + total V * (units edge_side_units * total N + nu * once).
   Theorem edge_side_bound a ab A AB N ca ab' CA AB' V omega M :
-    leaf_of a A -> leaf_of ab AB -> computed_cross A AB N -> computed_normal ca ab' CA AB' V omega -> computed_dot N V M ->
+    leaf_of a A -> leaf_of ab AB -> near_cross A AB N -> computed_normal ca ab' CA AB' V omega -> near_dot N V M ->
     Rabs (- M - - dot (cross a ab) (cross ca ab')) <= kept * edge_side_limit N V (component_error A AB) omega.
   Proof.
     intros la lab HN HV HM. pose proof (cross_back _ _ _ _ _ la lab HN) as off.
     destruct (normal_back _ _ _ _ _ _ HV) as [omega0 off']. pose proof (component_error_nonneg A AB) as nu0.
-    set (nu := component_error A AB) in *. clearbody nu. apply dot_error in HM; [| lra | lra].
+    set (nu := component_error A AB) in *. clearbody nu. unfold near_dot in HM.
     pose proof (off_dot (0.943 * nu) (0.943 * omega) _ _ _ _ ltac:(lra) ltac:(lra) off off') as change.
     pose proof (sizes_total N V) as sm. apply (Rmult_le_compat_l u) in sm; [| lra]. rewrite Rabs_minus_sym in HM.
     replace (- M - - dot (cross a ab) (cross ca ab')) with ((dot (cross a ab) (cross ca ab') - dot N V) + (dot N V - M)) by ring.
@@ -393,7 +397,7 @@ Section Margins.
   Qed.
 
   (* A margin of an edge times |AB|^2: the published form. *)
-  Theorem times_length_bound m M limit ab AB e T : leaf_of ab AB -> computed_dot AB AB e -> 0 <= limit ->
+  Theorem times_length_bound m M limit ab AB e T : leaf_of ab AB -> near_dot AB AB e -> 0 <= limit ->
     Rabs (M - m) <= kept * limit -> rounds (M * e) T ->
     Rabs (T - m * dot ab ab) <= kept * ((e * limit + units edge_length_units * Rabs T) * once).
   Proof.
@@ -413,4 +417,23 @@ Section Margins.
     replace (T - m * dot ab ab) with ((T - M * e) + (M * e - m * dot ab ab)) by ring.
     eapply Rle_trans; [apply Rabs_triang |]. unfold kept, units, unit_factor, edge_length_units, once in *. lra.
   Qed.
+
+  (* Doubles, whose operations have an error relative to their results, meet the premises. *)
+  Theorem double_dot_near X Y D : computed_dot u 0 X Y D -> near_dot X Y D.
+  Proof. intros H. apply dot_error in H; unfold near_dot; lra. Qed.
+  Lemma double_difference_near a b c d D : computed_difference u 0 a b c d D -> near_difference a b c d D.
+  Proof. intros H. apply difference_error in H; unfold near_difference; lra. Qed.
+  Theorem double_cross_near X Y N : computed_cross u 0 X Y N -> near_cross X Y N.
+  Proof. intros (x & y & z). repeat split; apply double_difference_near; assumption. Qed.
+  Theorem double_minus_near x y M : rounds (x - y) M -> near_minus x y M.
+  Proof.
+    unfold Lanes.rounds, near_minus. intros H. rewrite Rplus_0_r in H.
+    assert (Rabs (x - y) <= Rabs x + Rabs y) by (unfold Rminus; rewrite <- (Rabs_Ropp y); apply Rabs_triang).
+    assert (u * Rabs (x - y) <= u * (Rabs x + Rabs y)) by (apply Rmult_le_compat_l; lra). lra.
+  Qed.
 End Margins.
+
+(* The double that is compared, L, is the leading one of the pair M: beyond the bound it has the sign of the exact m. *)
+Theorem sign_of_leading m M L bound : 0 <= bound -> Rabs (M - m) <= kept * bound -> Rabs (L - M) <= / 1048576 * Rabs M ->
+  (bound < L -> 0 < m) /\ (L < - bound -> m < 0).
+Proof. unfold kept. intros. split; intros; unfold Rabs in *; repeat destruct Rcase_abs; lra. Qed.

@@ -3,9 +3,9 @@
    weaker must not go unread. *)
 From Coq Require Import Reals ZArith List.
 From Flocq Require Import Core BinarySingleNaN.
-From Axiscert Require Import Vectors Sat7 Exact Reduced Sides RecordedIsSat7 RecordedIsProgram Expression Programs Format Run
-  Window Windows Thresholds Filter Filters Lanes Margins Certified CertifiedStep Sizes CoarseFloat Conservative ConservativeStep PhantomStep
-  Exported Decides.
+From Axiscert Require Import Vectors Sat7 Exact Reduced OpenSphere Known Scaled Sides RecordedIsSat7 RecordedIsProgram Expression
+  Programs Format Run Window Windows Thresholds Filter Filters Lanes Margins Pairs Certified CertifiedStep Sizes CoarseFloat OpenCoarse
+  PairStep Box Conservative ConservativeStep PhantomStep Exported Decides.
 Open Scope R_scope.
 Set Printing Width 120.
 
@@ -24,6 +24,24 @@ Goal True. statement "reduced_equiv". Abort.
 Check reduced_equiv.
 Goal True. statement "reduced_exact". Abort.
 Check reduced_exact.
+Goal True. statement "open_exact". Abort.
+Check open_exact.
+Goal True. statement "open_contact". Abort.
+Check open_contact.
+Goal True. statement "open_left_side". Abort.
+Check open_left_side.
+Goal True. statement "either_exact". Abort.
+Check either_exact.
+Goal True. statement "sign_decides". Abort.
+Check sign_decides.
+Goal True. statement "both_are_sound". Abort.
+Check both_are_sound.
+Goal True. statement "known_is_right". Abort.
+Check known_is_right.
+Goal True. statement "last_step_decides". Abort.
+Check last_step_decides.
+Goal True. statement "scaled_is_same". Abort.
+Check scaled_is_same.
 Goal True. statement "recorded_published_is_sat7". Abort.
 Check recorded_published_is_sat7.
 Goal True. statement "recorded_reduced_is_sat7". Abort.
@@ -88,6 +106,18 @@ Goal True. statement "edge_side_bound". Abort.
 Check edge_side_bound.
 Goal True. statement "times_length_bound". Abort.
 Check times_length_bound.
+Goal True. statement "double_dot_near". Abort.
+Check double_dot_near.
+Goal True. statement "double_cross_near". Abort.
+Check double_cross_near.
+Goal True. statement "double_minus_near". Abort.
+Check double_minus_near.
+Goal True. statement "sign_of_leading". Abort.
+Check sign_of_leading.
+Goal True. statement "pair_minus_cancels". Abort.
+Check pair_minus_cancels.
+Goal True. statement "leading_is_a_double". Abort.
+Check leading_is_a_double.
 Goal True. statement "coarse_never_lies32". Abort.
 Check coarse_never_lies32.
 Goal True. statement "coarse_never_lies64". Abort.
@@ -96,6 +126,18 @@ Goal True. statement "float_coarse_never_lies32". Abort.
 Check float_coarse_never_lies32.
 Goal True. statement "float_coarse_never_lies64". Abort.
 Check float_coarse_never_lies64.
+Goal True. statement "float_coarse_never_lies_open32". Abort.
+Check float_coarse_never_lies_open32.
+Goal True. statement "float_coarse_never_lies_open64". Abort.
+Check float_coarse_never_lies_open64.
+Goal True. statement "float_pair_never_lies32". Abort.
+Check float_pair_never_lies32.
+Goal True. statement "float_pair_never_lies64". Abort.
+Check float_pair_never_lies64.
+Goal True. statement "beyond_is_separated". Abort.
+Check beyond_is_separated.
+Goal True. statement "passed_over_is_separated". Abort.
+Check passed_over_is_separated.
 Goal True. statement "conservative_never_misses32". Abort.
 Check conservative_never_misses32.
 Goal True. statement "conservative_never_misses64". Abort.
@@ -172,6 +214,40 @@ Goal True. statement "reduced_side_sides". Abort.
 Print reduced_side_sides.
 Goal True. statement "reduced". Abort.
 Print reduced.
+Goal True. statement "separated_open". Abort.
+Print separated_open.
+Goal True. statement "has_normal". Abort.
+Print has_normal.
+Goal True. statement "weak". Abort.
+Print weak.
+Goal True. statement "open_holds". Abort.
+Print open_holds.
+Goal True. statement "axis". Abort.
+Print axis.
+Goal True. statement "radius_of". Abort.
+Print radius_of.
+Goal True. statement "sides_hold". Abort.
+Print sides_hold.
+Goal True. statement "axis_holds". Abort.
+Print axis_holds.
+Goal True. statement "question". Abort.
+Print question.
+Goal True. statement "holds_for". Abort.
+Print holds_for.
+Goal True. statement "apart". Abort.
+Print apart.
+Goal True. statement "known". Abort.
+Print known.
+Goal True. statement "sound_known". Abort.
+Print sound_known.
+Goal True. statement "both_known". Abort.
+Print both_known.
+Goal True. statement "all_axes". Abort.
+Print all_axes.
+Goal True. statement "is_separated". Abort.
+Print is_separated.
+Goal True. statement "is_contact". Abort.
+Print is_contact.
 Goal True. statement "strict". Abort.
 Print strict.
 Goal True. statement "nonstrict". Abort.
@@ -324,6 +400,14 @@ Goal True. statement "greatest_component". Abort.
 Print greatest_component.
 Goal True. statement "total". Abort.
 Print total.
+Goal True. statement "near_dot". Abort.
+Print near_dot.
+Goal True. statement "near_difference". Abort.
+Print near_difference.
+Goal True. statement "near_cross". Abort.
+Print near_cross.
+Goal True. statement "near_minus". Abort.
+Print near_minus.
 Goal True. statement "kept". Abort.
 Print kept.
 Goal True. statement "units". Abort.
@@ -340,6 +424,18 @@ Goal True. statement "edge_radius_limit". Abort.
 Print edge_radius_limit.
 Goal True. statement "edge_side_limit". Abort.
 Print edge_side_limit.
+Goal True. statement "double_pair". Abort.
+Print double_pair.
+Goal True. statement "pair_value". Abort.
+Print pair_value.
+Goal True. statement "two_sum". Abort.
+Print two_sum.
+Goal True. statement "pair_minus". Abort.
+Print pair_minus.
+Goal True. statement "normalised". Abort.
+Print normalised.
+Goal True. statement "at_exponent". Abort.
+Print at_exponent.
 Goal True. statement "rounded_sub". Abort.
 Print rounded_sub.
 Goal True. statement "rounded_minus_product". Abort.
@@ -404,6 +500,34 @@ Goal True. statement "float_contact". Abort.
 Print float_contact.
 Goal True. statement "float_coarse_never_lies". Abort.
 Print float_coarse_never_lies.
+Goal True. statement "float_coarse_never_lies_open". Abort.
+Print float_coarse_never_lies_open.
+Goal True. statement "lane_axis_b". Abort.
+Print lane_axis_b.
+Goal True. statement "lane_separated". Abort.
+Print lane_separated.
+Goal True. statement "lane_contact". Abort.
+Print lane_contact.
+Goal True. statement "pair_separated". Abort.
+Print pair_separated.
+Goal True. statement "pair_contact". Abort.
+Print pair_contact.
+Goal True. statement "float_pair_never_lies". Abort.
+Print float_pair_never_lies.
+Goal True. statement "face". Abort.
+Print face.
+Goal True. statement "beyond_exactly". Abort.
+Print beyond_exactly.
+Goal True. statement "is_finite_vec". Abort.
+Print is_finite_vec.
+Goal True. statement "is_sphere". Abort.
+Print is_sphere.
+Goal True. statement "box_low". Abort.
+Print box_low.
+Goal True. statement "box_high". Abort.
+Print box_high.
+Goal True. statement "beyond". Abort.
+Print beyond.
 Goal True. statement "coarse_steps". Abort.
 Print coarse_steps.
 Goal True. statement "phantom_depth". Abort.

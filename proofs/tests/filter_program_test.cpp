@@ -8,6 +8,7 @@
 #include <random>
 
 #include "proofs/program.h"
+#include "kernel/include/axiscert/certified.h"
 #include "kernel/sphere_triangle/certified/thresholds.h"
 #include "kernel/sphere_triangle/certified_filter/margin_bounds.h"
 #include "kernel/sphere_triangle/certified_filter/thresholds.h"
@@ -20,8 +21,15 @@ namespace {
 using testing_support::Bits, testing_support::random_query;
 using Thresholds = std::array<filter::Threshold, comparison_count>;
 
-// The certified predicate's steps take their constants from what is proved, except this one.
+// The coarse step of the certified predicate takes its constants and its range from what is proved, except the first
+// that is compared here; the conservative test takes its constants and the lower ends of its range, the fine and deep
+// steps their multiples of U. These have no theorem, or are copied by hand: U of pairs (2^-102), the ranges 2^-100 to
+// 2^100, the residues' 2^60 and the upper ends of the conservative test's range. That the steps use the constants as
+// the theorems do is tied to nothing: the programs recorded here are those of the filters.
 static_assert(certified::least_relative_triangle == 1.0 / 1048576);
+// What is promised of phantoms is at least `phantom_depth` of PhantomStep.v, 20, times the root of u.
+static_assert(AXISCERT_PHANTOM_DEPTH_F32 * AXISCERT_PHANTOM_DEPTH_F32 >= 20 * 20 * 0x1p-24);
+static_assert(AXISCERT_PHANTOM_DEPTH_F64 * AXISCERT_PHANTOM_DEPTH_F64 >= 20 * 20 * 0x1p-53);
 
 struct FilterUnderTest {
   const char* kernel;
