@@ -16,6 +16,8 @@ struct ExactNumber {
   friend ExactNumber operator+(const ExactNumber& a, const ExactNumber& b) { return of(a.value + b.value); }
   friend ExactNumber operator-(const ExactNumber& a, const ExactNumber& b) { return of(a.value - b.value); }
   friend ExactNumber operator*(const ExactNumber& a, const ExactNumber& b) { return of(a.value * b.value); }
+  // For formulae that divide in a stated place; b is not 0.
+  friend ExactNumber operator/(const ExactNumber& a, const ExactNumber& b) { return of(a.value / b.value); }
   friend ExactNumber magnitude(const ExactNumber& a) { return of(abs(a.value)); }
   friend bool operator>(const ExactNumber& a, const ExactNumber& b) { return a.value > b.value; }
   friend bool operator>=(const ExactNumber& a, const ExactNumber& b) { return a.value >= b.value; }
