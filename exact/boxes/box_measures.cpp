@@ -27,6 +27,25 @@ Rational extent_along(const ExactBox& box, const Point& d) {
   return sum;
 }
 
+// On an axis that is not 0: what is left of both extents beside the distance of the centres, times the axis' length.
+struct AxisRest {
+  std::size_t index;
+  Rational rest, squared_length;
+  Rational squared() const { return rest * rest / squared_length; }
+};
+std::vector<AxisRest> rests(const ExactPair& q) {
+  const Point between = q.b.centre - q.a.centre;
+  std::vector<AxisRest> found;
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const Point along = direction(q, i);
+    const Rational squared_length = dot(along, along);
+    if (squared_length == 0) continue;
+    const Rational rest = extent_along(q.a, along) + extent_along(q.b, along) - abs(Rational(dot(along, between)));
+    found.push_back({i, rest, squared_length});
+  }
+  return found;
+}
+
 }  // namespace
 
 ExactPair exact_pair(const BoxPair<double>& q) {
@@ -55,18 +74,39 @@ Hull corners_of(const ExactBox& box) {
 
 Rational determinant(const ExactBox& box) { return dot(box.axis[0], facet_normal(box, 0)); }
 
+std::vector<std::string_view> deciding_axes(const ExactPair& q) {
+  std::vector<std::string_view> separating, least;
+  std::optional<Rational> depth;
+  for (const AxisRest& axis : rests(q)) {
+    if (axis.rest < 0) separating.push_back(axis_names[axis.index]);
+    const Rational squared = axis.squared();
+    if (depth && squared > *depth) continue;
+    if (!depth || squared < *depth) least.clear();
+    depth = squared;
+    least.push_back(axis_names[axis.index]);
+  }
+  return separating.empty() ? least : separating;
+}
+
 Rational squared_penetration(const ExactPair& q) {
-  const Point between = q.b.centre - q.a.centre;
   std::optional<Rational> least;
-  for (std::size_t i = 0; i < axis_count; ++i) {
-    const Point along = direction(q, i);
-    const Rational length2 = dot(along, along);
-    if (length2 == 0) continue;
-    const Rational rest = extent_along(q.a, along) + extent_along(q.b, along) - abs(Rational(dot(along, between)));
-    Rational squared = rest * rest / length2;
+  for (const AxisRest& axis : rests(q)) {
+    Rational squared = axis.squared();
     if (!least || squared < *least) least = std::move(squared);
   }
   return *least;  // the axes of a box are independent, so its facets have normals
+}
+
+Rational critical_factor(const ExactPair& q, const Point& u) {
+  std::optional<Rational> least;
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const Point along = direction(q, i);
+    const Rational slope = abs(Rational(dot(along, u)));
+    if (slope == 0) continue;
+    Rational factor = (extent_along(q.a, along) + extent_along(q.b, along)) / slope;
+    if (!least || factor < *least) least = std::move(factor);
+  }
+  return *least;  // the normals of a box span the space, so one is not at right angles to u
 }
 
 Rational squared_distance(const ExactPair& q) { return nearest_points(corners_of(q.a), corners_of(q.b)).squared(); }

@@ -1,5 +1,3 @@
-#include "exact/boxes/box_oracles.h"
-
 #include "exact/boxes/trait.h"
 #include "exact/trait/oracles_of.h"
 
@@ -8,17 +6,11 @@ namespace axiscert {
 template class OraclesOf<boxes::MatrixTrait>;
 template class OraclesOf<boxes::QuaternionTrait>;
 
-namespace boxes {
-
-const Oracles& matrix_oracles() {
-  static const OraclesOf<MatrixTrait> oracles;
-  return oracles;
+const Oracles& box_box_oracles(std::size_t entry) {
+  static const OraclesOf<boxes::MatrixTrait> of_matrices;
+  static const OraclesOf<boxes::QuaternionTrait> of_quaternions;
+  if (entry == boxes::QuaternionBoxes::entry) return of_quaternions;
+  return of_matrices;
 }
 
-const Oracles& quaternion_oracles() {
-  static const OraclesOf<QuaternionTrait> oracles;
-  return oracles;
-}
-
-}  // namespace boxes
 }  // namespace axiscert

@@ -1,6 +1,6 @@
 // The oracles of both entries: queries by hand, agreement on small numbers, and planted faults that they refuse; the
 // penetration of a contact that ODE is known to miss.
-#include "exact/boxes/box_oracles.h"
+#include <gmock/gmock.h>
 
 #include <cmath>
 
@@ -10,6 +10,11 @@
 
 namespace axiscert::boxes {
 namespace {
+
+using testing::ElementsAre;
+
+const Oracles& matrix_oracles() { return oracles_of(box_box_test(), MatrixBoxes::entry); }
+const Oracles& quaternion_oracles() { return oracles_of(box_box_test(), QuaternionBoxes::entry); }
 
 constexpr std::array<Vec3<double>, 3> unit_axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
@@ -47,6 +52,38 @@ TEST(BoxOracles, InvalidAreDependentAxesNegativeExtentsAndNoNumbers) {
   EXPECT_EQ(verdict(6, 0x1p-1074), Verdict::contact);
   const Numbers<double> no_turn{0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 2, 0, 0, 1, 1, 1, 0, 5, 0, 0};
   EXPECT_EQ(quaternion_oracles().truth(no_turn).verdict, Verdict::invalid);
+}
+
+TEST(BoxOracles, SayWhyNumbersAreNoBoxes) {
+  const auto why = [](std::size_t column, double value) {
+    Numbers<double> numbers = cubes({0, 0, 0});
+    numbers[column] = value;
+    return matrix_oracles().why_invalid(numbers);
+  };
+  EXPECT_EQ(why(6, 1), "");
+  EXPECT_EQ(why(6, 0), "box a: its three basis vectors are linearly dependent, so that their determinant is 0");
+  EXPECT_EQ(why(19, -1), "half extent b.s1 is negative");
+  EXPECT_EQ(why(20, NAN), "b.s2 is not finite");
+  const Numbers<double> no_turn{0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 2, 0, 0, 1, 1, 1, 0, 0, 0, 0};
+  EXPECT_EQ(quaternion_oracles().why_invalid(no_turn), "box b: its quaternion is 0");
+}
+
+TEST(BoxOracles, RefuseNumbersOfAnotherEntry) {
+  EXPECT_THROW(quaternion_oracles().truth(cubes({0, 0, 0})), HarnessFault);
+}
+
+TEST(BoxOracles, ToldDetailsAreThePenetrationOrTheDistanceAndTheAxes) {
+  const auto details = [](const Vec3<double>& at) { return matrix_oracles().details(cubes(at)); };
+  const auto value = [](const Detail& detail) { return std::get<double>(detail.value); };
+  const auto axes = [](const Detail& detail) { return std::get<std::vector<std::string_view>>(detail.value); };
+  const std::vector<Detail> inside = details({0.5, 1.5, 0}), apart = details({0, 0, -5});
+  EXPECT_EQ(value(inside[0]), 0.5);
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(inside[1].value));
+  // The edges a0 and b2 are at right angles to y too.
+  EXPECT_THAT(axes(inside[2]), ElementsAre("a1", "b1", "a0b2", "a2b0"));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(apart[0].value));
+  EXPECT_EQ(value(apart[1]), 3);
+  EXPECT_THAT(axes(apart[2]), ElementsAre("a2", "b2", "a0b1", "a1b0"));
 }
 
 // Faults of the fifteen axes: one that never separates, or one without the last term of B's extent.

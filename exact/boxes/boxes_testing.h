@@ -74,23 +74,6 @@ auto exact_problem(const Numbers<Real>& numbers) {
 inline bool are_apart(const ExactPair& q) { return squared_distance(q) > 0; }
 inline bool are_apart(const BoxPair<double>& q) { return are_apart(exact_pair(q)); }
 
-// The greatest f for which B at A's centre + f u is in contact.
-inline Rational critical_factor(const ExactPair& q, const Point& u) {
-  std::optional<Rational> least;
-  for (std::size_t i = 0; i < axis_count; ++i) {
-    const Point along = direction(q, i);
-    const Rational slope = abs(Rational(dot(along, u)));
-    if (slope == 0) continue;
-    Rational radius;
-    for (const ExactBox* box : {&q.a, &q.b}) {
-      for (std::size_t k = 0; k < 3; ++k) radius += box->half[k] * abs(Rational(dot(along, box->axis[k])));
-    }
-    Rational factor = radius / slope;
-    if (!least || factor < *least) least = std::move(factor);
-  }
-  return *least;
-}
-
 // Wrong verdicts among queries.
 struct Wrong {
   int asked = 0, missed = 0, phantom = 0;

@@ -13,13 +13,46 @@
 #include "exact/trait/trait.h"
 #include "kernel/boxes/epsilon.h"
 #include "kernel/boxes/projected.h"
+#include "kernel/boxes/slips.h"
 
 namespace axiscert::boxes {
 
-// Facts that both entries share, of a query as two exact boxes.
-struct BoxTruth {
+// The reason for which one box is none, or empty: of a basis by its determinant, of a quaternion by its length.
+inline std::string no_box(const OrientedBox<double>& box) {
+  const ExactPair exact = exact_pair(BoxPair<double>{box, box});
+  return determinant(exact.a) == 0 ? "its three basis vectors are linearly dependent, so that their determinant is 0"
+                                   : "";
+}
+inline std::string no_box(const TurnedBox<double>& box) {
+  return std::all_of(box.q.begin(), box.q.end(), [](double x) { return x == 0; }) ? "its quaternion is 0" : "";
+}
+
+// What both entries share; `Boxes` is MatrixBoxes or QuaternionBoxes.
+template <class Boxes>
+struct BoxTrait : Boxes {
+  static auto query(const Numbers<double>& numbers) {
+    return Boxes::template problem<double>([&](std::size_t k) { return numbers[k]; });
+  }
+  static ExactPair exactly(const Numbers<double>& numbers) { return exact_pair(query(numbers)); }
+
+  static std::string why_invalid(const Numbers<double>& numbers) {
+    const auto& columns = Boxes::description().entries[Boxes::entry].columns;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      if (!std::isfinite(numbers[k])) return fmt::format("{} is not finite", columns[k].name);
+      if (columns[k].role == Role::length && numbers[k] < 0) {
+        return fmt::format("half extent {} is negative", columns[k].name);
+      }
+    }
+    const auto q = query(numbers);
+    if (const std::string why = no_box(q.a); !why.empty()) return "box a: " + why;
+    if (const std::string why = no_box(q.b); !why.empty()) return "box b: " + why;
+    return "";
+  }
+  static bool is_valid(const Numbers<double>& numbers) { return why_invalid(numbers).empty(); }
+
   // Touching is taken from the clipped edges: nearest points do not tell it.
-  static Truth of(const ExactPair& q) {
+  static Truth geometric_truth(const Numbers<double>& numbers) {
+    const ExactPair q = exactly(numbers);
     if (squared_distance(q) > 0) return {Verdict::separated, false};
     return {Verdict::contact, !common_of(q).interiors_meet};
   }
@@ -27,7 +60,9 @@ struct BoxTruth {
   // The theorem. With the products of the boxes' own vectors as directions, one of the fifteen axes separates exactly
   // where the boxes have no point in common; they touch exactly where none separates and on one that is not 0 both
   // sides are equal.
-  static std::string contradiction(const ExactPair& q, const Truth& truth, ComparisonBits holds, ComparisonBits ties) {
+  static std::string contradiction(const Numbers<double>& numbers, const Truth& truth, ComparisonBits holds,
+                                   ComparisonBits ties) {
+    const ExactPair q = exactly(numbers);
     const Common common = common_of(q);
     const Verdict by_clipping = common.meets ? Verdict::contact : Verdict::separated;
     const Verdict by_axes = verdict_of(box_box_test(), holds);
@@ -44,60 +79,31 @@ struct BoxTruth {
         name(truth.verdict), name(by_clipping), common.interiors_meet, name(by_axes), axes_touch, holds, ties);
   }
 
-  static bool is_valid(const ExactPair& q) {
-    for (const ExactBox* box : {&q.a, &q.b}) {
-      if (determinant(*box) == 0) return false;
-      if (std::any_of(box->half.begin(), box->half.end(), [](const Rational& s) { return s < 0; })) return false;
-    }
-    return true;
-  }
-  static bool is_finite(const Numbers<double>& numbers) {
-    return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
-  }
-};
-
-struct MatrixTrait : MatrixBoxes {
-  using AllFormulae = FormulaeList<Projected, Columns, Dropped, Framed, Textbook, Rtcd, Gottschalk, Bullet, Cofactor>;
-
-  static ExactPair exactly(const Numbers<double>& numbers) {
-    return exact_pair(problem<double>([&](std::size_t k) { return numbers[k]; }));
-  }
-  static bool is_valid(const Numbers<double>& numbers) {
-    return BoxTruth::is_finite(numbers) && BoxTruth::is_valid(exactly(numbers));
-  }
-  static Truth geometric_truth(const Numbers<double>& numbers) { return BoxTruth::of(exactly(numbers)); }
-  static std::string contradiction(const Numbers<double>& numbers, const Truth& truth, ComparisonBits holds,
-                                   ComparisonBits ties) {
-    return BoxTruth::contradiction(exactly(numbers), truth, holds, ties);
-  }
   static double depth(const Numbers<double>& numbers) { return depth_of(exactly(numbers)); }
+
+  // The penetration or the distance, as a length rounded to nearest; and the axes that decide: those on which the
+  // penetration is least, or those that separate.
+  template <class Real>
+  static std::vector<Detail> details(const Numbers<double>& numbers) {
+    const ExactPair q = exactly(numbers);
+    Detail penetration{"penetration", {}}, distance{"distance", {}};
+    const Rational apart = squared_distance(q);
+    if (apart > 0) distance.value = static_cast<double>(nearest_sqrt<Real>(apart));
+    else penetration.value = static_cast<double>(nearest_sqrt<Real>(squared_penetration(q)));
+    return {penetration, distance, {"deciding_axes", deciding_axes(q)}};
+  }
 };
 
-struct QuaternionTrait : QuaternionBoxes {
+struct MatrixTrait : BoxTrait<MatrixBoxes> {
+  using AllFormulae = FormulaeList<Projected, Columns, Dropped, Framed, Textbook, Rtcd, Gottschalk, Bullet, Cofactor,
+                                   SlipOfTheBook, SlipOfTheFrame, SlipOfEpsilon, SlipOfOwnEdges, SlipOfOneEdge>;
+};
+
+struct QuaternionTrait : BoxTrait<QuaternionBoxes> {
   using AllFormulae =
       FormulaeList<OfQuaternions<Projected>, OfQuaternions<Columns>, OfQuaternions<Dropped>, OfQuaternions<Framed>,
                    OfQuaternions<Textbook>, OfQuaternions<Rtcd>, OfQuaternions<Gottschalk>, OfQuaternions<Bullet>,
                    OfQuaternions<Cofactor>, Homogeneous>;
-
-  static TurnedPair<double> query(const Numbers<double>& numbers) {
-    return problem<double>([&](std::size_t k) { return numbers[k]; });
-  }
-  static ExactPair exactly(const Numbers<double>& numbers) { return exact_pair(query(numbers)); }
-  static bool is_valid(const Numbers<double>& numbers) {
-    if (!BoxTruth::is_finite(numbers)) return false;
-    const TurnedPair<double> q = query(numbers);
-    for (const TurnedBox<double>* box : {&q.a, &q.b}) {
-      if (std::all_of(box->q.begin(), box->q.end(), [](double x) { return x == 0; })) return false;
-      if (std::any_of(box->half.begin(), box->half.end(), [](double s) { return s < 0; })) return false;
-    }
-    return true;
-  }
-  static Truth geometric_truth(const Numbers<double>& numbers) { return BoxTruth::of(exactly(numbers)); }
-  static std::string contradiction(const Numbers<double>& numbers, const Truth& truth, ComparisonBits holds,
-                                   ComparisonBits ties) {
-    return BoxTruth::contradiction(exactly(numbers), truth, holds, ties);
-  }
-  static double depth(const Numbers<double>& numbers) { return depth_of(exactly(numbers)); }
 };
 
 }  // namespace axiscert::boxes

@@ -18,6 +18,9 @@ class OraclesOf final : public Oracles {
   const TestDescription& test() const override { return Test::description(); }
   std::vector<std::string_view> formulae() const override { return names_of(typename Test::AllFormulae()); }
 
+  std::string why_invalid(const Numbers<float>& q) const override { return reason(q); }
+  std::string why_invalid(const Numbers<double>& q) const override { return reason(q); }
+
   Truth truth(const Numbers<float>& q) const override { return truth_of(q); }
   Truth truth(const Numbers<double>& q) const override { return truth_of(q); }
   std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<float>& q) const override {
@@ -73,7 +76,18 @@ class OraclesOf final : public Oracles {
   }
 
   template <class Real>
+  static std::string reason(const Numbers<Real>& q) {
+    if constexpr (SaysWhyInvalid<Test>) return Test::why_invalid(widened(q));
+    else return {};
+  }
+
+  template <class Real>
   static Truth truth_of(const Numbers<Real>& q) {
+    const TestEntry& entry = Test::description().entries[entry_of<Test>()];
+    if (q.size() != entry.columns.size()) {
+      throw HarnessFault(fmt::format("{}: the oracles of entry {}, of {} columns, are asked about {} numbers",
+                                     Test::description().id, entry.name, entry.columns.size(), q.size()));
+    }
     const Numbers<double> wide = widened(q);
     if (!Test::is_valid(wide)) return {Verdict::invalid, false};
     const Truth truth = Test::geometric_truth(wide);

@@ -15,14 +15,14 @@ std::vector<TestColumn> matrix_columns() {
   std::vector<TestColumn> columns;
   add_group(columns, place, "a.m", {"a.mx", "a.my", "a.mz"});
   add_group(columns, length, "a.s", {"a.s0", "a.s1", "a.s2"});
-  add_group(columns, direction, "a.b0", {"a.b0x", "a.b0y", "a.b0z"});
-  add_group(columns, direction, "a.b1", {"a.b1x", "a.b1y", "a.b1z"});
-  add_group(columns, direction, "a.b2", {"a.b2x", "a.b2y", "a.b2z"});
+  add_group(columns, direction, "a.b.0", {"a.b0x", "a.b0y", "a.b0z"});
+  add_group(columns, direction, "a.b.1", {"a.b1x", "a.b1y", "a.b1z"});
+  add_group(columns, direction, "a.b.2", {"a.b2x", "a.b2y", "a.b2z"});
   add_group(columns, place, "b.m", {"b.mx", "b.my", "b.mz"});
   add_group(columns, length, "b.s", {"b.s0", "b.s1", "b.s2"});
-  add_group(columns, direction, "b.b0", {"b.b0x", "b.b0y", "b.b0z"});
-  add_group(columns, direction, "b.b1", {"b.b1x", "b.b1y", "b.b1z"});
-  add_group(columns, direction, "b.b2", {"b.b2x", "b.b2y", "b.b2z"});
+  add_group(columns, direction, "b.b.0", {"b.b0x", "b.b0y", "b.b0z"});
+  add_group(columns, direction, "b.b.1", {"b.b1x", "b.b1y", "b.b1z"});
+  add_group(columns, direction, "b.b.2", {"b.b2x", "b.b2y", "b.b2z"});
   return columns;
 }
 

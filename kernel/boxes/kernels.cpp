@@ -1,5 +1,6 @@
 #include "kernel/boxes/epsilon.h"
 #include "kernel/boxes/projected.h"
+#include "kernel/boxes/slips.h"
 #include "kernel/boxes/turned.h"
 
 namespace axiscert {
@@ -17,9 +18,7 @@ Kernel of_matrices(std::string_view summary) {
 
 template <class F>
 Kernel of_quaternions(std::string id, std::string summary) {
-  Kernel kernel = plain_kernel<QuaternionBoxes, F>(std::move(id), std::move(summary));
-  kernel.entry = QuaternionBoxes::entry;
-  return kernel;
+  return plain_kernel<QuaternionBoxes, F>(std::move(id), std::move(summary));
 }
 template <class F>
 Kernel turned() {
@@ -40,6 +39,11 @@ std::vector<Kernel> box_box_kernels() {
       of_matrices<Gottschalk>("textbook, 1e-6 added to |R|"),
       of_matrices<Bullet>("textbook, on the edges 1e-5 added to |R| and more than 2^-23 asked"),
       of_matrices<Cofactor>("textbook, cofactors of R for R in B's radius on the edges; no epsilon"),
+      of_matrices<SlipOfTheBook>("textbook with a slip: t[1] = T.a2 (the book's first printing)"),
+      of_matrices<SlipOfTheFrame>("textbook with a slip: T is not turned into A's frame"),
+      of_matrices<SlipOfEpsilon>("textbook with a slip: an epsilon of 2^-149, C#'s float.Epsilon"),
+      of_matrices<SlipOfOwnEdges>("projected with a slip: the edges of A against those of A"),
+      of_matrices<SlipOfOneEdge>("projected with a slip: a2 x b2 for a1 x b2"),
       turned<Projected>(),
       turned<Columns>(),
       turned<Dropped>(),
