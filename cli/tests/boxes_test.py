@@ -3,9 +3,10 @@
 them yet."""
 import json
 import math
+import subprocess
 import unittest
 
-from command import Case, axiscert
+from command import ROOT, Case, axiscert
 
 UPRIGHT = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
 
@@ -116,6 +117,21 @@ class BoxBox(Case):
         made = axiscert("generate", "--family", "box-box/resting", "--trials", "3")
         self.assertEqual(made.returncode, 0, made.stderr)
         self.assertEqual(len(self.checked(made.stdout, "--kernel", "box-box/cofactor")), 3)
+
+
+    def test_the_example_is_the_kernel_with_cofactors_bit_for_bit(self):
+        plugin = self.folder / "box_kernel.so"
+        source = ROOT / "examples" / "plugin" / "boxes" / "box_kernel.c"
+        subprocess.run(["cc", "-O2", "-std=c99", "-ffp-contract=off", "-shared", "-fPIC", f"-I{ROOT / 'kernel' / 'include'}", source,
+                        "-o", plugin, "-lm"], check=True)
+        families = [word for name in ("resting", "tangent", "bits") for word in ("--family", f"box-box/{name}")]
+        record = self.run_ok("--kernel", f"plugin:{plugin}", "--kernel", "box-box/cofactor", "--kernel", "box-box/textbook", *families,
+                             "--trials", "64", "--precision", "binary32")
+        example, cofactor, _ = (kernel["families"] for kernel in record["kernels"])
+        for family, found in example.items():
+            for member in ("verdict", "axes"):
+                self.assertEqual(found[member], cofactor[family][member], family)
+            self.assertEqual(found["verdict"]["links"]["implementation"], 0)
 
 
 class BoxPeersLong(Case):

@@ -90,6 +90,8 @@ struct Crossed {
     const auto longer = static_cast<int>(random.below(4));
     q.a.half[0] = std::ldexp(q.a.half[0], longer);
     q.b.half[0] = std::ldexp(q.b.half[0], longer);
+    q.a.half[2] = q.a.half[1];  // square, so that the highest edge is above the middle
+    q.b.half[2] = q.b.half[1];
     const Quaternion frame = random_turn(random);
     const auto flatness = static_cast<int>(random.integer(6, 18));
     const double yaw = std::ldexp(1.0, flatness);
