@@ -18,4 +18,5 @@
   X(sphere_triangle)      \
   X(moving_sphere)        \
   X(box_box)              \
+  X(box_triangle)         \
   AXISCERT_MORE_TESTS(X)

@@ -48,8 +48,9 @@ int check(const CheckOptions& options) {
   if (given != nullptr) require_loaded(*given);
   const std::string target = resolve_target(options.target);
   const auto queries = read_query_file(options.file, parse_precision(options.precision));
-  const Kernel& kernel =
-      given != nullptr ? *given : queries.empty() ? default_kernel(first_test()) : default_kernel(*queries.front().test, queries.front().entry);
+  const Kernel& kernel = given != nullptr  ? *given
+                         : queries.empty() ? default_kernel(first_test())
+                                           : default_kernel(*queries.front().test, queries.front().entry);
   if (options.errors) require_served("--errors", *kernel.test);
   const bool is_first = kernel.test == &first_test();
   Examiner examiner(kernel, target);

@@ -119,7 +119,8 @@ void add_generate(CLI::App& app, Action& action) {
   add_source_options(*command, *options);
   command->add_option("--precision", options->precision, "binary32 or binary64; also the precision of CSV files")
       ->capture_default_str();
-  auto* binary = command->add_flag("--binary", options->binary, "the query stream of docs/pipe.md instead of JSON Lines");
+  auto* binary =
+      command->add_flag("--binary", options->binary, "the query stream of docs/pipe.md instead of JSON Lines");
   command
       ->add_option("--measures", options->measures,
                    "the program gives so many of the test's measures beside each verdict, from the first on (`axiscert "

@@ -81,7 +81,9 @@ const TestDescription& test_of_sources(const std::string& test, const std::vecto
   return given;
 }
 
-std::vector<const TestDescription*> tests_of_spheres() { return {&sphere_triangle_test(), &find_test("moving-sphere")}; }
+std::vector<const TestDescription*> tests_of_spheres() {
+  return {&sphere_triangle_test(), &find_test("moving-sphere")};
+}
 
 void require_served(std::string_view command, const TestDescription& test) {
   require_served(command, test, {&sphere_triangle_test()});

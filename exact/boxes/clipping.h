@@ -2,7 +2,7 @@
 // nearest points or with the fifteen axes.
 #pragma once
 
-#include "exact/boxes/exact_box.h"
+#include "exact/boxes/exact_triangle.h"
 
 namespace axiscert::boxes {
 
@@ -21,5 +21,9 @@ struct Common {
 //
 // Precondition: the axes of each box are independent; half extents may be 0.
 Common common_of(const ExactPair& q);
+
+// The same of a box and a triangle, which may be degenerate. A corner of what they have in common is on an edge of the
+// triangle, within the box, or on an edge of the box, within the triangle.
+Common common_of(const ExactBoxAndTriangle& q);
 
 }  // namespace axiscert::boxes

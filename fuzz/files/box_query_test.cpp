@@ -45,12 +45,11 @@ TEST(BoxQuery, HasTheEntryOfItsMembers) {
 
 TEST(BoxQuery, IsWrittenNestedAndReadsBackTheSame) {
   const std::string line = query_line(parsed_boxes(line_of(cube, slab)).front());
-  EXPECT_EQ(line,
-            R"({"id":"line-1","precision":"binary64","test":"box-box","a":{"m":["0x0p+0","0x0p+0","0x0p+0"],)"
-            R"("s":["0x1p+0","0x1p+0","0x1p+0"],"b":[["0x1p+0","0x0p+0","0x0p+0"],["0x0p+0","0x1p+0","0x0p+0"],)"
-            R"(["0x0p+0","0x0p+0","0x1p+0"]]},"b":{"m":["0x1.8p+1","0x1p+2","0x1.4p+2"],)"
-            R"("s":["0x1p+0","0x1p+1","0x1p-2"],"b":[["0x1p-1","0x0p+0","0x0p+0"],["0x0p+0","0x1p+0","0x0p+0"],)"
-            R"(["0x0p+0","0x0p+0","-0x1p+0"]]}})");
+  EXPECT_EQ(line, R"({"id":"line-1","precision":"binary64","test":"box-box","a":{"m":["0x0p+0","0x0p+0","0x0p+0"],)"
+                  R"("s":["0x1p+0","0x1p+0","0x1p+0"],"b":[["0x1p+0","0x0p+0","0x0p+0"],["0x0p+0","0x1p+0","0x0p+0"],)"
+                  R"(["0x0p+0","0x0p+0","0x1p+0"]]},"b":{"m":["0x1.8p+1","0x1p+2","0x1.4p+2"],)"
+                  R"("s":["0x1p+0","0x1p+1","0x1p-2"],"b":[["0x1p-1","0x0p+0","0x0p+0"],["0x0p+0","0x1p+0","0x0p+0"],)"
+                  R"(["0x0p+0","0x0p+0","-0x1p+0"]]}})");
   EXPECT_EQ(query_line(parsed_boxes(line).front()), line);
   const std::string quaternions = query_line(parsed_boxes(line_of(turned, turned)).front());
   EXPECT_THAT(quaternions, testing::HasSubstr(R"("entry":"quaternion","a":{"m":)"));

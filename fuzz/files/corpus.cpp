@@ -175,7 +175,8 @@ void require_distinct(const std::vector<CorpusEntry>& entries) {
 
 ExactAnswers exact_answers(const StoredQuery& stored) {
   if (stored.test != &first_test()) {
-    const Truth truth = std::visit([&](const auto& q) { return oracles_of(*stored.test, stored.entry).truth(q); }, stored.numbers);
+    const Truth truth =
+        std::visit([&](const auto& q) { return oracles_of(*stored.test, stored.entry).truth(q); }, stored.numbers);
     return {truth.verdict, truth.touching};
   }
   return std::visit(

@@ -3,7 +3,7 @@
 // JSON Lines, one object per line:
 //   {"id":"parry-76","precision":"binary32","a":[x,y,z],"b":[x,y,z],"c":[x,y,z],"p":[x,y,z],"r":"0x1.99999ap-3"}
 // `test` is the id of the query's test (default: the first), and `entry` the entry in which its numbers are given
-// (default: the first of the test whose members are all there). The numbers' members are the groups of the entry's
+// (default: that of the test whose members are all there; of several that with most, of none the first). The numbers' members are the groups of the entry's
 // columns: an array, or a number where the group has one column. A group whose name has dots is nested (kernel/test.h):
 //   {"test":"box-box","precision":"binary64","a":BOX,"b":BOX} with BOX {"m":[x,y,z],"s":[..],"b":[[..],[..],[..]]}
 // or, for the other entry, {"m":[x,y,z],"s":[..],"q":[w,x,y,z]}; its path as the name, "a.m":[x,y,z], is read too. A number is text for parse_number: a JSON string, or the characters of a JSON number.

@@ -164,14 +164,18 @@ class QueryOfMembers {
     return of;
   }
 
-  // The first entry whose numbers' members the line has, all of them; the first of the test where it has none.
+  // Of the entries whose numbers' members the line has, all of them, that with most; the first of the test where it has
+  // none.
   std::size_t entry_of_members(const TestDescription& test) const {
+    std::size_t found = 0, most = 0;
     for (std::size_t e = 0; e < test.entries.size(); ++e) {
       const std::vector<ColumnGroup> groups = groups_of(test.entries[e]);
       const auto is_given = [&](const ColumnGroup& group) { return given_.members.contains(group.name); };
-      if (std::all_of(groups.begin(), groups.end(), is_given)) return e;
+      if (groups.size() <= most || !std::all_of(groups.begin(), groups.end(), is_given)) continue;
+      found = e;
+      most = groups.size();
     }
-    return 0;
+    return found;
   }
 
   Precision precision_of_line(const EntryOfTest& of) const {

@@ -1,5 +1,5 @@
-// The textbook with one slip each, as published code has it: what a kernel of one's own may share. Each is judged by its
-// own formulae, so that what is wrong is called its specification.
+// The textbook with one slip each, as published code has it: what a kernel of one's own may share. Each is judged by
+// its own formulae, so that what is wrong is called its specification.
 #pragma once
 
 #include "kernel/boxes/epsilon.h"
@@ -78,9 +78,8 @@ struct SlipOfOneEdge : Slip {
   static constexpr std::string_view name = "slip-one-edge";
   template <class T, class Sink>
   static void comparisons(const BoxPair<T>& q, Sink& sink) {
-    with_edge_axes<T>(q, sink, [&](std::size_t i, std::size_t j) {
-      return cross(q.a.axis[i == 1 && j == 2 ? 2 : i], q.b.axis[j]);
-    });
+    with_edge_axes<T>(
+        q, sink, [&](std::size_t i, std::size_t j) { return cross(q.a.axis[i == 1 && j == 2 ? 2 : i], q.b.axis[j]); });
   }
 };
 

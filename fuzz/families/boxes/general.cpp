@@ -137,7 +137,8 @@ extern const Family box_box_general_family = matrix_family<General>(
 extern const Family box_box_lattice_family =
     matrix_family<Lattice>("box-box/lattice", "small integers and signed permutations: nothing is rounded", true);
 extern const Family box_box_scale_family = matrix_family<Scale>(
-    "box-box/scale", "clear queries (half or twice the distance of touching), lengths times every power of two in turn");
+    "box-box/scale",
+    "clear queries (half or twice the distance of touching), lengths times every power of two in turn");
 extern const Family box_box_bits_family = costly(matrix_family<Bits>(
     "box-box/bits", "uniform finite bit patterns for centres and half extents, every fourth time for the axes too"));
 

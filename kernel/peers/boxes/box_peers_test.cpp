@@ -97,10 +97,8 @@ TEST_P(BoxPeer, SaysWhatItIs) {
 TEST_P(BoxPeer, AnswersWhatIsBeyondDoubt) {
   const auto tilted = turned_by(30, 40, 50), other = turned_by(-20, 10, 70);
   const std::vector<Boxes<double>> queries = {
-      {cube({0, 0, 0}), cube({1.5, 0.25, 0.125})},
-      {cube({0, 0, 0}, tilted), cube({1, 0.5, 0.5}, other)},
-      {cube({5, 5, 5}, tilted), cube({5, 5, 6.5}, upright)},
-      {cube({0, 0, 0}), cube({2.5, 0, 0})},
+      {cube({0, 0, 0}), cube({1.5, 0.25, 0.125})},           {cube({0, 0, 0}, tilted), cube({1, 0.5, 0.5}, other)},
+      {cube({5, 5, 5}, tilted), cube({5, 5, 6.5}, upright)}, {cube({0, 0, 0}), cube({2.5, 0, 0})},
       {cube({0, 0, 0}, tilted), cube({3, 3, 0}, other)},
   };
   // With CONTACTS_UNIMPORTANT contacts are missed at will.

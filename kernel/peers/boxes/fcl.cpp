@@ -1,5 +1,5 @@
-// FCL's collide of two boxes, which is boxBox2, in double. The description applies to FCL 0.7.0: its edge axes are raised
-// by a fudge of 10 u times the greatest extent, a length that is added to a cosine.
+// FCL's collide of two boxes, which is boxBox2, in double. The description applies to FCL 0.7.0: its edge axes are
+// raised by a fudge of 10 u times the greatest extent, a length that is added to a cosine.
 #include "kernel/peers/boxes/fcl_placed.h"
 
 namespace axiscert::peer {

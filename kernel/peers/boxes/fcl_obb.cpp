@@ -1,5 +1,5 @@
-// FCL's obbDisjoint, the test of its bounding volumes, in double. The description applies to FCL 0.7.0: 1e-6 is added to
-// the entries of |R| in double as in float, so that edges crossing at a small angle are in contact 2e-3 apart.
+// FCL's obbDisjoint, the test of its bounding volumes, in double. The description applies to FCL 0.7.0: 1e-6 is added
+// to the entries of |R| in double as in float, so that edges crossing at a small angle are in contact 2e-3 apart.
 #include "kernel/peers/boxes/fcl_placed.h"
 
 namespace axiscert::peer {

@@ -3,6 +3,6 @@
 
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
   return axiscert::peer::boxes_kernel<axiscert::peer::OdeBoxes<8>>(
-      index,
-      {"ode", "ODE's dCollide of two boxes, up to eight contacts, double", AXISCERT_TOUCHING_IS_EITHER, AXISCERT_SOURCE});
+      index, {"ode", "ODE's dCollide of two boxes, up to eight contacts, double", AXISCERT_TOUCHING_IS_EITHER,
+              AXISCERT_SOURCE});
 }

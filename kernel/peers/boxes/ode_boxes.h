@@ -1,8 +1,8 @@
 // ODE's boxes, in double (Debian's build). The descriptions apply to ODE 0.16.2.
 //
 // dCollide of two boxes is dBoxBox: the textbook's fifteen axes without an epsilon, then the incident facet clipped by
-// the reference facet. Cubes of which one is turned some quarter turns further than the other get no contact though they
-// overlap by up to nearly a half extent: an edge axis that is rounding noise, not 0, separates them.
+// the reference facet. Cubes of which one is turned some quarter turns further than the other get no contact though
+// they overlap by up to nearly a half extent: an edge axis that is rounding noise, not 0, separates them.
 #pragma once
 
 #include <ode/ode.h>
