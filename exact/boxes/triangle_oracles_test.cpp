@@ -76,12 +76,12 @@ struct PlantedThirteen {
     Thirteen::comparisons<T>(q, planted);
   }
 };
-struct WithPlantedAxes : TriangleTrait<OrientedEntry> {
+struct WithoutAnAxis : TriangleTrait<OrientedEntry> {
   using AllFormulae = FormulaeList<PlantedThirteen>;
 };
 
-bool is_caught(int queries) {
-  const OraclesOf<WithPlantedAxes> oracles;
+bool is_triangle_caught(int queries) {
+  const OraclesOf<WithoutAnAxis> oracles;
   Random random(20261124);
   for (int i = 0; i < queries; ++i) {
     BoxAndTriangle<double> q{independent_box(random, 1 + i % 2, 3), {}};
@@ -95,11 +95,11 @@ bool is_caught(int queries) {
   return false;
 }
 
-TEST(TriangleOracles, AgreeOnSmallIntegers) { EXPECT_FALSE(is_caught(400)); }
+TEST(TriangleOracles, AgreeOnSmallIntegers) { EXPECT_FALSE(is_triangle_caught(400)); }
 TEST(TriangleOraclesLong, RefuseEachAxisThatIsDropped) {
   for (std::size_t i = 0; i < thirteen_count; ++i) {
     PlantedThirteen::dropped = i;
-    EXPECT_TRUE(is_caught(100000)) << thirteen_names[i];
+    EXPECT_TRUE(is_triangle_caught(100000)) << thirteen_names[i];
     PlantedThirteen::dropped = thirteen_count;
   }
 }
