@@ -22,7 +22,7 @@ struct TestColumn {
   std::string_view name;
   Role role;
   // Columns of one group belong together, as the three of a vertex do. Its name is where a line of JSON has it: with
-  // dots the path in nested members, so that `a.m` is member `m` of the object `a`, and `b.0` the first of the array `b`.
+  // dots the path in nested members: `a.m` is member `m` of the object `a`, and `b.0` the first of the array `b`.
   std::string_view group;
 };
 

@@ -62,7 +62,7 @@ TEST(TriangleOracles, SayWhyNumbersAreNoQuery) {
 TEST(TriangleOracles, DetailsAreThePenetrationAndItsAxes) {
   const auto details = oracles_in(CentreEntry::entry).details(at_cube({{{0.5, 0, 0}, {3, 0, 0}, {3, 1, 0.5}}}));
   EXPECT_EQ(std::get<double>(details[0].value), 0.5);
-  EXPECT_THAT(std::get<std::vector<std::string_view>>(details[2].value), ElementsAre("x"));
+  EXPECT_THAT(std::get<std::vector<std::string_view>>(details[2].value), ElementsAre("x", "y_bc", "z_bc"));
 }
 
 // Planted: an axis that never separates.

@@ -54,7 +54,10 @@ struct Asked {
     signed char known = order[i].load(std::memory_order_relaxed);
     if (known != unknown) return known;
     const Truth truth = oracles->truth(batch[i]);
-    known = truth.verdict == Verdict::invalid ? invalid : truth.touching ? 0 : truth.verdict == Verdict::separated ? 1 : -1;
+    known = truth.verdict == Verdict::invalid     ? invalid
+            : truth.touching                      ? 0
+            : truth.verdict == Verdict::separated ? 1
+                                                  : -1;
     order[i].store(known, std::memory_order_relaxed);
     return known;
   }
