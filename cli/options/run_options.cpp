@@ -266,7 +266,9 @@ Plan plan_of(const RunOptions& given) {
     add_plugin(*kernel, plan);
   }
   plan.test = &test_of_kernels(options.test, plan.kernels);
-  if (plan.kernels.empty()) plan.kernels.push_back(&default_kernel(*plan.test));
+  if (plan.kernels.empty()) {
+    plan.kernels.push_back(&default_kernel(*plan.test, entry_of_families(*plan.test, options.families)));
+  }
   if (options.planted != RunOptions().planted) require_served("--plant", *plan.test);
   if (options.shrink != 0) require_served("--shrink", *plan.test, tests_of_spheres());
   if (!options.preset.empty()) apply_preset(options.preset, *plan.test, options);

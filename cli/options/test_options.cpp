@@ -50,6 +50,14 @@ const Kernel& default_kernel(const TestDescription& test, std::size_t entry) {
   throw Error(fmt::format("the test {} has no built-in kernel; give one with --kernel", test.id));
 }
 
+std::size_t entry_of_families(const TestDescription& test, const std::vector<std::string>& families) {
+  for (const std::string& name : families) {
+    if (name == "all") continue;
+    if (const Family& family = find_family(name); &family.test() == &test) return family.entry;
+  }
+  return 0;
+}
+
 void require_one_test(const std::vector<const Kernel*>& kernels, const std::vector<SourcePtr>& sources) {
   for (const SourcePtr& source : sources) {
     for (const Kernel* kernel : kernels) {

@@ -21,6 +21,8 @@ const TestDescription& test_given(const std::string& test);
 const TestDescription& test_of_kernels(const std::string& test, const std::vector<const Kernel*>& kernels);
 // The kernel of a command that names none: the first that takes this entry of the test.
 const Kernel& default_kernel(const TestDescription& test, std::size_t entry = 0);
+// The entry of the first of these families that is of the test; of none, the test's first.
+std::size_t entry_of_families(const TestDescription& test, const std::vector<std::string>& families);
 // Throws Error that names a kernel and a source of different tests, or of different entries of one test.
 void require_one_test(const std::vector<const Kernel*>& kernels, const std::vector<SourcePtr>& sources);
 // The test that --test names; where it was not given that of the first source. Throws Error that names a source of

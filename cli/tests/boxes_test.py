@@ -101,6 +101,8 @@ class BoxBox(Case):
         record = self.run_ok("--test", "box-box", "--trials", "16", "--precision", "binary32", "--kernel", "box-box/homogeneous",
                              "--kernel", "box-box/textbook-turned")
         self.assertEqual({name[-7:] for name in record["kernels"][0]["families"]}, {"_turned"})
+        record = self.run_ok("--test", "box-box", "--family", "box-box/lattice_turned", "--trials", "8", "--precision", "binary32", out="one")
+        self.assertEqual(record["plan"]["kernels"], ["box-box/projected-turned"])
 
     def test_what_does_not_serve_the_test_says_so_in_one_line(self):
         kernel = ("--kernel", "box-box/textbook")
