@@ -86,13 +86,14 @@ TEST(BoxOracles, ToldDetailsAreThePenetrationOrTheDistanceAndTheAxes) {
   EXPECT_THAT(axes(apart[2]), ElementsAre("a2", "b2", "a0b1", "a1b0"));
 }
 
-// Faults of the fifteen axes: one that never separates, or one without the last term of B's extent.
+// Faults of the fifteen axes: one that never separates, or one without a term of B's extent that is not 0 on it.
 struct PlantedFifteen : Projected {
   inline static std::size_t dropped = axis_count, shortened = axis_count;  // none
   template <class T, class Sink>
   static void comparisons(const BoxPair<T>& q, Sink& sink) {
     const auto planted = [&](std::size_t i, const T& lhs, const T& rhs) {
-      const T short_rhs = rhs - q.b.half[2] * magnitude(dot(direction(q, i), q.b.axis[2]));
+      const std::size_t k = i < 3 ? 2 : i < 6 ? i - 3 : next((i - 6) % 3);
+      const T short_rhs = rhs - q.b.half[k] * magnitude(dot(direction(q, i), q.b.axis[k]));
       sink(i, i == dropped ? T(0.0) : lhs, i == shortened ? short_rhs : rhs);
     };
     Projected::comparisons<T>(q, planted);
