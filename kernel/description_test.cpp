@@ -123,8 +123,9 @@ TEST(Description, OfSphereTriangleSaysWhatItsNamesSay) {
 TEST(Description, ATestIsFoundByItsId) {
   EXPECT_EQ(&find_test("sphere-triangle"), &sphere_triangle_test());
   EXPECT_EQ(tests().front(), &sphere_triangle_test());
-  EXPECT_THAT([] { find_test("sphere-cone"); },
-              ThrowsMessage<Error>("unknown test 'sphere-cone'; tests: sphere-triangle, moving-sphere"));
+  EXPECT_THAT(
+      [] { find_test("sphere-cone"); },
+      ThrowsMessage<Error>("unknown test 'sphere-cone'; tests: sphere-triangle, box-box, box-triangle, moving-sphere"));
   const TestDescription other = toy(1, 1);
   const TestDescription* const known[] = {&sphere_triangle_test(), &other};
   EXPECT_EQ(&find_test("toy", known), &other);

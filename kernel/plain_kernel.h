@@ -3,6 +3,7 @@
 //
 // A test's own type, in its room of kernel/, has
 //   static const TestDescription& description();
+//   static constexpr std::size_t entry;                           optional: of the numbers; else the test's first
 //   template <class T> struct Problem;                            the query in the number type of the formulae
 //   template <class T> static Problem<T> problem(load);           load(k) is column k as a T: the only place that knows
 //                                                                 the order of the columns
@@ -27,6 +28,13 @@
 #include "kernel/kernel.h"
 
 namespace axiscert {
+
+// The index of the entry in which `Test` takes the numbers.
+template <class Test>
+constexpr std::size_t entry_of() {
+  if constexpr (requires { Test::entry; }) return Test::entry;
+  else return 0;
+}
 
 // The formulae of a test. The first are those of the theorem that ties them to the geometry.
 template <class... F>
@@ -103,6 +111,7 @@ Kernel plain_kernel_named(std::string id, std::string summary) {
   kernel.id = std::move(id);
   kernel.summary = std::move(summary);
   kernel.test = &Test::description();
+  kernel.entry = entry_of<Test>();
   kernel.formulae = Formulae::none;
   if constexpr (GivesMeasures<M>) kernel.measure_count = M::measure_count;
   return kernel;

@@ -21,7 +21,9 @@ constexpr std::string_view name(Role role) { return role_names[role]; }
 struct TestColumn {
   std::string_view name;
   Role role;
-  std::string_view group;  // columns of one group belong together, as the three of a vertex do
+  // Columns of one group belong together, as the three of a vertex do. Its name is where a line of JSON has it: with
+  // dots the path in nested members: `a.m` is member `m` of the object `a`, and `b.0` the first of the array `b`.
+  std::string_view group;
 };
 
 // A form in which the numbers of a query can be given.

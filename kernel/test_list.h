@@ -4,7 +4,7 @@
 // error of the linker that names it:
 //   kernel/registry/tests.cpp      const TestDescription& NAME_test();
 //   kernel/registry/registry.cpp   std::vector<Kernel> NAME_kernels();
-//   exact/trait/oracles.cpp        const Oracles& NAME_oracles();
+//   exact/trait/oracles.cpp        const Oracles& NAME_oracles(std::size_t entry);   of an entry of the test
 //   fuzz/queries/family.cpp        std::span<const Family* const> NAME_families();
 // NAME has '_' where the test's id has '-'.
 #pragma once
@@ -17,4 +17,6 @@
 #define AXISCERT_TESTS(X) \
   X(sphere_triangle)      \
   X(moving_sphere)        \
+  X(box_box)              \
+  X(box_triangle)         \
   AXISCERT_MORE_TESTS(X)

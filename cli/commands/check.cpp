@@ -27,8 +27,11 @@ template <class Real>
 Checked checked_by_oracles(OracleExaminer& examiner, const Numbers<Real>& q) {
   const OracleExamination found = examiner.examine(q);
   const TestDescription& test = *examiner.kernel().test;
-  if (found.truth.verdict == Verdict::invalid) return checked_of(test, found, {});
-  return checked_of(test, found, oracles_of(test).details(q));
+  const Oracles& oracles = oracles_of(examiner.kernel());
+  if (found.truth.verdict != Verdict::invalid) return checked_of(test, found, oracles.details(q));
+  Checked checked = checked_of(test, found, {});
+  checked.why_invalid = oracles.why_invalid(q);
+  return checked;
 }
 
 void require_query_of(const Kernel& kernel, const StoredQuery& stored, const std::string& file) {
@@ -45,8 +48,9 @@ int check(const CheckOptions& options) {
   if (given != nullptr) require_loaded(*given);
   const std::string target = resolve_target(options.target);
   const auto queries = read_query_file(options.file, parse_precision(options.precision));
-  const Kernel& kernel =
-      given != nullptr ? *given : default_kernel(queries.empty() ? first_test() : *queries.front().test);
+  const Kernel& kernel = given != nullptr  ? *given
+                         : queries.empty() ? default_kernel(first_test())
+                                           : default_kernel(*queries.front().test, queries.front().entry);
   if (options.errors) require_served("--errors", *kernel.test);
   const bool is_first = kernel.test == &first_test();
   Examiner examiner(kernel, target);

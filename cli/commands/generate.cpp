@@ -59,18 +59,25 @@ class Output {
   int descriptor_ = STDOUT_FILENO;
 };
 
-// The test that `all` and the default mean: that of the first family that is named, where --test is not given.
-const TestDescription& test_of_families(const GenerateOptions& options) {
-  if (!options.test.empty()) return test_given(options.test);
+// The test and the entry that `all` and the default mean: those of the first family that is named; where there is none,
+// the first entry of --test or of the first test.
+struct Meant {
+  const TestDescription& test;
+  std::size_t entry;
+};
+Meant meant_by_families(const GenerateOptions& options) {
   for (const std::string& name : options.families) {
-    if (name != "all") return find_family(name).test();
+    if (name == "all") continue;
+    const Family& family = find_family(name);
+    if (options.test.empty() || &family.test() == &test_given(options.test)) return {family.test(), family.entry};
   }
-  return first_test();
+  return {test_given(options.test), 0};
 }
 
 PipePlan plan_of(const GenerateOptions& options) {
   PipePlan plan{options.seed, parse_precision(options.precision), {}, options.measures};
-  const auto sources = sources_of(options, test_of_families(options), plan.precision);
+  const Meant meant = meant_by_families(options);
+  const auto sources = sources_of(options, meant.test, meant.entry, plan.precision);
   test_of_sources(options.test, sources);
   say_what_is_left_out(sources, {plan.precision});
   for (const SourcePtr& source : sources) {

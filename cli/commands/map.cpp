@@ -41,8 +41,6 @@ std::size_t default_size(const StoredQuery& witness) {
   return witness.test == &first_test() ? filtered_size : exact_size;
 }
 
-std::vector<const TestDescription*> map_tests() { return {&sphere_triangle_test(), &moving_sphere_test()}; }
-
 // The query of the file, or the one that --id chooses.
 StoredQuery witness_of(const MapOptions& options) {
   std::vector<StoredQuery> queries = queries_given({options.query}, options.precision, options.files);
@@ -54,7 +52,7 @@ StoredQuery witness_of(const MapOptions& options) {
                             queries.size(), options.id.empty() ? "" : " of the id '" + options.id + "'"));
   }
   const StoredQuery& only = queries.front();
-  require_served("map", *only.test, map_tests());
+  require_served("map", *only.test, tests_of_spheres());
   const bool valid = std::visit(
       [&](const auto& q) { return oracles_of(*only.test).truth(q).verdict != Verdict::invalid; }, only.numbers);
   if (!valid) throw Error(fmt::format("query '{}': not a valid query to draw a map around", queries.front().id));
@@ -120,7 +118,7 @@ std::string command_of(const MapOptions& options, const MapPlan& plan) {
 int draw(const MapOptions& options) {
   const StoredQuery witness = witness_of(options);
   const Kernel& kernel = options.kernel.empty() ? default_kernel(*witness.test) : find_kernel(options.kernel);
-  require_served("map", *kernel.test, map_tests());
+  require_served("map", *kernel.test, tests_of_spheres());
   require_loaded(kernel);
   if (kernel.test != witness.test || kernel.entry != witness.entry) {
     throw Error(

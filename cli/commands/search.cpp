@@ -49,9 +49,10 @@ Comparison parse_comparison(const std::string& given) {
 }
 
 const Kernel& kernel_of(const SearchOptions& options) {
-  if (options.kernel.empty()) return default_kernel(test_given(options.test));
-  const Kernel& kernel = find_kernel(options.kernel);
+  const Kernel& kernel =
+      options.kernel.empty() ? default_kernel(test_given(options.test)) : find_kernel(options.kernel);
   test_of_kernels(options.test, {&kernel});
+  require_served("search", *kernel.test, tests_of_spheres());
   return kernel;
 }
 

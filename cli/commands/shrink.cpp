@@ -58,8 +58,9 @@ std::optional<Symptom> named(const TestDescription& test, std::string_view what)
   return std::nullopt;
 }
 
-// Refuses what is no name of a symptom, or is not kept for this test.
+// Refuses a test that is not served, and what is no name of a symptom, or is not kept for this test.
 void require_known(const TestDescription& test, std::string_view what) {
+  require_served("shrink", test, tests_of_spheres());
   if (what.empty()) return;
   if (what != asymmetry_name && !named(test, what)) throw Error(unknown_symptom(test, what));
   if (what == asymmetry_name || what.ends_with(error_suffix)) require_served(fmt::format("--what {}", what), test);
@@ -84,7 +85,7 @@ Symptom wanted(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkOp
   const auto fail = [&](const std::string& what) {
     return NothingToKeep(fmt::format("query '{}': {}", stored.id, what));
   };
-  if (oracles_of(*kernel.test).truth(q).verdict == Verdict::invalid)
+  if (oracles_of(kernel).truth(q).verdict == Verdict::invalid)
     throw fail(fmt::format("not a valid query ({}): no answer of a kernel could be wrong", stored.columns().validity));
   Diagnosis<Real> diagnosis(kernel, target);
   const std::vector<Symptom> flips = diagnosis.flips(q);

@@ -194,7 +194,8 @@ void add_run_options(CLI::App& command, RunOptions& o) {
   add_output_options(command, o);
 }
 
-std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescription& test, Precision csv_precision) {
+std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescription& test, std::size_t entry,
+                                  Precision csv_precision) {
   if (!options.meshes.empty()) require_served("--mesh", test, mesh_tests());
   std::vector<SourcePtr> sources;
   const auto add = [&](SourcePtr source) {
@@ -211,7 +212,9 @@ std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescri
   const bool all =
       nothing_given || std::find(options.families.begin(), options.families.end(), "all") != options.families.end();
   if (all) {
-    for (const Family* family : families_of(test)) add(family_source(*family));
+    for (const Family* family : families_of(test)) {
+      if (family->entry == entry) add(family_source(*family));
+    }
   }
   for (const std::string& name : options.families) {
     if (name != "all") add(family_source(find_family(name)));
@@ -263,8 +266,11 @@ Plan plan_of(const RunOptions& given) {
     add_plugin(*kernel, plan);
   }
   plan.test = &test_of_kernels(options.test, plan.kernels);
-  if (plan.kernels.empty()) plan.kernels.push_back(&default_kernel(*plan.test));
+  if (plan.kernels.empty()) {
+    plan.kernels.push_back(&default_kernel(*plan.test, entry_of_families(*plan.test, options.families)));
+  }
   if (options.planted != RunOptions().planted) require_served("--plant", *plan.test);
+  if (options.shrink != 0) require_served("--shrink", *plan.test, tests_of_spheres());
   if (!options.preset.empty()) apply_preset(options.preset, *plan.test, options);
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};
@@ -276,7 +282,7 @@ Plan plan_of(const RunOptions& given) {
       std::find(filter_fault_names.begin(), filter_fault_names.end(), options.planted) - filter_fault_names.begin());
   plan.trials = [options](const Source& source, Precision precision) { return trials_of(options, source, precision); };
   plan.threads = threads_of(options.threads);
-  plan.sources = sources_of(options, *plan.test,
+  plan.sources = sources_of(options, *plan.test, plan.kernels.front()->entry,
                             options.precision.empty() ? Precision::binary32 : parse_precision(options.precision));
   require_one_test(plan.kernels, plan.sources);
   check_required(options.required, plan);

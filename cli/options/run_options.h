@@ -55,7 +55,8 @@ void add_run_options(CLI::App& command, RunOptions& options);
 
 // The families given by name, and the files, which are read; all families of `test` where nothing is named. Throws
 // Error, also for a mesh or the corpus where these do not serve the test.
-std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescription& test, Precision csv_precision);
+std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescription& test, std::size_t entry,
+                                  Precision csv_precision);
 // Number of queries of a source: as requested, or the default; the number of a query file's own queries is ignored.
 std::uint64_t trials_of(const SourceOptions& options, const Source& source, Precision precision);
 // Reports on standard error which queries of query files have none of these precisions.

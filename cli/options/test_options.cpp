@@ -42,12 +42,20 @@ const TestDescription& test_of_kernels(const std::string& test, const std::vecto
   return kernels.empty() ? first_test() : *kernels.front()->test;
 }
 
-const Kernel& default_kernel(const TestDescription& test) {
+const Kernel& default_kernel(const TestDescription& test, std::size_t entry) {
   if (&test == &first_test()) return find_kernel("published");
   for (const Kernel& kernel : kernels()) {
-    if (kernel.test == &test) return kernel;
+    if (kernel.test == &test && kernel.entry == entry) return kernel;
   }
   throw Error(fmt::format("the test {} has no built-in kernel; give one with --kernel", test.id));
+}
+
+std::size_t entry_of_families(const TestDescription& test, const std::vector<std::string>& families) {
+  for (const std::string& name : families) {
+    if (name == "all") continue;
+    if (const Family& family = find_family(name); &family.test() == &test) return family.entry;
+  }
+  return 0;
 }
 
 void require_one_test(const std::vector<const Kernel*>& kernels, const std::vector<SourcePtr>& sources) {
@@ -79,6 +87,10 @@ const TestDescription& test_of_sources(const std::string& test, const std::vecto
                             source->test().id, other, test.empty() ? " (--test)" : ""));
   }
   return given;
+}
+
+std::vector<const TestDescription*> tests_of_spheres() {
+  return {&sphere_triangle_test(), &find_test("moving-sphere")};
 }
 
 void require_served(std::string_view command, const TestDescription& test) {

@@ -19,13 +19,18 @@ const TestDescription& test_given(const std::string& test);
 // The test that --test names; where it was not given that of the kernels, and of the first test where there are none.
 // Throws Error that names two kernels of different tests, or a kernel of another test than --test.
 const TestDescription& test_of_kernels(const std::string& test, const std::vector<const Kernel*>& kernels);
-// The kernel of a command that names none: a test's first.
-const Kernel& default_kernel(const TestDescription& test);
+// The kernel of a command that names none: the first that takes this entry of the test.
+const Kernel& default_kernel(const TestDescription& test, std::size_t entry = 0);
+// The entry of the first of these families that is of the test; of none, the test's first.
+std::size_t entry_of_families(const TestDescription& test, const std::vector<std::string>& families);
 // Throws Error that names a kernel and a source of different tests, or of different entries of one test.
 void require_one_test(const std::vector<const Kernel*>& kernels, const std::vector<SourcePtr>& sources);
 // The test that --test names; where it was not given that of the first source. Throws Error that names a source of
 // another test.
 const TestDescription& test_of_sources(const std::string& test, const std::vector<SourcePtr>& sources);
+
+// The tests of a sphere and a triangle, whose queries search, shrink and map can move.
+std::vector<const TestDescription*> tests_of_spheres();
 
 // For a command, or an option of one, that serves sphere-triangle alone, or the given tests: throws Error for any
 // other.

@@ -38,6 +38,7 @@ std::string details_text(const std::vector<Detail>& details) {
 
 Json exact_json(const TestDescription& test, const Checked& found) {
   Json json = {{"verdict", name(found.truth.verdict)}, {"touching", found.truth.touching}};
+  if (!found.why_invalid.empty()) json["reason"] = found.why_invalid;
   if (&test == &first_test()) json["squared_distance"] = nullptr;
   if (found.squared_distance) {
     const Rational& d = *found.squared_distance;
@@ -75,11 +76,13 @@ std::string touching_text(const Kernel& kernel) {
   return "";
 }
 
-// " (touching; time 0.25, features vertex_a edge_ab)": what there is to say of a contact besides.
+// " (touching; time 0.25, features vertex_a edge_ab)": what there is to say besides; the details of a motion are of its
+// contact.
 std::string remarks(const Checked& found, const Kernel& kernel) {
   std::vector<std::string> all;
   if (found.truth.touching) all.push_back(touching_text(kernel));
-  if (found.truth.verdict == Verdict::contact) {
+  if (!found.why_invalid.empty()) all.push_back(found.why_invalid);
+  if (found.truth.verdict == Verdict::contact || kernel.test->measures.empty()) {
     if (std::string text = details_text(found.details); !text.empty()) all.push_back(std::move(text));
   }
   return all.empty() ? "" : fmt::format(" ({})", fmt::join(all, "; "));

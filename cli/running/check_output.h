@@ -21,6 +21,7 @@ struct Checked {
   bool within_limits = true;
   std::vector<Finding> findings;
   std::vector<Detail> details = {};  // of the truth; none if it is `invalid`
+  std::string why_invalid = {};      // where the test says it
   // The measures that the kernel gave, where its test has any, and how they are wrong.
   Json measures = {};
   std::string measures_text = {};

@@ -24,8 +24,9 @@ class Kernels(Case):
         for kernel in listed:
             self.assertIn([c["arithmetic"] for c in kernel["arithmetics"]], [arithmetics, []], kernel["id"])
         refused = axiscert("check", "-", "--kernel", "nosuch").stderr.strip()
-        moving = [kernel["id"] for kernel in json.loads(axiscert("kernels", "--test", "moving-sphere", "--format", "json").stdout)]
-        built_in = [kernel["id"] for kernel in listed] + [id for id in moving if "/peer/" not in id]
+        others = [kernel["id"] for test in ("moving-sphere", "box-box", "box-triangle")
+                  for kernel in json.loads(axiscert("kernels", "--test", test, "--format", "json").stdout)]
+        built_in = [kernel["id"] for kernel in listed] + [id for id in others if "/peer/" not in id]
         self.assertEqual(sorted(refused.split("; kernels: ")[1].split(", ")), sorted(built_in))
         refused = axiscert("check", "-", "--kernel", "published+nosuch").stderr.strip()
         self.assertEqual(sorted(refused.split("; arithmetics: ")[1].split(", ")), sorted(arithmetics))

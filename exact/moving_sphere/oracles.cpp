@@ -5,7 +5,7 @@ namespace axiscert {
 
 template class OraclesOf<moving_sphere::MovingSphereTrait>;
 
-const Oracles& moving_sphere_oracles() {
+const Oracles& moving_sphere_oracles(std::size_t) {
   static const OraclesOf<moving_sphere::MovingSphereTrait> oracles;
   return oracles;
 }

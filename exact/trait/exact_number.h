@@ -13,9 +13,13 @@ struct ExactNumber {
   explicit ExactNumber(double x) : value(x) {}  // finite
   explicit ExactNumber(Rational x) : value(std::move(x)) {}
 
+  const Rational& rational() const { return value; }
+
   friend ExactNumber operator+(const ExactNumber& a, const ExactNumber& b) { return of(a.value + b.value); }
   friend ExactNumber operator-(const ExactNumber& a, const ExactNumber& b) { return of(a.value - b.value); }
   friend ExactNumber operator*(const ExactNumber& a, const ExactNumber& b) { return of(a.value * b.value); }
+  // For formulae that divide in a stated place; b is not 0.
+  friend ExactNumber operator/(const ExactNumber& a, const ExactNumber& b) { return of(a.value / b.value); }
   friend ExactNumber magnitude(const ExactNumber& a) { return of(abs(a.value)); }
   friend bool operator>(const ExactNumber& a, const ExactNumber& b) { return a.value > b.value; }
   friend bool operator>=(const ExactNumber& a, const ExactNumber& b) { return a.value >= b.value; }

@@ -20,7 +20,7 @@ template OracleExamination OracleExaminer::examine(const Numbers<double>&);
 template <class Real>
 OracleExamination examine_by_oracles(const Numbers<Real>& q, const Kernel& kernel, const Answer& answer,
                                      std::vector<double> measures) {
-  const Oracles& oracles = oracles_of(*kernel.test);
+  const Oracles& oracles = oracles_of(kernel);
   OracleExamination out;
   out.truth = oracles.truth(q);
   out.answer = answer;

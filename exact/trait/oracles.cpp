@@ -9,13 +9,13 @@ namespace axiscert {
 
 #define AXISCERT_DECLARE(name)          \
   const TestDescription& name##_test(); \
-  const Oracles& name##_oracles();
+  const Oracles& name##_oracles(std::size_t entry);
 AXISCERT_TESTS(AXISCERT_DECLARE)
 #undef AXISCERT_DECLARE
 
-const Oracles& oracles_of(const TestDescription& test) {
+const Oracles& oracles_of(const TestDescription& test, std::size_t entry) {
 #define AXISCERT_FIND(name) \
-  if (&test == &name##_test()) return name##_oracles();
+  if (&test == &name##_test()) return name##_oracles(entry);
   AXISCERT_TESTS(AXISCERT_FIND)
 #undef AXISCERT_FIND
   throw HarnessFault(fmt::format("the test '{}' is not on the list of kernel/test_list.h", test.id));

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -34,12 +35,15 @@ struct Detail {
   std::variant<std::monostate, double, std::string_view, std::vector<std::string_view>> value;
 };
 
-// Stateless: any thread may ask at any time. `numbers` are of the test's first entry. Each member throws
-// OracleDisagreement where two ways of finding one answer differ.
+// Stateless: any thread may ask at any time. `numbers` are of one entry of the test, whose oracles these are. Each
+// member throws OracleDisagreement where two ways of finding one answer differ.
 class Oracles {
  public:
   virtual ~Oracles() = default;
   virtual const TestDescription& test() const = 0;
+  // The reason for which numbers whose truth is `invalid` are no query; empty where the test says none.
+  virtual std::string why_invalid(const Numbers<float>&) const { return {}; }
+  virtual std::string why_invalid(const Numbers<double>&) const { return {}; }
   // The names of the formulae that a kernel can claim.
   virtual std::vector<std::string_view> formulae() const = 0;
 
@@ -75,6 +79,8 @@ class Oracles {
   }
 };
 
-const Oracles& oracles_of(const TestDescription& test);
+// Those of an entry; where none is named, of the first. They throw HarnessFault if they are given numbers of another.
+const Oracles& oracles_of(const TestDescription& test, std::size_t entry = 0);
+inline const Oracles& oracles_of(const Kernel& kernel) { return oracles_of(*kernel.test, kernel.entry); }
 
 }  // namespace axiscert

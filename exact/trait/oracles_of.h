@@ -13,11 +13,26 @@
 
 namespace axiscert {
 
+template <class Test>
+struct ExactOfTrait {
+  using type = DyadicNumber;
+};
+template <class Test>
+  requires requires { typename Test::Exact; }
+struct ExactOfTrait<Test> {
+  using type = typename Test::Exact;
+};
+template <class Test>
+using ExactOf = typename ExactOfTrait<Test>::type;
+
 template <TestTrait Test>
 class OraclesOf final : public Oracles {
  public:
   const TestDescription& test() const override { return Test::description(); }
   std::vector<std::string_view> formulae() const override { return names_of(typename Test::AllFormulae()); }
+
+  std::string why_invalid(const Numbers<float>& q) const override { return reason(q); }
+  std::string why_invalid(const Numbers<double>& q) const override { return reason(q); }
 
   Truth truth(const Numbers<float>& q) const override { return truth_of(q); }
   Truth truth(const Numbers<double>& q) const override { return truth_of(q); }
@@ -38,6 +53,8 @@ class OraclesOf final : public Oracles {
   std::unique_ptr<MotionJudge> motion_judge(const Numbers<double>& q) const override { return motion_judge_of(q); }
 
  private:
+  using Exact = ExactOf<Test>;
+
   template <class... F>
   static std::vector<std::string_view> names_of(FormulaeList<F...>) {
     return {F::name...};
@@ -60,12 +77,12 @@ class OraclesOf final : public Oracles {
   static ExactSides exact_sides(const Numbers<Real>& q) {
     const std::size_t count = Test::description().comparisons.size();
     ExactSides sides{std::vector<Rational>(count), std::vector<Rational>(count)};
-    const auto keep = [&](std::size_t i, const DyadicNumber& lhs, const DyadicNumber& rhs) {
+    const auto keep = [&](std::size_t i, const Exact& lhs, const Exact& rhs) {
       if (lhs.value == rhs.value) sides.ties |= one_bit<ComparisonBits>(i);
       sides.lhs[i] = lhs.rational();
       sides.rhs[i] = rhs.rational();
     };
-    sides.holds = bits_of<F, DyadicNumber>(problem_of<DyadicNumber>(q), keep);
+    sides.holds = bits_of<F, Exact>(problem_of<Exact>(q), keep);
     return sides;
   }
 
@@ -78,15 +95,26 @@ class OraclesOf final : public Oracles {
   template <class First, class... Rest, class Real>
   static Signs theorem_signs(const Numbers<Real>& q, FormulaeList<First, Rest...>) {
     Signs signs;
-    const auto keep = [&](std::size_t i, const DyadicNumber& lhs, const DyadicNumber& rhs) {
+    const auto keep = [&](std::size_t i, const Exact& lhs, const Exact& rhs) {
       if (lhs.value == rhs.value) signs.ties |= one_bit<ComparisonBits>(i);
     };
-    signs.holds = bits_of<First, DyadicNumber>(problem_of<DyadicNumber>(q), keep);
+    signs.holds = bits_of<First, Exact>(problem_of<Exact>(q), keep);
     return signs;
   }
 
   template <class Real>
+  static std::string reason(const Numbers<Real>& q) {
+    if constexpr (SaysWhyInvalid<Test>) return Test::why_invalid(widened(q));
+    else return {};
+  }
+
+  template <class Real>
   static Truth truth_of(const Numbers<Real>& q) {
+    const TestEntry& entry = Test::description().entries[entry_of<Test>()];
+    if (q.size() != entry.columns.size()) {
+      throw HarnessFault(fmt::format("{}: the oracles of entry {}, of {} columns, are asked about {} numbers",
+                                     Test::description().id, entry.name, entry.columns.size(), q.size()));
+    }
     const Numbers<double> wide = widened(q);
     if (!Test::is_valid(wide)) return {Verdict::invalid, false};
     const Truth truth = Test::geometric_truth(wide);

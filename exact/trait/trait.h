@@ -13,10 +13,13 @@
 
 namespace axiscert {
 
-// `numbers` are doubles, to which floats widen exactly, in the order of the columns of the test's first entry; all but
+// `numbers` are doubles, to which floats widen exactly, in the order of the columns of the trait's entry; all but
 // is_valid() are asked about valid queries alone.
 //   AllFormulae        a FormulaeList; those of kind `rung` after the first have its signs on every query
+//   Exact              optional: the number type in which the formulae are exact; ExactNumber where they divide, else
+//                      DyadicNumber
 //   is_valid           whether the numbers are a query; else the truth is `invalid`
+//   why_invalid        optional: the reason, in words, for which they are none
 //   geometric_truth    by an exact method that shares nothing with the formulae
 //   contradiction      the theorem that ties the first formulae to the geometry. `holds` and `ties` are their exact
 //                      signs, lhs > rhs and lhs == rhs; the result says what the theorem excludes, or is empty
@@ -38,6 +41,11 @@ concept TestTrait =
 template <class Test>
 concept HasDepth = requires(const Numbers<double>& numbers) {
   { Test::depth(numbers) } -> std::same_as<double>;
+};
+
+template <class Test>
+concept SaysWhyInvalid = requires(const Numbers<double>& numbers) {
+  { Test::why_invalid(numbers) } -> std::same_as<std::string>;
 };
 
 template <class Test, class Real>

@@ -135,7 +135,7 @@ void run_plain(const Plan& plan, const Source& source, std::uint64_t first, std:
     runs.emplace_back(kernel, plan, source, standing.empty() ? nothing : standing[k], out.tallies[k]);
   }
   if (runs.empty()) return;
-  const Oracles& oracles = oracles_of(*plan.test);
+  const Oracles& oracles = oracles_of(*plan.test, source.entry());
   const bool any_process = std::any_of(runs.begin(), runs.end(), [](auto& run) { return run.is_in_another_process(); });
   const std::size_t most = any_process ? batch_size_for_processes : batch_size;
   QueryBatch<Real> queries(most, source.columns().size());

@@ -1,5 +1,7 @@
 // Properties of every family: the registry, oracles that agree; and that the families about
 // sizes reach the sizes they claim.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cfenv>
 #include <cmath>
@@ -35,17 +37,20 @@ TEST(Families, HaveANameOfTheirOwnAVersionAndAPurposeOfOneLine) {
   EXPECT_THROW(find_family("nothing"), Error);
 }
 
-// A family of another test than the first is defined with the name of its room before its own; one of the first has
+// A family of another test than the first is defined with the test's id before its own name; one of the first has
 // hyphens where its variable has underscores.
 TEST(Families, EveryOneThatIsDefinedIsListed) {
   for (const auto& [defined, file] :
        testing_support::defined_in("fuzz/families", R"(extern const Family (\w+)_family =)")) {
-    const std::string folder = file.substr(0, file.rfind('/')), room = folder.substr(folder.rfind('/') + 1);
+    const std::string folder = file.substr(0, file.rfind('/'));
     std::string name = defined;
-    if (room == "sphere_triangle") std::replace(name.begin(), name.end(), '_', '-');
-    else if (defined.starts_with(room + "_")) {
-      name = room + "/" + defined.substr(room.size() + 1);
-      std::replace(name.begin(), name.begin() + static_cast<std::ptrdiff_t>(room.size()), '_', '-');
+    if (folder.ends_with("/sphere_triangle")) std::replace(name.begin(), name.end(), '_', '-');
+    for (const TestDescription* test : tests()) {
+      std::string prefix = std::string(test->id) + "_";
+      std::replace(prefix.begin(), prefix.end(), '-', '_');
+      if (test != &first_test() && defined.starts_with(prefix)) {
+        name = fmt::format("{}/{}", test->id, defined.substr(prefix.size()));
+      }
     }
     EXPECT_NO_THROW(find_family(name)) << file << " defines " << defined << "_family, which the list of " << folder
                                        << "/families.cpp lacks";

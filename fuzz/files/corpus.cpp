@@ -175,7 +175,8 @@ void require_distinct(const std::vector<CorpusEntry>& entries) {
 
 ExactAnswers exact_answers(const StoredQuery& stored) {
   if (stored.test != &first_test()) {
-    const Truth truth = std::visit([&](const auto& q) { return oracles_of(*stored.test).truth(q); }, stored.numbers);
+    const Truth truth =
+        std::visit([&](const auto& q) { return oracles_of(*stored.test, stored.entry).truth(q); }, stored.numbers);
     return {truth.verdict, truth.touching};
   }
   return std::visit(
@@ -202,7 +203,7 @@ std::string corpus_line(const CorpusEntry& entry) {
   if (entry.stored.test == &first_test()) {
     for (const char* member : {"squared_distance", "comparisons", "ties"}) expected[member] = nullptr;
   } else if (entry.expected.verdict != Verdict::invalid) {
-    const Oracles& oracles = oracles_of(*entry.stored.test);
+    const Oracles& oracles = oracles_of(*entry.stored.test, entry.stored.entry);
     for (const Detail& detail : std::visit([&](const auto& q) { return oracles.details(q); }, entry.stored.numbers)) {
       expected[std::string(detail.name)] = detail_json(detail);
     }

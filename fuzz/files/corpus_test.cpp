@@ -88,6 +88,7 @@ TEST_P(CorpusEntryTest, HasTheseExactAnswers) {
     EXPECT_EQ(sgn(Rational(squared - r * r)), order) << "feature by feature";
     return;
   }
+  if (entry.stored.test != &first_test()) return;  // exact_answers has compared the oracles of two boxes
   std::visit(
       [&](const auto& q) {
         // Checks each oracle separately.

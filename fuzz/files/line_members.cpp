@@ -58,26 +58,29 @@ class MemberHandler : public nlohmann::json_sax<nlohmann::json> {
 
   bool start_object(std::size_t) override {
     if (depth_ > 0) scalar(JsonKind::object, {});
-    ++depth_;
+    enter(JsonKind::object);
     return true;
   }
   bool end_object() override {
     --depth_;
+    if (containers_.size() > depth_) containers_.pop_back();
     return true;
   }
   bool start_array(std::size_t) override {
     scalar(JsonKind::array, {});
-    ++depth_;
+    enter(JsonKind::array);
     return true;
   }
   bool end_array() override { return end_object(); }
   bool key(string_t& text) override {
-    if (depth_ != 1) return true;
-    key_ = text;
+    if (depth_ == 1) key_ = text;
+    if (depth_ > most_depth) return true;
+    const std::string& outer = containers_.back().path;
+    const std::string path = outer.empty() ? text : outer + '.' + text;
     // Which members matter is known when the test is, and that may be the last member.
-    const auto [at, is_new] = found_.members.try_emplace(text);
-    if (!is_new) found_.repeated.push_back(text);
-    current_ = &at->second;
+    const auto [at, is_new] = found_.members.try_emplace(path);
+    if (!is_new) found_.repeated.push_back(path);
+    given_ = &*at;
     return true;
   }
 
@@ -123,12 +126,37 @@ class MemberHandler : public nlohmann::json_sax<nlohmann::json> {
     return line_.substr(begin, end - begin);
   }
 
+  // Paths are kept so deep; what is deeper is passed over.
+  static constexpr std::size_t most_depth = 4;
+
+  // An object or an array whose end has not come; the outermost has the empty path.
+  struct Container {
+    JsonKind kind;
+    std::string path;
+    JsonMember* member;  // null: the outermost
+  };
+
+  // The value is the object or array that begins here.
+  void enter(JsonKind kind) {
+    ++depth_;
+    if (depth_ > most_depth) return;
+    if (depth_ == 1) containers_.push_back({kind, {}, nullptr});
+    else containers_.push_back({kind, given_->first, &given_->second});
+  }
+
   bool scalar(JsonKind kind, std::string_view text) {
     if (depth_ == 0) place_.fail("", fmt::format("{}{}", name(kind), outside_object()));
-    if (current_ == nullptr) return true;
+    if (depth_ > most_depth) return true;
+    const Container& in = containers_.back();
     JsonValue value{kind, std::string(text)};
-    if (depth_ == 1) *current_ = {std::move(value), {}};
-    else if (depth_ == 2 && current_->value.kind == JsonKind::array) current_->elements.push_back(std::move(value));
+    if (in.kind == JsonKind::object) {
+      given_->second = {std::move(value), {}};
+      return true;
+    }
+    in.member->elements.push_back(value);
+    if (kind != JsonKind::array && kind != JsonKind::object) return true;
+    const std::string path = fmt::format("{}.{}", in.path, in.member->elements.size() - 1);
+    given_ = &*found_.members.insert_or_assign(path, JsonMember{std::move(value), {}}).first;
     return true;
   }
 
@@ -138,8 +166,9 @@ class MemberHandler : public nlohmann::json_sax<nlohmann::json> {
   const std::function<void(const LineMembers&)>& before_a_fault_;
   std::size_t consumed_ = 0;
   std::size_t depth_ = 0;
-  std::string key_;                // the last key read in the outermost object
-  JsonMember* current_ = nullptr;  // the member of key_
+  std::string key_;  // the last key read in the outermost object
+  std::vector<Container> containers_;
+  std::pair<const std::string, JsonMember>* given_ = nullptr;  // the member of the last key, or a nested container
   LineMembers found_;
 };
 

@@ -30,8 +30,10 @@ struct JsonMember {
 };
 
 struct LineMembers {
-  std::map<std::string, JsonMember, std::less<>> members;  // of a name that is given again, the last
-  std::vector<std::string> repeated;                       // names that were given again, in their order
+  // By name; of a name that is given again, the last. What is nested, up to four deep, is by its path: "a.m" is member
+  // `m` of the object `a`, "b.0" an array that is the first element of the array `b`.
+  std::map<std::string, JsonMember, std::less<>> members;
+  std::vector<std::string> repeated;  // names that were given again, in their order
 
   // A member without a value if it was not given.
   const JsonMember& at(std::string_view name) const;

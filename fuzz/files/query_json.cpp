@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fuzz/files/line_members.h"
+#include "fuzz/files/nested_text.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/alike.h"
@@ -31,6 +32,11 @@ constexpr std::string_view written_beside_queries[] = {
 bool is_written_beside_queries(std::string_view field) {
   return std::find(std::begin(written_beside_queries), std::end(written_beside_queries), field) !=
          std::end(written_beside_queries);
+}
+
+// Whether the member of this path is somewhere in that of the other: "a.m" is in "a".
+bool is_within(std::string_view path, std::string_view outer) {
+  return path.size() > outer.size() && path.starts_with(outer) && path[outer.size()] == '.';
 }
 
 // The members of one line as a query.
@@ -67,8 +73,9 @@ class QueryOfMembers {
     const EntryOfTest of = entry_of_line();
     const std::vector<ColumnGroup> groups = groups_of(of.columns());
     fail_if_repeated([&](const std::string& name) {
-      return name == "id" || name == "precision" ||
-             std::any_of(groups.begin(), groups.end(), [&](const ColumnGroup& group) { return group.name == name; });
+      return name == "id" || name == "precision" || std::any_of(groups.begin(), groups.end(), [&](const auto& group) {
+               return group.name == name || is_within(group.name, name);
+             });
     });
     return of;
   }
@@ -97,6 +104,12 @@ class QueryOfMembers {
     std::vector<UnreadField> unread;
     for (const auto& [given, ignored] : given_.members) {
       if (std::find(names.begin(), names.end(), given) != names.end() || is_written_beside_queries(given)) continue;
+      const auto holds_some = [&](std::string_view outer) {
+        return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return is_within(name, outer); });
+      };
+      // What is nested in a member that is not read is told by that member's name.
+      const std::size_t nested = given.find('.');
+      if (holds_some(given) || (nested != given.npos && !holds_some(given.substr(0, nested)))) continue;
       unread.push_back({given, std::string(meant_member(given, names))});
     }
     return unread;
@@ -139,12 +152,30 @@ class QueryOfMembers {
     } catch (const Error& unknown) {
       place_.fail("test", unknown.what());
     }
+    if (entry.kind == JsonKind::absent) {
+      of.entry = entry_of_members(*of.test);
+      return of;
+    }
     try {
       of.entry = find_entry(*of.test, shown(entry.text));
     } catch (const Error& unknown) {
       place_.fail("entry", unknown.what());
     }
     return of;
+  }
+
+  // Of the entries whose numbers' members the line has, all of them, that with most; the first of the test where it has
+  // none.
+  std::size_t entry_of_members(const TestDescription& test) const {
+    std::size_t found = 0, most = 0;
+    for (std::size_t e = 0; e < test.entries.size(); ++e) {
+      const std::vector<ColumnGroup> groups = groups_of(test.entries[e]);
+      const auto is_given = [&](const ColumnGroup& group) { return given_.members.contains(group.name); };
+      if (groups.size() <= most || !std::all_of(groups.begin(), groups.end(), is_given)) continue;
+      found = e;
+      most = groups.size();
+    }
+    return found;
   }
 
   Precision precision_of_line(const EntryOfTest& of) const {
@@ -188,21 +219,20 @@ class QueryOfMembers {
   KnownTests known_;
 };
 
-// A whole group's text as a member of the object.
 template <class Real>
 std::string group_text(const ColumnGroup& group, const Numbers<Real>& numbers) {
   std::string text;
   for (std::size_t k = group.first; k < group.first + group.size; ++k) {
     text += fmt::format("{}\"{}\"", text.empty() ? "" : ",", format_number(numbers[k]));
   }
-  return group.size == 1 ? fmt::format(R"("{}":{})", group.name, text) : fmt::format(R"("{}":[{}])", group.name, text);
+  return group.size == 1 ? text : fmt::format("[{}]", text);
 }
 
 template <class Real>
 std::string json_numbers(const TestEntry& entry, const Numbers<Real>& numbers) {
-  std::string text;
-  for (const ColumnGroup& group : groups_of(entry)) text += "," + group_text(group, numbers);
-  return text;
+  NestedText text;
+  for (const ColumnGroup& group : groups_of(entry)) text.add(group.name, group_text(group, numbers));
+  return std::move(text).take();
 }
 
 }  // namespace

@@ -86,6 +86,11 @@ TEST(QueryOfTest, TestAndEntryMayComeLast) {
   }
 }
 
+TEST(QueryOfTest, ALineThatNamesNoEntryIsOfThatWhoseMembersItHas) {
+  EXPECT_EQ(parse_known("{" + boxes + R"(,"test":"wide"})")[0].entry, 1u);
+  EXPECT_EQ(parse_known(R"({"test":"wide","precision":"binary32","x":[)" + forty_numbers() + "]}")[0].entry, 0u);
+}
+
 TEST(QueryOfTest, AWrittenLineReadsBackTheSame) {
   const auto queries = parse_known("{" + boxes + R"(,"id":"q","entry":"boxes","test":"wide"})");
   const std::string line = query_line(queries[0]);
@@ -125,8 +130,8 @@ TEST(QueryOfTest, WhatIsWrongIsNamed) {
   EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":3})"), "f:1: field 'test': a number; the id of a test belongs here");
   EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":"wide","entry":"box"})"),
             "f:1: field 'entry': test 'wide': unknown entry 'box'; did you mean 'boxes'? entries: boxes, numbers");
-  EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":"wide"})"),
-            "f:1: field 'x': missing; an array of 40 numbers belongs here; it has what is not read: 'a', 'm', 't'");
+  EXPECT_EQ(known_refusal(R"({"precision":"binary64","test":"wide","m":[1,2],"a":1})"),
+            "f:1: field 'x': missing; an array of 40 numbers belongs here; it has what is not read: 'a', 'm'");
   EXPECT_EQ(known_refusal(R"({"precision":"binary64","test":"wide","entry":"boxes","m":[1],"a":1,"t":1})"),
             "f:1: field 'm': an array of 1; an array of two numbers belongs here");
   EXPECT_EQ(known_refusal("{" + boxes + "}"), "f:1: field 'a': a string; an array of three numbers belongs here");

@@ -17,7 +17,7 @@ class OracleDrawing {
   OracleDrawing(const MapPlan& plan, std::vector<Canvas>& canvases)
       : plan_(plan),
         witness_(std::get<Numbers<Real>>(plan.witness.numbers)),
-        oracles_(oracles_of(*plan.kernel->test)),
+        oracles_(oracles_of(*plan.kernel)),
         canvases_(canvases) {}
 
   // Draws the pixels from `first` to before `last`, row by row.

@@ -23,7 +23,7 @@ inline bool shows_formulae(std::string_view family, bool exact_arithmetic) {
 template <class Real>
 struct Asked {
   const Family* family;
-  const Oracles* oracles = &oracles_of(family->test());
+  const Oracles* oracles = &oracles_of(family->test(), family->entry);
   QueryBatch<Real> batch{batch_size, family->column_count()};
   std::vector<ComparisonBits> base;
   std::vector<Verdict> base_verdicts;

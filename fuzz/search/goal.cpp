@@ -16,7 +16,7 @@ std::string name(const Aim& aim) {
 std::vector<Aim> aims_of(const Kernel& kernel, const std::vector<Comparison>& only) {
   std::vector<Aim> aims;
   if (kernel.test != &first_test()) {
-    if (oracles_of(*kernel.test).has_depth()) aims = {{Goal::missed_contact}, {Goal::phantom_contact}};
+    if (oracles_of(kernel).has_depth()) aims = {{Goal::missed_contact}, {Goal::phantom_contact}};
     return aims;
   }
   if (kernel.exposes == Exposure::sides && has_comparisons(kernel.formulae)) {

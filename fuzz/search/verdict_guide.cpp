@@ -18,7 +18,7 @@ template <class Real>
 VerdictGuide<Real>::VerdictGuide(const Kernel& kernel, std::string_view target)
     : Guide<Real>(shape_of(kernel.test->entries.front())),
       kernel_(kernel),
-      oracles_(oracles_of(*kernel.test)),
+      oracles_(oracles_of(kernel)),
       implementation_(kernel.on<Real>(target)) {
   const QueryShape& shape = this->shape();
   for (std::size_t k = 0; k < shape.numbers && !length_; ++k) {

@@ -85,6 +85,13 @@ MotionPolicy motion_of(const Description& d, const TestDescription& test) {
   return motion;
 }
 
+// What a kernel claims to compute is stated of its own test and entry.
+void require_same_question(const char* member, const Kernel& own, const Kernel& kernel) {
+  if (own.test == kernel.test && own.entry == kernel.entry) return;
+  refuse(fmt::format("its {} is '{}' of the test {}, entry {}; it answers {}, entry {}", member, own.id, own.test->id,
+                     own.test->entries[own.entry].name, kernel.test->id, kernel.test->entries[kernel.entry].name));
+}
+
 void claim(const Description& d, Kernel& kernel) {
   const Precision precision = d.precision == 32 ? Precision::binary32 : Precision::binary64;
   kernel.is_reference = d.has_conforms_to;
@@ -94,18 +101,25 @@ void claim(const Description& d, Kernel& kernel) {
     kernel.formulae = own.formulae;
     kernel.strictness = own.strictness;
     kernel.arithmetic = own.arithmetic;
+    kernel.claims = own.claims;
+    require_same_question("conforms_to", own, kernel);
     if (!own.is_reference) refuse(fmt::format("it conforms_to '{}', whose bits depend on its target", own.id));
-  } else if (d.has_formulae || kernel.exposes != Exposure::verdict) {
+  } else if (d.has_formulae || (kernel.exposes != Exposure::verdict && kernel.test == &first_test())) {
     const Kernel& own = builtin("formulae", d.has_formulae ? text_of(d.formulae) : "published", precision);
     kernel.formulae = own.formulae;
     kernel.strictness = own.strictness;
+    kernel.claims = own.claims;
+    require_same_question("formulae", own, kernel);
   }
   if (kernel.is_reference && kernel.touching != Touching::contact) {
     refuse(fmt::format("it conforms_to '{}', for which touching is contact, and says that for it touching is '{}'",
                        text_of(d.conforms_to), name(kernel.touching)));
   }
-  if (kernel.exposes != Exposure::verdict && !has_comparisons(kernel.formulae)) {
-    refuse(fmt::format("it exposes comparisons, but formulae '{}' have none", name(kernel.formulae)));
+  if (kernel.exposes != Exposure::verdict && kernel.claims.empty() && !has_comparisons(kernel.formulae)) {
+    refuse(kernel.test == &first_test()
+               ? fmt::format("it exposes comparisons, but formulae '{}' have none", name(kernel.formulae))
+               : fmt::format("it exposes comparisons, but its `formulae` name no kernel of {} that has some",
+                             kernel.test->id));
   }
 }
 
@@ -149,7 +163,7 @@ void add_declared(const Description& d, std::uint32_t index, const Hosted& hoste
                     described.measure_count != kernel.measure_count || described.test != kernel.test ||
                     described.entry != kernel.entry || described.formulae != kernel.formulae ||
                     described.strictness != kernel.strictness || described.arithmetic != kernel.arithmetic ||
-                    described.is_reference != kernel.is_reference)) {
+                    described.is_reference != kernel.is_reference || described.claims != kernel.claims)) {
     refuse("its kernels in binary32 and in binary64 say different things of themselves; make two plug-ins of them");
   }
   const Supervised supervised{{hosted, index, d.abi, {described.test, described.entry, described.measure_count}},

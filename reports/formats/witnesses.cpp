@@ -1,4 +1,5 @@
 // witnesses.jsonl: every witness as a line of a query file.
+#include "fuzz/files/nested_text.h"
 #include "reports/formats/format.h"
 #include "reports/run_folder/record_names.h"
 #include "reports/run_folder/run_folder.h"
@@ -15,8 +16,7 @@ std::string render_witnesses(const Run& run) {
     if (&test != &first_test()) query["test"] = test.id;
     if (&entry != &test.entries.front()) query["entry"] = entry.name;
     for (const ColumnGroup& group : groups_of(entry)) {
-      const std::string member(group.name);
-      query[member] = witness[member];
+      member_at(query, group.name) = witness[std::string(group.name)];
     }
     text += query.dump() + "\n";
   }

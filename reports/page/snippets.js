@@ -10,6 +10,9 @@ function c_number(text, precision) {
 
 function c_point(values, precision) { return `{${values.map((value) => c_number(value, precision)).join(', ')}}`; }
 
+// The name of a group as a variable's.
+function variable(group) { return group.replace(/[^A-Za-z0-9]/g, '_'); }
+
 function c_type(witness) { return witness.precision === 'binary32' ? 'float' : 'double'; }
 function c_name(witness) { return witness.id.replace(/[^A-Za-z0-9]/g, '_'); }
 
@@ -32,15 +35,15 @@ function time_lines(witness, name, numbers) {
 
 function cpp_test(witness) {
   const type = c_type(witness);
-  const {groups, suite, time} = page_test_of(witness);
+  const {groups, suite, time, touching: touches} = page_test_of(witness);
   const line = (group) => {
     const value = witness[group];
-    return Array.isArray(value) ? `  const ${type} ${group}[${value.length}] = ${c_point(value, witness.precision)};`
-                                : `  const ${type} ${group} = ${c_number(value, witness.precision)};`;
+    return Array.isArray(value) ? `  const ${type} ${variable(group)}[${value.length}] = ${c_point(value, witness.precision)};`
+                                : `  const ${type} ${variable(group)} = ${c_number(value, witness.precision)};`;
   };
-  const numbers = groups.join(', ');
+  const numbers = groups.map(variable).join(', ');
   const right = witness.truth === 'contact' ? 'TRUE' : 'FALSE';
-  const touching = witness.touching ? ` The ${time ? 'least ' : ''}distance is exactly r.` : '';
+  const touching = witness.touching ? ` ${touches ?? `The ${time ? 'least ' : ''}distance is exactly r.`}` : '';
   const times = time_lines(witness, time, numbers);
   return [
     `// ${origin(witness)}.`,
@@ -68,7 +71,16 @@ function c_array(witness) {
 // A line of a query file, as witnesses.jsonl has it.
 function json_line(witness) {
   const {id, precision, test} = witness;
-  const numbers = Object.fromEntries(page_test_of(witness).groups.map((group) => [group, witness[group]]));
+  const numbers = {};
+  // A group whose name has dots is nested; what is named by digits is an element of an array.
+  for (const group of page_test_of(witness).groups) {
+    const names = group.split('.');
+    let at = numbers;
+    names.forEach((name, i) => {
+      if (i + 1 === names.length) at[name] = witness[group];
+      else at = at[name] ??= /^[0-9]+$/.test(names[i + 1]) ? [] : {};
+    });
+  }
   return JSON.stringify({id, precision, ...(test ? {test} : {}), ...numbers});
 }
 

@@ -135,11 +135,16 @@ const TestEntry* entry_of(const TestDescription& test, const Json& query) {
     if (member == query.end()) return false;
     return member->is_null() || (member->is_array() ? member->size() == group.size : group.size == 1);
   };
+  // One entry's groups may be among another's: that with most is meant.
+  const TestEntry* found = nullptr;
+  std::size_t most = 0;
   for (const TestEntry& entry : test.entries) {
     const std::vector<ColumnGroup> groups = groups_of(entry);
-    if (std::all_of(groups.begin(), groups.end(), fits)) return &entry;
+    if (groups.size() <= most || !std::all_of(groups.begin(), groups.end(), fits)) continue;
+    found = &entry;
+    most = groups.size();
   }
-  return nullptr;
+  return found;
 }
 
 }  // namespace axiscert

@@ -58,7 +58,7 @@ class SphereTriangleOracles final : public Oracles {
 
 }  // namespace
 
-const Oracles& sphere_triangle_oracles() {
+const Oracles& sphere_triangle_oracles(std::size_t) {
   static const SphereTriangleOracles oracles;
   return oracles;
 }

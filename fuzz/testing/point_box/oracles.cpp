@@ -63,7 +63,7 @@ struct PointBoxTrait : PointBox {
 
 template class OraclesOf<PointBoxTrait>;
 
-const Oracles& point_box_oracles() {
+const Oracles& point_box_oracles(std::size_t) {
   static const OraclesOf<PointBoxTrait> oracles;
   return oracles;
 }

@@ -1,14 +1,16 @@
 // The tests of which a page shows witnesses: the groups of a query's numbers in the order in which people read them, the
-// picture, and the name of a suite of tests in code to paste. A test that is not here has its numbers alone.
+// picture, and the name of a suite of tests in code to paste. `groups_of` is for a test with several entries. A test that is not here has its numbers alone.
 
 const page_tests = {
   'sphere-triangle': {groups: ['a', 'b', 'c', 'p', 'r'], figure: sphere_triangle_figure, suite: 'SphereTriangle'},
+  'box-box': {groups_of: boxes_groups_of, figure: boxes_figure, suite: 'BoxBox', touching: 'They touch.'},
   'moving-sphere': {groups: motion_groups, figure: moving_sphere_figure, suite: 'MovingSphere', time: 'time_of_contact'},
 };
 
 // A query names its test unless that is the first.
 function page_test_of(query) {
-  return page_tests[query.test ?? 'sphere-triangle'] ?? {groups: Object.keys(query.decimal ?? {}), figure: null, suite: 'Witness'};
+  const test = page_tests[query.test ?? 'sphere-triangle'] ?? {groups: Object.keys(query.decimal ?? {}), figure: null, suite: 'Witness'};
+  return test.groups_of ? {...test, groups: test.groups_of(query)} : test;
 }
 
 function scene_figure(query) {

@@ -1,0 +1,132 @@
+#include "exact/boxes/box_measures.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "exact/trait/exact_number.h"
+
+namespace axiscert::boxes {
+
+namespace {
+
+Point rational(const Vec3<ExactNumber>& v) { return {v.x.value, v.y.value, v.z.value}; }
+
+ExactPair rational(const BoxPair<ExactNumber>& q) {
+  const auto box = [](const OrientedBox<ExactNumber>& of) {
+    return ExactBox{rational(of.centre),
+                    {{of.half[0].value, of.half[1].value, of.half[2].value}},
+                    {{rational(of.axis[0]), rational(of.axis[1]), rational(of.axis[2])}}};
+  };
+  return {box(q.a), box(q.b)};
+}
+
+// Half the extent of a box in direction d, times |d|.
+Rational extent_along(const ExactBox& box, const Point& d) {
+  Rational sum;
+  for (std::size_t k = 0; k < 3; ++k) sum += box.half[k] * abs(Rational(dot(d, box.axis[k])));
+  return sum;
+}
+
+// On an axis that is not 0: what is left of both extents beside the distance of the centres, times the axis' length.
+struct AxisRest {
+  std::size_t index;
+  Rational rest, squared_length;
+  Rational squared() const { return rest * rest / squared_length; }
+};
+std::vector<AxisRest> rests(const ExactPair& q) {
+  const Point between = q.b.centre - q.a.centre;
+  std::vector<AxisRest> found;
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const Point along = direction(q, i);
+    const Rational squared_length = dot(along, along);
+    if (squared_length == 0) continue;
+    const Rational rest = extent_along(q.a, along) + extent_along(q.b, along) - abs(Rational(dot(along, between)));
+    found.push_back({i, rest, squared_length});
+  }
+  return found;
+}
+
+}  // namespace
+
+ExactPair exact_pair(const BoxPair<double>& q) {
+  const Numbers<double> numbers = numbers_of(q);
+  return rational(MatrixBoxes::problem<ExactNumber>([&](std::size_t k) { return ExactNumber(numbers[k]); }));
+}
+
+ExactPair exact_pair(const TurnedPair<double>& q) {
+  const Numbers<double> numbers = numbers_of(q);
+  return rational(
+      with_matrices(QuaternionBoxes::problem<ExactNumber>([&](std::size_t k) { return ExactNumber(numbers[k]); })));
+}
+
+Hull corners_of(const ExactBox& box) {
+  Hull corners;
+  for (unsigned signs = 0; signs < 8; ++signs) {
+    Point corner = box.centre;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Rational t = signs >> k & 1 ? box.half[k] : Rational(-box.half[k]);
+      corner = corner + box.axis[k] * t;
+    }
+    corners.push_back(std::move(corner));
+  }
+  return corners;
+}
+
+Rational determinant(const ExactBox& box) { return dot(box.axis[0], facet_normal(box, 0)); }
+
+std::vector<std::string_view> deciding_axes(const ExactPair& q) {
+  std::vector<std::string_view> separating, least;
+  std::optional<Rational> depth;
+  for (const AxisRest& axis : rests(q)) {
+    if (axis.rest < 0) separating.push_back(axis_names[axis.index]);
+    const Rational squared = axis.squared();
+    if (depth && squared > *depth) continue;
+    if (!depth || squared < *depth) least.clear();
+    depth = squared;
+    least.push_back(axis_names[axis.index]);
+  }
+  return separating.empty() ? least : separating;
+}
+
+Rational squared_penetration(const ExactPair& q) {
+  std::optional<Rational> least;
+  for (const AxisRest& axis : rests(q)) {
+    Rational squared = axis.squared();
+    if (!least || squared < *least) least = std::move(squared);
+  }
+  return *least;  // the axes of a box are independent, so its facets have normals
+}
+
+Rational critical_factor(const ExactPair& q, const Point& u) {
+  std::optional<Rational> least;
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const Point along = direction(q, i);
+    const Rational slope = abs(Rational(dot(along, u)));
+    if (slope == 0) continue;
+    Rational factor = (extent_along(q.a, along) + extent_along(q.b, along)) / slope;
+    if (!least || factor < *least) least = std::move(factor);
+  }
+  return *least;  // the normals of a box span the space, so one is not at right angles to u
+}
+
+Rational squared_distance(const ExactPair& q) { return nearest_points(corners_of(q.a), corners_of(q.b)).squared(); }
+
+Rational squared_scene(const ExactPair& q) {
+  const Point between = q.b.centre - q.a.centre;
+  Rational scene = dot(between, between);
+  for (const ExactBox* box : {&q.a, &q.b}) {
+    for (const Point& corner : corners_of(*box)) {
+      const Point from = corner - box->centre;
+      scene = std::max(scene, Rational(dot(from, from)));
+    }
+  }
+  return scene;
+}
+
+double depth_of(const ExactPair& q) {
+  const Rational scene = squared_scene(q), distance = squared_distance(q);
+  if (scene == 0) return 0;
+  return nearest_sqrt<double>(Rational((distance > 0 ? distance : squared_penetration(q)) / scene));
+}
+
+}  // namespace axiscert::boxes

@@ -1,0 +1,32 @@
+// How deep two boxes are in contact, or how far apart: squares of lengths, exactly.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "exact/boxes/exact_box.h"
+
+namespace axiscert::boxes {
+
+// The square of the penetration of boxes in contact: the least translation of one that parts them, or makes them touch.
+// It is the least of (radius - |T.L|) / |L| over the fifteen axes that are not 0, which are normals of all facets of
+// A - B.
+Rational squared_penetration(const ExactPair& q);
+
+// The axes that decide: of boxes in contact those on which the penetration is least, else those that separate.
+std::vector<std::string_view> deciding_axes(const ExactPair& q);
+
+// The greatest f for which boxes are in contact with B's centre at A's + f u, u not 0: rational.
+Rational critical_factor(const ExactPair& q, const Point& u);
+
+// The square of their distance; 0 in contact.
+Rational squared_distance(const ExactPair& q);
+
+// The square of the scene's extent: the greatest of |T|, from centre to centre, and of the distances of the corners
+// from the centre of their own box.
+Rational squared_scene(const ExactPair& q);
+
+// Penetration or distance relative to the scene, rounded once; 0 for two points in the same place.
+double depth_of(const ExactPair& q);
+
+}  // namespace axiscert::boxes

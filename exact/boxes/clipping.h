@@ -1,0 +1,29 @@
+// A second way to the truth about two boxes: the edges of each, clipped by the other. It shares nothing with the
+// nearest points or with the fifteen axes.
+#pragma once
+
+#include "exact/boxes/exact_triangle.h"
+
+namespace axiscert::boxes {
+
+struct Common {
+  bool meets;           // the boxes have a point in common
+  bool interiors_meet;  // and no small translation parts them
+};
+
+// Each box is an intersection of three slabs, so a corner of what they have in common is where three independent planes
+// of facets meet: on an edge of A, within B, or on an edge of B, within A. Hence the boxes meet exactly where a part of
+// one of the 24 edges is in all three slabs of the other, and what they have in common is the hull of the ends of these
+// parts. It is Gottschalk's test of 144 edges and faces (1995), with an edge inside a box counted too.
+//
+// No small translation parts them where the point 0 is inside A - B, not on its boundary: where a point is in the
+// relative interior of both and their edges together span the space. The mean of those ends is such a point if any is.
+//
+// Precondition: the axes of each box are independent; half extents may be 0.
+Common common_of(const ExactPair& q);
+
+// The same of a box and a triangle, which may be degenerate. A corner of what they have in common is on an edge of the
+// triangle, within the box, or on an edge of the box, within the triangle.
+Common common_of(const ExactBoxAndTriangle& q);
+
+}  // namespace axiscert::boxes

@@ -1,0 +1,38 @@
+// The nearest points of two convex hulls, exactly, with a certificate that proves them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "exact/numbers/rational.h"
+#include "kernel/base/geometry.h"
+
+namespace axiscert::boxes {
+
+using Point = portable::Vec3<Rational>;
+// The convex hull of these points: at least one; repeated points and hulls without volume are allowed.
+using Hull = std::vector<Point>;
+
+// A point of each hull as a convex combination of its vertices, and the vector `apart` from that of B to that of A,
+// which is 0 where the hulls have a point in common.
+struct NearestPoints {
+  std::vector<Rational> weights_a, weights_b;  // one a vertex
+  Point apart;
+  Rational squared() const { return portable::dot(apart, apart); }
+};
+
+// The pair of least distance. Of hulls in contact, a point in both.
+//
+// Exact in integers after one common scaling: from a simplex of differences of vertices to the next one that comes
+// nearer to 0, as in Wolfe's and Gilbert's methods. Each simplex has its own nearest point, and the distance falls with
+// each, so none returns and the loop ends; no step has a tolerance. The result is checked by refuted().
+// Throws HarnessFault if the check fails.
+// Source: P. Wolfe, Finding the nearest point in a polytope, Mathematical Programming 11 (1976).
+NearestPoints nearest_points(const Hull& a, const Hull& b);
+
+// The reason for which this is no proof that the hulls' distance is |apart|, or empty. It is one where the weights are
+// not negative and sum to 1, the two points differ by `apart`, and all of A is beyond A's point along `apart`, all of B
+// before B's: then no pair of points is nearer. It does not depend on how the points were found.
+std::string refuted(const NearestPoints& found, const Hull& a, const Hull& b);
+
+}  // namespace axiscert::boxes

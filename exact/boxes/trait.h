@@ -1,0 +1,110 @@
+// The traits of the test of two boxes, one for each entry: the truth by the nearest points, compared on every query
+// with the edges clipped and, by the theorem, with the fifteen axes.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact/boxes/box_measures.h"
+#include "exact/boxes/clipping.h"
+#include "exact/trait/oracles.h"
+#include "exact/trait/trait.h"
+#include "kernel/boxes/epsilon.h"
+#include "kernel/boxes/projected.h"
+#include "kernel/boxes/slips.h"
+
+namespace axiscert::boxes {
+
+// The reason for which one box is none, or empty: of a basis by its determinant, of a quaternion by its length.
+inline std::string no_box(const OrientedBox<double>& box) {
+  const ExactPair exact = exact_pair(BoxPair<double>{box, box});
+  return determinant(exact.a) == 0 ? "its three basis vectors are linearly dependent, so that their determinant is 0"
+                                   : "";
+}
+inline std::string no_box(const TurnedBox<double>& box) {
+  return std::all_of(box.q.begin(), box.q.end(), [](double x) { return x == 0; }) ? "its quaternion is 0" : "";
+}
+
+// What both entries share; `Boxes` is MatrixBoxes or QuaternionBoxes.
+template <class Boxes>
+struct BoxTrait : Boxes {
+  static auto query(const Numbers<double>& numbers) {
+    return Boxes::template problem<double>([&](std::size_t k) { return numbers[k]; });
+  }
+  static ExactPair exactly(const Numbers<double>& numbers) { return exact_pair(query(numbers)); }
+
+  static std::string why_invalid(const Numbers<double>& numbers) {
+    const auto& columns = Boxes::description().entries[Boxes::entry].columns;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      if (!std::isfinite(numbers[k])) return fmt::format("{} is not finite", columns[k].name);
+      if (columns[k].role == Role::length && numbers[k] < 0) {
+        return fmt::format("half extent {} is negative", columns[k].name);
+      }
+    }
+    const auto q = query(numbers);
+    if (const std::string why = no_box(q.a); !why.empty()) return "box a: " + why;
+    if (const std::string why = no_box(q.b); !why.empty()) return "box b: " + why;
+    return "";
+  }
+  static bool is_valid(const Numbers<double>& numbers) { return why_invalid(numbers).empty(); }
+
+  // Touching is taken from the clipped edges: nearest points do not tell it.
+  static Truth geometric_truth(const Numbers<double>& numbers) {
+    const ExactPair q = exactly(numbers);
+    if (squared_distance(q) > 0) return {Verdict::separated, false};
+    return {Verdict::contact, !common_of(q).interiors_meet};
+  }
+
+  // The theorem. With the products of the boxes' own vectors as directions, one of the fifteen axes separates exactly
+  // where the boxes have no point in common; they touch exactly where none separates and on one that is not 0 both
+  // sides are equal.
+  static std::string contradiction(const Numbers<double>& numbers, const Truth& truth, ComparisonBits holds,
+                                   ComparisonBits ties) {
+    const ExactPair q = exactly(numbers);
+    const Common common = common_of(q);
+    const Verdict by_clipping = common.meets ? Verdict::contact : Verdict::separated;
+    const Verdict by_axes = verdict_of(box_box_test(), holds);
+    bool ties_somewhere = false;
+    for_each_bit(ties, [&](std::size_t i) {
+      const Point along = direction(q, i);
+      ties_somewhere = ties_somewhere || dot(along, along) != 0;
+    });
+    const bool axes_touch = by_axes == Verdict::contact && ties_somewhere;
+    if (truth.verdict == by_clipping && truth.verdict == by_axes && truth.touching == axes_touch) return "";
+    return fmt::format(
+        "nearest points {}; edges clipped {}, interiors have a point in common {}; the fifteen axes {}, touching {}: "
+        "{:#b}, ties {:#b} (bit 0 is the first axis)",
+        name(truth.verdict), name(by_clipping), common.interiors_meet, name(by_axes), axes_touch, holds, ties);
+  }
+
+  static double depth(const Numbers<double>& numbers) { return depth_of(exactly(numbers)); }
+
+  // The penetration or the distance, as a length rounded to nearest; and the axes that decide: those on which the
+  // penetration is least, or those that separate.
+  template <class Real>
+  static std::vector<Detail> details(const Numbers<double>& numbers) {
+    const ExactPair q = exactly(numbers);
+    Detail penetration{"penetration", {}}, distance{"distance", {}};
+    const Rational apart = squared_distance(q);
+    if (apart > 0) distance.value = static_cast<double>(nearest_sqrt<Real>(apart));
+    else penetration.value = static_cast<double>(nearest_sqrt<Real>(squared_penetration(q)));
+    return {penetration, distance, {"deciding_axes", deciding_axes(q)}};
+  }
+};
+
+struct MatrixTrait : BoxTrait<MatrixBoxes> {
+  using AllFormulae = FormulaeList<Projected, Columns, Dropped, Framed, Textbook, Rtcd, Gottschalk, Bullet, Cofactor,
+                                   SlipOfTheBook, SlipOfTheFrame, SlipOfEpsilon, SlipOfOwnEdges, SlipOfOneEdge>;
+};
+
+struct QuaternionTrait : BoxTrait<QuaternionBoxes> {
+  using Exact = ExactNumber;  // the matrix of a quaternion is divided by its squared length
+  using AllFormulae =
+      FormulaeList<OfQuaternions<Projected>, OfQuaternions<Columns>, OfQuaternions<Dropped>, OfQuaternions<Framed>,
+                   OfQuaternions<Textbook>, OfQuaternions<Rtcd>, OfQuaternions<Gottschalk>, OfQuaternions<Bullet>,
+                   OfQuaternions<Cofactor>, Homogeneous>;
+};
+
+}  // namespace axiscert::boxes

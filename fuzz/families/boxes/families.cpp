@@ -1,0 +1,70 @@
+// The families of two boxes, and of a box and a triangle: one line each, in the order of the reports.
+#include "fuzz/queries/family.h"
+
+#define AXISCERT_BOX_FAMILIES(X) \
+  X(general)                     \
+  X(lattice)                     \
+  X(tangent)                     \
+  X(stacked)                     \
+  X(resting)                     \
+  X(crossed)                     \
+  X(edge_edge)                   \
+  X(vertex_face)                 \
+  X(parallel)                    \
+  X(thin)                        \
+  X(flat)                        \
+  X(scale)                       \
+  X(far)                         \
+  X(bits)                        \
+  X(general_turned)              \
+  X(lattice_turned)              \
+  X(tangent_turned)              \
+  X(resting_turned)              \
+  X(crossed_turned)              \
+  X(edge_edge_turned)            \
+  X(vertex_face_turned)          \
+  X(parallel_turned)
+
+#define AXISCERT_TRIANGLE_FAMILIES(X) \
+  X(general)                          \
+  X(touching)                         \
+  X(lattice)                          \
+  X(degenerate)                       \
+  X(general_minmax)                   \
+  X(touching_minmax)                  \
+  X(lattice_minmax)                   \
+  X(voxel)                            \
+  X(general_oriented)                 \
+  X(touching_oriented)                \
+  X(lattice_oriented)
+
+namespace axiscert {
+namespace boxes {
+
+#define AXISCERT_DECLARE(name) extern const Family box_box_##name##_family;
+AXISCERT_BOX_FAMILIES(AXISCERT_DECLARE)
+#undef AXISCERT_DECLARE
+#define AXISCERT_DECLARE(name) extern const Family box_triangle_##name##_family;
+AXISCERT_TRIANGLE_FAMILIES(AXISCERT_DECLARE)
+#undef AXISCERT_DECLARE
+
+}  // namespace boxes
+
+std::span<const Family* const> box_box_families() {
+#define AXISCERT_POINT(name) &boxes::box_box_##name##_family,
+  static const Family* const all[] = {AXISCERT_BOX_FAMILIES(AXISCERT_POINT)};
+#undef AXISCERT_POINT
+  return all;
+}
+
+std::span<const Family* const> box_triangle_families() {
+#define AXISCERT_POINT(name) &boxes::box_triangle_##name##_family,
+  static const Family* const all[] = {AXISCERT_TRIANGLE_FAMILIES(AXISCERT_POINT)};
+#undef AXISCERT_POINT
+  return all;
+}
+
+}  // namespace axiscert
+
+#undef AXISCERT_BOX_FAMILIES
+#undef AXISCERT_TRIANGLE_FAMILIES

@@ -1,0 +1,167 @@
+// Parts of the families of two boxes: rotations by quaternions of integers, which are exact over the rationals and
+// rounded once for the entry; places that are solved exactly; and steps of an ulp.
+//
+// A family is a type with `template <class Pair> static Pair make(Stream&, std::uint64_t position)`, where Pair is
+// BoxPair<Real> (entry `matrix`) or TurnedPair<Real> (entry `quaternion`).
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "exact/boxes/box_measures.h"
+#include "fuzz/queries/boundary.h"
+#include "fuzz/queries/family.h"
+#include "fuzz/queries/random.h"
+#include "kernel/boxes/turned.h"
+
+namespace axiscert::boxes {
+
+template <class Pair>
+struct RealOfPair;
+template <class Real>
+struct RealOfPair<BoxPair<Real>> {
+  using type = Real;
+};
+template <class Real>
+struct RealOfPair<TurnedPair<Real>> {
+  using type = Real;
+};
+template <class Pair>
+using RealOf = typename RealOfPair<Pair>::type;
+
+// w, x, y, z: integers whose products by M(q) are exact as rationals, not all 0.
+using Quaternion = std::array<double, 4>;
+
+Quaternion product(const Quaternion& p, const Quaternion& q);
+// Up to 3000 in magnitude.
+Quaternion random_turn(Stream& random);
+// The columns of the rotation, exactly.
+std::array<Point, 3> exact_axes(const Quaternion& q);
+
+// The numbers of a query taken as exact.
+template <class Pair>
+ExactPair exactly(const Pair& q);
+
+// Turns a box: each entry of its matrix is the float nearest to the exact rotation's; or the quaternion's four numbers,
+// each rounded.
+template <class Real>
+void turn(OrientedBox<Real>& box, const Quaternion& q) {
+  const std::array<Point, 3> exact = exact_axes(q);
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.axis[k] = {nearest<Real>(exact[k].x), nearest<Real>(exact[k].y), nearest<Real>(exact[k].z)};
+  }
+}
+template <class Real>
+void turn(TurnedBox<Real>& box, const Quaternion& q) {
+  for (std::size_t k = 0; k < 4; ++k) box.q[k] = static_cast<Real>(q[k]);
+}
+
+// The same by another route: the matrix is computed in Real.
+template <class Real>
+void turn_in_floats(TurnedBox<Real>& box, const Quaternion& q) {
+  turn(box, q);
+}
+template <class Real>
+void turn_in_floats(OrientedBox<Real>& box, const Quaternion& q) {
+  TurnedBox<Real> given{};
+  turn(given, q);
+  box.axis = with_matrix(given).axis;
+}
+
+template <class Real>
+Point exact_point(const Vec3<Real>& p) {
+  return {Rational(static_cast<double>(p.x)), Rational(static_cast<double>(p.y)), Rational(static_cast<double>(p.z))};
+}
+template <class Real>
+Vec3<Real> rounded_point(const Point& p) {
+  return {nearest<Real>(p.x), nearest<Real>(p.y), nearest<Real>(p.z)};
+}
+
+// B's centre at A's plus the vector, which is turned exactly and rounded once.
+template <class Pair>
+void place(Pair& q, const Quaternion& frame, const std::array<Rational, 3>& at) {
+  const std::array<Point, 3> axes = exact_axes(frame);
+  Point sum = exact_point(q.a.centre);
+  for (std::size_t k = 0; k < 3; ++k) sum = sum + axes[k] * at[k];
+  q.b.centre = rounded_point<RealOf<Pair>>(sum);
+}
+
+// Half extents from 0.5 to 1.5 of both, A's centre at 0 every other time, else in the unit cube.
+template <class Pair>
+Pair of_ordinary_size(Stream& random, std::uint64_t position) {
+  using Real = RealOf<Pair>;
+  Pair q{};
+  for (auto* half : {&q.a.half, &q.b.half}) {
+    for (Real& s : *half) s = Real(0.5) + random.unit<Real>();
+  }
+  const Real x = random.symmetric<Real>(), y = random.symmetric<Real>(), z = random.symmetric<Real>();
+  if (position % 2 == 1) q.a.centre = {x, y, z};
+  return q;
+}
+
+// Ordinary boxes, each turned by any rotation, the centres up to 2 apart in each coordinate.
+template <class Pair>
+Pair anywhere(Stream& random, std::uint64_t position) {
+  using Real = RealOf<Pair>;
+  Pair q = of_ordinary_size<Pair>(random, position);
+  turn(q.a, random_turn(random));
+  turn(q.b, random_turn(random));
+  const Real x = random.symmetric<Real>(), y = random.symmetric<Real>(), z = random.symmetric<Real>();
+  q.b.centre = q.a.centre + Vec3<Real>{x + x, y + y, z + z};
+  return q;
+}
+
+// A coordinate of B's centre moved by up to `most` ulps.
+template <class Pair>
+void nudge(Stream& random, int most, Pair& q) {
+  const auto which = random.below(3);
+  const int ulps = static_cast<int>(random.integer(-most, most));
+  auto& x = which == 0 ? q.b.centre.x : which == 1 ? q.b.centre.y : q.b.centre.z;
+  x = step_ulps(x, ulps);
+}
+
+// B on the ray from A's centre to its own, at `times` the farthest distance of contact: exactly, then rounded. A query
+// whose centres are in one place stays as it is.
+template <class Pair>
+void solve_tangent(Pair& q, const Rational& times = 1) {
+  const ExactPair exact = exactly(q);
+  const Point u = exact.b.centre - exact.a.centre;
+  if (u.x == 0 && u.y == 0 && u.z == 0) return;
+  const Rational factor = critical_factor(exact, u) * times;
+  q.b.centre = rounded_point<RealOf<Pair>>(exact.a.centre + u * factor);
+}
+
+// The query in the order of the columns, one after the other.
+template <class Made, class Pair>
+void fill_pairs(const StreamName& name, std::uint64_t first, const MutableColumns<RealOf<Pair>>& out) {
+  for (std::size_t i = 0; i < out.size; ++i) {
+    Stream random(name, first + i);
+    out.set(i, numbers_of(Made::template make<Pair>(random, first + i)));
+  }
+}
+
+// The family in the entry `matrix`, and that of quaternions.
+template <class Made>
+constexpr Family matrix_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false) {
+  return {.name = name,
+          .purpose = purpose,
+          .version = 1,
+          .exact_arithmetic = exact_arithmetic,
+          .binary32 = fill_pairs<Made, BoxPair<float>>,
+          .binary64 = fill_pairs<Made, BoxPair<double>>,
+          .test = box_box_test,
+          .entry = MatrixBoxes::entry};
+}
+template <class Made>
+constexpr Family turned_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false) {
+  return {.name = name,
+          .purpose = purpose,
+          .version = 1,
+          .exact_arithmetic = exact_arithmetic,
+          .binary32 = fill_pairs<Made, TurnedPair<float>>,
+          .binary64 = fill_pairs<Made, TurnedPair<double>>,
+          .test = box_box_test,
+          .entry = QuaternionBoxes::entry};
+}
+
+}  // namespace axiscert::boxes

@@ -1,0 +1,136 @@
+// Boxes that stand on each other: rotations that differ by a small yaw, by quarter turns, or by a crossing of edges at
+// a small angle. Here the textbook's edge axes are nearly 0, and an epsilon invents contacts.
+#include "fuzz/families/boxes/parts.h"
+
+namespace axiscert::boxes {
+namespace {
+
+// An offset of B in A's frame: a multiple of 2^-23 from -most to most.
+Rational offset(Stream& random, const Rational& most) {
+  Rational x(random.integer(-(1 << 23), 1 << 23), 1 << 23);
+  x.canonicalize();
+  return x * most;
+}
+
+template <class Real>
+Rational exact_number(Real x) {
+  return Rational(static_cast<double>(x));
+}
+
+// B on A's third facet, yawed by about 2^-7 to 2^-23, sunk in by so much.
+template <class Pair>
+Pair standing(Stream& random, std::uint64_t position, const Rational& sunk) {
+  Pair q = of_ordinary_size<Pair>(random, position);
+  const Quaternion frame = random_turn(random);
+  const double yaw = std::ldexp(1.0, static_cast<int>(random.integer(8, 24)));
+  turn(q.a, frame);
+  turn(q.b, product(frame, {yaw, 0, 0, 1}));
+  const Rational x = offset(random, Rational(1, 2)), y = offset(random, Rational(1, 2));
+  place(q, frame, {x, y, exact_number(q.a.half[2]) + exact_number(q.b.half[2]) - sunk});
+  return q;
+}
+
+struct Stacked {
+  template <class Pair>
+  static Pair make(Stream& random, std::uint64_t position) {
+    Pair q = standing<Pair>(random, position, 0);
+    nudge(random, 8, q);
+    return q;
+  }
+};
+struct Resting {
+  template <class Pair>
+  static Pair make(Stream& random, std::uint64_t position) {
+    const auto power = static_cast<unsigned long>(random.integer(6, 14));
+    return standing<Pair>(random, position, Rational(1, 1ul << power));
+  }
+};
+
+// B is turned by quarter turns against A, which no cube shows, its numbers rounded along another route.
+template <class Pair>
+Pair quarter_turns(Stream& random, std::uint64_t position) {
+  static constexpr std::array<Quaternion, 4> quarters = {{{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 0, 1, 0}, {1, 0, 0, 1}}};
+  Pair q = of_ordinary_size<Pair>(random, position);
+  const Quaternion frame = random_turn(random);
+  const auto one = random.below(4), other = random.below(4);
+  turn(q.a, frame);
+  turn_in_floats(q.b, product(product(frame, quarters[one]), quarters[other]));
+  const Rational x = offset(random, 1), y = offset(random, 1), z = offset(random, 1);
+  place(q, frame, {x, y, z});
+  return q;
+}
+struct Parallel {
+  template <class Pair>
+  static Pair make(Stream& random, std::uint64_t position) {
+    return quarter_turns<Pair>(random, position);
+  }
+};
+
+// In turn: a rectangle and a box, two rectangles, a segment and a box.
+struct Flat {
+  template <class Pair>
+  static Pair make(Stream& random, std::uint64_t position) {
+    Pair q = quarter_turns<Pair>(random, position);
+    const auto of_a = random.below(3), of_b = random.below(3);
+    q.a.half[of_a] = 0;
+    const std::uint64_t turn_of = position / 2 % 3;
+    if (turn_of == 1) q.b.half[of_b] = 0;
+    if (turn_of == 2) q.a.half[next(of_a)] = 0;
+    return q;
+  }
+};
+
+// Both stand on an edge, up to 24 long, and the two edges cross at an angle of 2^-5 to 2^-17: in turn apart by 2^-8 to
+// 2^-20 and in contact by as much. 13860 / 33461 is the tangent of half of 45 degrees to nine digits.
+struct Crossed {
+  template <class Pair>
+  static Pair make(Stream& random, std::uint64_t position) {
+    constexpr Quaternion on_an_edge = {33461, 13860, 0, 0};
+    Pair q = of_ordinary_size<Pair>(random, position);
+    const auto longer = static_cast<int>(random.below(4));
+    q.a.half[0] = std::ldexp(q.a.half[0], longer);
+    q.b.half[0] = std::ldexp(q.b.half[0], longer);
+    q.a.half[2] = q.a.half[1];  // square, so that the highest edge is above the middle
+    q.b.half[2] = q.b.half[1];
+    const Quaternion frame = random_turn(random);
+    const auto flatness = static_cast<int>(random.integer(6, 18));
+    const double yaw = std::ldexp(1.0, flatness);
+    turn(q.a, product(frame, on_an_edge));
+    turn(q.b, product(product(frame, {yaw, 0, 0, 1}), on_an_edge));
+    // So far apart sideways that the edges cross within a quarter of A's middle.
+    const Rational x = offset(random, Rational(1, 4)), y = offset(random, Rational(1, 4ul << flatness));
+    const auto power = static_cast<unsigned long>(random.integer(8, 20));
+    const Rational gap(position / 2 % 2 == 0 ? 1 : -1, 1ul << power);
+    // The height at which edges meet, above A's centre: both extents along the third axis of the frame.
+    const Point up = exact_axes(frame)[2];
+    const ExactPair exact = exactly(q);
+    Rational height = 0;
+    for (const ExactBox* box : {&exact.a, &exact.b}) {
+      for (std::size_t k = 0; k < 3; ++k) height += box->half[k] * abs(Rational(dot(up, box->axis[k])));
+    }
+    place(q, frame, {x, y, height + gap});
+    return q;
+  }
+};
+
+}  // namespace
+
+extern const Family box_box_stacked_family = matrix_family<Stacked>(
+    "box-box/stacked", "B stands on A, yawed by 2^-7 to 2^-23, touching but for roundings and up to eight ulps");
+extern const Family box_box_resting_family =
+    matrix_family<Resting>("box-box/resting", "stacked, and sunk in by 2^-6 to 2^-14");
+extern const Family box_box_crossed_family = matrix_family<Crossed>(
+    "box-box/crossed", "edges of length up to 24 cross at an angle of 2^-5 to 2^-17, 2^-8 to 2^-20 apart or as deep");
+extern const Family box_box_parallel_family =
+    matrix_family<Parallel>("box-box/parallel", "quarter turns of one rotation, rounded along two routes; overlapping");
+extern const Family box_box_flat_family =
+    matrix_family<Flat>("box-box/flat", "parallel, with extents 0: a rectangle and a box, two rectangles, a segment");
+
+extern const Family box_box_resting_turned_family =
+    turned_family<Resting>("box-box/resting_turned", "resting, as quaternions of integers");
+extern const Family box_box_crossed_turned_family =
+    turned_family<Crossed>("box-box/crossed_turned", "crossed, as quaternions of integers");
+extern const Family box_box_parallel_turned_family =
+    turned_family<Parallel>("box-box/parallel_turned", "parallel, as quaternions of integers");
+
+}  // namespace axiscert::boxes

@@ -1,0 +1,93 @@
+// The description and the kernels of a box and a triangle.
+#include "kernel/boxes/thirteen.h"
+
+namespace axiscert {
+
+std::vector<Kernel> box_triangle_kernels();
+
+namespace {
+
+constexpr Role place = Role::coordinate, direction_role = Role::direction, length = Role::length;
+
+void add_group(std::vector<TestColumn>& columns, Role role, std::string_view group,
+               std::initializer_list<std::string_view> names) {
+  for (const std::string_view name : names) columns.push_back({name, role, group});
+}
+void add_triangle(std::vector<TestColumn>& columns) {
+  add_group(columns, place, "a", {"ax", "ay", "az"});
+  add_group(columns, place, "b", {"bx", "by", "bz"});
+  add_group(columns, place, "c", {"cx", "cy", "cz"});
+}
+
+std::vector<TestColumn> centre_columns() {
+  std::vector<TestColumn> columns;
+  add_group(columns, place, "box.m", {"box.mx", "box.my", "box.mz"});
+  add_group(columns, length, "box.s", {"box.s0", "box.s1", "box.s2"});
+  add_triangle(columns);
+  return columns;
+}
+std::vector<TestColumn> minmax_columns() {
+  std::vector<TestColumn> columns;
+  add_group(columns, place, "box.l", {"box.lx", "box.ly", "box.lz"});
+  add_group(columns, place, "box.h", {"box.hx", "box.hy", "box.hz"});
+  add_triangle(columns);
+  return columns;
+}
+std::vector<TestColumn> oriented_columns() {
+  std::vector<TestColumn> columns;
+  add_group(columns, place, "box.m", {"box.mx", "box.my", "box.mz"});
+  add_group(columns, length, "box.s", {"box.s0", "box.s1", "box.s2"});
+  add_group(columns, direction_role, "box.b.0", {"box.b0x", "box.b0y", "box.b0z"});
+  add_group(columns, direction_role, "box.b.1", {"box.b1x", "box.b1y", "box.b1z"});
+  add_group(columns, direction_role, "box.b.2", {"box.b2x", "box.b2y", "box.b2z"});
+  add_triangle(columns);
+  return columns;
+}
+
+TestDescription box_triangle_described() {
+  TestDescription test{
+      .id = "box-triangle",
+      .asks = "do a closed box and a closed triangle have a point in common",
+      .touching = "they have a point in common, and a translation of one of them, as small as you like, parts them",
+      .wrong_answers = {{Verdict::separated, Verdict::contact, "missed contact"},
+                        {Verdict::contact, Verdict::separated, "phantom contact"}},
+      .entries = {{"centre", "every number finite, no half extent negative", centre_columns()},
+                  {"minmax", "every number finite, no coordinate of the corner l above that of h", minmax_columns()},
+                  {"matrix", "every number finite, no half extent negative, the determinant of the basis not 0",
+                   oriented_columns()}},
+      .comparisons = {},
+      .clauses = {},
+      .measures = {},
+  };
+  for (std::size_t i = 0; i < boxes::thirteen_count; ++i) {
+    test.clauses.push_back({boxes::thirteen_names[i], one_bit<ComparisonBits>(i)});
+    test.comparisons.push_back({boxes::thirteen_names[i], i});
+  }
+  return checked(std::move(test));
+}
+
+using namespace boxes;
+
+}  // namespace
+
+const TestDescription& box_triangle_test() {
+  static const TestDescription test = box_triangle_described();
+  return test;
+}
+
+std::vector<Kernel> box_triangle_kernels() {
+  return {
+      plain_kernel<CentreEntry, TextbookThirteen>("box-triangle/textbook",
+                                                  "thirteen axes, terms that are 0 left out (Akenine-Moller, 2001)"),
+      plain_kernel<CentreEntry, Thirteen>("box-triangle/thirteen", "the same, products of the edges, all terms"),
+      plain_kernel<MinmaxEntry, TextbookThirteen>("box-triangle/textbook-minmax",
+                                                  "textbook, centre and half extents computed of two corners"),
+      plain_kernel<MinmaxEntry, Thirteen>("box-triangle/thirteen-minmax", "thirteen, of two corners"),
+      plain_kernel<OrientedEntry, FramedThirteen>("box-triangle/textbook-oriented",
+                                                  "the triangle in the frame of an oriented box, then textbook"),
+      plain_kernel<OrientedEntry, Thirteen>("box-triangle/thirteen-oriented",
+                                            "thirteen, products of the box's own vectors: right over the reals"),
+  };
+}
+
+}  // namespace axiscert

@@ -1,0 +1,114 @@
+// Queries about two boxes as the formulae see them, in the two ways in which a box can be given.
+#pragma once
+
+#include <array>
+
+#include "kernel/base/geometry.h"
+#include "kernel/plain_kernel.h"
+
+namespace axiscert {
+
+const TestDescription& box_box_test();
+
+namespace boxes {
+
+using portable::cross, portable::dot, portable::magnitude, portable::Vec3;
+
+// The closed body of all points centre + sum of t_k half_k axis_k with |t_k| <= 1, the numbers taken as exact. The half
+// extents are not negative and the axes linearly independent; they need not be orthogonal or of length 1, since no
+// binary matrix but the 24 signed permutations is a rotation.
+template <class T>
+struct OrientedBox {
+  Vec3<T> centre;
+  std::array<T, 3> half;
+  std::array<Vec3<T>, 3> axis;
+};
+
+template <class T>
+struct BoxPair {
+  OrientedBox<T> a, b;
+};
+
+// A box turned by the quaternion q = (w, x, y, z) of any length but 0: exactly orthonormal over the rationals.
+template <class T>
+struct TurnedBox {
+  Vec3<T> centre;
+  std::array<T, 3> half;
+  std::array<T, 4> q;
+};
+
+template <class T>
+struct TurnedPair {
+  TurnedBox<T> a, b;
+};
+
+template <class T, class Load>
+Vec3<T> vector_at(Load&& load, std::size_t k) {
+  return {load(k), load(k + 1), load(k + 2)};
+}
+
+// The test in its entry `matrix`: centre, half extents and three axes of A, then those of B.
+struct MatrixBoxes {
+  static constexpr std::size_t entry = 0;
+  static const TestDescription& description() { return box_box_test(); }
+
+  template <class T>
+  using Problem = BoxPair<T>;
+  template <class T, class Load>
+  static Problem<T> problem(Load&& load) {
+    const auto box = [&](std::size_t k) {
+      return OrientedBox<T>{vector_at<T>(load, k),
+                            {{load(k + 3), load(k + 4), load(k + 5)}},
+                            {{vector_at<T>(load, k + 6), vector_at<T>(load, k + 9), vector_at<T>(load, k + 12)}}};
+    };
+    return {box(0), box(15)};
+  }
+};
+
+// The test in its entry `quaternion`: centre, half extents and quaternion of A, then those of B.
+struct QuaternionBoxes {
+  static constexpr std::size_t entry = 1;
+  static const TestDescription& description() { return box_box_test(); }
+
+  template <class T>
+  using Problem = TurnedPair<T>;
+  template <class T, class Load>
+  static Problem<T> problem(Load&& load) {
+    const auto box = [&](std::size_t k) {
+      return TurnedBox<T>{vector_at<T>(load, k),
+                          {{load(k + 3), load(k + 4), load(k + 5)}},
+                          {{load(k + 6), load(k + 7), load(k + 8), load(k + 9)}}};
+    };
+    return {box(0), box(10)};
+  }
+};
+
+// The numbers of a query in the order of the columns.
+template <class Real>
+Numbers<Real> numbers_of(const BoxPair<Real>& q) {
+  Numbers<Real> numbers(30);
+  std::size_t k = 0;
+  const auto put = [&](const Vec3<Real>& v) {
+    for (const Real x : {v.x, v.y, v.z}) numbers[k++] = x;
+  };
+  for (const OrientedBox<Real>* box : {&q.a, &q.b}) {
+    put(box->centre);
+    for (const Real s : box->half) numbers[k++] = s;
+    for (const Vec3<Real>& axis : box->axis) put(axis);
+  }
+  return numbers;
+}
+template <class Real>
+Numbers<Real> numbers_of(const TurnedPair<Real>& q) {
+  Numbers<Real> numbers(20);
+  std::size_t k = 0;
+  for (const TurnedBox<Real>* box : {&q.a, &q.b}) {
+    for (const Real x : {box->centre.x, box->centre.y, box->centre.z}) numbers[k++] = x;
+    for (const Real s : box->half) numbers[k++] = s;
+    for (const Real x : box->q) numbers[k++] = x;
+  }
+  return numbers;
+}
+
+}  // namespace boxes
+}  // namespace axiscert

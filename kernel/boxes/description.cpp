@@ -1,0 +1,70 @@
+#include "kernel/boxes/boxes.h"
+#include "kernel/boxes/names.h"
+
+namespace axiscert {
+namespace {
+
+// Columns of one box; `names` has "x y z" of each vector in the order of the entry.
+void add_group(std::vector<TestColumn>& columns, Role role, std::string_view group,
+               std::initializer_list<std::string_view> names) {
+  for (const std::string_view name : names) columns.push_back({name, role, group});
+}
+
+std::vector<TestColumn> matrix_columns() {
+  constexpr Role place = Role::coordinate, direction = Role::direction, length = Role::length;
+  std::vector<TestColumn> columns;
+  add_group(columns, place, "a.m", {"a.mx", "a.my", "a.mz"});
+  add_group(columns, length, "a.s", {"a.s0", "a.s1", "a.s2"});
+  add_group(columns, direction, "a.b.0", {"a.b0x", "a.b0y", "a.b0z"});
+  add_group(columns, direction, "a.b.1", {"a.b1x", "a.b1y", "a.b1z"});
+  add_group(columns, direction, "a.b.2", {"a.b2x", "a.b2y", "a.b2z"});
+  add_group(columns, place, "b.m", {"b.mx", "b.my", "b.mz"});
+  add_group(columns, length, "b.s", {"b.s0", "b.s1", "b.s2"});
+  add_group(columns, direction, "b.b.0", {"b.b0x", "b.b0y", "b.b0z"});
+  add_group(columns, direction, "b.b.1", {"b.b1x", "b.b1y", "b.b1z"});
+  add_group(columns, direction, "b.b.2", {"b.b2x", "b.b2y", "b.b2z"});
+  return columns;
+}
+
+std::vector<TestColumn> quaternion_columns() {
+  constexpr Role place = Role::coordinate, direction = Role::direction, length = Role::length;
+  std::vector<TestColumn> columns;
+  add_group(columns, place, "a.m", {"a.mx", "a.my", "a.mz"});
+  add_group(columns, length, "a.s", {"a.s0", "a.s1", "a.s2"});
+  add_group(columns, direction, "a.q", {"a.qw", "a.qx", "a.qy", "a.qz"});
+  add_group(columns, place, "b.m", {"b.mx", "b.my", "b.mz"});
+  add_group(columns, length, "b.s", {"b.s0", "b.s1", "b.s2"});
+  add_group(columns, direction, "b.q", {"b.qw", "b.qx", "b.qy", "b.qz"});
+  return columns;
+}
+
+TestDescription box_box_described() {
+  TestDescription test{
+      .id = "box-box",
+      .asks = "do two closed oriented boxes have a point in common",
+      .touching = "they have a point in common, and a translation of one of them, as small as you like, parts them",
+      .wrong_answers = {{Verdict::separated, Verdict::contact, "missed contact"},
+                        {Verdict::contact, Verdict::separated, "phantom contact"}},
+      .entries = {{"matrix", "every number finite, no half extent negative, the determinant of each basis not 0",
+                   matrix_columns()},
+                  {"quaternion", "every number finite, no half extent negative, no quaternion 0",
+                   quaternion_columns()}},
+      .comparisons = {},
+      .clauses = {},
+      .measures = {},
+  };
+  for (std::size_t i = 0; i < boxes::axis_count; ++i) {
+    test.clauses.push_back({boxes::axis_names[i], one_bit<ComparisonBits>(i)});
+    test.comparisons.push_back({boxes::axis_names[i], i});
+  }
+  return checked(std::move(test));
+}
+
+}  // namespace
+
+const TestDescription& box_box_test() {
+  static const TestDescription test = box_box_described();
+  return test;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,60 @@
+#include "kernel/boxes/epsilon.h"
+#include "kernel/boxes/projected.h"
+#include "kernel/boxes/slips.h"
+#include "kernel/boxes/turned.h"
+
+namespace axiscert {
+
+std::vector<Kernel> box_box_kernels();
+
+namespace {
+
+using namespace boxes;
+
+template <class F>
+Kernel of_matrices(std::string_view summary) {
+  return plain_kernel<MatrixBoxes, F>("box-box/" + std::string(F::name), std::string(summary));
+}
+
+template <class F>
+Kernel of_quaternions(std::string id, std::string summary) {
+  return plain_kernel<QuaternionBoxes, F>(std::move(id), std::move(summary));
+}
+template <class F>
+Kernel turned() {
+  return of_quaternions<OfQuaternions<F>>("box-box/" + std::string(F::name) + "-turned",
+                                          std::string(F::name) + ", each quaternion turned into a matrix");
+}
+
+}  // namespace
+
+std::vector<Kernel> box_box_kernels() {
+  return {
+      of_matrices<Projected>("fifteen axes, products of the boxes' own vectors, all six terms (Larcombe, 1995)"),
+      of_matrices<Columns>("the same, a column for the normal of a facet"),
+      of_matrices<Dropped>("then without the terms that are 0 for orthogonal columns"),
+      of_matrices<Framed>("then in A's frame, B's columns projected on each axis"),
+      of_matrices<Textbook>("then entries of R = A'B for determinants, as in books"),
+      of_matrices<Rtcd>("textbook, 2^-23 added to |R|"),
+      of_matrices<Gottschalk>("textbook, 1e-6 added to |R|"),
+      of_matrices<Bullet>("textbook, on the edges 1e-5 added to |R| and more than 2^-23 asked"),
+      of_matrices<Cofactor>("textbook, cofactors of R for R in B's radius on the edges; no epsilon"),
+      of_matrices<SlipOfTheBook>("textbook with a slip: t[1] = T.a2 (the book's first printing)"),
+      of_matrices<SlipOfTheFrame>("textbook with a slip: T is not turned into A's frame"),
+      of_matrices<SlipOfEpsilon>("textbook with a slip: an epsilon of 2^-149, C#'s float.Epsilon"),
+      of_matrices<SlipOfOwnEdges>("projected with a slip: the edges of A against those of A"),
+      of_matrices<SlipOfOneEdge>("projected with a slip: a2 x b2 for a1 x b2"),
+      turned<Projected>(),
+      turned<Columns>(),
+      turned<Dropped>(),
+      turned<Framed>(),
+      turned<Textbook>(),
+      turned<Rtcd>(),
+      turned<Gottschalk>(),
+      turned<Bullet>(),
+      turned<Cofactor>(),
+      of_quaternions<Homogeneous>("box-box/homogeneous", "textbook of quaternions, multiplied out: no division"),
+  };
+}
+
+}  // namespace axiscert

@@ -1,0 +1,125 @@
+// Shared parts of the peers that are asked about two boxes: the query with names, and a loop over a batch. The policy
+// on what is no query and on NaN is that of ../peer.h.
+//
+// A library takes a rotation, and the columns of a query need not be one. Columns that are within 2^-10 of orthonormal
+// are given as they stand, the third with its sign changed where they are left-handed, which is the same box; of others
+// the peer is `undecided`.
+//
+// A peer is a type with a number type `Real` and `int operator()(const Boxes<Real>&)`, which returns an
+// axiscert_verdict. It lives for one batch, and keeps nothing from query to query.
+#pragma once
+
+#include <array>
+
+#include "kernel/peers/peer.h"
+
+namespace axiscert::peer {
+
+inline constexpr std::size_t box_columns = 15, boxes_columns = 2 * box_columns;
+
+template <class Real>
+struct Box {
+  Vec3<Real> centre, half;
+  std::array<Vec3<Real>, 3> axis;
+};
+template <class Real>
+struct Boxes {
+  Box<Real> a, b;
+};
+
+template <class Real>
+Box<Real> box_of(const Real* v) {
+  const auto vector = [&](std::size_t k) { return Vec3<Real>{v[k], v[k + 1], v[k + 2]}; };
+  return {vector(0), vector(3), {vector(6), vector(9), vector(12)}};
+}
+
+template <class Real>
+bool is_nearly_orthonormal(const Box<Real>& box) {
+  constexpr Real most = Real(0x1p-10);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k <= i; ++k) {
+      const Real product = portable::dot(box.axis[i], box.axis[k]);
+      if (!(std::abs(product - Real(i == k ? 1 : 0)) <= most)) return false;
+    }
+  }
+  return true;
+}
+
+template <class Real>
+void make_right_handed(Box<Real>& box) {
+  const Real volume = portable::dot(portable::cross(box.axis[0], box.axis[1]), box.axis[2]);
+  if (volume < 0) box.axis[2] = Vec3<Real>{-box.axis[2].x, -box.axis[2].y, -box.axis[2].z};
+}
+
+// Row i of the rotation whose columns are the axes, number k.
+template <class Real>
+Real row(const Box<Real>& box, std::size_t i, std::size_t k) {
+  const Vec3<Real>& column = box.axis[k];
+  return i == 0 ? column.x : i == 1 ? column.y : column.z;
+}
+
+// Answers a batch of queries in `Input`, whose numbers are exact in the peer's own number type.
+template <class Peer, std::floating_point Input>
+void run_boxes(const axiscert_batch* batch, const axiscert_answers* answers) {
+  using Real = typename Peer::Real;
+  Peer peer;
+  for (std::size_t i = 0; i < batch->count; ++i) {
+    std::array<Real, boxes_columns> v;
+    bool is_query = true;
+    for (std::size_t k = 0; k < boxes_columns; ++k) {
+      v[k] = static_cast<const Input*>(batch->column[k])[i];
+      is_query = is_query && std::isfinite(v[k]);
+    }
+    Boxes<Real> q = {box_of(v.data()), box_of(v.data() + box_columns)};
+    for (const Box<Real>* box : {&q.a, &q.b}) {
+      is_query = is_query && box->half.x >= 0 && box->half.y >= 0 && box->half.z >= 0;
+    }
+    int verdict = AXISCERT_INVALID;
+    if (is_query) {
+      verdict = AXISCERT_UNDECIDED;
+      if (is_nearly_orthonormal(q.a) && is_nearly_orthonormal(q.b)) {
+        make_right_handed(q.a);
+        make_right_handed(q.b);
+        verdict = peer(q);
+      }
+    }
+    answers->verdict[i] = static_cast<std::uint8_t>(verdict);
+  }
+}
+
+template <class Peer, std::floating_point Input>
+constexpr axiscert_kernel boxes_kernel_in(const Description& says) {
+  return {.abi = AXISCERT_PLUGIN_ABI,
+          .precision = 8 * sizeof(Input),
+          .size = sizeof(axiscert_kernel),
+          .name = says.name,
+          .column_count = boxes_columns,
+          .run = run_boxes<Peer, Input>,
+          .test = "box-box",
+          .entry = "matrix",
+          .summary = says.summary,
+          .source = says.source,
+          .exposes = AXISCERT_VERDICT_ONLY,
+          .touching = says.touching,
+          .measure_count = 0,
+          .conforms_to = nullptr,
+          .formulae = nullptr,
+          .limits = nullptr,
+          .start = 0,
+          .still = 0,
+          .sides = 0};
+}
+
+// The kernels for axiscert_plugin: binary32, and binary64 too if the library computes in double.
+template <class Peer>
+const axiscert_kernel* boxes_kernel(std::uint32_t index, const Description& says) {
+  static const axiscert_kernel binary32 = boxes_kernel_in<Peer, float>(says);
+  if (index == 0) return &binary32;
+  if constexpr (std::same_as<typename Peer::Real, double>) {
+    static const axiscert_kernel binary64 = boxes_kernel_in<Peer, double>(says);
+    if (index == 1) return &binary64;
+  }
+  return nullptr;
+}
+
+}  // namespace axiscert::peer

@@ -1,0 +1,132 @@
+// Requirements on every peer that is asked about two boxes: it describes itself, answers what is beyond doubt rightly,
+// refuses what is no query, and keeps nothing from one query to the next. Beside them the faults that are known.
+#include <fmt/format.h>
+
+#include <iterator>
+#include <sstream>
+
+#include "kernel/peers/boxes/box_pair.h"
+#include "kernel/peers/peers_testing.h"
+
+namespace axiscert::peer {
+namespace {
+
+// BOX_PEER_NAMES: the names of the peers that are built, separated by spaces.
+std::vector<std::string> built_names() {
+  std::istringstream all(BOX_PEER_NAMES);
+  return {std::istream_iterator<std::string>(all), {}};
+}
+bool is_built(const std::string& name) {
+  const std::vector<std::string> names = built_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+constexpr std::array<Vec3<double>, 3> upright = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+Box<double> cube(const Vec3<double>& at, const std::array<Vec3<double>, 3>& axes = upright) {
+  return {at, {1, 1, 1}, axes};
+}
+
+// Columns of Rz(z) Ry(y) Rx(x), angles in degrees.
+std::array<Vec3<double>, 3> turned_by(double x, double y, double z) {
+  const auto turn = [](double angle) {
+    const double radians = angle * std::acos(-1.0) / 180;
+    return std::pair{std::cos(radians), std::sin(radians)};
+  };
+  const auto [cx, sx] = turn(x);
+  const auto [cy, sy] = turn(y);
+  const auto [cz, sz] = turn(z);
+  return {{{cz * cy, sz * cy, -sy},
+           {cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx},
+           {cz * sy * cx + sz * sx, sz * sy * cx - cz * sx, cy * cx}}};
+}
+
+// A peer's answers, a letter each: 'c'ontact, 's'eparated, 'u'ndecided, 'i'nvalid; none without a kernel of that
+// precision.
+template <class Real>
+std::string ask_boxes(const std::string& name, const std::vector<Boxes<double>>& queries) {
+  const Reply reply = in_peer("box-box/" + name, [&](AxiscertPlugin* plugin) -> std::string {
+    const axiscert_kernel* kernel = nullptr;
+    for (std::uint32_t i = 0; (kernel = plugin(i)) != nullptr && kernel->precision != 8 * sizeof(Real);) ++i;
+    if (kernel == nullptr) return "";
+    std::vector<std::vector<Real>> numbers(boxes_columns);
+    for (const Boxes<double>& q : queries) {
+      std::size_t k = 0;
+      for (const Box<double>* box : {&q.a, &q.b}) {
+        for (const Vec3<double>& v : {box->centre, box->half, box->axis[0], box->axis[1], box->axis[2]}) {
+          for (const double x : {v.x, v.y, v.z}) numbers[k++].push_back(static_cast<Real>(x));
+        }
+      }
+    }
+    std::vector<const void*> columns;
+    for (const auto& column : numbers) columns.push_back(column.data());
+    std::vector<std::uint8_t> verdicts(queries.size(), 255);
+    const axiscert_batch asked{sizeof asked, queries.size(), columns.size(), columns.data()};
+    axiscert_answers answers{};
+    answers.size = sizeof answers;
+    answers.verdict = verdicts.data();
+    kernel->run(&asked, &answers);
+    std::string letters;
+    for (const std::uint8_t verdict : verdicts) letters += verdict < 4 ? "csui"[verdict] : '?';
+    return letters;
+  });
+  EXPECT_EQ(reply.signal, 0) << name;
+  return reply.bytes;
+}
+
+class BoxPeer : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(All, BoxPeer, testing::ValuesIn(built_names()), [](const auto& parameter) {
+  std::string name = parameter.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST_P(BoxPeer, SaysWhatItIs) {
+  const Reply reply = in_peer("box-box/" + GetParam(), [](AxiscertPlugin* plugin) {
+    std::string lines;
+    for (std::uint32_t i = 0; const axiscert_kernel* k = plugin(i); ++i) {
+      lines += fmt::format("{} {} {} {} columns {}\n", k->test, k->entry, k->name, k->precision, k->column_count);
+    }
+    return lines;
+  });
+  std::string right = fmt::format("box-box matrix {} 32 columns 30\n", GetParam());
+  if (GetParam() != "bullet") right += fmt::format("box-box matrix {} 64 columns 30\n", GetParam());
+  EXPECT_EQ(reply.bytes, right);
+}
+
+TEST_P(BoxPeer, AnswersWhatIsBeyondDoubt) {
+  const auto tilted = turned_by(30, 40, 50), other = turned_by(-20, 10, 70);
+  const std::vector<Boxes<double>> queries = {
+      {cube({0, 0, 0}), cube({1.5, 0.25, 0.125})},           {cube({0, 0, 0}, tilted), cube({1, 0.5, 0.5}, other)},
+      {cube({5, 5, 5}, tilted), cube({5, 5, 6.5}, upright)}, {cube({0, 0, 0}), cube({2.5, 0, 0})},
+      {cube({0, 0, 0}, tilted), cube({3, 3, 0}, other)},
+  };
+  // With CONTACTS_UNIMPORTANT contacts are missed at will.
+  if (GetParam() == "ode-unimportant") return;
+  EXPECT_EQ(ask_boxes<float>(GetParam(), queries), "cccss");
+  if (GetParam() != "bullet") EXPECT_EQ(ask_boxes<double>(GetParam(), queries), "cccss");
+}
+
+TEST_P(BoxPeer, RefusesWhatIsNoQueryOrNoRotation) {
+  std::vector<Boxes<double>> queries(4, {cube({0, 0, 0}), cube({1.5, 0.25, 0.125})});
+  queries[0].a.half.y = -1;
+  queries[1].b.centre.x = NAN;
+  queries[2].b.axis[1] = {0.5, 1, 0};
+  queries[3].b.axis[2] = {0, 0, -1};  // of the other handedness: the same cube
+  EXPECT_EQ(ask_boxes<float>(GetParam(), queries).substr(0, 3), "iiu");
+  if (GetParam() != "ode-unimportant") EXPECT_EQ(ask_boxes<float>(GetParam(), queries).back(), 'c');
+}
+
+// Two unit cubes, one a quarter turn further than the other, overlapping by 0.985: ODE finds no contact, and of the two
+// that have ODE's own algorithm with an epsilon each finds one.
+TEST(BoxPeerFaults, OdeMissesCubesThatDifferByAQuarterTurn) {
+  const std::vector<Boxes<double>> queries = {
+      {cube({0, 0, 0}, turned_by(65, 20, 10)), cube({0.5, 1, -0.75}, turned_by(155, 20, 10))}};
+  if (is_built("ode")) EXPECT_EQ(ask_boxes<double>("ode", queries), "s");
+  if (is_built("ode-touches")) EXPECT_EQ(ask_boxes<double>("ode-touches", queries), "s");
+  if (is_built("fcl")) EXPECT_EQ(ask_boxes<double>("fcl", queries), "c");
+  if (is_built("bullet-double")) EXPECT_EQ(ask_boxes<double>("bullet-double", queries), "c");
+}
+
+}  // namespace
+}  // namespace axiscert::peer
