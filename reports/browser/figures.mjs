@@ -17,6 +17,23 @@ test('opens from disk without a network, an error or an empty section', async ()
   await close();
 });
 
+test('says first what to do: look at the deepest, mend what was required, compare', async () => {
+  const {page, close} = await opened(real);
+  const steps = await page.locator('#next li').allInnerTexts();
+  assert.equal(steps.length, 3);
+  assert.match(steps[0], /Look at the deepest wrong verdict of \S+: \S+, wrong by \S+ of the scene\./);
+  assert.match(steps[1], /Mend what the requirement names first|Say what has to hold|What was required is met/);
+  assert.match(steps[2], /axiscert league --kernel \S+ --kernel \S+/);
+  const link = page.locator('#next li a').first();
+  const card = decodeURIComponent((await link.getAttribute('href')).slice(1));
+  await link.click();
+  await page.waitForFunction((id) => document.getElementById(id)?.open, card, {timeout: 20000});
+  // Parts that a run did not do are one line.
+  const parts = (await page.locator('#not-checked li').allInnerTexts()).filter((text) => /not run here/.test(text));
+  assert.equal(parts.length, 1);
+  await close();
+});
+
 test('says the answer: counts, depth, a sentence a link, a badge a comparison', async () => {
   const {page, close} = await opened(real);
   const card = page.locator('#answer-cards .card').first();

@@ -227,9 +227,9 @@ Json page_data(const Run& run) {
 std::string scripts() {
   using namespace embedded;
   const std::string scenes = scene_scripts();
-  const std::string_view all[] = {chart_min_js, chart_js,     table_js,   answer_js,   classes_js, heat_js,
-                                  bounds_js,    origins_js,   maps_js,    margins_js,  scenes,     snippets_js,
-                                  contacts_js,  witnesses_js, results_js, appendix_js, report_js};
+  const std::string_view all[] = {chart_min_js, chart_js,    table_js,     answer_js,  next_js,     classes_js,
+                                  heat_js,      bounds_js,   origins_js,   maps_js,    margins_js,  scenes,
+                                  snippets_js,  contacts_js, witnesses_js, results_js, appendix_js, report_js};
   return fmt::format("{}", fmt::join(all, "\n"));
 }
 

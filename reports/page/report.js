@@ -61,12 +61,10 @@ function show_reproduction(data) {
 // The parts that this folder could hold and does not.
 function missing_parts(data) {
   const {proofs, search, maps, ladder, precision, league, mutation} = data.attached;
-  const sentence = (part, what, text) => (part === null ? [`${what}: not run here (${text}).`] : []);
+  const commands = [['prove', proofs], ['search', search], ['map', maps], ['ladder', ladder], ['precision', precision], ['league', league],
+                    ['mutate', mutation]].filter(([, part]) => part === null).map(([name]) => `axiscert ${name}`);
   const counts_margins = data.kernels.length === 0 || data.kernels.some(has_margins);
-  return [...sentence(proofs, 'Proofs of bounds', 'axiscert prove'), ...sentence(search, 'Search for the worst', 'axiscert search'),
-          ...sentence(maps, 'Maps around witnesses', 'axiscert map'), ...sentence(ladder, 'Ladder of forms', 'axiscert ladder'),
-          ...sentence(precision, 'Flips against precision', 'axiscert precision'),
-          ...sentence(league, 'Other libraries', 'axiscert league'), ...sentence(mutation, 'Mutants', 'axiscert mutate'),
+  return [...(commands.length === 0 ? [] : [`Parts that were not run here, each a command with --out: ${commands.join(', ')}.`]),
           ...(counts_margins ? [] : ['Distribution of margins: no kernel here shows comparisons, or an earlier version ran it.'])];
 }
 
@@ -90,6 +88,7 @@ async function show_report() {
   data.not_checked.push(...missing_parts(data));
   show_findings(data);
   show_answer(data);
+  show_next(data);
   show_heat(data);
   show_bounds(data);
   show_origins(data);

@@ -1,0 +1,54 @@
+// Three things to do, by what the run found. Before the cards, so that it is seen first.
+
+// The kernel that a reader wants to hear of: the first that fails what was required, otherwise the first that is wrong.
+function kernel_to_mend(data) {
+  const wrong = (entry) => entry.all !== null && entry.all.verdict.false_separation + entry.all.verdict.false_contact > 0;
+  return data.kernels.find((entry) => failures_of(data, entry).length > 0) ?? data.kernels.find(wrong) ?? null;
+}
+
+// What to look at: the deepest witness of that kernel that the page has, a missed contact before an invented one.
+function look_step(data, entry) {
+  if (entry === null) {
+    return el('li', '', 'Nothing was wrong on these queries. Look for the worst there is: ',
+              el('code', '', `axiscert search --kernel ${data.plan.kernels[0]}`), '.');
+  }
+  const witness = deepest_witness(data, entry, 'false_separation') ?? deepest_witness(data, entry, 'false_contact');
+  if (!witness) return el('li', '', 'Look at where ', el('span', 'name', entry.id), ' is wrong, below.');
+  return el('li', '', 'Look at the deepest wrong verdict of ', el('span', 'name', entry.id), ': ', witness_link(data, witness.id),
+            witness.depth > 0 ? `, wrong by ${amount(witness.depth, 3)} of the scene` : '', '.');
+}
+
+// What to mend, or what to require.
+function mend_step(data, entry) {
+  if (!data.requirement) {
+    return el('li', '', 'Say what has to hold: ', el('code', '', 'axiscert run --require logic'),
+              ' asks that only rounding and range make a verdict wrong.');
+  }
+  if (data.requirement.passes) {
+    return el('li', '', 'What was required is met. Keep it so: ', el('code', '', 'axiscert run --preset ci --ratchet FILE'), ' in CI.');
+  }
+  const unchecked = data.requirement.outcomes.find((outcome) => outcome.state === 'NOT CHECKED' && !outcome.allowed);
+  const [first] = entry === null ? [] : failures_of(data, entry);
+  if (first) {
+    const item = el('li', '', 'Mend what the requirement names first: ', el('span', 'name', first.family), ` ${first.what}`);
+    if (first.witness !== '') item.append(', witness ', witness_link(data, first.witness));
+    item.append('.');
+    return item;
+  }
+  return el('li', '', unchecked ? `Run what ${unchecked.level} needs: ${unchecked.reason}.` : 'Read why the requirement is not met, below.');
+}
+
+function compare_step(data, entry) {
+  const id = entry?.id ?? data.plan.kernels[0];
+  const word = ['A word that is not clear: ', el('code', '', 'axiscert explain WORD'), '.'];
+  if (data.plan.test && data.plan.test !== 'sphere-triangle') return el('li', '', ...word);  // which the league does not serve
+  return el('li', '', 'Compare it with what else there is, production libraries among it: ',
+            el('code', '', `axiscert league ${[...new Set([id, 'published', 'certified'])].map((each) => `--kernel ${each}`).join(' ')}`),
+            '. ', ...word);
+}
+
+function show_next(data) {
+  if (data.kernels.length === 0) return;
+  const entry = kernel_to_mend(data);
+  document.getElementById('next').append(el('ol', 'sentences', look_step(data, entry), mend_step(data, entry), compare_step(data, entry)));
+}
