@@ -71,6 +71,8 @@ FAULTS = {
         "Margins.v", "Rabs (M - (x - y)) <= u * (Rabs x", "Rabs (M - (x - y)) <= 4 * u * (Rabs x", "Margins.v"),
     "a leading double with an error of a sixteenth": (
         "Margins.v", "Rabs (L - M) <= / 1048576 * Rabs M", "Rabs (L - M) <= / 16 * Rabs M", "Margins.v"),
+    "a pair's difference with a sum of one error more": (
+        "Pairs.v", "(rnd (x - rnd (sum - part)) + rnd (y - part))", "(rnd (x - rnd (sum - part)) + (rnd y - part))", "Pairs.v"),
     "a pair's difference without its low parts": (
         "Pairs.v", "(plus (minus (pair_low x) (pair_low y)) (pair_low s))", "(pair_low s)", "Pairs.v"),
     "a lane that has the axis of another edge": (

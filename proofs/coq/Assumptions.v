@@ -107,6 +107,10 @@ Goal True. theorem "double_minus_near". Abort.
 Print Assumptions double_minus_near.
 Goal True. theorem "sign_of_leading". Abort.
 Print Assumptions sign_of_leading.
+Goal True. theorem "pair_minus_near". Abort.
+Print Assumptions pair_minus_near.
+Goal True. theorem "leading_near". Abort.
+Print Assumptions leading_near.
 Goal True. theorem "pair_minus_cancels". Abort.
 Print Assumptions pair_minus_cancels.
 Goal True. theorem "leading_is_a_double". Abort.

@@ -114,6 +114,10 @@ Goal True. statement "double_minus_near". Abort.
 Check double_minus_near.
 Goal True. statement "sign_of_leading". Abort.
 Check sign_of_leading.
+Goal True. statement "pair_minus_near". Abort.
+Check pair_minus_near.
+Goal True. statement "leading_near". Abort.
+Check leading_near.
 Goal True. statement "pair_minus_cancels". Abort.
 Check pair_minus_cancels.
 Goal True. statement "leading_is_a_double". Abort.
@@ -408,6 +412,12 @@ Goal True. statement "near_cross". Abort.
 Print near_cross.
 Goal True. statement "near_minus". Abort.
 Print near_minus.
+Goal True. statement "is_pair". Abort.
+Print is_pair.
+Goal True. statement "rounded_two_sum". Abort.
+Print rounded_two_sum.
+Goal True. statement "rounded_pair_minus". Abort.
+Print rounded_pair_minus.
 Goal True. statement "kept". Abort.
 Print kept.
 Goal True. statement "units". Abort.
