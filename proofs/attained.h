@@ -1,6 +1,6 @@
-// The greatest errors, in u, that searches attained on the scaled domain, rounded down; the bounds are compared with them.
-// Each was found by `axiscert search --kernel K --precision binary32` with the options in the row; its query is in
-// proofs/attained.jsonl, from which proofs/tests/attained_test.py computes it again.
+// The greatest errors, in u, that searches attained on the scaled domain, rounded down; the bounds are compared with
+// them. Each was found by `axiscert search --kernel K --precision binary32` with the options in the row; its query is
+// in proofs/attained.jsonl, from which proofs/tests/attained_test.py computes it again.
 #pragma once
 
 #include <array>
