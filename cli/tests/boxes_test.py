@@ -177,10 +177,15 @@ class BoxTriangle(Case):
 
 
 class BoxPeersLong(Case):
-    def test_cgal_in_epick_is_right_on_boxes_and_triangles(self):
-        record = self.run_ok("--kernel", "box-triangle/peer/cgal-epick", "--kernel", "box-triangle/peer/cgal-double", "--trials", "100",
-                             "--precision", "binary32")
-        self.assertEqual(len(record["kernels"]), 2)
+    def test_cgal_in_epick_is_wrong_on_a_triangle_with_two_equal_corners_alone(self):
+        done = axiscert("check", ROOT / "fuzz/corpus/box-triangle.jsonl", "--kernel", "box-triangle/peer/cgal-epick")
+        self.assertIn("cgal-two-equal-corners: exact separated", done.stdout)
+        self.assertIn("box-triangle/peer/cgal-epick contact", done.stdout)
+        record = self.run_ok("--kernel", "box-triangle/peer/cgal-epick", "--trials", "1000", "--precision", "binary32")
+        (kernel,) = record["kernels"]
+        wrong = {name: family["verdict"]["false_separation"] + family["verdict"]["false_contact"]
+                 for name, family in kernel["families"].items()}
+        self.assertEqual({name for name, count in wrong.items() if count}, {"box-triangle/lattice_minmax"}, wrong)
 
     def test_ode_misses_a_contact_of_nearly_a_half_extent(self):
         done = axiscert("check", "-", "--kernel", "box-box/peer/ode", stdin=QUARTER_TURN)

@@ -19,7 +19,7 @@ struct Slabs {
   explicit Slabs(const ExactBox& box) : centre(box.centre) {
     const Rational volume = abs(determinant(box));
     for (std::size_t k = 0; k < 3; ++k) {
-      normal[k] = facet_normal(box, k);
+      normal[k] = cross(box.axis[next(k)], box.axis[last(k)]);
       width[k] = box.half[k] * volume;
     }
   }

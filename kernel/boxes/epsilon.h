@@ -1,7 +1,10 @@
 // The textbook with an epsilon added to the entries of |R|, as engines have it "to counteract arithmetic errors when
 // two edges are parallel". The epsilons are the published ones: they are part of what is judged, and nothing is proved
-// about them.
+// about them. The exact formulae have them as written here; a kernel rounds them to its precision, which `links` calls
+// rounding.
 #pragma once
+
+#include <algorithm>
 
 #include "kernel/boxes/relative.h"
 
@@ -41,7 +44,8 @@ struct Gottschalk {
   }
 };
 
-// 1e-5 on the edges alone, which in addition separate only by more than 2^-23, a length.
+// 1e-5 on the edges alone, which in addition separate only by more than SIMD_EPSILON, here 2^-23 as in a build of floats, a
+// length. Facets of B take the distance along b_j in the world, and sums go from left to right.
 // Source: Bullet 3.24, dBoxBox2 of btBoxBoxDetector.cpp: the verdict of its axes. What it clips afterwards is not here.
 struct Bullet {
   static constexpr std::string_view name = "bullet";
@@ -49,15 +53,26 @@ struct Bullet {
   static constexpr FormulaeKind kind_if_orthonormal = FormulaeKind::variant;
   template <class T, class Sink>
   static void comparisons(const BoxPair<T>& q, Sink& sink) {
-    const T epsilon = T(1e-5), beyond = T(0x1p-23);
+    const T epsilon = T(double{1e-5F}), beyond = T(0x1p-23);
     const Relative<T> r = relative(q);
+    const std::array<T, 3>&a = r.half_a, &b = r.half_b;
+    const Vec3<T> between = q.b.centre - q.a.centre;
     const Matrix<T> size = magnitudes(r.turn), raised = magnitudes(r.turn, &epsilon);
-    facets_of_a(r, size, sink);
-    facets_of_b(r, r.half_b, size, sink);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& row = size[i];
+      sink(facet_of_a(i), magnitude(r.along[i]), ((a[i] + b[0] * row[0]) + b[1] * row[1]) + b[2] * row[2]);
+    }
+    for (std::size_t j = 0; j < 3; ++j) {
+      sink(facet_of_b(j), magnitude(dot(q.b.axis[j], between)),
+           ((a[0] * size[0][j] + a[1] * size[1][j]) + a[2] * size[2][j]) + b[j]);
+    }
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
-        const EdgeSides<T> sides = edge_sides(r, i, j, raised, raised);
-        sink(edges(i, j), sides.lhs - sides.rhs, beyond);
+        const auto [i1, i2] = std::minmax(next(i), last(i));
+        const auto [j1, j2] = std::minmax(next(j), last(j));
+        const T apart = edge_sides(r, i, j, raised, raised).lhs;
+        const T radii = ((a[i1] * raised[i2][j] + a[i2] * raised[i1][j]) + b[j1] * raised[i][j2]) + b[j2] * raised[i][j1];
+        sink(edges(i, j), apart - radii, beyond);
       }
     }
   }
