@@ -65,16 +65,19 @@ class BoxBox(Case):
     def test_an_invalid_box_says_why(self):
         flat = [[1, 0, 0], [2, 0, 0], [0, 0, 1]]
         lines = (line(cube(columns=flat), cube()) + line(cube(), cube(half=(1, -1, 1))) + line(turned(), turned(quaternion=[0] * 4)))
-        self.assertIn("exact invalid (box a: its three basis vectors are linearly dependent, so that their determinant is 0)",
+        self.assertIn("exact invalid (a.b has the determinant 0; the axes of a box are linearly independent)",
                       axiscert("check", "-", stdin=lines.splitlines()[0] + "\n").stdout)
         found = [self.checked(each + "\n")[0]["exact"] for each in lines.splitlines()]
         self.assertEqual([each["verdict"] for each in found], ["invalid"] * 3)
-        self.assertEqual([each["reason"] for each in found[1:]], ["half extent b.s1 is negative", "box b: its quaternion is 0"])
+        self.assertEqual([each["reason"] for each in found[1:]], ["b.s, element 2, is -1; half extents are 0 or more",
+                                                                  "b.q is 0, 0, 0, 0; a quaternion has an element other than 0"])
 
     def test_what_is_missing_is_named_by_its_path(self):
         wrong = {"m": [0, 0, 0], "s": [1, 1], "b": UPRIGHT}
         self.refused("check", "-", stdin=line(wrong, cube()), says=["stdin:1: field 'a.s': an array of 2"])
-        self.refused("check", "-", stdin=line({"m": [0, 0, 0], "s": [1, 1, 1]}, cube()), says=["field 'a.b.0': missing"])
+        self.refused("check", "-", stdin=line({"m": [0, 0, 0], "s": [1, 1, 1]}, cube()), says=["field 'a.b': missing"])
+        self.refused("check", "-", stdin=line({"m": [0, 0, 0], "s": [1, 1, 1], "q": [1, 0, 0, 0], "b": UPRIGHT}, cube()),
+                     says=["stdin:1: field 'a.q': not read beside m, s and b"])
 
     def test_a_run_has_a_record_witnesses_and_reports(self):
         record = self.run_ok("--test", "box-box", "--trials", "96", "--precision", "binary32", "--kernel", "box-box/textbook",
@@ -155,7 +158,7 @@ class BoxTriangle(Case):
             self.assertEqual((found["exact"]["verdict"], found["exact"]["touching"]), ("contact", True))
             self.assertEqual(found["exact"]["penetration"], "0x0p+0")
         found = self.checked(self.line({"l": [2, 0, 0], "h": [1, 1, 1]}))
-        self.assertEqual(found["exact"]["reason"], "box.lx is above box.hx")
+        self.assertEqual(found["exact"]["reason"], "box.l, element 1, is 2, above 1 in box.h; each element of l is at most that of h")
 
     def test_a_run_is_of_one_entry(self):
         record = self.run_ok("--test", "box-triangle", "--trials", "40", "--precision", "binary32")

@@ -215,7 +215,7 @@ AXISCERT_PLUGIN({real}, "published", one)
                  (self.manifest("./program", "fails", file="c.json"), "exit code 1; on standard error: Error: Cannot find package"),
                  (self.manifest("./program", file="d.json", precision="x"), "unknown member 'precision'"),
                  (self.manifest("./program", file="f.json", code=["ask({q});"]), "unknown place {q}; known: {ax}, {ay}"),
-                 (self.manifest("./program", file="e.json", conforms_to="nosuch"), "no built-in kernel")]
+                 (self.manifest("./program", file="e.json", conforms_to="nosuch"), "not a built-in kernel")]
         for id, says in cases:
             done = self.refused("run", "--kernel", id, *plan, says=[says])
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)

@@ -61,11 +61,12 @@ TEST(BoxOracles, SayWhyNumbersAreNoBoxes) {
     return matrix_oracles().why_invalid(numbers);
   };
   EXPECT_EQ(why(6, 1), "");
-  EXPECT_EQ(why(6, 0), "box a: its three basis vectors are linearly dependent, so that their determinant is 0");
-  EXPECT_EQ(why(19, -1), "half extent b.s1 is negative");
-  EXPECT_EQ(why(20, NAN), "b.s2 is not finite");
+  EXPECT_EQ(why(6, 0), "a.b has the determinant 0; the axes of a box are linearly independent");
+  EXPECT_EQ(why(19, -2), "b.s, element 2, is -2; half extents are 0 or more");
+  EXPECT_EQ(why(20, INFINITY), "b.s, element 3, is inf; every number is finite");
+  EXPECT_EQ(why(10, NAN), "a.b.1, element 2, is nan; every number is finite");
   const Numbers<double> no_turn{0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 2, 0, 0, 1, 1, 1, 0, 0, 0, 0};
-  EXPECT_EQ(quaternion_oracles().why_invalid(no_turn), "box b: its quaternion is 0");
+  EXPECT_EQ(quaternion_oracles().why_invalid(no_turn), "b.q is 0, 0, 0, 0; a quaternion has an element other than 0");
 }
 
 TEST(BoxOracles, RefuseNumbersOfAnotherEntry) {
@@ -103,7 +104,7 @@ struct WithPlantedAxes : MatrixTrait {
   using AllFormulae = FormulaeList<PlantedFifteen>;
 };
 
-// A bound that should be closed: touching is no contact.
+// A bound that should be closed: touching is not a contact.
 struct WithOpenBoxes : MatrixTrait {
   static Truth geometric_truth(const Numbers<double>& numbers) {
     const Truth right = MatrixTrait::geometric_truth(numbers);

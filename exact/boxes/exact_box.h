@@ -16,7 +16,7 @@ ExactPair exact_pair(const TurnedPair<double>& q);
 // Its eight corners, some of them equal where a half extent is 0.
 Hull corners_of(const ExactBox& box);
 
-// The determinant of its axes: 0 where they are dependent, and the numbers no box.
+// The determinant of its axes: 0 where they are dependent, and the numbers are not a box.
 Rational determinant(const ExactBox& box);
 
 }  // namespace axiscert::boxes

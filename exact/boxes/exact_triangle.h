@@ -8,7 +8,7 @@ namespace axiscert::boxes {
 
 using ExactBoxAndTriangle = BoxAndTriangle<Rational>;
 
-// Precondition: the numbers are finite. Of two corners the centre and the half extents are exact.
+// Precondition: the numbers are finite. The centre and half extents of two corners are exact.
 ExactBoxAndTriangle exact_box_and_triangle(const CentredAndTriangle<double>& q);
 ExactBoxAndTriangle exact_box_and_triangle(const CornersAndTriangle<double>& q);
 ExactBoxAndTriangle exact_box_and_triangle(const BoxAndTriangle<double>& q);

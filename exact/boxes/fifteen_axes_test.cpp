@@ -35,7 +35,7 @@ TEST(FifteenAxesLong, AreRightOn75000PairsOfIndependentAxes) {
   EXPECT_EQ(wrong_of<Projected>(75000 / TRIAL_DIVISOR, small_pair).all(), 0);
 }
 
-// Such boxes are no valid queries; the formulae alone are asked.
+// Such boxes are not valid queries; the formulae alone are asked.
 TEST(FifteenAxesLong, OfDependentAxesInventAFewContactsAndMissNone) {
   const auto dependent = [](Random& random, int) {
     for (;;) {

@@ -149,7 +149,7 @@ NearestPoints nearest_points(const Hull& a, const Hull& b) {
   }
   found.apart = combined(a, found.weights_a) - combined(b, found.weights_b);
   if (const std::string reason = refuted(found, a, b); !reason.empty()) {
-    throw HarnessFault("nearest_points: its result is no proof: " + reason);
+    throw HarnessFault("nearest_points: its result does not prove the distance: " + reason);
   }
   return found;
 }

@@ -21,7 +21,7 @@ struct NearestPoints {
   Rational squared() const { return portable::dot(apart, apart); }
 };
 
-// The pair of least distance. Of hulls in contact, a point in both.
+// The pair of least distance; for hulls in contact, a point in both.
 //
 // Exact in integers after one common scaling: from a simplex of differences of vertices to the next one that comes
 // nearer to 0, as in Wolfe's and Gilbert's methods. Each simplex has its own nearest point, and the distance falls with
@@ -30,7 +30,7 @@ struct NearestPoints {
 // Source: P. Wolfe, Finding the nearest point in a polytope, Mathematical Programming 11 (1976).
 NearestPoints nearest_points(const Hull& a, const Hull& b);
 
-// The reason for which this is no proof that the hulls' distance is |apart|, or empty. It is one where the weights are
+// The reason for which this does not prove the hulls' distance to be |apart|, or empty. It does where the weights are
 // not negative and sum to 1, the two points differ by `apart`, and all of A is beyond A's point along `apart`, all of B
 // before B's: then no pair of points is nearer. It does not depend on how the points were found.
 std::string refuted(const NearestPoints& found, const Hull& a, const Hull& b);

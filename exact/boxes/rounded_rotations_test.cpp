@@ -169,7 +169,7 @@ TEST(RoundedRotations, TheExactTextbookMissesBoxesThatRestOnEachOtherAndCofactor
   EXPECT_EQ(rounded_rates(general, 100).textbook.all(), 0);
 }
 
-TEST(RoundedRotationsLong, RestingIsTheTableOfTheContract) {
+TEST(RoundedRotationsLong, RestingIsTheTableOfDocsBoxes) {
   const RoundedRates found = rounded_rates(resting, 2500 / TRIAL_DIVISOR);
   expect_about(found.textbook.missed, found.textbook.asked, 182400, 1e6);
   expect_about(found.textbook_32.missed, found.textbook_32.asked, 215200, 1e6);

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "exact/boxes/box_measures.h"
 #include "exact/boxes/clipping.h"
+#include "exact/boxes/why_invalid.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
 #include "kernel/boxes/epsilon.h"
@@ -17,17 +17,16 @@
 
 namespace axiscert::boxes {
 
-// The reason for which one box is none, or empty: of a basis by its determinant, of a quaternion by its length.
-inline std::string no_box(const OrientedBox<double>& box) {
-  const ExactPair exact = exact_pair(BoxPair<double>{box, box});
-  return determinant(exact.a) == 0 ? "its three basis vectors are linearly dependent, so that their determinant is 0"
-                                   : "";
+// `name` is the box's member: the reason for which its axes or its quaternion do not make a box, or empty.
+inline std::string why_invalid_box(std::string_view name, const OrientedBox<double>& box) {
+  return why_axes_are_invalid(name, determinant(exact_pair(BoxPair<double>{box, box}).a));
 }
-inline std::string no_box(const TurnedBox<double>& box) {
-  return std::all_of(box.q.begin(), box.q.end(), [](double x) { return x == 0; }) ? "its quaternion is 0" : "";
+inline std::string why_invalid_box(std::string_view name, const TurnedBox<double>& box) {
+  const bool is_zero = std::all_of(box.q.begin(), box.q.end(), [](double x) { return x == 0; });
+  return is_zero ? fmt::format("{}.q is 0, 0, 0, 0; a quaternion has an element other than 0", name) : "";
 }
 
-// What both entries share; `Boxes` is MatrixBoxes or QuaternionBoxes.
+// Both entries share this trait; `Boxes` is MatrixBoxes or QuaternionBoxes.
 template <class Boxes>
 struct BoxTrait : Boxes {
   static auto query(const Numbers<double>& numbers) {
@@ -36,17 +35,11 @@ struct BoxTrait : Boxes {
   static ExactPair exactly(const Numbers<double>& numbers) { return exact_pair(query(numbers)); }
 
   static std::string why_invalid(const Numbers<double>& numbers) {
-    const auto& columns = Boxes::description().entries[Boxes::entry].columns;
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
-      if (!std::isfinite(numbers[k])) return fmt::format("{} is not finite", columns[k].name);
-      if (columns[k].role == Role::length && numbers[k] < 0) {
-        return fmt::format("half extent {} is negative", columns[k].name);
-      }
-    }
+    const TestEntry& entry = Boxes::description().entries[Boxes::entry];
+    if (std::string why = why_numbers_are_invalid(entry, numbers); !why.empty()) return why;
     const auto q = query(numbers);
-    if (const std::string why = no_box(q.a); !why.empty()) return "box a: " + why;
-    if (const std::string why = no_box(q.b); !why.empty()) return "box b: " + why;
-    return "";
+    if (std::string why = why_invalid_box("a", q.a); !why.empty()) return why;
+    return why_invalid_box("b", q.b);
   }
   static bool is_valid(const Numbers<double>& numbers) { return why_invalid(numbers).empty(); }
 

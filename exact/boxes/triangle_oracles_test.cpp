@@ -53,10 +53,19 @@ TEST(TriangleOracles, TheFormsOfOneBoxHaveOneTruth) {
 TEST(TriangleOracles, SayWhyNumbersAreNoQuery) {
   Numbers<double> numbers = at_cube({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
   numbers[4] = -1;
-  EXPECT_EQ(oracles_in(CentreEntry::entry).why_invalid(numbers), "half extent box.s1 is negative");
+  EXPECT_EQ(oracles_in(CentreEntry::entry).why_invalid(numbers), "box.s, element 2, is -1; half extents are 0 or more");
   numbers = numbers_of(CornersAndTriangle<double>{{0, 2, 0}, {1, 1, 1}, {}});
-  EXPECT_EQ(oracles_in(MinmaxEntry::entry).why_invalid(numbers), "box.ly is above box.hy");
+  EXPECT_EQ(oracles_in(MinmaxEntry::entry).why_invalid(numbers),
+            "box.l, element 2, is 2, above 1 in box.h; each element of l is at most that of h");
   EXPECT_EQ(oracles_in(MinmaxEntry::entry).truth(numbers).verdict, Verdict::invalid);
+  numbers = numbers_of(CornersAndTriangle<double>{{3, 2, 0}, {1, 1, 1}, {}});
+  EXPECT_EQ(
+      oracles_in(MinmaxEntry::entry).why_invalid(numbers),
+      "box.l, element 1, is 3, above 1 in box.h; box.l, element 2, is 2, above 1 in box.h; each element of l is at "
+      "most that of h");
+  numbers = Numbers<double>(24);
+  EXPECT_EQ(oracles_in(OrientedEntry::entry).why_invalid(numbers),
+            "box.b has the determinant 0; the axes of a box are linearly independent");
 }
 
 TEST(TriangleOracles, DetailsAreThePenetrationAndItsAxes) {

@@ -4,25 +4,29 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <array>
 
 #include "exact/boxes/clipping.h"
+#include "exact/boxes/why_invalid.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
 
 namespace axiscert::boxes {
 
-inline std::string no_box(const CentredAndTriangle<double>&) { return ""; }
-inline std::string no_box(const CornersAndTriangle<double>& q) {
-  const auto below = [](double low, double high, char axis) {
-    return low > high ? fmt::format("box.l{} is above box.h{}", axis, axis) : std::string();
-  };
-  return below(q.low.x, q.high.x, 'x') + below(q.low.y, q.high.y, 'y') + below(q.low.z, q.high.z, 'z');
+// The reason for which finite numbers with half extents of 0 or more do not make a box, or empty.
+inline std::string why_invalid_box(const CentredAndTriangle<double>&) { return ""; }
+inline std::string why_invalid_box(const CornersAndTriangle<double>& q) {
+  const std::array<double, 3> low = {q.low.x, q.low.y, q.low.z}, high = {q.high.x, q.high.y, q.high.z};
+  std::vector<std::string> faults;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (low[i] > high[i])
+      faults.push_back(fmt::format("box.l, element {}, is {}, above {} in box.h", i + 1, low[i], high[i]));
+  }
+  if (faults.empty()) return "";
+  return fmt::format("{}; each element of l is at most that of h", fmt::join(faults, "; "));
 }
-inline std::string no_box(const BoxAndTriangle<double>& q) {
-  return determinant(exact_box_and_triangle(q).box) == 0
-             ? "box: its three basis vectors are linearly dependent, so that their determinant is 0"
-             : "";
+inline std::string why_invalid_box(const BoxAndTriangle<double>& q) {
+  return why_axes_are_invalid("box", determinant(exact_box_and_triangle(q).box));
 }
 
 template <class Entry>
@@ -33,14 +37,9 @@ struct TriangleTrait : Entry {
   static ExactBoxAndTriangle exactly(const Numbers<double>& numbers) { return exact_box_and_triangle(query(numbers)); }
 
   static std::string why_invalid(const Numbers<double>& numbers) {
-    const auto& columns = Entry::description().entries[Entry::entry].columns;
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
-      if (!std::isfinite(numbers[k])) return fmt::format("{} is not finite", columns[k].name);
-      if (columns[k].role == Role::length && numbers[k] < 0) {
-        return fmt::format("half extent {} is negative", columns[k].name);
-      }
-    }
-    return no_box(query(numbers));
+    const TestEntry& entry = Entry::description().entries[Entry::entry];
+    if (std::string why = why_numbers_are_invalid(entry, numbers); !why.empty()) return why;
+    return why_invalid_box(query(numbers));
   }
   static bool is_valid(const Numbers<double>& numbers) { return why_invalid(numbers).empty(); }
 

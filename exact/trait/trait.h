@@ -19,7 +19,7 @@ namespace axiscert {
 //   Exact              optional: the number type in which the formulae are exact; ExactNumber where they divide, else
 //                      DyadicNumber
 //   is_valid           whether the numbers are a query; else the truth is `invalid`
-//   why_invalid        optional: the reason, in words, for which they are none
+//   why_invalid        optional: the reason, in words, for which they are not a query
 //   geometric_truth    by an exact method that shares nothing with the formulae
 //   contradiction      the theorem that ties the first formulae to the geometry. `holds` and `ties` are their exact
 //                      signs, lhs > rhs and lhs == rhs; the result says what the theorem excludes, or is empty

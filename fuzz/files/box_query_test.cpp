@@ -6,6 +6,7 @@
 #include "fuzz/files/nested_text.h"
 #include "fuzz/files/query_file.h"
 #include "kernel/base/error.h"
+#include "kernel/boxes/box_triangle.h"
 #include "kernel/boxes/boxes.h"
 
 namespace axiscert {
@@ -16,6 +17,11 @@ std::string line_of(const std::string& a, const std::string& b) {
 }
 const std::string cube = R"({"m":[0,0,0],"s":[1,1,1],"b":[[1,0,0],[0,1,0],[0,0,1]]})";
 const std::string slab = R"({"b":[["0x1p-1",0,0],[0,1,0],[0,0,-1]],"s":[1,2,0.25],"m":[3,4,5]})";
+const std::string in_either_way = "with m, s and b or with m, s and q";
+const std::string axes_due = "an array of three, each an array of three numbers, belongs here";
+std::string line_of_triangle(const std::string& box) {
+  return R"({"test":"box-triangle","precision":"binary64","a":[0,0,0],"b":[1,0,0],"c":[0,1,0],"box":)" + box + "}";
+}
 const std::string turned = R"({"m":[0,0,0],"s":[1,1,1],"q":[1,0,0,0]})";
 
 std::vector<StoredQuery> parsed_boxes(const std::string& line) { return parse_queries(line, "f", Precision::binary64); }
@@ -38,9 +44,10 @@ TEST(BoxQuery, IsReadFromNestedMembersInAnyOrder) {
 
 TEST(BoxQuery, HasTheEntryOfItsMembers) {
   EXPECT_EQ(parsed_boxes(line_of(turned, turned)).front().entry, boxes::QuaternionBoxes::entry);
-  EXPECT_THAT(box_refusal(line_of(turned, cube)),
-              testing::StartsWith("f:1: field 'a.b.0': missing; an array of three numbers belongs here; it has what is "
-                                  "not read: 'a.q'"));
+  EXPECT_EQ(box_refusal(line_of(turned, cube)),
+            "f:1: field 'a': a is given by q and b by b; both are given in one way, " + in_either_way);
+  EXPECT_EQ(box_refusal(line_of(cube, turned)),
+            "f:1: field 'a': a is given by b and b by q; both are given in one way, " + in_either_way);
 }
 
 TEST(BoxQuery, IsWrittenNestedAndReadsBackTheSame) {
@@ -62,10 +69,55 @@ TEST(BoxQuery, WhatIsWrongIsNamedByItsPath) {
   EXPECT_THAT(box_refusal(line_of(cube, R"({"m":[0,0,0],"s":[1,1,1],"b":[[1,0,0],[0,1,"x"],[0,0,1]]})")),
               testing::StartsWith("f:1: field 'b.b.1': element 3: "));
   EXPECT_EQ(box_refusal(R"({"test":"box-box","precision":"binary64","a":[0,0,0]})"),
-            "f:1: field 'a.m': missing; an array of three numbers belongs here");
+            "f:1: field 'a': an array; an object " + in_either_way + " belongs here");
   EXPECT_EQ(box_refusal(R"({"a":1,)" + line_of(cube, cube).substr(1)), "f:1: field 'a': given twice");
   EXPECT_THAT(box_refusal(line_of(R"({"m":[0,0,0],"m":[0,0,0],"s":[1,1,1],"b":[[1,0,0],[0,1,0],[0,0,1]]})", cube)),
               testing::StartsWith("f:1: field 'a.m': given twice"));
+}
+
+TEST(BoxQuery, AMemberThatItsEntryDoesNotReadIsRefused) {
+  const std::string three_forms = "'box' is an object with m and s, with l and h or with m, s and b";
+  EXPECT_EQ(box_refusal(line_of_triangle(R"({"m":[0,0,0],"s":[1,1,1],"q":[1,0,0,0]})")),
+            "f:1: field 'box.q': not read beside m and s; " + three_forms);
+  EXPECT_EQ(box_refusal(line_of_triangle(R"({"m":[0,0,0],"s":[1,1,1],"l":[0,0,0],"h":[1,1,1]})")),
+            "f:1: field 'box.h': not read beside m and s; " + three_forms);
+  EXPECT_EQ(box_refusal(line_of(R"({"m":[0,0,0],"s":[1,1,1],"q":[1,0,0,0],"b":[[1,0,0],[0,1,0],[0,0,1]]})", cube)),
+            "f:1: field 'a.q': not read beside m, s and b; 'a' is an object " + in_either_way);
+  EXPECT_EQ(parsed_boxes(line_of_triangle(R"({"m":[0,0,0],"s":[1,1,1]})")).front().entry, boxes::CentreEntry::entry);
+  EXPECT_EQ(parsed_boxes(line_of_triangle(R"({"l":[0,0,0],"h":[1,1,1]})")).front().entry, boxes::MinmaxEntry::entry);
+}
+
+TEST(BoxQuery, TheAxesAreThreeColumns) {
+  for (const auto& [axes, found] :
+       {std::pair{"[[1,0,0],[0,1,0]]", "an array of 2"},
+        std::pair{"[[1,0,0],[0,1,0],[0,0,1],[0,0,0]]", "an array of 4"},
+        std::pair{"[1,0,0,0,1,0,0,0,1]", "an array of 9"},
+        std::pair{R"({"0":[1,0,0],"1":[0,1,0],"2":[0,0,1]})", "an object"}, std::pair{"7", "a number"}}) {
+    const std::string box = fmt::format(R"({{"m":[0,0,0],"s":[1,1,1],"b":{}}})", axes);
+    EXPECT_EQ(box_refusal(line_of(box, cube)), fmt::format("f:1: field 'a.b': {}; {}", found, axes_due));
+    EXPECT_EQ(box_refusal(line_of_triangle(box)), fmt::format("f:1: field 'box.b': {}; {}", found, axes_due));
+  }
+  EXPECT_EQ(box_refusal(line_of(R"({"m":[0,0,0],"s":[1,1,1],"b":[[1,0,0],2,[0,0,1]]})", cube)),
+            "f:1: field 'a.b': element 2: a number; an array of three numbers belongs here");
+  EXPECT_EQ(box_refusal(line_of(R"({"m":[0,0,0],"s":[1,1,1]})", cube)),
+            fmt::format("f:1: field 'a.b': missing; {}; 'a' is an object {}", axes_due, in_either_way));
+}
+
+TEST(BoxQuery, TheOutermostMemberAtFaultIsBlamed) {
+  EXPECT_EQ(box_refusal(line_of("7", cube)), "f:1: field 'a': a number; an object " + in_either_way + " belongs here");
+  EXPECT_EQ(box_refusal(R"({"test":"box-box","precision":"binary64","A":)" + cube + R"(,"b":)" + cube + "}"),
+            "f:1: field 'a': missing; an object " + in_either_way +
+                " belongs here; it has what is not read: 'A' (did you mean 'a'?)");
+}
+
+TEST(BoxQuery, TheMemberThatWasMeantIsOneThatIsAbsent) {
+  const std::string half = R"({"m":[0,0,0],"half":[1,1,1],"q":[1,0,0,0]})";
+  EXPECT_EQ(box_refusal(line_of(half, turned)),
+            "f:1: field 'a.s': missing; an array of three numbers belongs here; it has what is not read: 'a.half' (did "
+            "you mean 'a.s'?)");
+  EXPECT_EQ(box_refusal(line_of(half, half)),
+            "f:1: field 'a.s': missing; an array of three numbers belongs here; it has what is not read: 'a.half' (did "
+            "you mean 'a.s'?), 'b.half' (did you mean 'b.s'?)");
 }
 
 TEST(NestedText, ClosesWhatItOpened) {

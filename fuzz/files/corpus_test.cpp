@@ -80,7 +80,7 @@ TEST_P(CorpusEntryTest, HasTheseExactAnswers) {
     // Each oracle separately: our own rationals, and CGAL's distance of two triangles.
     const Numbers<double> q = wide_numbers(entry.stored);
     const MovingQuery<double> motion = MovingSphere::problem<double>([&](std::size_t k) { return q[k]; });
-    // A point that crosses the face is at distance 0 then, which is no touching.
+    // A point that crosses the face is at distance 0 then, which is not touching.
     const bool at_radius = expected.touching || motion.r == 0;
     const int order = expected.verdict == Verdict::separated ? 1 : at_radius ? 0 : -1;
     const Rational r(motion.r), squared = moving_sphere::least_distance(motion).squared;

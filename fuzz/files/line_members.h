@@ -30,7 +30,7 @@ struct JsonMember {
 };
 
 struct LineMembers {
-  // By name; of a name that is given again, the last. What is nested, up to four deep, is by its path: "a.m" is member
+  // By name; of a name that is given again, the last. A nested member, up to four deep, is by its path: "a.m" is member
   // `m` of the object `a`, "b.0" an array that is the first element of the array `b`.
   std::map<std::string, JsonMember, std::less<>> members;
   std::vector<std::string> repeated;  // names that were given again, in their order

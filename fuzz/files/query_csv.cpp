@@ -77,7 +77,7 @@ bool begins_like_a_number(std::string_view cell) {
   return !cell.empty() && std::string_view("+-.0123456789").find(cell.front()) != std::string_view::npos;
 }
 
-// Fails where a first line that is no header is CSV all the same: in words that say what to change.
+// Fails where a first line that is not a header is CSV all the same: in words that say what to change.
 void refuse_other_csv(std::string_view line, const Place& place, KnownTests known) {
   const std::string_view text = trimmed(line);
   if (text.empty() || text.front() == '{' || text.front() == '[') return;

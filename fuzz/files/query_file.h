@@ -3,12 +3,13 @@
 // JSON Lines, one object per line:
 //   {"id":"parry-76","precision":"binary32","a":[x,y,z],"b":[x,y,z],"c":[x,y,z],"p":[x,y,z],"r":"0x1.99999ap-3"}
 // `test` is the id of the query's test (default: the first), and `entry` the entry in which its numbers are given
-// (default: of those whose members are all there that with most). The numbers' members are the groups of the entry's
+// (default: that which reads the most of the members given). The numbers' members are the groups of the entry's
 // columns: an array, or a number where the group has one column. A name with dots is nested (kernel/test.h): in
 //   {"test":"box-box","precision":"binary64","a":BOX,"b":BOX} with BOX {"m":[..],"s":[..],"q":[w,x,y,z]}
 // `q` is "a.q" and "b.q", and this as a name is read too. A number is text for parse_number: a JSON string, or the
 // characters of a JSON number. `id` is optional (default "line-N") and need not be unique. Fields that are not read,
-// since a witness is a query too, and that axiscert does not itself write beside a query are told (set_query_notes).
+// since a witness is a query too, and that axiscert does not itself write beside a query are told (set_query_notes);
+// inside an object of the query, as a box is, they are refused.
 // CSV begins with a header of column names, [id,]ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r for the first test, in this
 // order; which names they are tells test and entry. Cells are not quoted.
 // Either format may begin with a UTF-8 byte order mark, end its lines in CRLF and contain blank lines.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fuzz/files/line_members.h"
+#include "fuzz/files/nested_members.h"
 #include "fuzz/files/nested_text.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/text/number_text.h"
@@ -14,13 +15,6 @@
 
 namespace axiscert {
 namespace {
-
-// A count as messages say it.
-std::string in_words(std::size_t count) {
-  constexpr std::array<const char*, 10> words = {"no",   "one", "two",   "three", "four",
-                                                 "five", "six", "seven", "eight", "nine"};
-  return count < words.size() ? words[count] : std::to_string(count);
-}
 
 // Members that axiscert writes on a line beside the query: in witnesses, in the output of `check`, `shrink` and
 // `search`, in the corpus.
@@ -32,11 +26,6 @@ constexpr std::string_view written_beside_queries[] = {
 bool is_written_beside_queries(std::string_view field) {
   return std::find(std::begin(written_beside_queries), std::end(written_beside_queries), field) !=
          std::end(written_beside_queries);
-}
-
-// Whether the member of this path is somewhere in that of the other: "a.m" is in "a".
-bool is_within(std::string_view path, std::string_view outer) {
-  return path.size() > outer.size() && path.starts_with(outer) && path[outer.size()] == '.';
 }
 
 // The members of one line as a query.
@@ -52,14 +41,16 @@ class QueryOfMembers {
     if (id.kind != JsonKind::absent && id.kind != JsonKind::string) wrong_kind("id", id.kind, "a string");
     std::vector<NumberText> numbers;
     for (const ColumnGroup& group : groups_of(of.columns())) take_group(group, of, numbers);
+    const std::vector<UnreadField> unread_here = unread_fields(of);
+    for (const UnreadField& field : unread_here) {
+      if (field.name.find('.') != field.name.npos) fail(nested(of).unread_inside(field.name, of.columns()), of);
+    }
     StoredQuery stored =
         stored_query(id.kind == JsonKind::string ? id.text : place_.default_id(), precision, of, numbers, place_);
     if (const JsonValue& address = given_.at("address").value; address.kind == JsonKind::string) {
       stored.address = address.text;
     }
-    if (unread != nullptr) {
-      for (UnreadField& field : unread_fields(of)) unread->push_back(std::move(field));
-    }
+    if (unread != nullptr) unread->insert(unread->end(), unread_here.begin(), unread_here.end());
     return stored;
   }
 
@@ -107,30 +98,43 @@ class QueryOfMembers {
       const auto holds_some = [&](std::string_view outer) {
         return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return is_within(name, outer); });
       };
-      // What is nested in a member that is not read is told by that member's name.
+      // A member that is not read stands for all that is nested in it.
       const std::size_t nested = given.find('.');
       if (holds_some(given) || (nested != given.npos && !holds_some(given.substr(0, nested)))) continue;
-      unread.push_back({given, std::string(meant_member(given, names))});
+      if (std::any_of(unread.begin(), unread.end(), [&](const auto& outer) { return is_within(given, outer.name); }))
+        continue;
+      unread.push_back({given, meant_member(given, names)});
     }
     return unread;
   }
 
-  // A member whose name is near, one that is absent before others.
-  std::string_view meant_member(std::string_view given, const std::vector<std::string_view>& names) const {
+  // The absent member of the same object whose name is near, or empty.
+  std::string meant_member(std::string_view given, const std::vector<std::string_view>& names) const {
+    const std::size_t begin = given.rfind('.') + 1;  // 0 without a dot
+    const std::string_view object = given.substr(0, begin), own = given.substr(begin);
     std::vector<std::string_view> absent;
     for (const std::string_view name : names) {
-      if (!given_.members.contains(name)) absent.push_back(name);
+      if (!name.starts_with(object)) continue;
+      const std::string_view path = name.substr(0, name.find('.', begin));
+      const auto is_there = [&](const auto& member) { return member.first == path || is_within(member.first, path); };
+      if (std::none_of(given_.members.begin(), given_.members.end(), is_there)) absent.push_back(path.substr(begin));
     }
     // The names of these members in other programs.
     for (const auto& [other, member] : {std::pair<std::string_view, std::string_view>{"radius", "r"},
                                         {"center", "p"},
                                         {"centre", "p"},
+                                        {"center", "m"},
+                                        {"centre", "m"},
+                                        {"half", "s"},
+                                        {"min", "l"},
+                                        {"max", "h"},
+                                        {"quaternion", "q"},
                                         {"name", "id"}}) {
-      const auto found = std::find(absent.begin(), absent.end(), member);
-      if (given == other && found != absent.end()) return *found;
+      if (own == other && std::find(absent.begin(), absent.end(), member) != absent.end())
+        return fmt::format("{}{}", object, member);
     }
-    const std::string_view name = meant(given, absent);
-    return name.empty() ? meant(given, names) : name;
+    const std::string_view name = meant(own, absent);
+    return name.empty() ? "" : fmt::format("{}{}", object, name);
   }
 
   // `of` is the line's, where a member of it may be missing.
@@ -138,6 +142,17 @@ class QueryOfMembers {
                                const EntryOfTest* of = nullptr) const {
     place_.fail(blamed, fmt::format("{}; {} belongs here{}", name(given), expected,
                                     given == JsonKind::absent && of != nullptr ? unknown_fields(*of) : ""));
+  }
+
+  bool states_entry() const { return given_.at("entry").value.kind == JsonKind::string; }
+
+  NestedMembers nested(const EntryOfTest& of) const {
+    const std::span<const TestEntry> entries = of.test->entries;
+    return {given_, states_entry() ? entries.subspan(of.entry, 1) : entries};
+  }
+
+  [[noreturn]] void fail(const MemberFault& fault, const EntryOfTest& of) const {
+    place_.fail(fault.field, fault.says + (fault.is_missing ? unknown_fields(of) : ""));
   }
 
   EntryOfTest entry_of_line() const {
@@ -153,7 +168,7 @@ class QueryOfMembers {
       place_.fail("test", unknown.what());
     }
     if (entry.kind == JsonKind::absent) {
-      of.entry = entry_of_members(*of.test);
+      of.entry = entry_of_most_members(*of.test, given_);
       return of;
     }
     try {
@@ -162,20 +177,6 @@ class QueryOfMembers {
       place_.fail("entry", unknown.what());
     }
     return of;
-  }
-
-  // Of the entries whose numbers' members the line has, all of them, that with most; the first of the test where it has
-  // none.
-  std::size_t entry_of_members(const TestDescription& test) const {
-    std::size_t found = 0, most = 0;
-    for (std::size_t e = 0; e < test.entries.size(); ++e) {
-      const std::vector<ColumnGroup> groups = groups_of(test.entries[e]);
-      const auto is_given = [&](const ColumnGroup& group) { return given_.members.contains(group.name); };
-      if (groups.size() <= most || !std::all_of(groups.begin(), groups.end(), is_given)) continue;
-      found = e;
-      most = groups.size();
-    }
-    return found;
   }
 
   Precision precision_of_line(const EntryOfTest& of) const {
@@ -199,6 +200,13 @@ class QueryOfMembers {
 
   void take_group(const ColumnGroup& group, const EntryOfTest& of, std::vector<NumberText>& numbers) const {
     const JsonMember& given = given_.at(group.name);
+    if (given.value.kind == JsonKind::absent) {
+      if (const auto fault = nested(of).mixed_entries()) fail(*fault, of);
+    }
+    // Around a member that is there only an array can be wrong: its length, or an object in its place.
+    if (given.value.kind == JsonKind::absent || group.name.ends_with(".0")) {
+      if (const auto fault = nested(of).fault_around(group.name, of.columns())) fail(*fault, of);
+    }
     if (group.size == 1) {
       numbers.push_back({std::string(group.name), "", number_text(group.name, "", given.value, of)});
       return;

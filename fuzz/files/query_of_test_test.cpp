@@ -131,6 +131,8 @@ TEST(QueryOfTest, WhatIsWrongIsNamed) {
   EXPECT_EQ(known_refusal("{" + boxes + R"(,"test":"wide","entry":"box"})"),
             "f:1: field 'entry': test 'wide': unknown entry 'box'; did you mean 'boxes'? entries: boxes, numbers");
   EXPECT_EQ(known_refusal(R"({"precision":"binary64","test":"wide","m":[1,2],"a":1})"),
+            "f:1: field 't': missing; a number belongs here");
+  EXPECT_EQ(known_refusal(R"({"precision":"binary64","test":"wide","entry":"numbers","m":[1,2],"a":1})"),
             "f:1: field 'x': missing; an array of 40 numbers belongs here; it has what is not read: 'a', 'm'");
   EXPECT_EQ(known_refusal(R"({"precision":"binary64","test":"wide","entry":"boxes","m":[1],"a":1,"t":1})"),
             "f:1: field 'm': an array of 1; an array of two numbers belongs here");

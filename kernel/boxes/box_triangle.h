@@ -75,7 +75,7 @@ struct OrientedEntry {
   }
 };
 
-// The box by centre and half extents. Of corners they are (l + h) / 2 and (h - l) / 2: in floats the kernel's rounding.
+// The box by centre and half extents: for corners (l + h) / 2 and (h - l) / 2, in floats with the kernel's rounding.
 template <class T>
 CentredAndTriangle<T> centred(const CentredAndTriangle<T>& q) {
   return q;

@@ -1,4 +1,4 @@
-// The textbook with one slip each, as published code has it: what a kernel of one's own may share. Each is judged by
+// The textbook with one slip each, as published code has it; a kernel of one's own may share it. Each is judged by
 // its own formulae, so that what is wrong is called its specification.
 #pragma once
 

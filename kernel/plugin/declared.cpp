@@ -29,7 +29,7 @@ const Kernel& builtin(const char* member, const std::string& id, Precision preci
   } catch (const Error&) {
   }
   if (kernel == nullptr || !kernel->file.empty()) {
-    refuse(fmt::format("its {} is '{}', which is no built-in kernel; `axiscert kernels` lists those", member, id));
+    refuse(fmt::format("its {} is '{}', which is not a built-in kernel; `axiscert kernels` lists those", member, id));
   }
   if (!kernel->has(precision)) {
     refuse(fmt::format("its {} is '{}', which does not exist in {}", member, id, name(precision)));
@@ -85,7 +85,7 @@ MotionPolicy motion_of(const Description& d, const TestDescription& test) {
   return motion;
 }
 
-// What a kernel claims to compute is stated of its own test and entry.
+// A kernel claims to compute as another does, and both answer the same question.
 void require_same_question(const char* member, const Kernel& own, const Kernel& kernel) {
   if (own.test == kernel.test && own.entry == kernel.entry) return;
   refuse(fmt::format("its {} is '{}' of the test {}, entry {}; it answers {}, entry {}", member, own.id, own.test->id,
@@ -116,10 +116,12 @@ void claim(const Description& d, Kernel& kernel) {
                        text_of(d.conforms_to), name(kernel.touching)));
   }
   if (kernel.exposes != Exposure::verdict && kernel.claims.empty() && !has_comparisons(kernel.formulae)) {
-    refuse(kernel.test == &first_test()
-               ? fmt::format("it exposes comparisons, but formulae '{}' have none", name(kernel.formulae))
-               : fmt::format("it exposes comparisons, but its `formulae` name no kernel of {} that has some",
-                             kernel.test->id));
+    refuse(
+        kernel.test == &first_test()
+            ? fmt::format("it exposes comparisons, but formulae '{}' have none", name(kernel.formulae))
+            : fmt::format("it exposes comparisons of {}: give `formulae` or `conforms_to` a built-in kernel of it that "
+                          "has comparisons",
+                          kernel.test->id));
   }
 }
 

@@ -216,5 +216,12 @@ TEST_F(Program, WhatFailsAtOnceIsRefusedInOneLine) {
   EXPECT_THAT(refusal([&] { kernel("right", R"(,"test":"sphere-cube")"); }), HasSubstr("unknown test 'sphere-cube'"));
 }
 
+TEST_F(Program, ComparisonsOfAnotherTestNameABuiltInKernelOfIt) {
+  EXPECT_THAT(
+      refusal([&] { kernel("right", R"(,"test":"box-box","exposes":"comparisons")"); }),
+      testing::EndsWith(": it exposes comparisons of box-box: give `formulae` or `conforms_to` a built-in kernel "
+                        "of it that has comparisons"));
+}
+
 }  // namespace
 }  // namespace axiscert

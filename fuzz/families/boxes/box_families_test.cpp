@@ -1,5 +1,5 @@
-// The families of two boxes make what they claim, the oracles agree on them, and the rungs are wrong where the contract
-// of the test says: over the reals the textbook, by its own formulae.
+// The families of two boxes make what they claim, the oracles agree on them, and the rungs are wrong where
+// docs/boxes.md says: over the reals the textbook, by its own formulae.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -106,8 +106,8 @@ TYPED_TEST(BoxFamilies, RoundNothingWhereTheySaySo) {
   expect_nothing_rounded<Homogeneous, QuaternionBoxes, TypeParam>(turned);
 }
 
-// What a family's queries of 0 in a half extent are.
-TYPED_TEST(BoxFamilies, OfFlatBoxesHaveAnExtentOfZero) {
+// Every box A of the family has a half extent of 0.
+TYPED_TEST(BoxFamilies, FlatBoxesHaveAnExtentOfZero) {
   const Family& family = find_family("box-box/flat");
   for (std::uint64_t position = 0; position < 60; ++position) {
     const Numbers<TypeParam> q = family.make<TypeParam>(1, position);

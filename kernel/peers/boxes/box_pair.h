@@ -1,5 +1,5 @@
 // Shared parts of the peers that are asked about two boxes: the query with names, and a loop over a batch. The policy
-// on what is no query and on NaN is that of ../peer.h.
+// on numbers that are not a query and on NaN is that of ../peer.h.
 //
 // A library takes a rotation, and the columns of a query need not be one. Columns that are within 2^-10 of orthonormal
 // are given as they stand, the third with its sign changed where they are left-handed, which is the same box; of others

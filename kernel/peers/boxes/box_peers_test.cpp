@@ -1,5 +1,6 @@
 // Requirements on every peer that is asked about two boxes: it describes itself, answers what is beyond doubt rightly,
-// refuses what is no query, and keeps nothing from one query to the next. Beside them the faults that are known.
+// refuses numbers that are not a query, and keeps nothing from one query to the next. Beside them the faults that are
+// known.
 #include <fmt/format.h>
 
 #include <iterator>
@@ -107,7 +108,7 @@ TEST_P(BoxPeer, AnswersWhatIsBeyondDoubt) {
   if (GetParam() != "bullet") EXPECT_EQ(ask_boxes<double>(GetParam(), queries), "cccss");
 }
 
-TEST_P(BoxPeer, RefusesWhatIsNoQueryOrNoRotation) {
+TEST_P(BoxPeer, RefusesNumbersThatAreNotAQueryOrNotARotation) {
   std::vector<Boxes<double>> queries(4, {cube({0, 0, 0}), cube({1.5, 0.25, 0.125})});
   queries[0].a.half.y = -1;
   queries[1].b.centre.x = NAN;

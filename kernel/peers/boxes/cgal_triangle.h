@@ -1,6 +1,7 @@
 // CGAL's do_intersect of an Iso_cuboid_3 and a Triangle_3, in a kernel of its own. The description applies to CGAL 5.5:
-// it is the thirteen axes of Akenine-Moller, over the kernel's numbers. Of a triangle with two equal corners a side
-// of length 0 is taken for one along an axis, whose products are left out: contacts are invented, in Epick too.
+// it is the thirteen axes of Akenine-Moller, over the kernel's numbers. Where two corners of a triangle are
+// equal, the side of length 0 is taken for one along an axis, whose products are left out: contacts are invented, in
+// Epick too.
 #pragma once
 
 #include <CGAL/intersections.h>
