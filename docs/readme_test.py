@@ -157,6 +157,66 @@ def sweeps(commands, old):
     return "".join(lines[:2]) + "".join(row(line) for line in lines[2:])
 
 
+# ---- docs/boxes.md
+
+BOX_KERNELS = "projected columns dropped framed textbook rtcd gottschalk bullet cofactor".split()
+BOX_FAMILIES = "general tangent stacked resting crossed parallel thin flat".split()
+BOX_PEERS = "ode ode-unimportant ode-touches fcl fcl-obb bullet".split()
+BOX_PEER_FAMILIES = "lattice tangent resting crossed parallel flat".split()
+
+
+def box_verdicts(commands, kernels, families, trials):
+    """The verdicts of a run by kernel and family, in the order of both."""
+    record = commands.run(*options("--kernel", kernels), *options("--family", families), "--trials", trials, "--precision", "binary32")[1]
+    found = {kernel["id"]: kernel["families"] for kernel in record["kernels"]}
+    return [[found[kernel][family]["verdict"] for family in families] for kernel in kernels]
+
+
+def short(depth):
+    return re.sub(r"e-0", "e-", f"{depth:.2g}")
+
+
+def count_and_depth(verdict, kind):
+    return f"{verdict[kind]} ({short(verdict['deepest_' + kind])})" if verdict[kind] else "0"
+
+
+def with_rows(old, rows):
+    return "".join(old.splitlines(keepends=True)[:2]) + "".join(map(row_of, rows))
+
+
+def by_family(families, verdicts, kind):
+    return [[f"`{family}`", *(count_and_depth(of_kernel[i], kind) for of_kernel in verdicts)] for i, family in enumerate(families)]
+
+
+def box_forms(commands):
+    return box_verdicts(commands, tuple(f"box-box/{k}" for k in BOX_KERNELS), tuple(f"box-box/{f}" for f in BOX_FAMILIES), "2500")
+
+
+def box_misses(commands, old):
+    return with_rows(old, by_family(BOX_FAMILIES, box_forms(commands), "false_separation"))
+
+
+def box_phantoms(commands, old):
+    crossed = [verdicts[BOX_FAMILIES.index("crossed")] for verdicts in box_forms(commands)]
+    return with_rows(old, [[f"`{kernel}`", str(v["false_contact"]), short(v["deepest_false_contact"])] for kernel, v in zip(BOX_KERNELS, crossed)])
+
+
+def box_peers(kind):
+    def table(commands, old):
+        verdicts = box_verdicts(commands, tuple(f"box-box/peer/{k}" for k in BOX_PEERS), tuple(f"box-box/{f}" for f in BOX_PEER_FAMILIES), "300")
+        return with_rows(old, by_family(BOX_PEER_FAMILIES, verdicts, kind))
+
+    return table
+
+
+def box_triangle(commands, old):
+    families = "general_minmax touching_minmax lattice_minmax voxel".split()
+    verdicts = box_verdicts(commands, tuple(f"box-triangle/{k}" for k in ("textbook-minmax", "thirteen-minmax", "peer/cgal-epick", "peer/cgal-double")),
+                            tuple(f"box-triangle/{f}" for f in families), "2000")
+    return with_rows(old, [[f"`{family}`", *(f"{v[i]['false_separation']}, {v[i]['false_contact']}" for v in verdicts)]
+                           for i, family in enumerate(families)])
+
+
 # The page, the function and whether a test that makes it again takes long.
 TABLES = {
     "front": ("README.md", front, "quick"),
@@ -164,6 +224,11 @@ TABLES = {
     "main-job-rows": ("docs/main-job.md", main_job_rows, "long"),
     "declined": ("docs/proofs.md", declined, "quick"),
     "sweeps": ("docs/moving.md", sweeps, "long"),
+    "box-misses": ("docs/boxes.md", box_misses, "long"),
+    "box-phantoms": ("docs/boxes.md", box_phantoms, "long"),
+    "box-peers-missed": ("docs/boxes.md", box_peers("false_separation"), "long"),
+    "box-peers-phantom": ("docs/boxes.md", box_peers("false_contact"), "long"),
+    "box-triangle": ("docs/boxes.md", box_triangle, "long"),
     "shrunk": ("docs/corpus.md", shrunk, "quick"),
 }
 
