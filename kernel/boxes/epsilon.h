@@ -68,8 +68,8 @@ struct Bullet {
     }
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
-        const auto [i1, i2] = std::minmax(next(i), last(i));
-        const auto [j1, j2] = std::minmax(next(j), last(j));
+        const auto [i1, i2] = std::minmax({next(i), last(i)});
+        const auto [j1, j2] = std::minmax({next(j), last(j)});
         const T apart = edge_sides(r, i, j, raised, raised).lhs;
         const T radii = ((a[i1] * raised[i2][j] + a[i2] * raised[i1][j]) + b[j1] * raised[i][j2]) + b[j2] * raised[i][j1];
         sink(edges(i, j), apart - radii, beyond);
