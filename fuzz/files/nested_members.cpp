@@ -46,7 +46,7 @@ std::vector<std::string_view> those_not_in(const std::vector<std::string_view>& 
 
 }  // namespace
 
-std::string in_words(std::size_t count) {
+std::string count_in_words(std::size_t count) {
   constexpr std::array<const char*, 10> words = {"no",   "one", "two",   "three", "four",
                                                  "five", "six", "seven", "eight", "nine"};
   return count < words.size() ? words[count] : std::to_string(count);
@@ -96,12 +96,12 @@ std::string NestedMembers::object_forms(std::string_view outer) const {
 std::string NestedMembers::due(std::string_view path, const TestEntry& entry) const {
   for (const ColumnGroup& group : groups_of(entry)) {
     if (group.name == path) {
-      return group.size == 1 ? "a number" : fmt::format("an array of {} numbers", in_words(group.size));
+      return group.size == 1 ? "a number" : fmt::format("an array of {} numbers", count_in_words(group.size));
     }
   }
   const std::vector<std::string_view> names = names_inside(path, entry);
   if (!is_array(names)) return "an object " + object_forms(path);
-  return fmt::format("an array of {}, each {},", in_words(names.size()),
+  return fmt::format("an array of {}, each {},", count_in_words(names.size()),
                      due(fmt::format("{}.{}", path, names.front()), entry));
 }
 

@@ -13,7 +13,7 @@
 namespace axiscert {
 
 // A count as messages say it.
-std::string in_words(std::size_t count);
+std::string count_in_words(std::size_t count);
 
 // Whether the member of this path is somewhere in that of the other: "a.m" is in "a".
 bool is_within(std::string_view path, std::string_view outer);

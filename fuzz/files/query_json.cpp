@@ -211,7 +211,7 @@ class QueryOfMembers {
       numbers.push_back({std::string(group.name), "", number_text(group.name, "", given.value, of)});
       return;
     }
-    const std::string due = fmt::format("an array of {} numbers", in_words(group.size));
+    const std::string due = fmt::format("an array of {} numbers", count_in_words(group.size));
     if (given.value.kind != JsonKind::array) wrong_kind(group.name, given.value.kind, due, &of);
     if (given.elements.size() != group.size) {
       place_.fail(group.name, fmt::format("an array of {}; {} belongs here", given.elements.size(), due));
