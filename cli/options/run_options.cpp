@@ -33,7 +33,7 @@ std::uint64_t default_trials(const Source& source, Precision precision) {
 
 std::string default_trials_text() {
   std::string text = fmt::format("2^18 in binary32, 2^16 in binary64, 2^12 of a test other than {}", first_test().id);
-  for (const Family* family : families()) {
+  for (const Family* family : families_of(first_test())) {
     if (family->trial_divisor > 1) text += fmt::format(", {} for {}", (1 << 16) / family->trial_divisor, family->name);
   }
   return text;

@@ -44,7 +44,8 @@ def seeds(source):
     """The inputs by target."""
     files = sorted((source / "fuzz/corpus").glob("*.jsonl")) + sorted((source / "examples").rglob("*.jsonl"))
     lines = [line for file in files for line in file.read_text().splitlines() if line.strip()]
-    queries = [json.loads(line) for line in lines]
+    # Queries of three points, a centre and a radius; the boxes of other tests are texts for the parser alone.
+    queries = [query for query in map(json.loads, lines) if "box" not in query.get("test", "")]
     result = {}
     result["kernel"] = [kernel_seed(query, i) for i, query in enumerate(queries)]
 
