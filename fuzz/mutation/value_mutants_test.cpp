@@ -34,7 +34,8 @@ std::vector<ComparisonBits> bits_everywhere(const mutants::Mutant& mutant, bool 
 
 TEST(ValueMutants, HaveTheFaultThatTheyName) {
   mutants::Mutant none;
-  for (const std::string_view base : mutants::bases) {
+  // The queries here are of the static test; moving_mutation_test.cpp asks the mutants of motions.
+  for (const std::string_view base : {"nonstrict", "reduced-nonstrict"}) {
     none.id = base;
     const std::string of(std::string(base) + "~");
     const auto bits = [&](const std::string& id) { return bits_everywhere<float>(mutants::find_mutant(of + id)); };
