@@ -72,15 +72,20 @@ class Answers(unittest.TestCase):
                          ["contact", "separated", "contact", "invalid"])
 
     def test_an_entry_has_its_own_columns_and_its_own_queries(self):
-        box = [0.0] * 3 + [1.0] * 3
-        triangle = [1.0] * 9
-        for given, right in ((box + triangle, "separated"), ([0.0] * 3 + [1, -1, 1] + triangle, "invalid"), ([7.0] + box[1:] + triangle, "contact")):
-            self.assertEqual(asking.ask(TOY, asking.FOLDER, [given], question="box-triangle/centre"), [right])
-        for given, right in ((box + triangle, "separated"), ([0.0, 2, 0] + [1.0] * 3 + triangle, "invalid"), ([-7.0] * 6 + triangle, "separated")):
-            self.assertEqual(asking.ask(TOY, asking.FOLDER, [given], question="box-triangle/minmax"), [right])
-        box += [1.0, 0, 0, 0]
-        for given, right in ((box + box, "separated"), (box + box[:6] + [0.0] * 4, "invalid"), (box[:6] + [0.0] * 4 + box, "invalid")):
-            self.assertEqual(asking.ask(TOY, asking.FOLDER, [given], "binary64", "box-box/quaternion"), [right])
+        box, triangle, turn = [0.0] * 3 + [1.0] * 3, [1.0] * 9, [1.0, 0, 0, 0]
+
+        def with_number(query, k, number):
+            return query[:k] + [number] + query[k + 1:]
+
+        # A query, and the columns of which each makes it none with the number given: a half extent below 0, a corner above the other.
+        for question, query, none in (("box-triangle/centre", box + triangle, {3: -1, 4: -1, 5: -1}),
+                                      ("box-triangle/minmax", box + triangle, {0: 2, 1: 2, 2: 2, 3: -1, 4: -1, 5: -1}),
+                                      ("box-box/quaternion", box + turn + box + turn, {3: -1, 4: -1, 5: -1, 13: -1, 14: -1, 15: -1})):
+            with self.subTest(question):
+                asked = [query, with_number(query, len(query) - 1, 7.0)] + [with_number(query, k, number) for k, number in none.items()]
+                self.assertEqual(asking.ask(TOY, asking.FOLDER, asked, "binary64", question), ["separated", "contact"] + ["invalid"] * len(none))
+        for none in (box + [0.0] * 4 + box + turn, box + turn + box + [0.0] * 4):
+            self.assertEqual(asking.ask(TOY, asking.FOLDER, [none], question="box-box/quaternion"), ["invalid"])
 
     def test_measures_follow_each_reply_where_the_stream_asks_for_them(self):
         moved = [query(RIGHT)[:12] + [0, 0, dz, 1] for dz in (7, 0, 8, 9, math.nan)]

@@ -31,7 +31,7 @@ async function make() {
       default: return SEPARATED;
     }
   };
-  const boxes = (q) => verdictOf(q[0] === 7);
+  const boxes = (q) => verdictOf(q[q.length - 1] === 7);
   return {'sphere-triangle': answer, 'moving-sphere': moving, 'box-triangle/centre': boxes, 'box-triangle/minmax': boxes,
           'box-box/quaternion': boxes};
 }
