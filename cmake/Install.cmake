@@ -26,9 +26,12 @@ endforeach()
 
 # Those from npm, as programs: `npm ci --ignore-scripts` in their folder brings the engines.
 set(programs_folder lib/axiscert/peers/npm)
-file(GLOB manifests CONFIGURE_DEPENDS kernel/peers/npm/*.json)
-install(FILES ${manifests} kernel/peers/npm/.npmrc DESTINATION ${programs_folder})
-install(DIRECTORY kernel/peers/npm/engines DESTINATION ${programs_folder} FILES_MATCHING PATTERN "*.mjs")
+set(programs_of kernel/peers/npm)
+install(FILES ${programs_of}/package.json ${programs_of}/package-lock.json ${programs_of}/.npmrc DESTINATION ${programs_folder})
+install(DIRECTORY ${programs_of}/engines DESTINATION ${programs_folder} FILES_MATCHING PATTERN "*.mjs")
+foreach(test sphere-triangle moving-sphere box-box box-triangle)
+  install(DIRECTORY ${programs_of}/${test} DESTINATION ${programs_folder} FILES_MATCHING PATTERN "*.json")
+endforeach()
 
 # The corpus, which `run --corpus` replays.
 install(DIRECTORY fuzz/corpus DESTINATION share/axiscert FILES_MATCHING PATTERN "*.jsonl")

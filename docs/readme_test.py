@@ -217,6 +217,40 @@ def box_triangle(commands, old):
                            for i, family in enumerate(families)])
 
 
+BOX_ENTRIES = {"matrix": "", "quaternion": "_turned"}  # the families of each entry end so
+CELL_ENTRIES = {"centre": "", "minmax": "_minmax", "matrix": "_oriented"}
+
+
+def engines(test, ends, trials):
+    """A row for each engine from npm: missed (deepest) / phantom (deepest) / declined. Where it is not installed its row stays."""
+
+    def table(commands, old):
+        known = commands.text("kernels", "--test", test)
+        lines = old.splitlines(keepends=True)
+        columns = [column.strip("`") for column in cells_of(lines[0])[2:]]
+
+        def row(line):
+            name, entry, *_ = cells_of(line)
+            kernel = f"{test}/peer/" + name.strip("`")
+            if not re.search(rf"^{re.escape(kernel)} +(?!NOT)", known, re.M):
+                return line
+            record = commands.run("--test", test, "--kernel", kernel, "--trials", trials, "--precision", "binary32")[1]
+            found = {family.split("/")[-1]: result["verdict"] for family, result in record["kernels"][0]["families"].items()}
+
+            def cell(family):
+                if family not in found:
+                    return ""
+                verdict = found[family]
+                declined = f" / {verdict['undecided']}" if verdict["undecided"] else ""
+                return f"{count_and_depth(verdict, 'false_separation')} / {count_and_depth(verdict, 'false_contact')}{declined}"
+
+            return row_of([name, entry, *(cell(column + ends[entry]) for column in columns)])
+
+        return "".join(lines[:2]) + "".join(row(line) for line in lines[2:])
+
+    return table
+
+
 # The page, the function and whether a test that makes it again takes long.
 TABLES = {
     "front": ("README.md", front, "quick"),
@@ -229,6 +263,8 @@ TABLES = {
     "box-peers-missed": ("docs/boxes.md", box_peers("false_separation"), "long"),
     "box-peers-phantom": ("docs/boxes.md", box_peers("false_contact"), "long"),
     "box-triangle": ("docs/boxes.md", box_triangle, "long"),
+    "box-engines": ("docs/boxes.md", engines("box-box", BOX_ENTRIES, "300"), "long"),
+    "box-triangle-engines": ("docs/boxes.md", engines("box-triangle", CELL_ENTRIES, "300"), "long"),
     "shrunk": ("docs/corpus.md", shrunk, "quick"),
 }
 

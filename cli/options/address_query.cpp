@@ -20,13 +20,16 @@ const Family& family_of(const Address& address) {
   }
 }
 
-// The corpus's queries of the test that has this address; of sphere-triangle where none has.
+// The corpus's queries of the test and entry that have this address; of sphere-triangle where none have.
 SourcePtr corpus_of(const Address& address, const std::string& folder) {
   for (const TestDescription* test : tests()) {
     if (test == &first_test()) continue;
-    try {
-      if (SourcePtr source = corpus_source(folder, *test); source->address_name() == address.name) return source;
-    } catch (const Error&) {  // none of this test
+    for (std::size_t entry = 0; entry < test->entries.size(); ++entry) {
+      try {
+        if (SourcePtr source = corpus_source(folder, *test, entry); source->address_name() == address.name)
+          return source;
+      } catch (const Error&) {  // none of this entry
+      }
     }
   }
   return corpus_source(folder);

@@ -221,7 +221,7 @@ std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescri
   }
   for (const std::string& path : options.meshes) add(mesh_source(path, test));
   for (const std::string& path : options.queries) add(query_file_source(path, csv_precision));
-  if (options.corpus) add(corpus_source(*options.corpus, test));
+  if (options.corpus) add(corpus_source(*options.corpus, test, entry));
   return sources;
 }
 

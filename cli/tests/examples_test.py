@@ -80,7 +80,7 @@ class Examples(unittest.TestCase):
 
     def test_programs_that_come_along_are_installed_without_the_engines(self):
         here, there = ROOT / "kernel/peers/npm", self.prefix / "lib/axiscert/peers/npm"
-        wanted = {file.relative_to(here) for files in ("*.json", ".npmrc", "engines/*.mjs") for file in here.glob(files)}
+        wanted = {file.relative_to(here) for files in ("package*.json", ".npmrc", "engines/**/*.mjs", "*-*/*.json") for file in here.glob(files)}
         self.assertEqual({file.relative_to(there) for file in there.rglob("*") if file.is_file()}, wanted)
 
     def test_an_installed_engine_names_the_command_that_brings_its_package(self):

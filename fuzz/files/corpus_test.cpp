@@ -184,5 +184,29 @@ TEST(CorpusSource, HasEveryQueryInItsPrecision) {
   EXPECT_EQ(source->address_name(), "corpus-" + source->file()->sha256);
 }
 
+TEST(CorpusSource, HasTheQueriesOfOneEntryOfATest) {
+  for (const TestDescription* test : tests()) {
+    std::size_t all = 0;
+    for (std::size_t entry = 0; entry < test->entries.size(); ++entry) {
+      std::size_t count = 0;
+      for (const CorpusEntry& kept : entries_or_none()) {
+        count += kept.stored.test == test && kept.stored.entry == entry ? 1 : 0;
+      }
+      all += count;
+      if (count == 0) {
+        EXPECT_THAT([&] { corpus_source(SOURCE_FOLDER "/fuzz/corpus", *test, entry); },
+                    testing::ThrowsMessage<Error>(testing::HasSubstr(std::string(test->entries[entry].name))));
+        continue;
+      }
+      const auto source = corpus_source(SOURCE_FOLDER "/fuzz/corpus", *test, entry);
+      EXPECT_EQ(*source->fixed_size(Precision::binary32) + *source->fixed_size(Precision::binary64), count)
+          << test->id << ", " << test->entries[entry].name;
+    }
+    if (test->entries.size() > 1) {
+      EXPECT_GT(all, 1u) << test->id;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace axiscert

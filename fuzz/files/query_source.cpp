@@ -150,15 +150,18 @@ SourcePtr query_file_source(const std::string& path, Precision csv_precision,
                                            parse_queries(bytes, where, csv_precision, known));
 }
 
-SourcePtr corpus_source(const std::string& folder, const TestDescription& test) {
+SourcePtr corpus_source(const std::string& folder, const TestDescription& test, std::size_t entry) {
   std::string lines;
   std::vector<StoredQuery> queries;
-  for (const CorpusEntry& entry : read_corpus(folder)) {
-    if (entry.stored.test != &test) continue;
-    lines += query_line(entry.stored) + "\n";
-    queries.push_back(entry.stored);
+  for (const CorpusEntry& kept : read_corpus(folder)) {
+    if (kept.stored.test != &test || kept.stored.entry != entry) continue;
+    lines += query_line(kept.stored) + "\n";
+    queries.push_back(kept.stored);
   }
-  if (queries.empty()) throw Error(fmt::format("{}: the corpus has no query of the test {}", folder, test.id));
+  if (queries.empty()) {
+    throw Error(
+        fmt::format("{}: the corpus has no query of the test {}, entry {}", folder, test.id, test.entries[entry].name));
+  }
   return std::make_shared<QueryFileSource>("corpus", FileInfo{folder, "corpus"}, lines, queries);
 }
 

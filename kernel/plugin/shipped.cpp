@@ -46,21 +46,19 @@ struct ShippedProgram {
   std::string manifest, missing;
 };
 
-// Those of PEERS/npm that answer a test, by the names that they declare. Other files of JSON are there too.
+// Those that answer a test, in PEERS/npm/TEST, by the names that they declare. The packages are in PEERS/npm.
 std::map<std::string, ShippedProgram> shipped_programs(const std::filesystem::path& peers,
                                                        const TestDescription& test) {
   std::map<std::string, ShippedProgram> found;
-  const std::filesystem::path folder = peers / programs_folder;
+  const std::filesystem::path folder = peers / programs_folder, inside = folder / test.id;
   std::error_code none;
-  for (std::filesystem::directory_iterator at(folder, none), end; !none && at != end; at.increment(none)) {
+  for (std::filesystem::directory_iterator at(inside, none), end; !none && at != end; at.increment(none)) {
     if (at->path().extension() != ".json") continue;
-    const std::string path = at->path().string(), text = manifest_text(path);
-    if (text.find(manifest_format) == text.npos) continue;
-    const Manifest manifest = read_manifest(text, path);
-    if ((manifest.test.empty() ? first_test().id : manifest.test) != test.id) continue;
+    const std::string path = at->path().string();
+    const Manifest manifest = read_manifest(manifest_text(path), path);
     ShippedProgram& program = found[manifest.name];
     program.manifest = path;
-    if (program_file(manifest.command.front(), folder).empty()) program.missing = manifest.command.front();
+    if (program_file(manifest.command.front(), inside).empty()) program.missing = manifest.command.front();
     else if (!manifest.package.empty() && !std::filesystem::is_directory(folder / "node_modules" / manifest.package))
       program.missing = manifest.package;
   }

@@ -9,7 +9,12 @@ from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
 VERDICTS = ("contact", "separated", "undecided", "invalid")
-COLUMNS = {"sphere-triangle": "abcpr", "moving-sphere": "abcpdr"}  # members of a query line; r is one number, the others three
+# Each question: a test, or TEST/ENTRY where the test has several; the members of its query lines, and how many numbers these have.
+MEMBERS = {"sphere-triangle": ("a", "b", "c", "p", "r"), "moving-sphere": ("a", "b", "c", "p", "d", "r"), "box-box": ("a", "b"),
+           "box-triangle": ("box", "a", "b", "c")}
+COLUMNS = {"sphere-triangle": 13, "moving-sphere": 16, "box-box/matrix": 30, "box-box/quaternion": 20, "box-triangle/centre": 15,
+           "box-triangle/minmax": 15, "box-triangle/matrix": 24}
+BOX_MEMBERS = "mslhbq"
 SECONDS = 300  # for a program to answer a stream
 
 
@@ -32,20 +37,45 @@ def main():
     unittest.main()
 
 
-def numbers_of(line, test="sphere-triangle"):
+def manifests():
+    """Every manifest by its path, in order; a test's are in a folder of its id."""
+    return {file: json.loads(file.read_text()) for file in sorted(FOLDER.glob("*-*/*.json"))}
+
+
+def faults():
+    """Every known fault, test by test in the order of the files."""
+    return [json.loads(line) for test in MEMBERS for line in (FOLDER / test / "faults.jsonl").read_text().splitlines()]
+
+
+def question_of(manifest):
+    """The question that a program answers, as COLUMNS names it."""
+    return f"{manifest['test']}/{manifest['entry']}" if "entry" in manifest else manifest["test"]
+
+
+def query_of(line):
+    """A known fault as a line of a query file."""
+    return {member: line[member] for member in ("id", "test", "entry", "precision", *MEMBERS[line.get("test", "sphere-triangle")]) if member in line}
+
+
+def flat(given):
+    if isinstance(given, str):
+        return [float.fromhex(given)]
+    parts = [given[member] for member in BOX_MEMBERS if member in given] if isinstance(given, dict) else given
+    return [number for part in parts for number in flat(part)]
+
+
+def numbers_of(line):
     """The numbers of a query line, in the order of the test's columns; exact, as each has to be given as a hex float."""
-    numbers = []
-    for member in COLUMNS[test]:
-        given = line[member]
-        numbers += [float.fromhex(x) for x in (given if isinstance(given, list) else [given])]
-    return numbers
+    return flat([line[member] for member in MEMBERS[line.get("test", "sphere-triangle")]])
 
 
-def stream(queries, precision="binary32", test="sphere-triangle", measures=0):
+def stream(queries, precision="binary32", question="sphere-triangle", measures=0):
     """The bytes of a query stream that asks for so many measures beside each verdict."""
     bits = {"binary32": 32, "binary64": 64}[precision]
-    columns = sum(1 if member == "r" else 3 for member in COLUMNS[test])
-    plan = json.dumps({"test": test, "columns": columns, **({"measures": measures} if measures else {})}).encode().ljust(64)
+    test, _, entry = question.partition("/")
+    columns = COLUMNS.get(question, 13)
+    plan = json.dumps({"test": test, **({"entry": entry} if entry else {}), "columns": columns,
+                       **({"measures": measures} if measures else {})}).encode().ljust(128)
     version = 1 if test == "sphere-triangle" else 2
     head = struct.pack("<8sIIQII", b"AXISCERT", version, bits, len(queries), 64 + len(plan), columns * bits // 8)
     record = struct.Struct(f"<{columns}{'f' if bits == 32 else 'd'}")
@@ -68,9 +98,9 @@ def verdicts(output, sent, count):
     return [VERDICTS[v] for v in output[size:end:reply]], output[end:]
 
 
-def ask_measures(command, folder, queries, count, precision="binary32", test="moving-sphere"):
+def ask_measures(command, folder, queries, count, precision="binary32", question="moving-sphere"):
     """Verdict and `count` measures of each query, from a stream that asks for these."""
-    sent = stream(queries, precision, test, count)
+    sent = stream(queries, precision, question, count)
     done = run(command, folder, sent)
     assert done.returncode == 0, f"{command} exited with {done.returncode}: {done.stderr.decode(errors='replace')[-2000:]}"
     size = struct.unpack_from("<I", sent, 24)[0]
@@ -83,9 +113,9 @@ def ask_measures(command, folder, queries, count, precision="binary32", test="mo
     return answers
 
 
-def ask_each(command, folder, streams, precision="binary32", test="sphere-triangle"):
+def ask_each(command, folder, streams, precision="binary32", question="sphere-triangle"):
     """The verdicts of one process on several streams, a list of queries each."""
-    sent = [stream(queries, precision, test) for queries in streams]
+    sent = [stream(queries, precision, question) for queries in streams]
     done = run(command, folder, b"".join(sent))
     assert done.returncode == 0, f"{command} exited with {done.returncode}: {done.stderr.decode(errors='replace')[-2000:]}"
     answers, rest = [], done.stdout
@@ -96,5 +126,5 @@ def ask_each(command, folder, streams, precision="binary32", test="sphere-triang
     return answers
 
 
-def ask(command, folder, queries, precision="binary32", test="sphere-triangle"):
-    return ask_each(command, folder, [queries], precision, test)[0]
+def ask(command, folder, queries, precision="binary32", question="sphere-triangle"):
+    return ask_each(command, folder, [queries], precision, question)[0]

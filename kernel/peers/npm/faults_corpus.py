@@ -4,7 +4,7 @@
     faults_corpus.py AXISCERT > fuzz/corpus/engines.jsonl
 
 The corpus has no two queries that are equal up to a symmetry of the test. Faults on such queries are one entry, named after the first, whose
-note has them all. The corpus is of sphere-triangle: faults with moving spheres are in none.
+note has them all. Those with moving spheres are in the file of that test.
 """
 import json
 import re
@@ -14,8 +14,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-FOLDER = Path(__file__).resolve().parent
-CORPUS = FOLDER.parents[2] / "fuzz/corpus"
+import asking
+
+CORPUS = asking.FOLDER.parents[2] / "fuzz/corpus"
 FILE = "engines.jsonl"
 
 
@@ -40,8 +41,10 @@ def entries(axiscert):
             if file.name != FILE:
                 shutil.copy(file, folder)
         made = {}
-        for line in map(json.loads, (FOLDER / "faults.jsonl").read_text().splitlines()):
-            query = json.dumps({member: line[member] for member in ("id", "precision", *"abcpr")})
+        for line in asking.faults():
+            if line.get("test") == "moving-sphere":
+                continue
+            query = json.dumps(asking.query_of(line))
             done = subprocess.run([axiscert, "corpus", "add", "-", "--folder", folder, "--name", line["id"], "--provenance",
                                    provenance(line), "--note", note(line)], input=query, capture_output=True, text=True)
             if same := re.search(r"already in the corpus as '(.*?)'", done.stderr):

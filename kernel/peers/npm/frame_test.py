@@ -7,6 +7,7 @@ frame_test.py [unittest arguments]
 """
 import json
 import math
+import re
 import shutil
 import struct
 import subprocess
@@ -67,8 +68,24 @@ class Answers(unittest.TestCase):
 
     def test_another_test_has_its_own_columns_and_wide_replies(self):
         moved = [query(RIGHT)[:12] + rest for rest in ([0, 0, 7, 1], [7, 0, 0, 1], [-7, 0, 7, 0], [0, 0, 7, -1])]
-        self.assertEqual(asking.ask(TOY, asking.FOLDER, moved, test="moving-sphere"),
+        self.assertEqual(asking.ask(TOY, asking.FOLDER, moved, question="moving-sphere"),
                          ["contact", "separated", "contact", "invalid"])
+
+    def test_an_entry_has_its_own_columns_and_its_own_queries(self):
+        box, triangle, turn = [0.0] * 3 + [1.0] * 3, [1.0] * 9, [1.0, 0, 0, 0]
+
+        def with_number(query, k, number):
+            return query[:k] + [number] + query[k + 1:]
+
+        # A query, and the columns of which each makes it none with the number given: a half extent below 0, a corner above the other.
+        for question, query, none in (("box-triangle/centre", box + triangle, {3: -1, 4: -1, 5: -1}),
+                                      ("box-triangle/minmax", box + triangle, {0: 2, 1: 2, 2: 2, 3: -1, 4: -1, 5: -1}),
+                                      ("box-box/quaternion", box + turn + box + turn, {3: -1, 4: -1, 5: -1, 13: -1, 14: -1, 15: -1})):
+            with self.subTest(question):
+                asked = [query, with_number(query, len(query) - 1, 7.0)] + [with_number(query, k, number) for k, number in none.items()]
+                self.assertEqual(asking.ask(TOY, asking.FOLDER, asked, "binary64", question), ["separated", "contact"] + ["invalid"] * len(none))
+        for none in (box + [0.0] * 4 + box + turn, box + turn + box + [0.0] * 4):
+            self.assertEqual(asking.ask(TOY, asking.FOLDER, [none], question="box-box/quaternion"), ["invalid"])
 
     def test_measures_follow_each_reply_where_the_stream_asks_for_them(self):
         moved = [query(RIGHT)[:12] + [0, 0, dz, 1] for dz in (7, 0, 8, 9, math.nan)]
@@ -79,7 +96,7 @@ class Answers(unittest.TestCase):
                 self.assertEqual(str(answers[0][1]), str([0.5, math.nan, 0.0, 0.0, 1.0, math.nan, math.nan, math.nan][:count]))
                 for _, said in answers[1:]:
                     self.assertTrue(all(math.isnan(number) for number in said), said)
-        self.assertEqual(asking.ask(TOY, asking.FOLDER, moved, test="moving-sphere"),
+        self.assertEqual(asking.ask(TOY, asking.FOLDER, moved, question="moving-sphere"),
                          ["contact", "separated", "invalid", "contact", "invalid"])
 
     def test_replies_come_before_the_input_ends(self):
@@ -137,34 +154,46 @@ class NoStream(unittest.TestCase):
                            (with_field(12, 16), "precision is 16"), (with_field(24, 32), "header's size is 32"),
                            (with_field(24, 2**21), "header's size"), (with_field(28, 51), "has 52 bytes, not 51"),
                            (good + b"AXIS", "not a query stream"),
-                           (asking.stream([], test="moving-sphere").replace(b"moving-sphere", b"parking-cones"), "'parking-cones'"),
-                           (asking.stream([], test="moving-sphere").replace(b'{"test"', b'["test"'), "JSON"),
-                           (asking.stream([], test="moving-sphere", measures=9), "9 measures; moving-sphere has 8"),
-                           (asking.stream([], test="moving-sphere", measures="x"), "x measures")):
+                           (asking.stream([], question="moving-sphere").replace(b"moving-sphere", b"parking-cones"), "'parking-cones'"),
+                           (asking.stream([], question="moving-sphere").replace(b'{"test"', b'["test"'), "JSON"),
+                           (asking.stream([], question="moving-sphere", measures=9), "9 measures; moving-sphere has 8"),
+                           (asking.stream([], question="moving-sphere", measures="x"), "x measures")):
             with self.subTest(says):
                 self.refused(sent, says)
 
 
 class Manifests(unittest.TestCase):
-    MANIFESTS = {file.name: json.loads(file.read_text()) for file in sorted(asking.FOLDER.glob("*.json"))
-                 if not file.name.startswith("package")}
+    MANIFESTS = asking.manifests()
     WANTED = json.loads((asking.FOLDER / "package.json").read_text())["dependencies"]
+    IMPORTS = re.compile(r"^import .*? from '(\.[^']*)';$", re.MULTILINE)
 
     def test_each_names_a_program_that_is_there_and_the_version_that_is_installed(self):
         self.assertTrue(self.MANIFESTS)
         for file, of in self.MANIFESTS.items():
             with self.subTest(file):
                 self.assertEqual(of["format"], "axiscert-program/1")
-                self.assertEqual(of["name"].replace("/", "-") + ".json", file)
+                self.assertEqual(of["name"].replace("/", "-") + ".json", file.name)
                 self.assertEqual(self.WANTED[of["package"]], of["version"])
                 self.assertEqual(of["command"][0], "node")
-                program = (asking.FOLDER / of["command"][1]).read_text()
+                program = (file.parent / of["command"][1]).read_text()
                 for form in of["command"][2:]:
                     self.assertIn(f"'{form}':", program)
                 self.assertIn(of["touching"], ("contact", "separated", "either"))
                 self.assertLessEqual(set(of["precisions"]), {"binary32", "binary64"})
-                self.assertIn(of["test"], asking.COLUMNS)
+                self.assertEqual(of["test"], file.parent.name)
+                self.assertIn(asking.question_of(of), asking.COLUMNS)
                 self.assertEqual(of.get("measures", 0), 8 if of["test"] == "moving-sphere" else 0)
+
+    def test_each_names_the_files_that_its_answers_depend_on(self):
+        for file, of in self.MANIFESTS.items():
+            with self.subTest(file):
+                found, to_read = {(asking.FOLDER / "package-lock.json").resolve()}, [(file.parent / of["command"][1]).resolve()]
+                while to_read:
+                    at = to_read.pop()
+                    used = {(at.parent / name).resolve() for name in self.IMPORTS.findall(at.read_text())}
+                    to_read += used - found
+                    found |= used
+                self.assertEqual({(file.parent / name).resolve() for name in of["files"]}, found)
 
     def test_every_engine_has_one(self):
         self.assertEqual({of["package"] for of in self.MANIFESTS.values()}, set(self.WANTED))

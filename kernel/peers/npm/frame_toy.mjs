@@ -31,7 +31,9 @@ async function make() {
       default: return SEPARATED;
     }
   };
-  return {'sphere-triangle': answer, 'moving-sphere': moving};
+  const boxes = (q) => verdictOf(q[q.length - 1] === 7);
+  return {'sphere-triangle': answer, 'moving-sphere': moving, 'box-triangle/centre': boxes, 'box-triangle/minmax': boxes,
+          'box-box/quaternion': boxes};
 }
 
 await serve(make);

@@ -4,7 +4,6 @@ is checked: exit code 77.
 
 upstream_test.py [unittest arguments]
 """
-import json
 import re
 import subprocess
 import unittest
@@ -18,8 +17,7 @@ PROGRAM = re.compile(r"\n```js\n(.*?)\n```\n\nIt prints\n\n```\n(.*?)\n```\n", r
 
 class Texts(unittest.TestCase):
     def test_each_fault_is_the_subject_of_one_text(self):
-        faults = [json.loads(line) for name in ("faults.jsonl", "faults_moving.jsonl")
-                  for line in (asking.FOLDER / name).read_text().splitlines()]
+        faults = asking.faults()
         subjects = [(test, text) for text in TEXTS.values()
                     for test in re.findall("`([a-z-]+)`", re.search(r"; tests? (.*)\.\n", text)[1])]
         self.assertEqual(sorted(test for test, _ in subjects), sorted(line["id"] for line in faults))

@@ -4,10 +4,10 @@
 //
 //   await serve(async () => ({'sphere-triangle': (q) => verdict}));
 //
-// `make` loads the engine and returns a function for each test that it answers, by the test's id. That function takes
+// `make` loads the engine and returns a function for each test that it answers, by its name in tests.mjs. That function takes
 // the numbers of one query, in the order of the test's columns, and returns a verdict; or, where the engine says more of
 // a contact, what `hit` makes of it, for streams that ask for measures. Queries that are none (a number that is not
-// finite, a negative length) are answered `invalid` and not handed on.
+// finite, a negative length, a quaternion 0) are answered `invalid` and not handed on.
 //
 // An exception declines the query: `undecided`, with a line on standard error. After a trap of WebAssembly the engine's
 // memory cannot be trusted, and after an abort it answers nothing: it is made anew.
@@ -93,14 +93,15 @@ function readHeader(answers) {
   const plan = Buffer.alloc(size - HEAD);
   if (readAll(plan) < plan.length) fail('the stream ends within its header');
 
-  let id = 'sphere-triangle', measures = 0;
+  let id = 'sphere-triangle', entry = '', measures = 0;
   if (version === 2) {
     try {
-      ({test: id, measures = 0} = JSON.parse(plan.toString('utf8')));
+      ({test: id, entry = '', measures = 0} = JSON.parse(plan.toString('utf8')));
     } catch {
       fail('the plan of a stream of version 2 is to be JSON with a member "test"');
     }
   }
+  if (`${id}/${entry}` in tests) id = `${id}/${entry}`;
   const ids = Object.keys(answers);
   if (!ids.includes(id)) fail(`the stream asks '${id}'; this program answers ${ids.join(', ')}`);
   const columns = tests[id].columns;
@@ -116,7 +117,7 @@ function readHeader(answers) {
 
 function isQuery(test, q) {
   for (let k = 0; k < q.length; ++k) if (!Number.isFinite(q[k])) return false;
-  return test.lengths.every((k) => q[k] >= 0);
+  return test.lengths.every((k) => q[k] >= 0) && !test.isNone?.(q);
 }
 
 // Traps are RuntimeErrors; emscripten's abort() throws one too, or a text.

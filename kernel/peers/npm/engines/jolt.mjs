@@ -6,8 +6,7 @@
 //   sweep            of the test moving-sphere: TransformedShape.CastShape with the mesh, back faces too
 //   sweep-one-sided  the same, back faces ignored, as by default
 import {hit, SEPARATED, serve, UNDECIDED, verdictOf} from './frame.mjs';
-import initialized from 'jolt-physics';
-
+import {loadedJolt} from './loaded/jolt.mjs';
 import {centre, form, mesh, motion, radius, unit, vertices} from './triangle.mjs';
 
 const asked = form({
@@ -20,17 +19,7 @@ const asked = form({
 });
 
 async function make() {
-  const Jolt = await initialized();
-  const world = new Jolt.JoltSettings();
-  world.mMaxWorkerThreads = 0;
-  // Layers of nothing: without a JoltInterface its allocator is not there, and the first shape traps.
-  const pairs = new Jolt.ObjectLayerPairFilterTable(1), phases = new Jolt.BroadPhaseLayerInterfaceTable(1, 1);
-  phases.MapObjectToBroadPhaseLayer(0, new Jolt.BroadPhaseLayer(0));
-  world.mObjectLayerPairFilter = pairs;
-  world.mBroadPhaseLayerInterface = phases;
-  world.mObjectVsBroadPhaseLayerFilter = new Jolt.ObjectVsBroadPhaseLayerFilterTable(phases, 1, pairs, 1);
-  const jolt = new Jolt.JoltInterface(world);
-
+  const {Jolt, created, meshOf} = await loadedJolt();
   const settings = new Jolt.CollideShapeSettings();
   settings.mMaxSeparationDistance = 0;
   const casting = new Jolt.ShapeCastSettings();
@@ -39,19 +28,8 @@ async function make() {
   const one = new Jolt.Vec3(1, 1, 1), zero = new Jolt.Vec3(0, 0, 0), noTurn = new Jolt.Quat(0, 0, 0, 1);
   const origin = new Jolt.RVec3(0, 0, 0), filter = new Jolt.ShapeFilter();
 
-  // The shape that the settings make, with a reference of its own, or null where Jolt refuses it.
-  function created(shapeSettings) {
-    const result = shapeSettings.Create();
-    const shape = result.HasError() ? null : result.Get();
-    if (shape) shape.AddRef();
-    result.Clear();
-    shapeSettings.Release();
-    return shape;
-  }
-
   function hullOf(q) {
     const of = new Jolt.ConvexHullShapeSettings();
-    of.AddRef();
     for (const v of vertices(q)) {
       const point = new Jolt.Vec3(v[0], v[1], v[2]);
       of.mPoints.push_back(point);
@@ -60,30 +38,16 @@ async function make() {
     return created(of);
   }
 
-  function meshOf(q) {
-    const list = new Jolt.TriangleList(), made = mesh(q, asked.two);
-    if (made) {
-      for (const corners of made.triangles) {
-        const points = corners.map((v) => new Jolt.Vec3(v[0], v[1], v[2]));
-        const triangle = new Jolt.Triangle(...points, 0);
-        list.push_back(triangle);
-        Jolt.destroy(triangle);
-        points.forEach((point) => Jolt.destroy(point));
-      }
-    }
-    const of = made && new Jolt.MeshShapeSettings(list);
-    if (of) of.AddRef();
-    const shape = of && created(of);
-    Jolt.destroy(list);
-    return shape;
+  function shapeOf(q) {
+    if (asked.hull) return hullOf(q);
+    const made = mesh(q, asked.two);
+    return made && meshOf(made.triangles);
   }
 
   // What `ask` says of the triangle's shape and the sphere; undecided where Jolt refuses one of them.
   function withShapes(q, ask) {
-    const sphereSettings = new Jolt.SphereShapeSettings(radius(q));
-    sphereSettings.AddRef();
-    const sphere = created(sphereSettings);
-    const shape = sphere && (asked.hull ? hullOf(q) : meshOf(q));
+    const sphere = created(new Jolt.SphereShapeSettings(radius(q)));
+    const shape = sphere && shapeOf(q);
     let verdict = UNDECIDED;
     if (shape) {
       const transformed = new Jolt.TransformedShape();

@@ -1,0 +1,30 @@
+// Havok: HP_World_ShapeProximityWithCollector of a box against a static body, distance 0.
+//   box   a box
+//   mesh  of the test box-triangle: HP_Shape_CreateMesh
+import {serve, UNDECIDED, verdictOf} from '../frame.mjs';
+import {loadedHavok, noTurn, origin} from '../loaded/havok.mjs';
+import {form} from '../triangle.mjs';
+import {quaternions, single} from './box.mjs';
+
+const isMesh = form({'box': false, 'mesh': true});
+
+async function make() {
+  const {hk, made, meshOf, withBody, isNear} = await loadedHavok();
+  const boxOf = (s) => made(hk.HP_Shape_CreateBox(origin, noTurn, [...s].map((x) => 2 * x)));  // it takes whole sizes
+
+  // What `ask` says of two shapes; undecided where Havok refuses one of them.
+  function withShapes(shapes, ask) {
+    const answer = shapes.includes(null) ? UNDECIDED : ask(...shapes);
+    for (const used of shapes) if (used !== null) hk.HP_Shape_Release(used);
+    return answer;
+  }
+
+  const turn = ({x, y, z, w}) => [x, y, z, w];
+  const boxBox = (a, b) => withShapes([boxOf(a.s), boxOf(b.s)], (first, second) => withBody(
+      second, () => verdictOf(isNear(first, a.m, turn(a.turn))), b.m, turn(b.turn)));
+  const boxTriangle = (q) => withShapes([boxOf(q.subarray(3, 6)), meshOf(single(q, 6))], (box, shape) => withBody(
+      shape, () => verdictOf(isNear(box, q.subarray(0, 3)))));
+  return isMesh ? {'box-triangle/centre': boxTriangle} : quaternions(boxBox);
+}
+
+await serve(make);
