@@ -22,8 +22,8 @@ bool is_ordinary_number(const Json& number, bool is_binary32, Role role) {
   const std::string text = number;
   const auto within = [role](auto x) {
     const double size = std::fabs(static_cast<double>(x));
-    return x == 0 || (std::isnormal(x) && size <= greatest_ordinary &&
-                      (role != Role::length || size >= least_ordinary_length));
+    return x == 0 ||
+           (std::isnormal(x) && size <= greatest_ordinary && (role != Role::length || size >= least_ordinary_length));
   };
   return is_binary32 ? within(parse_number<float>(text)) : within(parse_number<double>(text));
 }
@@ -38,23 +38,23 @@ const Json* verdict_flip(const Json& witness) {
 double depth_of(const Json& witness) { return witness["depth"].is_null() ? -1.0 : witness["depth"].get<double>(); }
 
 // Where a witness stands in the page: the lesser the earlier.
-using Place = std::tuple<int, bool, double>;
+using PagePlace = std::tuple<int, bool, double>;
 
-Place place_of(const Json& witness, const Json& plan, bool is_first_of_its_cause) {
+PagePlace page_place_of(const Json& witness, const Json& plan, bool is_first_of_its_cause) {
   const int part = is_first_of_its_cause ? 0 : verdict_flip(witness) != nullptr ? 1 : 2;
   return {part, !is_ordinary(witness, plan), -depth_of(witness)};
 }
 
 // One witness of each cause: an ordinary one where there is one, the deepest of these.
 std::set<const Json*> firsts_of_causes(const Json& record) {
-  std::map<std::string, std::pair<Place, const Json*>> first;
+  std::map<std::string, std::pair<PagePlace, const Json*>> first;
   for (const Json& witness : record["witnesses"]) {
     const Json* flip = verdict_flip(witness);
     if (flip == nullptr) continue;
-    const std::string cause = Json{witness["kernel"], witness["precision"], (*flip)["kind"], (*flip)["links"],
-                                   witness.value("class", "")}
-                                  .dump();
-    const Place place = place_of(witness, record["plan"], true);
+    const std::string cause =
+        Json{witness["kernel"], witness["precision"], (*flip)["kind"], (*flip)["links"], witness.value("class", "")}
+            .dump();
+    const PagePlace place = page_place_of(witness, record["plan"], true);
     const auto [found, is_new] = first.try_emplace(cause, place, &witness);
     if (!is_new && place < found->second.first) found->second = {place, &witness};
   }
@@ -108,8 +108,9 @@ std::vector<const Json*> shown_witnesses(const Json& record, std::size_t limit) 
     if (!taken.contains(&witness) && opens_a_place(witness)) take(&witness);
   }
   for (const Json* witness : worst_witnesses(record, limit)) take(witness);
-  std::vector<std::pair<Place, const Json*>> placed;
-  for (const Json* witness : chosen) placed.emplace_back(place_of(*witness, plan, firsts.contains(witness)), witness);
+  std::vector<std::pair<PagePlace, const Json*>> placed;
+  for (const Json* witness : chosen)
+    placed.emplace_back(page_place_of(*witness, plan, firsts.contains(witness)), witness);
   std::stable_sort(placed.begin(), placed.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
   std::transform(placed.begin(), placed.end(), chosen.begin(), [](const auto& one) { return one.second; });
   return chosen;

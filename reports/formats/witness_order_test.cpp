@@ -40,7 +40,8 @@ TEST(WitnessOrder, BeginsWithOneOfEachCause) {
 
 TEST(WitnessOrder, BeginsWithOneOfEachClassOfInput) {
   const Json unknown = Json::array({"unattributed"});
-  Json sliver = wrong("sliver", 0.1, unknown), deep = wrong("deep", 0.9, unknown), second = wrong("second", 0.8, unknown);
+  Json sliver = wrong("sliver", 0.1, unknown), deep = wrong("deep", 0.9, unknown),
+       second = wrong("second", 0.8, unknown);
   sliver["class"] = "sliver";
   deep["class"] = second["class"] = "scale";
   EXPECT_EQ(ids_of({deep, second, sliver}), (Ids{"deep", "sliver", "second"}));
@@ -49,13 +50,16 @@ TEST(WitnessOrder, BeginsWithOneOfEachClassOfInput) {
 TEST(WitnessOrder, PutsOrdinaryQueriesBeforeDeeperExoticOnes) {
   const Json range = Json::array({"range"}), rounding = Json::array({"rounding"});
   // Of one cause the ordinary one is shown first; a cause that has exotic ones only comes after those that have others.
-  EXPECT_EQ(ids_of({wrong("huge", 1, range, "0x1p+60"), wrong("plain", 0.1, range), wrong("tiny", 1, rounding, "0x1p-60")}),
-            (Ids{"plain", "tiny", "huge"}));
+  EXPECT_EQ(
+      ids_of({wrong("huge", 1, range, "0x1p+60"), wrong("plain", 0.1, range), wrong("tiny", 1, rounding, "0x1p-60")}),
+      (Ids{"plain", "tiny", "huge"}));
 }
 
 TEST(WitnessOrder, KeepsTheCausesWhereThereIsRoomForFew) {
   const Json rounding = Json::array({"rounding"}), range = Json::array({"range"});
-  EXPECT_EQ(ids_of({wrong("r1", 0.9, rounding), wrong("r2", 0.8, rounding), wrong("r3", 0.7, rounding), wrong("g", 0.1, range)}, 2),
+  EXPECT_EQ(ids_of({wrong("r1", 0.9, rounding), wrong("r2", 0.8, rounding), wrong("r3", 0.7, rounding),
+                    wrong("g", 0.1, range)},
+                   2),
             (Ids{"r1", "g"}));
   EXPECT_TRUE(ids_of({wrong("r1", 0.9, rounding)}, 0).empty());
 }
