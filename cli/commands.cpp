@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -10,13 +11,21 @@
 #include "exact/judge/truth.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/supervisor.h"
+#include "reports/instrument/data.h"
 
 namespace axiscert {
 
-CLI::Option* add_format(CLI::App& command, std::string& format, const std::string& machine_format) {
-  return command.add_option("--format", format, "text, or " + machine_format + " for programs")
-      ->check(one_of({"text", machine_format}))
+CLI::Option* add_format(CLI::App& command, std::string& format, const std::vector<std::string>& machine_formats) {
+  std::vector<std::string> words = {"text"};
+  words.insert(words.end(), machine_formats.begin(), machine_formats.end());
+  return command
+      .add_option("--format", format, fmt::format("text, or {} for programs", fmt::join(machine_formats, " or ")))
+      ->check(one_of(words))
       ->capture_default_str();
+}
+
+std::string data_text(const Json& data, const std::string& format) {
+  return format == "csv" ? csv_of(data) : data.dump(2) + "\n";
 }
 
 int tell(const std::exception_ptr& thrown) {

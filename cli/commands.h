@@ -6,6 +6,9 @@
 #include <exception>
 #include <functional>
 #include <string>
+#include <vector>
+
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 
@@ -54,8 +57,12 @@ int tell(const std::exception_ptr& thrown);
 // Creates the folder of `--out` where it does not exist yet. Throws Error.
 void make_folder(const std::string& path);
 
-// Adds the `--format` option of the commands that also write for programs.
-CLI::Option* add_format(CLI::App& command, std::string& format, const std::string& machine_format);
+// Adds the `--format` option of the commands that also write for programs: text, or one of `machine_formats`.
+CLI::Option* add_format(CLI::App& command, std::string& format, const std::vector<std::string>& machine_formats);
+// Those of the instruments and lists, whose data docs/data.md describes.
+inline const std::vector<std::string> data_formats = {"json", "csv"};
+// The data in one of these formats, as it is printed.
+std::string data_text(const Json& data, const std::string& format);
 // Adds the `--plugin-seconds` option of the commands that run kernels.
 void add_plugin_seconds(CLI::App& command);
 

@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <string>
 #include <vector>
 
 #include "cli/commands.h"
 #include "cli/usage.h"
 #include "fuzz/files/query_file.h"
+#include "kernel/base/version.h"
 
 int main(int argc, char** argv) {
   using namespace axiscert;
@@ -16,9 +18,9 @@ int main(int argc, char** argv) {
     setrlimit(RLIMIT_NOFILE, &files);
   }
   CLI::App app{
-      "Runs sphere-triangle kernels together with exact arithmetic and reports where, how far and how often they are "
-      "wrong. `axiscert explain WORD` says what a word of its output means."};
-  app.set_version_flag("--version", "axiscert " AXISCERT_VERSION);
+      "Runs collision tests beside exact arithmetic and reports where, how far, how often and why they are wrong. "
+      "`axiscert explain WORD` says what a word of its output means."};
+  app.set_version_flag("--version", std::string("axiscert ") + axiscert_version);
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done; 1 a requirement failed; 2 bad usage or input, or a target this machine lacks;\n"

@@ -1,6 +1,10 @@
 # The places of everything but the library under `cmake --install build/release --prefix P`. The command finds its host and plug-ins
-# relative to itself: P can be moved.
-install(TARGETS axiscert EXPORT axiscertTargets RUNTIME DESTINATION bin)
+# relative to itself: P can be moved. The component `command` is in its Debian package too, `command_here` is not, and
+# `command_debian` is there in its stead (Packages.cmake).
+set(here COMPONENT command_here)
+set(debian COMPONENT command_debian EXCLUDE_FROM_ALL)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME command)
+
 if(TARGET axiscert_plugin_host)
   install(TARGETS axiscert_plugin_host RUNTIME DESTINATION libexec/axiscert)
 endif()
@@ -36,18 +40,37 @@ endforeach()
 # The corpus, which `run --corpus` replays.
 install(DIRECTORY fuzz/corpus DESTINATION share/axiscert FILES_MATCHING PATTERN "*.jsonl")
 
-install(FILES ${PROJECT_BINARY_DIR}/axiscert.1 DESTINATION share/man/man1)
+# What describes the data that commands print, for other programs.
+file(GLOB schemas CONFIGURE_DEPENDS reports/schemas/*.schema.json)
+install(FILES ${schemas} DESTINATION share/axiscert/schemas)
+
+install(FILES ${PROJECT_BINARY_DIR}/axiscert.1 DESTINATION share/man/man1 ${here})
+install(FILES ${PROJECT_BINARY_DIR}/debian/axiscert.1.gz DESTINATION share/man/man1 ${debian})
 install(DIRECTORY ${PROJECT_BINARY_DIR}/completion/share DESTINATION .)
 
-# For plug-ins: one header, and find_package(axiscert).
+# For plug-ins: headers, and find_package(axiscert). libaxiscert-dev has plugin.h, and the package file that finds the rest.
 add_library(axiscert_plugin INTERFACE)
 target_include_directories(axiscert_plugin INTERFACE $<INSTALL_INTERFACE:include>)
 set_target_properties(axiscert_plugin PROPERTIES EXPORT_NAME plugin)
-install(TARGETS axiscert_plugin EXPORT axiscertTargets)
-install(FILES kernel/include/axiscert/plugin.h DESTINATION include/axiscert)
-
-install(EXPORT axiscertTargets NAMESPACE axiscert:: DESTINATION ${package_folder})
+set(formulae kernel/include/axiscert/formulae.hpp kernel/include/axiscert/exact_number.hpp)
+install(FILES kernel/include/axiscert/plugin.h DESTINATION include/axiscert ${here})
+install(FILES ${formulae} DESTINATION include/axiscert)
+foreach(place here debian)
+  set(folder ${package_folder})
+  if(place STREQUAL debian)
+    set(folder lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/axiscert)
+  endif()
+  install(TARGETS axiscert axiscert_plugin EXPORT axiscert_${place}Targets RUNTIME DESTINATION bin ${${place}})
+  install(EXPORT axiscert_${place}Targets FILE axiscertTargets.cmake NAMESPACE axiscert:: DESTINATION ${folder} ${${place}})
+  install(FILES cmake/axiscertAddPlugin.cmake DESTINATION ${folder} ${${place}})
+endforeach()
 install(FILES ${PROJECT_BINARY_DIR}/axiscertConfig.cmake ${PROJECT_BINARY_DIR}/axiscertConfigVersion.cmake
-              cmake/axiscertAddPlugin.cmake
-        DESTINATION ${package_folder})
-install(FILES README.md LICENSE NOTICE CHANGELOG.md DESTINATION share/doc/axiscert)
+        DESTINATION ${package_folder} ${here})
+
+# The documents, where the links of README.md lead. Debian has its own place for the license and what changed.
+install(FILES README.md NOTICE CITATION.cff DESTINATION share/doc/axiscert)
+install(FILES LICENSE CHANGELOG.md DESTINATION share/doc/axiscert ${here})
+install(DIRECTORY docs DESTINATION share/doc/axiscert FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN docs/checks EXCLUDE)
+install(DIRECTORY examples/plugin examples/certified examples/plots examples/pipe examples/queries
+        DESTINATION share/doc/axiscert/examples)
+install(FILES cmake/debian/copyright ${PROJECT_BINARY_DIR}/debian/changelog.gz DESTINATION share/doc/axiscert ${debian})

@@ -32,8 +32,8 @@ endfunction()
 axiscert_install_library(library lib library)
 install(FILES LICENSE NOTICE docs/certified.md DESTINATION share/doc/libaxiscert COMPONENT library)
 
-# `cpack -G DEB` in the build folder, as Debian divides a library: `runtime` is libaxiscert0, what a program needs that was
-# linked with it, its dependencies as dpkg-shlibdeps finds them; `development` is libaxiscert-dev.
+# For the Debian packages (Packages.cmake): `runtime` is libaxiscert0, what a program needs that was linked with it;
+# `development` is libaxiscert-dev.
 axiscert_install_library(development lib/${CMAKE_LIBRARY_ARCHITECTURE} runtime EXCLUDE_FROM_ALL)
 
 # Files that Debian requires of every package: who may copy it, and what changed.
@@ -48,30 +48,3 @@ foreach(package runtime:libaxiscert0 development:libaxiscert-dev)
   install(FILES ${PROJECT_BINARY_DIR}/debian/changelog.gz DESTINATION share/doc/${package} COMPONENT ${component} EXCLUDE_FROM_ALL)
 endforeach()
 install(FILES docs/certified.md DESTINATION share/doc/libaxiscert-dev COMPONENT development EXCLUDE_FROM_ALL)
-
-set(CPACK_PACKAGE_NAME axiscert)
-set(CPACK_PACKAGE_VENDOR axiscert)
-set(CPACK_PACKAGE_CONTACT "the authors of axiscert <axiscert@example.org>")
-set(CPACK_COMPONENTS_ALL runtime development)
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_STRIP_FILES ON)
-set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
-                                                WORLD_EXECUTE)
-set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "exact test of a sphere against a triangle, in SIMD")
-set(how "For every finite input in binary32 and binary64 the answer is that of exact\narithmetic on the numbers as given.")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libaxiscert0)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_MULTIARCH same)
-configure_file(cmake/debian/shlibs.in ${PROJECT_BINARY_DIR}/debian/shlibs @ONLY)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/triggers
-                                               ${PROJECT_BINARY_DIR}/debian/shlibs)
-set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "${how}")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libaxiscert-dev)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libaxiscert0 (= ${PROJECT_VERSION})")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_MULTIARCH same)
-set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "${how}\nThis package has what building against it takes, for C and C++.")
-include(CPack)

@@ -96,7 +96,7 @@ void add_check(CLI::App& app, Action& action) {
   command->add_flag("--errors", options->errors, "also print the errors of the computed sides, in u, exactly");
   add_plugin_seconds(*command);
   add_progress(*command);
-  add_format(*command, options->format, "jsonl");
+  add_format(*command, options->format, {"jsonl"});
   command->callback([&action, options] { action = [options] { return check(*options); }; });
 }
 

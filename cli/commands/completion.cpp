@@ -8,6 +8,7 @@
 #include "fuzz/queries/family.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
+#include "kernel/base/version.h"
 
 namespace axiscert {
 namespace {
@@ -150,7 +151,7 @@ _axiscert() {{
 }}
 complete -F _axiscert axiscert
 )sh",
-                     AXISCERT_VERSION, cases);
+                     axiscert_version, cases);
 }
 
 // A description in zsh's `name[description]:value:(values)`: brackets and colons end its parts.
@@ -200,7 +201,7 @@ std::string zsh_script(const std::vector<CommandWords>& commands) {
   return fmt::format(
       "#compdef axiscert\n# zsh completion for axiscert {}, from `axiscert completion zsh`; it belongs into a file "
       "_axiscert in $fpath.\n{}compdef _axiscert axiscert\n",
-      AXISCERT_VERSION, functions);
+      axiscert_version, functions);
 }
 
 std::string fish_script(const std::vector<CommandWords>& commands) {
@@ -231,7 +232,7 @@ std::string fish_script(const std::vector<CommandWords>& commands) {
       lines += fmt::format("{} -d {}\n", line, shell_quoted(option.description));
     }
   }
-  return fmt::format("# fish completion for axiscert {}, from `axiscert completion fish`.\n{}", AXISCERT_VERSION,
+  return fmt::format("# fish completion for axiscert {}, from `axiscert completion fish`.\n{}", axiscert_version,
                      lines);
 }
 

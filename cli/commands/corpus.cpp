@@ -88,7 +88,7 @@ void add_corpus(CLI::App& app, Action& action) {
   };
   auto* listing = command->add_subcommand("list", "Every entry: name, exact verdict, where it came from");
   add_folder(*listing);
-  add_format(*listing, options->format, "jsonl");
+  add_format(*listing, options->format, {"jsonl"});
   listing->callback([&action, options] { action = [options] { return list(*options); }; });
 
   auto* adding = command->add_subcommand(

@@ -4,6 +4,7 @@
 #include "cli/options/test_options.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/confirm/record.h"
+#include "reports/instrument/data.h"
 
 namespace axiscert {
 namespace {
@@ -23,7 +24,7 @@ int list_families(const std::string& format, const TestDescription& test) {
                    {"exact_arithmetic", family->exact_arithmetic},
                    {"cost", family->cost}});
   }
-  if (format == "json") fmt::print("{}\n", all.dump(2));
+  if (format != "text") fmt::print("{}", data_text(headed("axiscert-families/1", {{"families", all}}), format));
   return exit_done;
 }
 
@@ -32,7 +33,7 @@ int list_families(const std::string& format, const TestDescription& test) {
 void add_families(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("families", "List the families of queries and the purpose of each");
   auto format = std::make_shared<std::string>("text");
-  add_format(*command, *format, "json");
+  add_format(*command, *format, data_formats);
   auto test = std::make_shared<std::string>();
   add_test_option(*command, *test, "test whose families are listed (default: sphere-triangle)");
   command->callback(

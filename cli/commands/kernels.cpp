@@ -8,6 +8,7 @@
 #include "kernel/test.h"
 #include "fuzz/confirm/motion_record.h"
 #include "fuzz/confirm/record.h"
+#include "reports/instrument/data.h"
 
 namespace axiscert {
 namespace {
@@ -160,7 +161,7 @@ int list_kernels(const std::string& format, const std::vector<std::string>& ids,
   }
   Json all = Json::array();
   for (const Kernel* kernel : listed) all.push_back(kernel_json(*kernel));
-  fmt::print("{}\n", all.dump(2));
+  fmt::print("{}", data_text(headed("axiscert-kernels/1", {{"kernels", all}}), format));
   return exit_done;
 }
 
@@ -170,7 +171,7 @@ void add_kernels(CLI::App& app, Action& action) {
   auto* command =
       app.add_subcommand("kernels", "List the kernels, their precisions, instruction sets and what they expose");
   auto format = std::make_shared<std::string>("text");
-  add_format(*command, *format, "json");
+  add_format(*command, *format, data_formats);
   auto ids = std::make_shared<std::vector<std::string>>();
   command->add_option("--kernel", *ids, "list this kernel alone, with its test and where its source is; repeatable")
       ->allow_extra_args(false);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "kernel/base/version.h"
 
 namespace axiscert {
 namespace {
@@ -61,7 +62,7 @@ std::string manual_page(const CLI::App& app) {
       ".TH AXISCERT 1 \"\" \"axiscert {0}\"\n.SH NAME\naxiscert \\- certifies floating\\-point sphere\\-triangle "
       "kernels\n"
       ".SH SYNOPSIS\n.B axiscert\n.I COMMAND\n.RI [ OPTIONS ]\n.SH DESCRIPTION\n{1}\n.SH OPTIONS\n{2}.SH COMMANDS\n",
-      AXISCERT_VERSION, roff(app.get_description()), options_of(app));
+      axiscert_version, roff(app.get_description()), options_of(app));
   for (const CLI::App* command : app.get_subcommands({})) {
     if (!command->get_group().empty()) text += command_section(*command, command->get_name());
   }

@@ -139,7 +139,7 @@ int draw(const MapOptions& options) {
   const Json map = map_json(options.name, plan, pictures, command_of(options, plan));
   const auto index = std::filesystem::path(folder) / map_index_file;
   write_files(folder, map_files(map, plan, pictures, std::filesystem::exists(index) ? read_bytes(index.string()) : ""));
-  fmt::print("{}", options.format == "json" ? map.dump(1) + "\n" : map_text(map));
+  fmt::print("{}", options.format == "text" ? map_text(map) : data_text(index_of({map}), options.format));
   if (options.format == "text") fmt::print("{} pictures and {} in {}\n", pictures.size(), map_index_file, folder);
   return exit_done;
 }
@@ -179,7 +179,7 @@ void add_map(CLI::App& app, Action& action) {
   add_address_files(*command, o.files);
   add_plugin_seconds(*command);
   add_progress(*command);
-  add_format(*command, o.format, "json");
+  add_format(*command, o.format, data_formats);
   command->add_option("--out", o.out, "folder in which maps/ is written")->capture_default_str();
   command->callback([&action, options] { action = [options] { return draw(*options); }; });
 }

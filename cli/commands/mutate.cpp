@@ -93,9 +93,10 @@ std::string command_of(const MutateOptions& options, const MutationPlan& plan) {
 // Prints and writes the report, and throws where the harness contradicts itself.
 int put_score(const MutateOptions& options, const std::optional<OutputFolder>& folder, const InstrumentReport& shown,
               const InstrumentReport& whole, bool complete, const std::vector<std::string>& faults) {
-  fmt::print("{}", options.format == "json" ? shown.data.dump(2) + "\n" : instrument_text(shown));
+  fmt::print("{}", options.format == "text" ? instrument_text(shown) : data_text(shown.data, options.format));
   if (folder) {
     folder->write(whole.name + ".json", whole.data);
+    folder->write_text(whole.name + ".csv", data_text(whole.data, "csv"));
     folder->write_text(whole.name + ".md", instrument_markdown(whole));
     folder->write_text(whole.name + ".html", instrument_page(whole));
   }
@@ -209,10 +210,9 @@ void add_mutate(CLI::App& app, Action& action) {
   command->add_flag("--no-controls", o.no_controls, "leave out the controls, which are correct kernels");
   add_thread_option(*command, o.threads);
   add_progress(*command);
-  add_format(*command, o.format, "json");
-  command->add_option(
-      "--out", o.out,
-      "folder for mutation.json, mutation.md and mutation.html (with --verdict-only mutation-by-verdict.*)");
+  add_format(*command, o.format, data_formats);
+  command->add_option("--out", o.out,
+                      "folder for mutation.json, .csv, .md and .html (with --verdict-only mutation-by-verdict.*)");
   command->callback([&action, options] { action = [options] { return mutate(*options); }; });
 }
 

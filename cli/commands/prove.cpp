@@ -16,6 +16,7 @@
 #include "kernel/base/error.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
+#include "reports/instrument/data.h"
 
 namespace axiscert {
 namespace {
@@ -103,10 +104,11 @@ Json data_of(const std::vector<Entry>& entries, const std::optional<std::string>
                       {"status", entry.status},
                       {"file", "proofs/" + script_path(entry.setting, entry.which)}});
   }
-  return {{"schema", "axiscert-proofs/1"},
-          {"checkers",
-           {{"gappa", gappa ? Json(*gappa) : Json("NOT CHECKED")}, {"coq", coq ? Json(*coq) : Json("NOT CHECKED")}}},
-          {"bounds", bounds}};
+  return headed(
+      "axiscert-proofs/1",
+      {{"checkers",
+        {{"gappa", gappa ? Json(*gappa) : Json("NOT CHECKED")}, {"coq", coq ? Json(*coq) : Json("NOT CHECKED")}}},
+       {"bounds", bounds}});
 }
 
 void print_text(const Json& data) {
@@ -137,8 +139,8 @@ int prove(const ProveOptions& options) {
   }
   const Json data = data_of(entries, gappa, coq);
   if (folder) folder->write_text("proofs.json", data.dump(2) + "\n");
-  if (options.format == "json") std::cout << data.dump(2) << "\n";
-  else print_text(data);
+  if (options.format == "text") print_text(data);
+  else std::cout << data_text(data, options.format);
   const bool refused =
       std::any_of(entries.begin(), entries.end(), [](const Entry& e) { return e.status == "refused"; });
   return refused ? exit_requirement_failed : exit_done;
@@ -155,7 +157,7 @@ void add_prove(CLI::App& app, Action& action) {
   command->add_option("--proofs", o.proofs, "folder with coq/Ranges.v")->capture_default_str();
   command->add_flag("--without-coq", o.without_coq, "Gappa alone, which takes a minute less; nothing counts as proved");
   add_progress(*command);
-  add_format(*command, o.format, "json");
+  add_format(*command, o.format, data_formats);
   command->add_option("--out", o.out, "folder for proofs.json");
   command->callback([&action, options] { action = [options] { return prove(*options); }; });
 }

@@ -180,8 +180,8 @@ void add_search(CLI::App& app, Action& action) {
   add_thread_option(*command, o.threads);
   add_plugin_seconds(*command);
   add_progress(*command);
-  add_format(*command, o.format, "json");
-  command->add_option("--out", o.out, "folder for search.json, search.html, witnesses.jsonl and the state");
+  add_format(*command, o.format, data_formats);
+  command->add_option("--out", o.out, "folder for search.json, search.csv, search.html, witnesses.jsonl and the state");
   command->callback([&action, options] { action = [options] { return search(*options); }; });
 }
 

@@ -290,7 +290,7 @@ void add_shrink(CLI::App& app, Action& action) {
   add_address_files(*command, options->files);
   add_plugin_seconds(*command);
   add_progress(*command);
-  add_format(*command, options->format, "jsonl");
+  add_format(*command, options->format, {"jsonl"});
   command->callback([&action, options] { action = [options] { return shrink_all(*options); }; });
 }
 

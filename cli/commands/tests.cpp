@@ -7,6 +7,7 @@
 #include "fuzz/queries/family.h"
 #include "kernel/kernel.h"
 #include "kernel/test.h"
+#include "reports/instrument/data.h"
 
 namespace axiscert {
 namespace {
@@ -110,7 +111,7 @@ int list_tests(const std::string& format) {
   }
   Json all = Json::array();
   for (const TestDescription* test : tests()) all.push_back(test_json(*test));
-  fmt::print("{}\n", all.dump(2));
+  fmt::print("{}", data_text(headed("axiscert-tests/1", {{"tests", all}}), format));
   return exit_done;
 }
 
@@ -119,7 +120,7 @@ int list_tests(const std::string& format) {
 void add_tests(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("tests", "List the tests: columns, comparisons, clauses, measures");
   auto format = std::make_shared<std::string>("text");
-  add_format(*command, *format, "json");
+  add_format(*command, *format, data_formats);
   command->callback([&action, format] { action = [format] { return list_tests(*format); }; });
 }
 

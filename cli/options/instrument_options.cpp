@@ -45,8 +45,8 @@ void add_instrument_options(CLI::App& command, InstrumentOptions& o, std::uint64
   add_thread_option(command, o.threads);
   add_plugin_seconds(command);
   add_progress(command);
-  add_format(command, o.format, "json");
-  command.add_option("--out", o.out, "folder for the figures as JSON and as a page");
+  add_format(command, o.format, data_formats);
+  command.add_option("--out", o.out, "folder for the figures as JSON, as CSV and as a page");
 }
 
 std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, std::vector<std::string> defaults,
@@ -95,11 +95,12 @@ std::string instrument_command(const std::string& name, const InstrumentOptions&
 }
 
 int put_instrument(const InstrumentReport& report, const InstrumentOptions& options) {
-  fmt::print("{}", options.format == "json" ? report.data.dump(2) + "\n" : instrument_text(report));
+  fmt::print("{}", options.format == "text" ? instrument_text(report) : data_text(report.data, options.format));
   if (options.out.empty()) return exit_done;
   make_folder(options.out);
   const std::filesystem::path folder = options.out;
-  write_file(folder / (report.name + ".json"), report.data.dump(2) + "\n");
+  write_file(folder / (report.name + ".json"), data_text(report.data, "json"));
+  write_file(folder / (report.name + ".csv"), data_text(report.data, "csv"));
   write_file(folder / (report.name + ".html"), instrument_page(report));
   if (options.format == "text") fmt::print("{}\n", (folder / (report.name + ".html")).string());
   return exit_done;

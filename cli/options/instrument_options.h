@@ -16,8 +16,8 @@ struct InstrumentOptions {
   int threads = 0;  // 0: all cores
 };
 
-// Adds --kernel, --family, --trials, --seed, --precision, --threads, --progress, --format text|json and --out; `trials`
-// is the default.
+// Adds --kernel, --family, --trials, --seed, --precision, --threads, --progress, --format text|json|csv and --out;
+// `trials` is the default.
 void add_instrument_options(CLI::App& command, InstrumentOptions& options, std::uint64_t trials);
 
 // Whether an instrument uses only verdicts, or examines formulae, which only a built-in kernel is known to evaluate.
@@ -33,7 +33,8 @@ std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std:
 // The command line that produces the report again: "axiscert NAME --kernel ...".
 std::string instrument_command(const std::string& name, const InstrumentOptions& options);
 
-// Prints the report in the given format and, where --out names a folder, writes NAME.json and NAME.html there.
+// Prints the report in the given format and, where --out names a folder, writes NAME.json, NAME.csv and NAME.html
+// there.
 int put_instrument(const InstrumentReport& report, const InstrumentOptions& options);
 
 }  // namespace axiscert

@@ -62,7 +62,9 @@ class Examples(unittest.TestCase):
     def test_installed_is_what_a_user_needs(self):
         for file in ("bin/axiscert", "libexec/axiscert/axiscert-plugin-host", "include/axiscert/plugin.h",
                      "lib/cmake/axiscert/axiscertConfig.cmake", "lib/cmake/axiscert/axiscertConfigVersion.cmake",
-                     "lib/axiscert/faults/none.so", "share/doc/axiscert/README.md", "share/doc/axiscert/LICENSE",
+                     "include/axiscert/formulae.hpp", "include/axiscert/exact_number.hpp", "share/axiscert/schemas/ladder.schema.json",
+                     "share/doc/axiscert/docs/start/c-kernel.md", "share/doc/axiscert/docs/plots/front-door.svg",
+                     "share/doc/axiscert/examples/plugin/c/my_kernel.c", "lib/axiscert/faults/none.so", "share/doc/axiscert/README.md", "share/doc/axiscert/LICENSE",
                      "share/doc/axiscert/NOTICE"):
             self.assertTrue((self.prefix / file).is_file(), file)
         self.assertEqual((self.prefix / "include/axiscert/plugin.h").read_text(), (ROOT / "kernel/include/axiscert/plugin.h").read_text())
@@ -119,6 +121,71 @@ class Examples(unittest.TestCase):
         self.assertEqual(record["findings"], [])
         self.assertEqual({kernel["precision"] for kernel in record["kernels"]}, {"binary32"})
         self.assertIsNone(family(record, "lattice", kernel=own)["comparisons"], "it shows verdicts only")
+
+    def formulae(self, **changes):
+        """The two plug-ins of examples/plugin/formulae, in floats and in exact arithmetic, with these changes to its source."""
+        source = Path(tempfile.mkdtemp(dir=self.folder)) / "formulae"
+        shutil.copytree(EXAMPLES / "formulae", source)
+        text = (source / "my_formulae.cpp").read_text()
+        for old, new in changes.get("changes", ()):
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        (source / "my_formulae.cpp").write_text(text)
+        build = source / "build"
+        done("cmake", "-S", source, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        done("cmake", "--build", build)
+        return [f"plugin:{build / name}.so" for name in ("my_formulae", "my_formulae-exact")]
+
+    def wrong(self, record, kernel, names):
+        """(missed, phantom) contacts of a kernel in binary32, by family."""
+        verdicts = {name: family(record, name, "binary32", kernel)["verdict"] for name in names}
+        return {name: {kind: verdict[kind] for kind in ("false_separation", "false_contact")} for name, verdict in verdicts.items()}
+
+    FORMULAE_FAMILIES = ("tangent", "lattice", "repeated", "scale")
+
+    def formulae_judged(self, kernels):
+        out = Path(tempfile.mkdtemp(dir=self.folder))
+        options = [part for name in self.FORMULAE_FAMILIES for part in ("--family", name)]
+        self.installed("run", *(f"--kernel={kernel}" for kernel in kernels), *options, "--trials", 1000, "--out", out)
+        record = json.loads((out / "record.json").read_text())
+        self.assertEqual(record["findings"], [])
+        self.assertEqual(len(record["kernels"]), 2 * len(kernels))
+        return record
+
+    def test_formulae_of_ones_own_are_judged_in_exact_arithmetic(self):
+        rounded, exact = self.formulae()
+        record = self.formulae_judged([rounded, exact])
+        # `precision` evaluates the built-in formulae of the same test exactly, by other code.
+        options = [part for name in self.FORMULAE_FAMILIES for part in ("--family", name)]
+        known = json.loads(self.installed("precision", "--kernel", "published", *options, "--trials", 1000, "--bits", 24, "--format", "json"))
+        mine = self.wrong(record, exact, self.FORMULAE_FAMILIES)
+        self.assertEqual(mine, {name: known["families"][name]["kernels"]["published"]["exact"] for name in self.FORMULAE_FAMILIES})
+        self.assertGreater(mine["repeated"]["false_contact"], 100, "its comparisons are strict")
+        self.assertEqual(mine["scale"], {"false_separation": 0, "false_contact": 0})
+        self.assertGreater(self.wrong(record, rounded, ["scale"])["scale"]["false_contact"], 0, "it over- and underflows")
+
+    def test_formulae_that_are_right_are_right_in_exact_arithmetic_alone(self):
+        rounded, exact = self.formulae(changes=(("dot(a, b) > aa && dot(a, c) > aa", "dot(a, b) >= aa && dot(a, c) >= aa"),
+                                                ("nearest) > T(0)", "nearest) >= T(0)")))
+        record = self.formulae_judged([rounded, exact])
+        nothing = {"false_separation": 0, "false_contact": 0}
+        self.assertEqual(self.wrong(record, exact, self.FORMULAE_FAMILIES), dict.fromkeys(self.FORMULAE_FAMILIES, nothing))
+        self.assertNotEqual(self.wrong(record, rounded, ["tangent"])["tangent"], nothing, "it rounds")
+
+    def test_a_division_by_zero_is_undecided_in_exact_arithmetic(self):
+        _, exact = self.formulae(changes=(("if (d * d > dot(normal, normal) * rr) return true;", "if (d * d / dot(normal, normal) > rr) return true;"),))
+        record = self.formulae_judged([exact, "published"])
+        self.assertGreater(family(record, "repeated", "binary32", exact)["verdict"]["undecided"], 100)
+
+    def test_without_cmake_two_lines_build_them(self):
+        source, include = EXAMPLES / "formulae" / "my_formulae.cpp", f"-I{self.prefix / 'include'}"
+        warnings = ["-std=c++17", "-pedantic-errors", "-Wall", "-Wextra", "-Werror"]
+        done("c++", *warnings, "-O2", "-ffp-contract=off", "-shared", "-fPIC", include, source, "-o", self.folder / "mine.so")
+        done("c++", *warnings, "-O2", "-shared", "-fPIC", "-DAXISCERT_FORMULAE_EXACT", include, source, "-o", self.folder / "mine-exact.so", "-lgmp")
+        for name in ("mine", "mine-exact"):
+            listed = self.installed("kernels", "--kernel", f"plugin:{self.folder / name}.so")
+            self.assertIn("binary32 binary64", listed)
+            self.assertEqual("in exact arithmetic" in listed, name == "mine-exact")
 
     @unittest.skipUnless("certified" in EXAMPLE_KERNELS, "the library is sanitized")
     def test_the_library_is_exact_as_a_plugin_too(self):

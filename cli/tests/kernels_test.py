@@ -13,7 +13,7 @@ class Kernels(Case):
         """The built-in kernels; the plug-ins supplied with axiscert have a '/' in their ids."""
         done = axiscert("kernels", "--format", "json")
         self.assertEqual(done.returncode, 0, done.stderr)
-        return [kernel for kernel in json.loads(done.stdout) if "/" not in kernel["id"]]
+        return [kernel for kernel in json.loads(done.stdout)["kernels"] if "/" not in kernel["id"]]
 
     def test_every_kernel_and_every_arithmetic_is_listed_once(self):
         listed = self.listed()
@@ -25,7 +25,7 @@ class Kernels(Case):
             self.assertIn([c["arithmetic"] for c in kernel["arithmetics"]], [arithmetics, []], kernel["id"])
         refused = axiscert("check", "-", "--kernel", "nosuch").stderr.strip()
         others = [kernel["id"] for test in ("moving-sphere", "box-box", "box-triangle")
-                  for kernel in json.loads(axiscert("kernels", "--test", test, "--format", "json").stdout)]
+                  for kernel in json.loads(axiscert("kernels", "--test", test, "--format", "json").stdout)["kernels"]]
         built_in = [kernel["id"] for kernel in listed] + [id for id in others if "/peer/" not in id]
         self.assertEqual(sorted(refused.split("; kernels: ")[1].split(", ")), sorted(built_in))
         refused = axiscert("check", "-", "--kernel", "published+nosuch").stderr.strip()

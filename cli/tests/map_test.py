@@ -17,7 +17,8 @@ class Map(Case):
     def map(self, *args, query=TOUCHING):
         done = axiscert("map", "-", *args, "--out", self.folder, "--format", "json", stdin=json.dumps(query))
         self.assertEqual(done.returncode, 0, done.stderr)
-        return json.loads(done.stdout)
+        (found,) = json.loads(done.stdout)["maps"]
+        return found
 
     def index(self):
         index = json.loads((self.folder / "maps/index.json").read_text())

@@ -133,7 +133,7 @@ class MovingSphere(Case):
         done = axiscert("map", "-", "--along", "d.x", "--size", "8", "--what", "verdict", "--what", "start.plane.radius",
                         "--format", "json", "--out", self.folder / "maps", stdin=PHANTOM)
         self.assertEqual(done.returncode, 0, done.stderr)
-        found = json.loads(done.stdout)
+        (found,) = json.loads(done.stdout)["maps"]
         self.assertEqual(found["kernel"], "moving-sphere/twenty")
         self.assertEqual([picture["name"] for picture in found["pictures"]], ["verdict", "start.plane.radius"])
         self.assertEqual(found["pictures"][0]["counts"]["missed_separation"], 64)

@@ -181,7 +181,7 @@ class Plugins(Case):
     def test_one_kernel_is_listed_with_its_test_and_its_source(self):
         for id, source in (("fault/none", "kernel/sphere_triangle/faults/none.c:1"),
                            (f"plugin:{BUILD}/layouts/published_1.so", None), ("published", None)):
-            (listed,) = json.loads(axiscert("kernels", "--kernel", id, "--format", "json").stdout)
+            (listed,) = json.loads(axiscert("kernels", "--kernel", id, "--format", "json").stdout)["kernels"]
             self.assertEqual((listed["id"], listed["test"], listed["entry"], listed["source"], listed["findings"]),
                              (id, "sphere-triangle", "vertices", source, []))
             text = axiscert("kernels", "--kernel", id).stdout

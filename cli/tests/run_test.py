@@ -18,7 +18,7 @@ class RunCase(Case):
                 "--mesh", MODELS / "OBJ/spider.obj"]
         self.run_ok(*plan, "--threads", 2)
         reference = (self.folder / "out/record.json").read_bytes()
-        targets = json.loads(axiscert("kernels", "--format", "json").stdout)[0]["targets"]
+        targets = json.loads(axiscert("kernels", "--format", "json").stdout)["kernels"][0]["targets"]
         self.assertIn("scalar", targets)
         for target in targets:
             self.run_ok(*plan, "--threads", 1, "--target", target, out=target)
@@ -68,7 +68,7 @@ class Run(RunCase):
             self.assertTrue((self.folder / "out" / name).stat().st_size > 0, name)
 
     def test_families_say_what_they_cost_and_dear_ones_are_asked_less(self):
-        listed = json.loads(axiscert("families", "--format", "json").stdout)
+        listed = json.loads(axiscert("families", "--format", "json").stdout)["families"]
         costly = [family["name"] for family in listed if family["cost"] > 1]
         self.assertLessEqual({"speck", "bits"}, set(costly))
         shown = [line.split()[0] for line in axiscert("families").stdout.splitlines() if re.search(r" \[cost \d+\]$", line)]
@@ -214,7 +214,7 @@ class Planted(Case):
             self.assertFalse((self.folder / fault / "record.json").exists())
 
     def test_a_contracted_build(self):
-        for target in json.loads(axiscert("kernels", "--format", "json").stdout)[0]["targets"]:
+        for target in json.loads(axiscert("kernels", "--format", "json").stdout)["kernels"][0]["targets"]:
             if not target.startswith("AVX"):
                 continue  # the others have no fused operation to contract to
             done = axiscert("run", "--family", "general", "--trials", 10, "--target", target, "--out",

@@ -10,7 +10,7 @@ class Tests(Case):
     def listed(self):
         done = axiscert("tests", "--format", "json")
         self.assertEqual(done.returncode, 0, done.stderr)
-        return json.loads(done.stdout)
+        return json.loads(done.stdout)["tests"]
 
     def test_sphere_triangle_is_what_a_record_calls_it(self):
         record = self.run_ok("--kernel", "published", "--family", "general", "--trials", "10", "--precision", "binary32")
@@ -30,7 +30,7 @@ class Tests(Case):
     def test_each_kernel_and_family_is_of_one_test(self):
         for member, command in (("kernels", "kernels"), ("families", "families")):
             for test in self.listed():
-                named = json.loads(axiscert(command, "--test", test["id"], "--format", "json").stdout)
+                named = json.loads(axiscert(command, "--test", test["id"], "--format", "json").stdout)[command]
                 names = [one.get("id", one.get("name")) for one in named]
                 shipped = ("peer/", "fault/", test["id"] + "/peer/", test["id"] + "/fault/")
                 self.assertEqual(test[member], [name for name in names if not name.startswith(shipped)])

@@ -5,6 +5,7 @@
     docs/proofs.md    bounds and thresholds: proofs/coq/Thresholds.v, kernel/sphere_triangle/certified_filter/thresholds.h; theorems named
                       beside the steps of the certified predicate: proofs/coq/Assumptions.expected
     docs/bounds.md    bounds: proofs/bounds.cpp, which Gappa proves; errors attained: proofs/attained.h, and these those of docs/search.md
+    CITATION.cff, CHANGELOG.md, docs/ci.md, docs/pipe.md    the version: CMakeLists.txt
     docs/moving.md    strict sides that are wrong: exact/moving_sphere/twenty_axes_test.cpp
 """
 import json
@@ -106,6 +107,24 @@ class Records(unittest.TestCase):
         found = dict(re.findall(r"EXPECT_EQ\(found\.(\w+), (\d{4,})\)", text_of("exact/moving_sphere/twenty_axes_test.cpp")))
         self.assertEqual([numbers(row[1].replace(",", ""))[0] for row in table("docs/moving.md", "| | strict sides wrong |")],
                          [int(found["zero_area"]), int(found["no_motion"]), int(found["parallel"]), 0, int(found["strict"])])
+
+
+def versions(text=text_of):
+    """Each place that states axiscert's version, and what it states."""
+    places = {"CMakeLists.txt": r"^project\(axiscert VERSION (\S+)", "CITATION.cff": r"^version: (\S+)", "CHANGELOG.md": r"\A.*?^## (\S+)$",
+              "docs/ci.md": r"AXISCERT: v(\S+)\}", "docs/pipe.md": r'"axiscert":"(.*?)"'}
+    return {place: re.search(pattern, text(place), re.M | re.S)[1] for place, pattern in places.items()}
+
+
+class Version(unittest.TestCase):
+    def test_it_is_the_same_wherever_it_is_stated(self):
+        self.assertEqual(len(set(versions().values())), 1, versions())
+
+    def test_one_that_was_forgotten_is_seen(self):
+        version = versions()["CMakeLists.txt"]
+        for place in versions():
+            forgotten = versions(lambda path: text_of(path).replace(version, "9.9.9") if path == place else text_of(path))
+            self.assertEqual({one for one, stated in forgotten.items() if stated == "9.9.9"}, {place})
 
 
 if __name__ == "__main__":

@@ -1,5 +1,7 @@
 #include "fuzz/confirm/plan.h"
 
+#include "kernel/base/version.h"
+
 namespace axiscert {
 namespace {
 
@@ -22,7 +24,7 @@ Json require_json(const std::vector<std::string>& levels) {
 }  // namespace
 
 Json plan_json(const Plan& plan, const CampaignResult& result, const Required& required) {
-  Json json = {{"axiscert", AXISCERT_VERSION}, {"test", plan.test->id}, {"seed", plan.seed}};
+  Json json = {{"axiscert", axiscert_version}, {"test", plan.test->id}, {"seed", plan.seed}};
   for (const char* list : {"kernels", "precisions", "families"}) json[list] = Json::array();
   for (const char* map : {"generators", "trials"}) json[map] = Json::object();
   json["files"] = Json::array();

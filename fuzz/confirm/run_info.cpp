@@ -7,6 +7,7 @@
 
 #include "fuzz/campaign/build_info.h"
 #include "fuzz/confirm/record.h"
+#include "kernel/base/version.h"
 
 namespace axiscert {
 namespace {
@@ -55,7 +56,7 @@ Json run_info(const Plan& plan, const CampaignResult& result, const std::string&
                {"flags", compiler_flags()},
                {"target", {{"asked", target_asked}, {"dispatched", plan.target}}},
                {"versions",
-                {{"axiscert", AXISCERT_VERSION},
+                {{"axiscert", axiscert_version},
                  {"cgal", CGAL_STR(CGAL_VERSION)},
                  // assimp determines which triangles a mesh file contains.
                  {"assimp", fmt::format("{}.{}.{}", aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch())},

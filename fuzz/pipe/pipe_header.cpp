@@ -12,6 +12,7 @@
 #include "kernel/base/sha256.h"
 #include "fuzz/text/whole_number.h"
 #include "kernel/base/error.h"
+#include "kernel/base/version.h"
 #include "kernel/program/stream_header.h"
 
 namespace axiscert {
@@ -141,9 +142,9 @@ class Reader {
 
   PipePlan plan_of(const Json& json) const {
     const auto version = json.at("axiscert").get<std::string>();
-    if (version != AXISCERT_VERSION) {
+    if (version != axiscert_version) {
       fail(fmt::format("these queries were made by axiscert {}, and this is {}: generate them again", shown(version),
-                       AXISCERT_VERSION));
+                       axiscert_version));
     }
     PipePlan plan{whole<std::uint64_t>(json, "seed"), Precision::binary32, {}, 0};
     if (json.at("precision") == axiscert::name(Precision::binary64)) plan.precision = Precision::binary64;
@@ -271,7 +272,7 @@ std::string header_of(const PipePlan& plan) {
                             plan.parts.front().source->name(), plan.test().id, plan.columns().name, other));
   }
   if (const std::string wrong = too_many_measures(plan.test(), plan.measures); !wrong.empty()) throw Error(wrong);
-  Json json = {{"axiscert", AXISCERT_VERSION}, {"seed", plan.seed}, {"precision", name(plan.precision)}};
+  Json json = {{"axiscert", axiscert_version}, {"seed", plan.seed}, {"precision", name(plan.precision)}};
   if (pipe::version_of(plan.test()) != pipe::first_version) {
     json["test"] = plan.test().id;
     json["entry"] = plan.columns().name;

@@ -12,6 +12,7 @@
 #include "kernel/base/sha256.h"
 #include "kernel/base/error.h"
 #include "kernel/base/temporary_folder.h"
+#include "kernel/base/version.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
@@ -164,7 +165,7 @@ TEST(BadReplies, APlanThatCannotBeMadeHere) {
   // control characters must not reach the terminal
   expect_plan("\"seed\":7", "\"see\x7f\xff\":7", "last read: '\"see?");
   expect_plan("\"seed\":7", "\"sees\":7", "not one that this axiscert writes");
-  expect_plan("\"axiscert\":\"" AXISCERT_VERSION, "\"axiscert\":\"0.0.9", "made by axiscert 0.0.9");
+  expect_plan(std::string("\"axiscert\":\"") + axiscert_version, "\"axiscert\":\"0.0.9", "made by axiscert 0.0.9");
   expect_plan("\"version\":2", "\"version\":9", "version 9 of the generator general, which is at version 2");
   expect_plan("\"name\":\"general\"", "\"name\":\"special\"", "unknown family 'special'");
   expect_plan("\"kind\":\"family\"", "\"kind\":\"folder\"", "unknown kind 'folder'");

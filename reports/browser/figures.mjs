@@ -28,9 +28,11 @@ test('says first what to do: look at the deepest, mend what was required, compar
   const card = decodeURIComponent((await link.getAttribute('href')).slice(1));
   await link.click();
   await page.waitForFunction((id) => document.getElementById(id)?.open, card, {timeout: 20000});
-  // Parts that a run did not do are one line.
-  const parts = (await page.locator('#not-checked li').allInnerTexts()).filter((text) => /not run here/.test(text));
+  // Parts that a run did not do are one line, and take no room before it.
+  const parts = (await page.locator('#not-checked li').allInnerTexts()).filter((text) => /Not run here/.test(text));
   assert.equal(parts.length, 1);
+  for (const id of ['ladder', 'precision', 'maps-list', 'league', 'mutation']) assert.equal(await page.locator(`#${id}`).count(), 0, id);
+  assert.doesNotMatch(await page.locator('main').innerText(), /NOT RUN/);
   await close();
 });
 
@@ -44,6 +46,19 @@ test('says the answer: counts, depth, a sentence a link, a badge a comparison', 
   for (const link of ['specification', 'rounding', 'range']) assert.match(text, new RegExp(`${link}\\s+in [0-9,]+ wrong verdicts, most on`));
   assert.match(text, /open\s+all 16/i);
   assert.match(await page.locator('#not-checked').innerText(), /axiscert prove/);
+  await close();
+});
+
+test('lists first one witness of each cause, ordinary numbers before exotic ones', async () => {
+  const {page, close} = await opened(real);
+  const ids = await page.$$eval('#witnesses-list > details', (all) => all.map((card) => card.id.replace('witness-', '')));
+  const witnesses = ids.map((id) => record_of(real).witnesses.find((one) => one.id === id));
+  const flip_of = (witness) => witness.flips.find((flip) => flip.level === 'verdict');
+  const cause_of = (witness) => JSON.stringify([witness.kernel, flip_of(witness).kind, flip_of(witness).links]);
+  const causes = new Set(record_of(real).witnesses.filter(flip_of).map(cause_of));
+  assert.ok(causes.size > 3);
+  assert.deepEqual(new Set(witnesses.slice(0, causes.size).map(cause_of)), causes);
+  assert.ok(!['scale', 'nonfinite'].includes(witnesses[0].family), witnesses[0].family);
   await close();
 });
 

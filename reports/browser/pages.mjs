@@ -92,7 +92,7 @@ export async function opened(into, options = {}) {
 
 export const record_of = (into) => JSON.parse(fs.readFileSync(path.join(into, 'record.json'), 'utf8'));
 
-// The card of the deepest witness that the page has.
+// The first card that the page lists.
 export async function first_card(page) {
   const card = page.locator('#witnesses-list > details').first();
   await card.locator('summary').first().focus();

@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 
 #include "fuzz/text/number_text.h"
 #include "kernel/names.h"
@@ -17,6 +16,7 @@
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
 #include "reports/formats/raw_files.h"
+#include "reports/formats/witness_order.h"
 #include "reports/page/packed.h"
 #include "reports/page/page_template.h"
 #include "reports/wording/reproduce.h"
@@ -138,42 +138,6 @@ Json requirement_data(const Json& record) {
                                 {"witness", f.witness}});
   }
   return data;
-}
-
-// The deepest witnesses, and for each kernel, precision, family and place of a flip one that shows it, up to `limit`.
-std::vector<const Json*> shown_witnesses(const Json& record, std::size_t limit) {
-  std::vector<const Json*> chosen = worst_witnesses(record, limit / 2);
-  std::set<const Json*> taken(chosen.begin(), chosen.end());
-  std::set<std::string> places;
-  const auto opens_a_place = [&](const Json& witness) {
-    bool opens = false;
-    for (const Json& flip : witness["flips"]) {
-      opens |= places
-                   .insert(Json{witness["kernel"], witness["precision"], witness["family"], flip["name"], flip["kind"],
-                                flip["decisive"]}
-                               .dump())
-                   .second;
-    }
-    return opens;
-  };
-  for (const Json* witness : chosen) opens_a_place(*witness);
-  for (const Json& witness : record["witnesses"]) {
-    if (chosen.size() >= limit) break;
-    if (!taken.contains(&witness) && opens_a_place(witness)) {
-      chosen.push_back(&witness);
-      taken.insert(&witness);
-    }
-  }
-  for (const Json* witness : worst_witnesses(record, limit)) {
-    if (chosen.size() >= limit) break;
-    if (taken.insert(witness).second) chosen.push_back(witness);
-  }
-  const auto depth = [](const Json* witness) {
-    const Json& given = (*witness)["depth"];
-    return given.is_null() ? -1.0 : given.get<double>();
-  };
-  std::stable_sort(chosen.begin(), chosen.end(), [&](const Json* x, const Json* y) { return depth(x) > depth(y); });
-  return chosen;
 }
 
 Json cards(const Json& record, std::size_t limit) {

@@ -52,8 +52,9 @@ TEST(Invariant, LogicOfAKernelOfVerdictsRefusesWhatIsClearlyWrongInAnotherUnitOf
   EXPECT_EQ(failures[0].count, 2u);
   EXPECT_EQ(
       failures[0].what,
-      "wrong verdicts in another unit of length, times powers of two from 2^-9 down, of clear queries that it has "
-      "right; wrong where numbers are small: an absolute number near 0.01 (squared 0.0001), compared with r?; first "
+      "wrong verdicts in another unit of length alone (times powers of two from 2^-9 down), on queries that are no "
+      "close "
+      "calls; where numbers are small, as if an absolute number near 0.01 (squared 0.0001) were compared with r; first "
       "on u:3 beside u:1");
 }
 

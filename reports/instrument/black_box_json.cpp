@@ -2,6 +2,7 @@
 #include "fuzz/queries/address.h"
 #include "reports/instrument/black_box_reason.h"
 #include "reports/instrument/black_box_report.h"
+#include "kernel/base/version.h"
 
 namespace axiscert {
 namespace {
@@ -27,7 +28,7 @@ class BlackBoxJson {
       controls.push_back({{"kernel", c.id}, {"precision", name(c.precision)}, {"refused", failure_json(c.refused)}});
     }
     return {{"schema", black_box_schema},
-            {"axiscert", AXISCERT_VERSION},
+            {"axiscert", axiscert_version},
             {"command", command},
             {"complete", score_.complete},
             {"kernel", plan_.base},

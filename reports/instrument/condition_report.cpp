@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "kernel/sphere_triangle/names.h"
+#include "reports/instrument/data.h"
 #include "reports/instrument/figures.h"
 
 namespace axiscert {
@@ -26,7 +27,7 @@ class ConditionReport {
             notes(),
             {by_family(), by_comparison(), wrong_verdicts()},
             {distribution()},
-            data()};
+            data(command)};
   }
 
  private:
@@ -195,7 +196,7 @@ class ConditionReport {
             {"greatest_right", origin_.measured_json(c.greatest_right, "kappa_u", source)}};
   }
 
-  Json data() const {
+  Json data(const std::string& command) const {
     Json rows = Json::array();
     for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
       for (std::size_t s = 0; s < plan_.sources.size(); ++s) {
@@ -220,13 +221,13 @@ class ConditionReport {
         rows.push_back(row);
       }
     }
-    return {{"instrument", "condition"},
-            {"precision", name(plan_.precision)},
-            {"trials", plan_.trials},
-            {"seed", plan_.seed},
-            {"flip_limit", plan_.flip_limit},
-            {"sample", plan_.sample},
-            {"rows", rows}};
+    return headed("axiscert-condition/1", {{"command", command},
+                                           {"precision", name(plan_.precision)},
+                                           {"trials", plan_.trials},
+                                           {"seed", plan_.seed},
+                                           {"flip_limit", plan_.flip_limit},
+                                           {"sample", plan_.sample},
+                                           {"rows", rows}});
   }
 
   const ConditionPlan& plan_;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/instrument/data.h"
 #include "reports/instrument/figures.h"
 
 namespace axiscert {
@@ -23,7 +24,7 @@ class CriticalRadiusReport {
         notes(),
         {over_families(), by_family()},
         {distribution()},
-        data()};
+        data(command)};
     if (const InstrumentTable found = reversals(); !found.rows.empty()) report.tables.push_back(found);
     return report;
   }
@@ -182,7 +183,7 @@ class CriticalRadiusReport {
             {"unanswered", cell.unanswered}};
   }
 
-  Json data() const {
+  Json data(const std::string& command) const {
     Json rows = Json::array(), totals = Json::array();
     for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
       Json total = {{"kernel", plan_.kernels[k]->id}};
@@ -203,12 +204,12 @@ class CriticalRadiusReport {
         rows.push_back(row);
       }
     }
-    return {{"instrument", "critical-radius"},
-            {"precision", name(plan_.precision)},
-            {"trials", plan_.trials},
-            {"seed", plan_.seed},
-            {"totals", totals},
-            {"rows", rows}};
+    return headed("axiscert-critical-radius/1", {{"command", command},
+                                                 {"precision", name(plan_.precision)},
+                                                 {"trials", plan_.trials},
+                                                 {"seed", plan_.seed},
+                                                 {"totals", totals},
+                                                 {"rows", rows}});
   }
 
   const CriticalRadiusPlan& plan_;

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "fuzz/instruments/ladder_steps.h"
+#include "reports/instrument/data.h"
 #include "reports/instrument/ladder_report.h"
 
 namespace axiscert {
@@ -122,10 +123,10 @@ Json costliest_json(const std::vector<LadderEntry>& entries, const std::vector<L
 
 }  // namespace
 
-Json ladder_json(const LadderPlan& plan, const std::vector<LadderEntry>& entries) {
+Json ladder_json(const LadderPlan& plan, const std::vector<LadderEntry>& entries, const std::string& command) {
   const ExponentWindow scanned = scanned_exponents(plan.precision);
   const std::vector<LadderStep> steps = ladder_steps(entries);
-  Json json = {{"instrument", "ladder"},
+  Json json = {{"command", command},
                {"precision", name(plan.precision)},
                {"seed", plan.seed},
                {"trials", plan.trials},
@@ -137,7 +138,7 @@ Json ladder_json(const LadderPlan& plan, const std::vector<LadderEntry>& entries
   for (const SourcePtr& source : plan.sources) json["families"].push_back(source->name());
   for (const LadderEntry& entry : entries) json["kernels"].push_back(entry_json(plan, entry));
   if (plan.speed) json["speed"] = speed_json(entries);
-  return json;
+  return headed("axiscert-ladder/1", json);
 }
 
 }  // namespace axiscert

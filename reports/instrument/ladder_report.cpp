@@ -282,7 +282,7 @@ InstrumentReport ladder_report(const LadderPlan& plan, const Entries& entries, c
   }
   if (plan.speed) report.tables.push_back(front_table(entries));
   add_plots(report, plan, entries);
-  report.data = ladder_json(plan, entries);
+  report.data = ladder_json(plan, entries, command);
   return report;
 }
 

@@ -10,6 +10,6 @@ namespace axiscert {
 InstrumentReport ladder_report(const LadderPlan& plan, const std::vector<LadderEntry>& entries,
                                const std::string& command);
 // The figures alone; all times are in the member "speed", which is absent where none were taken.
-Json ladder_json(const LadderPlan& plan, const std::vector<LadderEntry>& entries);
+Json ladder_json(const LadderPlan& plan, const std::vector<LadderEntry>& entries, const std::string& command);
 
 }  // namespace axiscert

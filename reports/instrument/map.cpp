@@ -4,6 +4,7 @@
 
 #include "kernel/base/error.h"
 #include "reports/page/embedded.h"
+#include "reports/instrument/data.h"
 #include "reports/instrument/instrument.h"
 #include "reports/run_folder/parsed_json.h"
 #include "reports/run_folder/schema.h"
@@ -92,7 +93,7 @@ std::map<std::string, std::string> map_files(const Json& map, const MapPlan& pla
     const std::span pixels(reinterpret_cast<const std::uint8_t*>(picture.pixels.data()), picture.pixels.size());
     files[picture_file(map["name"], plan, picture.subject)] = indexed_png(plan.plane.columns(), pixels, palette);
   }
-  Json maps = Json::array();
+  std::vector<Json> maps;
   if (!index.empty()) {
     Json given = Json::value_t::discarded;  // stays so where the index is not JSON, for the schema to refuse
     try {
@@ -106,11 +107,12 @@ std::map<std::string, std::string> map_files(const Json& map, const MapPlan& pla
     }
   }
   maps.push_back(map);
-  files[std::string(map_index_file)] =
-      Json{{"schema", index_schema}, {"axiscert", AXISCERT_VERSION}, {"legend", legend_json()}, {"maps", maps}}.dump(
-          1) +
-      "\n";
+  files[std::string(map_index_file)] = index_of(maps).dump(1) + "\n";
   return files;
+}
+
+Json index_of(const std::vector<Json>& maps) {
+  return headed(index_schema, {{"legend", legend_json()}, {"maps", maps}});
 }
 
 std::string map_text(const Json& map) {

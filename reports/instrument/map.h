@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "fuzz/map/map.h"
 #include "fuzz/text/json.h"
@@ -24,6 +25,9 @@ const std::array<LegendEntry, pixel_class_count>& map_legend();
 // The index entry of one map: the plane, the witness, the counts of every picture.
 Json map_json(const std::string& name, const MapPlan& plan, const std::vector<MapPicture>& pictures,
               const std::string& command);
+
+// What an index file holds: the legend, and these maps.
+Json index_of(const std::vector<Json>& maps);
 
 // The pictures, and the index with this map in it: it replaces a map of the same name and joins the other maps of
 // `index`, the text of the existing index, empty where there is none. Throws Error where that is not an index of maps.

@@ -7,6 +7,7 @@
 
 #include "fuzz/queries/address.h"
 #include "reports/wording/markdown_text.h"
+#include "kernel/base/version.h"
 
 namespace axiscert {
 namespace {
@@ -239,7 +240,7 @@ class MutationReport {
                          {"flagged", c.flagged}});
     }
     return {{"schema", mutation_schema},
-            {"axiscert", AXISCERT_VERSION},
+            {"axiscert", axiscert_version},
             {"command", command},
             {"complete", result_.complete},
             {"kernel", plan_.base},

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "exact/sphere_triangle/unbounded/degree.h"
+#include "reports/instrument/data.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -225,13 +226,14 @@ Json data(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies,
           const std::string& command) {
   Json families = Json::object();
   for (std::size_t s = 0; s < tallies.size(); ++s) families[plan.sources[s]->name()] = tally_json(plan, tallies[s]);
-  return {{"schema", "axiscert-precision/1"},
-          {"command", command},
-          {"precision", name(plan.precision)},
-          {"bits", plan.bits},
-          {"sufficient", sufficient_json(plan, all)},
-          {"all", tally_json(plan, all)},
-          {"families", families}};
+  return headed("axiscert-precision/1", {{"command", command},
+                                         {"precision", name(plan.precision)},
+                                         {"trials", plan.trials},
+                                         {"seed", plan.seed},
+                                         {"bits", plan.bits},
+                                         {"sufficient", sufficient_json(plan, all)},
+                                         {"all", tally_json(plan, all)},
+                                         {"families", families}});
 }
 
 std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& all) {

@@ -6,6 +6,7 @@
 
 #include "fuzz/search/proved.h"
 #include "reports/instrument/figures.h"
+#include "kernel/base/version.h"
 
 namespace axiscert {
 namespace {
@@ -144,7 +145,7 @@ class SearchReport {
     Json first_families = Json::array();
     for (const SourcePtr& source : plan_.first_sources) first_families.push_back(source->name());
     return {{"schema", search_schema},
-            {"axiscert", AXISCERT_VERSION},
+            {"axiscert", axiscert_version},
             {"complete", result_.complete},
             {"kernel", plan_.kernel->id},
             {"precision", name(plan_.precision)},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/instrument/data.h"
 #include "reports/instrument/figures.h"
 #include "reports/league/league_trust.h"
 #include "reports/league/league_worst.h"
@@ -64,7 +65,8 @@ class LeagueReport {
       : league_(league), plan_(league.plan), result_(result) {}
 
   InstrumentReport report(const std::string& command) const {
-    InstrumentReport report{"league", "Kernels and libraries on the same queries", command, notes(), {}, {}, data()};
+    InstrumentReport report{"league",     "Kernels and libraries on the same queries", command, notes(), {}, {},
+                            data(command)};
     for (const Precision precision : plan_.precisions)
       report.tables.push_back(trust_table(league_, result_, precision));
     report.tables.push_back(worst_table(league_, result_));
@@ -221,7 +223,7 @@ class LeagueReport {
     return all;
   }
 
-  Json data() const {
+  Json data(const std::string& command) const {
     Json kernels = Json::array();
     for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
       const Kernel& kernel = *plan_.kernels[k];
@@ -242,7 +244,10 @@ class LeagueReport {
         kernels.push_back(std::move(entry));
       }
     }
-    return {{"seed", plan_.seed}, {"kernels", std::move(kernels)}, {"not_checked", league_.not_checked}};
+    return headed("axiscert-league/1", {{"command", command},
+                                        {"seed", plan_.seed},
+                                        {"kernels", std::move(kernels)},
+                                        {"not_checked", league_.not_checked}});
   }
 
   static Json family_json(const Tally& tally) {

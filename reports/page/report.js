@@ -58,13 +58,31 @@ function show_reproduction(data) {
   ], data.throughput));
 }
 
-// The parts that this folder could hold and does not.
-function missing_parts(data) {
+// The commands whose files this folder could hold and does not, with what each would add to the page; those that serve the
+// run's test, about its first kernel.
+function parts_not_run(data) {
   const {proofs, search, maps, ladder, precision, league, mutation} = data.attached;
-  const commands = [['prove', proofs], ['search', search], ['map', maps], ['ladder', ladder], ['precision', precision], ['league', league],
-                    ['mutate', mutation]].filter(([, part]) => part === null).map(([name]) => `axiscert ${name}`);
+  const test = data.plan.test ?? 'sphere-triangle', is_first = test === 'sphere-triangle';
+  const entry = data.kernels.find((each) => each.all !== null), worst = data.witnesses.cards[0];
+  const about = entry === undefined ? '' : ` --kernel ${shell_word(entry.id)} --precision ${entry.precision}`;
+  const around = worst === undefined ? 'ADDRESS' : `${shell_word(worst.address)} --kernel ${shell_word(worst.kernel)}`;
+  return [
+    [is_first && proofs === null, 'prove', 'bounds that a checker accepted'],
+    [(is_first || test === 'moving-sphere') && search === null, `search${about}`, 'the worst errors there are'],
+    [(is_first || test === 'moving-sphere') && maps === null, `map ${around}`, 'pictures of where it is wrong around a witness'],
+    [is_first && ladder === null, 'ladder', 'accuracy against speed of each form of the test'],
+    [is_first && precision === null, 'precision', 'wrong verdicts against the bits of precision'],
+    [is_first && league === null, 'league', 'libraries and other kernels on the same queries'],
+    [(is_first || test === 'moving-sphere') && mutation === null, 'mutate', 'which planted faults would be caught'],
+  ].filter(([is_missing]) => is_missing);
+}
+
+// What belongs to this page and was not done, in one line.
+function missing_parts(data) {
   const counts_margins = data.kernels.length === 0 || data.kernels.some(has_margins);
-  return [...(commands.length === 0 ? [] : [`Parts that were not run here, each a command with --out: ${commands.join(', ')}.`]),
+  const commands = parts_not_run(data).flatMap(([, command, meaning], i) => [i === 0 ? '' : '; ', el('code', '', `axiscert ${command} --out DIR`), `: ${meaning}`]);
+  return [...(commands.length === 0 ? [] : [el('span', '', 'Not run here, and added to this page by ', el('code', '', 'axiscert report DIR'),
+                                               ' where DIR is its folder: ', ...commands, '.')]),
           ...(counts_margins ? [] : ['Distribution of margins: no kernel here shows comparisons, or an earlier version ran it.'])];
 }
 

@@ -17,7 +17,7 @@ namespace {
 std::string compared_text(const Json& size) {
   const double least = size["least"].get<double>(), greatest = size["greatest"].get<double>();
   const double near = std::sqrt(least) * std::sqrt(greatest);
-  return fmt::format("near {} (squared {}), compared with {}", amount(near, 4), amount(near * near, 4),
+  return fmt::format("near {} (squared {}) were compared with {}", amount(near, 4), amount(near * near, 4),
                      size["quantity"].get<std::string>());
 }
 
@@ -26,8 +26,8 @@ std::string direction_text(const Json& sizes, const std::string& where) {
   if (sizes["bases"] == 0) return "";
   std::vector<std::string> texts;
   for (const Json& size : sizes["compared"]) texts.push_back(compared_text(size));
-  if (texts.empty()) return fmt::format("wrong where numbers are {}; no one number explains it", where);
-  return fmt::format("wrong where numbers are {}: an absolute number {}?", where, fmt::join(texts, ", or "));
+  if (texts.empty()) return fmt::format("where numbers are {}, and no one number of its own explains it", where);
+  return fmt::format("where numbers are {}, as if an absolute number {}", where, fmt::join(texts, ", or one "));
 }
 
 }  // namespace
@@ -79,14 +79,15 @@ UnitChange unit_change(const Json& scale) {
   if (found.count != 0) {
     found.first = wrong["first"];
     found.what = fmt::format(
-        "wrong verdicts in another unit of length, times powers of two {}, of clear queries that it has right; {}",
+        "wrong verdicts in another unit of length alone (times powers of two {}), on queries that are no close calls; "
+        "{}",
         powers_text(wrong["by_size"]), absolute_number_text(wrong));
     return found;
   }
   found.count = scale["changed"].get<std::uint64_t>();
   found.first = scale["first"];
   if (found.count == 0) return found;
-  found.what = fmt::format("verdicts that change with the unit of length, times powers of two {}",
+  found.what = fmt::format("verdicts that change with the unit of length (times powers of two {})",
                            powers_text(scale["by_size"]));
   const std::string number = absolute_number_text(wrong);
   if (!number.empty()) found.what += "; " + number;

@@ -18,9 +18,9 @@ const Json* units_of(const Json& family);
 std::string powers_text(const Json& by_size);
 // The least exponent of a record's counts by size, which are not empty.
 int least_size(const Json& by_size);
-// Says of a record's "wrong" (images in other units of length): "an absolute number near 0.01 (squared 0.0001),
-// compared with the distance d?"; what it found of both directions. Where nothing common explains the answers, a
-// sentence that says so.
+// Says of a record's "wrong" (images in other units of length): "where numbers are small, as if an absolute number near
+// 0.01 (squared 0.0001) were compared with the distance d"; what it found of both directions. Where nothing common
+// explains the answers, a sentence that says so.
 std::string absolute_number_text(const Json& wrong);
 // The failure of a family's images within the range of degree 6: how often and from which power on the verdict is
 // wrong, or changes, and why.

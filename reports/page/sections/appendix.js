@@ -3,11 +3,7 @@
 function show_league(data) {
   const place = document.getElementById('league');
   const {league} = data.attached;
-  if (league === null) {
-    place.append(not_run('No league.json in this folder: production libraries and other kernels on the same queries.',
-                         'axiscert league --out DIR'));
-    return;
-  }
+  if (league === null) return leave_out(place);
   const name = column.text('kernel', (row) => row.id, {cell: (th, value, row) => {
     th.append(el('span', 'name', value));
     th.title = row.summary ?? '';
@@ -33,11 +29,7 @@ function show_league(data) {
 function show_mutation(data) {
   const place = document.getElementById('mutation');
   const {mutation} = data.attached;
-  if (mutation === null) {
-    place.append(not_run('No mutation.json in this folder: how many faults planted in the formulae are caught.',
-                         'axiscert mutate --out DIR'));
-    return;
-  }
+  if (mutation === null) return leave_out(place);
   const is_equivalent = (row) => Boolean(row.equivalent);
   // One sentence for each precision: in another precision a mutant is another kernel.
   const score = (rows) => {
@@ -89,17 +81,8 @@ function show_matrix(data) {
       column.text('arithmetic', (row) => row.arithmetic),
       wrong('false_separation', 'bad'), wrong('false_contact', 'warn')], asked));
   }
-  const has = (names) => asked.some((entry) => names.includes(entry.arithmetic));
-  const run = (options) => `axiscert run${options} --family all --out DIR`;
-  if (!has(Object.keys(contracted))) {
-    place.append(not_run('No contracted arithmetic in this run.', run(' --kernel published --kernel published+fma --kernel published+kahan')));
-  }
-  if (!has(Object.keys(roundings))) {
-    place.append(not_run('No directed rounding in this run.',
-                         run(' --kernel published --kernel published+up --kernel published+down --kernel published+chop')));
-  }
-  place.append(not_run(`One instruction set ran: ${target}. A kernel that equals its scalar reference has the same record on every ` +
-    'other; --target chooses one, and compare shows whether they differ.', run(` --kernel ${shell_word(data.plan.kernels[0])} --target SSE4`)));
+  place.append(el('p', 'lead', `One instruction set ran: ${target}. A kernel that equals its scalar reference has the same record on every ` +
+    'other. ', el('code', '', '--target'), ' chooses one, ', el('code', '', '--kernel KERNEL+ARITHMETIC'), ' runs a kernel in another arithmetic.'));
 }
 
 // The record's files hold everything, including what the page has no room for.

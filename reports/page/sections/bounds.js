@@ -79,9 +79,10 @@ function bounds_table(data, entry) {
   return scroll_table(caption, 'bounds', el('thead', '', head), body);
 }
 
-// States that something was not run, with the command that runs it.
-function not_run(what, text) {
-  return el('div', 'not-run', el('p', '', chip('NOT RUN', 'warn'), ` ${what}`), command(text));
+// What the folder does not hold takes no room here: the last section names it. Removes a place with its heading.
+function leave_out(place) {
+  if (place.previousElementSibling?.tagName === 'H3') place.previousElementSibling.remove();
+  place.remove();
 }
 
 function show_bounds(data) {
@@ -97,21 +98,7 @@ function show_bounds(data) {
     if (silent.length === 0) place.append(el('p', 'empty', 'No kernel here exposes comparisons.'));
     return;
   }
-  const missing = document.getElementById('bounds-missing');
-  const show = (index) => {
-    const entry = shown[index];
-    place.replaceChildren(bounds_table(data, entry));
-    missing.replaceChildren();
-    const {search, proofs} = data.attached;
-    if (search?.kernel !== entry.id || search?.precision !== entry.precision) {
-      missing.append(not_run(`No search for the worst errors of ${entry_name(entry)} in this folder. It fills "attained".`,
-        `axiscert search --kernel ${shell_word(entry.id)} --precision ${entry.precision} --out DIR`));
-    }
-    if (proofs === null) {
-      missing.append(not_run('No proofs.json in this folder: nothing here is proved. It fills "proved".',
-                             'axiscert prove --out DIR'));
-    }
-  };
+  const show = (index) => place.replaceChildren(bounds_table(data, shown[index]));
   document.getElementById('bounds-controls').append(choice('Kernel', shown.map(entry_name), show));
   show(0);
 }

@@ -62,11 +62,7 @@ function map_figure(data, legend, map) {
 function show_maps(data) {
   const place = document.getElementById('maps-list');
   const {maps} = data.attached;
-  if (maps !== null && maps.maps.length > 0) {
-    place.append(...maps.maps.map((map) => map_figure(data, maps.legend, map)));
-    return;
-  }
-  const worst = data.witnesses.cards[0];
-  place.append(not_run('No maps/index.json in this folder: the neighbourhood of a witness, an ulp a pixel.',
-                       `axiscert map ${worst ? `${shell_word(worst.address)} --kernel ${shell_word(worst.kernel)}` : 'ADDRESS'} --along p.x --across r --out DIR`));
+  if (maps === null || maps.maps.length === 0) return leave_out(place);
+  place.append(el('p', 'lead', 'A plane through the space of queries around a witness, one ulp for each pixel: where signs are wrong, the ' +
+    'exact boundary, and the band in which a filter is uncertain.'), ...maps.maps.map((map) => map_figure(data, maps.legend, map)));
 }

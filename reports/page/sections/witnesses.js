@@ -1,4 +1,4 @@
-// Witness cards: closed, the deepest first; each is filled when it is opened.
+// Witness cards: closed, in the order of reports/formats/witness_order.h; each is filled when it is opened.
 
 const kind_words = {
   false_separation: 'missed contact', false_contact: 'phantom contact', missed_separation: 'missed separation',
@@ -150,7 +150,8 @@ function show_witnesses(data) {
   const clauses = data.comparisons;
   const left_out = total - cards.length;
   document.getElementById('witnesses-count').textContent = total === 0 ? 'None were kept.'
-    : `${count(cards.length)} of ${count(total)} are in this file, deepest first. ` +
+    : `${count(cards.length)} of ${count(total)} are in this file: first one of each cause and class of input, then the deepest; ordinary numbers ` +
+      'before exotic ones. ' +
       (left_out > 0 ? `${count(left_out)} are left out for its size: the deepest of each kernel, family and kind stay, and one for each ` +
         'place of a flip. ' : '') + `witnesses.jsonl next to it has all ${count(total)}, as a query file.`;
   const list = document.getElementById('witnesses-list');

@@ -1,0 +1,159 @@
+#!/usr/bin/env python3
+"""What the instruments print for other programs: JSON that its schema describes, and CSV with the columns of docs/data.md."""
+import csv
+import io
+import json
+import os
+import re
+import subprocess
+import unittest
+
+import jsonschema
+
+from command import BUILD, QUERY, ROOT, SCHEMAS, Case, axiscert
+
+# By the heading in docs/data.md: the schema, and a command with few queries.
+MUTATE = ("mutate", "--family", "general", "--trials", 64, "--no-controls", "--precision", "binary32", "--mutant")
+COMMANDS = {
+    "ladder": ("ladder", ("ladder", "--trials", 16, "--kernel", "published", "--kernel", "ladder-8+fma", "--family", "tangent")),
+    "precision": ("precision", ("precision", "--trials", 40, "--kernel", "published", "--kernel", "ladder-0", "--bits", 24, "--bits", 12, "--family", "tangent")),
+    "condition": ("condition", ("condition", "--trials", 200, "--kernel", "published", "--family", "tangent", "--family", "ratio")),
+    "critical-radius": ("critical-radius", ("critical-radius", "--trials", 40, "--kernel", "published", "--kernel", "ladder-0+prescaled", "--family", "scale")),
+    "league": ("league", ("league", "--kernel", "published", "--kernel", "fault/none", "--trials", 300, "--family", "tangent", "--no-speed")),
+    "search": ("search", ("search", "--kernel", "published", "--evaluations", 100000)),
+    "map": ("maps", ("map", "-", "--size", 8)),
+    "mutate": ("mutation", (*MUTATE, "swap")),
+    "mutate --verdict-only": ("mutation-by-verdict", (*MUTATE, "drop", "--verdict-only")),
+    "kernels": ("kernels", ("kernels",)),
+    "families": ("families", ("families",)),
+    "tests": ("tests", ("tests",)),
+}
+# Which of these write a folder.
+WRITTEN = {"ladder", "precision", "condition", "critical-radius", "league", "search", "mutate", "mutate --verdict-only"}
+
+
+def documented():
+    """The columns of each table of docs/data.md, in their order."""
+    columns = {}
+    for part in re.split(r"^## ", (ROOT / "docs/data.md").read_text(), flags=re.M)[1:]:
+        rows = re.findall(r"^\| (`.*?) \|", part, re.M)
+        columns[part.split("\n")[0]] = [name for row in rows for name in re.findall(r"`([^`]+)`", row)]
+    return columns
+
+
+def schema_of(name):
+    schema = json.loads((SCHEMAS / f"{name}.schema.json").read_text())
+    validator = jsonschema.validators.validator_for(schema)
+    validator.check_schema(schema)
+    return validator(schema)
+
+
+class Data(Case):
+    printed = {}  # by heading and format: each command runs once for each
+
+    def text(self, heading, form):
+        if (heading, form) not in self.printed:
+            folder = ("--out", self.folder / "out") if heading == "map" else ()
+            done = axiscert(*COMMANDS[heading][1], "--format", form, *folder, stdin=QUERY % 1 if heading == "map" else None)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.printed[heading, form] = done.stdout
+        return self.printed[heading, form]
+
+    def json(self, heading):
+        return json.loads(self.text(heading, "json"))
+
+    def csv(self, heading):
+        rows = list(csv.reader(io.StringIO(self.text(heading, "csv")), strict=True))
+        self.assertEqual({len(row) for row in rows}, {len(rows[0])}, heading)
+        self.assertGreater(len(rows), 1, heading)
+        return rows[0], [dict(zip(rows[0], row)) for row in rows[1:]]
+
+    def test_json_says_its_schema_and_conforms_to_it(self):
+        version = axiscert("--version").stdout.split()[1]
+        for heading, (name, _) in COMMANDS.items():
+            with self.subTest(heading):
+                data = self.json(heading)
+                self.assertEqual(list(data)[:2], ["schema", "axiscert"])
+                self.assertEqual((data["schema"], data["axiscert"]), (f"axiscert-{name}/1", version))
+                self.assertEqual([error.message[:200] for error in schema_of(name).iter_errors(data)], [])
+
+    def test_the_schemas_are_not_blind(self):
+        for heading, (name, _) in COMMANDS.items():
+            data = self.json(heading)
+            for wrong in ({**data, "schema": f"axiscert-{name}/2"}, {**data, "other": 1}, {k: v for k, v in data.items() if k != "axiscert"}):
+                self.assertTrue(list(schema_of(name).iter_errors(wrong)), name)
+
+    def test_each_schema_is_of_something_that_is_written(self):
+        others = {"record", "run", "ratchet", "comparison", "proofs"}
+        self.assertEqual({path.name.split(".")[0] for path in SCHEMAS.glob("*.schema.json")}, others | {name for name, _ in COMMANDS.values()})
+
+    def test_csv_has_the_columns_that_the_page_describes_in_their_order(self):
+        columns = documented()
+        self.assertEqual(set(columns), {*COMMANDS, "prove"})
+        for heading in COMMANDS:
+            self.assertEqual(self.csv(heading)[0], columns[heading], heading)
+
+    def test_every_column_is_filled_somewhere(self):
+        # What needs a fault that these few queries need not have.
+        rare = {"caught_after", "ns", "unanswered", "left_out", "reason", "source", "equivalent", "undefined", "not_decided"}
+        for heading in ("ladder", "precision", "condition", "critical-radius", "league", "search", "map", "kernels", "families", "tests"):
+            head, rows = self.csv(heading)
+            empty = {name for name in head if not any(row[name] for row in rows)}
+            self.assertLessEqual(empty, rare, heading)
+
+    def test_csv_has_the_figures_of_the_json(self):
+        for kernel in self.json("ladder")["kernels"]:
+            rows = {(row["family"], row["level"], row["name"]): row for row in self.csv("ladder")[1] if row["kernel"] == kernel["id"]}
+            self.assertEqual(int(rows["", "verdict", "verdict"]["false_contact"]), kernel["verdict"]["false_contact"])
+            self.assertEqual(int(rows["tangent", "comparison", "edge_ab.side_c"]["missed_separation"]),
+                             kernel["families"]["tangent"]["comparisons"]["edge_ab.side_c"]["missed_separation"])
+            self.assertEqual([int(rows["", "axis", "plane"][f"window.{end}"]) for end in ("low", "high")], kernel["axes"]["plane"]["window"])
+        for name, kernel in self.json("precision")["all"]["kernels"].items():
+            rows = [row for row in self.csv("precision")[1] if (row["kernel"], row["family"]) == (name, "")]
+            self.assertEqual([(row["bits"], row["exponents"]) for row in rows],
+                             [("", ""), ("12", "unlimited"), ("12", "limited"), ("24", "unlimited"), ("24", "limited")])
+            self.assertEqual(int(rows[1]["plane.radius"]), kernel["precisions"][0]["unlimited"]["comparisons"]["plane.radius"])
+            self.assertEqual(int(rows[0]["false_contact"]), kernel["exact"]["false_contact"])
+        for data in self.json("condition")["rows"]:
+            rows = [row for row in self.csv("condition")[1] if row["family"] == data["family"]]
+            self.assertEqual(sum(int(row["flips"]) for row in rows if row["comparison"]), data["total"]["flips"])
+        for data in self.json("league")["kernels"]:
+            (row,) = [row for row in self.csv("league")[1] if (row["kernel"], row["precision"]) == (data["id"], data["precision"])]
+            self.assertEqual(float(row["deepest_false_contact"]), data["families"]["tangent"]["deepest_false_contact"])
+        comparisons = {row["name"]: row for row in self.csv("search")[1] if row["level"] == "comparison"}
+        for data in self.json("search")["comparisons"]:
+            self.assertEqual(float(comparisons[data["name"]]["attained_u"]), data["attained_u"])
+        pictures = self.json("map")["maps"][0]["pictures"]
+        self.assertEqual([int(row["tie"]) for row in self.csv("map")[1]], [picture["counts"]["tie"] for picture in pictures])
+        for heading in ("mutate", "mutate --verdict-only"):
+            self.assertEqual([row["id"] for row in self.csv(heading)[1]], [mutant["id"] for mutant in self.json(heading)["mutants"]])
+        # Summaries have commas and quotes in them.
+        for heading, text in (("kernels", "summary"), ("families", "purpose"), ("tests", "asks")):
+            self.assertEqual([row[text] for row in self.csv(heading)[1]], [one[text] for one in self.json(heading)[heading]])
+        self.assertIn('"', self.text("kernels", "csv"))
+
+    def test_the_folder_has_both(self):
+        for heading in sorted(WRITTEN):
+            name, command = COMMANDS[heading]
+            done = axiscert(*command, "--out", self.folder / name)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            data = json.loads((self.folder / name / f"{name}.json").read_text())
+            head = (self.folder / name / f"{name}.csv").read_text().split("\n")[0]
+            self.assertEqual((data["schema"], head), (f"axiscert-{name}/1", ",".join(documented()[heading])))
+
+    def test_bounds_are_rows_too(self):
+        bare = {**os.environ, "PATH": "/nonexistent"}  # without a checker, nothing is checked and all is listed
+        done = {form: subprocess.run([BUILD / "axiscert", "prove", "--format", form], capture_output=True, text=True, env=bare)
+                for form in ("json", "csv")}
+        data, rows = json.loads(done["json"].stdout), list(csv.reader(io.StringIO(done["csv"].stdout)))
+        self.assertEqual(rows[0], documented()["prove"])
+        self.assertEqual([row[7] for row in rows[1:]], [bound["status"] for bound in data["bounds"]])
+        self.assertEqual([error.message for error in schema_of("proofs").iter_errors(data)], [])
+
+    def test_another_format_is_told_which_there_are(self):
+        self.refused("ladder", "--format", "cvs", says=["--format", "csv"])
+        self.refused("kernels", "--format", "xml", says=["--format", "text", "json", "csv"])
+
+
+if __name__ == "__main__":
+    unittest.main()

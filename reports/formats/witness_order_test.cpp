@@ -1,0 +1,79 @@
+// The order of the witnesses of a page: causes first, ordinary queries before others.
+#include "reports/formats/witness_order.h"
+
+#include "reports/testing/test_run.h"
+
+namespace axiscert {
+namespace {
+
+// A witness like the stored one, with plain numbers: `links` says why it is wrong.
+Json wrong(const char* id, double depth, Json links, const char* radius = "0x1p-1") {
+  Json witness = stored_record()["witnesses"][0];
+  witness["id"] = id;
+  witness["depth"] = depth;
+  witness["b"] = {"0x1p+1", "0x0p+0", "0x0p+0"};
+  witness["r"] = radius;
+  witness["flips"] = Json::array({{{"level", "verdict"},
+                                   {"name", "verdict"},
+                                   {"kind", "false_contact"},
+                                   {"decisive", true},
+                                   {"links", std::move(links)}}});
+  return witness;
+}
+
+std::vector<std::string> ids_of(const std::vector<Json>& witnesses, std::size_t limit = 100) {
+  Json record = stored_record();
+  record["witnesses"] = witnesses;
+  std::vector<std::string> ids;
+  for (const Json* witness : shown_witnesses(record, limit)) ids.push_back((*witness)["id"]);
+  return ids;
+}
+
+using Ids = std::vector<std::string>;
+
+TEST(WitnessOrder, BeginsWithOneOfEachCause) {
+  const Json rounding = Json::array({"rounding"}), specification = Json::array({"specification"});
+  EXPECT_EQ(ids_of({wrong("r1", 0.9, rounding), wrong("r2", 0.8, rounding), wrong("s1", 0.1, specification),
+                    wrong("s2", 0.05, specification)}),
+            (Ids{"r1", "s1", "r2", "s2"}));
+}
+
+TEST(WitnessOrder, BeginsWithOneOfEachClassOfInput) {
+  const Json unknown = Json::array({"unattributed"});
+  Json sliver = wrong("sliver", 0.1, unknown), deep = wrong("deep", 0.9, unknown),
+       second = wrong("second", 0.8, unknown);
+  sliver["class"] = "sliver";
+  deep["class"] = second["class"] = "scale";
+  EXPECT_EQ(ids_of({deep, second, sliver}), (Ids{"deep", "sliver", "second"}));
+}
+
+TEST(WitnessOrder, PutsOrdinaryQueriesBeforeDeeperExoticOnes) {
+  const Json range = Json::array({"range"}), rounding = Json::array({"rounding"});
+  // Of one cause the ordinary one is shown first; a cause that has exotic ones only comes after those that have others.
+  EXPECT_EQ(
+      ids_of({wrong("huge", 1, range, "0x1p+60"), wrong("plain", 0.1, range), wrong("tiny", 1, rounding, "0x1p-60")}),
+      (Ids{"plain", "tiny", "huge"}));
+}
+
+TEST(WitnessOrder, KeepsTheCausesWhereThereIsRoomForFew) {
+  const Json rounding = Json::array({"rounding"}), range = Json::array({"range"});
+  EXPECT_EQ(ids_of({wrong("r1", 0.9, rounding), wrong("r2", 0.8, rounding), wrong("r3", 0.7, rounding),
+                    wrong("g", 0.1, range)},
+                   2),
+            (Ids{"r1", "g"}));
+  EXPECT_TRUE(ids_of({wrong("r1", 0.9, rounding)}, 0).empty());
+}
+
+TEST(WitnessOrder, OrdinaryIsOfTheSizesOfAScene) {
+  const Json plan = stored_record()["plan"];
+  EXPECT_TRUE(is_ordinary(wrong("w", 1, Json::array({"range"}), "0x0p+0"), plan));
+  EXPECT_TRUE(is_ordinary(wrong("w", 1, Json::array({"range"}), "0x1p+20"), plan));
+  for (const char* radius : {"0x1.8p+20", "0x1p-21", "0x1p-149", "nan", "inf"})
+    EXPECT_FALSE(is_ordinary(wrong("w", 1, Json::array({"range"}), radius), plan)) << radius;
+  Json subnormal = wrong("w", 1, Json::array({"range"}));
+  subnormal["a"][0] = "0x1p-149";
+  EXPECT_FALSE(is_ordinary(subnormal, plan));
+}
+
+}  // namespace
+}  // namespace axiscert

@@ -1,0 +1,270 @@
+// The rows of each instrument's JSON as a table of one observation a line. Every column is described in docs/data.md,
+// which cli.Data compares with what is printed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "kernel/sphere_triangle/names.h"
+#include "reports/instrument/data.h"
+
+namespace axiscert {
+namespace {
+
+using DataColumns = std::vector<std::string>;
+
+// The elements of an array as they are.
+DataTable listed_rows(const Json& rows, DataColumns columns) {
+  return {std::move(columns), std::vector<Json>(rows.begin(), rows.end())};
+}
+
+// A row with `first` before what it has.
+Json extended(Json first, const Json& row) {
+  first.update(row);
+  return first;
+}
+
+DataTable ladder_rows(const Json& data) {
+  DataTable table{{"kernel",
+                   "family",
+                   "level",
+                   "name",
+                   "queries",
+                   "false_separation",
+                   "missed_separation",
+                   "false_contact",
+                   "touching_flips",
+                   "by_range",
+                   "median_u",
+                   "p99_u",
+                   "worst_u",
+                   "errors",
+                   "range_events",
+                   "error_without_scale",
+                   "window.low",
+                   "window.high",
+                   "critical_radius.median_ulps",
+                   "critical_radius.largest_ulps",
+                   "critical_radius.unbounded",
+                   "scalar_ns"},
+                  {}};
+  for (const Json& kernel : data["kernels"]) {
+    const auto add = [&](const Json& family, const Json& result) {
+      const Json head = {{"kernel", kernel["id"]}, {"family", family}};
+      const auto add_place = [&](const char* level, const std::string& name, const Json& figures) {
+        Json row =
+            extended(extended(head, {{"level", level}, {"name", name}, {"queries", result["queries"]}}), figures);
+        if (const Json window = figures.value("window", Json()); window.is_array())
+          row["window"] = {{"low", window[0]}, {"high", window[1]}};
+        table.rows.push_back(std::move(row));
+      };
+      Json verdict = extended(result["verdict"], {{"critical_radius", result["critical_radius"]}});
+      if (family.is_null() && data.contains("speed"))
+        verdict["scalar_ns"] = data["speed"]["kernels"][kernel["id"].get<std::string>()]["scalar"];
+      add_place("verdict", "verdict", verdict);
+      for (const auto& [name, figures] : result["axes"].items()) add_place("axis", name, figures);
+      for (const auto& [name, figures] : result["kinds"].items()) {
+        add_place("kind", name, figures);
+        for (const char* side : {"radius", "side"}) {
+          if (figures.contains(side)) add_place("kind", name + "." + side, figures[side]);
+        }
+      }
+      for (const auto& [name, figures] : result["comparisons"].items()) add_place("comparison", name, figures);
+    };
+    add(nullptr, kernel);
+    for (const auto& [family, result] : kernel["families"].items()) add(family, result);
+  }
+  return table;
+}
+
+DataTable precision_rows(const Json& data) {
+  DataTable table{
+      {"kernel", "family", "bits", "exponents", "queries", "false_separation", "false_contact", "rounding", "range"},
+      {}};
+  for (const ComparisonInfo& comparison : comparisons) table.columns.emplace_back(comparison.name);
+  const auto add = [&](const Json& family, const Json& result) {
+    for (const auto& [kernel, figures] : result["kernels"].items()) {
+      const Json head = {{"kernel", kernel}, {"family", family}, {"queries", result["queries"]}};
+      table.rows.push_back(extended(head, figures["exact"]));
+      for (const Json& step : figures["precisions"]) {
+        for (const char* exponents : {"unlimited", "limited"}) {
+          Json row =
+              extended(extended(head, {{"bits", step["bits"]}, {"exponents", exponents}}), step[exponents]["verdict"]);
+          row.update(step[exponents]["comparisons"]);
+          row.update({{"rounding", step["rounding"]}, {"range", step["range"]}});
+          table.rows.push_back(std::move(row));
+        }
+      }
+    }
+  };
+  add(nullptr, data["all"]);
+  for (const auto& [family, result] : data["families"].items()) add(family, result);
+  return table;
+}
+
+DataTable condition_rows(const Json& data) {
+  DataTable table{{"kernel",
+                   "family",
+                   "comparison",
+                   "flips",
+                   "evaluated",
+                   "ill_conditioned",
+                   "ties",
+                   "unstable",
+                   "range",
+                   "undefined",
+                   "not_decided",
+                   "sampled",
+                   "least_unstable.kappa_u",
+                   "least_unstable.address",
+                   "greatest_right.kappa_u",
+                   "greatest_right.address",
+                   "false_separation",
+                   "false_contact",
+                   "median_depth_u",
+                   "worst_depth_u",
+                   "worst_address"},
+                  {}};
+  for (const Json& row : data["rows"]) {
+    const Json head = {{"kernel", row["kernel"]}, {"family", row["family"]}};
+    table.rows.push_back(extended(extended(head, row["total"]), row["wrong_verdicts"]));
+    for (const auto& [name, counts] : row["comparisons"].items())
+      table.rows.push_back(extended(extended(head, {{"comparison", name}}), counts));
+  }
+  return table;
+}
+
+DataTable critical_radius_rows(const Json& data) {
+  DataTable table =
+      listed_rows(data["totals"], {"kernel", "family", "measured", "right", "within_1_ulp", "median_ulps", "p99_ulps",
+                                   "early", "late", "unbounded", "not_monotone", "unanswered", "left_out",
+                                   "worst_early.ulps", "worst_early.address", "worst_late.ulps", "worst_late.address"});
+  table.rows.insert(table.rows.end(), data["rows"].begin(), data["rows"].end());
+  return table;
+}
+
+DataTable league_rows(const Json& data) {
+  DataTable table{{"kernel",
+                   "precision",
+                   "family",
+                   "touching",
+                   "has_planted_fault",
+                   "ns",
+                   "trials",
+                   "answered",
+                   "false_separation",
+                   "false_contact",
+                   "touching_flips",
+                   "deepest_false_separation",
+                   "deepest_false_contact",
+                   "undecided",
+                   "invalid",
+                   "unanswered",
+                   "caught_after",
+                   "critical_radius.sampled",
+                   "critical_radius.median_ulps",
+                   "critical_radius.largest_ulps",
+                   "critical_radius.unbounded"},
+                  {}};
+  for (const Json& kernel : data["kernels"]) {
+    for (const auto& [family, figures] : kernel["families"].items()) {
+      Json row = {{"kernel", kernel["id"]}, {"family", family}};
+      for (const char* member : {"precision", "touching", "has_planted_fault", "ns"}) row[member] = kernel[member];
+      table.rows.push_back(extended(std::move(row), figures));
+    }
+  }
+  return table;
+}
+
+DataTable search_rows(const Json& data) {
+  DataTable table{{"kernel", "precision", "level", "name", "attained_u", "proved_u", "relative_u", "overflow.exponent",
+                   "underflow.exponent", "depth", "ulps", "links"},
+                  {}};
+  const Json head = {{"kernel", data["kernel"]}, {"precision", data["precision"]}};
+  for (const Json& comparison : data["comparisons"])
+    table.rows.push_back(extended(extended(head, {{"level", "comparison"}}), comparison));
+  for (const auto& [name, found] : data["verdict"].items()) {
+    const Json row = extended(head, {{"level", "verdict"}, {"name", name}});
+    table.rows.push_back(found.is_null() ? row : extended(row, found));
+  }
+  return table;
+}
+
+DataTable maps_rows(const Json& data) {
+  DataTable table{{"map", "kernel", "precision", "kind", "along.numbers", "across.numbers", "level", "name", "file"},
+                  {}};
+  for (const Json& entry : data["legend"]) table.columns.push_back(entry["class"]);
+  for (const Json& map : data["maps"]) {
+    for (const Json& picture : map["pictures"]) {
+      Json row = {{"map", map["name"]}};
+      for (const char* member : {"kernel", "precision", "kind", "along", "across"}) row[member] = map[member];
+      for (const char* member : {"level", "name", "file"}) row[member] = picture[member];
+      table.rows.push_back(extended(std::move(row), picture["counts"]));
+    }
+  }
+  return table;
+}
+
+DataTable mutation_rows(const Json& data) {
+  return listed_rows(
+      data["mutants"],
+      {"id", "precision", "fault", "where", "what", "caught.family", "caught.queries", "caught.address", "caught.kind",
+       "caught.depth", "caught_by_formulae_alone.family", "caught_by_formulae_alone.queries", "equivalent"});
+}
+
+DataTable mutation_by_verdict_rows(const Json& data) {
+  return listed_rows(data["mutants"],
+                     {"id", "precision", "fault", "where", "what", "magnitude", "trials", "refused.family",
+                      "refused.what", "reason", "survival.queries", "survival.other_verdicts", "survival.wrong",
+                      "survival.wrong_in_exact_arithmetic", "survival.touching_in_exact_arithmetic",
+                      "survival.deepest.family", "survival.deepest.address", "survival.deepest.depth"});
+}
+
+DataTable proofs_rows(const Json& data) {
+  return listed_rows(data["bounds"], {"comparison", "kernel", "precision", "domain", "bound_u", "attained_u", "ratio",
+                                      "status", "file"});
+}
+
+DataTable kernels_rows(const Json& data) {
+  return listed_rows(data["kernels"],
+                     {"id", "summary", "test", "entry", "formulae", "precisions", "targets", "exposes", "source"});
+}
+
+DataTable families_rows(const Json& data) {
+  return listed_rows(data["families"], {"name", "test", "purpose", "version", "exact_arithmetic", "cost"});
+}
+
+DataTable tests_rows(const Json& data) {
+  return listed_rows(data["tests"], {"id", "asks", "rule", "touching", "kernels", "families"});
+}
+
+struct NamedTable {
+  std::string_view name;  // axiscert-NAME/1 is the schema
+  DataTable (*table)(const Json&);
+};
+constexpr std::array named_tables = {NamedTable{"ladder", ladder_rows},
+                                     NamedTable{"precision", precision_rows},
+                                     NamedTable{"condition", condition_rows},
+                                     NamedTable{"critical-radius", critical_radius_rows},
+                                     NamedTable{"league", league_rows},
+                                     NamedTable{"search", search_rows},
+                                     NamedTable{"maps", maps_rows},
+                                     NamedTable{"mutation", mutation_rows},
+                                     NamedTable{"mutation-by-verdict", mutation_by_verdict_rows},
+                                     NamedTable{"proofs", proofs_rows},
+                                     NamedTable{"kernels", kernels_rows},
+                                     NamedTable{"families", families_rows},
+                                     NamedTable{"tests", tests_rows}};
+
+}  // namespace
+
+DataTable table_of(const Json& data) {
+  const std::string schema = data.at("schema");
+  for (const NamedTable& named : named_tables) {
+    if (schema.starts_with(fmt::format("axiscert-{}/", named.name))) return named.table(data);
+  }
+  throw std::logic_error(schema + " has no table");
+}
+
+}  // namespace axiscert
