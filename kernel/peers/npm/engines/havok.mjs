@@ -13,7 +13,7 @@ const asked = form({'mesh': {}, 'mesh-beside': {two: true}, 'hull': {hull: true}
 async function make() {
   const {hk, world, collector, made, meshOf, withBody, hits, isNear} = await loadedHavok();
 
-  // What `ask` says of the sphere, with the triangle in the world; undecided where Havok refuses one of them.
+  // The answer of `ask` about the sphere, with the triangle in the world; undecided where Havok refuses one of them.
   function withShapes(q, ask) {
     const sphere = made(hk.HP_Shape_CreateSphere(origin, radius(q)));
     if (sphere === null) return UNDECIDED;

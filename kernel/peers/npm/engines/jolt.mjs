@@ -44,7 +44,7 @@ async function make() {
     return made && meshOf(made.triangles);
   }
 
-  // What `ask` says of the triangle's shape and the sphere; undecided where Jolt refuses one of them.
+  // The answer of `ask` about the triangle's shape and the sphere; undecided where Jolt refuses one of them.
   function withShapes(q, ask) {
     const sphere = created(new Jolt.SphereShapeSettings(radius(q)));
     const shape = sphere && shapeOf(q);

@@ -25,8 +25,7 @@ export function turned(q, k = 0) {
   return {m: [...q.subarray(k, k + 3)], s: [...q.subarray(k + 3, k + 6)], turn: {x, y, z, w}};
 }
 
-// The answer of `ask` to both boxes of a query, which `read` makes; undecided where there is none.
-// The answers of `ask` to two boxes; undecided where one is none to engines.
+// The answers of `ask` about both boxes of a query, each as `read` makes it; undecided where one is none to engines.
 const answers = (read, columns, ask) => (q) => {
   const a = read(q), b = read(q, columns);
   return a && b ? ask(a, b) : UNDECIDED;

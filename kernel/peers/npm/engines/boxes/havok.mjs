@@ -12,7 +12,7 @@ async function make() {
   const {hk, made, meshOf, withBody, isNear} = await loadedHavok();
   const boxOf = (s) => made(hk.HP_Shape_CreateBox(origin, noTurn, [...s].map((x) => 2 * x)));  // it takes whole sizes
 
-  // What `ask` says of two shapes; undecided where Havok refuses one of them.
+  // The answer of `ask` about two shapes; undecided where Havok refuses one of them.
   function withShapes(shapes, ask) {
     const answer = shapes.includes(null) ? UNDECIDED : ask(...shapes);
     for (const used of shapes) if (used !== null) hk.HP_Shape_Release(used);

@@ -23,7 +23,7 @@ export async function loadedHavok() {
     return made(isHull ? hk.HP_Shape_CreateConvexHull(room, 3) : hk.HP_Shape_CreateMesh(room, positions.length / 3, indices, triangles.length));
   }
 
-  // What `ask` says with a static body of that shape in the world; it stands at `place`, turned by `turn` (x y z w).
+  // The answer of `ask` with a static body of that shape in the world; it stands at `place`, turned by `turn` (x y z w).
   function withBody(shape, ask, place = origin, turn = noTurn) {
     const body = hk.HP_Body_Create()[1];
     hk.HP_Body_SetMotionType(body, hk.MotionType.STATIC);
