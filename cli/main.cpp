@@ -1,4 +1,4 @@
-// axiscert: certifies floating-point sphere-triangle kernels against exact arithmetic.
+// axiscert: judges collision tests beside exact arithmetic.
 #include <fmt/format.h>
 #include <sys/resource.h>
 

@@ -57,7 +57,7 @@ install(FILES kernel/include/axiscert/plugin.h DESTINATION include/axiscert ${he
 install(FILES ${formulae} DESTINATION include/axiscert)
 foreach(place here debian)
   set(folder ${package_folder})
-  if(place STREQUAL debian)
+  if(place STREQUAL "debian")
     set(folder lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/axiscert)
   endif()
   install(TARGETS axiscert axiscert_plugin EXPORT axiscert_${place}Targets RUNTIME DESTINATION bin ${${place}})
@@ -74,3 +74,4 @@ install(DIRECTORY docs DESTINATION share/doc/axiscert FILES_MATCHING PATTERN "*.
 install(DIRECTORY examples/plugin examples/certified examples/plots examples/pipe examples/queries
         DESTINATION share/doc/axiscert/examples)
 install(FILES cmake/debian/copyright ${PROJECT_BINARY_DIR}/debian/changelog.gz DESTINATION share/doc/axiscert ${debian})
+install(FILES cmake/debian/lintian-overrides DESTINATION share/lintian/overrides RENAME axiscert ${debian})

@@ -1,5 +1,6 @@
 # The Debian packages, `cpack -G DEB` in the build folder: libaxiscert0 and libaxiscert-dev, as Debian divides a library, and
-# from a whole build axiscert, the command. ./dev package makes and tries them.
+# from a whole build axiscert, the command. ./dev package makes and tries them. CPack has one line of summary for all packages:
+# that of the command is given with -D there.
 set(CPACK_PACKAGE_NAME axiscert)
 set(CPACK_PACKAGE_VENDOR axiscert)
 set(CPACK_PACKAGE_CONTACT "the authors of axiscert <axiscert@example.org>")
@@ -38,8 +39,7 @@ if(NOT AXISCERT_ONLY_LIBRARY)
   set(CPACK_DEBIAN_AXISCERT_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_AXISCERT_PACKAGE_DEPENDS "libaxiscert-dev (= ${PROJECT_VERSION})")
   set(CPACK_DEBIAN_AXISCERT_PACKAGE_SUGGESTS "gcc, g++, cmake, libgmp-dev, gappa, coq, nodejs, python3-matplotlib")
-  set(CPACK_DEBIAN_AXISCERT_DESCRIPTION "judges collision tests beside exact arithmetic
-It runs a collision test on millions of random, adversarial and real queries,
+  set(CPACK_DEBIAN_AXISCERT_DESCRIPTION "It runs a collision test on millions of random, adversarial and real queries,
 and says where the test misses a contact, where it invents one, how deep, and
 why. A test of your own is a shared object, or a program in any language.")
 endif()

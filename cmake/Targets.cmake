@@ -123,7 +123,7 @@ endfunction()
 add_library(axiscert_test_settings INTERFACE)
 target_compile_definitions(axiscert_test_settings INTERFACE
   SOURCE_FOLDER="${PROJECT_SOURCE_DIR}" BUILD_FOLDER="${PROJECT_BINARY_DIR}" TEST_MODELS="${TEST_MODELS}"
-  TRIAL_DIVISOR=${AXISCERT_TRIAL_DIVISOR} AXISCERT_VERSION="${PROJECT_VERSION}")
+  TRIAL_DIVISOR=${AXISCERT_TRIAL_DIVISOR})
 
 # axiscert_test_header(LAYER LIBRARIES libraries... HEADERS headers...): the precompiled header of a layer's tests, read once.
 function(axiscert_test_header layer)

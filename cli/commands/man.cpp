@@ -59,8 +59,8 @@ std::string command_section(const CLI::App& command, const std::string& name) {
 
 std::string manual_page(const CLI::App& app) {
   std::string text = fmt::format(
-      ".TH AXISCERT 1 \"\" \"axiscert {0}\"\n.SH NAME\naxiscert \\- certifies floating\\-point sphere\\-triangle "
-      "kernels\n"
+      ".TH AXISCERT 1 \"\" \"axiscert {0}\"\n.SH NAME\naxiscert \\- judges collision tests beside "
+      "exact arithmetic\n"
       ".SH SYNOPSIS\n.B axiscert\n.I COMMAND\n.RI [ OPTIONS ]\n.SH DESCRIPTION\n{1}\n.SH OPTIONS\n{2}.SH COMMANDS\n",
       axiscert_version, roff(app.get_description()), options_of(app));
   for (const CLI::App* command : app.get_subcommands({})) {

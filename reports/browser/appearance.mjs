@@ -43,6 +43,17 @@ test('cuts no table of a card on a screen of 1,280 pixels', async () => {
   await close();
 });
 
+test('says of each table that is cut at 1,280 pixels that it goes on', async () => {
+  const {page, close} = await opened(real, {viewport: {width: 1280, height: 800}});
+  await page.waitForTimeout(300);
+  const tables = await page.locator('.scroll:has(> table)').evaluateAll((all) => all.filter((box) => !box.closest('details:not([open])')).map((box) => ({
+    name: box.getAttribute('aria-label'), is_cut: box.scrollWidth > box.clientWidth,
+    says_so: getComputedStyle(box.querySelector('caption'), '::after').content.includes('goes on to the right')})));
+  assert.ok(tables.some(({is_cut}) => is_cut) && tables.some(({is_cut}) => !is_cut));
+  assert.deepEqual(tables.filter(({is_cut, says_so}) => is_cut !== says_so), []);
+  await close();
+});
+
 test('reaches everything by keyboard', async () => {
   const {page, close} = await opened(real);
   await page.keyboard.press('Tab');

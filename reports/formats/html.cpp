@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "fuzz/text/number_text.h"
 #include "kernel/names.h"
@@ -140,9 +141,9 @@ Json requirement_data(const Json& record) {
   return data;
 }
 
-Json cards(const Json& record, std::size_t limit) {
+Json cards(const Json& record, std::size_t limit, const std::set<std::string>& named) {
   Json data = {{"total", record["witnesses"].size()}, {"cards", Json::array()}};
-  for (const Json* witness : shown_witnesses(record, limit)) {
+  for (const Json* witness : shown_witnesses(record, limit, named)) {
     data["cards"].push_back(witness_card(*witness, record["plan"]));
   }
   return data;
@@ -204,9 +205,13 @@ std::string render_html(const Run& run) {
         {"/*CSS*/", css}, {"/*DATA*/", data}, {"/*WITNESSES*/", std::move(witnesses)}, {"/*JS*/", js}};
     return filled(embedded::report_html, places);
   };
+  std::set<std::string> named;  // where a level is not met
+  if (!requirements_of(run.record["plan"]).levels.empty()) {
+    for (const Failure& failure : failures_of(outcomes_of(run.record))) named.insert(failure.witness);
+  }
   const std::size_t taken = with("").size(), room = page_bytes - std::min(page_bytes, taken);
   for (std::size_t limit = page_witnesses;;) {
-    std::string witnesses = packed(cards(run.record, limit).dump());
+    std::string witnesses = packed(cards(run.record, limit, named).dump());
     if (witnesses.size() <= room || limit == 0) return with(std::move(witnesses));
     // As many as would fit if all had the same size, and at least one fewer.
     limit = std::min(limit - 1, limit * room / witnesses.size());

@@ -80,7 +80,7 @@ bool is_ordinary(const Json& witness, const Json& plan) {
   return true;
 }
 
-std::vector<const Json*> shown_witnesses(const Json& record, std::size_t limit) {
+std::vector<const Json*> shown_witnesses(const Json& record, std::size_t limit, const std::set<std::string>& named) {
   const Json& plan = record["plan"];
   const std::set<const Json*> firsts = firsts_of_causes(record);
   std::vector<const Json*> chosen;
@@ -89,6 +89,9 @@ std::vector<const Json*> shown_witnesses(const Json& record, std::size_t limit) 
     if (chosen.size() < limit && taken.insert(witness).second) chosen.push_back(witness);
   };
   for (const Json* witness : firsts) take(witness);
+  for (const Json& witness : record["witnesses"]) {
+    if (named.contains(witness["id"].get<std::string>())) take(&witness);
+  }
   for (const Json* witness : worst_witnesses(record, limit / 2)) take(witness);
   std::set<std::string> places;
   const auto opens_a_place = [&](const Json& witness) {

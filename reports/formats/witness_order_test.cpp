@@ -64,6 +64,15 @@ TEST(WitnessOrder, KeepsTheCausesWhereThereIsRoomForFew) {
   EXPECT_TRUE(ids_of({wrong("r1", 0.9, rounding)}, 0).empty());
 }
 
+TEST(WitnessOrder, HasTheOnesThatAreNamed) {
+  const Json rounding = Json::array({"rounding"});
+  Json record = stored_record();
+  record["witnesses"] = {wrong("r1", 0.9, rounding), wrong("r2", 0.8, rounding), wrong("r3", 0.7, rounding)};
+  const auto shown = shown_witnesses(record, 2, {"r3"});
+  ASSERT_EQ(shown.size(), 2u);
+  EXPECT_EQ((*shown[1])["id"], "r3");
+}
+
 TEST(WitnessOrder, OrdinaryIsOfTheSizesOfAScene) {
   const Json plan = stored_record()["plan"];
   EXPECT_TRUE(is_ordinary(wrong("w", 1, Json::array({"range"}), "0x0p+0"), plan));

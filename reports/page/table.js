@@ -100,6 +100,8 @@ function scroll_table(caption, className, ...parts) {
   scroll.tabIndex = 0;
   scroll.setAttribute('role', 'region');
   scroll.setAttribute('aria-label', caption);
+  // Its caption says so where a part of it is out of sight.
+  new ResizeObserver(() => scroll.classList.toggle('wide', scroll.scrollWidth > scroll.clientWidth)).observe(scroll);
   return scroll;
 }
 

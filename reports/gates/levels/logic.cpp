@@ -100,10 +100,11 @@ void find_logic_failures(const Subject& subject, const std::string& family, cons
 }
 
 std::string logic_sentence(const AskedLevel&) {
-  return "no wrong verdict but by rounding or range: neither the formulae are wrong (specification) nor the code that "
-         "computes them (implementation); for a kernel that claims no formulae, or evaluates them in its own way: none "
-         "where nothing is rounded that its formulae do not give, touching spheres not counted, and none that changes "
-         "with the unit of length";
+  return "no wrong verdict but by rounding or range: the formulae are right (specification), and so is the code that "
+         "computes them (implementation). A kernel that claims no formulae, or has its own way to evaluate them, is "
+         "held "
+         "to queries on which nothing is rounded, touching spheres not counted, and to other units of length, in which "
+         "its verdicts have to be the same";
 }
 
 LevelFindings judge_logic(const AskedLevel&, const Subject& subject) { return logic_findings(subject); }

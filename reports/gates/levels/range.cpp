@@ -8,8 +8,10 @@ namespace axiscert {
 namespace {
 
 std::string range_sentence(const AskedLevel&) {
-  return "no wrong verdict with a broken specification, implementation or range link; for a kernel that claims no "
-         "formulae, or evaluates them in its own way: no wrong verdict of unknown cause";
+  return "no wrong verdict but by rounding: the formulae are right (specification), so is the code that computes them "
+         "(implementation), and nothing over- or underflows into a wrong verdict (range). A kernel that claims no "
+         "formulae, or has its own way to evaluate them, has no wrong verdict, since none can be told to be of "
+         "rounding";
 }
 
 LevelFindings judge_range(const AskedLevel&, const Subject& subject) {

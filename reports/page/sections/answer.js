@@ -70,9 +70,14 @@ function witness_link(data, id) {
   return link;
 }
 
-function deepest_witness(data, entry, kind) {
-  return data.witnesses.cards.find((witness) => witness.kernel === entry.id && witness.precision === entry.precision &&
+// The witnesses of wrong verdicts of that kind that the page has, in its order.
+function wrong_witnesses(data, entry, kind) {
+  return data.witnesses.cards.filter((witness) => witness.kernel === entry.id && witness.precision === entry.precision &&
     witness.flips.some((flip) => flip.level === 'verdict' && flip.kind === kind));
+}
+
+function deepest_witness(data, entry, kind) {
+  return wrong_witnesses(data, entry, kind).reduce((x, y) => (x === null || y.depth > x.depth ? y : x), null);
 }
 
 function metric(data, entry, label, member, alarm) {

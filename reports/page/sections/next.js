@@ -6,15 +6,15 @@ function kernel_to_mend(data) {
   return data.kernels.find((entry) => failures_of(data, entry).length > 0) ?? data.kernels.find(wrong) ?? null;
 }
 
-// What to look at: the deepest witness of that kernel that the page has, a missed contact before an invented one.
+// What to look at: the first witness of that kernel, a missed contact before an invented one. It is of ordinary numbers where there is one.
 function look_step(data, entry) {
   if (entry === null) {
     return el('li', '', 'Nothing was wrong on these queries. Look for the worst there is: ',
               el('code', '', `axiscert search --kernel ${data.plan.kernels[0]}`), '.');
   }
-  const witness = deepest_witness(data, entry, 'false_separation') ?? deepest_witness(data, entry, 'false_contact');
+  const [witness] = [...wrong_witnesses(data, entry, 'false_separation'), ...wrong_witnesses(data, entry, 'false_contact')];
   if (!witness) return el('li', '', 'Look at where ', el('span', 'name', entry.id), ' is wrong, below.');
-  return el('li', '', 'Look at the deepest wrong verdict of ', el('span', 'name', entry.id), ': ', witness_link(data, witness.id),
+  return el('li', '', 'Look at a wrong verdict of ', el('span', 'name', entry.id), ': ', witness_link(data, witness.id),
             witness.depth > 0 ? `, wrong by ${amount(witness.depth, 3)} of the scene` : '', '.');
 }
 

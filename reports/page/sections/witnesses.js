@@ -120,6 +120,7 @@ function witness_card(witness, clauses) {
     time_chip(witness),
     el('span', '', el('span', 'name', witness.kernel), `, ${witness.precision}`),
     el('span', 'name', witness.family),
+    witness.class ? chip(witness.class) : '',
     el('span', 'chips', ...(verdict?.links ?? []).map((link) => chip(link, `link-${link}`))),
     el('span', 'depth', depth_words(witness))));
   card.id = `witness-${witness.id}`;
