@@ -63,7 +63,7 @@ endif()
 
 # Libraries without a package file of their own for CMake: a header and a library.
 function(axiscert_find_plain package target header)
-  find_path(${target}_INCLUDE ${header} PATH_SUFFIXES bullet)
+  find_path(${target}_INCLUDE ${header} PATH_SUFFIXES bullet libwildmagic)
   set(libraries "")
   foreach(library ${ARGN})
     find_library(${target}_${library}_LIBRARY ${library})

@@ -157,6 +157,22 @@ def sweeps(commands, old):
     return "".join(lines[:2]) + "".join(row(line) for line in lines[2:])
 
 
+ENDS_KERNELS = "ends-twenty ends-twenty-nonstrict ends-difference ends-rounded".split()
+ENDS = ("ends_general ends_huge", "ends_graze ends_touch", "ends_slide ends_along", "ends_approach", "ends_still", "ends_line", "ends_point",
+        "ends_lattice", "ends_walk")
+
+
+def ends(commands, old):
+    record = commands.run(*options("--kernel", ["moving-sphere/" + name for name in ENDS_KERNELS]), "--trials", "1000", "--precision", "binary32")[1]
+
+    def row(kernel):
+        families = {family.split("/")[-1]: result["verdict"] for family, result in kernel["families"].items()}
+        return [f"`{kernel['id'].split('/')[-1]}`", *(" / ".join(f"{sum(families[family][kind] for family in group.split()):,}"
+                                                               for kind in ("false_separation", "false_contact")) for group in ENDS)]
+
+    return with_rows(old, map(row, record["kernels"]))
+
+
 # ---- docs/boxes.md
 
 BOX_KERNELS = "projected columns dropped framed textbook rtcd gottschalk bullet cofactor".split()
@@ -258,6 +274,7 @@ TABLES = {
     "main-job-rows": ("docs/main-job.md", main_job_rows, "long"),
     "declined": ("docs/proofs.md", declined, "quick"),
     "sweeps": ("docs/moving.md", sweeps, "long"),
+    "ends": ("docs/moving.md", ends, "long"),
     "box-misses": ("docs/boxes.md", box_misses, "long"),
     "box-phantoms": ("docs/boxes.md", box_phantoms, "long"),
     "box-peers-missed": ("docs/boxes.md", box_peers("false_separation"), "long"),

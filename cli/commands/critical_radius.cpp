@@ -3,6 +3,7 @@
 #include "cli/progress_line.h"
 #include "fuzz/instruments/critical_distance.h"
 #include "fuzz/queries/address.h"
+#include "fuzz/queries/entry_families.h"
 #include "fuzz/queries/image_groups.h"
 #include "reports/instrument/critical_radius_report.h"
 
@@ -22,9 +23,9 @@ Defaults defaults_of(const TestDescription& test) {
   }
   Defaults all;
   for (const Kernel& kernel : kernels()) {
-    if (kernel.test == &test) all.kernels.push_back(kernel.id);
+    if (kernel.test == &test && kernel.entry == 0) all.kernels.push_back(kernel.id);
   }
-  for (const Family* family : families_of(test)) {
+  for (const Family* family : families_of(test, 0)) {
     if (image_group(family->name) == nullptr) all.families.emplace_back(family->name);
   }
   return all;
@@ -50,6 +51,7 @@ int measure(const InstrumentOptions& options) {
                                 options.seed,
                                 options.threads};
   require_one_test(plan.kernels, plan.sources);
+  require_first_entry("critical-radius", test, plan.kernels.front()->entry);
   const auto result =
       with_progress("critical-radius", [&](const ShowProgress& show) { return measure_critical_radii(plan, show); });
   return put_instrument(critical_radius_report(plan, result, instrument_command("critical-radius", options)), options);

@@ -53,6 +53,7 @@ StoredQuery witness_of(const MapOptions& options) {
   }
   const StoredQuery& only = queries.front();
   require_served("map", *only.test, tests_of_spheres());
+  require_first_entry("map", *only.test, only.entry);
   const bool valid = std::visit(
       [&](const auto& q) { return oracles_of(*only.test).truth(q).verdict != Verdict::invalid; }, only.numbers);
   if (!valid) throw Error(fmt::format("query '{}': not a valid query to draw a map around", queries.front().id));

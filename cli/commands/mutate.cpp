@@ -12,6 +12,7 @@
 #include "cli/values.h"
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
+#include "fuzz/queries/entry_families.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
 #include "reports/gates/requirement.h"
@@ -143,7 +144,7 @@ int mutate(const MutateOptions& given) {
     plan.families.push_back(&find_family(name));
     require_one_test({&base}, {family_source(*plan.families.back())});
   }
-  if (plan.families.empty()) plan.families = families_of(*base.test);
+  if (plan.families.empty()) plan.families = families_of(*base.test, base.entry);
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};
   plan.trials = options.trials.value_or(default_trials(options, *base.test));

@@ -11,6 +11,7 @@
 #include "cli/values.h"
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
+#include "fuzz/queries/entry_families.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
@@ -53,6 +54,7 @@ const Kernel& kernel_of(const SearchOptions& options) {
       options.kernel.empty() ? default_kernel(test_given(options.test)) : find_kernel(options.kernel);
   test_of_kernels(options.test, {&kernel});
   require_served("search", *kernel.test, tests_of_spheres());
+  require_first_entry("search", *kernel.test, kernel.entry);
   return kernel;
 }
 
@@ -64,7 +66,7 @@ std::vector<SourcePtr> sources_of(const SearchOptions& options, const Kernel& ke
   std::vector<SourcePtr> sources;
   for (const std::string& name : names) sources.push_back(family_source(find_family(name)));
   if (names.empty()) {
-    for (const Family* family : families_of(*kernel.test)) sources.push_back(family_source(*family));
+    for (const Family* family : families_of(*kernel.test, kernel.entry)) sources.push_back(family_source(*family));
   }
   require_one_test({&kernel}, sources);
   return sources;
@@ -95,7 +97,8 @@ SearchPlan plan_of(const SearchOptions& options) {
   plan.first_queries = is_first ? first_queries : first_by_oracles;
   if (!options.families.empty()) plan.first_sources = plan.sources;
   else
-    for (const Family* family : families_of(*plan.kernel->test)) plan.first_sources.push_back(family_source(*family));
+    for (const Family* family : families_of(*plan.kernel->test, plan.kernel->entry))
+      plan.first_sources.push_back(family_source(*family));
   plan.seed = options.seed;
   plan.seconds = options.seconds;
   plan.evaluations = options.evaluations;

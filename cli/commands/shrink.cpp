@@ -59,8 +59,10 @@ std::optional<Symptom> named(const TestDescription& test, std::string_view what)
 }
 
 // Refuses a test that is not served, and what is no name of a symptom, or is not kept for this test.
-void require_known(const TestDescription& test, std::string_view what) {
+void require_known(const Kernel& kernel, std::string_view what) {
+  const TestDescription& test = *kernel.test;
   require_served("shrink", test, tests_of_spheres());
+  require_first_entry("shrink", test, kernel.entry);
   if (what.empty()) return;
   if (what != asymmetry_name && !named(test, what)) throw Error(unknown_symptom(test, what));
   if (what == asymmetry_name || what.ends_with(error_suffix)) require_served(fmt::format("--what {}", what), test);
@@ -219,7 +221,8 @@ void shrink_one(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkO
 // The kernel that was given; else that of the queries' test.
 const Kernel& kernel_for(const ShrinkOptions& options, const std::vector<StoredQuery>& queries) {
   if (!options.kernel.empty()) return find_kernel(options.kernel);
-  return default_kernel(queries.empty() ? first_test() : *queries.front().test);
+  if (queries.empty()) return default_kernel(first_test());
+  return default_kernel(*queries.front().test, queries.front().entry);
 }
 
 void require_queries_of(const Kernel& kernel, const std::vector<StoredQuery>& queries) {
@@ -238,10 +241,10 @@ void require_queries_of(const Kernel& kernel, const std::vector<StoredQuery>& qu
 
 int shrink_all(const ShrinkOptions& options) {
   // Before queries are read, which may be long.
-  if (!options.kernel.empty()) require_known(*find_kernel(options.kernel).test, options.what);
+  if (!options.kernel.empty()) require_known(find_kernel(options.kernel), options.what);
   const auto queries = queries_given(options.queries, options.precision, options.files);
   const Kernel& kernel = kernel_for(options, queries);
-  require_known(*kernel.test, options.what);
+  require_known(kernel, options.what);
   require_loaded(kernel);
   const std::string target = resolve_target(options.target);
   require_queries_of(kernel, queries);

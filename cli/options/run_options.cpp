@@ -14,6 +14,7 @@
 #include "cli/values.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/corpus.h"
+#include "fuzz/queries/entry_families.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/sha256.h"
 #include "kernel/base/alike.h"
@@ -212,9 +213,7 @@ std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescri
   const bool all =
       nothing_given || std::find(options.families.begin(), options.families.end(), "all") != options.families.end();
   if (all) {
-    for (const Family* family : families_of(test)) {
-      if (family->entry == entry) add(family_source(*family));
-    }
+    for (const Family* family : families_of(test, entry)) add(family_source(*family));
   }
   for (const std::string& name : options.families) {
     if (name != "all") add(family_source(find_family(name)));
@@ -270,7 +269,10 @@ Plan plan_of(const RunOptions& given) {
     plan.kernels.push_back(&default_kernel(*plan.test, entry_of_families(*plan.test, options.families)));
   }
   if (options.planted != RunOptions().planted) require_served("--plant", *plan.test);
-  if (options.shrink != 0) require_served("--shrink", *plan.test, tests_of_spheres());
+  if (options.shrink != 0) {
+    require_served("--shrink", *plan.test, tests_of_spheres());
+    require_first_entry("--shrink", *plan.test, plan.kernels.front()->entry);
+  }
   if (!options.preset.empty()) apply_preset(options.preset, *plan.test, options);
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};

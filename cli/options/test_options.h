@@ -29,6 +29,9 @@ void require_one_test(const std::vector<const Kernel*>& kernels, const std::vect
 // another test.
 const TestDescription& test_of_sources(const std::string& test, const std::vector<SourcePtr>& sources);
 
+// For a command, or an option of one, that serves queries of a test's first entry alone: throws Error for any other.
+void require_first_entry(std::string_view command, const TestDescription& test, std::size_t entry);
+
 // The tests of a sphere and a triangle, whose queries search, shrink and map can move.
 std::vector<const TestDescription*> tests_of_spheres();
 

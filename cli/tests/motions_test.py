@@ -39,7 +39,7 @@ class Motions(Case):
 
     def test_the_names_in_the_tests_of_peers_are_here(self):
         text = (CORPUS.parents[1] / "kernel/peers/moving_sphere/sweep_faults_test.cpp").read_text()
-        named = re.findall(r"(?:bullet|fcl|ode)-[a-z-]+(?=[,:\n])", "\n".join(re.findall(r"^// (.*)$", text, re.MULTILINE)) + "\n")
+        named = re.findall(r"(?:bullet|fcl|ode|wildmagic)-[a-z-]+(?=[,:\n])", "\n".join(re.findall(r"^// (.*)$", text, re.MULTILINE)) + "\n")
         self.assertTrue(named)
         self.assertLessEqual(set(named), {entry["id"] for entry in self.ENTRIES})
 

@@ -211,6 +211,28 @@ class Pipe(Case):
         self.assertEqual(late[0], 0)
         self.assertGreater(late[1], 10)
         self.assertIn("--measures 1 | PROGRAM", (self.folder / "late1/report.md").read_text())
+    def test_what_is_no_time_is_counted_and_nothing_is_lost(self):
+        plan = ("--test", "moving-sphere", "--family", "moving-sphere/general", "--trials", 300)
+        queries = self.queries(*plan, "--measures", 1)
+        size, count = struct.unpack_from("<I", queries, 24)[0], struct.unpack_from("<Q", queries, 16)[0]
+        replies = lambda time: queries[:size] + struct.pack("<BB6xQf", 0, 2, 0, time) * count
+        contacts = None
+        for kind, times in (("invalid", (-1e-45, -1, 1.0000002, 7, float("inf"), float("-inf"))), ("none", (float("nan"),))):
+            for time in times:
+                record = self.judged(self.stored("times.bin", replies(time)), "--require", "never-late", out=f"{kind}{time}", code=1)
+                motion = family(record, "moving-sphere/general", kernel="pipe")["motion"]
+                self.assertEqual((motion["time"][kind], motion["time"]["late"]), (motion["hits"], 0), time)
+                contacts = contacts or motion["hits"]
+                self.assertEqual(motion["hits"], contacts)
+                self.assertIn("pipe", (self.folder / f"{kind}{time}/report.md").read_text())
+        self.assertGreater(contacts, 10)
+        # Records without their measure, or with two, are no replies to this stream.
+        for reply in (struct.pack("<BB6xQ", 0, 2, 0), struct.pack("<BB6xQff", 0, 2, 0, 0.5, 0.5)):
+            self.refused_replies(queries[:size] + reply * count, says=["bad.bin"])
+        self.refused_replies(replies(0.5)[:-3], says=["bad.bin"])
+
+    def test_measures_are_of_a_test_that_has_them(self):
+        plan = ("--test", "moving-sphere", "--family", "moving-sphere/general", "--trials", 400)
         self.refused("generate", "--binary", "--family", "general", "--measures", 1, says=["the test sphere-triangle has none"])
         self.refused("generate", "--binary", *plan, "--measures", 9, says=["has 8, from time to point_z"])
         self.refused("generate", *plan, "--measures", 1, says=["--measures", "--binary"])

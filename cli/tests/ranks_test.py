@@ -8,6 +8,7 @@ import time
 import unittest
 
 from command import BUILD, ROOT
+from motion_records_test import MOTIONS
 from plan_case import PlanCase
 
 # For root, and for more ranks than cores, which Open MPI refuses to start otherwise.
@@ -38,6 +39,13 @@ class Ranks(MpiCase):
                 self.assertIn("MiB at most", said)
                 uses = json.loads((out / "run.json").read_text())["scale"]["ranks"]
                 self.assertEqual(len(uses), ranks)
+
+    def test_the_record_of_motions_on_1_to_3_ranks(self):
+        self.ok("run", *MOTIONS, "--threads", 1, "--out", self.folder / "alone")
+        self.ok("plan", *MOTIONS, "--units-per-stretch", 1, "--out", self.plan)
+        for ranks in range(1, 4):
+            self.mpi_ok(ranks, "--out", self.folder / f"ranks-{ranks}")
+            self.assertEqual(self.record(f"ranks-{ranks}"), self.record("alone"), ranks)
 
     def test_a_fault_ends_all_ranks_with_its_exit_code(self):
         self.plan.write_text("{}")

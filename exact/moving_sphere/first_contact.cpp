@@ -9,7 +9,7 @@ namespace axiscert::moving_sphere {
 namespace {
 
 // r^2 in squares of the motion's unit.
-Rational limit_of(const MovingQuery<double>& q, const MotionPieces& motion) {
+Rational limit_of(const GivenMotion& q, const MotionPieces& motion) {
   const Rational r = scaled(exact(q.r), -motion.exponent);
   return r * r;
 }
@@ -56,9 +56,9 @@ int sign_at(const RootTime& t, const Rational& value, const Rational& slope) {
   return rest_sign * cmp(rest * rest, slope * slope * t.square);
 }
 
-std::optional<FirstContact> first_contact(const MovingQuery<double>& q) { return first_contact(q, MotionPieces(q)); }
+std::optional<FirstContact> first_contact(const GivenMotion& q) { return first_contact(q, MotionPieces(q)); }
 
-std::optional<FirstContact> first_contact(const MovingQuery<double>& q, const MotionPieces& motion) {
+std::optional<FirstContact> first_contact(const GivenMotion& q, const MotionPieces& motion) {
   const Rational limit = limit_of(q, motion);
   for (const Piece& piece : motion.pieces) {
     if (const std::optional<RootTime> t = first_within(piece, limit)) {
@@ -68,7 +68,7 @@ std::optional<FirstContact> first_contact(const MovingQuery<double>& q, const Mo
   return std::nullopt;
 }
 
-bool is_promised(const MotionPolicy& policy, const MovingQuery<double>& q) {
+bool is_promised(const MotionPolicy& policy, const GivenMotion& q) {
   const MotionPieces motion(q);
   if (policy.still == StillPolicy::ignored && portable::dot(motion.d, motion.d) == 0) return false;
   if (policy.sides == SidesPolicy::front && sgn(portable::dot(motion.d, motion.normal)) >= 0) return false;

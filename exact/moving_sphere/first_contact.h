@@ -42,12 +42,12 @@ struct FirstContact {
 //
 // Over the pieces in their order, the squared distance first falls to r^2 at the beginning of a piece, which is
 // rational, or at the lesser root (b - sqrt(b^2 - a c)) / a of its parabola less r^2. No two roots are compared.
-std::optional<FirstContact> first_contact(const MovingQuery<double>& q);
+std::optional<FirstContact> first_contact(const GivenMotion& q);
 // The same with the pieces of the query's motion at hand.
-std::optional<FirstContact> first_contact(const MovingQuery<double>& q, const MotionPieces& motion);
+std::optional<FirstContact> first_contact(const GivenMotion& q, const MotionPieces& motion);
 
 // Whether a kernel with this policy promises to be right on the query, exactly.
-bool is_promised(const MotionPolicy& policy, const MovingQuery<double>& q);
+bool is_promised(const MotionPolicy& policy, const GivenMotion& q);
 
 // The greatest number of the precision that is not greater than t, for t in [0, 1]: the best time that is not late.
 template <class Real>

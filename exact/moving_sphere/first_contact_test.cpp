@@ -69,6 +69,21 @@ TEST(FirstContact, TheStartIsToldApart) {
   EXPECT_EQ(start_of(at_the_corner({1, 1, 2}, {0, 0, -9}, 1)), Start::clear);
 }
 
+// From z = 2^60 down to z = 1 on the face: D = 1 - 2^60 is no double.
+TEST(FirstContact, OfAMotionByItsEndsHasTheExactDisplacement) {
+  EndsQuery<double> q{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0x1p60}, {1, 1, 1}, 2};
+  const Rational far = exact(0x1p60);
+  expect_contact(first_contact(q).value(), Rational((far - 2) / (far - 1)), {face}, "a unit before the end");
+  EXPECT_EQ(swept_distance_order(q), -1);
+  q.r = 1;
+  expect_contact(first_contact(q).value(), 1, {face}, "touches at the end");
+  EXPECT_EQ(swept_distance_order(q), 0);
+  EXPECT_EQ(swept_distance_order(q, 0.5), 1);
+  q.r = 0.5;
+  EXPECT_FALSE(first_contact(q));
+  EXPECT_EQ(least_distance(q).squared, 1);
+}
+
 TEST(RootTime, SignsAreThoseOfTheNumber) {
   const RootTime t{2, 2};  // 2 - sqrt 2 = 0.5857...
   EXPECT_EQ(compare(t, Rational(585, 1000)), 1);

@@ -35,7 +35,7 @@ bool crosses_the_face(const MotionPieces& motion) {
 
 }  // namespace
 
-LeastDistance least_distance(const MovingQuery<double>& q) {
+LeastDistance least_distance(const GivenMotion& q) {
   const MotionPieces motion(q);
   std::optional<Rational> least;
   for (const Piece& piece : motion.pieces) {

@@ -2,8 +2,8 @@
 // with the twenty axes or with CGAL.
 #pragma once
 
+#include "exact/moving_sphere/given_motion.h"
 #include "exact/numbers/rational.h"
-#include "kernel/moving_sphere/moving_sphere.h"
 
 namespace axiscert::moving_sphere {
 
@@ -18,6 +18,6 @@ struct LeastDistance {
 // same. A feature's interval is where linear functions of t, its gates, are not negative; the intervals cover [0, 1]
 // together, since a triangle's Voronoi regions are bounded by planes. So the least is at an end of such an interval or
 // at b / a in it, all of which are rational.
-LeastDistance least_distance(const MovingQuery<double>& q);
+LeastDistance least_distance(const GivenMotion& q);
 
 }  // namespace axiscert::moving_sphere

@@ -63,7 +63,7 @@ Rational next_above(double time) {
 }  // namespace
 
 template <class Real>
-ContactJudge<Real>::ContactJudge(const MovingQuery<double>& q)
+ContactJudge<Real>::ContactJudge(const GivenMotion& q)
     : q_(q), motion_(q), contact_(first_contact(q, motion_).value()), r_(exact(q.r)), scene_(squared_scene(q)) {}
 
 template <class Real>

@@ -12,7 +12,7 @@ template <class Real>
 class ContactJudge final : public MotionJudge {
  public:
   // Precondition: the query is valid and has contact.
-  explicit ContactJudge(const MovingQuery<double>& q);
+  explicit ContactJudge(const GivenMotion& q);
 
   MotionJudgement hit(std::span<const double> measures) override;
   Tunnel missed() override;
@@ -32,7 +32,7 @@ class ContactJudge final : public MotionJudge {
   Place place() const;
   portable::Vec3<Rational> exact_centre() const;  // P
 
-  MovingQuery<double> q_;
+  GivenMotion q_;
   MotionPieces motion_;
   FirstContact contact_;
   Rational r_, scene_;  // the scene's extent is squared

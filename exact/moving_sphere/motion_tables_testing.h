@@ -1,4 +1,5 @@
-// For tests whose numbers stand in docs/moving.md: the kernels' answers beside the exact ones, and rows of a table.
+// For tests whose numbers stand in docs/moving.md or another page: the kernels' answers beside the exact ones, and rows
+// of a table.
 #pragma once
 
 #include <fmt/format.h>
@@ -53,14 +54,13 @@ inline std::string table_row(const std::vector<std::string>& cells) {
   return row;
 }
 
-// Each row has to stand in docs/moving.md, as a line of its own.
-inline void expect_in_the_document(const std::vector<std::string>& rows) {
-  std::ifstream file(SOURCE_FOLDER "/docs/moving.md");
+// Each row has to stand in the page, as a line of its own.
+inline void expect_in_the_document(const std::vector<std::string>& rows, const std::string& page = "docs/moving.md") {
+  std::ifstream file(SOURCE_FOLDER "/" + page);
   std::vector<std::string> lines;
   for (std::string line; std::getline(file, line);) lines.push_back(line);
   for (const std::string& row : rows) {
-    EXPECT_NE(std::find(lines.begin(), lines.end(), row), lines.end()) << "docs/moving.md has to have the line\n"
-                                                                       << row;
+    EXPECT_NE(std::find(lines.begin(), lines.end(), row), lines.end()) << page << " has to have the line\n" << row;
   }
 }
 

@@ -21,9 +21,9 @@ int last_bit(double x) {
 }
 
 // The least exponent of the query's numbers; 0 where all are 0.
-int common_exponent(const MovingQuery<double>& q) {
+int common_exponent(const GivenMotion& q) {
   std::optional<int> least;
-  for (const auto& v : {q.a, q.b, q.c, q.p, q.d}) {
+  for (const auto& v : {q.a, q.b, q.c, q.p, q.to}) {
     for (const double x : {v.x, v.y, v.z}) {
       if (x != 0) least = std::min(least.value_or(last_bit(x)), last_bit(x));
     }
@@ -72,10 +72,10 @@ Rational scaled(const Rational& q, int exponent) {
   return result;
 }
 
-MotionPieces::MotionPieces(const MovingQuery<double>& q) : exponent(common_exponent(q)) {
+MotionPieces::MotionPieces(const GivenMotion& q) : exponent(common_exponent(q)) {
   const Vector p = integers(q.p, exponent);
   vertex = {integers(q.a, exponent) - p, integers(q.b, exponent) - p, integers(q.c, exponent) - p};
-  d = integers(q.d, exponent);
+  d = q.displacement<Integer>([&](double x) { return integer(x, exponent); });
   normal = cross(vertex[1] - vertex[0], vertex[2] - vertex[0]);
 
   const auto at = [&](std::size_t i) -> const Vector& { return vertex[i % 3]; };

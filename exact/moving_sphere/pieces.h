@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "exact/moving_sphere/given_motion.h"
 #include "exact/numbers/rational.h"
 #include "kernel/base/enum_set.h"
-#include "kernel/moving_sphere/moving_sphere.h"
 
 namespace axiscert::moving_sphere {
 
@@ -47,7 +47,7 @@ struct Piece {
 // The pieces cover [0, 1] together, since a triangle's Voronoi regions are bounded by planes, and those that share a
 // time have the same distance at it. They are sorted by `first`.
 struct MotionPieces {
-  explicit MotionPieces(const MovingQuery<double>& q);
+  explicit MotionPieces(const GivenMotion& q);
 
   std::array<portable::Vec3<mpz_class>, 3> vertex;  // seen from P
   portable::Vec3<mpz_class> d, normal;              // D, and AB x AC, zero for a triangle without area

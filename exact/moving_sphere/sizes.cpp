@@ -53,17 +53,16 @@ double angle_between(const portable::Vec3<Rational>& a, const portable::Vec3<Rat
   return 2 * mpfr_get_d(angle, MPFR_RNDN);
 }
 
-Rational squared_scene(const MovingQuery<double>& q) {
+Rational squared_scene(const GivenMotion& q) {
   const Rational r(q.r);
   Rational scene = r * r;
+  const auto rational = [](double x) { return Rational(x); };
+  const portable::Vec3<Rational> d = q.displacement<Rational>(rational),
+                                 p{Rational(q.p.x), Rational(q.p.y), Rational(q.p.z)};
   for (const auto& v : {q.a, q.b, q.c}) {
-    Rational start, end;
-    for (const auto& [x, p, d] : {std::array{v.x, q.p.x, q.d.x}, {v.y, q.p.y, q.d.y}, {v.z, q.p.z, q.d.z}}) {
-      const Rational from = Rational(x) - Rational(p), to = from - Rational(d);
-      start += from * from;
-      end += to * to;
-    }
-    scene = std::max({scene, start, end});
+    const portable::Vec3<Rational> start = portable::Vec3<Rational>{Rational(v.x), Rational(v.y), Rational(v.z)} - p,
+                                   end = start - d;
+    scene = std::max({scene, portable::dot(start, start), portable::dot(end, end)});
   }
   return scene;
 }

@@ -21,6 +21,6 @@ double angle_between(const portable::Vec3<Rational>& a, const portable::Vec3<Rat
 
 // The square of the scene's extent: the greatest of r and the distances of the prism's corners, A to C' = C - D, from
 // P.
-Rational squared_scene(const MovingQuery<double>& q);
+Rational squared_scene(const GivenMotion& q);
 
 }  // namespace axiscert::moving_sphere

@@ -19,11 +19,13 @@
 
 namespace axiscert::moving_sphere {
 
-struct MovingSphereTrait : MovingSphere {
+// `Entry` is the test in one of its entries.
+template <class Entry>
+struct MotionTrait : Entry {
   using AllFormulae = FormulaeList<Twenty, TwentyNonstrict>;
 
-  static MovingQuery<double> query(const Numbers<double>& numbers) {
-    return problem<double>([&](std::size_t k) { return numbers[k]; });
+  static GivenMotion query(const Numbers<double>& numbers) {
+    return Entry::template problem<double>([&](std::size_t k) { return numbers[k]; });
   }
 
   static bool is_valid(const Numbers<double>& numbers) {
@@ -32,7 +34,7 @@ struct MovingSphereTrait : MovingSphere {
   }
 
   static Truth geometric_truth(const Numbers<double>& numbers) {
-    const MovingQuery<double> q = query(numbers);
+    const GivenMotion q = query(numbers);
     const LeastDistance least = least_distance(q);
     const Rational r(q.r);
     const int order = cmp(least.squared, Rational(r * r));
@@ -45,7 +47,7 @@ struct MovingSphereTrait : MovingSphere {
                                    ComparisonBits ties) {
     const int order = swept_distance_order(query(numbers));
     const Verdict by_cgal = order > 0 ? Verdict::separated : Verdict::contact;
-    const Verdict by_axes = verdict_of(description(), holds | (ties & side_bits));
+    const Verdict by_axes = verdict_of(moving_sphere_test(), holds | (ties & side_bits));
     const bool touching_agrees = truth.touching ? order == 0 : order != 0 || query(numbers).r == 0;
     if (truth.verdict == by_cgal && truth.verdict == by_axes && touching_agrees) return "";
     return fmt::format(
@@ -57,7 +59,7 @@ struct MovingSphereTrait : MovingSphere {
   // |dist - r| over the greatest of r and the distances of the prism's corners, A to C' = C - D, from P; dist is the
   // least distance of the motion.
   static double depth(const Numbers<double>& numbers) {
-    const MovingQuery<double> q = query(numbers);
+    const GivenMotion q = query(numbers);
     const Rational scene = squared_scene(q);
     if (scene == 0) return 0;
     return rounded_depth({least_distance(q).squared, exact(q.r), scene});
@@ -87,5 +89,8 @@ struct MovingSphereTrait : MovingSphere {
     return std::make_unique<ContactJudge<Real>>(query(numbers));
   }
 };
+
+using MovingSphereTrait = MotionTrait<MovingSphere>;
+using MovingEndsTrait = MotionTrait<MovingEnds>;
 
 }  // namespace axiscert::moving_sphere

@@ -21,7 +21,7 @@ struct Reach {
 };
 
 // Every radius at once: an axis whose sides hold separates where r r is below the quotient of its radius comparison's
-// sides at r = 1.
+// sides at r = 1. holds(i, lhs, rhs) is a side.
 template <class Sides>
 Reach reach_of_the_axes(const MovingQuery<double>& at_radius_1, Sides&& holds) {
   std::array<double, comparison_names.size()> lhs, rhs;
@@ -33,7 +33,7 @@ Reach reach_of_the_axes(const MovingQuery<double>& at_radius_1, Sides&& holds) {
   for (std::size_t i = 0; i < comparison_names.size();) {
     const std::size_t radius = i++;
     bool all = rhs[radius] > 0;  // 0 > 0 never holds
-    for (; i < comparison_names.size() && !is_radius(i); ++i) all = all && holds(lhs[i], rhs[i]);
+    for (; i < comparison_names.size() && !is_radius(i); ++i) all = all && holds(i, lhs[i], rhs[i]);
     if (all && lhs[radius] * most.denominator > most.numerator * rhs[radius]) most = {lhs[radius], rhs[radius]};
   }
   return most;
@@ -41,7 +41,7 @@ Reach reach_of_the_axes(const MovingQuery<double>& at_radius_1, Sides&& holds) {
 
 // The triangles of {-1, 0, 1}^3 and displacements of the same, with P = 0.
 struct WrongConfigurations {
-  int all = 0, nonstrict = 0, strict = 0, zero_area = 0, no_motion = 0, parallel = 0;
+  int all = 0, nonstrict = 0, one_strict = 0, strict = 0, zero_area = 0, no_motion = 0, parallel = 0;
 };
 
 WrongConfigurations wrong_configurations(int step) {
@@ -53,10 +53,15 @@ WrongConfigurations wrong_configurations(int step) {
     const MovingQuery<double> q{a, b, c, {0, 0, 0}, d, 1};
     const Rational least = least_distance(q).squared;
     const Reach truth{least.get_num().get_d(), least.get_den().get_d()};
-    const auto closed = [](double lhs, double rhs) { return lhs >= rhs; };
-    const auto open = [](double lhs, double rhs) { return lhs > rhs; };
+    const auto closed = [](std::size_t, double lhs, double rhs) { return lhs >= rhs; };
+    const auto open = [](std::size_t, double lhs, double rhs) { return lhs > rhs; };
     // Contact at every radius is a least distance of 0; an axis then reaches no further than 0.
     const auto is_right = [&](const Reach& reach) { return reach == truth || (least == 0 && reach.numerator <= 0); };
+    for (std::size_t strict = 0; strict < comparison_names.size(); ++strict) {
+      if (is_radius(strict)) continue;
+      const auto one_open = [&](std::size_t k, double lhs, double rhs) { return k == strict ? lhs > rhs : lhs >= rhs; };
+      found.one_strict += !is_right(reach_of_the_axes(q, one_open));
+    }
     found.nonstrict += !is_right(reach_of_the_axes(q, closed));
     if (is_right(reach_of_the_axes(q, open))) continue;
     ++found.strict;
@@ -71,6 +76,7 @@ WrongConfigurations wrong_configurations(int step) {
 TEST(TwentyAxes, NonstrictAreRightOnASampleOfTheLattice) {
   const WrongConfigurations found = wrong_configurations(101);
   EXPECT_EQ(found.nonstrict, 0);
+  EXPECT_EQ(found.one_strict, 0) << "of the 41 sides and headings, each strict alone (docs/mutation.md)";
   EXPECT_GT(found.strict, found.all / 6);
   EXPECT_EQ(found.strict, found.zero_area + found.no_motion + found.parallel);
 }
@@ -79,6 +85,7 @@ TEST(TwentyAxesLong, OfAllLatticeConfigurationsTheStrictAreWrongOnAFifthAndTheNo
   const WrongConfigurations found = wrong_configurations(1);
   EXPECT_EQ(found.all, 531441);
   EXPECT_EQ(found.nonstrict, 0);
+  EXPECT_EQ(found.one_strict, 0);
   EXPECT_EQ(found.strict, 109252);
   EXPECT_EQ(found.zero_area, 50428);
   EXPECT_EQ(found.no_motion, 13032);
@@ -114,6 +121,29 @@ TEST(MovingSphereOracles, AnswerByHand) {
   // Least distance 1, radius 1/2; B and C are farthest from P, at the root of 11.
   const auto q = at_the_corner({1, 1, 1}, {0, 0, 0}, 0.5);
   EXPECT_EQ(real_oracles().depth(Numbers<double>(q)), 0.5 / std::sqrt(11.0));
+}
+
+// The same motions by their ends: nothing is rounded where all are small integers.
+TEST(MovingSphereOracles, OfEndsAnswerAsThoseOfDisplacements) {
+  const Oracles& of_ends = oracles_of(moving_sphere_test(), MovingEnds::entry);
+  constexpr std::uint64_t seed = 20261126;
+  std::mt19937_64 random(seed);
+  int contacts = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const MovingQuery<double> q = small_query(random, 1 + i % 3);
+    const Numbers<double> motion = q, ends = EndsQuery<double>{q.a, q.b, q.c, q.p, q.p + q.d, q.r};
+    const Truth truth = real_oracles().truth(motion), other = of_ends.truth(ends);
+    ASSERT_TRUE(truth.verdict == other.verdict && truth.touching == other.touching)
+        << "seed " << seed << ", query " << i;
+    ASSERT_EQ(real_oracles().depth(motion), of_ends.depth(ends)) << "seed " << seed << ", query " << i;
+    if (truth.verdict != Verdict::contact) continue;
+    ++contacts;
+    const auto one = real_oracles().details(motion), two = of_ends.details(ends);
+    for (std::size_t k = 0; k < one.size(); ++k)
+      ASSERT_EQ(one[k].value, two[k].value) << one[k].name << ", seed " << seed << ", query " << i;
+  }
+  EXPECT_GT(contacts, 100);
+  EXPECT_THROW(real_oracles().truth(Numbers<double>(15)), HarnessFault);
 }
 
 // Whether the oracles refuse one of the first `queries` small queries.

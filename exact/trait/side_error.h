@@ -28,16 +28,15 @@ class SideError {
       return;
     }
     // All four in one unit, which the error does not depend on: integers need no greatest common divisors.
-    const Rational computed[2] = {Rational(computed_lhs), Rational(computed_rhs)};
-    const mpz_class unit = common_denominator({&computed[0], &computed[1], &lhs, &rhs});
-    const mpz_class left = in_units(lhs, unit), right = in_units(rhs, unit);
-    difference_ = in_units(computed[0], unit) - in_units(computed[1], unit);
-    difference_ -= left;
-    difference_ += right;
-    if (sgn(difference_) == 0) return;
-    difference_ = abs(difference_);
-    scale_ = abs(left) + abs(right);
-    if (sgn(scale_) == 0) kind_ = Kind::without_scale;
+    if (is_power_of_two(lhs.get_den_mpz_t()) && is_power_of_two(rhs.get_den_mpz_t())) {
+      const Shifted sides[2] = {lhs, rhs}, computed[2] = {computed_lhs, computed_rhs};
+      const long unit = std::min({sides[0].exponent, sides[1].exponent, computed[0].exponent, computed[1].exponent});
+      take(sides[0].in_units(unit), sides[1].in_units(unit), computed[0].in_units(unit), computed[1].in_units(unit));
+    } else {
+      const Rational computed[2] = {Rational(computed_lhs), Rational(computed_rhs)};
+      const mpz_class unit = common_denominator({&computed[0], &computed[1], &lhs, &rhs});
+      take(in_units(lhs, unit), in_units(rhs, unit), in_units(computed[0], unit), in_units(computed[1], unit));
+    }
   }
 
   Kind kind() const { return kind_; }
@@ -56,6 +55,38 @@ class SideError {
   bool exceeds(const Rational& tolerance) const { return sgn(difference_) != 0 && in_u() > tolerance; }
 
  private:
+  // whole 2^exponent, of a float or of a rational whose denominator is a power of two.
+  struct Shifted {
+    Shifted(const Rational& x) : whole(x.get_num()), exponent(-static_cast<long>(mpz_scan1(x.get_den_mpz_t(), 0))) {}
+    Shifted(double x) {
+      int above = 0;
+      constexpr int digits = std::numeric_limits<double>::digits;
+      whole = std::ldexp(std::frexp(x, &above), digits);
+      exponent = x == 0 ? 0 : above - digits;
+    }
+    // `unit` is not above the exponent.
+    mpz_class in_units(long unit) const {
+      mpz_class units;
+      mpz_mul_2exp(units.get_mpz_t(), whole.get_mpz_t(), static_cast<mp_bitcnt_t>(exponent - unit));
+      return units;
+    }
+    mpz_class whole;
+    long exponent;
+  };
+  static bool is_power_of_two(mpz_srcptr x) { return mpz_popcount(x) == 1; }
+
+  // All in one unit.
+  void take(const mpz_class& left, const mpz_class& right, const mpz_class& computed_left,
+            const mpz_class& computed_right) {
+    difference_ = computed_left - computed_right;
+    difference_ -= left;
+    difference_ += right;
+    if (sgn(difference_) == 0) return;
+    difference_ = abs(difference_);
+    scale_ = abs(left) + abs(right);
+    if (sgn(scale_) == 0) kind_ = Kind::without_scale;
+  }
+
   static mpz_class common_denominator(std::initializer_list<const Rational*> numbers) {
     mpz_class common = 1;
     for (const Rational* x : numbers) {

@@ -95,9 +95,8 @@ Json measures_json(const TestDescription& test, const OracleExamination& found) 
 }
 
 template <class Real>
-Json first_contact_json(const TestDescription& test, const Truth& truth, const Numbers<Real>& numbers) {
+Json first_contact_json(const Oracles& oracles, const Truth& truth, const Numbers<Real>& numbers) {
   if (truth.verdict == Verdict::invalid) return nullptr;
-  const Oracles& oracles = oracles_of(test);
   Json json = Json::object();
   for (const Detail& detail : oracles.details(numbers)) json[std::string(detail.name)] = detail_json(detail);
   if (truth.verdict != Verdict::contact) return json;
@@ -108,7 +107,7 @@ Json first_contact_json(const TestDescription& test, const Truth& truth, const N
   json["normal"] = place.normal ? Json(*place.normal) : Json(nullptr);
   return json;
 }
-template Json first_contact_json(const TestDescription&, const Truth&, const Numbers<float>&);
-template Json first_contact_json(const TestDescription&, const Truth&, const Numbers<double>&);
+template Json first_contact_json(const Oracles&, const Truth&, const Numbers<float>&);
+template Json first_contact_json(const Oracles&, const Truth&, const Numbers<double>&);
 
 }  // namespace axiscert

@@ -20,9 +20,9 @@ Json motion_json(const MotionTally& tally, const Kernel& kernel);
 // that contact is right; of a missed contact its tunnel. Null where there is neither.
 Json measures_json(const TestDescription& test, const OracleExamination& found);
 
-// The exact first contact of a query whose verdict is `truth`, by name: the details of its oracles and, where there is
-// contact, its point and normal as numbers of binary64. Null of a query that is invalid.
+// The exact first contact of a query whose verdict is `truth`, by name: the details of the oracles of its entry and,
+// where there is contact, its point and normal as numbers of binary64. Null of a query that is invalid.
 template <class Real>
-Json first_contact_json(const TestDescription& test, const Truth& truth, const Numbers<Real>& numbers);
+Json first_contact_json(const Oracles& oracles, const Truth& truth, const Numbers<Real>& numbers);
 
 }  // namespace axiscert

@@ -193,7 +193,7 @@ void WitnessWriter::write(const Kernel& kernel, const Source& source, const Show
     witness["sides"] = std::move(found.sides);
     if (!test.measures.empty()) {
       witness["measures"] = std::move(found.measures);
-      witness["first_contact"] = first_contact_json(test, found.truth, numbers);
+      witness["first_contact"] = first_contact_json(oracles_of(test, source.entry()), found.truth, numbers);
     }
     witnesses_.push_back(std::move(witness));
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "fuzz/mutation/mutation.h"
+#include "fuzz/queries/entry_families.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -21,7 +22,7 @@ MutationPlan motion_mutants(std::size_t stride, std::uint64_t trials, std::strin
     if (!fault.empty() && m.fault != fault) continue;
     if (i++ % stride == 0) plan.mutants.push_back(&m);
   }
-  plan.families = families_of(*find_kernel(twenty).test);
+  plan.families = families_of(*find_kernel(twenty).test, 0);
   return plan;
 }
 

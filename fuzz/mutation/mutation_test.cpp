@@ -6,6 +6,7 @@
 #include <set>
 
 #include "exact/numbers/surd.h"
+#include "fuzz/queries/entry_families.h"
 #include "fuzz/queries/random.h"
 #include "fuzz/campaign/counts/tally.h"
 #include "kernel/base/error.h"
@@ -20,7 +21,7 @@ const std::atomic<bool> not_interrupted = false;
 MutationPlan plan_of(std::string_view base, std::vector<const mutants::Mutant*> mutants, std::uint64_t trials) {
   MutationPlan plan{
       std::move(mutants), std::string(base), {}, {Precision::binary32, Precision::binary64}, trials, seed, 2};
-  for (const Family* family : families_of(*find_kernel(base).test)) plan.families.push_back(family);
+  for (const Family* family : families_of(*find_kernel(base).test, 0)) plan.families.push_back(family);
   return plan;
 }
 MutationResult run(const MutationPlan& plan) {
@@ -39,7 +40,7 @@ void expect_base_bits(std::string_view base) {
   none.id = base;
   const Kernel& kernel = find_kernel(base);
   const Implementation<Real> right = kernel.on<Real>(scalar_target);
-  for (const Family* family : families_of(*kernel.test)) {
+  for (const Family* family : families_of(*kernel.test, kernel.entry)) {
     // Not a multiple of the number of lanes.
     QueryBatch<Real> batch(100, kernel.test->entries.front().columns.size());
     batch.resize(100);

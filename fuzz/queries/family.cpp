@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "fuzz/queries/entry_families.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "kernel/test_list.h"
@@ -32,6 +33,12 @@ std::vector<const Family*> families_of(const TestDescription& test) {
   for (const Family* family : families()) {
     if (&family->test() == &test) all.push_back(family);
   }
+  return all;
+}
+
+std::vector<const Family*> families_of(const TestDescription& test, std::size_t entry) {
+  std::vector<const Family*> all = families_of(test);
+  std::erase_if(all, [&](const Family* family) { return family->entry != entry; });
   return all;
 }
 

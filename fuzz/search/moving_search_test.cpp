@@ -3,7 +3,7 @@
 
 #include "exact/trait/examine.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/queries/family.h"
+#include "fuzz/queries/entry_families.h"
 #include "fuzz/search/moves.h"
 #include "fuzz/search/search.h"
 #include "fuzz/search/verdict_guide.h"
@@ -120,7 +120,7 @@ TEST(SearchMotions, WhateverTheMovesMakeSettles) {
   const QueryShape shape = shape_of(find_test("moving-sphere").entries.front());
   Stream stream(motions_seed, name_hash("moving_search_test"), 1, Precision::binary32, 0);
   Dice random(stream);
-  for (const Family* family : families_of(find_test("moving-sphere"))) {
+  for (const Family* family : families_of(find_test("moving-sphere"), 0)) {
     Numbers<float> q = family->make<float>(motions_seed, 0);
     const Numbers<float> other = family->make<float>(motions_seed, 1);
     for (int i = 0; i < 300; ++i) {

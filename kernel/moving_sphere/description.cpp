@@ -4,8 +4,23 @@
 namespace axiscert {
 namespace {
 
+constexpr Role place = Role::coordinate, direction = Role::direction;
+
+// The three columns that say where the motion goes.
+struct Going {
+  std::string_view group;
+  Role role;
+  std::string_view x, y, z;
+};
+std::vector<TestColumn> columns(const Going& to) {
+  return {{"ax", place, "a"},        {"ay", place, "a"},        {"az", place, "a"},        {"bx", place, "b"},
+          {"by", place, "b"},        {"bz", place, "b"},        {"cx", place, "c"},        {"cy", place, "c"},
+          {"cz", place, "c"},        {"px", place, "p"},        {"py", place, "p"},        {"pz", place, "p"},
+          {to.x, to.role, to.group}, {to.y, to.role, to.group}, {to.z, to.role, to.group}, {"r", Role::length, "r"}};
+}
+
 TestDescription moving_sphere_described() {
-  constexpr Role place = Role::coordinate, direction = Role::direction;
+  constexpr std::string_view validity = "every number finite, the radius not negative; -0 is 0";
   constexpr std::string_view normal = "of the unit vector from the triangle's nearest point to the centre at contact",
                              angle = "of the three, the angle in radians where the two are apart at the first contact",
                              point = "of the triangle's point at contact, in the unit of the coordinates",
@@ -18,24 +33,8 @@ TestDescription moving_sphere_described() {
           "crosses the inside of the face",
       .wrong_answers = {{Verdict::separated, Verdict::contact, "missed contact"},
                         {Verdict::contact, Verdict::separated, "phantom contact"}},
-      .entries = {{"displacement",
-                   "every number finite, the radius not negative; -0 is 0",
-                   {{"ax", place, "a"},
-                    {"ay", place, "a"},
-                    {"az", place, "a"},
-                    {"bx", place, "b"},
-                    {"by", place, "b"},
-                    {"bz", place, "b"},
-                    {"cx", place, "c"},
-                    {"cy", place, "c"},
-                    {"cz", place, "c"},
-                    {"px", place, "p"},
-                    {"py", place, "p"},
-                    {"pz", place, "p"},
-                    {"dx", direction, "d"},
-                    {"dy", direction, "d"},
-                    {"dz", direction, "d"},
-                    {"r", Role::length, "r"}}}},
+      .entries = {{"displacement", validity, columns({"d", direction, "dx", "dy", "dz"})},
+                  {"endpoints", validity, columns({"p1", place, "p1x", "p1y", "p1z"})}},
       .comparisons = {},
       .clauses = {},
       .measures = {{"time", "fraction of the displacement at the first contact, from 0 to 1; NaN: none is given",

@@ -34,6 +34,37 @@ Kernel taking_arithmetic(Kernel kernel) {
   return kernel;
 }
 
+// A method of motions by displacement, asked about the rounded difference of the ends, as an engine that takes D is.
+template <class M>
+struct ByDifference : M {
+  template <class Real>
+  static MovingQuery<Real> motion(const EndsQuery<Real>& q) {
+    return {q.a, q.b, q.c, q.p, q.p1 - q.p, q.r};
+  }
+  template <class Real>
+  static bool separated(const EndsQuery<Real>& q) {
+    return M::template separated<Real>(motion(q));
+  }
+  template <class Real>
+  static void measure(const EndsQuery<Real>& q, Real* out) {
+    M::template measure<Real>(motion(q), out);
+  }
+};
+
+// The verdict of the twenty axes alone.
+struct TwentyVerdict {
+  template <class Real>
+  static bool separated(const MovingQuery<Real>& q) {
+    return verdict_of(moving_sphere_test(), bits_of<TwentyNonstrict, Real>(q, [](std::size_t, Real, Real) {})) ==
+           Verdict::separated;
+  }
+};
+
+template <class M>
+Kernel by_difference(std::string id, std::string summary) {
+  return plain_verdict_kernel<MovingEnds, ByDifference<M>>(std::move(id), std::move(summary));
+}
+
 template <class M>
 Kernel timed(std::string id, std::string summary) {
   return plain_verdict_kernel<MovingSphere, Timed<M>>(std::move(id), std::move(summary));
@@ -77,6 +108,13 @@ std::vector<Kernel> moving_sphere_kernels() {
       timed<Advance<true>>("moving-sphere/advance",
                            "conservative advancement by the speed along the nearest direction, 32 steps"),
       timed<Advance<false>>("moving-sphere/advance-by-length", "the same by |D|, which takes more steps"),
+      plain_kernel<MovingEnds, Twenty>("moving-sphere/ends-twenty", "twenty, of a motion given by its ends P and P1"),
+      plain_kernel<MovingEnds, TwentyNonstrict>("moving-sphere/ends-twenty-nonstrict",
+                                                "the same with >= in the sides: over the reals right for every query"),
+      by_difference<TwentyVerdict>("moving-sphere/ends-difference",
+                                   "twenty-nonstrict of D = P1 - P, rounded: what a caller of it would ask"),
+      by_difference<Timed<Gated>>("moving-sphere/ends-gated", "gated of that D"),
+      by_difference<Timed<OneNumber<portable::Rounded>>>("moving-sphere/ends-rounded", "rounded of that D"),
   };
 }
 

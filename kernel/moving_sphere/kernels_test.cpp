@@ -109,6 +109,50 @@ TEST(Rounded, HasNoStartOfATriangleWithoutArea) {
   EXPECT_EQ(time_by("gated", line), 0);
 }
 
+EndsQuery<double> by_ends(const MovingQuery<double>& q) { return {q.a, q.b, q.c, q.p, q.p + q.d, q.r}; }
+
+TEST(Ends, AreTheMotionByItsDisplacementWhereNothingIsRounded) {
+  std::mt19937_64 random(11);
+  QueryBatch<double> motions(3000, 16), ends(3000, 16);
+  for (int i = 0; i < 3000; ++i) {
+    Numbers<double> numbers(16);
+    for (double& x : numbers) x = static_cast<double>(static_cast<int>(random() % 9) - 4);
+    const auto q = MovingSphere::problem<double>([&](std::size_t k) { return numbers[k]; });
+    motions.push_back(q);
+    ends.push_back(by_ends(q));
+  }
+  for (const auto& [by_displacement, by_end] : {std::pair{"twenty", "ends-twenty"},
+                                                {"twenty-nonstrict", "ends-twenty-nonstrict"},
+                                                {"twenty-nonstrict", "ends-difference"},
+                                                {"gated", "ends-gated"},
+                                                {"rounded", "ends-rounded"}}) {
+    const Reply<double> one = asked(by_displacement, motions), other = asked(by_end, ends);
+    EXPECT_EQ(one.verdicts, other.verdicts) << by_end;
+    if (other.has_bits) {
+      EXPECT_EQ(one.answers.bits, other.answers.bits) << by_end;
+    }
+    EXPECT_EQ(find_kernel("moving-sphere/" + std::string(by_end)).entry, MovingEnds::entry);
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      if (one.verdicts[i] != Verdict::contact) continue;
+      const auto measures = one.measures(i), others = other.measures(i);
+      ASSERT_TRUE(std::equal(measures.begin(), measures.end(), others.begin(), others.end(), same<double>))
+          << by_end << " query " << i;
+    }
+  }
+}
+
+// From z = 10^8 down to z = 1, a radius of 1/2 above the face: in binary32 1 - 10^8 is -10^8, which goes on to the
+// face.
+TEST(Ends, AreExactWhereTheDisplacementIsRounded) {
+  const EndsQuery<float> q{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 1e8f}, {1, 1, 1}, 0.5f};
+  QueryBatch<float> batch(1, 16);
+  batch.push_back(q);
+  for (const std::string_view id : {"ends-twenty", "ends-twenty-nonstrict"})
+    EXPECT_EQ(asked(id, batch).verdicts[0], Verdict::separated) << id;
+  for (const std::string_view id : {"ends-difference", "ends-gated", "ends-rounded"})
+    EXPECT_EQ(asked(id, batch).verdicts[0], Verdict::contact) << id << " asks about another motion";
+}
+
 TEST(Nearest, IsTheClosestPointOfTheStaticTestToTheBit) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 20000; ++i) {

@@ -131,19 +131,35 @@ struct SweepingAxes {
 struct Twenty {
   static constexpr std::string_view name = "twenty";
   static constexpr FormulaeKind kind = FormulaeKind::rung;
-  // `q` has the members of MovingQuery.
+  // `q` has the members of MovingQuery, or of EndsQuery: then the axes at the end are those of the static test at P1,
+  // from coordinates that are rounded once.
   template <class T, class Query, class Sink>
   AXISCERT_INLINE static void comparisons(const Query& q, Sink& sink) {
     const Vec3<T> a = translated(q.a, q.p), b = translated(q.b, q.p), c = translated(q.c, q.p);
+    const Vec3<T> d = displacement<T>(q);
     Motion<T> motion{
-        moving_edge(a, b, q.d), moving_edge(b, c, q.d), moving_edge(c, a, q.d), q.d, {}, {}, {}, q.r * q.r, T(0.0)};
+        moving_edge(a, b, d), moving_edge(b, c, d), moving_edge(c, a, d), d, {}, {}, {}, q.r * q.r, T(0.0)};
     motion.normal = cross(motion.ab.along, c - a);
     motion.normal2 = dot(motion.normal, motion.normal);
-    motion.along_normal = dot(q.d, motion.normal);
+    motion.along_normal = dot(d, motion.normal);
 
     StillAxes<Moment::start, T>{motion}.axes(moving_sphere::start_axes, a, b, c, sink);
-    StillAxes<Moment::end, T>{motion}.axes(moving_sphere::end_axes, a - q.d, b - q.d, c - q.d, sink);
+    if constexpr (has_ends<Query>) {
+      StillAxes<Moment::end, T>{motion}.axes(moving_sphere::end_axes, translated(q.a, q.p1), translated(q.b, q.p1),
+                                             translated(q.c, q.p1), sink);
+    } else {
+      StillAxes<Moment::end, T>{motion}.axes(moving_sphere::end_axes, a - d, b - d, c - d, sink);
+    }
     SweepingAxes<T>{motion}.axes(moving_sphere::sweep_axes, a, b, c, sink);
+  }
+
+ private:
+  template <class Query>
+  static constexpr bool has_ends = requires(const Query& q) { q.p1; };
+  template <class T, class Query>
+  AXISCERT_INLINE static Vec3<T> displacement(const Query& q) {
+    if constexpr (has_ends<Query>) return q.p1 - q.p;
+    else return q.d;
   }
 };
 

@@ -127,6 +127,29 @@ test('chooses witnesses by time, and names comparisons of the test', async () =>
   await close();
 });
 
+test('draws a motion by its ends, and gives code with them', async () => {
+  const ends = folder('ends');
+  const run = spawnSync(axiscert, ['run', '--kernel', 'moving-sphere/ends-gated', '--family', 'moving-sphere/ends_approach', '--precision', 'binary32',
+                                   '--trials', '60', '--out', ends], {encoding: 'utf8'});
+  assert.equal(run.status, 0, run.stderr);
+  const {page, close} = await opened(ends);
+  const drawn = await page.evaluate(async () => {
+    const {cards} = await unpacked(document.getElementById('witness-data').textContent.trim());
+    return cards.filter((card) => card.first_contact?.point).map((card) => {
+      const {point} = closest_point(motion_of(card).triangle.map((vertex) => vec.sub(vertex, motion_of(card).centre)));
+      return [Math.abs(vec.size(point) - motion_of(card).r) < 1e-6, cpp_test(card), json_line(card)];
+    });
+  });
+  assert.ok(drawn.length > 0);
+  const lines = fs.readFileSync(path.join(ends, 'witnesses.jsonl'), 'utf8').split('\n');
+  for (const [is_at_r, tests, line] of drawn) {
+    assert.ok(is_at_r, line);
+    assert.match(tests, /const float p1\[3\][^]*in_contact\(a, b, c, p, p1, r\)/);
+    assert.ok(lines.includes(line), line);
+  }
+  await close();
+});
+
 for (const [scheme, width] of [['light', 1400], ['dark', 400]]) {
   test(`shows a motion as it should, ${scheme}, ${width} wide`, async () => {
     const {page, close} = await opened(motions, {colorScheme: scheme, viewport: {width, height: 900}});

@@ -12,10 +12,10 @@
 namespace axiscert {
 
 enum class ReplayOutcome {
-  as_before,    // the same flips, with the same broken links
-  mended,       // flips before, none now
-  changed,      // flips other than before
-  wrong_now,    // the verdict was right, and is wrong now
+  as_before,    // the same flips, with the same broken links; of a reported contact the same faults
+  mended,       // flips or faults before, none now
+  changed,      // others than before
+  wrong_now,    // the verdict was right, and is wrong now, or a time late or none, or a feature wrong, that was not
   not_replayed  // this build lacks the kernel, the plug-in is not trusted, or the answers came through a pipe
 };
 template <>

@@ -1,4 +1,5 @@
-// Faults of a time are each seen in a kernel that shows its verdict and its time alone; the right times pass.
+// Faults of a time are each seen in a kernel that shows its verdict and its time alone; the right times pass. The table
+// of docs/mutation.md.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -6,8 +7,10 @@
 #include <algorithm>
 #include <deque>
 
+#include "exact/moving_sphere/motion_tables_testing.h"
 #include "fuzz/mutation/black_box.h"
 #include "fuzz/mutation/time_mutants.h"
+#include "fuzz/queries/entry_families.h"
 #include "kernel/moving_sphere/moving_sphere.h"
 #include "reports/gates/requirement.h"
 
@@ -44,9 +47,14 @@ struct TimesSeen {
   }
   // A time before the best is no fault of safety: no level asks about it, and the record counts it.
   bool is_caught() const { return !refused_by.empty() || early > 0; }
-  std::string text(std::string_view name) const {
-    return fmt::format("{}: {} contacts, {} best, {} early, {} late, {} untimed, {} missed, {} phantom; {}", name, hits,
-                       best, early, late, untimed, missed, phantom, fmt::join(refused_by, ", "));
+  // A row of the table: what shows the fault comes last.
+  std::string row(const TimeFaultText& fault) const {
+    std::vector<std::string> shown_by = refused_by;
+    if (shown_by.empty()) shown_by.emplace_back(early > 0 ? "counted as early" : "nothing");
+    std::string what(fault.what);
+    for (std::size_t bar = 0; (bar = what.find('|', bar)) != what.npos; bar += 2) what.insert(bar, "\\");
+    return fmt::format("| `{}` | {} | {} | {} | {} | {} | {} / {} | {} |", fault.name, what, best, early, late, untimed,
+                       missed, phantom, fmt::join(shown_by, ", "));
   }
 };
 
@@ -55,7 +63,7 @@ EnumArray<TimeFault, TimesSeen> seen_of_all() {
   std::vector<const Kernel*> asked;
   for (const TimeFault fault : enumerators<TimeFault>) asked.push_back(&kernels.emplace_back(time_mutant(fault)));
   MutationPlan plan;
-  plan.families = families_of(moving_sphere_test());
+  plan.families = families_of(moving_sphere_test(), MovingSphere::entry);
   plan.seed = time_mutants_seed;
   EnumArray<TimeFault, TimesSeen> seen{};
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
@@ -71,11 +79,12 @@ TEST(TimeMutants, AreEachSeenByVerdictAndTimeAloneAndTheRightTimesPass) {
   EXPECT_GT(right.hits, 200u);
   EXPECT_EQ(right.best, right.hits);
   EXPECT_EQ(right.missed + right.phantom, 0u);
+  std::vector<std::string> rows;
   for (const TimeFault fault : enumerators<TimeFault>) {
-    const std::string text = seen[fault].text(time_fault_texts[fault].name);
-    fmt::print("{}\n", text);
-    EXPECT_EQ(seen[fault].is_caught(), fault != TimeFault::right) << text << " seed " << time_mutants_seed;
+    rows.push_back(seen[fault].row(time_fault_texts[fault]));
+    EXPECT_EQ(seen[fault].is_caught(), fault != TimeFault::right) << rows.back() << " seed " << time_mutants_seed;
   }
+  moving_sphere::expect_in_the_document(rows, "docs/mutation.md");
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "examples/character/sweeps/clear.h"
 #include "examples/character/sweeps/judgement.h"
 #include "exact/trait/oracles.h"
-#include "fuzz/queries/family.h"
+#include "fuzz/queries/entry_families.h"
 #include "kernel/ask.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"
@@ -46,7 +46,7 @@ SweepCounts counts_of(const Ground& ground, Sweeper& sweeper, const JourneyOptio
 
 TEST(Clear, IsTheVerdictOfTheOraclesOnEveryFamily) {
   std::size_t open = 0, asked = 0;
-  for (const Family* family : families_of(moving_sphere_test())) {
+  for (const Family* family : families_of(moving_sphere_test(), MovingSphere::entry)) {
     for (std::uint64_t i = 0; i < 60; ++i) {
       const Numbers<float> numbers = family->make<float>(7, i);
       const auto q = MovingSphere::problem<float>([&](std::size_t k) { return numbers[k]; });

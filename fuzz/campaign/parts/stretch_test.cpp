@@ -9,6 +9,7 @@
 #include "fuzz/campaign/parts/gathered.h"
 #include "fuzz/campaign/parts/recheck.h"
 #include "fuzz/campaign/parts/stretch_testing.h"
+#include "fuzz/campaign/parts/tally_code.h"
 #include "kernel/sphere_triangle/reference/scalar_kernel.h"
 
 namespace axiscert {
@@ -93,6 +94,20 @@ TEST(Stretch, IsItsUnitsMerged) {
   const Entry again = decode_entry(encode(entry));
   EXPECT_EQ(again.tallies, entry.tallies);
   EXPECT_EQ(again.costs, entry.costs);
+}
+
+TEST(Stretch, OfAnotherTestHasTheCountsOfItsComparisons) {
+  Plan plan = small_plan({"moving-sphere/twenty", "moving-sphere/rounded"}, {"moving-sphere/approach"}, 200);
+  plan.test = &find_test("moving-sphere");
+  plan.precisions = {Precision::binary32};
+  const Entry entry = run_stretch(plan, Stretches(plan, 1), 0);
+  const UnitResult unit = run_unit(plan, *plan.sources[0], Precision::binary32, 0, 200);
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    const Tally tally = decode_tally(entry.tallies[k], *plan.test);
+    EXPECT_EQ(tally.comparisons.size(), 61u) << plan.kernels[k]->id;
+    EXPECT_EQ(encode(tally), encode(unit.tallies[k])) << plan.kernels[k]->id;
+    EXPECT_EQ(tally.trials, 200u) << plan.kernels[k]->id;
+  }
 }
 
 // Planted: every 1000th answer is inverted, on the scalar target only.

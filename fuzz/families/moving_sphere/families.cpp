@@ -32,7 +32,19 @@
   X(translated)                     \
   X(reversed)                       \
   X(split)                          \
-  X(halved)
+  X(halved)                         \
+  X(ends_general)                   \
+  X(ends_graze)                     \
+  X(ends_touch)                     \
+  X(ends_slide)                     \
+  X(ends_along)                     \
+  X(ends_approach)                  \
+  X(ends_huge)                      \
+  X(ends_still)                     \
+  X(ends_line)                      \
+  X(ends_point)                     \
+  X(ends_lattice)                   \
+  X(ends_walk)
 
 namespace axiscert {
 namespace moving_sphere {

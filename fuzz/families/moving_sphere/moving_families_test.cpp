@@ -7,6 +7,7 @@
 
 #include "exact/moving_sphere/first_contact.h"
 #include "exact/moving_sphere/least_distance.h"
+#include "exact/moving_sphere/swept_distance.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/queries/family.h"
@@ -19,26 +20,51 @@ namespace {
 
 template <class Real>
 class MovingFamilies : public testing::Test {};
-template <class Real>
-class MovingFamiliesLong : public testing::Test {};
 using MovingReals = testing::Types<float, double>;
 TYPED_TEST_SUITE(MovingFamilies, MovingReals);
-TYPED_TEST_SUITE(MovingFamiliesLong, MovingReals);
+// A test each family: each takes minutes.
+class MovingFamiliesLong : public testing::TestWithParam<const Family*> {};
+INSTANTIATE_TEST_SUITE_P(Each, MovingFamiliesLong, testing::ValuesIn(families_of(find_test("moving-sphere"))),
+                         [](const auto& family) {
+                           return std::string(family.param->name.substr(family.param->name.find('/') + 1));
+                         });
 
 template <class Real>
 MovingQuery<double> widened_motion(const Numbers<Real>& numbers) {
   return MovingSphere::problem<double>([&](std::size_t k) { return static_cast<double>(numbers[k]); });
+}
+template <class Real>
+moving_sphere::GivenMotion motion_of(const Family& family, const Numbers<Real>& numbers) {
+  if (family.entry == MovingSphere::entry) return widened_motion(numbers);
+  return MovingEnds::problem<double>([&](std::size_t k) { return static_cast<double>(numbers[k]); });
+}
+
+// The first time against verdicts of CGAL: the motion as far as the float below t* is not in contact before t*, and as
+// far as the float after it is.
+template <class Real>
+testing::AssertionResult time_is_where_verdicts_change(const moving_sphere::GivenMotion& motion) {
+  using moving_sphere::compare, moving_sphere::swept_distance_order;
+  const auto contact = moving_sphere::first_contact(motion);
+  if (!contact) return testing::AssertionFailure() << "no time beside a contact";
+  const Real best = moving_sphere::rounded_down<Real>(contact->time);
+  const int at_best = swept_distance_order(motion, static_cast<double>(best));
+  if ((at_best <= 0) != (compare(contact->time, exact(best)) == 0))
+    return testing::AssertionFailure() << "as far as " << best << " CGAL's order is " << at_best;
+  const Real next = std::nextafter(best, Real(2));
+  if (next <= 1 && swept_distance_order(motion, static_cast<double>(next)) > 0)
+    return testing::AssertionFailure() << "no contact as far as " << next;
+  return testing::AssertionSuccess();
 }
 
 struct MovingCounts {
   std::uint64_t queries = 0, contacts = 0, touching = 0, invalid = 0;
 };
 
-// The truth of the first queries at seed 1, which throws where oracles disagree.
+// The truth of the first queries at seed 1, which throws where oracles disagree, and their times.
 template <class Real>
 MovingCounts counted(std::string_view name, std::uint64_t queries) {
   const Family& family = find_family(name);
-  const Oracles& oracles = oracles_of(moving_sphere_test());
+  const Oracles& oracles = oracles_of(moving_sphere_test(), family.entry);
   MovingCounts found;
   // Of a family of images, each image of one base after the other.
   const ImageGroup* group = image_group(name);
@@ -48,6 +74,9 @@ MovingCounts counted(std::string_view name, std::uint64_t queries) {
     const Truth truth = oracles.truth(numbers);
     ++found.queries;
     found.contacts += truth.verdict == Verdict::contact;
+    if (truth.verdict == Verdict::contact) {
+      EXPECT_TRUE(time_is_where_verdicts_change<Real>(motion_of(family, numbers))) << name << ", query " << i * stride;
+    }
     found.touching += truth.touching;
     found.invalid += truth.verdict == Verdict::invalid;
   }
@@ -55,25 +84,45 @@ MovingCounts counted(std::string_view name, std::uint64_t queries) {
 }
 
 template <class Real>
-void expect_agreement(std::uint64_t queries) {
-  for (const Family* family : families_of(moving_sphere_test())) {
-    MovingCounts found;
-    ASSERT_NO_THROW(found = counted<Real>(family->name, queries)) << family->name << ", seed 1";
-    EXPECT_EQ(found.invalid, 0u) << family->name;
-    EXPECT_GT(found.contacts, queries / 50) << family->name;
-    EXPECT_LT(found.contacts, queries) << family->name << " never misses";
-  }
+void expect_agreement(const Family& family, std::uint64_t queries) {
+  MovingCounts found;
+  ASSERT_NO_THROW(found = counted<Real>(family.name, queries)) << family.name << ", seed 1";
+  EXPECT_EQ(found.invalid, 0u) << family.name;
+  EXPECT_GT(found.contacts, queries / 50) << family.name;
+  EXPECT_LT(found.contacts, queries) << family.name << " never misses";
 }
 
-TYPED_TEST(MovingFamilies, AreAgreedUponByTheOracles) { expect_agreement<TypeParam>(200); }
+TYPED_TEST(MovingFamilies, AreAgreedUponByTheOracles) {
+  for (const Family* family : families_of(moving_sphere_test())) expect_agreement<TypeParam>(*family, 200);
+}
 // Divided twice in slow builds: sanitized, exact numbers on the heap take most of an hour for a twentieth.
-TYPED_TEST(MovingFamiliesLong, AreAgreedUponByTheOraclesOnAMillionQueriesOfEach) {
-  expect_agreement<TypeParam>(1000000 / (TRIAL_DIVISOR * TRIAL_DIVISOR));
+TEST_P(MovingFamiliesLong, AreAgreedUponByTheOraclesOnAMillionQueriesInEachPrecision) {
+  constexpr std::uint64_t queries = 1000000 / (TRIAL_DIVISOR * TRIAL_DIVISOR);
+  expect_agreement<float>(*GetParam(), queries);
+  expect_agreement<double>(*GetParam(), queries);
+}
+
+// A motion by its ends is that of the family it is made of, of the same stream, where P + D is a number.
+TYPED_TEST(MovingFamilies, OfEndsAreMotionsFromPToP1) {
+  const Family &ends = find_family("moving-sphere/ends_lattice"), &whole = find_family("moving-sphere/ends_approach");
+  EXPECT_EQ(ends.entry, MovingEnds::entry);
+  int inexact = 0;
+  for (std::uint64_t position = 0; position < 200; ++position) {
+    const Numbers<TypeParam> q = ends.make<TypeParam>(1, position);
+    for (std::size_t k = 12; k < 15; ++k) EXPECT_EQ(q[k], std::trunc(q[k])) << position;
+    const Numbers<TypeParam> far = whole.make<TypeParam>(1, position);
+    for (std::size_t k = 12; k < 15; ++k) {
+      const Rational difference = exact(far[k]) - exact(far[k - 3]);
+      inexact += difference != exact(far[k] - far[k - 3]);
+    }
+  }
+  EXPECT_GT(inexact, 100) << "of 600 coordinates of D that are no numbers of the precision";
 }
 
 // Every other time they touch exactly, and the other times are within ulps of it.
 TYPED_TEST(MovingFamilies, OfTouchingTouchExactly) {
-  for (const char* name : {"graze", "touch_end", "touch_start", "along_edge"}) {
+  for (const char* name :
+       {"graze", "touch_end", "touch_start", "along_edge", "ends_graze", "ends_touch", "ends_along"}) {
     const MovingCounts found = counted<TypeParam>(fmt::format("moving-sphere/{}", name), 240);
     EXPECT_GE(found.touching, found.queries / 2) << name;
     EXPECT_LT(found.touching, found.queries) << name;
@@ -159,10 +208,12 @@ TYPED_TEST(MovingFamilies, RoundNothingWhereTheySaySo) {
     if (!family->exact_arithmetic) continue;
     for (std::uint64_t position = 0; position < 2000; ++position) {
       const Numbers<TypeParam> numbers = family->make<TypeParam>(1, position);
+      const auto load = [&](std::size_t k) { return numbers[k]; };
+      const auto ignore = [](std::size_t, TypeParam, TypeParam) {};
       std::feclearexcept(FE_INEXACT);
-      bits_of<moving_sphere::Twenty, TypeParam>(
-          MovingSphere::problem<TypeParam>([&](std::size_t k) { return numbers[k]; }),
-          [](std::size_t, TypeParam, TypeParam) {});
+      if (family->entry == MovingSphere::entry)
+        bits_of<moving_sphere::Twenty, TypeParam>(MovingSphere::problem<TypeParam>(load), ignore);
+      else bits_of<moving_sphere::Twenty, TypeParam>(MovingEnds::problem<TypeParam>(load), ignore);
       ASSERT_EQ(std::fetestexcept(FE_INEXACT), 0) << family->name << " at " << position;
     }
   }

@@ -29,7 +29,8 @@ Numbers<Real> clear_motion(Stream& random, std::uint64_t position) {
   const auto wide = [](const Vec3<Real>& v) {
     return Vec3<double>{static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
   };
-  const Real distance = nearest_sqrt<Real>(least_distance({wide(a), wide(b), wide(c), wide(p), wide(d), 0}).squared);
+  const Real distance =
+      nearest_sqrt<Real>(least_distance(MovingQuery<double>{wide(a), wide(b), wide(c), wide(p), wide(d), 0}).squared);
   const Real share = random.unit<Real>() * Real(0.5);
   const bool wants_separated = random.coin(), is_separated = distance > 0 && (wants_separated || distance >= Real(0.5));
   q.r = is_separated ? distance * share : distance * 2 + share;

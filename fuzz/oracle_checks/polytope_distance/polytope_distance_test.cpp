@@ -8,10 +8,10 @@
 
 #include <array>
 
+#include "exact/moving_sphere/given_motion.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
-#include "kernel/moving_sphere/moving_sphere.h"
 
 namespace axiscert {
 namespace {
@@ -21,11 +21,12 @@ using Cartesian = CGAL::Simple_cartesian<Gmpq>;
 using PolytopeDistance = CGAL::Polytope_distance_d<CGAL::Polytope_distance_d_traits_3<Cartesian, Gmpq, Gmpq>>;
 
 // The sign of the squared distance of the centre from the prism, less r^2. Exact.
-CGAL::Comparison_result polytope_order(const MovingQuery<double>& q) {
+CGAL::Comparison_result polytope_order(const moving_sphere::GivenMotion& q) {
   const auto point = [](const portable::Vec3<double>& v) {
     return Cartesian::Point_3(Gmpq(v.x), Gmpq(v.y), Gmpq(v.z));
   };
-  const Cartesian::Vector_3 d{Gmpq(q.d.x), Gmpq(q.d.y), Gmpq(q.d.z)};
+  const auto exactly = q.displacement<Gmpq>([](double x) { return Gmpq(x); });
+  const Cartesian::Vector_3 d{exactly.x, exactly.y, exactly.z};
   std::array<Cartesian::Point_3, 6> prism;
   std::size_t corner = 0;
   for (const auto& vertex : {q.a, q.b, q.c}) {
@@ -54,15 +55,16 @@ using PolytopeReals = testing::Types<float, double>;
 TYPED_TEST_SUITE(PolytopeDistanceLong, PolytopeReals);
 
 TYPED_TEST(PolytopeDistanceLong, IsTheOraclesOnTenThousandQueriesOfEachFamily) {
-  const Oracles& oracles = oracles_of(moving_sphere_test());
   for (const Family* family : families_of(moving_sphere_test())) {
+    const Oracles& oracles = oracles_of(moving_sphere_test(), family->entry);
     const ImageGroup* group = image_group(family->name);
     const std::uint64_t stride = group ? group->size + 1 : 1;  // an image of each base, and another one of the next
     for (std::uint64_t i = 0; i < 10000 / TRIAL_DIVISOR; ++i) {
       const Numbers<TypeParam> numbers = family->make<TypeParam>(1, i * stride);
       const Truth truth = oracles.truth(numbers);
-      const auto order =
-          polytope_order(MovingSphere::problem<double>([&](std::size_t k) { return static_cast<double>(numbers[k]); }));
+      const auto load = [&](std::size_t k) { return static_cast<double>(numbers[k]); };
+      const auto order = family->entry == MovingSphere::entry ? polytope_order(MovingSphere::problem<double>(load))
+                                                              : polytope_order(MovingEnds::problem<double>(load));
       ASSERT_EQ(truth.verdict == Verdict::contact, order != CGAL::LARGER)
           << family->name << ", seed 1, query " << i * stride;
       ASSERT_EQ(truth.touching, order == CGAL::EQUAL) << family->name << ", seed 1, query " << i * stride;

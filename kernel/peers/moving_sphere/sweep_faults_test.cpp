@@ -43,6 +43,30 @@ TEST(FclSweepFaults, AdvancementMissesAFaceStraightBelow) {
     expect_answer(peer, motion<double>({1, 1, 3}, {0, 0, -4}, 1), 's');
 }
 
+// wildmagic-overlap: it is asked to say true at time 0, as its header promises, and says false.
+TEST(WildMagicSweepFaults, AnOverlapAtTheStartIsNoContact) {
+  const Sweep<float> beside{{0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {-0.5f, 0, 0}, {-1, 0, 0}, 1};
+  for (const char* peer : {"wildmagic", "wildmagic-float"}) {
+    expect_answer(peer, beside, 's');
+    expect_answer(peer, motion<float>({1, 1, 0.5f}, {0, 0, -2}, 1), 's');
+  }
+}
+
+// wildmagic-invented, wildmagic-negative-time: the root that it takes for the first contact is one before the motion,
+// at height 19.7. The first contact is at height 3.74, after 0.532 of the longer motion; the shorter one ends at 7.
+TEST(WildMagicSweepFaults, AContactIsGivenATimeBeforeTheMotion) {
+  const Sweep<float> whole{{0, -1, 0}, {1, 0, 0}, {0, 0, 0}, {-1, 1, 8}, {0, 0, -8}, 4};
+  Sweep<float> clear = whole;
+  clear.d.z = -1;
+  for (const char* peer : {"wildmagic", "wildmagic-float"}) {
+    for (const Sweep<float>& q : {whole, clear}) {
+      const auto answer = ask_sweeps<float>(peer, {q});
+      ASSERT_EQ(letters_of(answer), "c") << peer;
+      EXPECT_NEAR(answer[0].measures[0] * q.d.z, 11.7417, 1e-4) << peer;
+    }
+  }
+}
+
 // ode-capsule-vertex
 TEST(OdeSweepFaults, ACapsuleThatEndsOnAVertexIsMissed) {
   expect_answer("ode-capsule", motion<double>({-3, -4, 0.5}, {3, 4, -0.5}, 1), 's');

@@ -31,6 +31,8 @@ constexpr ExpectedSweeps expected_sweeps[] = {
     {"fcl-advance-obbrss", true, 1, "ssss"},
     {"ode-capsule", true, 0, "cccs"},
     {"libccd-capsule", true, 0},
+    {"wildmagic", true, 1},
+    {"wildmagic-float", false, 1},
 };
 
 // SWEEP_NAMES: the names of the peers that are built, separated by spaces.

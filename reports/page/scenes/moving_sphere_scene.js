@@ -1,7 +1,10 @@
 // The motion of a query: the triangle, the sphere's path as a capsule, the sphere at the first contact and at the time that
 // a kernel reported.
 
-const motion_groups = ['a', 'b', 'c', 'p', 'd', 'r'];
+// A query has its displacement, or the end of its motion.
+function motion_groups_of(query) {
+  return ['a', 'b', 'c', 'p', query.p1 ? 'p1' : 'd', 'r'];
+}
 
 // The least distance of the motion, and the first contact where there is one, by bisection: for a query of which nothing
 // exact is at hand. `triangle` is seen from P; `truth` is the exact verdict where that is known. The distance is convex
@@ -34,9 +37,10 @@ function vertices_of(feature) {
 // digits however long the way and however far the origin. Scaled so that the greatest length is 1. Null where a number
 // is not finite or all are zero.
 function motion_of(witness) {
-  const near = near_one(witness, motion_groups);
+  const near = near_one(witness, motion_groups_of(witness));
   if (near === null) return null;
-  const {a, b, c, p, d, r, unit} = near;
+  const {a, b, c, p, r, unit} = near;
+  const d = near.d ?? vec.sub(near.p1, p);
   const known = witness.first_contact?.point ? witness.first_contact : null;
   let x_from_a, to_centre, vertices, time, after = 0, is_contact = true;
   if (known) {

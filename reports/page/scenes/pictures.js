@@ -4,7 +4,7 @@
 const page_tests = {
   'sphere-triangle': {groups: ['a', 'b', 'c', 'p', 'r'], figure: sphere_triangle_figure, suite: 'SphereTriangle'},
   'box-box': {groups_of: boxes_groups_of, figure: boxes_figure, suite: 'BoxBox', touching: 'They touch.'},
-  'moving-sphere': {groups: motion_groups, figure: moving_sphere_figure, suite: 'MovingSphere', time: 'time_of_contact'},
+  'moving-sphere': {groups_of: motion_groups_of, figure: moving_sphere_figure, suite: 'MovingSphere', time: 'time_of_contact'},
 };
 
 // A query names its test unless that is the first.

@@ -1,0 +1,28 @@
+// Wild Magic 5, the library that became Geometric Tools: IntrTriangle3Sphere3, a sphere that moves against a triangle,
+// after Eberly. The description applies to Wild Magic 5.17. It takes the displacement as a velocity over a time of 1,
+// and gives a time and, where that is not 0, the point.
+#pragma once
+
+#include <Wm5IntrTriangle3Sphere3.h>
+
+#include "kernel/peers/moving_sphere/sweep.h"
+
+namespace axiscert::peer {
+
+template <class Number>
+struct WildMagicSweep {
+  using Real = Number;
+  static constexpr std::size_t measure_count = 1;
+
+  int operator()(const Sweep<Real>& q, FirstContact<Real>& first) const {
+    const auto vector = [](const Vec3<Real>& v) { return Wm5::Vector3<Real>(v.x, v.y, v.z); };
+    const Wm5::Triangle3<Real> triangle(vector(q.a), vector(q.b), vector(q.c));
+    const Wm5::Sphere3<Real> sphere(vector(q.p), q.r);
+    Wm5::IntrTriangle3Sphere3<Real> method(triangle, sphere);
+    const bool is_hit = method.Find(1, Wm5::Vector3<Real>::ZERO, vector(q.d));
+    first.time = method.GetContactTime();
+    return verdict_of_hit(is_hit, first.time);
+  }
+};
+
+}  // namespace axiscert::peer

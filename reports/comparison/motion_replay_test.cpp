@@ -1,0 +1,75 @@
+// Known witnesses of motions, evaluated again: wrong verdicts, and times of contact.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "fuzz/confirm/record.h"
+#include "kernel/kernel.h"
+#include "reports/comparison/replay.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::uint64_t replay_seed = 3;
+
+Json record_of_motions(const char* kernel, std::initializer_list<const char*> families) {
+  Plan plan;
+  plan.seed = replay_seed;
+  plan.test = &find_test("moving-sphere");
+  plan.kernels = {&find_kernel(kernel)};
+  plan.precisions = {Precision::binary32, Precision::binary64};
+  for (const char* name : families) plan.sources.push_back(family_source(find_family(name)));
+  plan.trials = [](const Source&, Precision) { return std::uint64_t{120}; };
+  plan.target = std::string(scalar_target);
+  plan.threads = 2;
+  const std::atomic<bool> never = false;
+  return record_of(plan, run_campaign(plan, never, [](const Progress&) {}), {});
+}
+
+// The record as though another kernel had given it.
+Json as_of(Json record, const char* kernel) {
+  for (Json& witness : record["witnesses"]) witness["kernel"] = kernel;
+  return record;
+}
+
+std::ptrdiff_t count_of(const std::vector<Replayed>& all, ReplayOutcome outcome) {
+  return std::count_if(all.begin(), all.end(), [&](const Replayed& r) { return r.outcome == outcome; });
+}
+
+TEST(ReplayMotions, TheSameKernelDoesAsBefore) {
+  const Json rounded = record_of_motions("moving-sphere/rounded", {"moving-sphere/approach", "moving-sphere/graze"}),
+             ends = record_of_motions("moving-sphere/ends-gated", {"moving-sphere/ends_approach"});
+  for (const Json& record : {rounded, ends}) {
+    const std::vector<Replayed> all = replay_witnesses(record, scalar_target);
+    ASSERT_GT(all.size(), 3u) << "seed " << replay_seed;
+    for (const Replayed& r : all) EXPECT_EQ(r.outcome, ReplayOutcome::as_before) << r.id << ": " << r.note;
+  }
+}
+
+TEST(ReplayMotions, AnotherKernelMendsVerdictsOrIsLate) {
+  // Phantoms of the strict sides are mended by the others.
+  const Json strict = record_of_motions("moving-sphere/twenty", {"moving-sphere/line_sweep"});
+  const auto mended = replay_witnesses(as_of(strict, "moving-sphere/twenty-nonstrict"), scalar_target);
+  EXPECT_GT(count_of(mended, ReplayOutcome::mended), 0) << "seed " << replay_seed;
+  // Witnesses of the best times that there are; the other kernel is late on some of them.
+  const Json best = record_of_motions("moving-sphere/gated", {"moving-sphere/general"});
+  Json early = as_of(best, "moving-sphere/rounded");
+  for (Json& witness : early["witnesses"]) {
+    if (witness["measures"].is_object()) witness["measures"]["time"] = "early";
+  }
+  const auto late = replay_witnesses(early, scalar_target);
+  EXPECT_GT(count_of(late, ReplayOutcome::wrong_now), 0) << "seed " << replay_seed;
+  const auto first = std::find_if(late.begin(), late.end(), [](const Replayed& r) { return r.is_alarm(); });
+  EXPECT_THAT(first->note, testing::HasSubstr("time late"));
+}
+
+TEST(ReplayMotions, AKernelOfAnotherEntryIsNotAsked) {
+  const Json record = record_of_motions("moving-sphere/rounded", {"moving-sphere/approach"});
+  for (const Replayed& r : replay_witnesses(as_of(record, "moving-sphere/ends-rounded"), scalar_target)) {
+    EXPECT_EQ(r.outcome, ReplayOutcome::not_replayed);
+    EXPECT_EQ(r.note, "moving-sphere/ends-rounded takes the entry endpoints of the test moving-sphere here");
+  }
+}
+
+}  // namespace
+}  // namespace axiscert
