@@ -161,7 +161,7 @@ def sweeps(commands, old):
 
 BOX_KERNELS = "projected columns dropped framed textbook rtcd gottschalk bullet cofactor".split()
 BOX_FAMILIES = "general tangent stacked resting crossed parallel thin flat".split()
-BOX_PEERS = "ode ode-unimportant ode-touches fcl fcl-obb bullet".split()
+BOX_PEERS = "ode ode-unimportant ode-touches fcl fcl-obb bullet libccd-gjk libccd-mpr".split()
 BOX_PEER_FAMILIES = "lattice tangent resting crossed parallel flat".split()
 
 
@@ -209,9 +209,23 @@ def box_peers(kind):
     return table
 
 
+def box_axes(commands, old):
+    """Wrong signs of the facets' axes and of the edges', by link."""
+    rows = []
+    for suffix, family in (("", "resting"), ("-turned", "resting_turned")):
+        kernels = tuple(f"box-box/{k}{suffix}" for k in ("textbook", "cofactor"))
+        record = commands.run(*options("--kernel", kernels), "--family", f"box-box/{family}", "--trials", "2500", "--precision", "binary32")[1]
+        for kernel in record["kernels"]:
+            axes = kernel["families"][f"box-box/{family}"]["axes"]
+            counts = [sum(axis["links"][link] for name, axis in axes.items() if (len(name) == 2) == of_facets)
+                      for of_facets in (True, False) for link in ("specification", "rounding")]
+            rows.append([f"`{kernel['id'].split('/')[1]}`", *map(str, counts)])
+    return with_rows(old, rows)
+
+
 def box_triangle(commands, old):
     families = "general_minmax touching_minmax lattice_minmax voxel".split()
-    verdicts = box_verdicts(commands, tuple(f"box-triangle/{k}" for k in ("textbook-minmax", "thirteen-minmax", "peer/cgal-epick", "peer/cgal-double")),
+    verdicts = box_verdicts(commands, tuple(f"box-triangle/{k}" for k in ("textbook-minmax", "akenine-moller-minmax", "thirteen-minmax", "peer/cgal-epick", "peer/cgal-double")),
                             tuple(f"box-triangle/{f}" for f in families), "2000")
     return with_rows(old, [[f"`{family}`", *(f"{v[i]['false_separation']}, {v[i]['false_contact']}" for v in verdicts)]
                            for i, family in enumerate(families)])
@@ -228,6 +242,7 @@ TABLES = {
     "box-phantoms": ("docs/boxes.md", box_phantoms, "long"),
     "box-peers-missed": ("docs/boxes.md", box_peers("false_separation"), "long"),
     "box-peers-phantom": ("docs/boxes.md", box_peers("false_contact"), "long"),
+    "box-axes": ("docs/boxes.md", box_axes, "long"),
     "box-triangle": ("docs/boxes.md", box_triangle, "long"),
     "shrunk": ("docs/corpus.md", shrunk, "quick"),
 }

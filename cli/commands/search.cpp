@@ -52,7 +52,7 @@ const Kernel& kernel_of(const SearchOptions& options) {
   const Kernel& kernel =
       options.kernel.empty() ? default_kernel(test_given(options.test)) : find_kernel(options.kernel);
   test_of_kernels(options.test, {&kernel});
-  require_served("search", *kernel.test, tests_of_spheres());
+  require_served("search", *kernel.test, tests_with_moves());
   return kernel;
 }
 
@@ -64,7 +64,9 @@ std::vector<SourcePtr> sources_of(const SearchOptions& options, const Kernel& ke
   std::vector<SourcePtr> sources;
   for (const std::string& name : names) sources.push_back(family_source(find_family(name)));
   if (names.empty()) {
-    for (const Family* family : families_of(*kernel.test)) sources.push_back(family_source(*family));
+    for (const Family* family : families_of(*kernel.test)) {
+      if (family->entry == kernel.entry) sources.push_back(family_source(*family));
+    }
   }
   require_one_test({&kernel}, sources);
   return sources;
@@ -95,7 +97,9 @@ SearchPlan plan_of(const SearchOptions& options) {
   plan.first_queries = is_first ? first_queries : first_by_oracles;
   if (!options.families.empty()) plan.first_sources = plan.sources;
   else
-    for (const Family* family : families_of(*plan.kernel->test)) plan.first_sources.push_back(family_source(*family));
+    for (const Family* family : families_of(*plan.kernel->test)) {
+      if (family->entry == plan.kernel->entry) plan.first_sources.push_back(family_source(*family));
+    }
   plan.seed = options.seed;
   plan.seconds = options.seconds;
   plan.evaluations = options.evaluations;

@@ -60,7 +60,7 @@ std::optional<Symptom> named(const TestDescription& test, std::string_view what)
 
 // Refuses a test that is not served, and what is no name of a symptom, or is not kept for this test.
 void require_known(const TestDescription& test, std::string_view what) {
-  require_served("shrink", test, tests_of_spheres());
+  require_served("shrink", test, tests_with_moves());
   if (what.empty()) return;
   if (what != asymmetry_name && !named(test, what)) throw Error(unknown_symptom(test, what));
   if (what == asymmetry_name || what.ends_with(error_suffix)) require_served(fmt::format("--what {}", what), test);
@@ -219,7 +219,8 @@ void shrink_one(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkO
 // The kernel that was given; else that of the queries' test.
 const Kernel& kernel_for(const ShrinkOptions& options, const std::vector<StoredQuery>& queries) {
   if (!options.kernel.empty()) return find_kernel(options.kernel);
-  return default_kernel(queries.empty() ? first_test() : *queries.front().test);
+  if (queries.empty()) return default_kernel(first_test());
+  return default_kernel(*queries.front().test, queries.front().entry);
 }
 
 void require_queries_of(const Kernel& kernel, const std::vector<StoredQuery>& queries) {

@@ -89,8 +89,8 @@ const TestDescription& test_of_sources(const std::string& test, const std::vecto
   return given;
 }
 
-std::vector<const TestDescription*> tests_of_spheres() {
-  return {&sphere_triangle_test(), &find_test("moving-sphere")};
+std::vector<const TestDescription*> tests_with_moves() {
+  return {&sphere_triangle_test(), &find_test("moving-sphere"), &find_test("box-box"), &find_test("box-triangle")};
 }
 
 void require_served(std::string_view command, const TestDescription& test) {

@@ -29,8 +29,8 @@ void require_one_test(const std::vector<const Kernel*>& kernels, const std::vect
 // another test.
 const TestDescription& test_of_sources(const std::string& test, const std::vector<SourcePtr>& sources);
 
-// The tests of a sphere and a triangle, whose queries search, shrink and map can move.
-std::vector<const TestDescription*> tests_of_spheres();
+// The tests whose queries search, shrink and map can move.
+std::vector<const TestDescription*> tests_with_moves();
 
 // For a command, or an option of one, that serves sphere-triangle alone, or the given tests: throws Error for any
 // other.
