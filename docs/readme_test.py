@@ -210,15 +210,16 @@ def box_peers(kind):
 
 
 def box_axes(commands, old):
-    """Wrong signs of the facets' axes and of the edges', by link."""
+    """Wrong verdicts by link, and wrong signs of the facets' axes and of the edges'."""
     rows = []
     for suffix, family in (("", "resting"), ("-turned", "resting_turned")):
         kernels = tuple(f"box-box/{k}{suffix}" for k in ("textbook", "cofactor"))
         record = commands.run(*options("--kernel", kernels), "--family", f"box-box/{family}", "--trials", "2500", "--precision", "binary32")[1]
         for kernel in record["kernels"]:
-            axes = kernel["families"][f"box-box/{family}"]["axes"]
-            counts = [sum(axis["links"][link] for name, axis in axes.items() if (len(name) == 2) == of_facets)
-                      for of_facets in (True, False) for link in ("specification", "rounding")]
+            found = kernel["families"][f"box-box/{family}"]
+            counts = [found["verdict"]["links"][link] for link in ("specification", "rounding")]
+            counts += [sum(axis["links"]["rounding"] for name, axis in found["axes"].items() if (len(name) == 2) == of_facets)
+                       for of_facets in (True, False)]
             rows.append([f"`{kernel['id'].split('/')[1]}`", *map(str, counts)])
     return with_rows(old, rows)
 

@@ -200,7 +200,7 @@ class BoxTriangle(Case):
         self.assertEqual(record["plan"]["kernels"], ["box-triangle/textbook-minmax"])
         (found,) = record["kernels"][0]["families"].values()
         self.assertEqual(found["trials"], 200)
-        self.assertGreater(found["contact"], 20)
+        self.assertGreater(found["truth"]["contact"], 20)
 
     def test_an_oriented_box_is_missed_by_specification(self):
         record = self.run_ok("--kernel", "box-triangle/textbook-oriented", "--kernel", "box-triangle/thirteen-oriented", "--trials", "200",
