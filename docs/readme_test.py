@@ -177,7 +177,7 @@ def ends(commands, old):
 
 BOX_KERNELS = "projected columns dropped framed textbook rtcd gottschalk bullet cofactor".split()
 BOX_FAMILIES = "general tangent stacked resting crossed parallel thin flat".split()
-BOX_PEERS = "ode ode-unimportant ode-touches fcl fcl-obb bullet".split()
+BOX_PEERS = "ode ode-unimportant ode-touches fcl fcl-obb bullet libccd-gjk libccd-mpr".split()
 BOX_PEER_FAMILIES = "lattice tangent resting crossed parallel flat".split()
 
 
@@ -225,9 +225,24 @@ def box_peers(kind):
     return table
 
 
+def box_axes(commands, old):
+    """Wrong verdicts by link, and wrong signs of the facets' axes and of the edges'."""
+    rows = []
+    for suffix, family in (("", "resting"), ("-turned", "resting_turned")):
+        kernels = tuple(f"box-box/{k}{suffix}" for k in ("textbook", "cofactor"))
+        record = commands.run(*options("--kernel", kernels), "--family", f"box-box/{family}", "--trials", "2500", "--precision", "binary32")[1]
+        for kernel in record["kernels"]:
+            found = kernel["families"][f"box-box/{family}"]
+            counts = [found["verdict"]["links"][link] for link in ("specification", "rounding")]
+            counts += [sum(axis["links"]["rounding"] for name, axis in found["axes"].items() if (len(name) == 2) == of_facets)
+                       for of_facets in (True, False)]
+            rows.append([f"`{kernel['id'].split('/')[1]}`", *map(str, counts)])
+    return with_rows(old, rows)
+
+
 def box_triangle(commands, old):
     families = "general_minmax touching_minmax lattice_minmax voxel".split()
-    verdicts = box_verdicts(commands, tuple(f"box-triangle/{k}" for k in ("textbook-minmax", "thirteen-minmax", "peer/cgal-epick", "peer/cgal-double")),
+    verdicts = box_verdicts(commands, tuple(f"box-triangle/{k}" for k in ("textbook-minmax", "akenine-moller-minmax", "thirteen-minmax", "peer/cgal-epick", "peer/cgal-double")),
                             tuple(f"box-triangle/{f}" for f in families), "2000")
     return with_rows(old, [[f"`{family}`", *(f"{v[i]['false_separation']}, {v[i]['false_contact']}" for v in verdicts)]
                            for i, family in enumerate(families)])
@@ -279,6 +294,7 @@ TABLES = {
     "box-phantoms": ("docs/boxes.md", box_phantoms, "long"),
     "box-peers-missed": ("docs/boxes.md", box_peers("false_separation"), "long"),
     "box-peers-phantom": ("docs/boxes.md", box_peers("false_contact"), "long"),
+    "box-axes": ("docs/boxes.md", box_axes, "long"),
     "box-triangle": ("docs/boxes.md", box_triangle, "long"),
     "box-engines": ("docs/boxes.md", engines("box-box", BOX_ENTRIES, "300"), "long"),
     "box-triangle-engines": ("docs/boxes.md", engines("box-triangle", CELL_ENTRIES, "300"), "long"),

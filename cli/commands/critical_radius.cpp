@@ -14,8 +14,8 @@ struct Defaults {
   std::vector<std::string> kernels, families;
 };
 
-// All kernels and families of a test other than the first, but images, which are the same radius again.
-Defaults defaults_of(const TestDescription& test) {
+// All kernels and families of the entry of a test other than the first, but images, which are the same radius again.
+Defaults defaults_of(const TestDescription& test, std::size_t entry) {
   if (&test == &first_test()) {
     return {
         {"published", "nonstrict", "reduced", "ladder-0", "minkowski", "closest-point", "segments", "packed-nonstrict"},
@@ -23,27 +23,31 @@ Defaults defaults_of(const TestDescription& test) {
   }
   Defaults all;
   for (const Kernel& kernel : kernels()) {
-    if (kernel.test == &test && kernel.entry == 0) all.kernels.push_back(kernel.id);
+    if (kernel.test == &test && kernel.entry == entry) all.kernels.push_back(kernel.id);
   }
-  for (const Family* family : families_of(test, 0)) {
+  for (const Family* family : families_of(test, entry)) {
     if (image_group(family->name) == nullptr) all.families.emplace_back(family->name);
   }
   return all;
 }
 
-// The test of the kernels or the families that are given; the first where neither are.
-const TestDescription& test_of(const InstrumentOptions& options) {
+// The test and the entry of the kernels or the families that are given; the first where neither are.
+std::pair<const TestDescription*, std::size_t> asked_of(const InstrumentOptions& options) {
   std::vector<const Kernel*> kernels;
   for (const std::string& id : options.kernels) kernels.push_back(&find_kernel(id));
-  if (!kernels.empty() || options.families.empty()) return test_of_kernels("", kernels);
-  return find_family(options.families.front()).test();
+  if (kernels.empty() && !options.families.empty()) {
+    const Family& first = find_family(options.families.front());
+    return {&first.test(), first.entry};
+  }
+  return {&test_of_kernels("", kernels), kernels.empty() ? 0 : kernels.front()->entry};
 }
 
 int measure(const InstrumentOptions& options) {
   const std::vector<const TestDescription*> served = tests_with_critical_distance();
-  const TestDescription& test = test_of(options);
-  require_served(options.command, test, served);
-  const Defaults defaults = defaults_of(test);
+  const auto [test, entry] = asked_of(options);
+  require_served(options.command, *test, served);
+  require_columns(options.command, *test, entry);
+  const Defaults defaults = defaults_of(*test, entry);
   const CriticalRadiusPlan plan{instrument_kernels(options, defaults.kernels, Measures::verdicts, served),
                                 instrument_sources(options, defaults.families, served),
                                 parse_precision(options.precision),
@@ -51,7 +55,6 @@ int measure(const InstrumentOptions& options) {
                                 options.seed,
                                 options.threads};
   require_one_test(plan.kernels, plan.sources);
-  require_first_entry("critical-radius", test, plan.kernels.front()->entry);
   const auto result =
       with_progress("critical-radius", [&](const ShowProgress& show) { return measure_critical_radii(plan, show); });
   return put_instrument(critical_radius_report(plan, result, instrument_command("critical-radius", options)), options);
@@ -60,8 +63,10 @@ int measure(const InstrumentOptions& options) {
 }  // namespace
 
 void add_critical_radius(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("critical-radius",
-                                     "Find the smallest radius for which each kernel says contact, and its error");
+  auto* command = app.add_subcommand(
+      "critical-radius",
+      "Find the smallest radius, or half extent of a box, for which each kernel says contact, and its "
+      "error");
   auto options = std::make_shared<InstrumentOptions>();
   add_instrument_options(*command, *options, std::uint64_t{1} << 12);
   command->callback([&action, options] { action = [options] { return measure(*options); }; });

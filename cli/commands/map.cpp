@@ -52,8 +52,7 @@ StoredQuery witness_of(const MapOptions& options) {
                             queries.size(), options.id.empty() ? "" : " of the id '" + options.id + "'"));
   }
   const StoredQuery& only = queries.front();
-  require_served("map", *only.test, tests_of_spheres());
-  require_first_entry("map", *only.test, only.entry);
+  require_moves("map", *only.test, only.entry);
   const bool valid = std::visit(
       [&](const auto& q) { return oracles_of(*only.test).truth(q).verdict != Verdict::invalid; }, only.numbers);
   if (!valid) throw Error(fmt::format("query '{}': not a valid query to draw a map around", queries.front().id));
@@ -77,13 +76,31 @@ std::vector<MapSubject> subjects_of(const MapOptions& options, const Kernel& ker
   return all;
 }
 
+// The numbers that move where none are given: a.x and r, or the first numbers of an entry's first two groups that have
+// a place and a length; of an entry without a length, of the first two.
+struct DefaultSides {
+  std::string along, across;
+};
+DefaultSides default_sides(const TestEntry& entry) {
+  std::vector<std::string> places, lengths;
+  for (const ColumnGroup& group : groups_of(entry)) {
+    const std::string first = std::string(group.name) + (group.size == 3 ? ".x" : "");
+    const Role role = entry.columns[group.first].role;
+    if (role == Role::coordinate) places.push_back(first);
+    if (role == Role::length) lengths.push_back(first);
+  }
+  return {places.at(0), lengths.empty() ? places.at(1) : lengths.front()};
+}
+
 Plane plane_of(const MapOptions& options, const StoredQuery& witness) {
-  const auto given = [&](const std::string& text, const char* otherwise) {
+  const auto given = [&](const std::string& text, const std::string& otherwise) {
     return parse_numbers(text.empty() ? otherwise : text, witness.columns());
   };
-  const MovedNumbers across = given(options.across, "r");
+  const DefaultSides sides = default_sides(witness.columns());
+  const MovedNumbers across = given(options.across, sides.across);
   if (!options.exponents) {
-    return ulp_plane(given(options.along, "a.x"), across, options.size.value_or(default_size(witness)), options.ulps);
+    return ulp_plane(given(options.along, sides.along), across, options.size.value_or(default_size(witness)),
+                     options.ulps);
   }
   const MovedNumbers along = given(options.along, "scene");
   return std::visit(
@@ -118,8 +135,9 @@ std::string command_of(const MapOptions& options, const MapPlan& plan) {
 
 int draw(const MapOptions& options) {
   const StoredQuery witness = witness_of(options);
-  const Kernel& kernel = options.kernel.empty() ? default_kernel(*witness.test) : find_kernel(options.kernel);
-  require_served("map", *kernel.test, tests_of_spheres());
+  const Kernel& kernel =
+      options.kernel.empty() ? default_kernel(*witness.test, witness.entry) : find_kernel(options.kernel);
+  require_moves("map", *kernel.test, kernel.entry);
   require_loaded(kernel);
   if (kernel.test != witness.test || kernel.entry != witness.entry) {
     throw Error(
@@ -155,11 +173,13 @@ void add_map(CLI::App& app, Action& action) {
   MapOptions& o = *options;
   command->add_option("QUERY", o.query, "query file (- for standard input) or address")->required();
   command->add_option("--id", o.id, "id of the query in the file");
-  command->add_option("--kernel", o.kernel, "kernel id (default: published, or the first of the query's test)");
-  command->add_option("--along", o.along,
-                      "the number that changes to the right: a.x ... p.z, d.x ... d.z, r (default: a.x); with "
-                      "--exponents also a, b, c, p, d, triangle, scene (default: scene)");
-  command->add_option("--across", o.across, "the number that changes upwards (default: r)");
+  command->add_option("--kernel", o.kernel,
+                      "kernel id (default: published, or the first of the query's test and entry)");
+  command->add_option(
+      "--along", o.along,
+      "the number that changes to the right: a.x ... p.z, d.x ... d.z, r, of boxes a.m.x ... b.s.z (default: the "
+      "first); with --exponents also a, b, c, p, d, triangle, scene (default: scene)");
+  command->add_option("--across", o.across, "the number that changes upwards (default: r, or the first half extent)");
   auto* exponents = command->add_flag("--exponents", o.exponents, "every power of two instead of ulps");
   command
       ->add_option("--size", o.size,

@@ -53,8 +53,7 @@ const Kernel& kernel_of(const SearchOptions& options) {
   const Kernel& kernel =
       options.kernel.empty() ? default_kernel(test_given(options.test)) : find_kernel(options.kernel);
   test_of_kernels(options.test, {&kernel});
-  require_served("search", *kernel.test, tests_of_spheres());
-  require_first_entry("search", *kernel.test, kernel.entry);
+  require_moves("search", *kernel.test, kernel.entry);
   return kernel;
 }
 

@@ -61,8 +61,7 @@ std::optional<Symptom> named(const TestDescription& test, std::string_view what)
 // Refuses a test that is not served, and what is no name of a symptom, or is not kept for this test.
 void require_known(const Kernel& kernel, std::string_view what) {
   const TestDescription& test = *kernel.test;
-  require_served("shrink", test, tests_of_spheres());
-  require_first_entry("shrink", test, kernel.entry);
+  require_moves("shrink", test, kernel.entry);
   if (what.empty()) return;
   if (what != asymmetry_name && !named(test, what)) throw Error(unknown_symptom(test, what));
   if (what == asymmetry_name || what.ends_with(error_suffix)) require_served(fmt::format("--what {}", what), test);

@@ -15,6 +15,7 @@
 #include "fuzz/queries/address.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/entry_families.h"
+#include "fuzz/meshes/mesh.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/sha256.h"
 #include "kernel/base/alike.h"
@@ -266,13 +267,12 @@ Plan plan_of(const RunOptions& given) {
   }
   plan.test = &test_of_kernels(options.test, plan.kernels);
   if (plan.kernels.empty()) {
-    plan.kernels.push_back(&default_kernel(*plan.test, entry_of_families(*plan.test, options.families)));
+    const bool is_of_a_mesh = options.families.empty() && !options.meshes.empty();
+    const std::size_t entry = is_of_a_mesh ? mesh_entry(*plan.test) : entry_of_families(*plan.test, options.families);
+    plan.kernels.push_back(&default_kernel(*plan.test, entry));
   }
   if (options.planted != RunOptions().planted) require_served("--plant", *plan.test);
-  if (options.shrink != 0) {
-    require_served("--shrink", *plan.test, tests_of_spheres());
-    require_first_entry("--shrink", *plan.test, plan.kernels.front()->entry);
-  }
+  if (options.shrink != 0) require_moves("--shrink", *plan.test, plan.kernels.front()->entry);
   if (!options.preset.empty()) apply_preset(options.preset, *plan.test, options);
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};

@@ -89,14 +89,17 @@ const TestDescription& test_of_sources(const std::string& test, const std::vecto
   return given;
 }
 
-void require_first_entry(std::string_view command, const TestDescription& test, std::size_t entry) {
-  if (entry == 0) return;
+void require_columns(std::string_view command, const TestDescription& test, std::size_t entry) {
+  if (entry == 0 || test.id != "moving-sphere") return;
   throw Error(fmt::format("{} does not serve the entry {} of the test {} yet; it serves {}", command,
                           entry_name(test, entry), test.id, entry_name(test, 0)));
 }
 
-std::vector<const TestDescription*> tests_of_spheres() {
-  return {&sphere_triangle_test(), &find_test("moving-sphere")};
+void require_moves(std::string_view command, const TestDescription& test, std::size_t entry) {
+  require_served(
+      command, test,
+      {&sphere_triangle_test(), &find_test("moving-sphere"), &find_test("box-box"), &find_test("box-triangle")});
+  require_columns(command, test, entry);
 }
 
 void require_served(std::string_view command, const TestDescription& test) {

@@ -29,11 +29,12 @@ void require_one_test(const std::vector<const Kernel*>& kernels, const std::vect
 // another test.
 const TestDescription& test_of_sources(const std::string& test, const std::vector<SourcePtr>& sources);
 
-// For a command, or an option of one, that serves queries of a test's first entry alone: throws Error for any other.
-void require_first_entry(std::string_view command, const TestDescription& test, std::size_t entry);
-
-// The tests of a sphere and a triangle, whose queries search, shrink and map can move.
-std::vector<const TestDescription*> tests_of_spheres();
+// For a command that changes the numbers of a query one by one: throws Error for an entry whose columns it cannot
+// change, which is one of motions, `endpoints`.
+void require_columns(std::string_view command, const TestDescription& test, std::size_t entry);
+// The same for a command, or an option of one, that moves queries (search, shrink, map); and for a test whose queries
+// these cannot move.
+void require_moves(std::string_view command, const TestDescription& test, std::size_t entry);
 
 // For a command, or an option of one, that serves sphere-triangle alone, or the given tests: throws Error for any
 // other.

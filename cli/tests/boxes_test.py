@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Two boxes from the command: query files in either entry, a run with its record and reports, and what does not serve
-them yet."""
+"""Two boxes from the command: query files in either entry, a run with its record and reports, search, shrink, map and the critical
+extent, and what does not serve them yet."""
 import json
 import math
 import subprocess
@@ -52,7 +52,7 @@ class BoxBox(Case):
         self.assertIn("a0", exact["deciding_axes"])
         self.assertEqual(len(exact["comparisons"]), 15)
         done = axiscert("check", "-", stdin=lines)
-        self.assertEqual(done.stdout.splitlines()[0], "q: exact contact (penetration 0.5, deciding_axes a1 b1 a0b2 a2b0), "
+        self.assertEqual(done.stdout.splitlines()[0], "q: exact contact (penetration 0.5, deciding_axes a1 b1 a0b2 a2b0, defect 0), "
                          "box-box/projected contact")
         self.assertIn("exact separated (distance 1.5, deciding_axes a0 b0", done.stdout)
 
@@ -84,7 +84,7 @@ class BoxBox(Case):
                              "--kernel", "box-box/cofactor", "--kernel", "box-box/gottschalk")
         self.assertEqual(record["plan"]["test"], "box-box")
         by = {kernel["id"]: kernel["families"] for kernel in record["kernels"]}
-        self.assertEqual(len(by["box-box/textbook"]), 14)
+        self.assertEqual(len(by["box-box/textbook"]), 17)
         resting = {id: families["box-box/resting"]["verdict"] for id, families in by.items()}
         self.assertGreater(resting["box-box/textbook"]["links"]["specification"], 3)
         self.assertEqual(resting["box-box/cofactor"]["false_separation"], 0)
@@ -109,14 +109,37 @@ class BoxBox(Case):
 
     def test_what_does_not_serve_the_test_says_so_in_one_line(self):
         kernel = ("--kernel", "box-box/textbook")
-        for command in (("ladder", *kernel), ("precision", *kernel), ("condition", *kernel), ("search", *kernel, "--evaluations", "10"),
-                        ("league", *kernel), ("critical-radius", *kernel), ("run", *kernel, "--shrink", "--trials", "4"),
+        for command in (("ladder", *kernel), ("precision", *kernel), ("condition", *kernel), ("league", *kernel),
                         ("run", "--test", "box-box", "--mesh", "x.obj")):
             done = self.refused(*command, says=["does not serve the test box-box"])
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
-        for command in ("shrink", "map"):
-            self.refused(command, "-", *kernel, stdin=QUARTER_TURN, says=[f"{command} does not serve the test box-box"])
         self.refused("mutate", *kernel, says=["box-box/textbook"])
+
+    def test_a_search_finds_a_deep_miss_and_shrink_and_map_take_it(self):
+        done = axiscert("search", "--kernel", "box-box/textbook", "--family", "box-box/resting", "--evaluations", "1024", "--format", "json",
+                        "--out", self.folder / "found")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        witnesses = (self.folder / "found" / "witnesses.jsonl").read_text()
+        (missed,) = [line for line in witnesses.splitlines() if "missed" in json.loads(line)["id"]]
+        (judged,) = self.checked(missed + "\n", "--kernel", "box-box/textbook")
+        self.assertEqual(judged["exact"]["verdict"], "contact")
+        self.assertLess(float.fromhex(judged["exact"]["defect"]), 32)
+        done = axiscert("shrink", "-", "--kernel", "box-box/textbook", "--evaluations", "150", stdin=missed + "\n")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("keeps verdict false_separation", done.stdout)
+        done = axiscert("map", "-", "--kernel", "box-box/textbook", "--size", "4", "--out", self.folder / "drawn", stdin=missed + "\n")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("16 pictures", done.stdout)
+        record = self.run_ok("--kernel", "box-box/textbook", "--family", "box-box/resting", "--trials", "32", "--precision", "binary32",
+                             "--shrink", "40")
+        self.assertTrue(record["witnesses"])
+        self.assertTrue((self.folder / "out" / "witnesses-shrunk.jsonl").read_text())
+
+    def test_the_critical_extent_of_each_entry(self):
+        for kernel, family in (("box-box/cofactor", "general"), ("box-box/homogeneous", "general_turned")):
+            done = axiscert("critical-radius", "--kernel", kernel, "--family", f"box-box/{family}", "--trials", "40")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("half extent of A's first axis", done.stdout)
 
     def test_a_query_goes_through_a_pipe(self):
         made = axiscert("generate", "--family", "box-box/resting", "--trials", "3")
@@ -151,14 +174,14 @@ class BoxTriangle(Case):
 
     def test_each_form_of_the_box_is_an_entry(self):
         half = {"m": [0, 0, 0], "s": [1, 1, 1]}
-        for box, kernel in ((half, "textbook"), ({"l": [-1, -1, -1], "h": [1, 1, 1]}, "textbook-minmax"),
+        for box, kernel in ((half, "textbook"), ({"min": [-1, -1, -1], "max": [1, 1, 1]}, "textbook-minmax"),
                             ({**half, "b": UPRIGHT}, "textbook-oriented")):
             found = self.checked(self.line(box))
             self.assertEqual(found["kernel"], f"box-triangle/{kernel}")
             self.assertEqual((found["exact"]["verdict"], found["exact"]["touching"]), ("contact", True))
             self.assertEqual(found["exact"]["penetration"], "0x0p+0")
-        found = self.checked(self.line({"l": [2, 0, 0], "h": [1, 1, 1]}))
-        self.assertEqual(found["exact"]["reason"], "box.l, element 1, is 2, above 1 in box.h; each element of l is at most that of h")
+        found = self.checked(self.line({"min": [2, 0, 0], "max": [1, 1, 1]}))
+        self.assertEqual(found["exact"]["reason"], "box.min, element 1, is 2, above 1 in box.max; each element of min is at most that of max")
 
     def test_a_run_is_of_one_entry(self):
         record = self.run_ok("--test", "box-triangle", "--trials", "40", "--precision", "binary32")
@@ -170,6 +193,14 @@ class BoxTriangle(Case):
             for name, family in kernel["families"].items():
                 self.assertEqual(family["verdict"]["links"]["specification"], 0, name)
         self.assertGreater(record["kernels"][0]["families"]["box-triangle/touching_minmax"]["verdict"]["links"]["rounding"], 5)
+
+    def test_a_mesh_is_asked_against_the_cells_of_a_grid(self):
+        (self.folder / "one.obj").write_text("v 0 0 0\nv 1 0 0\nv 0.3 1 0.2\nf 1 2 3\n")
+        record = self.run_ok("--test", "box-triangle", "--mesh", str(self.folder / "one.obj"), "--trials", "200", "--precision", "binary32")
+        self.assertEqual(record["plan"]["kernels"], ["box-triangle/textbook-minmax"])
+        (found,) = record["kernels"][0]["families"].values()
+        self.assertEqual(found["trials"], 200)
+        self.assertGreater(found["truth"]["contact"], 20)
 
     def test_an_oriented_box_is_missed_by_specification(self):
         record = self.run_ok("--kernel", "box-triangle/textbook-oriented", "--kernel", "box-triangle/thirteen-oriented", "--trials", "200",

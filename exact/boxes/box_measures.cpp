@@ -118,6 +118,14 @@ Rational squared_penetration(const ExactPair& q) {
   return *least;  // the axes of a box are independent, so its facets have normals
 }
 
+Rational squared_gap(const ExactPair& q) {
+  Rational greatest = 0;
+  for (const AxisRest& axis : rests(q)) {
+    if (axis.rest < 0) greatest = std::max(greatest, axis.squared());
+  }
+  return greatest;
+}
+
 Rational critical_factor(const ExactPair& q, const Point& u) {
   std::optional<Rational> least;
   for (std::size_t i = 0; i < axis_count; ++i) {
@@ -128,6 +136,32 @@ Rational critical_factor(const ExactPair& q, const Point& u) {
     if (!least || factor < *least) least = std::move(factor);
   }
   return *least;  // the normals of a box span the space, so one is not at right angles to u
+}
+
+std::optional<Rational> critical_extent(const ExactPair& q) {
+  ExactPair without = q;
+  without.a.half[0] = 0;
+  const Point between = q.b.centre - q.a.centre;
+  Rational least = 0;
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const Point along = direction(q, i);
+    const Rational beyond =
+        abs(Rational(dot(along, between))) - extent_along(without.a, along) - extent_along(without.b, along);
+    const Rational slope = abs(Rational(dot(along, q.a.axis[0])));
+    if (slope == 0 && beyond > 0) return std::nullopt;
+    if (slope != 0) least = std::max(least, Rational(beyond / slope));
+  }
+  return least;
+}
+
+Rational orthonormality_defect(const ExactBox& box) {
+  Rational greatest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k <= i; ++k) {
+      greatest = std::max(greatest, Rational(abs(Rational(dot(box.axis[i], box.axis[k]) - (i == k ? 1 : 0)))));
+    }
+  }
+  return greatest;
 }
 
 Rational squared_distance(const ExactPair& q) { return nearest_points(corners_of(q.a), corners_of(q.b)).squared(); }

@@ -1,6 +1,7 @@
 // How deep two boxes are in contact, or how far apart: squares of lengths, exactly.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -13,14 +14,27 @@ namespace axiscert::boxes {
 // A - B.
 Rational squared_penetration(const ExactPair& q);
 
+// Of boxes apart, the square of the greatest gap between their projections on one of the fifteen axes, as a length: at
+// most their distance.
+Rational squared_gap(const ExactPair& q);
+
 // The axes that decide: of boxes in contact those on which the penetration is least, else those that separate.
 std::vector<std::string_view> deciding_axes(const ExactPair& q);
 
 // The greatest f for which boxes are in contact with B's centre at A's + f u, u not 0: rational.
 Rational critical_factor(const ExactPair& q, const Point& u);
 
+// The least half extent of A's first axis for which the boxes are in contact, all else as it is; q.a.half[0] is not
+// read. It is rational: the greatest of (|T.L| - the other five terms) / |a0.L| over the fifteen axes that a0 is not at
+// right angles to, and not below 0. Empty where an axis at right angles to a0 separates: then no extent along it is
+// enough.
+std::optional<Rational> critical_extent(const ExactPair& q);
+
 // The square of their distance; 0 in contact.
 Rational squared_distance(const ExactPair& q);
+
+// The greatest entry of B'B - I in magnitude, B the matrix of the box's axes: 0 of a rotation alone.
+Rational orthonormality_defect(const ExactBox& box);
 
 // The square of the scene's extent: the greatest of |T|, from centre to centre, and of the distances of the corners
 // from the centre of their own box.

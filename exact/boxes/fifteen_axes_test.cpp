@@ -1,5 +1,6 @@
 // The theorem of the fifteen axes, and of the thirteen of a box and a triangle: over the reals, with products of the
-// boxes' own vectors and whole projections, they are right; and what each shorter form gets wrong, at which rate.
+// boxes' own vectors and whole projections, they are right; and what each shorter form gets wrong, at which rate. The
+// long tests hold the rows of docs/boxes.md.
 #include "exact/boxes/boxes_testing.h"
 #include "kernel/boxes/epsilon.h"
 #include "kernel/boxes/projected.h"
@@ -32,7 +33,9 @@ BoxPair<double> small_pair(Random& random, int i) { return independent_pair(rand
 TEST(FifteenAxes, AreRightOnIndependentAxes) { EXPECT_EQ(wrong_of<Projected>(1500, small_pair).all(), 0); }
 
 TEST(FifteenAxesLong, AreRightOn75000PairsOfIndependentAxes) {
-  EXPECT_EQ(wrong_of<Projected>(75000 / TRIAL_DIVISOR, small_pair).all(), 0);
+  const Wrong wrong = wrong_of<Projected>(75000 / TRIAL_DIVISOR, small_pair);
+  EXPECT_EQ(wrong.all(), 0);
+  expect_docs_row("`projected`, axes independent, extents of 0 too", wrong);
 }
 
 // Such boxes are not valid queries; the formulae alone are asked.
@@ -49,6 +52,7 @@ TEST(FifteenAxesLong, OfDependentAxesInventAFewContactsAndMissNone) {
     EXPECT_GT(wrong.phantom, 0) << wrong;
   }
   EXPECT_LT(wrong.phantom, wrong.asked / 100) << wrong;
+  expect_docs_row("the same, axes dependent: no boxes, the formulae alone", wrong);
 }
 
 struct Rates {
@@ -67,6 +71,9 @@ void expect_rates(const Rates& found) {
   expect_about(found.textbook.all(), found.textbook.asked, 13978, 25000);
   EXPECT_EQ(found.half_edges.missed, 0);
   expect_about(found.half_edges.phantom, found.half_edges.asked, 535, 25000);
+  expect_docs_row("`columns`, axes not at right angles", found.columns);
+  expect_docs_row("`textbook`, axes not at right angles", found.textbook);
+  expect_docs_row("`projected` of half edges s_k b_k in place of b_k", found.half_edges);
 }
 
 TEST(FifteenAxesLong, ShorterFormsAreWrongOnAxesThatAreNotOrthogonal) { expect_rates(rates(25000 / TRIAL_DIVISOR)); }
@@ -95,8 +102,11 @@ TEST(FifteenAxes, ColumnsOfAnyLengthAreRightWhereTheyAreOrthogonalAndTheTextbook
 
 TEST(FifteenAxesLong, ColumnsOfAnyLengthAreRightWhereTheyAreOrthogonalAndTheTextbookMissesAFifth) {
   const int queries = 25000 / TRIAL_DIVISOR;
-  EXPECT_EQ(wrong_of<Columns>(queries, orthogonal_pair).all(), 0);
+  const Wrong columns = wrong_of<Columns>(queries, orthogonal_pair);
+  EXPECT_EQ(columns.all(), 0);
+  expect_docs_row("`columns`, axes at right angles and not of length 1", columns);
   const Wrong textbook = wrong_of<Textbook>(queries, orthogonal_pair);
+  expect_docs_row("`textbook`, the same", textbook);
   expect_about(textbook.missed, textbook.asked, 5196, 25000);
 }
 
@@ -164,6 +174,10 @@ TEST(FifteenAxesLong, TheTextbookIsRightOn25600ExactlyOrthonormalPairs) {
   EXPECT_EQ(found.homogeneous.all(), 0) << found.homogeneous;
   EXPECT_EQ(found.epsilon.missed, 0) << found.epsilon;
   expect_about(found.epsilon.phantom, found.epsilon.asked, 2079, 25600);
+  expect_docs_row("`projected`, exact rotations", found.projected);
+  expect_docs_row("`textbook`, exact rotations", found.textbook);
+  expect_docs_row("`homogeneous`, exact rotations", found.homogeneous);
+  expect_docs_row("`gottschalk`, exact rotations", found.epsilon);
 }
 
 // Every other triangle has no area.
@@ -198,6 +212,8 @@ TEST(ThirteenAxesLong, OfABoxAndATriangleAreRightOn24000Pairs) {
   const ThirteenRates found = thirteen_rates(24000 / TRIAL_DIVISOR);
   EXPECT_EQ(found.products.all(), 0) << found.products;
   expect_about(found.half_edges.phantom, found.half_edges.asked, 759, 24000);
+  expect_docs_row("`box-triangle/thirteen-oriented`, half of the triangles without an area", found.products);
+  expect_docs_row("the same of half edges", found.half_edges);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "exact/boxes/box_measures.h"
 #include "exact/boxes/clipping.h"
@@ -74,8 +75,9 @@ struct BoxTrait : Boxes {
 
   static double depth(const Numbers<double>& numbers) { return depth_of(exactly(numbers)); }
 
-  // The penetration or the distance, as a length rounded to nearest; and the axes that decide: those on which the
-  // penetration is least, or those that separate.
+  // The penetration or the distance, as a length rounded to nearest; the axes that decide: those on which the
+  // penetration is least, or those that separate; and of matrices how far they are from orthonormal, the worse of both,
+  // in halves of an ulp of 1.
   template <class Real>
   static std::vector<Detail> details(const Numbers<double>& numbers) {
     const ExactPair q = exactly(numbers);
@@ -83,13 +85,20 @@ struct BoxTrait : Boxes {
     const Rational apart = squared_distance(q);
     if (apart > 0) distance.value = static_cast<double>(nearest_sqrt<Real>(apart));
     else penetration.value = static_cast<double>(nearest_sqrt<Real>(squared_penetration(q)));
-    return {penetration, distance, {"deciding_axes", deciding_axes(q)}};
+    std::vector<Detail> found = {penetration, distance, {"deciding_axes", deciding_axes(q)}};
+    if constexpr (Boxes::entry == MatrixBoxes::entry) {
+      const Rational defect = std::max(orthonormality_defect(q.a), orthonormality_defect(q.b));
+      found.push_back(
+          {"defect", nearest<double>(Rational(defect * (mpz_class(1) << std::numeric_limits<Real>::digits)))});
+    }
+    return found;
   }
 };
 
 struct MatrixTrait : BoxTrait<MatrixBoxes> {
-  using AllFormulae = FormulaeList<Projected, Columns, Dropped, Framed, Textbook, Rtcd, Gottschalk, Bullet, Cofactor,
-                                   SlipOfTheBook, SlipOfTheFrame, SlipOfEpsilon, SlipOfOwnEdges, SlipOfOneEdge>;
+  using AllFormulae =
+      FormulaeList<Projected, Columns, Dropped, Framed, Textbook, Rtcd, Gottschalk, Bullet, Cofactor, SlipOfTheBook,
+                   SlipOfTheFrame, SlipOfEpsilon, SlipOfOneInterval, SlipOfOwnEdges, SlipOfOneEdge>;
 };
 
 struct QuaternionTrait : BoxTrait<QuaternionBoxes> {

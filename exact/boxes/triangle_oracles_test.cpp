@@ -56,13 +56,13 @@ TEST(TriangleOracles, SayWhyNumbersAreNoQuery) {
   EXPECT_EQ(oracles_in(CentreEntry::entry).why_invalid(numbers), "box.s, element 2, is -1; half extents are 0 or more");
   numbers = numbers_of(CornersAndTriangle<double>{{0, 2, 0}, {1, 1, 1}, {}});
   EXPECT_EQ(oracles_in(MinmaxEntry::entry).why_invalid(numbers),
-            "box.l, element 2, is 2, above 1 in box.h; each element of l is at most that of h");
+            "box.min, element 2, is 2, above 1 in box.max; each element of min is at most that of max");
   EXPECT_EQ(oracles_in(MinmaxEntry::entry).truth(numbers).verdict, Verdict::invalid);
   numbers = numbers_of(CornersAndTriangle<double>{{3, 2, 0}, {1, 1, 1}, {}});
-  EXPECT_EQ(
-      oracles_in(MinmaxEntry::entry).why_invalid(numbers),
-      "box.l, element 1, is 3, above 1 in box.h; box.l, element 2, is 2, above 1 in box.h; each element of l is at "
-      "most that of h");
+  EXPECT_EQ(oracles_in(MinmaxEntry::entry).why_invalid(numbers),
+            "box.min, element 1, is 3, above 1 in box.max; box.min, element 2, is 2, above 1 in box.max; each element "
+            "of min is at "
+            "most that of max");
   numbers = Numbers<double>(24);
   EXPECT_EQ(oracles_in(OrientedEntry::entry).why_invalid(numbers),
             "box.b has the determinant 0; the axes of a box are linearly independent");

@@ -10,6 +10,7 @@
 #include "exact/boxes/why_invalid.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
+#include "kernel/boxes/akenine_moller.h"
 
 namespace axiscert::boxes {
 
@@ -20,10 +21,10 @@ inline std::string why_invalid_box(const CornersAndTriangle<double>& q) {
   std::vector<std::string> faults;
   for (std::size_t i = 0; i < 3; ++i) {
     if (low[i] > high[i])
-      faults.push_back(fmt::format("box.l, element {}, is {}, above {} in box.h", i + 1, low[i], high[i]));
+      faults.push_back(fmt::format("box.min, element {}, is {}, above {} in box.max", i + 1, low[i], high[i]));
   }
   if (faults.empty()) return "";
-  return fmt::format("{}; each element of l is at most that of h", fmt::join(faults, "; "));
+  return fmt::format("{}; each element of min is at most that of max", fmt::join(faults, "; "));
 }
 inline std::string why_invalid_box(const BoxAndTriangle<double>& q) {
   return why_axes_are_invalid("box", determinant(exact_box_and_triangle(q).box));
@@ -83,10 +84,10 @@ struct TriangleTrait : Entry {
 };
 
 struct CentreTrait : TriangleTrait<CentreEntry> {
-  using AllFormulae = FormulaeList<Thirteen, TextbookThirteen>;
+  using AllFormulae = FormulaeList<Thirteen, TextbookThirteen, AkenineMoller>;
 };
 struct MinmaxTrait : TriangleTrait<MinmaxEntry> {
-  using AllFormulae = FormulaeList<Thirteen, TextbookThirteen>;
+  using AllFormulae = FormulaeList<Thirteen, TextbookThirteen, AkenineMoller>;
 };
 struct OrientedTrait : TriangleTrait<OrientedEntry> {
   using AllFormulae = FormulaeList<Thirteen, FramedThirteen>;

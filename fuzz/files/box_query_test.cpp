@@ -76,15 +76,16 @@ TEST(BoxQuery, WhatIsWrongIsNamedByItsPath) {
 }
 
 TEST(BoxQuery, AMemberThatItsEntryDoesNotReadIsRefused) {
-  const std::string three_forms = "'box' is an object with m and s, with l and h or with m, s and b";
+  const std::string three_forms = "'box' is an object with m and s, with min and max or with m, s and b";
   EXPECT_EQ(box_refusal(line_of_triangle(R"({"m":[0,0,0],"s":[1,1,1],"q":[1,0,0,0]})")),
             "f:1: field 'box.q': not read beside m and s; " + three_forms);
-  EXPECT_EQ(box_refusal(line_of_triangle(R"({"m":[0,0,0],"s":[1,1,1],"l":[0,0,0],"h":[1,1,1]})")),
-            "f:1: field 'box.h': not read beside m and s; " + three_forms);
+  EXPECT_EQ(box_refusal(line_of_triangle(R"({"m":[0,0,0],"s":[1,1,1],"min":[0,0,0],"max":[1,1,1]})")),
+            "f:1: field 'box.max': not read beside m and s; " + three_forms);
   EXPECT_EQ(box_refusal(line_of(R"({"m":[0,0,0],"s":[1,1,1],"q":[1,0,0,0],"b":[[1,0,0],[0,1,0],[0,0,1]]})", cube)),
             "f:1: field 'a.q': not read beside m, s and b; 'a' is an object " + in_either_way);
   EXPECT_EQ(parsed_boxes(line_of_triangle(R"({"m":[0,0,0],"s":[1,1,1]})")).front().entry, boxes::CentreEntry::entry);
-  EXPECT_EQ(parsed_boxes(line_of_triangle(R"({"l":[0,0,0],"h":[1,1,1]})")).front().entry, boxes::MinmaxEntry::entry);
+  EXPECT_EQ(parsed_boxes(line_of_triangle(R"({"min":[0,0,0],"max":[1,1,1]})")).front().entry,
+            boxes::MinmaxEntry::entry);
 }
 
 TEST(BoxQuery, TheAxesAreThreeColumns) {

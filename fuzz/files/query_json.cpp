@@ -126,8 +126,8 @@ class QueryOfMembers {
                                         {"center", "m"},
                                         {"centre", "m"},
                                         {"half", "s"},
-                                        {"min", "l"},
-                                        {"max", "h"},
+                                        {"low", "min"},
+                                        {"high", "max"},
                                         {"quaternion", "q"},
                                         {"name", "id"}}) {
       if (own == other && std::find(absent.begin(), absent.end(), member) != absent.end())

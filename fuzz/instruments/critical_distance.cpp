@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
+#include "exact/boxes/box_measures.h"
 #include "exact/moving_sphere/least_distance.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/trait/oracles.h"
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/description.h"
 #include "kernel/sphere_triangle/query.h"
@@ -13,15 +15,27 @@
 namespace axiscert {
 namespace {
 
-Rational of_sphere_triangle(const Numbers<double>& query) { return squared_distance(query_from(query)); }
+std::optional<Rational> of_sphere_triangle(const Numbers<double>& query) { return squared_distance(query_from(query)); }
 // The least distance of the moving centre.
-Rational of_moving_sphere(const Numbers<double>& query) {
+std::optional<Rational> of_moving_sphere(const Numbers<double>& query) {
   return moving_sphere::least_distance(MovingSphere::problem<double>([&](std::size_t k) { return query[k]; })).squared;
 }
 
-// The one length of a query.
-std::size_t radius_column(const TestDescription& test) {
-  const std::vector<TestColumn>& columns = test.entries[0].columns;
+// The square of the half extent at which two boxes touch.
+template <class Boxes>
+std::optional<Rational> of_boxes(const Numbers<double>& query) {
+  Numbers<double> any = query;
+  any[3] = 0;  // the extent that is not read
+  if (oracles_of(Boxes::description(), Boxes::entry).truth(any).verdict == Verdict::invalid) return std::nullopt;
+  const auto extent =
+      boxes::critical_extent(boxes::exact_pair(Boxes::template problem<double>([&](std::size_t k) { return any[k]; })));
+  if (!extent) return std::nullopt;
+  return Rational(*extent * *extent);
+}
+
+// The first length of a query.
+std::size_t radius_column(const TestEntry& entry) {
+  const std::vector<TestColumn>& columns = entry.columns;
   const auto is_length = [](const TestColumn& column) { return column.role == Role::length; };
   return static_cast<std::size_t>(std::find_if(columns.begin(), columns.end(), is_length) - columns.begin());
 }
@@ -29,12 +43,16 @@ std::size_t radius_column(const TestDescription& test) {
 }  // namespace
 
 std::vector<const TestDescription*> tests_with_critical_distance() {
-  return {&sphere_triangle_test(), &moving_sphere_test()};
+  return {&sphere_triangle_test(), &moving_sphere_test(), &box_box_test()};
 }
 
-CriticalDistance critical_distance_of(const TestDescription& test) {
-  if (&test == &sphere_triangle_test()) return {test, radius_column(test), of_sphere_triangle};
-  if (&test == &moving_sphere_test()) return {test, radius_column(test), of_moving_sphere};
+CriticalDistance critical_distance_of(const TestDescription& test, std::size_t entry) {
+  const std::size_t radius = radius_column(test.entries[entry]);
+  if (&test == &sphere_triangle_test()) return {test, radius, of_sphere_triangle};
+  if (&test == &moving_sphere_test()) return {test, radius, of_moving_sphere};
+  if (&test == &box_box_test() && entry == boxes::MatrixBoxes::entry)
+    return {test, radius, of_boxes<boxes::MatrixBoxes>};
+  if (&test == &box_box_test()) return {test, radius, of_boxes<boxes::QuaternionBoxes>};
   throw HarnessFault(fmt::format("{} has no critical radius", test.id));
 }
 

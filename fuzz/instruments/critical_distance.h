@@ -1,7 +1,9 @@
 // The distance at which a query touches, for tests of which the answer depends on a radius: what a critical radius is
-// measured from.
+// measured from. Of two boxes the radius is the half extent of A's first axis, and the distance that at which they
+// touch.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "exact/numbers/rational.h"
@@ -11,13 +13,14 @@ namespace axiscert {
 
 struct CriticalDistance {
   const TestDescription& test;
-  std::size_t radius;                                 // the column of the radius, in the first entry
-  Rational (*squared)(const Numbers<double>& query);  // exact, for finite numbers; the radius is not read
+  std::size_t radius;  // the column of the radius
+  // Exact, for finite numbers; the radius is not read. Empty for what is no query with any radius, or touches at none.
+  std::optional<Rational> (*squared)(const Numbers<double>& query);
 };
 
 // The tests that have one.
 std::vector<const TestDescription*> tests_with_critical_distance();
 // Throws HarnessFault for a test that has none.
-CriticalDistance critical_distance_of(const TestDescription& test);
+CriticalDistance critical_distance_of(const TestDescription& test, std::size_t entry = 0);
 
 }  // namespace axiscert

@@ -83,7 +83,7 @@ BlockResult run(const CriticalRadiusPlan& plan, const QueryBlock& block, Progres
   for (const Kernel* kernel : plan.kernels) kernels.push_back(kernel->on<Real>(scalar_target));
   BlockResult result{0, std::vector<CriticalRadii>(kernels.size())};
   const Source& source = *plan.sources[block.source];
-  const CriticalDistance distance = critical_distance_of(source.test());
+  const CriticalDistance distance = critical_distance_of(source.test(), source.entry());
   for (std::uint64_t position = block.first; position < block.first + block.size; ++position) {
     const QueryWithRadius<Real> q = {source.make<Real>(plan.seed, position), distance.radius};
     progress.asked(1);
@@ -91,7 +91,7 @@ BlockResult run(const CriticalRadiusPlan& plan, const QueryBlock& block, Progres
     std::optional<Real> exact_radius;
     if (is_measurable(q)) {
       squared = distance.squared(in_doubles(q.numbers));
-      exact_radius = exact_critical_radius<Real>(*squared);
+      if (squared) exact_radius = exact_critical_radius<Real>(*squared);
     }
     if (!exact_radius) {
       ++result.left_out;

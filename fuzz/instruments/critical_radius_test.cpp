@@ -73,6 +73,29 @@ TEST(CriticalRadiusInstrument, InvalidQueriesAndDistancesBeyondThePrecisionAreLe
   EXPECT_GT(result.left_out[0], 0u);
 }
 
+// The half extent of A's first axis at which the boxes touch: rational. Kernels are monotone in it, since rounding is.
+TEST(CriticalRadiusInstrument, MeasuresTheHalfExtentAtWhichTwoBoxesTouch) {
+  const auto squared = [](const Numbers<double>& q) { return critical_distance_of(find_test("box-box")).squared(q); };
+  Numbers<double> cubes = {0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 3.5, 0, 0, 1, 1, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  EXPECT_EQ(squared(cubes), Rational(25, 4));
+  cubes[15] = 0.5;
+  EXPECT_EQ(squared(cubes), 0) << "in contact with any";
+  cubes[16] = 2.5;
+  EXPECT_FALSE(squared(cubes)) << "apart along y, whatever the extent along x";
+  cubes[6] = 0;
+  EXPECT_FALSE(squared(cubes)) << "no box";
+  for (const auto& [id, family] :
+       {std::pair{"box-box/cofactor", "box-box/general"}, std::pair{"box-box/homogeneous", "box-box/general_turned"}}) {
+    auto plan = radius_plan({&find_kernel(id)}, {family});
+    plan.trials = 150;
+    const CriticalRadii cell = measure_critical_radii(plan).cells[0][0];
+    expect_consistent(cell);
+    EXPECT_GT(cell.measured, 100u) << id;
+    EXPECT_EQ(cell.reversals, 0u) << id;
+    EXPECT_GT(cell.within(round_up(Rational(64))), cell.measured * 9 / 10) << id;
+  }
+}
+
 // The least distance of the motion, from which the static instrument's measures follow.
 TEST(CriticalRadiusInstrument, MeasuresAMovingSphereFromTheLeastDistanceOfItsMotion) {
   auto plan =

@@ -250,6 +250,7 @@ std::vector<MapSubject> map_subjects(const TestDescription& test) {
   std::vector<MapSubject> all = {{Level::verdict, 0}};
   for (std::size_t i = 0; i < test.clauses.size(); ++i) all.push_back({Level::axis, static_cast<std::uint8_t>(i)});
   for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
+    if (test.comparisons[i].name == test.clauses[test.comparisons[i].clause].name) continue;
     all.push_back({Level::comparison, static_cast<std::uint8_t>(i)});
   }
   return all;

@@ -41,7 +41,7 @@ struct MapSubject {
   bool operator==(const MapSubject&) const = default;
 };
 std::string_view name(const MapSubject& subject, const TestDescription& test = first_test());
-// The verdict, the axes and the comparisons, in this order.
+// The verdict, the axes and the comparisons, in this order; a comparison that is an axis by itself, of its name, once.
 std::vector<MapSubject> map_subjects(const TestDescription& test = first_test());
 
 struct MapPlan {

@@ -11,6 +11,7 @@
 #include "kernel/base/sha256.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
+#include "kernel/boxes/box_triangle.h"
 #include "kernel/moving_sphere/moving_sphere.h"
 
 namespace axiscert {
@@ -46,7 +47,7 @@ double box_diagonal(const std::vector<MeshTriangle>& triangles) {
 class MeshSource final : public ColumnSource<MeshSource> {
  public:
   MeshSource(const std::string& path, const std::string& bytes, const TestDescription& test)
-      : mesh_(load_mesh(path, bytes.size())), test_(test), is_moving_(&test == &moving_sphere_test()) {
+      : mesh_(load_mesh(path, bytes.size())), test_(test) {
     file_.path = path;
     file_.name = base_name(path);
     file_.kind = "mesh";
@@ -60,17 +61,19 @@ class MeshSource final : public ColumnSource<MeshSource> {
 
   std::string name() const override { return "mesh/" + file_.name; }
   std::string address_name() const override {
-    return (is_moving_ ? std::string(test_.id) + "/" : std::string()) + "mesh-" + file_.sha256;
+    return (&test_ == &first_test() ? std::string() : std::string(test_.id) + "/") + "mesh-" + file_.sha256;
   }
   std::string purpose() const override {
-    if (is_moving_) {
+    if (&test_ == &box_triangle_test()) return "a real mesh's triangles against the cells of a grid";
+    if (&test_ == &moving_sphere_test()) {
       return "a real mesh's triangles: steps of a walking sphere, balls dropped on edges and vertices, bullets, "
              "arrivals from afar, a shaking camera";
     }
     return "a real mesh's triangles: spheres resting on them, sinking in, hovering, grazing edges and vertices, "
            "centred on them, far";
   }
-  int version() const override { return is_moving_ ? 1 : placements_version; }
+  int version() const override { return &test_ == &first_test() ? placements_version : 1; }
+  std::size_t entry() const override { return mesh_entry(test_); }
   const TestDescription& test() const override { return test_; }
   std::uint64_t base_triangles(Precision, std::uint64_t trials) const override {
     return std::min(trials, file_.triangles);
@@ -80,15 +83,16 @@ class MeshSource final : public ColumnSource<MeshSource> {
   template <class Real>
   void fill_columns(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {
     const StreamName placed(seed, placements_, placements_version, precision_of<Real>);
-    if (!is_moving_) return mesh_queries(mesh_, placed, first, out);
-    mesh_motions(mesh_, placed, StreamName(seed, generator_, version(), precision_of<Real>), first, out);
+    if (&test_ == &first_test()) return mesh_queries(mesh_, placed, first, out);
+    const StreamName own(seed, generator_, version(), precision_of<Real>);
+    if (&test_ == &box_triangle_test()) return mesh_voxels(mesh_, placed, own, first, out);
+    mesh_motions(mesh_, placed, own, first, out);
   }
 
  private:
   static constexpr int placements_version = 2;
   Mesh mesh_;
   const TestDescription& test_;
-  bool is_moving_;
   FileInfo file_;
   std::uint64_t generator_ = 0, placements_ = 0;  // names of streams, hashed
 };
@@ -110,7 +114,13 @@ Mesh load_mesh(const std::string& path, std::uint64_t file_size) {
   return mesh;
 }
 
-std::vector<const TestDescription*> mesh_tests() { return {&first_test(), &moving_sphere_test()}; }
+std::vector<const TestDescription*> mesh_tests() {
+  return {&first_test(), &moving_sphere_test(), &box_triangle_test()};
+}
+
+std::size_t mesh_entry(const TestDescription& test) {
+  return &test == &box_triangle_test() ? boxes::MinmaxEntry::entry : 0;
+}
 
 SourcePtr mesh_source(const std::string& path, const TestDescription& test) {
   const std::vector<const TestDescription*> served = mesh_tests();

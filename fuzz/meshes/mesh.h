@@ -63,4 +63,15 @@ template <class Real>
 void mesh_motions(const Mesh& mesh, const StreamName& placed, const StreamName& moved, std::uint64_t first,
                   const MutableColumns<Real>& out);
 
+// Queries of a box and a triangle by two corners (entry `minmax`): at each position the triangle that mesh_queries()
+// has there, and the cell of a grid in which a point of it is, or one beside that; `cells` names the stream of the
+// cells. Their sides are powers of two, a quarter to eight times the triangle's longest side along an axis. Every
+// number is finite.
+template <class Real>
+void mesh_voxels(const Mesh& mesh, const StreamName& placed, const StreamName& cells, std::uint64_t first,
+                 const MutableColumns<Real>& out);
+
+// The entry in which a mesh has queries of a test of mesh_tests().
+std::size_t mesh_entry(const TestDescription& test);
+
 }  // namespace axiscert

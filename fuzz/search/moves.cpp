@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fuzz/search/frame_moves.h"
 #include "kernel/arithmetic/error_free.h"
 
 namespace axiscert {
@@ -210,9 +211,13 @@ void settle(const QueryShape& shape, Numbers<Real>& q) {
     if (shape.is_length[k]) x = std::fabs(x);
     greatest = std::max(greatest, std::fabs(x));
   }
-  if (greatest == 0 || greatest >= Real(0.5)) return;
-  const int up = -1 - std::ilogb(greatest);
-  for (Real& x : q) x = std::ldexp(x, up);
+  if (greatest != 0 && greatest < Real(0.5)) {
+    const int up = -1 - std::ilogb(greatest);
+    for (Real& x : q) x = std::ldexp(x, up);
+  }
+  for (const std::size_t first : shape.frames) {
+    if (!is_nearly_rotation(q, first)) make_rotation(q, first);
+  }
 }
 
 const QueryShape& sphere_triangle_shape() {
@@ -224,6 +229,7 @@ template <class Real>
 void move(Dice& random, const QueryShape& shape, Numbers<Real>& v, const Numbers<Real>& o) {
   const auto index = [&](std::uint64_t n) { return static_cast<std::size_t>(random.below(n)); };
   const MovedQuery<Real> moving{shape, v};
+  if (!shape.frames.empty() && random.below(3) == 0) return move_frame(random, shape, v, o);
   switch (random.below(16)) {
     case 0:
     case 1:

@@ -22,13 +22,14 @@ template <class Real>
 void settle(Query<Real>& q);
 
 // The same for a query of any other test: every number finite and at most 2^8 in magnitude, so that formulae of degree
-// 6 keep to the normal numbers, lengths not negative, and the greatest number at least 1/2 unless all are zero.
+// 6 keep to the normal numbers, lengths not negative, and the greatest number at least 1/2 unless all are zero. The
+// axes of a box that are not a rotation but for roundings are made one, since no test of boxes is right for others.
 template <class Real>
 void settle(const QueryShape& shape, Numbers<Real>& q);
 
 // One random move: numbers changed by ulps, random low bits, exponents, signs; numbers copied, swapped or replaced; the
 // whole scene moved to a new centre, with the translated vertices unchanged; vertices, directions, axes of the box,
-// blends with `other`. The result is not settled.
+// blends with `other`; the axes of a box turned a little, or taken from the other box. The result is not settled.
 template <class Real>
 void move(Dice& random, const QueryShape& shape, Numbers<Real>& q, const Numbers<Real>& other);
 template <class Real>

@@ -162,7 +162,7 @@ class Search {
 
   bool is_first_test() const { return plan_.kernel->test == &first_test(); }
   StoredQuery stored_query(std::string id, const Numbers<Real>& q) const {
-    return {std::move(id), plan_.precision, q, 0, plan_.kernel->test};
+    return {std::move(id), plan_.precision, q, 0, plan_.kernel->test, plan_.kernel->entry};
   }
   std::unique_ptr<Guide<Real>> made_guide() const {
     if (is_first_test()) return std::make_unique<Evaluator<Real>>(*plan_.kernel, plan_.target);

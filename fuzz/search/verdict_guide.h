@@ -10,10 +10,10 @@
 
 namespace axiscert {
 
-// A query scores the depth of its wrong verdict, as the oracles have it. Where the test has a length, that number is
-// first set to where the kernel's verdict changes: to the least float that bisection finds in contact, or the one below
-// it for a missed contact. So every query comes to where it is wrong, if it is for any length. Keeps a reference to the
-// kernel.
+// A query scores the depth of its wrong verdict, as the oracles have it. Where the entry has a length, the first of
+// them is set to where the kernel's verdict changes: to the least float that bisection finds in contact, or the one
+// below it for a missed contact. So every query comes to where it is wrong, if it is for any length. Keeps a reference
+// to the kernel.
 template <class Real>
 class VerdictGuide final : public Guide<Real> {
  public:

@@ -20,6 +20,13 @@ std::vector<Move> moves(const QueryShape& shape) {
     for (int k = 0; k < count; ++k) visit((k + count - 1) % count);
   };
   last_first(axes + 1, [&](int axis) { last_first(points, [&](int point) { add(translate, point, axis); }); });
+  for (int i = 0; i < static_cast<int>(shape.frames.size()); ++i) {
+    add(into_frame, i);
+    add(upright, i);
+    for (int j = 0; j < static_cast<int>(shape.frames.size()); ++j) {
+      if (i != j) add(copy_frame, i, j);
+    }
+  }
   for (int axis = 0; axis < axes; ++axis) add(flatten, axis);
   for (int i = 0; i < directions; ++i) add(zero_direction, i);
   for (int distance = 0; distance < numbers; ++distance) {

@@ -108,14 +108,15 @@ std::vector<std::string_view> of_first_test(const Query<Real>& q) {
 }  // namespace
 
 template <class Real>
-std::vector<std::string_view> classes_of(const TestDescription& test, const Numbers<Real>& q) {
+std::vector<std::string_view> classes_of(const TestDescription& test, const Numbers<Real>& q, std::size_t entry) {
   if (&test == &first_test()) return of_first_test(query_from(q));
-  const ExactParts parts(shape_of(test.entries.front()), q);
+  const QueryShape shape = shape_of(test.entries[entry]);
+  const ExactParts parts(shape, q);
   std::vector<std::string_view> names;
   const auto add = [&](bool is_met, std::string_view name) {
     if (is_met) names.push_back(name);
   };
-  if (const auto depth = oracles_of(test).depth(q)) {
+  if (const auto depth = oracles_of(test, entry).depth(q)) {
     add(*depth == 0, "tie");
     add(*depth <= near_tie_depth<Real>, "near_tie");
   }
@@ -129,10 +130,13 @@ std::vector<std::string_view> classes_of(const TestDescription& test, const Numb
   add(parts.is_parallel(), "parallel");
   add(parts.has_no_length(), "point");
   add(parts.is_far(), "far");
+  add(std::any_of(shape.frames.begin(), shape.frames.end(),
+                  [&](std::size_t first) { return !is_nearly_rotation(q, first); }),
+      "sheared");
   add(names.empty(), "ordinary");
   return names;
 }
-template std::vector<std::string_view> classes_of(const TestDescription&, const Numbers<float>&);
-template std::vector<std::string_view> classes_of(const TestDescription&, const Numbers<double>&);
+template std::vector<std::string_view> classes_of(const TestDescription&, const Numbers<float>&, std::size_t);
+template std::vector<std::string_view> classes_of(const TestDescription&, const Numbers<double>&, std::size_t);
 
 }  // namespace axiscert

@@ -8,9 +8,9 @@
 
 namespace axiscert {
 
-// The names of the definitions that a valid query meets, in their order; the first is its class. For sphere-triangle
-// they are those of exact/sphere_triangle/measures/input_class.h; for any other test these, which its description and
-// its oracles serve, decided exactly:
+// The names of the definitions that a valid query of this entry meets, in their order; the first is its class. For
+// sphere-triangle they are those of exact/sphere_triangle/measures/input_class.h; for any other test these, which its
+// description and its oracles serve, decided exactly:
 //
 //   tie        the depth is 0
 //   near_tie   the depth, rounded once, is at most 64 u
@@ -21,10 +21,11 @@ namespace axiscert {
 //   parallel   a direction is not 0 and in the plane or line of the points but the last
 //   point      a length is 0
 //   far        a coordinate of a point is at least 64 L: the origin is far away
+//   sheared    the axes of a box are not a rotation but for roundings (is_nearly_rotation)
 //   ordinary   none of these
 //
 // L is the greatest |number| of the points, as seen from the last of them, the directions and the lengths.
 template <class Real>
-std::vector<std::string_view> classes_of(const TestDescription& test, const Numbers<Real>& q);
+std::vector<std::string_view> classes_of(const TestDescription& test, const Numbers<Real>& q, std::size_t entry = 0);
 
 }  // namespace axiscert

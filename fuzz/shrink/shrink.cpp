@@ -22,10 +22,10 @@ template <class Real>
 class Walk {
  public:
   Walk(const TestDescription& test, const Numbers<Real>& q, const SeverityOn<Real>& severity, Keeping keeping,
-       std::uint64_t limit, const Evaluated& evaluated)
-      : test_(test), severity_(severity), limit_(limit), evaluated_(evaluated) {
+       std::uint64_t limit, const Evaluated& evaluated, std::size_t entry)
+      : test_(test), entry_(entry), severity_(severity), limit_(limit), evaluated_(evaluated) {
     const Severity given = *severity(q);
-    const Keep keep = keeping == Keeping::symptom ? Keep() : Keep(test, q, given);
+    const Keep keep = keeping == Keeping::symptom ? Keep() : Keep(test, q, given, entry);
     out_ = {q, given, given, keep, {size_of(q)}, 0, true};
   }
 
@@ -34,7 +34,7 @@ class Walk {
     while (out_.complete && several());
     // MPFR checks the result before it is returned, where it has a part in the truth.
     if (&test_ == &first_test()) exact_truth(query_from(out_.query), true);
-    else oracles_of(test_).truth(out_.query);
+    else oracles_of(test_, entry_).truth(out_.query);
     return std::move(out_);
   }
 
@@ -80,10 +80,11 @@ class Walk {
   }
 
   const TestDescription& test_;
+  const std::size_t entry_;
   const SeverityOn<Real>& severity_;
   std::uint64_t limit_;
   const Evaluated& evaluated_;
-  const QueryShape shape_ = shape_of(test_.entries.front());
+  const QueryShape shape_ = shape_of(test_.entries[entry_]);
   const std::vector<Move> moves_ = moves<Real>(shape_), nudges_ = nudges(shape_);
   Shrunk<Real> out_;
 };
@@ -92,13 +93,13 @@ class Walk {
 
 template <class Real>
 Shrunk<Real> shrink(const TestDescription& test, const Numbers<Real>& q, const SeverityOn<Real>& severity,
-                    Keeping keeping, std::uint64_t limit, const Evaluated& evaluated) {
-  return Walk<Real>(test, q, severity, keeping, limit, evaluated).run();
+                    Keeping keeping, std::uint64_t limit, const Evaluated& evaluated, std::size_t entry) {
+  return Walk<Real>(test, q, severity, keeping, limit, evaluated, entry).run();
 }
 template Shrunk<float> shrink(const TestDescription&, const Numbers<float>&, const SeverityOn<float>&, Keeping,
-                              std::uint64_t, const Evaluated&);
+                              std::uint64_t, const Evaluated&, std::size_t);
 template Shrunk<double> shrink(const TestDescription&, const Numbers<double>&, const SeverityOn<double>&, Keeping,
-                               std::uint64_t, const Evaluated&);
+                               std::uint64_t, const Evaluated&, std::size_t);
 
 template <class Real>
 Shrunk<Real> shrink(const Numbers<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
@@ -108,7 +109,7 @@ Shrunk<Real> shrink(const Numbers<Real>& q, const Symptom& symptom, const Kernel
     throw Error(fmt::format("the query does not show {} of {}", text(symptom), kernel.id));
   }
   const SeverityOn<Real> severity = [&](const Numbers<Real>& at) { return diagnosis.severity(at, symptom); };
-  return shrink<Real>(*kernel.test, q, severity, keeping, limit, evaluated);
+  return shrink<Real>(*kernel.test, q, severity, keeping, limit, evaluated, kernel.entry);
 }
 template Shrunk<float> shrink<float>(const Numbers<float>&, const Symptom&, const Kernel&, std::string_view,
                                      std::uint64_t, Keeping, const Evaluated&);

@@ -1,5 +1,6 @@
 #include "fuzz/shrink/shrink_moves.h"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -71,6 +72,11 @@ class Moving {
   void on_axis(int axis, Change&& change) {
     of_all([&](std::size_t first) { change(v_[first + static_cast<std::size_t>(axis)]); });
   }
+  std::size_t frame(int i) const { return shape_.frames[static_cast<std::size_t>(i)]; }
+  void make_upright(std::size_t first) {
+    for (std::size_t k = 0; k < 9; ++k) v_[first + k] = k % 4 == 0 ? Real(1) : Real(0);
+  }
+  bool into_frame(std::size_t first);
   bool translate(int i, int axis);
   bool align(int i, int from, int power, bool is_beyond);
   bool trade(const Move& move);
@@ -86,6 +92,32 @@ bool Moving<Real>::translate(int i, int along) {
     if (along != static_cast<int>(axis) && along != static_cast<int>(shape_.axes)) continue;
     of_points([&](std::size_t first) { v_[first + axis] -= by; });
   }
+  return true;
+}
+
+template <class Real>
+bool Moving<Real>::into_frame(std::size_t first) {
+  std::array<double, 9> axes;
+  for (std::size_t k = 0; k < 9; ++k) axes[k] = static_cast<double>(v_[first + k]);
+  const auto turn = [&](std::size_t at, const std::array<double, 3>& from) {
+    std::array<double, 3> turned;
+    for (std::size_t k = 0; k < 3; ++k) {
+      turned[k] = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        turned[k] += axes[3 * k + axis] * (static_cast<double>(v_[at + axis]) - from[axis]);
+      }
+    }
+    for (std::size_t k = 0; k < 3; ++k) v_[at + k] = static_cast<Real>(turned[k]);
+  };
+  std::array<double, 3> origin;
+  for (std::size_t axis = 0; axis < 3; ++axis) origin[axis] = static_cast<double>(v_[shape_.points.front() + axis]);
+  of_points([&](std::size_t at) { turn(at, origin); });
+  for (const std::size_t other : shape_.frames) {
+    if (other == first) continue;
+    for (std::size_t k = 0; k < 9; k += 3) turn(other + k, {0, 0, 0});
+    make_rotation(v_, other);
+  }
+  make_upright(first);
   return true;
 }
 
@@ -204,6 +236,14 @@ bool Moving<Real>::apply(const Move& move) {
       for (std::size_t axis = 0; axis < shape_.axes; ++axis) direction(i, axis) = point(to, axis) - point(from, axis);
       return true;
     }
+    case MoveKind::upright:
+      make_upright(frame(i));
+      return true;
+    case MoveKind::copy_frame:
+      for (std::size_t k = 0; k < 9; ++k) v_[frame(i) + k] = v_[frame(j) + k];
+      return true;
+    case MoveKind::into_frame:
+      return into_frame(frame(i));
   }
   return false;
 }

@@ -38,6 +38,10 @@ enum class MoveKind : std::uint8_t {
   along,            // the last point by direction i times 2^j
   reverse,          // the last point goes to the end of direction i, which changes its sign
   between,          // direction i becomes the difference of points j / n and j % n of n
+  upright,          // frame i becomes the world's axes
+  copy_frame,       // frame i becomes frame j
+  into_frame,  // all points, as seen from the first, and all frames are turned into frame i, which becomes the world's
+               // axes
 };
 
 struct Move {

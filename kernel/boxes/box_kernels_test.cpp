@@ -79,6 +79,7 @@ TEST(BoxKernels, TheCrossedEdgesAreSeparatedByTheirProductAlone) {
   for (const Kernel* kernel : kernels_of_entry(MatrixBoxes::entry)) {
     const Reply<double> reply =
         reply_of(*kernel, numbers_of(unit_boxes(on_an_edge(), {0, 0, 2 * std::sqrt(2.0) + 0.01}, across)));
+    if (!reply.has_bits) continue;  // textbook-early shows its verdict alone
     EXPECT_EQ(reply.answers.bits[0], one_bit<ComparisonBits>(edges(0, 0))) << kernel->id;
   }
 }
@@ -161,6 +162,7 @@ TEST(BoxKernels, SlipsAreWrong) {
   const std::map<std::string, std::pair<BoxPair<double>, bool>> wrong = {
       {"box-box/slip-book", {unit_boxes(upright, {0, 2.25, 0}, upright), true}},
       {"box-box/slip-frame", {{{{0, 0, 0}, {4, 1, 1}, about_z(upright, 1.5)}, {{0, 4, 0}, {1, 1, 1}, turned}}, false}},
+      {"box-box/slip-one-interval", {unit_boxes(upright, {2.25, 0, 0}, upright), true}},
       {"box-box/slip-own-edges", {unit_boxes(on_an_edge(), {0, 0, 2 * std::sqrt(2.0) + 0.01}, across), true}},
   };
   int asked = 0;
@@ -172,12 +174,12 @@ TEST(BoxKernels, SlipsAreWrong) {
     EXPECT_EQ(is_contact(*kernel, numbers_of(query)), says_contact) << kernel->id;
     EXPECT_EQ(is_contact(*kernels_of_entry(MatrixBoxes::entry)[0], numbers_of(query)), !says_contact) << kernel->id;
   }
-  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(asked, 4);
 }
 
 TEST(BoxKernels, HaveIdsOfTheTestAndOfTheirEntry) {
-  EXPECT_EQ(kernels_of_entry(0).size(), 9u);
-  EXPECT_EQ(kernels_of_entry(0, true).size(), 14u);
+  EXPECT_EQ(kernels_of_entry(0).size(), 10u);
+  EXPECT_EQ(kernels_of_entry(0, true).size(), 16u);
   EXPECT_EQ(kernels_of_entry(1).size(), 10u);
   for (const std::size_t entry : {0, 1}) {
     for (const Kernel* kernel : kernels_of_entry(entry)) EXPECT_TRUE(kernel->id.starts_with("box-box/")) << kernel->id;

@@ -1,4 +1,5 @@
 // The description and the kernels of a box and a triangle.
+#include "kernel/boxes/akenine_moller.h"
 #include "kernel/boxes/thirteen.h"
 
 namespace axiscert {
@@ -28,8 +29,8 @@ std::vector<TestColumn> centre_columns() {
 }
 std::vector<TestColumn> minmax_columns() {
   std::vector<TestColumn> columns;
-  add_group(columns, place, "box.l", {"box.lx", "box.ly", "box.lz"});
-  add_group(columns, place, "box.h", {"box.hx", "box.hy", "box.hz"});
+  add_group(columns, place, "box.min", {"box.minx", "box.miny", "box.minz"});
+  add_group(columns, place, "box.max", {"box.maxx", "box.maxy", "box.maxz"});
   add_triangle(columns);
   return columns;
 }
@@ -52,7 +53,8 @@ TestDescription box_triangle_described() {
       .wrong_answers = {{Verdict::separated, Verdict::contact, "missed contact"},
                         {Verdict::contact, Verdict::separated, "phantom contact"}},
       .entries = {{"centre", "every number finite, half extents 0 or more", centre_columns()},
-                  {"minmax", "every number finite, no coordinate of the corner l above that of h", minmax_columns()},
+                  {"minmax", "every number finite, no coordinate of the corner min above that of max",
+                   minmax_columns()},
                   {"matrix", "every number finite, half extents 0 or more, the determinant of the basis not 0",
                    oriented_columns()}},
       .comparisons = {},
@@ -78,10 +80,14 @@ const TestDescription& box_triangle_test() {
 std::vector<Kernel> box_triangle_kernels() {
   return {
       plain_kernel<CentreEntry, TextbookThirteen>("box-triangle/textbook",
-                                                  "thirteen axes, terms that are 0 left out (Akenine-Moller, 2001)"),
+                                                  "thirteen axes, terms that are 0 left out, as in books"),
+      plain_kernel<CentreEntry, AkenineMoller>("box-triangle/akenine-moller",
+                                               "the same axes as the paper's program has them (Akenine-Moller, 2001)"),
       plain_kernel<CentreEntry, Thirteen>("box-triangle/thirteen", "the same, products of the edges, all terms"),
       plain_kernel<MinmaxEntry, TextbookThirteen>("box-triangle/textbook-minmax",
                                                   "textbook, centre and half extents computed of two corners"),
+      plain_kernel<MinmaxEntry, AkenineMoller>("box-triangle/akenine-moller-minmax",
+                                               "akenine-moller, centre and half extents computed of two corners"),
       plain_kernel<MinmaxEntry, Thirteen>("box-triangle/thirteen-minmax", "thirteen, of two corners"),
       plain_kernel<OrientedEntry, FramedThirteen>("box-triangle/textbook-oriented",
                                                   "the triangle in the frame of an oriented box, then textbook"),

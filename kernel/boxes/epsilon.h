@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "kernel/boxes/axes.h"
 #include "kernel/boxes/relative.h"
 
 namespace axiscert::boxes {
@@ -44,9 +45,9 @@ struct Gottschalk {
   }
 };
 
-// 1e-5 on the edges alone, which in addition separate only by more than SIMD_EPSILON, here 2^-23 as in a build of floats, a
-// length. Facets of B take the distance along b_j in the world, and sums go from left to right.
-// Source: Bullet 3.24, dBoxBox2 of btBoxBoxDetector.cpp: the verdict of its axes. What it clips afterwards is not here.
+// 1e-5 on the edges alone, which in addition separate only by more than SIMD_EPSILON, here 2^-23 as in a build of
+// floats, a length. Facets of B take the distance along b_j in the world, and sums go from left to right. Source:
+// Bullet 3.24, dBoxBox2 of btBoxBoxDetector.cpp: the verdict of its axes. What it clips afterwards is not here.
 struct Bullet {
   static constexpr std::string_view name = "bullet";
   static constexpr FormulaeKind kind = FormulaeKind::variant;
@@ -71,7 +72,8 @@ struct Bullet {
         const auto [i1, i2] = std::minmax({next(i), last(i)});
         const auto [j1, j2] = std::minmax({next(j), last(j)});
         const T apart = edge_sides(r, i, j, raised, raised).lhs;
-        const T radii = ((a[i1] * raised[i2][j] + a[i2] * raised[i1][j]) + b[j1] * raised[i][j2]) + b[j2] * raised[i][j1];
+        const T radii =
+            ((a[i1] * raised[i2][j] + a[i2] * raised[i1][j]) + b[j1] * raised[i][j2]) + b[j2] * raised[i][j1];
         sink(edges(i, j), apart - radii, beyond);
       }
     }

@@ -1,5 +1,7 @@
+#include "kernel/boxes/early.h"
 #include "kernel/boxes/epsilon.h"
 #include "kernel/boxes/projected.h"
+#include "kernel/boxes/simd.h"
 #include "kernel/boxes/slips.h"
 #include "kernel/boxes/turned.h"
 
@@ -14,6 +16,15 @@ using namespace boxes;
 template <class F>
 Kernel of_matrices(std::string_view summary) {
   return plain_kernel<MatrixBoxes, F>("box-box/" + std::string(F::name), std::string(summary));
+}
+
+// It claims the textbook's verdicts, and shows no comparisons, since it does not make all of them.
+Kernel early_textbook() {
+  Kernel kernel = plain_verdict_kernel<MatrixBoxes, EarlyTextbook>(
+      "box-box/textbook-early", "textbook, until one axis separates, in the order a0 b0 a1 a2 b1 b2 and the edges");
+  kernel.claims = Textbook::name;
+  kernel.is_reference = true;
+  return kernel;
 }
 
 template <class F>
@@ -34,14 +45,17 @@ std::vector<Kernel> box_box_kernels() {
       of_matrices<Columns>("the same, a column for the normal of a facet"),
       of_matrices<Dropped>("then without the terms that are 0 for orthogonal columns"),
       of_matrices<Framed>("then in A's frame, B's columns projected on each axis"),
-      of_matrices<Textbook>("then entries of R = A'B for determinants, as in books"),
+      with_lane_forms(of_matrices<Textbook>("then entries of R = A'B for determinants, as in books"), simd_textbook),
+      early_textbook(),
       of_matrices<Rtcd>("textbook, 2^-23 added to |R|"),
       of_matrices<Gottschalk>("textbook, 1e-6 added to |R|"),
       of_matrices<Bullet>("textbook, on the edges 1e-5 added to |R| and more than 2^-23 asked"),
-      of_matrices<Cofactor>("textbook, cofactors of R for R in B's radius on the edges; no epsilon"),
+      with_lane_forms(of_matrices<Cofactor>("textbook, cofactors of R for R in B's radius on the edges; no epsilon"),
+                      simd_cofactor),
       of_matrices<SlipOfTheBook>("textbook with a slip: t[1] = T.a2 (the book's first printing)"),
       of_matrices<SlipOfTheFrame>("textbook with a slip: T is not turned into A's frame"),
       of_matrices<SlipOfEpsilon>("textbook with a slip: an epsilon of 2^-149, C#'s float.Epsilon"),
+      of_matrices<SlipOfOneInterval>("projected with a slip: A's interval twice, and B's never"),
       of_matrices<SlipOfOwnEdges>("projected with a slip: the edges of A against those of A"),
       of_matrices<SlipOfOneEdge>("projected with a slip: a2 x b2 for a1 x b2"),
       turned<Projected>(),

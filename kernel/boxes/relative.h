@@ -1,10 +1,24 @@
 // The rungs in A's own frame, t = A' T and R = A' B: the textbook, its forms with an epsilon, and the one with
 // cofactors that needs none.
-#pragma once
+//
+// kernel/base/geometry.h says why there is no guard for AXISCERT_PER_TARGET. The vectors of a pair are those of the
+// target: a pair is any type with members a and b as BoxPair has them.
+#if defined(AXISCERT_PER_TARGET) || !defined(AXISCERT_KERNEL_BOXES_RELATIVE_H)
+#define AXISCERT_KERNEL_BOXES_RELATIVE_H
 
-#include "kernel/boxes/axes.h"
+#include <array>
+#include <string_view>
 
-namespace axiscert::boxes {
+#include "kernel/base/geometry.h"
+#include "kernel/boxes/names.h"
+#include "kernel/formulae_list.h"
+
+AXISCERT_BEFORE_NAMESPACE();
+namespace axiscert {
+namespace AXISCERT_TARGET {
+namespace box_frame {
+
+using boxes::edges, boxes::facet_of_a, boxes::facet_of_b, boxes::last, boxes::next;
 
 template <class T>
 using Matrix = std::array<std::array<T, 3>, 3>;
@@ -16,8 +30,9 @@ struct Relative {
   Matrix<T> turn;
 };
 
-template <class T>
-Relative<T> relative(const BoxPair<T>& q) {
+template <class Pair>
+AXISCERT_INLINE auto relative(const Pair& q) {
+  using T = typename decltype(q.a.half)::value_type;
   Relative<T> r{q.a.half, q.b.half, {}, {}};
   const Vec3<T> between = q.b.centre - q.a.centre;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -29,7 +44,7 @@ Relative<T> relative(const BoxPair<T>& q) {
 
 // |R|, each entry raised by `epsilon`.
 template <class T>
-Matrix<T> magnitudes(const Matrix<T>& turn, const T* epsilon = nullptr) {
+AXISCERT_INLINE Matrix<T> magnitudes(const Matrix<T>& turn, const T* epsilon = nullptr) {
   Matrix<T> found = turn;
   for (auto& row : found) {
     for (T& x : row) {
@@ -43,7 +58,7 @@ Matrix<T> magnitudes(const Matrix<T>& turn, const T* epsilon = nullptr) {
 // cofactors[i][j] is R without row i and column j, a difference of two products. Over the reals the entry of R itself,
 // where A and B are orthonormal and of one handedness; up to its sign in each case.
 template <class T>
-Matrix<T> cofactors(const Matrix<T>& turn) {
+AXISCERT_INLINE Matrix<T> cofactors(const Matrix<T>& turn) {
   Matrix<T> found = turn;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
@@ -56,36 +71,49 @@ Matrix<T> cofactors(const Matrix<T>& turn) {
 
 // s0 x0 + s1 x1 + s2 x2, after `own`.
 template <class T>
-T radius(const T& own, const std::array<T, 3>& half, const T& x0, const T& x1, const T& x2) {
+AXISCERT_INLINE T radius(const T& own, const std::array<T, 3>& half, const T& x0, const T& x1, const T& x2) {
   return own + ((half[0] * x0 + half[1] * x1) + half[2] * x2);
 }
 
+template <class T>
+struct AxisSides {
+  T lhs, rhs;
+  AXISCERT_INLINE auto separate() const { return lhs > rhs; }
+};
+
 // Normals a_i: |t_i| > s_i + row i of |R| times B's extents. Degree 2 > 3.
+template <class T>
+AXISCERT_INLINE AxisSides<T> facet_sides_of_a(const Relative<T>& r, std::size_t i, const Matrix<T>& size) {
+  return {magnitude(r.along[i]), radius(r.half_a[i], r.half_b, size[i][0], size[i][1], size[i][2])};
+}
 template <class T, class Sink>
-void facets_of_a(const Relative<T>& r, const Matrix<T>& size, Sink& sink) {
+AXISCERT_INLINE void facets_of_a(const Relative<T>& r, const Matrix<T>& size, Sink& sink) {
   for (std::size_t i = 0; i < 3; ++i) {
-    sink(facet_of_a(i), magnitude(r.along[i]), radius(r.half_a[i], r.half_b, size[i][0], size[i][1], size[i][2]));
+    const AxisSides<T> sides = facet_sides_of_a(r, i, size);
+    sink(facet_of_a(i), sides.lhs, sides.rhs);
   }
 }
 
-// Normals b_j: |t.R_j| > own_j + column j of |R| times A's extents. Degree 4 > 3 with own = B's extents.
+// Normals b_j: |t.R_j| > own + column j of |R| times A's extents. Degree 4 > 3 with own = B's extent.
+template <class T>
+AXISCERT_INLINE AxisSides<T> facet_sides_of_b(const Relative<T>& r, std::size_t j, const T& own,
+                                              const Matrix<T>& size) {
+  const T along = (r.along[0] * r.turn[0][j] + r.along[1] * r.turn[1][j]) + r.along[2] * r.turn[2][j];
+  return {magnitude(along), radius(own, r.half_a, size[0][j], size[1][j], size[2][j])};
+}
 template <class T, class Sink>
-void facets_of_b(const Relative<T>& r, const std::array<T, 3>& own, const Matrix<T>& size, Sink& sink) {
+AXISCERT_INLINE void facets_of_b(const Relative<T>& r, const std::array<T, 3>& own, const Matrix<T>& size, Sink& sink) {
   for (std::size_t j = 0; j < 3; ++j) {
-    const T along = (r.along[0] * r.turn[0][j] + r.along[1] * r.turn[1][j]) + r.along[2] * r.turn[2][j];
-    sink(facet_of_b(j), magnitude(along), radius(own[j], r.half_a, size[0][j], size[1][j], size[2][j]));
+    const AxisSides<T> sides = facet_sides_of_b(r, j, own[j], size);
+    sink(facet_of_b(j), sides.lhs, sides.rhs);
   }
 }
 
 // The edges' axis e_i x R_j, which has two entries of R and a 0: A's radius takes these two, B's the matrix `of_b`,
 // which over the reals is |R| again where both boxes are orthonormal, and the cofactors' magnitudes in each case.
 template <class T>
-struct EdgeSides {
-  T lhs, rhs;
-};
-template <class T>
-EdgeSides<T> edge_sides(const Relative<T>& r, std::size_t i, std::size_t j, const Matrix<T>& of_a,
-                        const Matrix<T>& of_b) {
+AXISCERT_INLINE AxisSides<T> edge_sides(const Relative<T>& r, std::size_t i, std::size_t j, const Matrix<T>& of_a,
+                                        const Matrix<T>& of_b) {
   const std::size_t i1 = next(i), i2 = last(i), j1 = next(j), j2 = last(j);
   const T lhs = magnitude(r.along[i2] * r.turn[i1][j] - r.along[i1] * r.turn[i2][j]);
   const T radius_a = r.half_a[i1] * of_a[i2][j] + r.half_a[i2] * of_a[i1][j];
@@ -93,10 +121,10 @@ EdgeSides<T> edge_sides(const Relative<T>& r, std::size_t i, std::size_t j, cons
   return {lhs, radius_a + radius_b};
 }
 template <class T, class Sink>
-void edge_axes(const Relative<T>& r, const Matrix<T>& of_a, const Matrix<T>& of_b, Sink& sink) {
+AXISCERT_INLINE void edge_axes(const Relative<T>& r, const Matrix<T>& of_a, const Matrix<T>& of_b, Sink& sink) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      const EdgeSides<T> sides = edge_sides(r, i, j, of_a, of_b);
+      const AxisSides<T> sides = edge_sides(r, i, j, of_a, of_b);
       sink(edges(i, j), sides.lhs, sides.rhs);
     }
   }
@@ -109,8 +137,8 @@ struct Framed {
   static constexpr FormulaeKind kind = FormulaeKind::variant;
   static constexpr FormulaeKind kind_if_orthonormal = FormulaeKind::rung;
 
-  template <class T, class Sink>
-  static void comparisons(const BoxPair<T>& q, Sink& sink) {
+  template <class T, class Pair, class Sink>
+  AXISCERT_INLINE static void comparisons(const Pair& q, Sink& sink) {
     const Relative<T> r = relative(q);
     const Matrix<T> size = magnitudes(r.turn);
     std::array<T, 3> own;
@@ -133,8 +161,8 @@ struct Textbook {
   static constexpr FormulaeKind kind = FormulaeKind::variant;
   static constexpr FormulaeKind kind_if_orthonormal = FormulaeKind::rung;
 
-  template <class T, class Sink>
-  static void comparisons(const BoxPair<T>& q, Sink& sink) {
+  template <class T, class Pair, class Sink>
+  AXISCERT_INLINE static void comparisons(const Pair& q, Sink& sink) {
     const Relative<T> r = relative(q);
     const Matrix<T> size = magnitudes(r.turn);
     facets_of_a(r, size, sink);
@@ -150,8 +178,8 @@ struct Cofactor {
   static constexpr FormulaeKind kind = FormulaeKind::variant;
   static constexpr FormulaeKind kind_if_orthonormal = FormulaeKind::rung;
 
-  template <class T, class Sink>
-  static void comparisons(const BoxPair<T>& q, Sink& sink) {
+  template <class T, class Pair, class Sink>
+  AXISCERT_INLINE static void comparisons(const Pair& q, Sink& sink) {
     const Relative<T> r = relative(q);
     const Matrix<T> size = magnitudes(r.turn);
     facets_of_a(r, size, sink);
@@ -160,4 +188,14 @@ struct Cofactor {
   }
 };
 
-}  // namespace axiscert::boxes
+}  // namespace box_frame
+}  // namespace AXISCERT_TARGET
+}  // namespace axiscert
+AXISCERT_AFTER_NAMESPACE();
+
+#ifndef AXISCERT_PER_TARGET
+namespace axiscert::boxes {
+using namespace portable::box_frame;
+}
+#endif
+#endif

@@ -62,8 +62,23 @@ void with_edge_axes(const BoxPair<T>& q, Sink& sink, Axis&& axis) {
   }
 }
 
-// A's edges against A's own: none of the nine products is of two boxes. Source: gszauer/GamePhysicsCookbook, issues 5
-// and 15.
+// A's interval is asked for where B's is meant, so no axis ever separates. Source: gszauer/GamePhysicsCookbook, issues
+// 5 and 13.
+struct SlipOfOneInterval : Slip {
+  static constexpr std::string_view name = "slip-one-interval";
+  template <class T, class Sink>
+  static void comparisons(const BoxPair<T>& q, Sink& sink) {
+    const Vec3<T> between = q.a.centre - q.a.centre;
+    for (std::size_t i = 0; i < axis_count; ++i) {
+      const Vec3<T> along = direction(q, i);
+      const T extent = half_extent(q.a, along);
+      sink(i, magnitude(dot(along, between)), extent + extent);
+    }
+  }
+};
+
+// A's edges against A's own: none of the nine products is of two boxes. Source: gszauer/GamePhysicsCookbook, pull
+// request 6 and issue 15.
 struct SlipOfOwnEdges : Slip {
   static constexpr std::string_view name = "slip-own-edges";
   template <class T, class Sink>

@@ -71,8 +71,7 @@ void framed_thirteen(const std::array<T, 3>& half, const std::array<Vec3<T>, 3>&
 }
 
 // As books have it, of a box along the axes: right over the reals. Degrees 1 > 1, 3 > 3 for the plane, 2 > 2.
-// Source: T. Akenine-Moller, Fast 3D Triangle-Box Overlap Testing (2001); C. Ericson, Real-Time Collision Detection
-// (2005), 5.2.9.
+// Source: C. Ericson, Real-Time Collision Detection (2005), 5.2.9.
 struct TextbookThirteen {
   static constexpr std::string_view name = "textbook";
   static constexpr FormulaeKind kind = FormulaeKind::rung;

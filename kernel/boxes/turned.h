@@ -1,6 +1,7 @@
 // Boxes that are given by quaternions: as matrices, for the formulae that want one, and without a division.
 #pragma once
 
+#include "kernel/boxes/axes.h"
 #include "kernel/boxes/relative.h"
 
 namespace axiscert::boxes {

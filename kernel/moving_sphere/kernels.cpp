@@ -14,21 +14,6 @@ namespace {
 
 using namespace moving_sphere;
 
-// The kernel, and in the forms of `simd` on every target that is not scalar, with the scalar form's measures.
-Kernel with_simd(Kernel kernel, const MotionSimd& (*simd)()) {
-  if (simd_targets().empty()) return kernel;
-  kernel.has_simd = true;
-  const auto in_lanes = [=]<class Real>(const Implementation<Real>& scalar, std::string_view target) {
-    if (target == scalar_target) return scalar;
-    Implementation<Real> there = simd().on<Real>(target);
-    there.measure = scalar.measure;
-    return there;
-  };
-  kernel.binary32 = [=, scalar = kernel.binary32](std::string_view target) { return in_lanes(scalar(target), target); };
-  kernel.binary64 = [=, scalar = kernel.binary64](std::string_view target) { return in_lanes(scalar(target), target); };
-  return kernel;
-}
-
 Kernel taking_arithmetic(Kernel kernel) {
   kernel.takes_arithmetic = true;
   return kernel;
@@ -79,16 +64,17 @@ Kernel promising(const MotionPolicy& policy, Kernel kernel) {
 
 std::vector<Kernel> moving_sphere_kernels() {
   return {
-      taking_arithmetic(with_simd(plain_kernel<MovingSphere, Twenty>(
-                                      "moving-sphere/twenty", "the sphere against the prism of the motion: 20 axes"),
-                                  simd_twenty)),
-      taking_arithmetic(with_simd(
+      taking_arithmetic(
+          with_lane_forms(plain_kernel<MovingSphere, Twenty>("moving-sphere/twenty",
+                                                             "the sphere against the prism of the motion: 20 axes"),
+                          simd_twenty)),
+      taking_arithmetic(with_lane_forms(
           plain_kernel<MovingSphere, TwentyNonstrict>(
               "moving-sphere/twenty-nonstrict", "the same with >= in the sides: over the reals right for every query"),
           simd_twenty_nonstrict)),
       timed<Gated>("moving-sphere/gated", "the verdict by the twenty axes, the time by c / (b + sqrt(b^2 - a c))"),
       timed<Walk>("moving-sphere/walk", "the seven static axes tracked over time, from interval to interval"),
-      with_simd(
+      with_lane_forms(
           timed<OneNumber<portable::Rounded>>(
               "moving-sphere/rounded", "the centre's path against face, cylinders and spheres, by roots of quadratics"),
           simd_rounded),

@@ -2,30 +2,12 @@
 // verdicts are those of the scalar forms, bit for bit, on each instruction set.
 #pragma once
 
-#include "kernel/sphere_triangle/forms/simd.h"
+#include "kernel/sphere_triangle/forms/lane_forms.h"
 
 namespace axiscert::moving_sphere {
 
-// One kernel on every instruction set; `target` is one of simd_targets().
-class MotionSimd {
- public:
-  MotionSimd(Implementation<float> (*binary32)(), Implementation<double> (*binary64)());
-  template <class Real>
-  Implementation<Real> on(std::string_view target) const {
-    if constexpr (sizeof(Real) == 4) return table_.on(target).binary32;
-    else return table_.on(target).binary64;
-  }
-
- private:
-  struct Forms {
-    Implementation<float> binary32;
-    Implementation<double> binary64;
-  };
-  SimdTable<Forms> table_;
-};
-
-const MotionSimd& simd_twenty();
-const MotionSimd& simd_twenty_nonstrict();
-const MotionSimd& simd_rounded();  // verdicts alone
+const LaneForms& simd_twenty();
+const LaneForms& simd_twenty_nonstrict();
+const LaneForms& simd_rounded();  // verdicts alone
 
 }  // namespace axiscert::moving_sphere

@@ -25,9 +25,9 @@ namespace axiscert {
 HWY_EXPORT(rounded32);
 HWY_EXPORT(rounded64);
 
-const moving_sphere::MotionSimd& moving_sphere::simd_rounded() {
-  static const MotionSimd forms([] { return HWY_DYNAMIC_DISPATCH(rounded32)(); },
-                                [] { return HWY_DYNAMIC_DISPATCH(rounded64)(); });
+const LaneForms& moving_sphere::simd_rounded() {
+  static const LaneForms forms([] { return HWY_DYNAMIC_DISPATCH(rounded32)(); },
+                               [] { return HWY_DYNAMIC_DISPATCH(rounded64)(); });
   return forms;
 }
 }  // namespace axiscert

@@ -31,19 +31,14 @@ HWY_EXPORT(twenty_nonstrict64);
 
 namespace moving_sphere {
 
-MotionSimd::MotionSimd(Implementation<float> (*binary32)(), Implementation<double> (*binary64)())
-    : table_([&] {
-        return Forms{binary32(), binary64()};
-      }) {}
-
-const MotionSimd& simd_twenty() {
-  static const MotionSimd forms([] { return HWY_DYNAMIC_DISPATCH(twenty32)(); },
-                                [] { return HWY_DYNAMIC_DISPATCH(twenty64)(); });
+const LaneForms& simd_twenty() {
+  static const LaneForms forms([] { return HWY_DYNAMIC_DISPATCH(twenty32)(); },
+                               [] { return HWY_DYNAMIC_DISPATCH(twenty64)(); });
   return forms;
 }
-const MotionSimd& simd_twenty_nonstrict() {
-  static const MotionSimd forms([] { return HWY_DYNAMIC_DISPATCH(twenty_nonstrict32)(); },
-                                [] { return HWY_DYNAMIC_DISPATCH(twenty_nonstrict64)(); });
+const LaneForms& simd_twenty_nonstrict() {
+  static const LaneForms forms([] { return HWY_DYNAMIC_DISPATCH(twenty_nonstrict32)(); },
+                               [] { return HWY_DYNAMIC_DISPATCH(twenty_nonstrict64)(); });
   return forms;
 }
 

@@ -41,6 +41,8 @@ class CriticalRadiusReport {
         "that one, in ulps of the exact distance, which is correctly rounded for that. Too early: contact for a radius "
         "below the distance, a phantom; too late: separated for one that is not below it, a missed contact. Unbounded: "
         "separated at the greatest finite radius; the median and the 99 % quantile count it as infinite.",
+        "Of two boxes the radius is the half extent of A's first axis, and the distance that at which they touch, "
+        "exactly.",
         "An error can be many ulps long: those of a distance near 0 are short, the least subnormal for 0 itself.",
         "Not monotone: contact at a radius and separated at a greater one, among 0, the greatest finite radius, every "
         "power "

@@ -16,6 +16,9 @@
   X(scale)                       \
   X(far)                         \
   X(bits)                        \
+  X(stack)                       \
+  X(pile)                        \
+  X(int_scaled)                  \
   X(general_turned)              \
   X(lattice_turned)              \
   X(tangent_turned)              \
@@ -23,7 +26,9 @@
   X(crossed_turned)              \
   X(edge_edge_turned)            \
   X(vertex_face_turned)          \
-  X(parallel_turned)
+  X(parallel_turned)             \
+  X(stack_turned)                \
+  X(pile_turned)
 
 #define AXISCERT_TRIANGLE_FAMILIES(X) \
   X(general)                          \

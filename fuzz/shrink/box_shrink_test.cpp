@@ -1,0 +1,86 @@
+// Shrinking two boxes: the same fault, no less deep, of axes that stay rotations.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "exact/trait/examine.h"
+#include "fuzz/queries/family.h"
+#include "fuzz/shrink/shrink.h"
+#include "fuzz/shrink/shrink_moves.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::uint64_t boxes_to_shrink_seed = 3;
+
+template <class Real>
+void expect_the_same_fault_of_boxes(const char* kernel_id, const char* family) {
+  SCOPED_TRACE(std::string(kernel_id) + " on " + family);
+  const Kernel& kernel = find_kernel(kernel_id);
+  Diagnosis<Real> diagnosis(kernel, scalar_target);
+  std::uint64_t n = 0;
+  const auto at = [&] { return find_family(family).make<Real>(boxes_to_shrink_seed, n); };
+  const auto is_wrong = [&] {
+    const std::vector<Symptom> flips = diagnosis.flips(at());
+    return !flips.empty() && flips.front().level == Level::verdict;
+  };
+  while (n < 2000 && !is_wrong()) ++n;
+  ASSERT_LT(n, 2000u);
+  const Numbers<Real> q = at();
+  const Symptom symptom = diagnosis.flips(q).front();
+  const auto found = shrink<Real>(q, symptom, kernel, scalar_target, 400);
+  ASSERT_GT(found.sizes.size(), 1u);
+  OracleExaminer examiner(kernel, scalar_target);
+  const OracleExamination before = examiner.examine(q), after = examiner.examine(found.query);
+  EXPECT_EQ(after.judgement.verdict_flip, before.judgement.verdict_flip);
+  EXPECT_EQ(after.judgement.verdict_links, before.judgement.verdict_links);
+  EXPECT_GE(*after.depth, *before.depth);
+  EXPECT_LE(*after.depth, depth_factor * *before.depth);
+  const QueryShape shape = shape_of(kernel.test->entries[kernel.entry]);
+  for (const std::size_t first : shape.frames) EXPECT_TRUE(is_nearly_rotation(found.query, first));
+}
+
+TEST(ShrinkBoxes, KeepWhatIsWrongAndThatAxesAreRotations) {
+  expect_the_same_fault_of_boxes<float>("box-box/textbook", "box-box/resting");
+  expect_the_same_fault_of_boxes<double>("box-box/gottschalk", "box-box/crossed");
+  expect_the_same_fault_of_boxes<float>("box-box/textbook-turned", "box-box/resting_turned");
+  expect_the_same_fault_of_boxes<float>("box-triangle/textbook-minmax", "box-triangle/voxel");
+}
+
+TEST(ShrinkBoxes, TheMovesOfAFrame) {
+  const TestEntry& entry = find_test("box-box").entries[0];
+  const QueryShape shape = shape_of(entry);
+  Numbers<double> q(30);
+  for (std::size_t k = 0; k < 30; ++k) q[k] = 0;
+  for (const std::size_t k : {3, 4, 5, 18, 19, 20}) q[k] = 1;
+  q[0] = 5;  // A at (5, 0, 0), a quarter turn about z: axes y, -x, z
+  q[7] = 1, q[9] = -1, q[14] = 1;
+  q[15] = 5, q[16] = 2;  // B at (5, 2, 0), upright
+  q[21] = q[25] = q[29] = 1;
+  const Numbers<double> turned = *moved(shape, q, {MoveKind::into_frame, 0, 0});
+  EXPECT_EQ(turned[0], 0);
+  EXPECT_EQ(turned[6], 1) << "A upright";
+  EXPECT_EQ(turned[15], 2) << "two along A's first axis";
+  EXPECT_EQ(turned[16], 0);
+  EXPECT_EQ(turned[22], -1) << "B's first axis is minus A's second";
+  EXPECT_EQ((*moved(shape, q, {MoveKind::upright, 0, 0}))[6], 1);
+  EXPECT_EQ((*moved(shape, q, {MoveKind::copy_frame, 1, 0}))[22], 1);
+  // Without frames the list is that of before.
+  EXPECT_EQ(moves<float>(shape_of(first_test().entries.front())).size(), 1961u);
+}
+
+TEST(ShrinkBoxes, AxesThatAreNoRotationAreAClass) {
+  const TestDescription& boxes = find_test("box-box");
+  const Numbers<float> resting = find_family("box-box/resting").make<float>(1, 0);
+  const auto has_sheared = [&](const Numbers<float>& q) {
+    const auto names = classes_of(boxes, q, 0);
+    return std::find(names.begin(), names.end(), "sheared") != names.end();
+  };
+  EXPECT_FALSE(has_sheared(resting));
+  Numbers<float> sheared = resting;
+  sheared[6] *= 1.0001f;
+  EXPECT_TRUE(has_sheared(sheared));
+}
+
+}  // namespace
+}  // namespace axiscert
