@@ -37,6 +37,7 @@ void add_ladder(CLI::App& app, Action& action);
 void add_precision(CLI::App& app, Action& action);
 void add_condition(CLI::App& app, Action& action);
 void add_critical_radius(CLI::App& app, Action& action);
+void add_diagnose(CLI::App& app, Action& action);
 void add_league(CLI::App& app, Action& action);
 void add_map(CLI::App& app, Action& action);
 void add_search(CLI::App& app, Action& action);

@@ -67,7 +67,7 @@ OptionWords words_of(const CLI::Option& option) {
   words.description = option.get_description();
   words.has_value = option.get_items_expected_max() != 0;
   const auto is_named = [&](std::string_view name) { return option.get_name() == name; };
-  if (is_named("--kernel")) words.values = kernel_words();
+  if (is_named("--kernel") || is_named("KERNEL")) words.values = kernel_words();
   else if (is_named("--family")) words.values = family_words();
   else if (is_named("WORD")) words.values = explained_words();
   else words.values = listed_values(option.get_type_name());

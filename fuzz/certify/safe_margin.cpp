@@ -249,7 +249,6 @@ SafeMargin grow_in(const SafeMarginPlan& plan, const QueryBlock& block, const Sa
                       const auto at = margin.decades.find(decade);
                       if (at == margin.decades.end()) continue;  // of no valid query
                       const Rational factor = at->second.factor ? exact(at->second.factor->value) : Rational(1);
-                      const Rational factor = at->second.factor ? exact(at->second.factor->value) : Rational(1);
                       separated.push_back(i);
                       decades.push_back(decade);
                       query[finder.radius()] = std::min(finder.greatest(), rounded_up_to<Real>(exact(r) * factor));

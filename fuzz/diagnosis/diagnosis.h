@@ -36,12 +36,12 @@ struct DiagnosisWitness {
 };
 
 struct Property {
-  std::string name;      // of its kind
-  std::string value;     // one of its kind's values, or not_known or not_asked
-  std::string sentence;  // plain English, for a reader who has not read the probe
-  std::uint64_t queries = 0;  // answers on which the value rests
+  std::string name;                              // of its kind
+  std::string value;                             // one of its kind's values, or not_known or not_asked
+  std::string sentence;                          // plain English, for a reader who has not read the probe
+  std::uint64_t queries = 0;                     // answers on which the value rests
   std::vector<DiagnosisWitness> witnesses = {};  // a few, or none where no single query shows it
-  Json measured = nullptr;    // numbers by name, such as the size of a threshold; null: none
+  Json measured = nullptr;                       // numbers by name, such as the size of a threshold; null: none
 };
 
 struct Diagnosis {
@@ -49,8 +49,8 @@ struct Diagnosis {
   const TestDescription* test = &first_test();
   Precision precision = Precision::binary32;
   std::uint64_t seed = 1;
-  bool complete = true;              // false: interrupted, and the properties that were not reached are missing
-  std::vector<Property> properties;  // in the order of property_kinds()
+  bool complete = true;                   // false: interrupted, and the properties that were not reached are missing
+  std::vector<Property> properties = {};  // in the order of property_kinds()
 
   // Null where there is none of that name.
   const Property* find(std::string_view name) const;

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <atomic>
+
+#include "cli/options/instrument_options.h"
+#include "cli/progress_line.h"
+#include "cli/running/run_output.h"
+#include "cli/values.h"
+#include "fuzz/confirm/finding_record.h"
+#include "fuzz/queries/address.h"
+#include "kernel/base/error.h"
+#include "reports/instrument/diagnosis_report.h"
+
+namespace axiscert {
+namespace {
+
+struct DiagnoseOptions {
+  std::string kernel, precision, format = "text", out;
+  std::uint64_t seed = 1;
+};
+
+// The precision that is given, or the first in which the kernel exists.
+Precision precision_for(const DiagnoseOptions& options, const Kernel& kernel) {
+  if (options.precision.empty()) return kernel.has(Precision::binary32) ? Precision::binary32 : Precision::binary64;
+  const Precision precision = parse_precision(options.precision);
+  if (!kernel.has(precision)) {
+    throw Error(fmt::format("--precision {}: kernel {} does not exist in it", options.precision, kernel.id));
+  }
+  return precision;
+}
+
+int diagnose_kernel(const DiagnoseOptions& options) {
+  const Kernel& kernel = find_kernel(options.kernel);
+  require_loaded(kernel);
+  DiagnosisOptions asked;
+  asked.precision = precision_for(options, kernel);
+  asked.seed = options.seed;
+  asked.interrupted = &watch_for_interrupts();
+  std::optional<OutputFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out);  // checked before anything runs
+  const Diagnosis diagnosis = with_progress("diagnose", [&](const ShowProgress& show) {
+    asked.report = show;
+    return diagnose(kernel, asked);
+  });
+  if (folder) folder->write_text("witnesses.jsonl", diagnosis_witnesses(diagnosis));
+  InstrumentOptions output;
+  output.format = options.format;
+  output.out = options.out;
+  const std::string command =
+      fmt::format("axiscert diagnose {} --precision {} --seed {}", kernel.id, name(asked.precision), options.seed);
+  const int done = put_instrument(diagnosis_report(diagnosis, command), output);
+  return diagnosis.complete ? done : exit_interrupted;
+}
+
+}  // namespace
+
+void add_diagnose(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "diagnose", "Say what a kernel is like by its verdicts: open or closed, one-sided, thresholds, order, precision");
+  auto options = std::make_shared<DiagnoseOptions>();
+  DiagnoseOptions& o = *options;
+  command->add_option("KERNEL", o.kernel, "kernel id")->required();
+  command->add_option("--precision", o.precision, "binary32 or binary64 (default: the first that the kernel has)");
+  command->add_option("--seed", o.seed, "seed of all random choices")->check(whole_number())->capture_default_str();
+  add_plugin_seconds(*command);
+  add_progress(*command);
+  add_format(*command, o.format, "json");
+  command->add_option("--out", o.out, "folder for diagnose.json, diagnose.html and witnesses.jsonl");
+  command->callback([&action, options] { action = [options] { return diagnose_kernel(*options); }; });
+}
+
+}  // namespace axiscert

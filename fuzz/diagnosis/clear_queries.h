@@ -1,0 +1,34 @@
+// Queries of a kernel's test on which no rounding is to blame for a wrong answer, and their images in another unit.
+#pragma once
+
+#include "fuzz/diagnosis/subject.h"
+#include "fuzz/queries/family.h"
+
+namespace axiscert::diagnosis {
+
+// The family of the kernel's test that is named "general", of the entry that the kernel takes; null where there is
+// none.
+const Family* plain_family(const Kernel& kernel);
+
+template <class Real>
+struct ClearQuery {
+  Numbers<Real> numbers;
+  Verdict truth;
+};
+
+// The first `count` queries of the test's plain family whose depth is above 2^-6; of sphere-triangle, those of the
+// ladder's range windows. The numbers are of the kernel's entry. Empty where the test has no depth or no such family.
+template <class Real>
+std::vector<ClearQuery<Real>> clear_queries(const Kernel& kernel, std::size_t count);
+
+// The query in another unit of length: places, lengths and displacements times 2^exponent. The axes of a box stay.
+template <class Real>
+Numbers<Real> in_unit(const Kernel& kernel, const Numbers<Real>& numbers, int exponent);
+
+// Whether the kernel is right on clear queries of both verdicts at least two times in three: of one that is not, little
+// can be said by its answers. The sentence says how often it is right where it is not;
+// of a test without clear queries nothing is said.
+template <class Real>
+std::optional<std::string> why_not_sound(Subject<Real>& subject);
+
+}  // namespace axiscert::diagnosis

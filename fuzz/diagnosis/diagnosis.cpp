@@ -1,0 +1,143 @@
+#include "fuzz/diagnosis/diagnosis.h"
+
+#include "fuzz/diagnosis/probes.h"
+#include "fuzz/queries/address.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace diagnosis {
+namespace {
+
+template <Enumeration Value>
+std::vector<std::string_view> all_of_them(const EnumArray<Value, std::string_view>& names) {
+  return {names.begin(), names.end()};
+}
+
+// A property with its probe. Of sphere-triangle alone, or of any test.
+struct Probe {
+  PropertyKind kind;
+  bool is_of_any_test;
+  Found (*binary32)(Subject<float>&);
+  Found (*binary64)(Subject<double>&);
+
+  template <class Real>
+  auto in() const {
+    if constexpr (sizeof(Real) == 4) return binary32;
+    else return binary64;
+  }
+};
+
+const std::vector<Probe>& probes() {
+  static const std::vector<Probe> all = {
+#define AXISCERT_PROBE(name, asks, values, is_of_any_test, probe) \
+  {{name, asks, values}, is_of_any_test, probe<float>, probe<double>}
+      AXISCERT_PROBE("touching", "the answer at a distance of exactly r", all_of_them(at_touching_names), false,
+                     at_touching),
+      AXISCERT_PROBE("sides", "the sides of a triangle from which it is hit", all_of_them(sides_names), false,
+                     sides_hit),
+      AXISCERT_PROBE("degenerate_triangles", "what becomes of triangles without area", all_of_them(degenerate_names),
+                     false, degenerate_triangles),
+      AXISCERT_PROBE("absolute_threshold", "whether something is compared with a number that has a length in it",
+                     all_of_them(threshold_names), true, absolute_thresholds),
+      AXISCERT_PROBE("range_window", "the powers of two times which it answers as at scale 1",
+                     all_of_them(window_names), true, range_window),
+      AXISCERT_PROBE("subnormal_numbers", "whether subnormal numbers are numbers or zero",
+                     all_of_them(subnormals_names), false, subnormal_numbers),
+      AXISCERT_PROBE("operation_order", "the order of the sums in dot products, and whether operations are fused",
+                     all_of_them(order_names), false, operation_order),
+      AXISCERT_PROBE("inner_precision", "the precision in which it computes, against that of the query",
+                     all_of_them(inner_names), false, inner_precision),
+      AXISCERT_PROBE("repeated", "whether the same batch is answered the same again", all_of_them(repeated_names), true,
+                     diagnosis::repeated),
+      AXISCERT_PROBE("position_in_batch", "whether an answer depends on the position in the batch",
+                     all_of_them(place_names), true, position_in_batch),
+      AXISCERT_PROBE("batch_length", "whether an answer depends on the length of the batch", all_of_them(place_names),
+                     true, batch_length),
+      AXISCERT_PROBE("neighbours", "whether an answer depends on the other queries of the batch",
+                     all_of_them(place_names), true, neighbours),
+      AXISCERT_PROBE("nearest_form", "the built-in kernel that it agrees with most", {}, true, nearest_form),
+#undef AXISCERT_PROBE
+  };
+  return all;
+}
+
+void require_value(const PropertyKind& kind, const std::string& value) {
+  if (value == not_known || value == not_asked) return;
+  const bool is_known = kind.values.empty()
+                            ? std::ranges::any_of(kernels(), [&](const Kernel& k) { return k.id == value; })
+                            : std::ranges::find(kind.values, value) != kind.values.end();
+  if (!is_known) throw HarnessFault(fmt::format("diagnosis: {} has no value '{}'", kind.name, value));
+}
+
+template <class Real>
+Diagnosis diagnosed(const Kernel& kernel, const DiagnosisOptions& options) {
+  Diagnosis diagnosis{kernel.id, kernel.test, options.precision, options.seed};
+  Subject<Real> subject(kernel, options);
+  ProgressCount progress(options.report, probes().size());
+  for (const Probe& probe : probes()) {
+    Found found;
+    if (!probe.is_of_any_test && !subject.is_first_test()) {
+      found = unasked(
+          fmt::format("The probe's scenes are of {}; this kernel answers {}.", first_test().id, subject.test().id));
+    } else {
+      try {
+        found = probe.in<Real>()(subject);
+      } catch (const Interrupted&) {
+        diagnosis.complete = false;
+        return diagnosis;
+      }
+    }
+    require_value(probe.kind, found.value);
+    const std::uint64_t queries = subject.take_count();
+    diagnosis.properties.push_back({std::string(probe.kind.name), std::move(found.value), std::move(found.sentence),
+                                    queries, std::move(found.witnesses), std::move(found.measured)});
+    progress.finished(queries);
+  }
+  return diagnosis;
+}
+
+}  // namespace
+}  // namespace diagnosis
+
+std::span<const PropertyKind> property_kinds() {
+  static const std::vector<PropertyKind> all = [] {
+    std::vector<PropertyKind> kinds;
+    for (const auto& probe : diagnosis::probes()) kinds.push_back(probe.kind);
+    return kinds;
+  }();
+  return all;
+}
+
+const Property* Diagnosis::find(std::string_view name) const {
+  const auto found = std::ranges::find(properties, name, &Property::name);
+  return found == properties.end() ? nullptr : &*found;
+}
+
+Diagnosis diagnose(const Kernel& kernel, const DiagnosisOptions& options) {
+  if (!kernel.has(options.precision)) {
+    throw Error(fmt::format("kernel {} does not exist in {}", kernel.id, name(options.precision)));
+  }
+  return options.precision == Precision::binary32 ? diagnosis::diagnosed<float>(kernel, options)
+                                                  : diagnosis::diagnosed<double>(kernel, options);
+}
+
+Json property_json(const Property& property) {
+  Json witnesses = Json::array();
+  for (const DiagnosisWitness& witness : property.witnesses) {
+    witnesses.push_back({{"query", Json::parse(witness.query)},
+                         {"answered", witness.answered},
+                         {"truth", witness.truth},
+                         {"shows", witness.shows}});
+  }
+  return {{"name", property.name},       {"value", property.value},       {"sentence", property.sentence},
+          {"queries", property.queries}, {"measured", property.measured}, {"witnesses", witnesses}};
+}
+
+Json diagnosis_json(const Diagnosis& diagnosis) {
+  Json properties = Json::array();
+  for (const Property& property : diagnosis.properties) properties.push_back(property_json(property));
+  return {{"kernel", diagnosis.kernel}, {"test", diagnosis.test->id},     {"precision", name(diagnosis.precision)},
+          {"seed", diagnosis.seed},     {"complete", diagnosis.complete}, {"properties", properties}};
+}
+
+}  // namespace axiscert

@@ -1,0 +1,191 @@
+// The precision in which a kernel computes, by the radii at which its answers turn.
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "fuzz/diagnosis/near_ties.h"
+#include "fuzz/diagnosis/probes.h"
+#include "fuzz/diagnosis/scenes.h"
+#include "fuzz/queries/boundary.h"
+
+namespace axiscert::diagnosis {
+namespace {
+
+constexpr std::size_t turning_scenes = 64;
+// Of a kernel that computes in the query's own precision, the median error of a turning point, in ulps.
+constexpr std::int64_t own_ulps = 256;
+
+template <class Real>
+using Word = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
+
+// A scene that is not flat, thin, or nearly in contact.
+template <class Real>
+std::vector<Query<Real>> plump_scenes(std::uint64_t seed) {
+  std::vector<Query<Real>> scenes;
+  for (std::uint64_t position = 0; scenes.size() < turning_scenes; ++position) {
+    Stream random = stream_of(seed, "turning", precision_of<Real>, position);
+    Query<Real> q = random_scene<Real>(random);
+    q.r = radius_at_distance(q);
+    const Vec3<Real> ab = q.b - q.a, ac = q.c - q.a, bc = q.c - q.b, normal = cross(ab, ac);
+    const Real longest = std::max({dot(ab, ab), dot(ac, ac), dot(bc, bc)});
+    if (q.r < Real(0.125) || dot(normal, normal) < Real(0.0625) * longest * longest) continue;
+    scenes.push_back(q);
+  }
+  return scenes;
+}
+
+// The points of a query whose digits below binary32 are changed.
+enum class Changed : std::uint8_t { vertices, centre, all_points };
+constexpr std::array<Changed, 3> all_changes = {Changed::vertices, Changed::centre, Changed::all_points};
+
+// The same scene, as long as these points are read as floats.
+Query<double> as_in_floats(const Query<double>& q, Changed which) {
+  auto v = coordinates(q);
+  const std::size_t first = which == Changed::centre ? 9 : 0, end = which == Changed::vertices ? 9 : 12;
+  for (std::size_t k = first; k < end; ++k) {
+    const double rounded = static_cast<double>(static_cast<float>(v[k]));
+    v[k] = v[k] == rounded ? rounded * (1 + 0x1p-30) : rounded;
+  }
+  return from_coordinates(v);
+}
+
+// The least radius, by bisection between 1 -+ 2^-10 of the distance, for which the kernel says contact; empty where it
+// does not say separated and contact at the ends.
+template <class Real>
+std::vector<std::optional<Real>> turning_radii(Subject<Real>& subject, const std::vector<Query<Real>>& scenes) {
+  std::vector<Word<Real>> low, high;
+  const auto with = [&](const std::vector<Word<Real>>& radii) {
+    Queries<Real> queries;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      Query<Real> q = scenes[i];
+      q.r = std::bit_cast<Real>(radii[i]);
+      queries.push_back(q);
+    }
+    return subject.ask(queries);
+  };
+  for (const Query<Real>& q : scenes) {
+    low.push_back(std::bit_cast<Word<Real>>(q.r * Real(1 - 0x1p-10)));
+    high.push_back(std::bit_cast<Word<Real>>(q.r * Real(1 + 0x1p-10)));
+  }
+  const auto at_low = with(low), at_high = with(high);
+  for (;;) {
+    bool is_wide = false;
+    std::vector<Word<Real>> middle = low;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      middle[i] = low[i] + (high[i] - low[i]) / 2;
+      is_wide |= high[i] - low[i] > 1;
+    }
+    if (!is_wide) break;
+    const auto said = with(middle);
+    for (std::size_t i = 0; i < scenes.size(); ++i) (said[i] == Verdict::contact ? high : low)[i] = middle[i];
+  }
+  std::vector<std::optional<Real>> radii;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const bool turns = at_low[i] == Verdict::separated && at_high[i] == Verdict::contact;
+    radii.push_back(turns ? std::optional(std::bit_cast<Real>(high[i])) : std::nullopt);
+  }
+  return radii;
+}
+
+struct TurningCounts {
+  std::size_t answered = 0, exact = 0, early = 0, late = 0;
+  std::size_t at_float = 0;           // between numbers that are different floats
+  std::array<std::size_t, 3> same{};  // the same for other points that are the same floats, by Changed
+  std::int64_t median = 0;            // of the errors, in ulps
+  bool is_of_floats() const { return at_float == answered || std::ranges::count(same, answered) != 0; }
+  Json json() const {
+    return {{"answered", answered},
+            {"exact", exact},
+            {"early", early},
+            {"late", late},
+            {"at_float", at_float},
+            {"same_for_vertices_in_float", same[0]},
+            {"same_for_centre_in_float", same[1]},
+            {"same_for_points_in_float", same[2]},
+            {"median_error_ulps", median}};
+  }
+};
+
+template <class Real>
+Found concluded(const TurningCounts& counts, std::optional<DiagnosisWitness> witness) {
+  const Json measured = counts.json();
+  std::vector<DiagnosisWitness> witnesses;
+  if (witness) witnesses.push_back(*witness);
+  if (2 * counts.answered < turning_scenes) {
+    return undecided(fmt::format("Of {} spheres its answer turns near the distance for {}: too few to say.",
+                                 turning_scenes, counts.answered),
+                     measured);
+  }
+  if (sizeof(Real) == 8 && counts.is_of_floats()) {
+    return decided(Inner::narrower,
+                   fmt::format("Something in it is binary32: of {} scenes its answer turns where the radius becomes "
+                               "another float in {}, and does not change with what floats cannot hold of the vertices "
+                               "in {}, of the centre in {}.",
+                               counts.answered, counts.at_float, counts.same[0], counts.same[1]),
+                   std::move(witnesses), measured);
+  }
+  if (counts.exact == counts.answered) {
+    return decided(Inner::wider,
+                   fmt::format("It computes with more digits than the query has, or exactly: its answer "
+                               "turns at the exact radius, to the last bit, in {} of {} scenes.",
+                               counts.exact, counts.answered),
+                   std::move(witnesses), measured);
+  }
+  if (counts.early >= 3 && counts.late >= 3 && counts.median <= own_ulps) {
+    return decided(Inner::own,
+                   fmt::format("It computes in the query's precision: its answer turns too early in {} and "
+                               "too late in {} of {} scenes, by {} ulps in the median.",
+                               counts.early, counts.late, counts.answered, counts.median),
+                   std::move(witnesses), measured);
+  }
+  return undecided(fmt::format("Its answer turns too early in {} and too late in {} of {} scenes, by {} ulps in the "
+                               "median: rounding in one precision does not do that alone.",
+                               counts.early, counts.late, counts.answered, counts.median),
+                   measured);
+}
+
+}  // namespace
+
+template <class Real>
+Found inner_precision(Subject<Real>& subject) {
+  const auto scenes = plump_scenes<Real>(subject.seed());
+  const auto radii = turning_radii(subject, scenes);
+  std::array<std::vector<std::optional<Real>>, 3> of_floats;  // by Changed
+  if constexpr (sizeof(Real) == 8) {
+    for (const Changed which : all_changes) {
+      std::vector<Query<Real>> changed;
+      for (const auto& q : scenes) changed.push_back(as_in_floats(q, which));
+      of_floats[static_cast<std::size_t>(which)] = turning_radii(subject, changed);
+    }
+  }
+  TurningCounts counts;
+  std::vector<std::int64_t> errors;
+  std::optional<DiagnosisWitness> witness;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    if (!radii[i]) continue;
+    ++counts.answered;
+    Query<Real> at = scenes[i], before = scenes[i];
+    at.r = *radii[i];
+    before.r = step_radius(at.r, -1);
+    const bool is_early = subject.truth(at).verdict == Verdict::separated;
+    const bool is_late = subject.truth(before).verdict == Verdict::contact;
+    counts.early += is_early;
+    counts.late += is_late;
+    counts.exact += !is_early && !is_late;
+    counts.at_float += static_cast<float>(at.r) != static_cast<float>(before.r);
+    for (std::size_t k = 0; k < 3 && sizeof(Real) == 8; ++k) counts.same[k] += of_floats[k][i] == radii[i];
+    errors.push_back(
+        std::abs(std::int64_t{std::bit_cast<Word<Real>>(at.r)} - std::int64_t{std::bit_cast<Word<Real>>(scenes[i].r)}));
+    if (!witness && (is_early || is_late || i + 1 == scenes.size())) {
+      witness = subject.witness(is_late ? before : at, is_late ? Verdict::separated : Verdict::contact,
+                                "the radius at which the answer turns, or the one before");
+    }
+  }
+  std::sort(errors.begin(), errors.end());
+  if (!errors.empty()) counts.median = errors[errors.size() / 2];
+  return concluded<Real>(counts, witness);
+}
+template Found inner_precision(Subject<float>&);
+template Found inner_precision(Subject<double>&);
+
+}  // namespace axiscert::diagnosis

@@ -1,0 +1,112 @@
+// The kernel under diagnosis, as every probe asks it: verdicts alone, in batches, counted.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exact/trait/oracles.h"
+#include "fuzz/diagnosis/diagnosis.h"
+#include "fuzz/files/query_file.h"
+
+namespace axiscert::diagnosis {
+
+// Thrown where the user interrupts, and caught by diagnose().
+struct Interrupted {};
+
+inline bool is_decided(Verdict v) { return v == Verdict::contact || v == Verdict::separated; }
+
+template <class Real>
+using Queries = std::vector<Numbers<Real>>;
+
+template <class Real>
+class Subject {
+ public:
+  Subject(const Kernel& kernel, const DiagnosisOptions& options)
+      : kernel_(kernel), options_(options), implementation_(kernel.on<Real>(options.target)) {}
+
+  const Kernel& kernel() const { return kernel_; }
+  const TestDescription& test() const { return *kernel_.test; }
+  const TestEntry& entry() const { return test().entries[kernel_.entry]; }
+  bool is_first_test() const { return kernel_.test == &first_test(); }
+  bool is_built_in() const { return kernel_.file.empty(); }
+  std::uint64_t seed() const { return options_.seed; }
+  const std::string& target() const { return options_.target; }
+
+  // One batch of these queries, in this order.
+  std::vector<Verdict> ask_batch(std::span<const Numbers<Real>> queries) {
+    return answers_of(implementation_, queries);
+  }
+  // The same of any number of queries, in batches of at most 1024.
+  std::vector<Verdict> ask(std::span<const Numbers<Real>> queries) { return ask(implementation_, queries); }
+  // Of another implementation, for comparison; not counted.
+  std::vector<Verdict> ask(const Implementation<Real>& of, std::span<const Numbers<Real>> queries) {
+    std::vector<Verdict> said;
+    for (std::size_t first = 0; first < queries.size(); first += most_at_once) {
+      const auto part = answers_of(of, queries.subspan(first, std::min(most_at_once, queries.size() - first)));
+      said.insert(said.end(), part.begin(), part.end());
+    }
+    return said;
+  }
+  // Answers that others asked the kernel for.
+  void count(std::uint64_t answers) { asked_ += answers; }
+  // The answers of the kernel that were counted since the last call.
+  std::uint64_t take_count() { return std::exchange(asked_, 0); }
+
+  Truth truth(const Numbers<Real>& query) const { return oracles_of(kernel_).truth(query); }
+
+  // A query that shows something, with what was answered.
+  DiagnosisWitness witness(const Numbers<Real>& query, std::string answered, std::string shows) const {
+    const Truth truth_of = truth(query);
+    StoredQuery stored{"diagnosis", precision_of<Real>, query};
+    stored.test = kernel_.test;
+    stored.entry = kernel_.entry;
+    return {query_line(stored), std::move(answered),
+            std::string(truth_of.touching ? "touching" : name(truth_of.verdict)), std::move(shows)};
+  }
+  DiagnosisWitness witness(const Numbers<Real>& query, Verdict said, std::string shows) const {
+    return witness(query, std::string(name(said)), std::move(shows));
+  }
+
+ private:
+  static constexpr std::size_t most_at_once = 1024;
+
+  std::vector<Verdict> answers_of(const Implementation<Real>& of, std::span<const Numbers<Real>> queries) {
+    if (options_.interrupted && *options_.interrupted) throw Interrupted{};
+    QueryBatch<Real> batch(queries.size(), entry().columns.size());
+    for (const Numbers<Real>& query : queries) batch.push_back(query);
+    std::vector<Verdict> said(queries.size(), Verdict::unanswered);
+    of.verdicts(batch.columns(), said.data());
+    if (&of == &implementation_) asked_ += queries.size();
+    return said;
+  }
+
+  const Kernel& kernel_;
+  const DiagnosisOptions& options_;
+  Implementation<Real> implementation_;
+  std::uint64_t asked_ = 0;
+};
+
+// A finding of a probe; the name is put by diagnose().
+struct Found {
+  std::string value, sentence;
+  std::vector<DiagnosisWitness> witnesses = {};
+  Json measured = nullptr;
+};
+
+template <Enumeration Value>
+Found decided(Value value, std::string sentence, std::vector<DiagnosisWitness> witnesses = {},
+              Json measured = nullptr) {
+  return {std::string(name(value)), std::move(sentence), std::move(witnesses), std::move(measured)};
+}
+inline Found undecided(std::string sentence, Json measured = nullptr) {
+  return {std::string(not_known), std::move(sentence), {}, std::move(measured)};
+}
+inline Found unasked(std::string sentence) { return {std::string(not_asked), std::move(sentence)}; }
+
+}  // namespace axiscert::diagnosis
