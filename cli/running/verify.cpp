@@ -100,7 +100,7 @@ double share_of(const std::string& given) {
 void require_same_plan(const Certificate& certificate, const VerifyOptions& options, const Json& plan,
                        std::uint64_t units_each) {
   const Json& materials = certificate.predicate()["materials"];
-  const std::string differs = difference(portable_plan(plan), materials["plan"]["plan"]);
+  const std::string differs = difference(Json::parse(canonical_json(portable_plan(plan))), materials["plan"]["plan"]);
   if (differs.empty() && units_each == materials["plan"]["units_per_stretch"].get<std::uint64_t>()) return;
   throw Error(
       fmt::format("{}: cannot be rechecked here: it was made by axiscert {}, sources {:.16}, and this is {}, {:.16}{}",
