@@ -33,6 +33,8 @@ void add_query(CLI::App& app, Action& action);
 void add_kernels(CLI::App& app, Action& action);
 void add_tests(CLI::App& app, Action& action);
 void add_families(CLI::App& app, Action& action);
+void add_certify(CLI::App& app, Action& action);
+void add_verify(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
 void add_ladder(CLI::App& app, Action& action);
 void add_precision(CLI::App& app, Action& action);

@@ -1,159 +1,21 @@
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <iostream>
-
 #include "cli/commands.h"
+#include "cli/options/reply_plan.h"
 #include "cli/options/require_options.h"
-#include "cli/values.h"
-#include "cli/running/judged_run.h"
 #include "cli/progress_line.h"
-#include "exact/trait/oracles.h"
-#include "fuzz/text/file_bytes.h"
-#include "kernel/base/error.h"
-#include "kernel/plugin/load.h"
+#include "cli/running/judged_run.h"
 
 namespace axiscert {
 namespace {
 
-struct JudgeOptions : OutputOptions {
-  std::vector<std::string> replies = {"-"}, meshes, queries;
-  std::string id = "pipe", touching = "contact";
-  ReplyClaim claim;
-};
-
-FilePlaces places_of(const JudgeOptions& options) {
-  FilePlaces places;
-  for (const auto* paths : {&options.meshes, &options.queries}) {
-    for (const std::string& path : *paths) {
-      const auto [place, is_new] = places.try_emplace(base_name(path), path);
-      if (!is_new) throw Error(fmt::format("{} and {}: two files with the same name", place->second, path));
-    }
-  }
-  return places;
-}
-
-StoredReplies read(const JudgeOptions& options) {
-  const FilePlaces places = places_of(options);
-  std::vector<ReplyStream> streams;
-  for (const std::string& path : options.replies) {
-    if (path != "-") {
-      std::ifstream file = open_file(path);
-      streams.push_back(read_replies(file, path, places));
-      continue;
-    }
-    if (isatty(STDIN_FILENO) != 0) {
-      throw Error("nothing is piped in: `axiscert generate --binary | PROGRAM | axiscert judge`, or give a reply file");
-    }
-    streams.push_back(read_replies(std::cin, "stdin", places));
-  }
-  StoredReplies replies(std::move(streams));
-  for (const auto& place : places) {
-    const bool is_used = std::any_of(replies.sources().begin(), replies.sources().end(), [&](const SourcePtr& source) {
-      const auto file = source->file();
-      return file && file->name == place.first;
-    });
-    if (!is_used) throw Error(fmt::format("{}: none of the queries come from a file of this name", place.second));
-  }
-  return replies;
-}
-
-// The built-in kernel that an option names, checked to fit what the replies show.
-const Kernel& claimed(const char* option, const std::string& id, const StoredReplies& replies) {
-  if (plugin::plugin_path(id))
-    throw Error(fmt::format("{} {}: not a built-in kernel; see `axiscert kernels`", option, id));
-  const Kernel& kernel = find_kernel(id);
-  const Source& source = *replies.sources().front();
-  if (kernel.test != &source.test()) {
-    throw Error(fmt::format("{} {}: of the test {}, and the replies are to queries of {}", option, id, kernel.test->id,
-                            source.test().id));
-  }
-  for (const Precision precision : replies.precisions()) {
-    if (!kernel.has(precision)) throw Error(fmt::format("{} {}: does not exist in {}", option, id, name(precision)));
-  }
-  if (replies.has_bits() && !has_comparisons(kernel.formulae) && kernel.claims.empty()) {
-    throw Error(fmt::format("{} {}: it has no comparisons, but the replies give comparison bits", option, id));
-  }
-  return kernel;
-}
-
-bool is_id(const std::string& id) {
-  return !id.empty() && id.size() <= 100 && std::all_of(id.begin(), id.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
-  });
-}
-
-// The program, represented by a kernel that is never run: its answers are stored.
-Kernel program(const JudgeOptions& options, const StoredReplies& replies) {
-  if (!is_id(options.id))
-    throw Error(fmt::format("--as {}: an id is 1 to 100 letters, digits, '-', '_', '.'", options.id));
-  for (const Kernel& kernel : kernels()) {
-    if (kernel.id == options.id) throw Error(fmt::format("--as {}: that is a built-in kernel", options.id));
-  }
-  // Replies with bits are of the first formulae of their test, unless the command says which.
-  const TestDescription& test = replies.sources().empty() ? first_test() : replies.sources().front()->test();
-  const bool published = replies.has_bits() && &test == &first_test();
-  const std::string claims(replies.has_bits() && !published ? oracles_of(test).formulae().front() : "");
-  Kernel kernel{.id = options.id,
-                .summary = "a program's replies, through a pipe",
-                .formulae = published ? Formulae::published : Formulae::none,
-                .claims = claims,
-                .exposes = replies.has_bits() ? Exposure::comparisons : Exposure::verdict,
-                .binary32 = {},
-                .binary64 = {},
-                .is_reference = false};
-  kernel.test = &replies.sources().front()->test();
-  kernel.entry = replies.sources().front()->entry();
-  kernel.measure_count = replies.measure_count();
-  if (const std::string& id = options.claim.conforms_to; !id.empty()) {
-    const Kernel& model = claimed("--conforms-to", id, replies);
-    if (!model.is_reference) {
-      throw Error(
-          fmt::format("--conforms-to {}: it chooses its own order of operations, so nothing can be compared with "
-                      "it bit for bit; --formulae {} judges by its formulae",
-                      id, id));
-    }
-    kernel.formulae = model.formulae;
-    kernel.claims = model.claims;
-    kernel.strictness = model.strictness;
-    kernel.arithmetic = model.arithmetic;
-    kernel.is_reference = true;
-  }
-  if (const std::string& id = options.claim.formulae; !id.empty()) {
-    const Kernel& model = claimed("--formulae", id, replies);
-    kernel.formulae = model.formulae;
-    kernel.claims = model.claims;
-    kernel.strictness = model.strictness;
-  }
-  const auto touching = std::find(touching_names.begin(), touching_names.end(), options.touching);
-  kernel.touching = static_cast<Touching>(touching - touching_names.begin());
-  const auto never_run = [](const auto& batch, Verdict* out) { std::fill_n(out, batch.size, Verdict::unanswered); };
-  for (const Precision precision : replies.precisions()) {
-    if (precision == Precision::binary32)
-      kernel.binary32 = [=](std::string_view) { return Implementation<float>{never_run}; };
-    else kernel.binary64 = [=](std::string_view) { return Implementation<double>{never_run}; };
-  }
-  return kernel;
-}
+struct JudgeOptions : OutputOptions, ReplyOptions {};
 
 int judge_replies(const JudgeOptions& options) {
   std::optional<ProgressLine> reading(std::in_place, "judge: the replies are read", options.quiet);
-  const auto replies = std::make_shared<const StoredReplies>(read(options));
+  ReplyPlan replies = reply_plan(options);
   reading.reset();
-  const Kernel kernel = program(options, *replies);
-  Plan plan;
-  plan.test = kernel.test;
-  plan.seed = replies->seed();
-  plan.kernels = {&kernel};
-  plan.sources = replies->sources();
-  plan.precisions = replies->precisions();
-  plan.target = scalar_target;  // the target of the claim's reference
-  plan.threads = threads_of(options.threads);
-  plan.replies = replies;
-  plan.claim = options.claim;
-  check_required(options.required, plan);
-  return judged_run(plan, options, plan.target);
+  replies.plan.threads = threads_of(options.threads);
+  check_required(options.required, replies.plan);
+  return judged_run(replies.plan, options, replies.plan.target);
 }
 
 }  // namespace
@@ -164,24 +26,7 @@ void add_judge(CLI::App& app, Action& action) {
   auto options = std::make_shared<JudgeOptions>();
   command->add_option("FILE", options->replies, "reply files, one for each precision; - for standard input")
       ->capture_default_str();
-  command->add_option("--as", options->id, "the program's id in the record")->capture_default_str();
-  auto* conforms_to = command->add_option("--conforms-to", options->claim.conforms_to,
-                                          "built-in kernel that the program claims to equal bit for bit");
-  command
-      ->add_option(
-          "--formulae", options->claim.formulae,
-          "built-in kernel whose formulae the program evaluates in its own way (default: published where the replies "
-          "give comparison bits)")
-      ->excludes(conforms_to);
-  command
-      ->add_option("--touching", options->touching,
-                   "the program's intended answer for a sphere that touches the triangle")
-      ->check(one_of({"contact", "separated", "either"}))
-      ->capture_default_str();
-  command->add_option("--mesh", options->meshes, "present path of a mesh of the queries, repeatable")
-      ->allow_extra_args(false);
-  command->add_option("--queries", options->queries, "present path of a query file of the queries, repeatable")
-      ->allow_extra_args(false);
+  add_reply_options(*command, *options);
   add_output_options(*command, *options);
   command->callback([&action, options] { action = [options] { return judge_replies(*options); }; });
 }

@@ -15,7 +15,7 @@
 #include "fuzz/queries/entry_families.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
-#include "reports/gates/requirement.h"
+#include "reports/gates/gate.h"
 #include "reports/instrument/black_box_report.h"
 #include "reports/instrument/mutation_report.h"
 
@@ -111,12 +111,7 @@ constexpr const char* required = "logic";
 
 int mutate_by_verdict(const MutateOptions& options, const MutationPlan& plan,
                       const std::optional<OutputFolder>& folder) {
-  const Gate gate = [](const Json& record) {
-    std::vector<GateFailure> failures;
-    for (const Failure& failure : unmet(record, required))
-      failures.push_back({failure.kernel, failure.precision, failure.family, failure.what});
-    return failures;
-  };
+  const Gate gate = gate_at(required);
   const std::atomic<bool>& interrupted = watch_for_interrupts();
   const BlackBoxScore score = with_progress(
       "mutate", [&](const ShowProgress& show) { return judge_black_boxes(plan, gate, interrupted, show); });

@@ -35,6 +35,13 @@ void for_each_option(Options& o, Visit&& visit) {
   visit("tolerances", o.tolerances);
 }
 
+// Those of `axiscert certify`, which a plan without an effort does not have.
+template <class Options, class Visit>
+void for_each_option_of_effort(Options& o, Visit&& visit) {
+  visit("effort", o.effort);
+  visit("is_slow", o.is_slow);
+}
+
 template <class Value>
 void put(Json& json, const Value& value) {
   json = value;
@@ -45,7 +52,7 @@ void put(Json& json, const std::optional<Value>& value) {
 }
 template <class Value>
 void get(const Json& json, Value& value) {
-  if constexpr (std::is_integral_v<Value>) value = whole_number<Value>(json);
+  if constexpr (std::is_integral_v<Value> && !std::is_same_v<Value, bool>) value = whole_number<Value>(json);
   else json.get_to(value);
 }
 template <class Value>
@@ -110,6 +117,9 @@ PlanFile plan_file_of(const RunOptions& given, std::optional<std::uint64_t> unit
   if (options.corpus) require_utf8(*options.corpus, "--corpus");
   Json stored = Json::object();
   for_each_option(options, [&](const char* name, const auto& value) { put(stored[name], value); });
+  if (!options.effort.empty()) {
+    for_each_option_of_effort(options, [&](const char* name, const auto& value) { put(stored[name], value); });
+  }
   put_required(stored, options.required);
   file.json = {{"schema", plan_schema},
                {"plan", plan_of_record(plan, options.required)},
@@ -152,6 +162,9 @@ PlanFile read_plan_file(const std::string& path) {
       if (name != std::string_view("test") || !options.is_object() || options.contains(name))
         get_member(options, name, value);
     });
+    if (options.is_object() && options.contains("effort")) {
+      for_each_option_of_effort(file.options, [&](const char* name, auto& value) { get_member(options, name, value); });
+    }
     get_required(options, file.options.required);
     if (file.options.test.empty()) file.options.test = sphere_triangle_test().id;
     get_member(json, "units_per_stretch", file.units_each);

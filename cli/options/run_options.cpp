@@ -13,6 +13,7 @@
 #include "cli/progress_line.h"
 #include "cli/values.h"
 #include "fuzz/queries/address.h"
+#include "fuzz/certify/effort.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/entry_families.h"
 #include "fuzz/meshes/mesh.h"
@@ -238,7 +239,9 @@ void say_what_is_left_out(const std::vector<SourcePtr>& sources, const std::vect
 }
 
 std::uint64_t trials_of(const SourceOptions& options, const Source& source, Precision precision) {
-  return options.trials ? *options.trials : default_trials(source, precision);
+  if (options.trials) return *options.trials;
+  if (!options.effort.empty()) return trials_of(parse_effort(options.effort), source, options.is_slow);
+  return default_trials(source, precision);
 }
 
 int threads_of(int given) {

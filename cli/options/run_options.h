@@ -21,6 +21,8 @@ struct SourceOptions {
   std::optional<std::string> corpus;  // its folder
   std::optional<std::uint64_t> trials;
   std::uint64_t seed = 1;
+  std::string effort;    // of `axiscert certify`, which says how many queries where `trials` does not; empty: none
+  bool is_slow = false;  // the kernels' answers take so long that an effort asks fewer
 };
 
 // The use of the judged answers.
@@ -29,6 +31,7 @@ struct OutputOptions {
   std::string out = "out", ratchet;
   std::vector<std::string> sources;  // [KERNEL=]FILE:LINE
   bool quiet = false;
+  bool has_summary = true;   // printed at the end, and what came of the levels
   std::uint64_t shrink = 0;  // evaluations to make each witness smaller; 0: they stay as they are
   int threads = 0;           // 0: all cores
 };

@@ -1,6 +1,8 @@
 #include "cli/options/test_options.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <fmt/ranges.h>
 
 #include "kernel/base/error.h"
@@ -89,16 +91,25 @@ const TestDescription& test_of_sources(const std::string& test, const std::vecto
   return given;
 }
 
+bool has_columns(const TestDescription& test, std::size_t entry) { return entry == 0 || test.id != "moving-sphere"; }
+
 void require_columns(std::string_view command, const TestDescription& test, std::size_t entry) {
-  if (entry == 0 || test.id != "moving-sphere") return;
+  if (has_columns(test, entry)) return;
   throw Error(fmt::format("{} does not serve the entry {} of the test {} yet; it serves {}", command,
                           entry_name(test, entry), test.id, entry_name(test, 0)));
 }
 
+std::vector<const TestDescription*> tests_with_moves() {
+  return {&sphere_triangle_test(), &find_test("moving-sphere"), &find_test("box-box"), &find_test("box-triangle")};
+}
+
+bool has_moves(const TestDescription& test, std::size_t entry) {
+  const auto served = tests_with_moves();
+  return std::find(served.begin(), served.end(), &test) != served.end() && has_columns(test, entry);
+}
+
 void require_moves(std::string_view command, const TestDescription& test, std::size_t entry) {
-  require_served(
-      command, test,
-      {&sphere_triangle_test(), &find_test("moving-sphere"), &find_test("box-box"), &find_test("box-triangle")});
+  require_served(command, test, tests_with_moves());
   require_columns(command, test, entry);
 }
 

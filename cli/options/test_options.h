@@ -29,11 +29,13 @@ void require_one_test(const std::vector<const Kernel*>& kernels, const std::vect
 // another test.
 const TestDescription& test_of_sources(const std::string& test, const std::vector<SourcePtr>& sources);
 
-// For a command that changes the numbers of a query one by one: throws Error for an entry whose columns it cannot
-// change, which is one of motions, `endpoints`.
+// Whether the numbers of an entry can be changed one by one; of `endpoints`, the second entry of motions, they cannot
+// yet.
+bool has_columns(const TestDescription& test, std::size_t entry);
+// Whether search, shrink and map can move its queries.
+bool has_moves(const TestDescription& test, std::size_t entry);
+// For a command, or an option of one, that needs the one or the other: throws Error where it is not so.
 void require_columns(std::string_view command, const TestDescription& test, std::size_t entry);
-// The same for a command, or an option of one, that moves queries (search, shrink, map); and for a test whose queries
-// these cannot move.
 void require_moves(std::string_view command, const TestDescription& test, std::size_t entry);
 
 // For a command, or an option of one, that serves sphere-triangle alone, or the given tests: throws Error for any

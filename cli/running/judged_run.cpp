@@ -145,10 +145,10 @@ int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResul
   render_reports(output.out);
   progress.reset();  // before the summary
 
-  if (!output.quiet) fmt::print("{}{}/report.html\n", summary_text(record, seconds), output.out);
+  if (!output.quiet && output.has_summary) fmt::print("{}{}/report.html\n", summary_text(record, seconds), output.out);
   if (!result.complete) return exit_interrupted;
   bool is_met = true;
-  for (const std::string& sentence : unjudged(record)) {
+  for (const std::string& sentence : output.has_summary ? unjudged(record) : std::vector<std::string>()) {
     fmt::print(stderr, "axiscert: {}\n", sentence);
     is_met = false;
   }

@@ -119,7 +119,8 @@ class Lead {
   }
 
   std::optional<Task> next() {
-    if (interrupted_) return std::nullopt;
+    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - began_;
+    if (interrupted_ || (options_.seconds && since.count() > *options_.seconds)) return std::nullopt;
     for (; next_ < stretches_.count(); ++next_) {
       if (!is_selected_(next_) || gathered_.has(next_)) continue;
       journal_->append(begun_note(next_));
@@ -205,11 +206,12 @@ class Lead {
   std::optional<Journal> journal_;
   std::uint64_t next_ = 0, left_ = 0, lost_ = 0;
   const std::atomic<bool>& interrupted_ = watch_for_interrupts();
+  const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
 // Runs one rank, or the only process.
 int run_as(Ranks* ranks, const PlannedOptions& options, const RunOptions& run) {
-  const PlanFile file = read_plan_file(options.plan);
+  const PlanFile file = options.made ? *options.made : read_plan_file(options.plan);
   Plan plan = plan_of(file);
   plan.target = resolve_target(run.target);
   plan.exact_only = run.exact_only;
@@ -230,7 +232,8 @@ int run_as(Ranks* ranks, const PlannedOptions& options, const RunOptions& run) {
   }
   OutputOptions output = run;
   output.required = file.options.required;
-  return Lead(options, output, file, plan, stretches, crew, ranks).run(run.target);
+  const int code = Lead(options, output, file, plan, stretches, crew, ranks).run(run.target);
+  return options.after ? options.after(code) : code;
 }
 
 }  // namespace

@@ -9,7 +9,11 @@
 namespace axiscert {
 
 struct PlannedOptions {
-  std::string plan;       // file; empty: not a planned run
+  std::string plan;               // file; empty: not a planned run
+  std::optional<PlanFile> made;   // the plan itself, in place of its file
+  std::optional<double> seconds;  // no stretch is begun after that time; those that were are finished
+  // Done by rank 0 once the run's folder is written, with what planned_run would return; it returns that instead.
+  std::function<int(int code)> after;
   std::string shard;      // "I/N"
   std::string stretches;  // file with the numbers of the only stretches to run
   bool resume = false;

@@ -72,7 +72,7 @@ class Run(RunCase):
         costly = [family["name"] for family in listed if family["cost"] > 1]
         self.assertLessEqual({"speck", "bits"}, set(costly))
         shown = [line.split()[0] for line in axiscert("families").stdout.splitlines() if re.search(r" \[cost \d+\]$", line)]
-        self.assertEqual(shown, costly, "./dev certify reads them there")
+        self.assertEqual(shown, costly, "./dev exhaust reads them there")
         done = axiscert("generate", "--family", "bits", "--precision", "binary64")
         self.assertEqual(done.stdout.count("\n"), 2**14)
         self.assertIn("16384 for bits)", axiscert("run", "--help").stdout)

@@ -7,6 +7,7 @@ OUT/TARGET/* are the inputs; OUT/TARGET.list names them all, separated by commas
 The same tree gives the same bytes.
 """
 
+import base64
 import hashlib
 import json
 import pathlib
@@ -110,6 +111,16 @@ def seeds(source):
     plans = [plan, dict(plan, options=first), dict(plan, options=least), dict(plan, options=least, plan={}), dict(plan, queries=1.8e19), {}]
     result["plan"] = [plan_text(one).encode() for one in plans]
 
+    stored = statement(source)
+    statements = [stored, statement(source, signed_at="2026-01-01T00:00:00Z"), dict(stored, predicateType="urn:axiscert:certificate:2"),
+                  dict(stored, predicate={})]
+    whole = [canonical(one) for one in statements]
+    sealed = {"payload": base64.b64encode(whole[0]).decode(), "payloadType": "application/vnd.in-toto+json",
+              "signatures": [{"keyid": "0" * 64, "sig": base64.b64encode(bytes(range(64))).decode()}]}
+    envelopes = [sealed, dict(sealed, signatures=[]), dict(sealed, signatures=sealed["signatures"] * 3), dict(sealed, payloadType="text/plain")]
+    result["certificate"] = [one + b"\n" for one in whole] + [canonical(sealed) + b"\n", whole[0][:-40], b'{"a":1,"a":2}']
+    result["envelope"] = [canonical(one) + b"\n" for one in envelopes] + [canonical(sealed)[:-40], b"[" * 5000]
+
     record = json.loads((source / "reports/testdata/record.json").read_text())
     for kernel in record["kernels"]:  # a smaller record: fewer cells, but all kinds of members
         kernel["families"] = dict(list(kernel["families"].items())[:1])
@@ -125,6 +136,18 @@ def seeds(source):
         deep,
     ]
     return result
+
+
+def canonical(value):
+    return json.dumps(value, sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()
+
+
+def statement(source, **changes):
+    """The stored certificate, which has one of everything that one can have, with the digest of itself."""
+    made = json.loads((source / "reports/testdata/certificate.json").read_text())
+    made["predicate"].update(changes)
+    made["predicate"]["digest"] = hashlib.sha256(canonical(made)).hexdigest()
+    return made
 
 
 def project_version(source):

@@ -50,7 +50,8 @@ struct InstrumentReport {
   std::vector<std::string> notes;  // what was measured, in which units, and what it does not cover; one paragraph each
   std::vector<InstrumentTable> tables;
   std::vector<InstrumentPlot> plots;
-  Json data;  // every figure, by name
+  Json data;                                        // every figure, by name
+  std::string notes_heading = "What was measured";  // of the notes on the page
 };
 
 // The tables as aligned columns, and the notes.

@@ -101,6 +101,7 @@ std::string instrument_page(const InstrumentReport& report) {
       {"/*CSS*/", std::string(embedded::report_css)},
       {"<!--HEADING-->", html_text(report.title)},
       {"<!--COMMAND-->", html_text(report.command)},
+      {"<!--NOTES_HEADING-->", html_text(report.notes_heading)},
       {"<!--NOTES-->", notes},
       {"<!--BODY-->", body},
       {"/*DATA*/", inert_json(plots)},

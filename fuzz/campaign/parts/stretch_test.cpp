@@ -119,6 +119,22 @@ void wrong_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
   }
 }
 
+TEST(Stretch, OfAnotherTestHasAsManyTalliesAsThatHasClauses) {
+  for (const auto& [kernel, family] : {std::pair("moving-sphere/twenty", "moving-sphere/lattice"),
+                                       std::pair("box-box/projected", "box-box/lattice")}) {
+    Plan plan = small_plan({kernel}, {family}, 40);
+    plan.test = plan.kernels.front()->test;
+    const Stretches stretches(plan, 1);
+    for (std::uint64_t number = 0; number < stretches.count(); ++number) {
+      const Stretch stretch = stretches.at(number);
+      const UnitResult unit = run_unit(plan, *plan.sources[stretch.source], stretch.precision, 0, stretch.queries);
+      EXPECT_EQ(run_stretch(plan, stretches, number).tallies.front(), encode(unit.tallies.front())) << kernel;
+    }
+    Gathered gathered(plan, stretches);
+    gathered.add(run_stretch(plan, stretches, 0));
+  }
+}
+
 TEST(Recheck, AFaultOfOneTargetIsToldWithUnitAndKernel) {
   const Kernel& right = find_kernel("closest-point");
   Kernel kernel = right;

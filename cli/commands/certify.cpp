@@ -1,0 +1,60 @@
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/commands.h"
+#include "cli/options/run_options.h"
+#include "cli/progress_line.h"
+#include "cli/running/certify.h"
+#include "fuzz/certify/effort.h"
+#include "cli/values.h"
+
+namespace axiscert {
+
+void add_certify(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "certify", "Ask a kernel everything, and write a certificate of what it is, which others can check");
+  auto options = std::make_shared<CertifyOptions>();
+  CertifyOptions& o = *options;
+  auto* kernel = command->add_option(
+      "KERNEL", o.kernel, "kernel id: built-in, plugin:FILE, program:MANIFEST, peer/NAME (axiscert kernels)");
+  command
+      ->add_option(
+          "--replies", o.replies.replies,
+          "in place of a kernel: a file of a program's replies to `generate --binary`, one for each precision, "
+          "repeatable")
+      ->allow_extra_args(false)
+      ->excludes(kernel);
+  add_reply_options(*command, o.replies);
+  command
+      ->add_option(
+          "--effort", o.effort,
+          "how much is asked: quick, standard and deep are some 2 minutes, 20 minutes and hours on two cores; smoke "
+          "takes seconds, to try a workflow")
+      ->check(one_of(std::vector<std::string>(effort_names.begin(), effort_names.end())))
+      ->capture_default_str();
+  command->add_option("--seed", o.seed, "seed of every family, of the search and of the diagnosis")
+      ->check(whole_number())
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--time", o.seconds,
+          "seconds after which the run of the plan begins no further stretch; the certificate lists those done")
+      ->check(number_above_zero());
+  command->add_option("--key", o.key, "private Ed25519 key in PEM that signs the certificate, with the time");
+  command->add_option("--out", o.out, "folder for certificate.json, its page, text and badge, and the run")
+      ->capture_default_str();
+  command->add_flag("--resume", o.resume, "continue in the folder of --out");
+  command->add_flag("--quiet", o.quiet, "print only errors");
+  add_thread_option(*command, o.threads);
+  add_plugin_seconds(*command);
+  add_progress(*command);
+  command->callback([&action, options, command] {
+    options->is_of_replies = command->count("--replies") != 0;
+    options->meshes = options->replies.meshes;
+    if (!options->is_of_replies && options->kernel.empty()) throw CLI::RequiredError("KERNEL, or --replies FILE,");
+    action = [options] { return certify(*options); };
+  });
+}
+
+}  // namespace axiscert

@@ -1,0 +1,28 @@
+// The plan of a certificate: the same from its kernel, effort, seed and meshes, here and wherever it is checked.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/options/plan_file.h"
+
+namespace axiscert {
+
+struct CertifiedRun {
+  std::string kernel;  // its id
+  std::string effort = "quick";
+  std::uint64_t seed = 1;
+  std::vector<std::string> meshes;
+  int threads = 0;
+};
+
+// The kernels that answer the same queries besides, first `published`, then `certified`, where they are of the kernel's
+// test; of another test its default kernel. The kernel itself is none of them.
+std::vector<std::string> yardsticks_for(const Kernel& kernel);
+
+// The kernel, then its yardsticks, on every family of its test, the corpus where there is one, and the meshes. Throws
+// Error for a kernel that could not be loaded.
+PlanFile certified_plan(const CertifiedRun& run);
+
+}  // namespace axiscert

@@ -1,0 +1,253 @@
+#include "cli/running/certify_stages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/options/search_plan.h"
+#include "cli/options/test_options.h"
+#include "cli/progress_line.h"
+#include "fuzz/certify/safe_margin.h"
+#include "fuzz/instruments/critical_distance.h"
+#include "fuzz/mutation/black_box.h"
+#include "fuzz/text/file_bytes.h"
+#include "reports/certificate/margin.h"
+#include "reports/certificate/statement.h"
+#include "reports/gates/gate.h"
+#include "reports/instrument/black_box_report.h"
+#include "reports/instrument/mutation_report.h"
+#include "reports/run_folder/parsed_json.h"
+
+namespace axiscert {
+namespace {
+
+constexpr const char* stages_file = "stages.json";
+// Why a stage asks nothing of replies.
+constexpr const char* cannot_ask = "replies are judged as they are: their program cannot be asked again";
+
+bool is_among(const TestDescription& test, const std::vector<const TestDescription*>& tests) {
+  return std::find(tests.begin(), tests.end(), &test) != tests.end();
+}
+
+const std::atomic<bool>& interrupts() { return watch_for_interrupts(); }
+
+Json find_json(const Find& find) {
+  Json links = Json::array();
+  for (const std::string_view link : names(find.links)) links.push_back(link);
+  const char* const unit = find.aim.goal == Goal::critical_radius ? "ulps" : "depth";
+  return {{unit, find.value.text()}, {"links", links}, {"query", Json::parse(query_line(find.witness))}};
+}
+
+Json searched(const Staged& staged, Precision precision) {
+  SearchOptions options;
+  options.kernel = staged.kernel.id;
+  options.precision = name(precision);
+  options.evaluations = staged.size.evaluations;
+  options.first_queries = std::min(std::uint64_t{1} << 13, staged.size.trials);
+  options.seed = staged.options.seed;
+  options.threads = staged.options.threads;
+  const SearchPlan plan = search_plan_of(options);
+  SearchResult result;
+  {
+    ProgressLine progress(fmt::format("certify: search, {}", name(precision)), staged.options.quiet);
+    result = search(plan, std::nullopt, interrupts(), [&](const SearchProgress& p) {
+      progress.show({p.islands, 0, 0, p.seconds},
+                    fmt::format("; {} of {} evaluations", p.evaluations, *plan.evaluations));
+    });
+  }
+  if (!result.complete) throw StageInterrupted();
+  Json finds = Json::object();
+  for (const Aim& aim : result.aims) {
+    if (!is_about_a_comparison(aim.goal)) finds[name(aim)] = nullptr;
+  }
+  for (const Find& find : result.finds) {
+    if (!is_about_a_comparison(find.aim.goal)) finds[name(find.aim)] = find_json(find);
+  }
+  return {{"evaluations", result.evaluations}, {"begun_from", plan.first_queries}, {"finds", finds}};
+}
+
+// The queries that a search found, of all goals but those without a wrong verdict.
+std::vector<StoredQuery> found_queries(const Json& search, Precision precision) {
+  std::vector<StoredQuery> queries;
+  const auto here = search["precisions"].find(std::string(name(precision)));
+  if (here == search["precisions"].end()) return queries;
+  for (const auto& [aim, find] : (*here)["finds"].items()) {
+    if (find.is_null()) continue;
+    for (StoredQuery& query : parse_queries(find["query"].dump() + "\n", "the search", precision)) {
+      query.id = fmt::format("search {}", aim);
+      queries.push_back(std::move(query));
+    }
+  }
+  return queries;
+}
+
+// How many queries of each source were run: of a run that ended early those of the units that were done.
+std::function<std::uint64_t(const Source&)> queries_run(const Json& record, Precision precision) {
+  return [&record, precision](const Source& source) -> std::uint64_t {
+    const Json& plan = record["plan"];
+    const std::string family = source.name(), in(name(precision));
+    const Json trials = plan["trials"].value(family, Json::object()).value(in, Json(0));
+    const auto queries = trials.get<std::uint64_t>();
+    if (plan["units_done"].is_null()) return queries;
+    const Json units = plan["units_done"].value(family, Json::object()).value(in, Json(0));
+    return std::min(queries, units.get<std::uint64_t>() * unit_size);
+  };
+}
+
+Json margin_in(const Staged& staged, const Json& search, Precision precision) {
+  SafeMarginPlan plan{&staged.plan,       &staged.kernel,
+                      precision,          queries_run(staged.record, precision),
+                      staged.size.probes, found_queries(search, precision)};
+  ProgressLine progress(fmt::format("certify: safe margin, {}", name(precision)), staged.options.quiet);
+  const SafeMargin margin = safe_margin(plan, interrupts(), progress.report());
+  if (!margin.complete) throw StageInterrupted();
+  return margin_json(margin);
+}
+
+// The mutants of an effort: every so manieth, of both kinds where only verdicts are judged.
+std::vector<const mutants::Mutant*> mutants_judged(std::string_view base, bool by_verdict, std::uint64_t stride,
+                                                   std::size_t& exist) {
+  std::vector<const mutants::Mutant*> all, judged;
+  for (const mutants::Mutant& m : mutants::mutants_of(base)) all.push_back(&m);
+  if (by_verdict) {
+    for (const mutants::Mutant* m : mutants::value_mutants_of(base, mutants::default_magnitudes)) all.push_back(m);
+  }
+  exist = all.size();
+  for (std::size_t i = 0; i < all.size(); i += stride) judged.push_back(all[i]);
+  return judged;
+}
+
+Json no_harness(const std::string& reason) {
+  return {{"reason", reason}, {"judged_by", nullptr}, {"made_of", nullptr},     {"planted", 0},
+          {"exist", 0},       {"queries", 0},         {"score", Json::object()}};
+}
+
+Json harness_score(const Staged& staged, std::string_view base) {
+  const bool by_verdict = staged.kernel.exposes == Exposure::verdict;
+  std::size_t exist = 0;
+  MutationPlan plan;
+  plan.mutants = mutants_judged(base, by_verdict, staged.size.mutant_stride, exist);
+  plan.base = base;
+  plan.families = families_of(*staged.kernel.test);
+  plan.precisions = staged.precisions();
+  plan.trials = staged.size.mutant_trials;
+  plan.seed = staged.options.seed;
+  plan.threads = staged.plan.threads;
+  plan.controls = false;
+  ProgressLine progress("certify: faults planted in a right kernel", staged.options.quiet);
+  Json score;
+  const char* noticed = "refused";
+  if (by_verdict) {
+    const BlackBoxScore found = judge_black_boxes(plan, gate_at("logic"), interrupts(), progress.report());
+    if (!found.complete) throw StageInterrupted();
+    score = black_box_report(plan, found, "logic", "axiscert certify").data["score"];
+  } else {
+    const MutationResult found = run_mutation(plan, interrupts(), progress.report());
+    if (!found.complete) throw StageInterrupted();
+    score = mutation_report(plan, found, {}, "axiscert certify", false).data["score"];
+    noticed = "caught";
+  }
+  Json counts = Json::object();
+  for (const auto& [precision, of] : score.items()) {
+    counts[precision] = {{"mutants", of["mutants"]},
+                         {"noticed", of[noticed]},
+                         {"survived", of["survived"]},
+                         {"equivalent", of["equivalent"]}};
+  }
+  return {
+      {"reason", nullptr}, {"judged_by", by_verdict ? "its verdict alone, at the level logic" : "its comparison bits"},
+      {"made_of", base},   {"planted", plan.mutants.size()},
+      {"exist", exist},    {"queries", plan.trials},
+      {"score", counts}};
+}
+
+}  // namespace
+
+std::vector<Precision> Staged::precisions() const {
+  std::vector<Precision> all;
+  for (const Precision precision : plan.precisions) {
+    if (kernel.has(precision)) all.push_back(precision);
+  }
+  return all;
+}
+
+Stages::Stages(const OutputFolder& folder, const std::string& path, const std::string& plan_digest, bool resume)
+    : folder_(folder) {
+  const std::filesystem::path stored = std::filesystem::path(path) / stages_file;
+  std::error_code ignored;
+  if (resume && std::filesystem::exists(stored, ignored)) {
+    try {
+      done_ = parsed_json(read_bytes(stored.string()));
+    } catch (const Json::exception&) {
+      // cut off: the stages are done again
+    }
+  }
+  if (!done_.is_object() || done_.value("plan", Json()) != plan_digest) done_ = {{"plan", plan_digest}};
+}
+
+Json Stages::get(const std::string& name, const std::function<Json()>& make) {
+  if (!done_.contains(name)) {
+    done_[name] = make();
+    folder_.write(stages_file, done_);
+  }
+  return done_[name];
+}
+
+Json search_stage(const Staged& staged, Stages& stages) {
+  Json all = {{"reason", nullptr}, {"precisions", Json::object()}};
+  if (staged.options.is_of_replies) {
+    all["reason"] = cannot_ask;
+    return all;
+  }
+  if (!has_moves(*staged.kernel.test, staged.kernel.entry)) {
+    all["reason"] = fmt::format("the search does not move queries of the entry {} of {}",
+                                entry_name(*staged.kernel.test, staged.kernel.entry), staged.kernel.test->id);
+    return all;
+  }
+  for (const Precision precision : staged.precisions()) {
+    const std::string in(name(precision));
+    all["precisions"][in] = stages.get("search " + in, [&] { return searched(staged, precision); });
+  }
+  return all;
+}
+
+Json diagnosis_stage(const Staged& staged, Stages& stages) {
+  Json all = {{"reason", nullptr}, {"precisions", Json::array()}};
+  if (staged.options.is_of_replies) {
+    all["reason"] = cannot_ask;
+    return all;
+  }
+  for (const Precision precision : staged.precisions()) {
+    all["precisions"].push_back(
+        stages.get(fmt::format("diagnosis {}", name(precision)), [&] { return diagnosed(staged, precision); }));
+  }
+  return all;
+}
+
+Json margin_stage(const Staged& staged, Stages& stages, const Json& search) {
+  Json all = {{"reason", nullptr}, {"precisions", Json::array()}};
+  if (staged.options.is_of_replies) {
+    all["reason"] = cannot_ask;
+    return all;
+  }
+  if (!is_among(*staged.kernel.test, tests_with_critical_distance()) || staged.kernel.entry != 0) {
+    all["reason"] = fmt::format("the answer of {} does not depend on one radius", staged.kernel.test->id);
+    return all;
+  }
+  for (const Precision precision : staged.precisions()) {
+    all["precisions"].push_back(
+        stages.get(fmt::format("margin {}", name(precision)), [&] { return margin_in(staged, search, precision); }));
+  }
+  return all;
+}
+
+Json harness_stage(const Staged& staged, Stages& stages) {
+  for (const std::string_view base : mutants::bases) {
+    if (&mutants::test_of(mutants::base_index(base)) != staged.kernel.test) continue;
+    return stages.get("harness", [&] { return harness_score(staged, base); });
+  }
+  return no_harness(fmt::format("no kernel of {} has faults to plant", staged.kernel.test->id));
+}
+
+}  // namespace axiscert

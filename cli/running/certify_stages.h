@@ -1,0 +1,49 @@
+// What a certificate rests on besides its run: each stage asks something else of the kernel, and gives its part of the
+// certificate's predicate as JSON without fractions.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "cli/running/certify.h"
+#include "cli/running/run_output.h"
+#include "fuzz/certify/effort.h"
+
+namespace axiscert {
+
+// Thrown where an interrupt ended a stage.
+struct StageInterrupted {};
+
+// The stages that are done, in a file of the certificate's folder, so that --resume does not do them again.
+class Stages {
+ public:
+  // Continues the file where it is there and of the same plan.
+  Stages(const OutputFolder& folder, const std::string& path, const std::string& plan_digest, bool resume);
+  // The part of this name: as it was done, or made now.
+  Json get(const std::string& name, const std::function<Json()>& make);
+
+ private:
+  const OutputFolder& folder_;
+  Json done_;
+};
+
+struct Staged {
+  const CertifyOptions& options;
+  const Kernel& kernel;
+  const Plan& plan;    // of the run
+  const Json& record;  // of the run
+  EffortSize size;
+
+  std::vector<Precision> precisions() const;  // in which the kernel exists
+};
+
+// A precision of the diagnosis: its name and the properties.
+Json diagnosed(const Staged& staged, Precision precision);
+
+Json search_stage(const Staged& staged, Stages& stages);
+Json diagnosis_stage(const Staged& staged, Stages& stages);
+// After the search, whose finds are asked too.
+Json margin_stage(const Staged& staged, Stages& stages, const Json& search);
+Json harness_stage(const Staged& staged, Stages& stages);
+
+}  // namespace axiscert

@@ -1,0 +1,34 @@
+#include "cli/running/stretch_crew.h"
+
+#include <span>
+
+#include "fuzz/campaign/parts/distribute.h"
+#include "kernel/base/sha256.h"
+
+namespace axiscert {
+
+void run_stretches(const Plan& plan, const Stretches& stretches, const std::vector<std::uint64_t>& numbers,
+                   const std::atomic<bool>& interrupted, const ShowProgress& show,
+                   const std::function<void(const Entry&)>& done) {
+  Crew crew(plan.threads, [&](Task task) { return encode(run_stretch(plan, stretches, task)); });
+  Distributor distributor(crew, nullptr);
+  ProgressCount count(show, numbers.size());
+  auto next = numbers.begin();
+  distributor.run({[&]() -> std::optional<Task> {
+                     return next == numbers.end() || interrupted ? std::nullopt : std::optional<Task>(*next++);
+                   },
+                   [&] { return static_cast<std::uint64_t>(numbers.end() - next); },
+                   [&](const TaskResult& result) {
+                     const Entry entry = decode_entry(result.bytes);
+                     done(entry);
+                     count.finished(stretches.at(entry.stretch).queries);
+                   }});
+}
+
+std::vector<std::string> tally_digests(const Entry& entry) {
+  std::vector<std::string> digests;
+  for (const std::string& tally : entry.tallies) digests.push_back(sha256_hex(std::as_bytes(std::span(tally))));
+  return digests;
+}
+
+}  // namespace axiscert

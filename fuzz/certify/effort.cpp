@@ -1,0 +1,58 @@
+#include "fuzz/certify/effort.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "kernel/base/alike.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::uint64_t two_to(int exponent) { return std::uint64_t{1} << exponent; }
+
+// quick and standard are sized so that `published` takes some 2 and 20 minutes on two cores; docs/certify.md has what
+// was measured.
+constexpr EnumArray<Effort, EffortSize> effort_sizes = {EffortSize{two_to(8), two_to(14), 4, 256, two_to(6)},
+                                                        EffortSize{two_to(14), two_to(21), 64, 64, two_to(8)},
+                                                        EffortSize{two_to(18), two_to(25), 1024, 8, two_to(11)},
+                                                        EffortSize{two_to(22), two_to(30), two_to(14), 1, two_to(13)}};
+
+// A query of a test without filters costs a hundred times as much; a kernel in another process some ten microseconds.
+constexpr std::uint64_t divisor_without_filters = 64, divisor_if_slow = 8, least_asked = 16;
+
+// A family whose queries take the oracles many times as long is asked less.
+constexpr int dear_cost = 10;
+
+}  // namespace
+
+Effort parse_effort(std::string_view text) {
+  for (const Effort effort : enumerators<Effort>) {
+    if (effort_names[effort] == text) return effort;
+  }
+  const std::vector<std::string_view> known(effort_names.begin(), effort_names.end());
+  throw Error(unknown_name("effort", "efforts", text, known));
+}
+
+EffortSize size_of(Effort effort, const TestDescription& test, bool is_slow) {
+  EffortSize size = effort_sizes[effort];
+  const std::uint64_t divisor =
+      (&test == &first_test() ? 1 : divisor_without_filters) * (is_slow ? divisor_if_slow : 1);
+  for (std::uint64_t* number : {&size.trials, &size.evaluations}) *number = std::max(least_asked, *number / divisor);
+  size.probes = std::max(least_asked, size.probes / (is_slow ? divisor_if_slow : 1));
+  if (&test != &first_test()) size.mutant_trials = std::max(least_asked, size.mutant_trials / 8);
+  return size;
+}
+
+std::uint64_t trials_of(Effort effort, const Source& source, bool is_slow) {
+  const std::uint64_t trials = size_of(effort, source.test(), is_slow).trials;
+  for (const Family* family : families_of(source.test())) {
+    if (family->name == source.name() && family->cost >= dear_cost)
+      return std::max(least_asked, trials / static_cast<std::uint64_t>(family->cost));
+  }
+  return trials;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,44 @@
+// The efforts: smaller where a query costs more, and as docs/certify.md has them.
+#include "fuzz/certify/effort.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "fuzz/text/file_bytes.h"
+#include "kernel/base/error.h"
+
+namespace axiscert {
+namespace {
+
+TEST(Effort, AsksFewerWhereAQueryCostsMore) {
+  for (const Effort effort : enumerators<Effort>) {
+    EXPECT_EQ(parse_effort(effort_names[effort]), effort);
+    const EffortSize first = size_of(effort, first_test(), false);
+    EXPECT_LT(size_of(effort, first_test(), true).trials, first.trials);
+    EXPECT_LT(size_of(effort, find_test("box-box"), false).trials, first.trials);
+    EXPECT_LT(trials_of(effort, *family_source(find_family("bits")), false),
+              trials_of(effort, *family_source(find_family("general")), false));
+  }
+  EXPECT_LT(size_of(Effort::quick, first_test(), false).trials, size_of(Effort::standard, first_test(), false).trials);
+  EXPECT_THROW(parse_effort("quickly"), Error);
+}
+
+TEST(Effort, HasTheNumbersOfItsDocument) {
+  const std::string page = read_bytes(SOURCE_FOLDER "/docs/certify.md");
+  const auto power = [](std::uint64_t number) {
+    int exponent = 0;
+    while (std::uint64_t{1} << exponent < number) ++exponent;
+    EXPECT_EQ(std::uint64_t{1} << exponent, number);
+    return fmt::format("2^{}", exponent);
+  };
+  for (const Effort effort : enumerators<Effort>) {
+    const EffortSize size = size_of(effort, first_test(), false);
+    const std::string row =
+        fmt::format("| `{}` | {} | {} | {} | one in {}, on {} queries |", effort_names[effort], power(size.trials),
+                    power(size.evaluations), power(size.probes), power(size.mutant_stride), power(size.mutant_trials));
+    EXPECT_NE(page.find(row), page.npos) << row;
+  }
+}
+
+}  // namespace
+}  // namespace axiscert

@@ -1,0 +1,339 @@
+#include "fuzz/certify/safe_margin.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <charconv>
+
+#include "exact/sphere_triangle/measures/critical_radius.h"
+#include "fuzz/certify/truths.h"
+#include "fuzz/instruments/blocks.h"
+#include "fuzz/instruments/critical_distance.h"
+#include "fuzz/instruments/on_threads.h"
+#include "fuzz/queries/address.h"
+#include "fuzz/text/number_text.h"
+#include "kernel/ask.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::size_t margin_batch = 1024;
+constexpr std::uint64_t margin_block = 4 * margin_batch;
+constexpr int decade_of_nothing = -400;  // below that of every number
+
+// The decimal exponent of a positive number, by its shortest decimal: the same on every machine.
+int scene_decade(double size) {
+  if (size == 0) return decade_of_nothing;
+  const std::string text = fmt::format("{:e}", size);
+  const std::size_t e = text.find('e') + 1;
+  int decade = 0;
+  std::from_chars(text.data() + e + (text[e] == '+'), text.data() + text.size(), decade);
+  return decade;
+}
+
+// The columns of a test's first entry, as a scene is measured by them.
+class SceneSize {
+ public:
+  explicit SceneSize(const TestDescription& test) : columns_(test.entries[0].columns), centre_(columns_.size()) {
+    for (const ColumnGroup& group : groups_of(test.entries[0])) {
+      if (group.name != "p") continue;
+      for (const ColumnGroup& other : groups_of(test.entries[0])) {
+        for (std::size_t k = 0; k < other.size && other.size == group.size; ++k)
+          if (columns_[other.first + k].role == Role::coordinate) centre_[other.first + k] = group.first + k;
+      }
+    }
+  }
+  template <class Real>
+  double of(const Numbers<Real>& query) const {
+    double size = 0;
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      double x = static_cast<double>(query[k]);
+      if (centre_[k]) x -= static_cast<double>(query[*centre_[k]]);
+      size = std::max(size, std::abs(x));
+    }
+    return size;
+  }
+
+ private:
+  const std::vector<TestColumn>& columns_;
+  std::vector<std::optional<std::size_t>> centre_;
+};
+
+void keep(std::optional<MissedContact>& kept, const std::optional<MissedContact>& other) {
+  if (other && (!kept || other->value > kept->value)) kept = other;
+}
+
+void merge(MarginDecade& all, const MarginDecade& other) {
+  all.queries += other.queries;
+  all.missed += other.missed;
+  all.hopeless += other.hopeless;
+  all.at_zero += other.at_zero;
+  all.unmeasured += other.unmeasured;
+  all.phantoms_by_factor += other.phantoms_by_factor;
+  all.phantoms_by_amount += other.phantoms_by_amount;
+  all.still_missed_by_factor += other.still_missed_by_factor;
+  all.still_missed_by_amount += other.still_missed_by_amount;
+}
+
+// `later` is of later queries.
+void merge(SafeMargin& all, const SafeMargin& later) {
+  all.probed += later.probed;
+  all.found += later.found;
+  all.queries += later.queries;
+  all.phantoms += later.phantoms;
+  for (const auto& [decade, part] : later.decades) {
+    MarginDecade& of_decade = all.decades[decade];
+    merge(of_decade, part);
+    keep(of_decade.factor, part.factor);
+    keep(of_decade.amount, part.amount);
+  }
+  keep(all.factor, later.factor);
+  keep(all.amount, later.amount);
+  if (!all.hopeless) all.hopeless = later.hopeless;
+  all.complete &= later.complete;
+}
+
+// Finds, for queries that the kernel misses, the growth that each needs.
+template <class Real>
+class MarginFinder {
+ public:
+  MarginFinder(const SafeMarginPlan& plan, SafeMargin& into)
+      : plan_(plan),
+        distance_(critical_distance_of(*plan.kernel->test)),
+        scene_(*plan.kernel->test),
+        range_(radii_within<Real>(plan.kernel->limits)),
+        kernel_(plan.kernel->on<Real>(plan.run->target)),
+        truths_(*plan.kernel, plan.run->target),
+        into_(into) {}
+
+  Truths<Real>& truths() { return truths_; }
+  const Implementation<Real>& kernel() const { return kernel_; }
+  int decade(const Numbers<Real>& query) const { return scene_decade(scene_.of(query)); }
+  std::size_t radius() const { return distance_.radius; }
+  Real greatest() const { return range_.greatest; }
+
+  // A query that is a contact and that the kernel calls separated. `id` names it.
+  void add_missed(const Numbers<Real>& query, const std::string& family, const std::string& id) {
+    MarginDecade& decade = into_.decades[this->decade(query)];
+    ++decade.missed;
+    const Real r = query[radius()];
+    const CriticalRadius<Real> critical =
+        critical_radius(kernel_, QueryWithRadius<Real>{query, radius()}, {r, std::max(r, range_.greatest)});
+    const auto contact = [&](const Decimal6& value) {
+      const TestDescription& test = *plan_.kernel->test;
+      return MissedContact{query_line({id, precision_of<Real>, query, 0, &test, 0}), family, format_number(r),
+                           critical.radius ? format_number(*critical.radius) : "", value};
+    };
+    if (!critical.answered || (critical.radius && *critical.radius <= r)) {
+      ++decade.unmeasured;
+      return;
+    }
+    if (!critical.radius) {
+      ++decade.hopeless;
+      if (!into_.hopeless) into_.hopeless = contact({});
+      return;
+    }
+    const Rational from = exact(r), to = exact(*critical.radius);
+    const Decimal6 amount = round_up(Rational(to - from));
+    for (std::optional<MissedContact>* kept : {&decade.amount, &into_.amount})
+      if (!*kept || amount > (*kept)->value) *kept = contact(amount);
+    if (sgn(from) == 0) {
+      ++decade.at_zero;
+      return;
+    }
+    const Decimal6 factor = round_up(Rational(to / from));
+    for (std::optional<MissedContact>* kept : {&decade.factor, &into_.factor})
+      if (!*kept || factor > (*kept)->value) *kept = contact(factor);
+  }
+
+  // Asks at the least radius that is a contact.
+  void probe(Numbers<Real> query, const std::string& family, const std::string& id) {
+    const auto is_finite = [](Real x) { return std::isfinite(x); };
+    if (!(query[radius()] >= 0) || !std::all_of(query.begin(), query.end(), is_finite)) return;
+    Numbers<double> wide(query.size());
+    std::copy(query.begin(), query.end(), wide.begin());
+    const auto least = exact_critical_radius<Real>(distance_.squared(wide));
+    if (!least || *least < range_.least || *least > range_.greatest) return;
+    query[radius()] = *least;
+    add_if_missed(query, family, id, into_.probed);
+  }
+  void add_if_missed(const Numbers<Real>& query, const std::string& family, const std::string& id,
+                     std::uint64_t& asked) {
+    const std::optional<Verdict> right = truths_.of(query);
+    if (!right) return;
+    ++asked;
+    if (*right != Verdict::contact) return;
+    if (ask(kernel_, query).verdicts[0] == Verdict::separated) add_missed(query, family, id);
+  }
+
+ private:
+  const SafeMarginPlan& plan_;
+  const CriticalDistance distance_;
+  const SceneSize scene_;
+  const RadiusRange<Real> range_;
+  const Implementation<Real> kernel_;
+  Truths<Real> truths_;
+  SafeMargin& into_;
+};
+
+std::vector<QueryBlock> margin_blocks(const SafeMarginPlan& plan) {
+  std::vector<QueryBlock> blocks;
+  for (std::size_t source = 0; source < plan.run->sources.size(); ++source) {
+    const std::uint64_t queries = plan.queries(*plan.run->sources[source]);
+    for (std::uint64_t first = 0; first < queries; first += margin_block)
+      blocks.push_back({source, first, std::min(margin_block, queries - first)});
+  }
+  return blocks;
+}
+
+// Calls visit(batch, first position, verdicts) for the queries of a block, batch by batch.
+template <class Real, class Visit>
+void ask_block(const SafeMarginPlan& plan, const QueryBlock& block, const Implementation<Real>& kernel, Visit&& visit) {
+  const Source& source = *plan.run->sources[block.source];
+  QueryBatch<Real> batch(margin_batch, source.columns().size());
+  Reply<Real> reply;
+  for (std::uint64_t done = 0; done < block.size; done += margin_batch) {
+    const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(margin_batch, block.size - done));
+    source.fill(plan.run->seed, block.first + done, size, batch);
+    ask(kernel, batch.columns(), reply);
+    visit(batch, block.first + done, reply.verdicts);
+  }
+}
+
+std::string margin_address(const SafeMarginPlan& plan, const Source& source, std::uint64_t position) {
+  return text(address_of(source, plan.run->seed, plan.precision, position));
+}
+
+template <class Real>
+SafeMargin find_in(const SafeMarginPlan& plan, const QueryBlock& block) {
+  SafeMargin found{plan.precision};
+  MarginFinder<Real> finder(plan, found);
+  const Source& source = *plan.run->sources[block.source];
+  ask_block<Real>(plan, block, finder.kernel(),
+                  [&](const QueryBatch<Real>& batch, std::uint64_t first, const std::vector<Verdict>& verdicts) {
+                    const std::vector<std::optional<Verdict>>& right = finder.truths().of(batch);
+                    for (std::size_t i = 0; i < batch.size(); ++i) {
+                      if (right[i]) {
+                        ++found.queries;
+                        ++found.decades[finder.decade(batch[i])].queries;
+                        if (*right[i] == Verdict::separated) found.phantoms += verdicts[i] == Verdict::contact;
+                        else if (verdicts[i] == Verdict::separated)
+                          finder.add_missed(batch[i], source.name(), margin_address(plan, source, first + i));
+                      }
+                      if (first + i < plan.probes)
+                        finder.probe(batch[i], source.name(),
+                                     margin_address(plan, source, first + i) + " at the least radius");
+                    }
+                  });
+  return found;
+}
+
+// The queries of a block that the kernel calls separated, with r grown in two ways.
+template <class Real>
+SafeMargin grow_in(const SafeMarginPlan& plan, const QueryBlock& block, const SafeMargin& margin) {
+  SafeMargin found{plan.precision};
+  MarginFinder<Real> finder(plan, found);
+  ask_block<Real>(plan, block, finder.kernel(),
+                  [&](const QueryBatch<Real>& batch, std::uint64_t, const std::vector<Verdict>& verdicts) {
+                    std::vector<std::size_t> separated;
+                    QueryBatch<Real> by_factor(batch.size(), batch.column_count()),
+                        by_amount(batch.size(), batch.column_count());
+                    std::vector<int> decades;
+                    for (std::size_t i = 0; i < batch.size(); ++i) {
+                      Numbers<Real> query = batch[i];
+                      const Real r = query[finder.radius()];
+                      if (verdicts[i] != Verdict::separated || !(std::isfinite(r) && r >= 0)) continue;
+                      const int decade = finder.decade(query);
+                      const auto at = margin.decades.find(decade);
+                      if (at == margin.decades.end()) continue;  // of no valid query
+                      const Rational factor = at->second.factor ? exact(at->second.factor->value) : Rational(1);
+                      separated.push_back(i);
+                      decades.push_back(decade);
+                      query[finder.radius()] = std::min(finder.greatest(), rounded_up_to<Real>(exact(r) * factor));
+                      by_factor.push_back(query);
+                      const Rational amount = at->second.amount ? exact(at->second.amount->value) : Rational(0);
+                      query[finder.radius()] = std::min(finder.greatest(), rounded_up_to<Real>(exact(r) + amount));
+                      by_amount.push_back(query);
+                    }
+                    if (separated.empty()) return;
+                    const std::vector<std::optional<Verdict>>& right = finder.truths().of(batch);
+                    const auto count = [&](const QueryBatch<Real>& grown, std::uint64_t MarginDecade::*phantoms,
+                                           std::uint64_t MarginDecade::*missed) {
+                      Reply<Real> reply;
+                      ask(finder.kernel(), grown.columns(), reply);
+                      for (std::size_t k = 0; k < separated.size(); ++k) {
+                        const auto& verdict = right[separated[k]];
+                        if (!verdict) continue;
+                        const bool is_contact = reply.verdicts[k] == Verdict::contact;
+                        if (*verdict == Verdict::separated) found.decades[decades[k]].*phantoms += is_contact;
+                        else found.decades[decades[k]].*missed += reply.verdicts[k] == Verdict::separated;
+                      }
+                    };
+                    count(by_factor, &MarginDecade::phantoms_by_factor, &MarginDecade::still_missed_by_factor);
+                    count(by_amount, &MarginDecade::phantoms_by_amount, &MarginDecade::still_missed_by_amount);
+                  });
+  return found;
+}
+
+// Does `work` for each block on all threads, and merges what it finds in their order.
+template <class Work>
+void each_block(const SafeMarginPlan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report,
+                std::string_view stage, SafeMargin& into, Work&& work) {
+  const std::vector<QueryBlock> blocks = margin_blocks(plan);
+  std::vector<SafeMargin> results(blocks.size(), SafeMargin{plan.precision});
+  ProgressCount progress(report, blocks.size(), stage);
+  on_threads(plan.run->threads, [&] {
+    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
+      if (interrupted) results[i].complete = false;
+      else results[i] = work(blocks[i]);
+      progress.finished(blocks[i].size);
+    });
+  });
+  for (const SafeMargin& result : results) merge(into, result);
+}
+
+template <class Real>
+SafeMargin margin_of(const SafeMarginPlan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report) {
+  SafeMargin margin{plan.precision};
+  {
+    MarginFinder<Real> finder(plan, margin);
+    for (const StoredQuery& stored : plan.found) {
+      if (const auto* query = std::get_if<Numbers<Real>>(&stored.numbers))
+        finder.add_if_missed(*query, "search", stored.id, margin.found);
+    }
+  }
+  each_block(plan, interrupted, report, "the radius that each missed contact needs", margin,
+             [&](const QueryBlock& block) { return find_in<Real>(plan, block); });
+  if (!margin.factor && !margin.amount) return margin;
+  const SafeMargin found = margin;
+  each_block(plan, interrupted, report, "the queries again with r grown", margin,
+             [&](const QueryBlock& block) { return grow_in<Real>(plan, block, found); });
+  return margin;
+}
+
+}  // namespace
+
+template <class Real>
+Real rounded_up_to(const Rational& value) {
+  constexpr Real greatest = std::numeric_limits<Real>::max();
+  const Real at = nearest<Real>(value);
+  if (!(at < greatest)) return greatest;
+  return exact(at) >= value ? at : std::nextafter(at, greatest);
+}
+template float rounded_up_to<float>(const Rational& value);
+template double rounded_up_to<double>(const Rational& value);
+
+MarginDecade SafeMargin::total() const {
+  MarginDecade all;
+  for (const auto& [decade, part] : decades) merge(all, part);
+  return all;
+}
+
+SafeMargin safe_margin(const SafeMarginPlan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report) {
+  return plan.precision == Precision::binary32 ? margin_of<float>(plan, interrupted, report)
+                                               : margin_of<double>(plan, interrupted, report);
+}
+
+}  // namespace axiscert

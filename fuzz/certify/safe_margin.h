@@ -1,0 +1,70 @@
+// The safe margin of a kernel: by how much r has to grow so that it misses none of the contacts that it was seen to
+// miss, and how many phantom contacts that makes.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact/numbers/decimal6.h"
+#include "fuzz/campaign/campaign.h"
+#include "fuzz/files/query_file.h"
+
+namespace axiscert {
+
+struct SafeMarginPlan {
+  const Plan* run;       // its sources, seed, target and threads; its test has a critical distance
+  const Kernel* kernel;  // of the run's test, in the first entry
+  Precision precision = Precision::binary32;
+  // How many of the source's queries were run: those from the first on.
+  std::function<std::uint64_t(const Source&)> queries;
+  // Of so many queries of each source, besides, the kernel is asked at the least radius that is a contact.
+  std::uint64_t probes = 0;
+  std::vector<StoredQuery> found;  // of a search, in this precision
+};
+
+// A contact that the kernel misses, and the growth that mends it. Its radius is that of the query file's line.
+struct MissedContact {
+  std::string query;             // a line of a query file, with the address as its id
+  std::string family;            // "search" where a search found it
+  std::string radius, critical;  // hexadecimal: r, and the least radius from r on for which the kernel says contact
+  Decimal6 value;                // the factor critical / r, or the amount critical - r, rounded up
+};
+
+// The contacts of one decade of scenes, whose size is the greatest of r and the coordinates of all points as seen from
+// the sphere's centre: 10^decade <= size < 10^(decade + 1). A size of 0 has the least decade.
+struct MarginDecade {
+  std::uint64_t queries = 0;     // valid, and within what the kernel promises
+  std::uint64_t missed = 0;      // contacts called separated: of the run, probed and found
+  std::uint64_t hopeless = 0;    // of these, missed at every radius up to the greatest
+  std::uint64_t at_zero = 0;     // of the rest, those with r = 0, which no factor mends
+  std::uint64_t unmeasured = 0;  // the kernel did not answer at some radius, or its radius is the query's own
+  std::optional<MissedContact> factor = {}, amount = {};  // the greatest
+  // The run's queries asked again, each grown by the factor, and by the amount, of its decade.
+  std::uint64_t phantoms_by_factor = 0, phantoms_by_amount = 0;          // new ones
+  std::uint64_t still_missed_by_factor = 0, still_missed_by_amount = 0;  // all the same: the hopeless among them
+};
+
+struct SafeMargin {
+  Precision precision = Precision::binary32;
+  std::uint64_t queries = 0, probed = 0, found = 0;  // asked: of the run, at the least radius, of a search
+  std::map<int, MarginDecade> decades = {};
+  std::optional<MissedContact> factor = {}, amount = {}, hopeless = {};  // over all decades; of the hopeless the first
+  std::uint64_t phantoms = 0;                                            // of the run's queries, before any growth
+  bool complete = true;                                                  // false: interrupted
+
+  MarginDecade total() const;  // counts added, without the greatest
+};
+
+// The least number of the precision that is not below `value`; the greatest finite one where none is.
+template <class Real>
+Real rounded_up_to(const Rational& value);
+
+// Depends on the plan alone, not on its threads. `interrupted` is polled between blocks. Throws OracleDisagreement, and
+// HarnessFault for a test without a critical distance.
+SafeMargin safe_margin(const SafeMarginPlan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report);
+
+}  // namespace axiscert

@@ -1,0 +1,136 @@
+// The safe margin of kernels whose margin is known.
+#include "fuzz/certify/safe_margin.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "fuzz/campaign/parts/stretch_testing.h"
+#include "kernel/ask.h"
+
+namespace axiscert {
+namespace {
+
+constexpr std::uint64_t margin_queries_asked = 3000;
+
+// `certified`, asked with another radius.
+template <class Change>
+Kernel certified_with(const std::string& id, Change change) {
+  Kernel kernel = find_kernel("certified");
+  kernel.id = id;
+  const auto with = [change]<class Real>(Real) {
+    return [change](std::string_view target) {
+      const Implementation<Real> right = find_kernel("certified").on<Real>(target);
+      return Implementation<Real>{[right, change](const QueryColumns<Real>& batch, Verdict* out) {
+        std::vector<Real> radii(batch.size);
+        for (std::size_t i = 0; i < batch.size; ++i) radii[i] = change(batch.column[12][i]);
+        QueryColumns<Real> changed = batch;
+        changed.column[12] = radii.data();
+        right.verdicts(changed, out);
+      }};
+    };
+  };
+  kernel.binary32 = with(float());
+  kernel.binary64 = with(double());
+  return kernel;
+}
+
+SafeMargin margin_for(const Kernel& kernel, Precision precision, std::uint64_t probes, int threads = 2,
+                      std::vector<StoredQuery> found = {}) {
+  Plan run = small_plan({"published"}, {"general", "tangent", "lattice", "repeated"}, margin_queries_asked);
+  run.kernels = {&kernel};
+  run.threads = threads;
+  const SafeMarginPlan plan{&run,   &kernel,         precision, [](const Source&) { return margin_queries_asked; },
+                            probes, std::move(found)};
+  const std::atomic<bool> interrupted = false;
+  return safe_margin(plan, interrupted, {});
+}
+
+TEST(SafeMargin, AKernelThatIsRightNeedsNone) {
+  for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+    const SafeMargin margin = margin_for(find_kernel("certified"), precision, 200);
+    EXPECT_EQ(margin.total().missed, 0u);
+    EXPECT_FALSE(margin.factor || margin.amount || margin.hopeless);
+    EXPECT_EQ(margin.phantoms, 0u);
+    EXPECT_GT(margin.queries, 3 * margin_queries_asked);
+    EXPECT_EQ(margin.probed, 4 * 200u);
+  }
+}
+
+TEST(SafeMargin, AKernelThatHalvesTheRadiusNeedsTheFactorTwoAndNothingElseChanges) {
+  const Kernel halves = certified_with("halves", [](auto r) { return r / 2; });
+  for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+    const SafeMargin margin = margin_for(halves, precision, 100);
+    ASSERT_TRUE(margin.factor);
+    EXPECT_EQ(margin.factor->value.text(), "2");  // exactly: at the least radius, which the probes ask
+    const MarginDecade all = margin.total();
+    EXPECT_GT(all.missed, 100u);
+    EXPECT_EQ(all.hopeless, 0u);
+    EXPECT_EQ(all.still_missed_by_factor, 0u);
+    EXPECT_EQ(all.phantoms_by_factor, 0u);  // the sphere of twice the radius, halved, is the same
+    EXPECT_EQ(all.still_missed_by_amount, 0u);
+    EXPECT_GT(all.phantoms_by_amount, 0u);  // what the greatest of a decade needs is too much for a small sphere
+  }
+}
+
+TEST(SafeMargin, TheWitnessIsMissedAtItsRadiusAndCaughtWhereItSays) {
+  const Kernel halves = certified_with("halves", [](auto r) { return r / 2; });
+  const SafeMargin margin = margin_for(halves, Precision::binary32, 10);
+  ASSERT_TRUE(margin.amount);
+  const StoredQuery stored = parse_queries(margin.amount->query + "\n", "w", Precision::binary32).front();
+  Numbers<float> query = std::get<Numbers<float>>(stored.numbers);
+  const Implementation<float> kernel = halves.on<float>("scalar");
+  EXPECT_EQ(ask(kernel, query).verdicts[0], Verdict::separated);
+  query[12] = std::strtof(margin.amount->critical.c_str(), nullptr);
+  EXPECT_EQ(ask(kernel, query).verdicts[0], Verdict::contact);
+  query[12] = std::nextafter(query[12], 0.0f);
+  EXPECT_EQ(ask(kernel, query).verdicts[0], Verdict::separated);
+}
+
+TEST(SafeMargin, NoRadiusMendsAKernelThatNeverSaysContact) {
+  const Kernel never = certified_with("never", [](auto r) { return r * 0; });
+  const SafeMargin margin = margin_for(never, Precision::binary32, 0);
+  const MarginDecade all = margin.total();
+  EXPECT_GT(all.hopeless, 1000u);
+  EXPECT_EQ(all.hopeless, all.missed);
+  ASSERT_TRUE(margin.hopeless);
+  EXPECT_EQ(margin.hopeless->critical, "");
+  EXPECT_FALSE(margin.factor);
+}
+
+TEST(SafeMargin, AFindOfASearchCounts) {
+  // The sphere of radius 1 touches; a hundredth less is what only this query needs.
+  const Kernel shy = certified_with("shy", [](auto r) { return r == 1 ? decltype(r)(0.99) : r; });
+  const std::string line = R"({"precision":"binary32","a":[-5,-5,1],"b":[5,-5,1],"c":[0,5,1],"p":[0,0,0],"r":1})";
+  EXPECT_EQ(
+      margin_for(find_kernel("certified"), Precision::binary32, 0, 2, parse_queries(line, "f", Precision::binary32))
+          .total()
+          .missed,
+      0u);
+  const SafeMargin margin = margin_for(shy, Precision::binary32, 0, 2, parse_queries(line, "f", Precision::binary32));
+  EXPECT_EQ(margin.found, 1u);
+  ASSERT_TRUE(margin.factor);
+  EXPECT_EQ(margin.decades.at(0).amount->family.empty(), false);
+  EXPECT_EQ(margin.factor->value.text(), "1.00001");  // the next number after 1
+}
+
+TEST(SafeMargin, IsTheSameOnAnyNumberOfThreads) {
+  const Kernel halves = certified_with("halves", [](auto r) { return r / 2; });
+  const SafeMargin one = margin_for(halves, Precision::binary32, 50, 1),
+                   two = margin_for(halves, Precision::binary32, 50, 2);
+  ASSERT_EQ(one.decades.size(), two.decades.size());
+  EXPECT_EQ(one.factor->query, two.factor->query);
+  EXPECT_EQ(one.amount->query, two.amount->query);
+  EXPECT_EQ(one.total().phantoms_by_amount, two.total().phantoms_by_amount);
+}
+
+TEST(SafeMargin, ARadiusIsRoundedUp) {
+  EXPECT_GE(exact(rounded_up_to<float>(Rational(1, 3))), Rational(1, 3));
+  EXPECT_LT(exact(std::nextafter(rounded_up_to<float>(Rational(1, 3)), 0.0f)), Rational(1, 3));
+  EXPECT_EQ(rounded_up_to<float>(Rational(1)), 1.0f);
+  EXPECT_EQ(rounded_up_to<float>(exact(1e300)), std::numeric_limits<float>::max());
+}
+
+}  // namespace
+}  // namespace axiscert

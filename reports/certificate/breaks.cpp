@@ -1,0 +1,175 @@
+#include "reports/certificate/breaks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "exact/sphere_triangle/measures/input_class.h"
+#include "reports/certificate/statement.h"
+#include "reports/wording/classes.h"
+#include "reports/wording/finding.h"
+#include "reports/wording/reproduce.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+struct Advice {
+  std::string_view cause, advice, section;
+};
+// By the cause's name: a class of input, or a link.
+constexpr Advice advices[] = {
+    {"tie", "Let r grow by the safe margin, or use a test that is right at the tie, as libaxiscert is.",
+     "docs/certified.md#what-is-promised"},
+    {"near_tie", "Rounding: let r grow by the safe margin, or use libaxiscert.", "docs/certified.md#what-is-promised"},
+    {"scale", "Bring the scene to a unit of length in which its numbers lie within the window of degree 6.",
+     "docs/error_model.md#units-of-length"},
+    {"repeated", "Drop triangles with two equal vertices when the mesh is read, or take a test that is right on them.",
+     "docs/precision.md#the-reduced-rung"},
+    {"collinear", "Drop triangles without area when the mesh is read, or take a test that is right on them.",
+     "docs/precision.md#the-reduced-rung"},
+    {"sliver", "Mend slivers when the mesh is read, or take a test with more precision for them.",
+     "docs/precision.md#the-ladder"},
+    {"far", "Subtract an origin near the scene before the numbers are rounded to the test's precision.",
+     "docs/precision.md#flips-caused-by-the-query-and-by-the-formula"},
+    {"ordinary",
+     "Look for a fault of logic, or an absolute number: `axiscert check` the witness, and `axiscert map` it.",
+     "docs/error_model.md#the-class-of-the-input"},
+    {"specification",
+     "The formulae are wrong over the reals: take others, as those of `nonstrict` or `reduced-nonstrict`.",
+     "docs/precision.md#the-reduced-rung"},
+    {"rounding", "Let r grow by the safe margin, or take a form that rounds less, or libaxiscert.",
+     "docs/precision.md#the-reduced-rung"},
+    {"range", "Bring the scene to a unit of length in which nothing over- or underflows.",
+     "docs/error_model.md#units-of-length"},
+    {"implementation", "The code does not compute its own formulae: compare it, `axiscert check`, with the reference.",
+     "docs/error_model.md#the-chain"},
+    {"unattributed", "Compare the verdict with the exact one: `axiscert check` the witness.",
+     "docs/error_model.md#the-chain"},
+    {"finding", "The kernel does not answer as a kernel has to: mend that before anything else.",
+     "docs/error_model.md#findings"},
+};
+
+// A cause of wrong verdicts of one kind.
+struct Cause {
+  std::string name, meaning;
+  std::uint64_t count;
+  double deepest;
+};
+
+Json break_json(const std::string& precision, const std::string& what, const Cause& cause) {
+  const auto advice =
+      std::find_if(std::begin(advices), std::end(advices), [&](const Advice& a) { return a.cause == cause.name; });
+  return {{"precision", precision.empty() ? Json(nullptr) : Json(precision)},
+          {"what", what},
+          {"cause", cause.name},
+          {"meaning", cause.meaning},
+          {"count", cause.count},
+          {"deepest", amount(cause.deepest, 3)},
+          {"advice", advice->advice},
+          {"section", advice->section}};
+}
+
+// The deepest cause of a kind of wrong verdict in a kernel's entry: `missed` or phantom contacts.
+std::optional<Cause> deepest_cause(const Json& record, const Json& entry, bool missed) {
+  std::optional<Cause> deepest;
+  const auto offer = [&](Cause cause) {
+    if (cause.count != 0 && (!deepest || cause.deepest > deepest->deepest)) deepest = std::move(cause);
+  };
+  const std::string kind = missed ? "false_separation" : "false_contact";
+  // By the class of its input, where the links do not say why.
+  for (const auto& [family, result] : entry["families"].items()) {
+    const Json classes = result.value("classes", Json::object());
+    for (const InputClass which : enumerators<InputClass>) {
+      const auto found = classes.find(std::string(input_class_names[which]));
+      if (found == classes.end()) continue;
+      offer({std::string(input_class_names[which]), std::string(class_meanings[which]),
+             (*found)[kind].get<std::uint64_t>(), (*found)["deepest"].get<double>()});
+    }
+  }
+  if (deepest) return deepest;
+  // Else by the links of its witnesses.
+  const Json total = all_families(entry);
+  if (!total.contains("verdict") || total["verdict"][kind] == 0) return std::nullopt;
+  for (const Json& witness : record["witnesses"]) {
+    if (witness["kernel"] != entry["id"] || witness["precision"] != entry["precision"] || witness["depth"].is_null())
+      continue;
+    for (const Json& flip : witness["flips"]) {
+      if (flip["level"] != "verdict" || flip["kind"] != kind) continue;
+      for (const Link link : enumerators<Link>) {
+        const std::string name(link_names[link]);
+        if (std::find(flip["links"].begin(), flip["links"].end(), name) == flip["links"].end()) continue;
+        offer({name, std::string(link_meanings[link]), total["verdict"][kind].get<std::uint64_t>(),
+               witness["depth"].get<double>()});
+      }
+    }
+  }
+  if (deepest) return deepest;
+  const Link unknown = Link::unattributed;
+  return Cause{std::string(link_names[unknown]), std::string(link_meanings[unknown]),
+               total["verdict"][kind].get<std::uint64_t>(), total["verdict"]["deepest_" + kind].get<double>()};
+}
+
+}  // namespace
+
+Json what_breaks_first(const Json& record, const std::string& kernel) {
+  for (const Json& finding : record["findings"]) {
+    if (finding["kernel"] == kernel)
+      return break_json("", "finding", {"finding", finding_text(finding), finding["count"].get<std::uint64_t>(), 0});
+  }
+  for (const bool missed : {true, false}) {
+    std::optional<Cause> deepest;
+    std::string precision;
+    for (const Json& entry : record["kernels"]) {
+      if (entry["id"] != kernel) continue;
+      const std::optional<Cause> cause = deepest_cause(record, entry, missed);
+      if (!cause || (deepest && cause->deepest <= deepest->deepest)) continue;
+      deepest = cause;
+      precision = entry["precision"];
+    }
+    if (deepest) return break_json(precision, missed ? "missed contact" : "phantom contact", *deepest);
+  }
+  return nullptr;
+}
+
+Json worst_of_certificate(const Json& record, const std::string& kernel) {
+  constexpr std::size_t most = 3;
+  Json own = record;
+  own["witnesses"] = Json::array();
+  for (const Json& witness : record["witnesses"]) {
+    if (witness["kernel"] == kernel) own["witnesses"].push_back(witness);
+  }
+  Json worst = Json::array();
+  std::set<std::string> families;
+  for (const bool another_family : {true, false}) {
+    for (const Json* witness : worst_witnesses(own, own["witnesses"].size())) {
+      const std::string family = (*witness)["family"], address = (*witness)["address"];
+      if (worst.size() == most) return worst;
+      const bool is_there =
+          std::any_of(worst.begin(), worst.end(), [&](const Json& w) { return w["address"] == address; });
+      if (is_there || (another_family && !families.insert(family).second)) continue;
+      Json query = Json::object();
+      for (const char* group : {"test", "a", "b", "c", "p", "r", "d", "box", "triangle"}) {
+        if (witness->contains(group)) query[group] = (*witness)[group];
+      }
+      const std::string truth =
+          (*witness)["touching"].get<bool>() ? "touching" : (*witness)["truth"].get<std::string>();
+      const std::string depth =
+          (*witness)["depth"].is_null() ? "" : fmt::format(", {} of the scene deep", amount((*witness)["depth"], 3));
+      worst.push_back(
+          {{"title", fmt::format("{} {}, family {}", kernel, (*witness)["precision"].get<std::string>(), family)},
+           {"sentence", fmt::format("The truth is {}, the kernel says {}{}. Address {}.", truth,
+                                    (*witness)["computed"].get<std::string>(), depth, address)},
+           {"address", address},
+           {"command", replay_command(*witness, record["plan"])},
+           {"query", without_fractions(query)}});
+    }
+  }
+  return worst;
+}
+
+}  // namespace axiscert

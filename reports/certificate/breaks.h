@@ -1,0 +1,18 @@
+// What breaks first in a kernel, and what to do about it; and the witnesses to paste.
+#pragma once
+
+#include <string>
+
+#include "fuzz/text/json.h"
+
+namespace axiscert {
+
+// The worst of a record about a kernel: a finding, else the cause of its missed contacts that goes deepest, else that
+// of its phantom contacts. An object with precision, what, cause, count, deepest, advice and section, the part of the
+// documents that says more; null where nothing is wrong.
+Json what_breaks_first(const Json& record, const std::string& kernel);
+
+// At most three wrong verdicts, the deepest of different families first: title, sentence, command and query.
+Json worst_of_certificate(const Json& record, const std::string& kernel);
+
+}  // namespace axiscert

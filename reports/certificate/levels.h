@@ -1,0 +1,26 @@
+// The levels of a certificate: what the gates say of a record, what a search found against it, what is proved.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fuzz/text/json.h"
+#include "kernel/kernel.h"
+
+namespace axiscert {
+
+// The levels that a certificate asks: every level of --require, with an argument where it takes one.
+std::vector<std::string> levels_asked(const std::vector<std::string>& yardsticks);
+
+// An entry for each level and precision, in the order of levels_asked():
+//   level, precision, state: "met", "not met", "not asked"; statement: what it says, in words; rests_on: a list of
+//   {"kind": "proved", "observed" or "searched", "text"}; failures: of one that is not met, at most five of
+//   failure_count; reason: of one that was not asked
+// `searches` has, by precision, what certify's search found (search_json), or null where none was made.
+Json levels_json(const Json& record, const Kernel& kernel, const std::vector<std::string>& yardsticks,
+                 const Json& searches);
+
+// What is proved of a built-in kernel at a level, in one sentence; empty where nothing is.
+std::string proved_at(const std::string& kernel, const std::string& level);
+
+}  // namespace axiscert

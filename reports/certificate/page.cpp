@@ -1,0 +1,339 @@
+#include "reports/certificate/page.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+std::string cell_text(const Json& value) {
+  return value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : value.dump();
+}
+std::string cell_count(const Json& count) { return thousands(count.get<std::uint64_t>()); }
+
+class CertificatePage {
+ public:
+  explicit CertificatePage(const Json& statement) : statement_(statement), predicate_(statement["predicate"]) {}
+
+  InstrumentReport report(const std::string& command) const {
+    InstrumentReport report;
+    report.name = "certificate";
+    report.title = fmt::format("Certificate of {}, {}", kernel("id"), kernel("test"));
+    report.command = command;
+    report.notes_heading = "In short";
+    report.notes = {levels_note()};
+    for (const Json& margin : predicate_["safe_margin"]["precisions"]) report.notes.push_back(margin_note(margin));
+    if (predicate_["safe_margin"]["precisions"].empty())
+      report.notes.push_back(
+          fmt::format("Safe margin: not asked: {}.", predicate_["safe_margin"]["reason"].get<std::string>()));
+    report.notes.push_back(breaks_note());
+    report.tables = {levels_table()};
+    if (InstrumentTable table = not_asked_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
+    if (InstrumentTable table = margin_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
+    if (InstrumentTable table = witnesses_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
+    report.tables.push_back(limits_table());
+    report.tables.push_back(comparison_table());
+    for (InstrumentTable table : {diagnosis_table(), search_table(), harness_table()})
+      if (!table.rows.empty()) report.tables.push_back(std::move(table));
+    report.tables.push_back(materials_table());
+    report.data = statement_;
+    return report;
+  }
+
+ private:
+  std::string kernel(const char* member) const { return predicate_["kernel"][member].get<std::string>(); }
+
+  std::vector<std::string> levels_with(const char* state) const {
+    std::vector<std::string> names;
+    for (const Json& level : predicate_["levels"]) {
+      const std::string name = level["level"];
+      if (state_of_level(statement_, name) == state && std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name);
+    }
+    return names;
+  }
+
+  std::string levels_note() const {
+    const std::vector<std::string> met = levels_with("met"), not_met = levels_with("not met");
+    const Json& asked = predicate_["asked"];
+    return fmt::format("Met: {}. Not met: {}. Asked with effort {}, seed {}: {} queries of {} families and files{}.",
+                       met.empty() ? "nothing" : fmt::format("{}", fmt::join(met, ", ")),
+                       not_met.empty() ? "nothing" : fmt::format("{}", fmt::join(not_met, ", ")),
+                       cell_text(asked["effort"]), asked["seed"].dump(), cell_count(asked["queries"]),
+                       asked["families"].size(),
+                       asked["complete"].get<bool>()
+                           ? ""
+                           : fmt::format("; {} of {} stretches of the plan were done",
+                                         cell_count(asked["stretches_done"]), cell_count(asked["stretches"])));
+  }
+
+  static std::string margin_note(const Json& margin) {
+    const Json& all = margin["all"];
+    const std::string where = fmt::format("Safe margin in {}: ", margin["precision"].get<std::string>());
+    if (all["missed"] == 0) {
+      return fmt::format(
+          "{}none is needed: no contact was missed on {} queries, {} probes at the least radius and {} finds of a "
+          "search.",
+          where, cell_count(margin["queries"]), cell_count(margin["probed"]), cell_count(margin["found"]));
+    }
+    std::string text = where + everyday_margin(margin);
+    if (margin["factor"].is_null() && margin["amount"].is_null()) text += "no growth of r mends a missed contact";
+    else {
+      text += fmt::format("over all scales r times {}, or r plus {}, mends every missed contact that a radius mends",
+                          margin["factor"].is_null() ? "(no factor)" : cell_text(margin["factor"]["value"]),
+                          cell_text(margin["amount"]["value"]));
+      text += fmt::format(
+          "; each scale's own factor makes {} new phantom contacts of {} queries, where there were {}, its own amount "
+          "{}",
+          cell_count(all["phantoms_by_factor"]), cell_count(margin["queries"]), cell_count(margin["phantoms"]),
+          cell_count(all["phantoms_by_amount"]));
+    }
+    text += fmt::format(". {} contacts were missed", cell_count(all["missed"]));
+    if (all["hopeless"] != 0) text += fmt::format(", {} of them at every radius", cell_count(all["hopeless"]));
+    if (all["at_zero"] != 0) text += fmt::format(", {} with r = 0, which no factor mends", cell_count(all["at_zero"]));
+    return text + ".";
+  }
+
+  // The greatest of the scales that scenes have in metres, from a millimetre to ten kilometres.
+  static std::string everyday_margin(const Json& margin) {
+    double factor = 1, amount_needed = 0;
+    std::string factor_text = "1", amount_text = "0";
+    const auto raise = [](const Json& figure, double& most, std::string& text) {
+      if (figure.is_null()) return;
+      const double value = std::strtod(figure.get_ref<const std::string&>().c_str(), nullptr);
+      if (value <= most) return;
+      most = value;
+      text = figure;
+    };
+    for (const Json& part : margin["decades"]) {
+      const int decade = part["decade"];
+      if (decade < -3 || decade > 3) continue;
+      raise(part["factor"], factor, factor_text);
+      raise(part["amount"], amount_needed, amount_text);
+    }
+    return fmt::format("in scenes of 0.001 to 10,000 r times {}, or r plus {}; ", factor_text, amount_text);
+  }
+
+  std::string breaks_note() const {
+    const Json& first = predicate_["breaks_first"];
+    if (first.is_null()) return "Nothing broke.";
+    std::string meaning = cell_text(first["meaning"]);
+    if (meaning.ends_with('.')) meaning.pop_back();
+    return fmt::format("What breaks first: {}, {}{}: {}. {} See {}.", cell_text(first["what"]),
+                       first["precision"].is_null() ? "" : cell_text(first["precision"]) + ", ",
+                       cell_text(first["cause"]), meaning, cell_text(first["advice"]), cell_text(first["section"]));
+  }
+
+  // One row a level, a column a precision.
+  InstrumentTable levels_table() const {
+    InstrumentTable table{"Levels", {"level"}, {}};
+    std::vector<std::string> precisions;
+    for (const Json& precision : predicate_["kernel"]["precisions"]) precisions.push_back(precision);
+    for (const std::string& precision : precisions) table.columns.push_back(precision);
+    table.columns.insert(table.columns.end(), {"what it says", "what that rests on, or why not"});
+    std::vector<std::string> done;
+    for (const Json& level : predicate_["levels"]) {
+      const std::string name = level["level"];
+      if (std::find(done.begin(), done.end(), name) != done.end() || state_of_level(statement_, name) == "not asked")
+        continue;
+      done.push_back(name);
+      std::vector<std::string> row = {name};
+      std::string why;
+      for (const std::string& precision : precisions) {
+        const Json* entry = find(name, precision);
+        row.push_back(entry ? cell_text((*entry)["state"]) : "-");
+        if (entry != nullptr && why.empty()) why = why_of(*entry);
+        else if (entry != nullptr && (*entry)["state"] == "not met" && level["state"] != "not met")
+          why = why_of(*entry);
+      }
+      row.push_back(level["statement"]);
+      row.push_back(why.empty() ? why_of(level) : why);
+      table.rows.push_back(std::move(row));
+    }
+    return table;
+  }
+
+  const Json* find(const std::string& name, const std::string& precision) const {
+    for (const Json& level : predicate_["levels"]) {
+      if (level["level"] == name && level["precision"] == precision) return &level;
+    }
+    return nullptr;
+  }
+
+  static std::string why_of(const Json& level) {
+    std::vector<std::string> parts;
+    for (const Json& rest : level["rests_on"])
+      parts.push_back(fmt::format("{}: {}", cell_text(rest["kind"]), cell_text(rest["text"])));
+    for (const Json& failure : level["failures"]) parts.push_back(failure);
+    const auto shown = level["failures"].size();
+    const auto count = level["failure_count"].get<std::uint64_t>();
+    if (count > shown) parts.push_back(fmt::format("and {} more", count - shown));
+    return fmt::format("{}", fmt::join(parts, ". "));
+  }
+
+  InstrumentTable not_asked_table() const {
+    InstrumentTable table{"Levels that were not asked", {"level", "why"}, {}};
+    for (const std::string& name : levels_with("not asked")) {
+      for (const Json& level : predicate_["levels"]) {
+        if (level["level"] != name) continue;
+        table.rows.push_back({name, cell_text(level["reason"])});
+        break;
+      }
+    }
+    return table;
+  }
+
+  InstrumentTable margin_table() const {
+    InstrumentTable table{
+        "Safe margin by the size of the scene: what r has to be multiplied by, or grow by, and new phantom contacts",
+        {"precision", "size from", "queries", "missed", "at every radius", "factor", "amount", "phantoms by the factor",
+         "phantoms by the amount"},
+        {}};
+    for (const Json& margin : predicate_["safe_margin"]["precisions"]) {
+      for (const Json& part : margin["decades"]) {
+        if (part["missed"] == 0) continue;
+        const int decade = part["decade"];
+        table.rows.push_back({cell_text(margin["precision"]), decade < -399 ? "0" : fmt::format("1e{}", decade),
+                              cell_count(part["queries"]), cell_count(part["missed"]), cell_count(part["hopeless"]),
+                              cell_text(part["factor"]), cell_text(part["amount"]),
+                              cell_count(part["phantoms_by_factor"]), cell_count(part["phantoms_by_amount"])});
+      }
+    }
+    return table;
+  }
+
+  InstrumentTable witnesses_table() const {
+    InstrumentTable table{"Witnesses", {"what", "address"}, {}};
+    for (const Json& witness : predicate_["witnesses"]) {
+      table.rows.push_back({cell_text(witness["title"]), cell_text(witness["address"])});
+      InstrumentScene scene;
+      scene.title = witness["title"];
+      scene.sentence = witness["sentence"];
+      scene.command = witness["command"];
+      scene.query = witness["query"];
+      table.scenes.push_back(std::move(scene));
+    }
+    return table;
+  }
+
+  InstrumentTable limits_table() const {
+    InstrumentTable table{"What this does not say", {"limit"}, {}};
+    for (const Json& limit : predicate_["limits"]) table.rows.push_back({limit.get<std::string>()});
+    return table;
+  }
+
+  InstrumentTable comparison_table() const {
+    InstrumentTable table{"Beside other kernels, on the same queries",
+                          {"kernel", "precision", "missed", "deepest", "phantom", "deepest ",
+                           "critical radius, median ulps", "greatest ulps"},
+                          {}};
+    for (const Json& row : predicate_["comparison"]) {
+      table.rows.push_back({cell_text(row["kernel"]), cell_text(row["precision"]), cell_count(row["missed"]),
+                            cell_text(row["deepest_missed"]), cell_count(row["phantom"]),
+                            cell_text(row["deepest_phantom"]), cell_text(row["median_ulps"]),
+                            cell_text(row["largest_ulps"])});
+    }
+    return table;
+  }
+
+  InstrumentTable diagnosis_table() const {
+    InstrumentTable table{"Diagnosis", {"property", "precision", "is", "because"}, {}};
+    for (const Json& part : predicate_["diagnosis"]["precisions"]) {
+      for (const Json& property : part["properties"]) {
+        table.rows.push_back({cell_text(property["name"]), cell_text(part["precision"]), cell_text(property["value"]),
+                              cell_text(property["sentence"])});
+      }
+    }
+    return table;
+  }
+
+  InstrumentTable search_table() const {
+    InstrumentTable table{"The worst that a search found", {"precision", "what", "worst", "unit", "evaluations"}, {}};
+    for (const auto& [precision, search] : predicate_["search"]["precisions"].items()) {
+      for (const auto& [goal, find] : search["finds"].items()) {
+        const bool is_depth = find.is_object() && find.contains("depth");
+        table.rows.push_back({precision, goal, find.is_null() ? "none" : cell_text(find[is_depth ? "depth" : "ulps"]),
+                              goal == "critical_radius" ? "ulps" : "of the scene", cell_count(search["evaluations"])});
+      }
+    }
+    return table;
+  }
+
+  InstrumentTable harness_table() const {
+    const Json& harness = predicate_["harness"];
+    InstrumentTable table{
+        "Faults planted in a right kernel that shows as much as this one, and those that a run notices",
+        {"precision", "planted", "noticed", "not noticed", "without effect"},
+        {}};
+    for (const auto& [precision, score] : harness["score"].items()) {
+      table.rows.push_back({precision, cell_count(score["mutants"]), cell_count(score["noticed"]),
+                            cell_count(score["survived"]), cell_count(score["equivalent"])});
+    }
+    return table;
+  }
+
+  InstrumentTable materials_table() const {
+    InstrumentTable table{"Made from", {"what", "name", "SHA-256"}, {}};
+    for (const Json& subject : statement_["subject"]) {
+      table.rows.push_back({"subject: " + cell_text(subject["annotations"]["what"]), cell_text(subject["name"]),
+                            cell_text(subject["digest"]["sha256"])});
+    }
+    const Json& materials = predicate_["materials"];
+    table.rows.push_back(
+        {"axiscert", cell_text(materials["axiscert"]["version"]), cell_text(materials["axiscert"]["sources"])});
+    table.rows.push_back({"proofs", "proofs/", cell_text(materials["proofs"])});
+    table.rows.push_back({"plan", fmt::format("{} stretches", cell_count(predicate_["asked"]["stretches"])),
+                          cell_text(materials["plan"]["digest"])});
+    table.rows.push_back({"this certificate",
+                          cell_text(predicate_["signed_at"].is_null() ? Json("not signed") : predicate_["signed_at"]),
+                          cell_text(predicate_["digest"])});
+    return table;
+  }
+
+  const Json& statement_;
+  const Json& predicate_;
+};
+
+}  // namespace
+
+InstrumentReport certificate_report(const Json& statement, const std::string& command) {
+  return CertificatePage(statement).report(command);
+}
+
+std::string state_of_level(const Json& statement, const std::string& level) {
+  std::string state = "not asked";
+  for (const Json& entry : statement["predicate"]["levels"]) {
+    if (entry["level"] != level) continue;
+    if (entry["state"] == "not met") return "not met";
+    if (entry["state"] == "met") state = "met";
+  }
+  return state;
+}
+
+std::string certificate_badge(const Json& statement) {
+  std::string text = "no level met", colour = "#c0392b";
+  for (const auto& [level, fill] : {std::pair("exact", "#2e7d32"), {"conservative", "#2e7d32"}, {"logic", "#b8860b"}}) {
+    if (state_of_level(statement, level) != "met") continue;
+    text = fmt::format("{} met", level);
+    colour = fill;
+    break;
+  }
+  const std::string label = "axiscert";
+  // Seven units a letter are enough for every letter of the sans-serif at this size.
+  const std::size_t left = 7 * label.size() + 12, right = 7 * text.size() + 12;
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"20\" role=\"img\" aria-label=\"{1}: {2}\">"
+      "<title>{1}: {2}</title><rect width=\"{3}\" height=\"20\" fill=\"#444\"/>"
+      "<rect x=\"{3}\" width=\"{4}\" height=\"20\" fill=\"{5}\"/>"
+      "<g fill=\"#fff\" font-family=\"Verdana,DejaVu Sans,sans-serif\" font-size=\"11\" text-anchor=\"middle\">"
+      "<text x=\"{6}\" y=\"14\">{1}</text><text x=\"{7}\" y=\"14\">{2}</text></g></svg>\n",
+      left + right, label, text, left, right, colour, left / 2, left + right / 2);
+}
+
+}  // namespace axiscert
