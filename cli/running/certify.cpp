@@ -15,6 +15,7 @@
 #include "fuzz/campaign/parts/gathered.h"
 #include "fuzz/campaign/parts/journal.h"
 #include "kernel/base/error.h"
+#include "kernel/base/version.h"
 #include "kernel/registry/self_check.h"
 #include "reports/certificate/breaks.h"
 #include "reports/certificate/certificate.h"
@@ -202,7 +203,7 @@ int write_certificate(const Judged& judged, const std::optional<SigningKey>& key
   predicate["witnesses"] = worst_of_certificate(run.record, kernel.id);
   predicate["limits"] = limits_of(staged, predicate);
   const Json portable = portable_plan(judged.plan_json);
-  predicate["materials"] = {{"axiscert", {{"version", AXISCERT_VERSION}, {"sources", source_digests().sources}}},
+  predicate["materials"] = {{"axiscert", {{"version", axiscert_version}, {"sources", source_digests().sources}}},
                             {"proofs", source_digests().proofs},
                             {"plan",
                              {{"digest", digest_of_json(portable)},

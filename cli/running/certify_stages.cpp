@@ -26,8 +26,12 @@ constexpr const char* stages_file = "stages.json";
 // Why a stage asks nothing of replies.
 constexpr const char* cannot_ask = "replies are judged as they are: their program cannot be asked again";
 
-bool is_among(const TestDescription& test, const std::vector<const TestDescription*>& tests) {
-  return std::find(tests.begin(), tests.end(), &test) != tests.end();
+// Whether the answer depends on the radius of a sphere, which may grow; the half extent of a box, which has a critical
+// value too, is none.
+bool has_radius(const Kernel& kernel) {
+  const std::vector<const TestDescription*> tests = tests_with_critical_distance();
+  if (kernel.entry != 0 || std::find(tests.begin(), tests.end(), kernel.test) == tests.end()) return false;
+  return kernel.test->entries[0].columns[critical_distance_of(*kernel.test).radius].name == "r";
 }
 
 const std::atomic<bool>& interrupts() { return watch_for_interrupts(); }
@@ -202,7 +206,7 @@ Json search_stage(const Staged& staged, Stages& stages) {
   }
   if (!has_moves(*staged.kernel.test, staged.kernel.entry)) {
     all["reason"] = fmt::format("the search does not move queries of the entry {} of {}",
-                                entry_name(*staged.kernel.test, staged.kernel.entry), staged.kernel.test->id);
+                                staged.kernel.test->entries[staged.kernel.entry].name, staged.kernel.test->id);
     return all;
   }
   for (const Precision precision : staged.precisions()) {
@@ -231,7 +235,7 @@ Json margin_stage(const Staged& staged, Stages& stages, const Json& search) {
     all["reason"] = cannot_ask;
     return all;
   }
-  if (!is_among(*staged.kernel.test, tests_with_critical_distance()) || staged.kernel.entry != 0) {
+  if (!has_radius(staged.kernel)) {
     all["reason"] = fmt::format("the answer of {} does not depend on one radius", staged.kernel.test->id);
     return all;
   }

@@ -18,6 +18,7 @@
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"
+#include "kernel/base/version.h"
 #include "kernel/plugin/load.h"
 #include "kernel/registry/self_check.h"
 #include "reports/certificate/canonical.h"
@@ -105,7 +106,7 @@ void require_same_plan(const Certificate& certificate, const VerifyOptions& opti
   throw Error(
       fmt::format("{}: cannot be rechecked here: it was made by axiscert {}, sources {:.16}, and this is {}, {:.16}{}",
                   options.certificate, axiscert::shown(materials["axiscert"]["version"].get<std::string>()),
-                  materials["axiscert"]["sources"].get<std::string>(), AXISCERT_VERSION, source_digests().sources,
+                  materials["axiscert"]["sources"].get<std::string>(), axiscert_version, source_digests().sources,
                   differs.empty() ? "" : fmt::format("; here {} (a mesh of its plan is given by --mesh)", differs)));
 }
 
@@ -254,7 +255,7 @@ int verify_or_throw(const VerifyOptions& options) {
              axiscert["sources"] == source_digests().sources
                  ? "made by this version"
                  : fmt::format("made by {}, sources {:.16}; this is {}, {:.16}", axiscert::shown(version),
-                               axiscert["sources"].get<std::string>(), AXISCERT_VERSION, source_digests().sources));
+                               axiscert["sources"].get<std::string>(), axiscert_version, source_digests().sources));
   if (!options.recheck.empty()) {
     if (kind == "replies" && options.replies.replies.empty())
       throw Error("--recheck: give the replies that are to be judged again with --replies");

@@ -154,7 +154,9 @@ class MarginFinder {
     if (!(query[radius()] >= 0) || !std::all_of(query.begin(), query.end(), is_finite)) return;
     Numbers<double> wide(query.size());
     std::copy(query.begin(), query.end(), wide.begin());
-    const auto least = exact_critical_radius<Real>(distance_.squared(wide));
+    const std::optional<Rational> squared = distance_.squared(wide);
+    if (!squared) return;
+    const auto least = exact_critical_radius<Real>(*squared);
     if (!least || *least < range_.least || *least > range_.greatest) return;
     query[radius()] = *least;
     add_if_missed(query, family, id, into_.probed);

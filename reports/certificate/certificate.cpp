@@ -8,6 +8,7 @@
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"
+#include "kernel/base/version.h"
 #include "reports/certificate/canonical.h"
 #include "reports/page/embedded.h"
 #include "reports/run_folder/schema.h"
@@ -43,7 +44,7 @@ void require_kind(const Json& statement, const std::string& name) {
     throw Error(
         fmt::format("{}: is a certificate of version {}; axiscert {} reads version {}: verify it with the axiscert "
                     "that made it, or certify the kernel anew",
-                    name, shown(type), AXISCERT_VERSION, known));
+                    name, shown(type), axiscert_version, known));
   }
   throw Error(fmt::format("{}: is a statement about {}, not a certificate of axiscert, {}", name, shown(type), known));
 }

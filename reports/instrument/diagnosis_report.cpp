@@ -1,5 +1,6 @@
 // `axiscert diagnose`: what a kernel is like, property by property.
 #include "reports/instrument/diagnosis_report.h"
+#include "kernel/base/version.h"
 
 #include <fmt/format.h>
 
@@ -46,7 +47,7 @@ InstrumentReport diagnosis_report(const Diagnosis& diagnosis, const std::string&
   if (InstrumentTable witnesses = diagnosis_witness_table(diagnosis); !witnesses.rows.empty()) {
     report.tables.push_back(std::move(witnesses));
   }
-  report.data = {{"schema", diagnosis_schema}, {"axiscert", AXISCERT_VERSION}};
+  report.data = {{"schema", diagnosis_schema}, {"axiscert", axiscert_version}};
   report.data.update(diagnosis_json(diagnosis));
   return report;
 }
