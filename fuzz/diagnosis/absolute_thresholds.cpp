@@ -14,6 +14,8 @@ namespace {
 
 // Queries of each family of images; the sizes of thresholds are found within a factor of four.
 constexpr std::uint64_t unit_trials = 12000;
+// Scenes from which on a quantity that explains them is named.
+constexpr std::size_t least_named = 8;
 constexpr std::string_view unit_families[] = {"units", "spans"};
 
 struct UnitFindings {
@@ -52,7 +54,7 @@ void add_sizes(UnitFindings& into, Subject<Real>& subject, const Plan& plan, con
                              {"greatest", size.greatest},
                              {"explains", size.explains},
                              {"bases", flips.size()}});
-    if (size.explains <= into.most_explained) continue;
+    if (flips.size() < least_named || size.explains <= into.most_explained) continue;
     into.most_explained = size.explains;
     into.first_text = fmt::format("{} between {:.2g} and {:.2g}", quantity.text, size.least, size.greatest);
   }
