@@ -14,6 +14,10 @@ namespace {
 
 // Queries of each family of images; the sizes of thresholds are found within a factor of four.
 constexpr std::uint64_t unit_trials = 12000;
+// Of the two families together, about half of those that there are.
+constexpr std::uint64_t least_images = 10000;
+// Scenes from which on a quantity that explains them is named.
+constexpr std::size_t least_named = 8;
 constexpr std::string_view unit_families[] = {"units", "spans"};
 
 struct UnitFindings {
@@ -52,7 +56,7 @@ void add_sizes(UnitFindings& into, Subject<Real>& subject, const Plan& plan, con
                              {"greatest", size.greatest},
                              {"explains", size.explains},
                              {"bases", flips.size()}});
-    if (size.explains <= into.most_explained) continue;
+    if (flips.size() < least_named || size.explains <= into.most_explained) continue;
     into.most_explained = size.explains;
     into.first_text = fmt::format("{} between {:.2g} and {:.2g}", quantity.text, size.least, size.greatest);
   }
@@ -84,7 +88,9 @@ Found thresholds_by_images(Subject<Real>& subject) {
     add_sizes(found, subject, plan, *source, asymmetry->invariance.units.small, true);
     add_sizes(found, subject, plan, *source, asymmetry->invariance.units.large, false);
   }
-  if (images == 0) return undecided("It gave no answers to compare.");
+  if (found.bases == 0 && images < least_images) {
+    return undecided(fmt::format("It answered {} images of scenes in other units: too few to say.", images));
+  }
   if (found.bases == 0) {
     return decided(Threshold::none_found,
                    fmt::format("In another unit of length it answers as before: no verdict that is clear of touching "

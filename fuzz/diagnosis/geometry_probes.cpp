@@ -9,6 +9,8 @@
 namespace axiscert::diagnosis {
 namespace {
 
+// Beyond rounding where the numbers are small integers, and within the slack of what stops at a tolerance.
+constexpr double near_touching = 0x1p-16;
 constexpr std::size_t touching_of_each = 32, sided_count = 128, flat_of_each = 64;
 // Answers that have to be there, as a share of those that were asked for.
 constexpr bool are_enough(std::size_t found, std::size_t asked) { return 4 * found >= 3 * asked; }
@@ -61,18 +63,23 @@ Found at_touching(Subject<Real>& subject) {
   std::vector<DiagnosisWitness> witnesses;
   if (contact) witnesses.push_back(subject.witness(touching[*contact], Verdict::contact, "the distance is the radius"));
   if (apart) witnesses.push_back(subject.witness(touching[*apart], Verdict::separated, "the distance is the radius"));
-  if (!apart) {
-    return decided(AtTouching::closed,
-                   fmt::format("The sphere is closed: at a distance of exactly r it says contact, "
-                               "{} times of {}.",
-                               counted, counted),
-                   std::move(witnesses), measured);
-  }
-  if (!contact) {
-    return decided(AtTouching::open,
-                   fmt::format("The sphere is open: at a distance of exactly r it says separated, {} "
-                               "times of {}.",
-                               counted, counted),
+  if (!apart || !contact) {
+    // A convention turns there; a slack or a tolerance turns elsewhere.
+    const bool is_closed = !apart;
+    const auto nearby = subject.ask(
+        with_radius_times<Real>(scenes, static_cast<Real>(is_closed ? 1 - near_touching : 1 + near_touching)));
+    const auto turned =
+        static_cast<std::size_t>(std::ranges::count(nearby, is_closed ? Verdict::separated : Verdict::contact));
+    const char* said_there = is_closed ? "contact" : "separated";
+    if (!are_enough(turned, scenes.size())) {
+      return undecided(fmt::format("At a distance of exactly r it says {}, and so it does of {} of {} spheres whose "
+                                   "radius is {} by a part in 65536: a slack, and no convention.",
+                                   said_there, scenes.size() - turned, scenes.size(), is_closed ? "less" : "more"),
+                       measured);
+    }
+    return decided(is_closed ? AtTouching::closed : AtTouching::open,
+                   fmt::format("The sphere is {}: at a distance of exactly r it says {}, {} times of {}.",
+                               is_closed ? "closed" : "open", said_there, counted, counted),
                    std::move(witnesses), measured);
   }
   return decided(AtTouching::neither,

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t sharp_count = 4096, plain_count = 512, family_count = 128;
 // A share of the queries on which forms differ, below which a kernel is not like any of them.
-constexpr double least_share = 0.75;
+constexpr double least_share = 0.9;
 
 struct FormCount {
   std::string id;
