@@ -31,7 +31,7 @@ struct Family {
   Fill<float> binary32;
   Fill<double> binary64;
   // About how many times as long as a query of `general` one of these takes in binary64, where that is ten times or
-  // more. `axiscert families` shows it, and ./dev certify asks fewer of what it shows there.
+  // more. `axiscert families` shows it, and ./dev exhaust asks fewer of what it shows there.
   int cost = 1;
   // Divides the number of queries in binary64 of a run that is given none (cli/options/run_options.cpp).
   int trial_divisor = 1;
