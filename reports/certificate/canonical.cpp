@@ -77,7 +77,7 @@ Json strict_json(std::string_view bytes, const std::string& name, std::size_t mo
   try {
     return Json::parse(bytes, StrictReader());
   } catch (const Json::parse_error& wrong) {
-    const bool is_cut = std::string_view(wrong.what()).find("unexpected end of input") != std::string_view::npos;
+    const bool is_cut = wrong.byte > bytes.size();  // found where there was no more
     throw Error(is_cut
                     ? fmt::format("{}: it ends in the middle, after {} bytes: the file is cut off", name, bytes.size())
                     : fmt::format("{}: byte {} is not JSON", name, wrong.byte));
