@@ -42,10 +42,20 @@ function(axiscert_reused result target)
   endif()
   set(${result} ${found} PARENT_SCOPE)
 endfunction()
-# axiscert_objects(NAME SOURCES... [PUBLIC libraries...] [PRIVATE libraries...]): an object library, reused where objects are.
+# axiscert_objects(NAME SOURCES... [PUBLIC libraries...] [PRIVATE libraries...] [UNITY]): an object library, reused where objects are.
+# UNITY: compiled as by axiscert_unity, so none of its sources may compile for several instruction sets or have options of its own.
 function(axiscert_objects name)
-  cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
-  axiscert_reused(sources ${name} ${arg_UNPARSED_ARGUMENTS})
+  cmake_parse_arguments(arg "UNITY" "" "PUBLIC;PRIVATE" ${ARGN})
+  set(compiled ${arg_UNPARSED_ARGUMENTS})
+  if(arg_UNITY AND AXISCERT_REUSES_OBJECTS)
+    list(LENGTH compiled count)
+    math(EXPR last "(${count} - 1) / ${axiscert_unity_batch}")
+    set(compiled "")
+    foreach(batch RANGE ${last})
+      list(APPEND compiled Unity/unity_${batch}_cxx.cxx)
+    endforeach()
+  endif()
+  axiscert_reused(sources ${name} ${compiled})
   if(AXISCERT_REUSES_OBJECTS)
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE ${sources} ${arg_PUBLIC} ${arg_PRIVATE})
@@ -54,6 +64,9 @@ function(axiscert_objects name)
     add_library(${name} OBJECT ${sources})
     target_link_libraries(${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} axiscert_warnings)
     target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+    if(arg_UNITY)
+      axiscert_unity(${name})
+    endif()
   endif()
 endfunction()
 
@@ -83,13 +96,14 @@ add_custom_target(axiscert_quick)
 # axiscert_unity(TARGET): its sources compiled twenty at a time. The headers of JSON and of the command line, and what each source instantiates
 # of them, take 8 seconds a file, precompiled or not; twenty files take 30. So names in unnamed namespaces are a target's own, not a file's.
 # Sources that compile for several instruction sets include themselves and stay alone, as, by CMake, those with options of their own.
+set(axiscert_unity_batch 20)
 function(axiscert_unity target)
   get_target_property(sources ${target} SOURCES)
   axiscert_vectors_among(vectors ${sources})
   if(vectors)
     set_property(SOURCE ${vectors} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${axiscert_unity_batch})
 endfunction()
 
 # axiscert_sources(result ROOMS folders... [EXCEPT names...]): the sources of the rooms, so that a new file takes no line here. Tests,
@@ -125,16 +139,16 @@ function(axiscert_test_header layer)
   target_precompile_headers(${layer}_test_header PRIVATE <gtest/gtest.h> <gmock/gmock.h> ${arg_HEADERS})
 endfunction()
 
-# axiscert_test(NAME SOURCES... [ROOMS folders...] LIBRARIES libraries... [HEADER layer] [NEEDS targets...] [MEMORY] [LONG]):
-# a GoogleTest program, one CTest test a case (one for all where objects are reused), of its sources and the `_test.cpp` of its rooms. Suites whose names end in "Long", typed
+# axiscert_test(NAME SOURCES... [ROOMS folders...] LIBRARIES libraries... [HEADER layer] [NEEDS targets...] [MEMORY] [REUSED filter]
+# [LONG]): a GoogleTest program, one CTest test a case (one for all where objects are reused), of its sources and the `_test.cpp` of its rooms. Suites whose names end in "Long", typed
 # ones (SuiteLong/0) too, get the label `long`, the others `quick`; with LONG all get `long`, and in a sanitized build all that are not
 # marked MEMORY. HEADER: the layer whose precompiled header it
-# takes. NEEDS: what has to be built for it to run.
+# takes. NEEDS: what has to be built for it to run. REUSED: the cases about code of which a sanitized build reuses the objects.
 function(axiscert_test name)
   if(NOT AXISCERT_TESTS)
     return()
   endif()
-  cmake_parse_arguments(arg "LONG;MEMORY" "HEADER" "LIBRARIES;ROOMS;NEEDS" ${ARGN})
+  cmake_parse_arguments(arg "LONG;MEMORY" "HEADER;REUSED" "LIBRARIES;ROOMS;NEEDS" ${ARGN})
   set(sources ${arg_UNPARSED_ARGUMENTS})
   if(arg_ROOMS)
     list(TRANSFORM arg_ROOMS APPEND /*_test.cpp)
@@ -163,7 +177,7 @@ function(axiscert_test name)
   if(AXISCERT_REUSES_OBJECTS)
     # A sanitized program takes half a second to start, longer than most of its cases.
     if(label STREQUAL quick)
-      add_test(NAME ${name} COMMAND ${name} --gtest_brief=1 --gtest_filter=-*Long.*:*Long/*)
+      add_test(NAME ${name} COMMAND ${name} --gtest_brief=1 --gtest_filter=-*Long.*:*Long/*:${arg_REUSED})
       set_tests_properties(${name} PROPERTIES LABELS quick TIMEOUT 900)
     endif()
     return()
