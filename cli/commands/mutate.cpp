@@ -13,6 +13,7 @@
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/queries/entry_families.h"
+#include "proofs/certified/score.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
 #include "reports/gates/gate.h"
@@ -127,7 +128,80 @@ std::string base_asked(const MutateOptions& options) {
   return options.kernel;
 }
 
+// The certified predicate has steps in place of comparisons, and no wrong verdict shows a fault of one that a later
+// step puts right: its mutants are those of the recorded steps, asked step by step.
+constexpr const char* certified_kernel = "certified";
+constexpr std::uint64_t queries_of_a_step = 6000;
+
+std::vector<proofs::certified::RecordedStep> steps_asked(const MutateOptions& options) {
+  std::vector<proofs::certified::RecordedStep> steps;
+  for (proofs::certified::RecordedStep& step : proofs::certified::recorded_steps()) {
+    const bool is_asked = options.precision.empty() || options.precision == fmt::format("binary{}", step.bits);
+    if (!step.fused && is_asked) steps.push_back(std::move(step));
+  }
+  return steps;
+}
+
+int mutate_certified(const MutateOptions& options) {
+  using namespace proofs::certified;
+  if (!options.mutants.empty() || !options.families.empty() || options.verdict_only || !options.test.empty()) {
+    throw Error(
+        "mutate --kernel certified plants each fault in each step of the certified predicate; it takes "
+        "--precision, --trials, --seed, --list, --format and --out");
+  }
+  const std::vector<RecordedStep> steps = steps_asked(options);
+  if (options.list) {
+    for (const RecordedStep& step : steps) {
+      for (const Mutant& m : mutants_of(step)) fmt::print("{}, binary{}: {}\n", step.name, step.bits, m.name);
+    }
+    return exit_done;
+  }
+  const std::uint64_t queries = options.trials.value_or(queries_of_a_step);
+  std::optional<OutputFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out);
+  InstrumentReport report{.name = "mutation-of-certified",
+                          .title = "Faults of the certified predicate",
+                          .command = {},
+                          .notes = {},
+                          .tables = {},
+                          .plots = {},
+                          .data = {}};
+  report.command = fmt::format("axiscert mutate --kernel certified --trials {} --seed {}", queries, options.seed);
+  if (!options.precision.empty()) report.command += " --precision " + options.precision;
+  report.notes = {
+      "In each recorded step (proofs/certified) each constant is halved and doubled, the operands of each operation "
+      "that "
+      "depends on their order exchanged, and each of two conditions dropped. Shown: an answer of the step differs on "
+      "one of the queries, which are an ulp to both sides of a change of an answer. Every fault, shown or not, changes "
+      "the recording, which the test proofs.Current compares with the committed one."};
+  InstrumentTable table{.caption = "Score", .columns = {}, .rows = {}};
+  table.columns = {"step", "precision", "mutants", "shown", "by the recording alone"};
+  InstrumentTable unseen{.caption = "By the recording alone", .columns = {}, .rows = {}};
+  unseen.columns = {"step", "precision", "fault"};
+  Json data = {{"schema", "axiscert-mutation-of-certified/1"}, {"command", report.command}, {"steps", Json::array()}};
+  {
+    ProgressLine progress("mutate");
+    for (const RecordedStep& step : steps) {
+      progress.stage(step.name);
+      const StepScore score = score_of(step, queries, options.seed);
+      const std::string precision = fmt::format("binary{}", score.bits);
+      table.rows.push_back({score.step, precision, fmt::format("{}", score.mutants),
+                            fmt::format("{}", score.mutants - score.unseen.size()),
+                            fmt::format("{}", score.unseen.size())});
+      for (const std::string& fault : score.unseen) unseen.rows.push_back({score.step, precision, fault});
+      data["steps"].push_back({{"step", score.step},
+                               {"precision", precision},
+                               {"mutants", score.mutants},
+                               {"by_the_recording_alone", score.unseen}});
+    }
+  }
+  report.tables = {table, unseen};
+  report.data = data;
+  return put_score(options, folder, report, report, true, {});
+}
+
 int mutate(const MutateOptions& given) {
+  if (given.kernel == certified_kernel) return mutate_certified(given);
   MutateOptions options = given;
   options.kernel = base_asked(given);
   MutationPlan plan;
@@ -179,8 +253,9 @@ void add_mutate(CLI::App& app, Action& action) {
   MutateOptions& o = *options;
   add_test_option(*command, o.test, "test whose first such kernel the mutants are made from (axiscert tests)");
   command->add_option("--kernel", o.kernel,
-                      fmt::format("kernel that the mutants are made from: {} (default: the first of the test)",
-                                  fmt::join(mutants::bases, ", ")));
+                      fmt::format("kernel that the mutants are made from: {} (default: the first of the test); or {}, "
+                                  "each of whose steps is judged by itself",
+                                  fmt::join(mutants::bases, ", "), certified_kernel));
   command->add_option("--mutant", o.mutants, "id or fault, repeatable (default: all)")->allow_extra_args(false);
   command->add_option("--family", o.families, "family, repeatable (default: all)")->allow_extra_args(false);
   command

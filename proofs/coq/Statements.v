@@ -5,7 +5,8 @@ From Coq Require Import Reals ZArith List.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Sat7 Exact Reduced OpenSphere Known Scaled Sides RecordedIsSat7 RecordedIsProgram Expression
   Programs Format Run Window Windows Thresholds Filter Filters Lanes Margins Pairs Certified CertifiedStep Sizes CoarseFloat OpenCoarse
-  PairStep Box Conservative ConservativeStep PhantomStep Exported Decides.
+  PairStep Box Conservative ConservativeStep PhantomStep Exported Decides
+  ExactProgram RecordedExact ExactStep Negligible CertifiedIsExact Machine RecordedCertified RecordedIsCertified CoarseKnown FineStep RecordedIsDeep RecordedIsConservative.
 Open Scope R_scope.
 Set Printing Width 120.
 
@@ -288,12 +289,12 @@ Goal True. statement "rounded_sides". Abort.
 Print rounded_sides.
 Goal True. statement "exact_sides". Abort.
 Print exact_sides.
-Goal True. statement "run". Abort.
-Print run.
+Goal True. statement "run_program". Abort.
+Print run_program.
 Goal True. statement "unbounded". Abort.
 Print unbounded.
-Goal True. statement "on_grid". Abort.
-Print on_grid.
+Goal True. statement "grid_point". Abort.
+Print grid_point.
 Goal True. statement "in_window". Abort.
 Print in_window.
 Goal True. statement "as_unbounded". Abort.
@@ -546,3 +547,111 @@ Goal True. statement "query_size". Abort.
 Print query_size.
 Goal True. statement "conservative_phantoms_shallow". Abort.
 Print conservative_phantoms_shallow.
+Goal True. statement "recorded_coarse_margins32". Abort.
+Check recorded_coarse_margins32.
+Goal True. statement "recorded_coarse_margins64". Abort.
+Check recorded_coarse_margins64.
+Goal True. statement "recorded_coarse_is_proved32". Abort.
+Check recorded_coarse_is_proved32.
+Goal True. statement "recorded_coarse_is_proved64". Abort.
+Check recorded_coarse_is_proved64.
+Goal True. statement "recorded_pair_is_proved32". Abort.
+Check recorded_pair_is_proved32.
+Goal True. statement "recorded_pair_is_proved64". Abort.
+Check recorded_pair_is_proved64.
+Goal True. statement "recorded_coarse_known_is_proved". Abort.
+Check recorded_coarse_known_is_proved.
+Goal True. statement "coarse_known_is_sound64". Abort.
+Check coarse_known_is_sound64.
+Goal True. statement "recorded_conservative_is_right32". Abort.
+Check recorded_conservative_is_right32.
+Goal True. statement "recorded_conservative_is_right64". Abort.
+Check recorded_conservative_is_right64.
+Goal True. statement "exact_values_fit". Abort.
+Check exact_values_fit.
+Goal True. statement "exact_step_decides". Abort.
+Check exact_step_decides.
+Goal True. statement "negligible_radius". Abort.
+Check negligible_radius.
+Goal True. statement "certified_is_exact_within_126_bits". Abort.
+Check certified_is_exact_within_126_bits.
+Goal True. statement "exact_only_is_exact_within_126_bits". Abort.
+Check exact_only_is_exact_within_126_bits.
+Goal True. statement "machine". Abort.
+Print machine.
+Goal True. statement "float_machine". Abort.
+Print float_machine.
+Goal True. statement "real_machine". Abort.
+Print real_machine.
+Goal True. statement "is_least". Abort.
+Print is_least.
+Goal True. statement "is_greatest". Abort.
+Print is_greatest.
+Goal True. statement "recorded_order". Abort.
+Print recorded_order.
+Goal True. statement "coarse_numbers". Abort.
+Print coarse_numbers.
+Goal True. statement "in_deep_range". Abort.
+Print in_deep_range.
+Goal True. statement "side_of". Abort.
+Print side_of.
+Goal True. statement "coarse_known". Abort.
+Print coarse_known.
+Goal True. statement "known_list". Abort.
+Print known_list.
+Goal True. statement "recorded_conservative_is_right". Abort.
+Print recorded_conservative_is_right.
+Goal True. statement "instruction". Abort.
+Print instruction.
+Goal True. statement "run_program". Abort.
+Print run_program.
+Goal True. statement "exact_program". Abort.
+Print exact_program.
+Goal True. statement "exact_results". Abort.
+Print exact_results.
+Goal True. statement "exact_margins". Abort.
+Print exact_margins.
+Goal True. statement "bits_of". Abort.
+Print bits_of.
+Goal True. statement "words_of". Abort.
+Print words_of.
+Goal True. statement "radius_beyond". Abort.
+Print radius_beyond.
+Goal True. statement "is_zero". Abort.
+Print is_zero.
+Goal True. statement "vertex_separates". Abort.
+Print vertex_separates.
+Goal True. statement "plane_separates". Abort.
+Print plane_separates.
+Goal True. statement "edge_separates". Abort.
+Print edge_separates.
+Goal True. statement "exact_separates". Abort.
+Print exact_separates.
+Goal True. statement "grid_point". Abort.
+Print grid_point.
+Goal True. statement "certified_is_exact". Abort.
+Print certified_is_exact.
+Goal True. statement "exact_only_is_exact". Abort.
+Print exact_only_is_exact.
+Goal True. statement "recorded_fine_margins". Abort.
+Check recorded_fine_margins.
+Goal True. statement "fine_is_near". Abort.
+Check fine_is_near.
+Goal True. statement "fine_margin". Abort.
+Print fine_margin.
+Goal True. statement "fine_numbers". Abort.
+Print fine_numbers.
+Goal True. statement "margin_exactly". Abort.
+Print margin_exactly.
+Goal True. statement "recorded_deep_constants". Abort.
+Check recorded_deep_constants.
+Goal True. statement "of_pairs". Abort.
+Print of_pairs.
+Goal True. statement "least_size". Abort.
+Print least_size.
+Goal True. statement "greatest_size". Abort.
+Print greatest_size.
+Goal True. statement "residue_limit". Abort.
+Print residue_limit.
+Goal True. statement "split_factor". Abort.
+Print split_factor.

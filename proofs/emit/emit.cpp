@@ -10,6 +10,7 @@ Files proof_files() {
   all.merge(header_files());
   all.merge(fpcore_files());
   all.merge(latex_files());
+  all.merge(certified_files());
   return all;
 }
 

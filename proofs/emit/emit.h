@@ -17,6 +17,9 @@ Files latex_files();
 // kernel/sphere_triangle/proved_bounds.h, by its path relative to proofs/.
 Files header_files();
 
+// The steps of the certified predicate, proofs/certified.
+Files certified_files();
+
 // All of these files.
 Files proof_files();
 

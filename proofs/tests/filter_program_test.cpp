@@ -2,12 +2,12 @@
 // they answer as the recorded expressions do, evaluated operation by operation, with Filter.v's own words around them.
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
 #include <map>
 #include <random>
 
 #include "proofs/program.h"
+#include "proofs/certified/turns.h"
 #include "kernel/include/axiscert/certified.h"
 #include "kernel/sphere_triangle/certified/thresholds.h"
 #include "kernel/sphere_triangle/certified_filter/margin_bounds.h"
@@ -18,15 +18,12 @@
 namespace axiscert::proofs {
 namespace {
 
-using testing_support::Bits, testing_support::random_query;
+using testing_support::random_query;
 using Thresholds = std::array<filter::Threshold, comparison_count>;
 
-// The coarse step of the certified predicate takes its constants and its range from what is proved, except the first
-// that is compared here; the conservative test takes its constants and the lower ends of its range, the fine and deep
-// steps their multiples of U. These have no theorem, or are copied by hand: U of pairs (2^-102), the ranges 2^-100 to
-// 2^100, the residues' 2^60 and the upper ends of the conservative test's range. That the steps use the constants as
-// the theorems do is tied to nothing: the programs recorded here are those of the filters.
-static_assert(certified::least_relative_triangle == 1.0 / 1048576);
+// The program of the coarse step's theorem has this constant; the certified predicate's own steps are recorded and compared
+// in certified_program_test.cpp.
+static_assert(axiscert::certified::least_relative_triangle == 1.0 / 1048576);
 // What is promised of phantoms is at least `phantom_depth` of PhantomStep.v, 20, times the root of u.
 static_assert(AXISCERT_PHANTOM_DEPTH_F32 * AXISCERT_PHANTOM_DEPTH_F32 >= 20 * 20 * 0x1p-24);
 static_assert(AXISCERT_PHANTOM_DEPTH_F64 * AXISCERT_PHANTOM_DEPTH_F64 >= 20 * 20 * 0x1p-53);
@@ -119,38 +116,6 @@ class FilterProgram {
   const Thresholds& thresholds_;
   std::vector<Real> values_;
 };
-
-// The position of a number among the numbers of the format, so that the way from one number to another can be halved.
-template <class Real>
-std::int64_t place(Real x) {
-  const auto bits = static_cast<std::int64_t>(std::bit_cast<Bits<Real>>(std::fabs(x)));
-  return std::signbit(x) ? -bits : bits;
-}
-template <class Real>
-Real at_place(std::int64_t i) {
-  const Real size = std::bit_cast<Real>(static_cast<Bits<Real>>(std::abs(i)));
-  return i < 0 ? -size : size;
-}
-
-// Appends the queries, an ulp apart, between which the answer changes as one coordinate goes from its value in q to
-// `to`. There the answer depends on the last bit of the values that are compared.
-template <class Real, class Answer>
-void append_turn(const Query<Real>& q, std::size_t coordinate, Real to, Answer&& answer, QueryBatch<Real>& found) {
-  auto v = coordinates(q);
-  const auto with = [&](std::int64_t i) {
-    v[coordinate] = at_place<Real>(i);
-    return from_coordinates(v);
-  };
-  std::int64_t one = place(v[coordinate]), other = place(to);
-  const Verdict first = answer(with(one));
-  if (answer(with(other)) == first) return;
-  while (std::abs(other - one) > 1) {
-    const std::int64_t middle = one + (other - one) / 2;
-    (answer(with(middle)) == first ? one : other) = middle;
-  }
-  found.push_back(with(one));
-  found.push_back(with(other));
-}
 
 template <class Real>
 class FilterKernels : public testing::Test {

@@ -23,6 +23,9 @@ using testing_support::coarse_query_of_any_size, testing_support::integer_query,
     testing_support::random_query, testing_support::tangent_query;
 
 constexpr std::uint64_t seed = 20101230;
+// Through all steps, and straight to the exact one.
+constexpr axiscert_question both_questions_both_ways[] = {AXISCERT_CLOSED_SPHERE, AXISCERT_OPEN_SPHERE,
+                                                          AXISCERT_EXACT_ONLY, AXISCERT_OPEN_EXACT_ONLY};
 
 template <class Real>
 struct Judged {
@@ -49,7 +52,8 @@ struct Judged {
   }
   int expected(std::size_t i, axiscert_question question) const {
     if (order[i] == 2) return AXISCERT_INVALID;
-    const bool contact = question == AXISCERT_OPEN_SPHERE ? order[i] < 0 : order[i] <= 0;
+    const bool is_open = question == AXISCERT_OPEN_SPHERE || question == AXISCERT_OPEN_EXACT_ONLY;
+    const bool contact = is_open ? order[i] < 0 : order[i] <= 0;
     return contact ? AXISCERT_CONTACT : AXISCERT_SEPARATED;
   }
   QueryBatch<Real> batch() const {
@@ -91,7 +95,7 @@ TYPED_TEST(CertifiedTest, IsExactInEveryFloatingPointModeAndLeavesItAsItWas) {
   std::vector<std::uint8_t> found(batch.size());
   for (const Rounding rounding : {Rounding::nearest, Rounding::upward, Rounding::downward, Rounding::toward_zero}) {
     for (const bool flush : {false, true}) {
-      for (const axiscert_question question : {AXISCERT_CLOSED_SPHERE, AXISCERT_OPEN_SPHERE}) {
+      for (const axiscert_question question : both_questions_both_ways) {
         {
           const FloatingEnvironment callers(rounding, flush);
           const std::uint64_t before = FloatingEnvironment::control();
@@ -112,7 +116,7 @@ TYPED_TEST(CertifiedTest, OnePairIsTheSame) {
   const auto& judged = Judged<TypeParam>::all();
   for (std::size_t i = 0; i < judged.queries.size(); ++i) {
     const auto v = coordinates(judged.queries[i]);
-    for (const axiscert_question question : {AXISCERT_CLOSED_SPHERE, AXISCERT_OPEN_SPHERE}) {
+    for (const axiscert_question question : both_questions_both_ways) {
       ASSERT_EQ(certified::pair(v.data(), v.data() + 9, question), judged.expected(i, question)) << "query " << i;
     }
   }
@@ -138,8 +142,10 @@ TYPED_TEST(CertifiedTest, EveryShapeGivesTheSameAnswers) {
   const Real sphere[4] = {Real(0.1), Real(-0.2), Real(0.3), Real(0.4)};
   const certified::Mesh<Real> mesh{vertices.data(), 4, indices.data()};
   constexpr std::size_t first = 17;
-  for (const std::size_t size :
-       {std::size_t{0}, std::size_t{1}, std::size_t{63}, std::size_t{256}, std::size_t{257}, triangles - first}) {
+  const std::size_t sizes[] = {0, 1, 63, 256, 257, triangles - first};
+  for (std::size_t k = 0; k < 2 * std::size(sizes); ++k) {
+    const std::size_t size = sizes[k / 2];
+    const axiscert_question closed = k % 2 == 0 ? AXISCERT_CLOSED_SPHERE : AXISCERT_EXACT_ONLY;
     struct Found {
       std::vector<std::uint8_t> verdict;
       std::vector<std::uint64_t> bits;
@@ -158,7 +164,6 @@ TYPED_TEST(CertifiedTest, EveryShapeGivesTheSameAnswers) {
     };
     std::array<const Real*, 9> columns;
     for (std::size_t k = 0; k < 9; ++k) columns[k] = storage[k].data() + first;
-    const auto closed = AXISCERT_CLOSED_SPHERE;
     const Found soa =
         ask([&](const axiscert_results& to) { return certified::triangles(sphere, columns, size, closed, to); });
     const Found range =
@@ -223,6 +228,9 @@ TYPED_TEST(CertifiedTest, OneSphereAndTrianglesBeyondItsBox) {
   for (const auto& sphere : spheres) {
     std::vector<std::uint8_t> found(triangles);
     certified::triangles(sphere, columns, triangles, AXISCERT_CLOSED_SPHERE, {found.data(), nullptr, nullptr});
+    std::vector<std::uint8_t> found_exactly(triangles);
+    certified::triangles(sphere, columns, triangles, AXISCERT_EXACT_ONLY, {found_exactly.data(), nullptr, nullptr});
+    EXPECT_EQ(found_exactly, found);
     for (std::size_t t = 0; t < triangles; ++t) {
       std::array<Real, coordinate_count> v;
       for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = k < 9 ? storage[k][t] : sphere[k - 9];

@@ -33,8 +33,12 @@ extern "C" {
 enum axiscert_question {
   AXISCERT_CLOSED_SPHERE = 0, /* contact: distance <= r. Touching counts */
   AXISCERT_OPEN_SPHERE = 1,   /* contact: distance < r. Touching does not; r = 0 touches nothing */
-  AXISCERT_CONSERVATIVE = 2   /* never a missed contact of the closed sphere, but sometimes one too many:
+  AXISCERT_CONSERVATIVE = 2,  /* never a missed contact of the closed sphere, but sometimes one too many:
                                  distance - r <= AXISCERT_PHANTOM_DEPTH_F32 (F64) max(|A-P|, |B-P|, |C-P|, r) */
+  /* The same answers as the first two, each by integers alone: no step in floating point, no vector. Far slower on most
+     queries; for those who want the shortest way that has to be trusted. */
+  AXISCERT_EXACT_ONLY = 4,     /* contact: distance <= r */
+  AXISCERT_OPEN_EXACT_ONLY = 5 /* contact: distance < r */
 };
 
 /* How deep a phantom contact of AXISCERT_CONSERVATIVE can be: 20 sqrt(u), u = 2^-24 and 2^-53, rounded up. */

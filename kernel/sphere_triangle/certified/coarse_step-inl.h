@@ -5,8 +5,6 @@
 // The step costs less than the test that it certifies: each axis is reduced to the least of its margins, the axes of a
 // degree to the greatest of these, and only that is compared. Dot products need not be in the published order, so they
 // are fused.
-#include "hwy/highway.h"
-
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {

@@ -5,14 +5,19 @@
 #include "kernel/include/axiscert/certified.h"
 #include "kernel/sphere_triangle/certified/answers.h"
 #include "kernel/sphere_triangle/certified/default_modes.h"
+#include "kernel/sphere_triangle/certified/exact_only.h"
 
 namespace axiscert::certified {
 namespace {
 
-// The steps on the best instruction set, which is chosen once.
-const Forms& forms() noexcept {
+// The steps on the best instruction set, which is chosen once; or the exact step alone.
+const Forms& forms_for(axiscert_question question) noexcept {
+  if (question == AXISCERT_EXACT_ONLY || question == AXISCERT_OPEN_EXACT_ONLY) return exact_only_forms();
   static const Forms chosen = chosen_forms();
   return chosen;
+}
+Question question_of(axiscert_question question) noexcept {
+  return question == AXISCERT_OPEN_EXACT_ONLY ? Question::open_sphere : static_cast<Question>(question);
 }
 
 // Writes the results of consecutive blocks.
@@ -59,9 +64,9 @@ std::size_t own_index(std::size_t i) noexcept { return i; }
 template <class Real>
 axiscert_counts by_columns(const Real* const* columns, const Real* sphere, std::size_t size, axiscert_question question,
                            const axiscert_results* results) noexcept {
-  Results out(results, static_cast<Question>(question));
+  Results out(results, question_of(question));
   const DefaultModes modes;
-  const auto decide = forms().block<Real>();
+  const auto decide = forms_for(question).block<Real>();
   for (std::size_t first = 0; first < size; first += block_size) {
     Block<Real> block{{}, block_from(first, size), sphere != nullptr};
     for (std::size_t k = 0; k < 9; ++k) block.column[k] = columns[k] + first;
@@ -77,9 +82,9 @@ axiscert_counts by_columns(const Real* const* columns, const Real* sphere, std::
 template <class Real, class Mesh>
 axiscert_counts by_mesh(const Real* sphere, const Mesh* mesh, const std::uint32_t* list, std::size_t first,
                         std::size_t size, axiscert_question question, const axiscert_results* results) noexcept {
-  Results out(results, static_cast<Question>(question));
+  Results out(results, question_of(question));
   const DefaultModes modes;
-  const auto decide = forms().mesh<Real>();
+  const auto decide = forms_for(question).mesh<Real>();
   Outcodes outcodes;
   MeshChunk<Real> chunk{sphere, mesh->vertices, mesh->stride, mesh->indices + 3 * first, list, 0};
   for (std::size_t rest = size; rest != 0; rest -= chunk.size) {
@@ -98,7 +103,7 @@ axiscert_verdict pair(const Real* triangle, const Real* sphere, axiscert_questio
   BlockAnswer answer;
   {
     const DefaultModes modes;
-    forms().pair<Real>()(triangle, sphere, static_cast<Question>(question), answer);
+    forms_for(question).pair<Real>()(triangle, sphere, question_of(question), answer);
   }
   return answer.invalid[0] ? AXISCERT_INVALID : answer.contact[0] ? AXISCERT_CONTACT : AXISCERT_SEPARATED;
 }

@@ -1,0 +1,158 @@
+// A recorded step computed on the processor's own numbers, operation by operation.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "proofs/certified/graph.h"
+
+namespace axiscert::proofs::certified {
+
+template <class Real>
+class Evaluated {
+ public:
+  using Word = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+  using Signed = std::make_signed_t<Word>;
+
+  explicit Evaluated(const RecordedStep& step)
+      : step_(step), numbers_(step.graph.nodes().size()), words_(numbers_.size()), flags_(numbers_.size()) {
+    if (step.bits != 8 * sizeof(Real)) throw std::logic_error(step.name + " is recorded in another format");
+  }
+  // Computes the step of a query: ax ay az bx by bz cx cy cz px py pz r.
+  void compute(std::span<const Real, 13> query);
+
+  bool flag_at(Index node) const { return flags_[node] != 0; }
+  Word word_at(Index node) const { return words_[node]; }
+
+ private:
+  const RecordedStep& step_;
+  std::vector<Real> numbers_;
+  std::vector<Word> words_;
+  std::vector<unsigned char> flags_;
+};
+
+template <class Real>
+void Evaluated<Real>::compute(std::span<const Real, 13> query) {
+  const auto& nodes = step_.graph.nodes();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Node& node = nodes[i];
+    const auto x = [&](std::size_t k) { return numbers_[node.operands[k]]; };
+    const auto w = [&](std::size_t k) { return words_[node.operands[k]]; };
+    const auto f = [&](std::size_t k) { return flags_[node.operands[k]] != 0; };
+    Real& number = numbers_[i];
+    Word& word = words_[i];
+    unsigned char& flag = flags_[i];
+    switch (node.op) {
+      case Op::input:
+        number = query[i];
+        break;
+      case Op::constant:
+        number = static_cast<Real>(node.number);
+        break;
+      case Op::negate:
+        number = -x(0);
+        break;
+      case Op::magnitude:
+        number = std::fabs(x(0));
+        break;
+      case Op::truncate:
+        number = std::trunc(x(0));
+        break;
+      case Op::add:
+        number = x(0) + x(1);
+        break;
+      case Op::subtract:
+        number = x(0) - x(1);
+        break;
+      case Op::multiply:
+        number = x(0) * x(1);
+        break;
+      case Op::divide:
+        number = x(0) / x(1);
+        break;
+      case Op::least:
+        number = x(0) < x(1) ? x(0) : x(1);
+        break;
+      case Op::greatest:
+        number = x(0) > x(1) ? x(0) : x(1);
+        break;
+      case Op::with_sign:
+        number = std::copysign(x(0), x(1));
+        break;
+      case Op::fused:
+        number = std::fma(x(0), x(1), x(2));
+        break;
+      case Op::choose:
+        number = f(0) ? x(1) : x(2);
+        break;
+      case Op::from_bits:
+        number = std::bit_cast<Real>(w(0));
+        break;
+      case Op::from_integer:
+        number = static_cast<Real>(static_cast<Signed>(w(0)));
+        break;
+      case Op::word_constant:
+        word = static_cast<Word>(node.word);
+        break;
+      case Op::bits:
+        word = std::bit_cast<Word>(x(0));
+        break;
+      case Op::to_integer: {  // what is too great gives the least integer, as on x86; no step uses it
+        const Real limit = std::ldexp(Real{1}, static_cast<int>(8 * sizeof(Word)) - 1);
+        word =
+            std::fabs(x(0)) < limit ? static_cast<Word>(static_cast<Signed>(x(0))) : Word{1} << (8 * sizeof(Word) - 1);
+        break;
+      }
+      case Op::all_ones:
+        word = f(0) ? static_cast<Word>(~Word{0}) : Word{0};
+        break;
+      case Op::word_add:
+        word = static_cast<Word>(w(0) + w(1));
+        break;
+      case Op::word_subtract:
+        word = static_cast<Word>(w(0) - w(1));
+        break;
+      case Op::word_multiply:
+        word = static_cast<Word>(w(0) * w(1));
+        break;
+      case Op::word_and:
+        word = w(0) & w(1);
+        break;
+      case Op::word_or:
+        word = w(0) | w(1);
+        break;
+      case Op::flag_constant:
+        flag = node.word != 0;
+        break;
+      case Op::less:
+        flag = x(0) < x(1);
+        break;
+      case Op::at_most:
+        flag = x(0) <= x(1);
+        break;
+      case Op::equal:
+        flag = x(0) == x(1);
+        break;
+      case Op::word_equal:
+        flag = w(0) == w(1);
+        break;
+      case Op::word_less:
+        flag = static_cast<Signed>(w(0)) < static_cast<Signed>(w(1));
+        break;
+      case Op::both:
+        flag = f(0) && f(1);
+        break;
+      case Op::either:
+        flag = f(0) || f(1);
+        break;
+      case Op::opposite:
+        flag = !f(0);
+        break;
+    }
+  }
+}
+
+}  // namespace axiscert::proofs::certified

@@ -1,0 +1,19 @@
+// How many faults of the certified predicate its steps' answers show.
+#pragma once
+
+#include "proofs/certified/mutants.h"
+
+namespace axiscert::proofs::certified {
+
+struct StepScore {
+  std::string step;  // as in graph.h
+  int bits;
+  std::size_t mutants;
+  std::vector<std::string> unseen;  // faults that no query showed
+};
+
+// Plants every fault in the step, one after the other, and asks it about `queries` queries (step_queries.h) until one
+// answer differs. Every fault, shown or not, is in the recording, which proofs.Current compares with the committed one.
+StepScore score_of(const RecordedStep& step, std::size_t queries, std::uint64_t seed);
+
+}  // namespace axiscert::proofs::certified
