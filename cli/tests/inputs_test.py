@@ -19,7 +19,7 @@ class InputCase(Case):
 
 class Inputs(InputCase):
     def test_a_command_line_is_told_what_was_meant(self):
-        for args, says in (([], ["a subcommand is missing", "run, check"]),
+        for args, says in (([], ["a subcommand is missing", "run, certify, verify, check"]),
                            (["runn"], ["unknown subcommand 'runn'; did you mean 'run'?"]),
                            (["rum", "--family", "tangent"], ["unknown subcommand 'rum'; did you mean 'run'?"]),
                            (["--kernel", "published"], ["the option --kernel belongs after a subcommand, as in axiscert run --kernel"]),

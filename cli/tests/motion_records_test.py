@@ -26,7 +26,7 @@ class MotionRecords(Case):
         times = json.loads(reference)["kernels"][2]["families"]["moving-sphere/graze"]["motion"]["time"]
         self.assertGreater(times["late"] + times["early"], 0, "times are in it")
         self.assertEqual(self.record(*MOTIONS, "--threads", 3, out="three"), reference)
-        targets = json.loads(axiscert("kernels", "--format", "json").stdout)[0]["targets"]
+        targets = json.loads(axiscert("kernels", "--format", "json").stdout)["kernels"][0]["targets"]
         self.assertIn("scalar", targets)
         for target in targets:
             self.assertEqual(self.record(*MOTIONS, "--target", target, out=target), reference, target)

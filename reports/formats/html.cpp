@@ -55,14 +55,17 @@ std::string decimal(const Json& number, const Json& precision) {
 Json witness_card(const Json& witness, const Json& plan) {
   Json card = witness;
   Json& decimals = card["decimal"] = Json::object();
-  for (const ColumnGroup& group : groups_of(*entry_of(test_of(plan), witness))) {
+  const TestDescription& test = test_of(plan);
+  const TestEntry& entry = *entry_of(test, witness);
+  for (const ColumnGroup& group : groups_of(entry)) {
     const std::string member(group.name);
     const Json& numbers = witness[member];
     if (numbers.is_string()) decimals[member] = decimal(numbers, witness["precision"]);
     else
       for (const Json& number : numbers) decimals[member].push_back(decimal(number, witness["precision"]));
   }
-  if (const TestDescription& test = test_of(plan); &test != &first_test()) card["test"] = test.id;
+  if (&test != &first_test()) card["test"] = test.id;
+  if (&entry != &test.entries.front()) card["entry"] = entry.name;
   card["command"] = replay_command(witness, plan);
   return card;
 }

@@ -70,7 +70,7 @@ function c_array(witness) {
 
 // A line of a query file, as witnesses.jsonl has it.
 function json_line(witness) {
-  const {id, precision, test} = witness;
+  const {id, precision, test, entry} = witness;
   const numbers = {};
   // A group whose name has dots is nested; what is named by digits is an element of an array.
   for (const group of page_test_of(witness).groups) {
@@ -81,7 +81,7 @@ function json_line(witness) {
       else at = at[name] ??= /^[0-9]+$/.test(names[i + 1]) ? [] : {};
     });
   }
-  return JSON.stringify({id, precision, ...(test ? {test} : {}), ...numbers});
+  return JSON.stringify({id, precision, ...(test ? {test} : {}), ...(entry ? {entry} : {}), ...numbers});
 }
 
 const snippet_kinds = [['C++ test', cpp_test], ['C array', c_array], ['JSON line', json_line]];
