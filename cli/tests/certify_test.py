@@ -122,7 +122,12 @@ class Certify(CertifyCase):
     def test_a_test_without_a_radius_says_so(self):
         predicate = json.loads(self.certificate_of("box-box/projected").read_text())["predicate"]
         self.assertIn("does not depend on one radius", predicate["safe_margin"]["reason"])
-        self.assertIn("the search moves queries of spheres", predicate["search"]["reason"])
+        self.assertEqual(predicate["safe_margin"]["precisions"], [])
+        self.assertIsNone(predicate["search"]["reason"])  # a test need not have a radius to be searched
+        for precision in predicate["kernel"]["precisions"]:
+            search = predicate["search"]["precisions"][precision]
+            self.assertGreater(search["evaluations"], 0)
+            self.assertIn("missed_contact", search["finds"])
         self.assertEqual(predicate["kernel"]["test"], "box-box")
 
     def test_a_run_that_is_out_of_time_lists_what_was_done(self):

@@ -84,7 +84,7 @@ class Data(Case):
                 self.assertTrue(list(schema_of(name).iter_errors(wrong)), name)
 
     def test_each_schema_is_of_something_that_is_written(self):
-        others = {"record", "run", "ratchet", "comparison", "proofs"}
+        others = {"record", "run", "ratchet", "comparison", "proofs", "certificate"}
         self.assertEqual({path.name.split(".")[0] for path in SCHEMAS.glob("*.schema.json")}, others | {name for name, _ in COMMANDS.values()})
 
     def test_csv_has_the_columns_that_the_page_describes_in_their_order(self):

@@ -69,7 +69,7 @@ void merge(MarginDecade& all, const MarginDecade& other) {
   all.queries += other.queries;
   all.missed += other.missed;
   all.hopeless += other.hopeless;
-  all.at_zero += other.at_zero;
+  all.tiny += other.tiny;
   all.unmeasured += other.unmeasured;
   all.phantoms_by_factor += other.phantoms_by_factor;
   all.phantoms_by_amount += other.phantoms_by_amount;
@@ -139,13 +139,19 @@ class MarginFinder {
     const Decimal6 amount = round_up(Rational(to - from));
     for (std::optional<MissedContact>* kept : {&decade.amount, &into_.amount})
       if (!*kept || amount > (*kept)->value) *kept = contact(amount);
-    if (sgn(from) == 0) {
-      ++decade.at_zero;
+    if (is_tiny(query)) {
+      ++decade.tiny;
       return;
     }
     const Decimal6 factor = round_up(Rational(to / from));
     for (std::optional<MissedContact>* kept : {&decade.factor, &into_.factor})
       if (!*kept || factor > (*kept)->value) *kept = contact(factor);
+  }
+
+  // Is r below 2^-tiny_radius_exponent of the scene's size? Zero is tiny in each scene, also in one of no size.
+  bool is_tiny(const Numbers<Real>& query) const {
+    const auto r = static_cast<double>(query[radius()]);
+    return r == 0 || std::ldexp(r, tiny_radius_exponent[precision_of<Real>]) < scene_.of(query);
   }
 
   // Asks at the least radius that is a contact.

@@ -40,7 +40,7 @@ struct MarginDecade {
   std::uint64_t queries = 0;     // valid, and within what the kernel promises
   std::uint64_t missed = 0;      // contacts called separated: of the run, probed and found
   std::uint64_t hopeless = 0;    // of these, missed at every radius up to the greatest
-  std::uint64_t at_zero = 0;     // of the rest, those with r = 0, which no factor mends
+  std::uint64_t tiny = 0;        // of the rest, those whose r is tiny, or 0: these have an amount, and no factor
   std::uint64_t unmeasured = 0;  // the kernel did not answer at some radius, or its radius is the query's own
   std::optional<MissedContact> factor = {}, amount = {};  // the greatest
   // The run's queries asked again, each grown by the factor, and by the amount, of its decade.
@@ -58,6 +58,11 @@ struct SafeMargin {
 
   MarginDecade total() const;  // counts added, without the greatest
 };
+
+// A radius below 2^-k of its scene's size is tiny. Its square is then below one rounding of a squared length of that
+// scene, so the quotient of the radius that the kernel needs and of this one says how small r is, not what the kernel
+// is like: 1e38 for an r of 1e-38 in a scene of size 1.
+inline constexpr EnumArray<Precision, int> tiny_radius_exponent = {12, 26};
 
 // The least number of the precision that is not below `value`; the greatest finite one where none is.
 template <class Real>

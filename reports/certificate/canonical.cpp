@@ -47,7 +47,10 @@ class StrictReader {
  public:
   bool operator()(int depth, Json::parse_event_t event, const Json& value) {
     using Event = Json::parse_event_t;
-    if (static_cast<std::size_t>(depth) > most_levels) throw Error(fmt::format("has more than {} levels", most_levels));
+    // The library counts the levels around what begins, without itself.
+    const bool begins = event == Event::object_start || event == Event::array_start;
+    if (begins && static_cast<std::size_t>(depth) >= most_levels)
+      throw Error(fmt::format("has more than {} levels", most_levels));
     if (event == Event::object_start) names_.emplace_back();
     if (event == Event::object_end) names_.pop_back();
     if (event == Event::key && !names_.back().insert(value.get_ref<const std::string&>()).second)

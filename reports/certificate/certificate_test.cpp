@@ -105,6 +105,7 @@ TEST(StrictJson, RefusesWhatTheLibraryTakes) {
   EXPECT_THAT(refusal(R"({"a":1,"b":{"a":1},"a":1})"), HasSubstr("x: the member \"a\" occurs twice"));
   EXPECT_THAT(refusal(R"({"a":1.5})"), HasSubstr("no whole one"));
   EXPECT_THAT(refusal("18446744073709551616"), HasSubstr("no whole one"));
+  EXPECT_EQ(refusal(std::string(32, '[') + std::string(32, ']')), "read");
   EXPECT_THAT(refusal(std::string(33, '[') + std::string(33, ']')), HasSubstr("more than 32 levels"));
   EXPECT_THAT(refusal(std::string(400, '['), 100), HasSubstr("x: 400 bytes; a certificate has at most 100"));
   EXPECT_THAT(refusal("\"\xff\""), HasSubstr("is not JSON"));

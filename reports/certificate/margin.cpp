@@ -19,7 +19,7 @@ Json decade_json(const MarginDecade& part) {
   return {{"queries", part.queries},
           {"missed", part.missed},
           {"hopeless", part.hopeless},
-          {"at_zero", part.at_zero},
+          {"tiny", part.tiny},
           {"unmeasured", part.unmeasured},
           {"factor", value(part.factor)},
           {"amount", value(part.amount)},

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <vector>
 
+#include "fuzz/certify/safe_margin.h"
+#include "fuzz/queries/address.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -83,11 +85,11 @@ class CertificatePage {
           where, cell_count(margin["queries"]), cell_count(margin["probed"]), cell_count(margin["found"]));
     }
     std::string text = where + everyday_margin(margin);
+    const std::string factor = member_text(margin["factor"], "value"), amount = member_text(margin["amount"], "value");
     if (margin["factor"].is_null() && margin["amount"].is_null()) text += "no growth of r mends a missed contact";
     else {
-      text += fmt::format("over all scales r times {}, or r plus {}, mends every missed contact that a radius mends",
-                          margin["factor"].is_null() ? "(no factor)" : cell_text(margin["factor"]["value"]),
-                          cell_text(margin["amount"]["value"]));
+      text += fmt::format("over all scales {} every missed contact that a radius mends{}", growth_mends(factor, amount),
+                          all["tiny"] == 0 || margin["factor"].is_null() ? "" : ", the factor where r is not tiny");
       text += fmt::format(
           "; each scale's own factor makes {} new phantom contacts of {} queries, where there were {}, its own amount "
           "{}",
@@ -96,14 +98,32 @@ class CertificatePage {
     }
     text += fmt::format(". {} contacts were missed", cell_count(all["missed"]));
     if (all["hopeless"] != 0) text += fmt::format(", {} of them at every radius", cell_count(all["hopeless"]));
-    if (all["at_zero"] != 0) text += fmt::format(", {} with r = 0, which no factor mends", cell_count(all["at_zero"]));
+    if (all["tiny"] != 0) {
+      const int exponent = tiny_radius_exponent[parse_precision(margin["precision"].get<std::string>())];
+      text += fmt::format(
+          ", {} with r = 0 or below 2^-{} of the scene's size: r^2 is less than a rounding of a squared length there, "
+          "a "
+          "factor would only say how small r is, and only the amount counts them",
+          cell_count(all["tiny"]), exponent);
+    }
     return text + ".";
+  }
+
+  static std::string member_text(const Json& value, const char* member) {
+    return value.is_null() ? "" : cell_text(value[member]);
+  }
+
+  // "r times 1.5, or r plus 2, mends"; each may be absent.
+  static std::string growth_mends(const std::string& factor, const std::string& amount) {
+    if (factor.empty()) return fmt::format("r plus {} mends", amount);
+    return amount.empty() ? fmt::format("r times {} mends", factor)
+                          : fmt::format("r times {}, or r plus {}, mends", factor, amount);
   }
 
   // The greatest of the scales that scenes have in metres, from a millimetre to ten kilometres.
   static std::string everyday_margin(const Json& margin) {
-    double factor = 1, amount_needed = 0;
-    std::string factor_text = "1", amount_text = "0";
+    double factor = 0, amount = 0;
+    std::string factor_text, amount_text;
     const auto raise = [](const Json& figure, double& most, std::string& text) {
       if (figure.is_null()) return;
       const double value = std::strtod(figure.get_ref<const std::string&>().c_str(), nullptr);
@@ -115,9 +135,11 @@ class CertificatePage {
       const int decade = part["decade"];
       if (decade < -3 || decade > 3) continue;
       raise(part["factor"], factor, factor_text);
-      raise(part["amount"], amount_needed, amount_text);
+      raise(part["amount"], amount, amount_text);
     }
-    return fmt::format("in scenes of 0.001 to 10,000 r times {}, or r plus {}; ", factor_text, amount_text);
+    const std::string scenes = "in scenes of 0.001 to 10,000 ";
+    if (factor_text.empty() && amount_text.empty()) return scenes + "no growth is needed, or none mends; ";
+    return fmt::format("{}{} them; ", scenes, growth_mends(factor_text, amount_text));
   }
 
   std::string breaks_note() const {
@@ -192,8 +214,8 @@ class CertificatePage {
   InstrumentTable margin_table() const {
     InstrumentTable table{
         "Safe margin by the size of the scene: what r has to be multiplied by, or grow by, and new phantom contacts",
-        {"precision", "size from", "queries", "missed", "at every radius", "factor", "amount", "phantoms by the factor",
-         "phantoms by the amount"},
+        {"precision", "size from", "queries", "missed", "at every radius", "tiny r", "factor", "amount",
+         "phantoms by the factor", "phantoms by the amount"},
         {}};
     for (const Json& margin : predicate_["safe_margin"]["precisions"]) {
       for (const Json& part : margin["decades"]) {
@@ -201,7 +223,7 @@ class CertificatePage {
         const int decade = part["decade"];
         table.rows.push_back({cell_text(margin["precision"]), decade < -399 ? "0" : fmt::format("1e{}", decade),
                               cell_count(part["queries"]), cell_count(part["missed"]), cell_count(part["hopeless"]),
-                              cell_text(part["factor"]), cell_text(part["amount"]),
+                              cell_count(part["tiny"]), cell_text(part["factor"]), cell_text(part["amount"]),
                               cell_count(part["phantoms_by_factor"]), cell_count(part["phantoms_by_amount"])});
       }
     }
