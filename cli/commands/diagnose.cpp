@@ -64,8 +64,8 @@ void add_diagnose(CLI::App& app, Action& action) {
   command->add_option("--seed", o.seed, "seed of all random choices")->check(whole_number())->capture_default_str();
   add_plugin_seconds(*command);
   add_progress(*command);
-  add_format(*command, o.format, {"json"});
-  command->add_option("--out", o.out, "folder for diagnose.json, diagnose.html and witnesses.jsonl");
+  add_format(*command, o.format, data_formats);
+  command->add_option("--out", o.out, "folder for diagnosis.json, diagnosis.csv, diagnosis.html and witnesses.jsonl");
   command->callback([&action, options] { action = [options] { return diagnose_kernel(*options); }; });
 }
 

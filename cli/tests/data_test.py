@@ -21,6 +21,7 @@ COMMANDS = {
     "critical-radius": ("critical-radius", ("critical-radius", "--trials", 40, "--kernel", "published", "--kernel", "ladder-0+prescaled", "--family", "scale")),
     "league": ("league", ("league", "--kernel", "published", "--kernel", "fault/none", "--trials", 300, "--family", "tangent", "--no-speed")),
     "search": ("search", ("search", "--kernel", "published", "--evaluations", 100000)),
+    "diagnose": ("diagnosis", ("diagnose", "published+ftz")),
     "map": ("maps", ("map", "-", "--size", 8)),
     "mutate": ("mutation", (*MUTATE, "swap")),
     "mutate --verdict-only": ("mutation-by-verdict", (*MUTATE, "drop", "--verdict-only")),
@@ -29,7 +30,7 @@ COMMANDS = {
     "tests": ("tests", ("tests",)),
 }
 # Which of these write a folder.
-WRITTEN = {"ladder", "precision", "condition", "critical-radius", "league", "search", "mutate", "mutate --verdict-only"}
+WRITTEN = {"ladder", "precision", "condition", "critical-radius", "league", "search", "diagnose", "mutate", "mutate --verdict-only"}
 
 
 def documented():
@@ -96,7 +97,7 @@ class Data(Case):
     def test_every_column_is_filled_somewhere(self):
         # What needs more than these few queries.
         rare = {"caught_after", "ns", "overflow.exponent", "underflow.exponent", "unanswered", "left_out", "reason", "source", "equivalent", "undefined", "not_decided"}
-        for heading in ("ladder", "precision", "condition", "critical-radius", "league", "search", "map", "kernels", "families", "tests"):
+        for heading in ("ladder", "precision", "condition", "critical-radius", "league", "search", "diagnose", "map", "kernels", "families", "tests"):
             head, rows = self.csv(heading)
             empty = {name for name in head if not any(row[name] for row in rows)}
             self.assertLessEqual(empty, rare, heading)
@@ -123,6 +124,11 @@ class Data(Case):
         comparisons = {row["name"]: row for row in self.csv("search")[1] if row["level"] == "comparison"}
         for data in self.json("search")["comparisons"]:
             self.assertEqual(float(comparisons[data["name"]]["attained_u"]), data["attained_u"])
+        for data, row in zip(self.json("diagnose")["properties"], self.csv("diagnose")[1], strict=True):
+            self.assertEqual([row[name] for name in ("name", "value", "sentence")], [data[name] for name in ("name", "value", "sentence")])
+            self.assertEqual((int(row["queries"]), int(row["witnesses"])), (data["queries"], len(data["witnesses"])))
+            self.assertEqual([row[f"witness.{name}"] for name in ("answered", "truth", "shows")],
+                             [data["witnesses"][0][name] if data["witnesses"] else "" for name in ("answered", "truth", "shows")])
         pictures = self.json("map")["maps"][0]["pictures"]
         self.assertEqual([int(row["tie"]) for row in self.csv("map")[1]], [picture["counts"]["tie"] for picture in pictures])
         for heading in ("mutate", "mutate --verdict-only"):

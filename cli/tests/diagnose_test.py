@@ -24,8 +24,8 @@ class Diagnose(Case):
         data, values = self.diagnosed("published", "--out", self.folder / "out")
         self.assertEqual(values["touching"], "closed")
         self.assertEqual(values["nearest_form"], "published")
-        self.assertEqual(json.loads((self.folder / "out" / "diagnose.json").read_text()), data)
-        self.assertIn("touching", (self.folder / "out" / "diagnose.html").read_text())
+        self.assertEqual(json.loads((self.folder / "out" / "diagnosis.json").read_text()), data)
+        self.assertIn("touching", (self.folder / "out" / "diagnosis.html").read_text())
         witnesses = [w for p in data["properties"] for w in p["witnesses"]]
         file = self.folder / "out" / "witnesses.jsonl"
         self.assertEqual(len(file.read_text().splitlines()), len(witnesses))

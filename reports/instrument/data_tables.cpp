@@ -191,6 +191,22 @@ DataTable search_rows(const Json& data) {
   return table;
 }
 
+// A property a line, with the first of the queries that show it.
+DataTable diagnosis_rows(const Json& data) {
+  DataTable table{{"kernel", "test", "precision", "seed", "name", "value", "sentence", "queries", "witnesses",
+                   "witness.answered", "witness.truth", "witness.shows"},
+                  {}};
+  for (const Json& property : data["properties"]) {
+    Json row = property;
+    for (const char* member : {"kernel", "test", "precision", "seed"}) row[member] = data[member];
+    const Json& witnesses = property["witnesses"];
+    row["witnesses"] = witnesses.size();
+    if (!witnesses.empty()) row["witness"] = witnesses[0];
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 DataTable maps_rows(const Json& data) {
   DataTable table{{"map", "kernel", "precision", "kind", "along.numbers", "across.numbers", "level", "name", "file"},
                   {}};
@@ -243,19 +259,15 @@ struct NamedTable {
   std::string_view name;  // axiscert-NAME/1 is the schema
   DataTable (*table)(const Json&);
 };
-constexpr std::array named_tables = {NamedTable{"ladder", ladder_rows},
-                                     NamedTable{"precision", precision_rows},
-                                     NamedTable{"condition", condition_rows},
-                                     NamedTable{"critical-radius", critical_radius_rows},
-                                     NamedTable{"league", league_rows},
-                                     NamedTable{"search", search_rows},
-                                     NamedTable{"maps", maps_rows},
-                                     NamedTable{"mutation", mutation_rows},
-                                     NamedTable{"mutation-by-verdict", mutation_by_verdict_rows},
-                                     NamedTable{"proofs", proofs_rows},
-                                     NamedTable{"kernels", kernels_rows},
-                                     NamedTable{"families", families_rows},
-                                     NamedTable{"tests", tests_rows}};
+constexpr std::array named_tables = {
+    NamedTable{"ladder", ladder_rows},       NamedTable{"precision", precision_rows},
+    NamedTable{"condition", condition_rows}, NamedTable{"critical-radius", critical_radius_rows},
+    NamedTable{"league", league_rows},       NamedTable{"search", search_rows},
+    NamedTable{"diagnosis", diagnosis_rows}, NamedTable{"maps", maps_rows},
+    NamedTable{"mutation", mutation_rows},   NamedTable{"mutation-by-verdict", mutation_by_verdict_rows},
+    NamedTable{"proofs", proofs_rows},       NamedTable{"kernels", kernels_rows},
+    NamedTable{"families", families_rows},   NamedTable{"tests", tests_rows},
+};
 
 }  // namespace
 

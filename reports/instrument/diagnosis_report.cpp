@@ -1,9 +1,9 @@
 // `axiscert diagnose`: what a kernel is like, property by property.
 #include "reports/instrument/diagnosis_report.h"
-#include "kernel/base/version.h"
 
 #include <fmt/format.h>
 
+#include "reports/instrument/data.h"
 #include "reports/instrument/figures.h"
 
 namespace axiscert {
@@ -33,7 +33,7 @@ InstrumentTable diagnosis_witness_table(const Diagnosis& diagnosis) {
 
 InstrumentReport diagnosis_report(const Diagnosis& diagnosis, const std::string& command) {
   InstrumentReport report;
-  report.name = "diagnose";
+  report.name = "diagnosis";
   report.title = fmt::format("What {} is like, {}, seed {}{}", diagnosis.kernel, name(diagnosis.precision),
                              diagnosis.seed, diagnosis.complete ? "" : ", interrupted");
   report.command = command;
@@ -47,8 +47,9 @@ InstrumentReport diagnosis_report(const Diagnosis& diagnosis, const std::string&
   if (InstrumentTable witnesses = diagnosis_witness_table(diagnosis); !witnesses.rows.empty()) {
     report.tables.push_back(std::move(witnesses));
   }
-  report.data = {{"schema", diagnosis_schema}, {"axiscert", axiscert_version}};
-  report.data.update(diagnosis_json(diagnosis));
+  Json members = {{"command", command}};
+  members.update(diagnosis_json(diagnosis));
+  report.data = headed(diagnosis_schema, members);
   return report;
 }
 
