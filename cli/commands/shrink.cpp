@@ -88,8 +88,8 @@ Symptom wanted(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkOp
   };
   if (oracles_of(kernel).truth(q).verdict == Verdict::invalid)
     throw fail(fmt::format("not a valid query ({}): no answer of a kernel could be wrong", stored.columns().validity));
-  Diagnosis<Real> diagnosis(kernel, target);
-  const std::vector<Symptom> flips = diagnosis.flips(q);
+  SymptomFinder<Real> finder(kernel, target);
+  const std::vector<Symptom> flips = finder.flips(q);
   if (options.what.empty()) {
     if (!flips.empty()) return flips.front();
     throw fail(fmt::format("{} is not wrong on it: {}{}; to keep the error of a comparison, give --what COMPARISON{}",
@@ -104,7 +104,7 @@ Symptom wanted(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkOp
     throw fail(fmt::format("--what {}: {} has it right; it is wrong there: {}", options.what, kernel.id,
                            flips.empty() ? "nothing" : joined(flips)));
   }
-  if (diagnosis.severity(q, asked)) return asked;
+  if (finder.severity(q, asked)) return asked;
   throw fail(
       fmt::format("--what {}: {} has no measurable error there: it shows no sides of its own "
                   "formulae, or a side is not finite, or there is nothing to measure against",
@@ -192,7 +192,7 @@ void shrink_one(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkO
   const bool wants_pair = options.what == asymmetry_name;
   // Without --what, a query that is right by itself is half of a pair, if it is in one.
   const auto is_right = [&] {
-    return may_be_valid(shape_of(stored.columns()), q) && Diagnosis<Real>(kernel, target).flips(q).empty();
+    return may_be_valid(shape_of(stored.columns()), q) && SymptomFinder<Real>(kernel, target).flips(q).empty();
   };
   if (wants_pair || (options.what.empty() && is_right())) {
     if (const auto pair = pair_of(q, stored, kernel, target)) {

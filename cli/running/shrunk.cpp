@@ -87,10 +87,10 @@ std::string shrunk_witnesses(const Json& record, const std::string& target, std:
             }
             return;
           }
-          Diagnosis<Real> diagnosis(kernel, target);
-          const auto flips = diagnosis.flips(q);
+          SymptomFinder<Real> finder(kernel, target);
+          const auto flips = finder.flips(q);
           // Somebody else's code may give another answer today.
-          if (flips.empty() || !diagnosis.severity(q, flips.front())) return;
+          if (flips.empty() || !finder.severity(q, flips.front())) return;
           const auto found = shrink<Real>(q, flips.front(), kernel, target, evaluations);
           text += shrunk_json(stored, flips.front(), found, kernel).dump() + "\n";
         },

@@ -17,17 +17,17 @@ template <class Real>
 void expect_the_same_fault_of_boxes(const char* kernel_id, const char* family) {
   SCOPED_TRACE(std::string(kernel_id) + " on " + family);
   const Kernel& kernel = find_kernel(kernel_id);
-  Diagnosis<Real> diagnosis(kernel, scalar_target);
+  SymptomFinder<Real> finder(kernel, scalar_target);
   std::uint64_t n = 0;
   const auto at = [&] { return find_family(family).make<Real>(boxes_to_shrink_seed, n); };
   const auto is_wrong = [&] {
-    const std::vector<Symptom> flips = diagnosis.flips(at());
+    const std::vector<Symptom> flips = finder.flips(at());
     return !flips.empty() && flips.front().level == Level::verdict;
   };
   while (n < 2000 && !is_wrong()) ++n;
   ASSERT_LT(n, 2000u);
   const Numbers<Real> q = at();
-  const Symptom symptom = diagnosis.flips(q).front();
+  const Symptom symptom = finder.flips(q).front();
   const auto found = shrink<Real>(q, symptom, kernel, scalar_target, 400);
   ASSERT_GT(found.sizes.size(), 1u);
   OracleExaminer examiner(kernel, scalar_target);

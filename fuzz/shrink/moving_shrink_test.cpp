@@ -16,10 +16,10 @@ const TestDescription& motions() { return find_test("moving-sphere"); }
 // The first query of the family on which the kernel is wrong.
 template <class Real>
 Numbers<Real> first_wrong(const Kernel& kernel, const char* family) {
-  Diagnosis<Real> diagnosis(kernel, scalar_target);
+  SymptomFinder<Real> finder(kernel, scalar_target);
   std::uint64_t n = 0;
   const auto at = [&] { return find_family(family).make<Real>(motion_seed, n); };
-  while (diagnosis.flips(at()).empty() && n < 5000) ++n;
+  while (finder.flips(at()).empty() && n < 5000) ++n;
   SCOPED_TRACE(testing::Message() << family << ", seed " << motion_seed << ", position " << n);
   EXPECT_LT(n, 5000u);
   return at();
@@ -30,8 +30,8 @@ void expect_the_same_fault(const char* kernel_id, const char* family) {
   SCOPED_TRACE(std::string(kernel_id) + " on " + family);
   const Kernel& kernel = find_kernel(kernel_id);
   const Numbers<Real> q = first_wrong<Real>(kernel, family);
-  Diagnosis<Real> diagnosis(kernel, scalar_target);
-  const Symptom symptom = diagnosis.flips(q).front();
+  SymptomFinder<Real> finder(kernel, scalar_target);
+  const Symptom symptom = finder.flips(q).front();
   const auto found = shrink<Real>(q, symptom, kernel, scalar_target, 600);
   ASSERT_GT(found.sizes.size(), 1u);
   for (std::size_t i = 1; i < found.sizes.size(); ++i) ASSERT_LT(found.sizes[i], found.sizes[i - 1]);

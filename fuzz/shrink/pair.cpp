@@ -13,9 +13,9 @@ namespace axiscert {
 // Asks one kernel about a query and its image. In no unnamed namespace, because a lambda of shrink_pair, which other
 // sources call, holds it.
 template <class Real>
-class PairDiagnosis {
+class PairSymptomFinder {
  public:
-  PairDiagnosis(const Kernel& kernel, std::string_view target) : kernel_(kernel), target_(target) {}
+  PairSymptomFinder(const Kernel& kernel, std::string_view target) : kernel_(kernel), target_(target) {}
 
   // Empty if the answers do not differ, or one is missing.
   std::optional<PairSymptom> symptom(const Query<Real>& q, const Query<Real>& image_of_it, const ImageMap& map) {
@@ -87,7 +87,7 @@ std::optional<Pair<Real>> asymmetric_pair(const std::string& given, const Kernel
   if (source->version() != address->version || source->test().id != kernel.test->id) return std::nullopt;
   const std::uint64_t position = address->position(), base = position - position % group->size;
   const Query<Real> q = source->template make<Real>(address->seed, position);
-  PairDiagnosis<Real> diagnosis(kernel, target);
+  PairSymptomFinder<Real> finder(kernel, target);
   for (std::uint64_t other = base; other < base + group->size; ++other) {
     if (other == position) continue;
     if (position != base && other != base) break;
@@ -95,7 +95,7 @@ std::optional<Pair<Real>> asymmetric_pair(const std::string& given, const Kernel
     if (!is_valid(q) || !is_valid(image_of_it)) continue;
     const auto map = map_between(q, image_of_it);
     if (!map) continue;
-    if (const auto symptom = diagnosis.symptom(q, image_of_it, *map)) return Pair<Real>{q, image_of_it, *map, *symptom};
+    if (const auto symptom = finder.symptom(q, image_of_it, *map)) return Pair<Real>{q, image_of_it, *map, *symptom};
   }
   return std::nullopt;
 }
@@ -117,12 +117,12 @@ template std::optional<Pair<double>> asymmetric_pair(const Query<double>&, const
 template <class Real>
 ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::string_view target, std::uint64_t limit,
                              Keeping keeping, const Evaluated& evaluated) {
-  PairDiagnosis<Real> diagnosis(kernel, target);
+  PairSymptomFinder<Real> finder(kernel, target);
   const auto severity = [&](const Numbers<Real>& numbers) -> std::optional<Severity> {
     const Query<Real> q = numbers;
     const auto image_of_it = image_by(pair.map, q);
     if (!image_of_it) return std::nullopt;
-    const auto symptom = diagnosis.symptom(q, *image_of_it, pair.map);
+    const auto symptom = finder.symptom(q, *image_of_it, pair.map);
     if (!symptom || !is_same(*symptom, pair.symptom)) return std::nullopt;
     return severity_of(q, *symptom);
   };

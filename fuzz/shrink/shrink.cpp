@@ -104,11 +104,11 @@ template Shrunk<double> shrink(const TestDescription&, const Numbers<double>&, c
 template <class Real>
 Shrunk<Real> shrink(const Numbers<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
                     std::uint64_t limit, Keeping keeping, const Evaluated& evaluated) {
-  Diagnosis<Real> diagnosis(kernel, target);
-  if (!diagnosis.severity(q, symptom)) {
+  SymptomFinder<Real> finder(kernel, target);
+  if (!finder.severity(q, symptom)) {
     throw Error(fmt::format("the query does not show {} of {}", text(symptom), kernel.id));
   }
-  const SeverityOn<Real> severity = [&](const Numbers<Real>& at) { return diagnosis.severity(at, symptom); };
+  const SeverityOn<Real> severity = [&](const Numbers<Real>& at) { return finder.severity(at, symptom); };
   return shrink<Real>(*kernel.test, q, severity, keeping, limit, evaluated, kernel.entry);
 }
 template Shrunk<float> shrink<float>(const Numbers<float>&, const Symptom&, const Kernel&, std::string_view,

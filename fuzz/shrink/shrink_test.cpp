@@ -122,11 +122,11 @@ void expect_smaller_and_as_bad(const Query<Real>& q, const Symptom& symptom, con
 template <class Real>
 void shrink_the_first(const char* kernel_id, const char* family, int wanted, const std::uint64_t trials) {
   const Kernel& kernel = find_kernel(kernel_id);
-  Diagnosis<Real> diagnosis(kernel, scalar_target);
+  SymptomFinder<Real> finder(kernel, scalar_target);
   for (std::uint64_t n = 0; n < trials && wanted > 0; ++n) {
     const Query<Real> q = find_family(family).make<Real>(seed, n);
     if (!is_valid(q)) continue;
-    const auto flips = diagnosis.flips(q);
+    const auto flips = finder.flips(q);
     if (flips.empty()) continue;
     SCOPED_TRACE(testing::Message() << family << ", seed " << seed << ", position " << n);
     std::optional<Level> last;
@@ -167,11 +167,11 @@ TEST(Shrink, KeepsTheErrorOfAComparison) {
 
 TEST(Shrink, TheLimitEndsItAndSaysSo) {
   const Kernel& kernel = find_kernel("published");
-  Diagnosis<float> diagnosis(kernel, scalar_target);
+  SymptomFinder<float> finder(kernel, scalar_target);
   std::uint64_t n = 0;
   const auto at = [&]() -> Query<float> { return find_family("tangent").make<float>(seed, n); };
-  while (diagnosis.flips(at()).empty()) ++n;
-  const auto found = shrink<float>(at(), diagnosis.flips(at()).front(), kernel, scalar_target, 3);
+  while (finder.flips(at()).empty()) ++n;
+  const auto found = shrink<float>(at(), finder.flips(at()).front(), kernel, scalar_target, 3);
   EXPECT_EQ(found.evaluations, 3u);
   EXPECT_FALSE(found.complete);
 }
@@ -248,7 +248,7 @@ TEST(ShrinkPairs, TheAnswersToTheSmallerQueryAndItsImageStillDiffer) {
     ++pairs;
     EXPECT_TRUE(asymmetric_pair(pair->query, address, kernel, scalar_target));
     EXPECT_FALSE(asymmetric_pair(pair->image, address, kernel, scalar_target)) << "its numbers are not the address's";
-    right_alone += Diagnosis<float>(kernel, scalar_target).flips(pair->query).empty();
+    right_alone += SymptomFinder<float>(kernel, scalar_target).flips(pair->query).empty();
     EXPECT_NE(pair->symptom.of_query, pair->symptom.of_image);
     const auto found = shrink_pair(*pair, kernel, scalar_target, 3000);
     EXPECT_LT(found.query.sizes.back(), found.query.sizes.front()) << address;

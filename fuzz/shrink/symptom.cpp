@@ -108,7 +108,7 @@ bool is_no_less(const Severity& now, const Severity& then) {
 }
 
 template <class Real>
-Reply<Real> Diagnosis<Real>::asked(const Numbers<Real>& q) {
+Reply<Real> SymptomFinder<Real>::asked(const Numbers<Real>& q) {
   if (!implementation_) implementation_ = kernel_.on<Real>(target_);
   Reply<Real> reply = ask(*implementation_, q);
   if (reply.verdicts[0] == Verdict::unanswered) implementation_.reset();
@@ -116,14 +116,14 @@ Reply<Real> Diagnosis<Real>::asked(const Numbers<Real>& q) {
 }
 
 template <class Real>
-Judgement Diagnosis<Real>::judgement(const Numbers<Real>& q) {
+Judgement SymptomFinder<Real>::judgement(const Numbers<Real>& q) {
   const Answer answer = asked(q).outcome(0);
   if (kernel_.test == &first_test()) return examine(query_from(q), kernel_, answer).judgement;
   return examine_by_oracles(q, kernel_, answer).judgement;
 }
 
 template <class Real>
-std::vector<Symptom> Diagnosis<Real>::flips(const Numbers<Real>& q) {
+std::vector<Symptom> SymptomFinder<Real>::flips(const Numbers<Real>& q) {
   std::vector<Symptom> all;
   const Judgement found = judgement(q);
   found.for_each_flip([&](const Flip& flip) { all.push_back(symptom_of(*kernel_.test, found, flip)); });
@@ -131,13 +131,13 @@ std::vector<Symptom> Diagnosis<Real>::flips(const Numbers<Real>& q) {
 }
 
 template <class Real>
-std::optional<Severity> Diagnosis<Real>::severity(const Numbers<Real>& q, const Symptom& symptom) {
+std::optional<Severity> SymptomFinder<Real>::severity(const Numbers<Real>& q, const Symptom& symptom) {
   if (kernel_.test == &first_test()) return severity_of_first_test(query_from(q), symptom);
   return severity_by_oracles(q, symptom);
 }
 
 template <class Real>
-std::optional<Severity> Diagnosis<Real>::severity_by_oracles(const Numbers<Real>& q, const Symptom& symptom) {
+std::optional<Severity> SymptomFinder<Real>::severity_by_oracles(const Numbers<Real>& q, const Symptom& symptom) {
   const Answer answer = asked(q).outcome(0);
   if (!can_show(symptom, answer) || !symptom.kind) return std::nullopt;
   const OracleExamination found = examine_by_oracles(q, kernel_, answer);
@@ -155,7 +155,7 @@ std::optional<Severity> Diagnosis<Real>::severity_by_oracles(const Numbers<Real>
 }
 
 template <class Real>
-std::optional<Severity> Diagnosis<Real>::severity_of_first_test(const Query<Real>& q, const Symptom& symptom) {
+std::optional<Severity> SymptomFinder<Real>::severity_of_first_test(const Query<Real>& q, const Symptom& symptom) {
   if (!is_valid(q) || !is_within(kernel_.limits, q)) return std::nullopt;
   const Reply<Real> reply = asked(q);
   const Answer answer = reply.outcome(0);
@@ -192,7 +192,7 @@ std::optional<Severity> Diagnosis<Real>::severity_of_first_test(const Query<Real
   return std::nullopt;
 }
 
-template class Diagnosis<float>;
-template class Diagnosis<double>;
+template class SymptomFinder<float>;
+template class SymptomFinder<double>;
 
 }  // namespace axiscert

@@ -48,10 +48,10 @@ bool is_no_less(const Severity& now, const Severity& then);
 // Asks one kernel about queries of its test, by the test's oracles. A foreign kernel's process is begun once, and again
 // after a query that it did not answer.
 template <class Real>
-class Diagnosis {
+class SymptomFinder {
  public:
-  // The kernel and the string must outlive the diagnosis. The kernel exists in this precision.
-  Diagnosis(const Kernel& kernel, std::string_view target) : kernel_(kernel), target_(target) {}
+  // The kernel and the string must outlive the finder. The kernel exists in this precision.
+  SymptomFinder(const Kernel& kernel, std::string_view target) : kernel_(kernel), target_(target) {}
 
   // Every flip, in the order verdict, axes, comparisons. Throws OracleDisagreement.
   std::vector<Symptom> flips(const Numbers<Real>& q);
