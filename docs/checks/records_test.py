@@ -87,7 +87,7 @@ class Records(unittest.TestCase):
 
     def test_theorems_named_beside_the_steps_are_main_theorems(self):
         theorems = set(re.findall(r'^== "?(\w+)"?$', text_of("proofs/coq/Assumptions.expected"), re.M))
-        lines = text_of("docs/proofs.md").partition("| step | proved | on paper |")[2].partition("\n\n")[0].splitlines()[2:]
+        lines = text_of("docs/proofs.md").partition("| step | proved | recorded |")[2].partition("\n\n")[0].splitlines()[2:]
         named = {name for line in lines for name in re.findall(r"`(\w+)`", line.split("|")[2])}
         self.assertGreater(len(named), 20)
         self.assertEqual(named - theorems, set())

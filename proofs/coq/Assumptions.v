@@ -1,6 +1,7 @@
 (* Prints the assumptions of each main theorem; Assumptions.expected has the text that it has to print. *)
 From Axiscert Require Import Exact Reduced OpenSphere Known Scaled RecordedIsSat7 RecordedIsProgram Expression Run Windows Thresholds
-  Filter Filters Margins Pairs CertifiedStep CoarseFloat OpenCoarse PairStep Box ConservativeStep PhantomStep Exported Decides.
+  Filter Filters Margins Pairs CertifiedStep CoarseFloat OpenCoarse PairStep Box ConservativeStep PhantomStep Exported Decides
+  CoarseKnown RecordedIsCertified FineStep RecordedIsDeep RecordedIsConservative ExactStep Negligible CertifiedIsExact.
 
 Tactic Notation "theorem" string(name) := idtac "==" name.
 Goal True. theorem "sat7_exact". Abort.
@@ -153,3 +154,39 @@ Goal True. theorem "filters_decide". Abort.
 Print Assumptions filters_decide.
 Goal True. theorem "coarse_step_decides". Abort.
 Print Assumptions coarse_step_decides.
+Goal True. theorem "coarse_known_is_sound64". Abort.
+Print Assumptions coarse_known_is_sound64.
+Goal True. theorem "recorded_coarse_margins32". Abort.
+Print Assumptions recorded_coarse_margins32.
+Goal True. theorem "recorded_coarse_margins64". Abort.
+Print Assumptions recorded_coarse_margins64.
+Goal True. theorem "recorded_coarse_is_proved32". Abort.
+Print Assumptions recorded_coarse_is_proved32.
+Goal True. theorem "recorded_coarse_is_proved64". Abort.
+Print Assumptions recorded_coarse_is_proved64.
+Goal True. theorem "recorded_coarse_known_is_proved". Abort.
+Print Assumptions recorded_coarse_known_is_proved.
+Goal True. theorem "recorded_pair_is_proved32". Abort.
+Print Assumptions recorded_pair_is_proved32.
+Goal True. theorem "recorded_pair_is_proved64". Abort.
+Print Assumptions recorded_pair_is_proved64.
+Goal True. theorem "fine_is_near". Abort.
+Print Assumptions fine_is_near.
+Goal True. theorem "recorded_fine_margins". Abort.
+Print Assumptions recorded_fine_margins.
+Goal True. theorem "recorded_deep_constants". Abort.
+Print Assumptions recorded_deep_constants.
+Goal True. theorem "recorded_conservative_is_right32". Abort.
+Print Assumptions recorded_conservative_is_right32.
+Goal True. theorem "recorded_conservative_is_right64". Abort.
+Print Assumptions recorded_conservative_is_right64.
+Goal True. theorem "exact_values_fit". Abort.
+Print Assumptions exact_values_fit.
+Goal True. theorem "exact_step_decides". Abort.
+Print Assumptions exact_step_decides.
+Goal True. theorem "negligible_radius". Abort.
+Print Assumptions negligible_radius.
+Goal True. theorem "certified_is_exact_within_126_bits". Abort.
+Print Assumptions certified_is_exact_within_126_bits.
+Goal True. theorem "exact_only_is_exact_within_126_bits". Abort.
+Print Assumptions exact_only_is_exact_within_126_bits.
