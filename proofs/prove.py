@@ -89,7 +89,7 @@ FAULTS = {
         "Known.v", "q = open_sphere /\\ has_normal A B C K)", "has_normal A B C K)", "Known.v"),
     "a contact that one axis without a bit is enough for": (
         "Known.v", "is_contact (k : known) : bool := forallb", "is_contact (k : known) : bool := existsb", "Known.v"),
-    # What an audit planted in the sources of the certified predicate and no random query showed, as the recorder would emit it.
+    # Faults that an audit planted in the sources of the certified predicate and no random query showed, as the recorder would emit them.
     "coarse thresholds a quarter of what is proved": (
         "RecordedCertified.v", "m_multiply m (m_constant m 323 (-28))", "m_multiply m (m_constant m 323 (-30))", "RecordedIsCertified.v"),
     "coarse thresholds a sixteenth of what is proved": (

@@ -1,4 +1,4 @@
-// What a certificate rests on besides its run: each stage asks something else of the kernel, and gives its part of the
+// The stages of a certificate besides its run: each asks something else of the kernel, and gives its part of the
 // certificate's predicate as JSON without fractions.
 #pragma once
 

@@ -95,7 +95,7 @@ class Data(Case):
             self.assertEqual(self.csv(heading)[0], columns[heading], heading)
 
     def test_every_column_is_filled_somewhere(self):
-        # What needs more than these few queries.
+        # Columns that need more than these few queries to have a value.
         rare = {"caught_after", "ns", "overflow.exponent", "underflow.exponent", "unanswered", "left_out", "reason", "source", "equivalent", "undefined", "not_decided"}
         for heading in ("ladder", "precision", "condition", "critical-radius", "league", "search", "diagnose", "map", "kernels", "families", "tests"):
             head, rows = self.csv(heading)

@@ -27,7 +27,7 @@ import blocks
 ROOT = Path(__file__).resolve().parents[2]
 NOT_RUN = ("git clone ", "(cd axiscert && ./dev build)")
 SECONDS = 1200
-# What a command says once a minute of how far it is, which a busy machine sees.
+# The line with which a command says once a minute how far it is, which a busy machine sees.
 PROGRESS = re.compile(r"axiscert: [\w-]+: .* \(\d+ s\)")
 
 

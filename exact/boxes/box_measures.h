@@ -14,7 +14,7 @@ namespace axiscert::boxes {
 // A - B.
 Rational squared_penetration(const ExactPair& q);
 
-// Of boxes apart, the square of the greatest gap between their projections on one of the fifteen axes, as a length: at
+// The square of the greatest gap between the projections of boxes apart on one of the fifteen axes, as a length: at
 // most their distance.
 Rational squared_gap(const ExactPair& q);
 

@@ -21,7 +21,7 @@ struct SafeMarginPlan {
   Precision precision = Precision::binary32;
   // How many of the source's queries were run: those from the first on.
   std::function<std::uint64_t(const Source&)> queries;
-  // Of so many queries of each source, besides, the kernel is asked at the least radius that is a contact.
+  // For so many queries of each source the kernel is asked, besides, at the least radius that is a contact.
   std::uint64_t probes = 0;
   std::vector<StoredQuery> found;  // of a search, in this precision
 };

@@ -18,7 +18,7 @@ class Truths {
   // The right verdict on each query, as the kernel's convention has it; empty where neither is wrong, where the numbers
   // are no query, and where the kernel promises nothing. Good until the next call. Throws OracleDisagreement.
   const std::vector<std::optional<Verdict>>& of(const QueryBatch<Real>& batch);
-  // Of a single query, by all oracles.
+  // The truth of a single query, by all oracles.
   std::optional<Verdict> of(const Numbers<Real>& query) const;
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 // Queries of each family of images; the sizes of thresholds are found within a factor of four.
 constexpr std::uint64_t unit_trials = 12000;
-// Of the two families together, about half of those that there are.
+// Images of the two families together, about half of those that there are.
 constexpr std::uint64_t least_images = 10000;
 // Scenes from which on a quantity that explains them is named.
 constexpr std::size_t least_named = 8;

@@ -8,7 +8,7 @@ namespace axiscert::diagnosis {
 namespace {
 
 constexpr double clear_depth = 0x1p-6;
-// Of positions that are looked at for each query that is wanted.
+// Positions that are looked at for each query that is wanted.
 constexpr std::uint64_t most_positions = 64;
 
 // A direction is a displacement in a test of motions, which has a time.

@@ -167,7 +167,7 @@ TEST(Diagnosis, RefusesAPrecisionThatTheKernelHasNot) {
   }
 }
 
-// Of other tests the probes that need nothing of the scene are asked, and the others say why not.
+// For other tests the probes that need nothing of the scene are asked, and the others say why not.
 void expect_general(const std::string& id, Precision precision) {
   const Diagnosis diagnosis = diagnosis_of(find_kernel(id), precision);
   for (const char* name :

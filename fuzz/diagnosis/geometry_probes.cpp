@@ -1,4 +1,4 @@
-// What a kernel makes of spheres that touch, of the two sides of a triangle, and of triangles without area.
+// Answers of a kernel about spheres that touch, about the two sides of a triangle, and about triangles without area.
 #include <array>
 
 #include "fuzz/diagnosis/clear_queries.h"
@@ -143,7 +143,7 @@ namespace {
 struct FlatCounts {
   std::size_t right = 0, hit = 0, missed = 0, refused = 0, unanswered = 0;
   std::size_t all() const { return right + hit + missed + refused + unanswered; }
-  // Of as many contacts as separations: all of one kind wrong, and none of the other.
+  // Among as many contacts as separations: all of one kind wrong, and none of the other.
   std::optional<Degenerate> value() const {
     if (unanswered * 10 > all()) return std::nullopt;
     if (refused == all()) return Degenerate::refused;

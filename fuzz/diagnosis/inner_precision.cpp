@@ -12,7 +12,7 @@ namespace axiscert::diagnosis {
 namespace {
 
 constexpr std::size_t turning_scenes = 64;
-// Of a kernel that computes in the query's own precision, the median error of a turning point, in ulps.
+// The median error of a turning point, in ulps, for a kernel that computes in the query's own precision.
 constexpr std::int64_t own_ulps = 256;
 
 template <class Real>
@@ -132,7 +132,7 @@ Found concluded(Subject<Real>& subject, const TurningCounts& counts, std::option
                    std::move(witnesses), measured);
   }
   if (counts.early >= 3 && counts.late >= 3 && counts.median <= own_ulps) {
-    // Of a float kernel the same is seen where a computation in double stops early; its roundings show in their order.
+    // A float kernel shows the same where a computation in double stops early; its roundings show in their order.
     if (sizeof(Real) == 4 && operation_order(subject).value == not_known) {
       return undecided(fmt::format("Its answer turns too early in {} and too late in {} of {} scenes, but no order of "
                                    "operations is seen by which these would be roundings.",

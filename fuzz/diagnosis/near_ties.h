@@ -16,7 +16,8 @@ Query<Real> random_scene(Stream& random);
 template <class Real>
 Query<Real> near_tie(std::uint64_t seed, std::string_view probe, std::uint64_t position, std::size_t flat = 3);
 
-// Of the kernel's test and entry: near touching (of other tests: of every family in turn), and of the family "general".
+// Queries of the kernel's test and entry: near touching (for other tests: of every family in turn), and of the family
+// "general".
 template <class Real>
 Queries<Real> sharp_queries(const Kernel& kernel, std::uint64_t seed, std::size_t count);
 template <class Real>

@@ -105,7 +105,7 @@ Found nearest_form(Subject<Real>& subject) {
                   best.id, best.agrees, queries.size(), 100 * share(best), second.id, 100 * share(second));
   if (share(best) < least_share)
     return undecided("It is like no built-in kernel: it agrees most " + facts + ".", measured);
-  // Of two forms one alone has every answer, or one has clearly more.
+  // One of two forms alone has every answer, or one has clearly more.
   if (best.agrees != queries.size() && !is_clearly_nearer(best, second, said)) {
     return undecided("Two built-in kernels are about as near: it agrees " + facts + ".", measured);
   }

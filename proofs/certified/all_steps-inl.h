@@ -1,5 +1,5 @@
-// What forms.cpp includes for one of Highway's instruction sets, for one that records. No include guard: included once
-// for each HWY_NAMESPACE.
+// The steps that forms.cpp includes for one of Highway's instruction sets, for one that records. No include guard:
+// included once for each HWY_NAMESPACE.
 #include "proofs/certified/highway-inl.h"
 
 #include "kernel/base/geometry.h"

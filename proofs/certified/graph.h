@@ -1,4 +1,4 @@
-// What a step of the certified predicate computes, operation by operation: a graph whose nodes are numbers of the
+// The computation of a step of the certified predicate, operation by operation: a graph whose nodes are numbers of the
 // step's format, words of as many bits, and flags.
 #pragma once
 

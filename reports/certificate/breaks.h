@@ -1,4 +1,4 @@
-// What breaks first in a kernel, and what to do about it; and the witnesses to paste.
+// The fault of a kernel that matters first, and what to do about it; and the witnesses to paste.
 #pragma once
 
 #include <string>

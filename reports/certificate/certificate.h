@@ -33,7 +33,7 @@ struct Certificate {
 // Reads a certificate from anybody. Throws Error, which begins with `name`, for what is no certificate, or one of a
 // version that this axiscert does not read; NotValid for one that was changed after it was written.
 Certificate read_certificate(std::string_view bytes, const std::string& name);
-// Of a file, which is not read beyond most_certificate_bytes.
+// The certificate in a file, which is not read beyond most_certificate_bytes.
 Certificate read_certificate_file(const std::string& path);
 
 }  // namespace axiscert

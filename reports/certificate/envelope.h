@@ -40,7 +40,7 @@ class SigningKey {
   std::string path_;
 };
 
-// What is signed: "DSSEv1 LEN TYPE LEN PAYLOAD".
+// The bytes that are signed: "DSSEv1 LEN TYPE LEN PAYLOAD".
 std::string pre_authentication(std::string_view payload_type, std::string_view payload);
 
 Envelope signed_envelope(std::string payload, const SigningKey& key);
@@ -56,7 +56,7 @@ Envelope read_envelope(const Json& json, const std::string& name);
 // Throws NotValid where no signature is of this key, and where one is, and the payload is not what was signed.
 void require_signature(const Envelope& envelope, const SigningKey& key, const std::string& name);
 
-// Of base64 as base64() writes it (reports/page/packed.h). Throws Error, without a name, for any other text.
+// The bytes of base64 as base64() writes it (reports/page/packed.h). Throws Error, without a name, for any other text.
 std::string bytes_of_base64(std::string_view text);
 
 }  // namespace axiscert

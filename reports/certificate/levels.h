@@ -20,7 +20,7 @@ std::vector<std::string> levels_asked(const std::vector<std::string>& yardsticks
 Json levels_json(const Json& record, const Kernel& kernel, const std::vector<std::string>& yardsticks,
                  const Json& searches);
 
-// What is proved of a built-in kernel at a level, in one sentence; empty where nothing is.
+// The sentence that says what is proved of a built-in kernel at a level; empty where nothing is.
 std::string proved_at(const std::string& kernel, const std::string& level);
 
 }  // namespace axiscert

@@ -26,7 +26,7 @@ namespace {
 // How one answer is wrong.
 struct Wrongs {
   Json flips;
-  // Of a reported contact, besides: a time that is not safe, and a wrong feature. An early time is neither.
+  // A reported contact may have, besides, a time that is not safe, and a wrong feature. An early time is neither.
   std::vector<std::string> contact;
 
   bool is_none() const { return flips.empty() && contact.empty(); }

@@ -49,7 +49,8 @@ TEST(WitnessOrder, BeginsWithOneOfEachClassOfInput) {
 
 TEST(WitnessOrder, PutsOrdinaryQueriesBeforeDeeperExoticOnes) {
   const Json range = Json::array({"range"}), rounding = Json::array({"rounding"});
-  // Of one cause the ordinary one is shown first; a cause that has exotic ones only comes after those that have others.
+  // The ordinary witness of a cause is shown first; a cause that has exotic ones only comes after those that have
+  // others.
   EXPECT_EQ(
       ids_of({wrong("huge", 1, range, "0x1p+60"), wrong("plain", 0.1, range), wrong("tiny", 1, rounding, "0x1p-60")}),
       (Ids{"plain", "tiny", "huge"}));

@@ -1,4 +1,4 @@
-// What the instruments and lists print for other programs: JSON with a head, and CSV of its rows. docs/data.md
+// The data that instruments and lists print for other programs: JSON with a head, and CSV of its rows. docs/data.md
 // describes both.
 #pragma once
 

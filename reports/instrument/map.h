@@ -26,7 +26,7 @@ const std::array<LegendEntry, pixel_class_count>& map_legend();
 Json map_json(const std::string& name, const MapPlan& plan, const std::vector<MapPicture>& pictures,
               const std::string& command);
 
-// What an index file holds: the legend, and these maps.
+// An index file holds the legend, and these maps.
 Json index_of(const std::vector<Json>& maps);
 
 // The pictures, and the index with this map in it: it replaces a map of the same name and joins the other maps of

@@ -77,7 +77,7 @@ function parts_not_run(data) {
   ].filter(([is_missing]) => is_missing);
 }
 
-// What belongs to this page and was not done, in one line.
+// The line that says what belongs to this page and was not done.
 function missing_parts(data) {
   const counts_margins = data.kernels.length === 0 || data.kernels.some(has_margins);
   const commands = parts_not_run(data).flatMap(([, command, meaning], i) => [i === 0 ? '' : '; ', el('code', '', `axiscert ${command} --out DIR`), `: ${meaning}`]);

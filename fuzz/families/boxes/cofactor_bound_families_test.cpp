@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t bound_seed = 20261124;
 
-// Of a kernel's wrong verdicts: how many, and the greatest part of the bound that one has.
+// A kernel's wrong verdicts: how many, and the greatest part of the bound that one has.
 struct BoundUse {
   int missed = 0, phantom = 0;
   double of_missed = 0, of_phantom = 0;            // depth / bound

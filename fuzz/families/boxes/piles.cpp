@@ -51,7 +51,7 @@ Quaternion disturbance(Stream& random) {
   return {0x1p25, x, y, z};
 }
 
-// What a solver leaves between two crates: sunk in by up to a hundredth of a metre, seldom apart by as much.
+// The gap that a solver leaves between two crates: sunk in by up to a hundredth of a metre, seldom apart by as much.
 template <class Real>
 Real left_between(Stream& random) {
   const auto power = static_cast<int>(random.integer(7, 14));

@@ -51,7 +51,7 @@ Implementation<Real> planted_implementation(AxisFault fault, std::size_t axis) {
           }};
 }
 
-// What it shows: its comparisons and the formulae that it should have, or its verdict alone.
+// A kernel shows its comparisons and the formulae that it should have, or its verdict alone.
 Kernel planted_kernel(AxisFault fault, std::size_t axis, bool shows_comparisons) {
   Kernel kernel = plain_kernel_named<MatrixBoxes, Projected>(
       fmt::format("box-box/planted-{}-{}-{}", static_cast<int>(fault), axis_names[axis], shows_comparisons), "");

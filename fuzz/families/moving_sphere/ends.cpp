@@ -11,7 +11,7 @@ extern const Family moving_sphere_general_family, moving_sphere_graze_family, mo
 
 namespace {
 
-// What becomes of P + D. `nearer`: seven tenths of its way from A, with digits of A's size, so that P1 - P has more
+// The place of P + D. `nearer`: seven tenths of its way from A, with digits of A's size, so that P1 - P has more
 // digits than a number does where P is far.
 enum class End { as_it_is, nearer };
 

@@ -79,7 +79,7 @@ function bounds_table(data, entry) {
   return scroll_table(caption, 'bounds', el('thead', '', head), body);
 }
 
-// What the folder does not hold takes no room here: the last section names it. Removes a place with its heading.
+// A part that the folder does not hold takes no room here: the last section names it. Removes a place with its heading.
 function leave_out(place) {
   if (place.previousElementSibling?.tagName === 'H3') place.previousElementSibling.remove();
   place.remove();

@@ -6,7 +6,7 @@ function kernel_to_mend(data) {
   return data.kernels.find((entry) => failures_of(data, entry).length > 0) ?? data.kernels.find(wrong) ?? null;
 }
 
-// What to look at: the first witness of that kernel, a missed contact before an invented one. It is of ordinary numbers where there is one.
+// The witness to look at: the first of that kernel, a missed contact before an invented one. It is of ordinary numbers where there is one.
 function look_step(data, entry) {
   if (entry === null) {
     return el('li', '', 'Nothing was wrong on these queries. Look for the worst there is: ',
