@@ -9,6 +9,7 @@
 #include "cli/options/test_options.h"
 #include "cli/progress_line.h"
 #include "fuzz/certify/safe_margin.h"
+#include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/instruments/critical_distance.h"
 #include "fuzz/mutation/black_box.h"
 #include "fuzz/text/file_bytes.h"
@@ -23,8 +24,14 @@ namespace axiscert {
 namespace {
 
 constexpr const char* stages_file = "stages.json";
-// Why a stage asks nothing of replies.
-constexpr const char* cannot_ask = "replies are judged as they are: their program cannot be asked again";
+// A stage that asks the kernel again, before it begins: with a reason where it cannot.
+Json stage_of(const Staged& staged, const Json& no_precisions) {
+  Json all = {{"reason", nullptr}, {"precisions", no_precisions}};
+  if (staged.options.is_of_replies) {
+    all["reason"] = "replies are judged as they are: their program cannot be asked again";
+  }
+  return all;
+}
 
 // Whether the answer depends on the radius of a sphere, which may grow; the half extent of a box, which has a critical
 // value too, is none.
@@ -107,6 +114,24 @@ Json margin_in(const Staged& staged, const Json& search, Precision precision) {
   const SafeMargin margin = safe_margin(plan, interrupts(), progress.report());
   if (!margin.complete) throw StageInterrupted();
   return margin_json(margin);
+}
+
+// A precision of the diagnosis: its name and the properties.
+Json diagnosed(const Staged& staged, Precision precision) {
+  ProgressLine progress(fmt::format("certify: diagnosis, {}", name(precision)), staged.options.quiet);
+  DiagnosisOptions options;
+  options.precision = precision;
+  options.seed = staged.options.seed;
+  options.target = staged.plan.target;
+  options.interrupted = &interrupts();
+  options.report = progress.report();
+  const Diagnosis found = diagnose(staged.kernel, options);
+  if (!found.complete) throw StageInterrupted();
+  Json properties = Json::array();
+  for (const Property& p : found.properties) {
+    properties.push_back({{"name", p.name}, {"value", p.value}, {"sentence", p.sentence}, {"queries", p.queries}});
+  }
+  return {{"precision", name(precision)}, {"properties", properties}};
 }
 
 // The mutants of an effort: every so manieth, of both kinds where only verdicts are judged.
@@ -199,11 +224,8 @@ Json Stages::get(const std::string& name, const std::function<Json()>& make) {
 }
 
 Json search_stage(const Staged& staged, Stages& stages) {
-  Json all = {{"reason", nullptr}, {"precisions", Json::object()}};
-  if (staged.options.is_of_replies) {
-    all["reason"] = cannot_ask;
-    return all;
-  }
+  Json all = stage_of(staged, Json::object());
+  if (!all["reason"].is_null()) return all;
   if (!has_moves(*staged.kernel.test, staged.kernel.entry)) {
     all["reason"] = fmt::format("the search does not move queries of the entry {} of {}",
                                 staged.kernel.test->entries[staged.kernel.entry].name, staged.kernel.test->id);
@@ -217,11 +239,8 @@ Json search_stage(const Staged& staged, Stages& stages) {
 }
 
 Json diagnosis_stage(const Staged& staged, Stages& stages) {
-  Json all = {{"reason", nullptr}, {"precisions", Json::array()}};
-  if (staged.options.is_of_replies) {
-    all["reason"] = cannot_ask;
-    return all;
-  }
+  Json all = stage_of(staged, Json::array());
+  if (!all["reason"].is_null()) return all;
   for (const Precision precision : staged.precisions()) {
     all["precisions"].push_back(
         stages.get(fmt::format("diagnosis {}", name(precision)), [&] { return diagnosed(staged, precision); }));
@@ -230,11 +249,8 @@ Json diagnosis_stage(const Staged& staged, Stages& stages) {
 }
 
 Json margin_stage(const Staged& staged, Stages& stages, const Json& search) {
-  Json all = {{"reason", nullptr}, {"precisions", Json::array()}};
-  if (staged.options.is_of_replies) {
-    all["reason"] = cannot_ask;
-    return all;
-  }
+  Json all = stage_of(staged, Json::array());
+  if (!all["reason"].is_null()) return all;
   if (!has_radius(staged.kernel)) {
     all["reason"] = fmt::format("the answer of {} does not depend on one radius", staged.kernel.test->id);
     return all;

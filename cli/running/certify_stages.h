@@ -37,9 +37,6 @@ struct Staged {
   std::vector<Precision> precisions() const;  // in which the kernel exists
 };
 
-// A precision of the diagnosis: its name and the properties.
-Json diagnosed(const Staged& staged, Precision precision);
-
 Json search_stage(const Staged& staged, Stages& stages);
 Json diagnosis_stage(const Staged& staged, Stages& stages);
 // After the search, whose finds are asked too.

@@ -6,7 +6,7 @@
 
 namespace axiscert::diagnosis {
 
-// Of sphere-triangle.
+// Probes of kernels of sphere-triangle.
 template <class Real>
 Found at_touching(Subject<Real>& subject);
 template <class Real>
@@ -20,7 +20,7 @@ Found operation_order(Subject<Real>& subject);
 template <class Real>
 Found inner_precision(Subject<Real>& subject);
 
-// Of any test.
+// Probes of kernels of any test.
 template <class Real>
 Found absolute_thresholds(Subject<Real>& subject);
 template <class Real>
@@ -29,7 +29,7 @@ template <class Real>
 Found repeated(Subject<Real>& subject);
 template <class Real>
 Found nearest_form(Subject<Real>& subject);
-// Of a kernel that gives the same batch the same answers.
+// Probes of a kernel that gives the same batch the same answers.
 template <class Real>
 Found position_in_batch(Subject<Real>& subject);
 template <class Real>

@@ -44,7 +44,7 @@ class Subject {
   }
   // The same of any number of queries, in batches of at most 1024.
   std::vector<Verdict> ask(std::span<const Numbers<Real>> queries) { return ask(implementation_, queries); }
-  // Of another implementation, for comparison; not counted.
+  // The answers of another implementation, for comparison; not counted.
   std::vector<Verdict> ask(const Implementation<Real>& of, std::span<const Numbers<Real>> queries) {
     std::vector<Verdict> said;
     for (std::size_t first = 0; first < queries.size(); first += most_at_once) {
