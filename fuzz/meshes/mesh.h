@@ -6,6 +6,7 @@
 
 #include "fuzz/meshes/mesh_import.h"
 #include "fuzz/queries/random.h"
+#include "kernel/test.h"
 
 namespace axiscert {
 

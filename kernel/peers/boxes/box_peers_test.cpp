@@ -130,7 +130,9 @@ TEST_P(BoxPeer, AnswersWhatIsBeyondDoubt) {
   // With CONTACTS_UNIMPORTANT contacts are missed at will.
   if (GetParam() == "ode-unimportant") return;
   EXPECT_EQ(ask_boxes<float>(GetParam(), queries), "cccss");
-  if (GetParam() != "bullet") EXPECT_EQ(ask_boxes<double>(GetParam(), queries), "cccss");
+  if (GetParam() != "bullet") {
+    EXPECT_EQ(ask_boxes<double>(GetParam(), queries), "cccss");
+  }
 }
 
 TEST_P(BoxPeer, RefusesNumbersThatAreNotAQueryOrNotARotation) {
@@ -140,7 +142,9 @@ TEST_P(BoxPeer, RefusesNumbersThatAreNotAQueryOrNotARotation) {
   queries[2].b.axis[1] = {0.5, 1, 0};
   queries[3].b.axis[2] = {0, 0, -1};  // of the other handedness: the same cube
   EXPECT_EQ(ask_boxes<float>(GetParam(), queries).substr(0, 3), "iiu");
-  if (GetParam() != "ode-unimportant") EXPECT_EQ(ask_boxes<float>(GetParam(), queries).back(), 'c');
+  if (GetParam() != "ode-unimportant") {
+    EXPECT_EQ(ask_boxes<float>(GetParam(), queries).back(), 'c');
+  }
 }
 
 // Two unit cubes, one a quarter turn further than the other, overlapping by 0.985: ODE finds no contact, and of the two
@@ -148,10 +152,18 @@ TEST_P(BoxPeer, RefusesNumbersThatAreNotAQueryOrNotARotation) {
 TEST(BoxPeerFaults, OdeMissesCubesThatDifferByAQuarterTurn) {
   const std::vector<Boxes<double>> queries = {
       {cube({0, 0, 0}, turned_by(65, 20, 10)), cube({0.5, 1, -0.75}, turned_by(155, 20, 10))}};
-  if (is_built("ode")) EXPECT_EQ(ask_boxes<double>("ode", queries), "s");
-  if (is_built("ode-touches")) EXPECT_EQ(ask_boxes<double>("ode-touches", queries), "s");
-  if (is_built("fcl")) EXPECT_EQ(ask_boxes<double>("fcl", queries), "c");
-  if (is_built("bullet-double")) EXPECT_EQ(ask_boxes<double>("bullet-double", queries), "c");
+  if (is_built("ode")) {
+    EXPECT_EQ(ask_boxes<double>("ode", queries), "s");
+  }
+  if (is_built("ode-touches")) {
+    EXPECT_EQ(ask_boxes<double>("ode-touches", queries), "s");
+  }
+  if (is_built("fcl")) {
+    EXPECT_EQ(ask_boxes<double>("fcl", queries), "c");
+  }
+  if (is_built("bullet-double")) {
+    EXPECT_EQ(ask_boxes<double>("bullet-double", queries), "c");
+  }
 }
 
 // Two unit cubes turned by whole degrees, Rz(z) Ry(y) Rx(x), one of them by up to three quarter turns more about its
