@@ -8,9 +8,13 @@ target_compile_options(kernel_fp INTERFACE -ffp-contract=off)
 add_library(axiscert_warnings INTERFACE)
 target_compile_options(axiscert_warnings INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion)
 
-# Flags of code whose own speed hardly matters: command lines, reports, tests. -O1 takes two thirds of the compile time of -O2.
+# Flags of code whose own speed hardly matters: command lines, reports. -O1 takes two thirds of the compile time of -O2.
 add_library(axiscert_light INTERFACE)
 target_compile_options(axiscert_light INTERFACE $<$<CONFIG:Release>:-O1>)
+
+# Flags of tests, which spend their time in the libraries that they test.
+add_library(axiscert_unoptimized INTERFACE)
+target_compile_options(axiscert_unoptimized INTERFACE $<$<CONFIG:Release>:-O0>)
 
 # Sanitized builds. Sanitizers are for the code where memory is at risk (the plug-in host, parsers, pipe, journal, vector kernels,
 # families, reports) and for its tests, marked MEMORY below. All else is linked as the other compiler built it in the folder
@@ -134,7 +138,7 @@ function(axiscert_test_header layer)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/${layer}_test_header.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT "" @ONLY)
   add_library(${layer}_test_header OBJECT EXCLUDE_FROM_ALL ${source})
-  target_link_libraries(${layer}_test_header PRIVATE ${arg_LIBRARIES} axiscert_test_settings axiscert_light axiscert_warnings
+  target_link_libraries(${layer}_test_header PRIVATE ${arg_LIBRARIES} axiscert_test_settings axiscert_unoptimized axiscert_warnings
                                                        GTest::gtest GTest::gmock)
   target_precompile_headers(${layer}_test_header PRIVATE <gtest/gtest.h> <gmock/gmock.h> ${arg_HEADERS})
 endfunction()
@@ -159,7 +163,7 @@ function(axiscert_test name)
   list(FILTER sources INCLUDE REGEX "_test\\.cpp$")
   list(TRANSFORM sources PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ REGEX "^[^/]")
   set_property(GLOBAL APPEND PROPERTY AXISCERT_TESTED ${sources})
-  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_test_settings axiscert_light axiscert_warnings GTest::gtest GTest::gmock
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_test_settings axiscert_unoptimized axiscert_warnings GTest::gtest GTest::gmock
                                         GTest::gtest_main)
   axiscert_unity(${name})
   if(arg_HEADER)
