@@ -97,10 +97,10 @@ endif()
 # runs both.
 add_custom_target(axiscert_quick)
 
-# axiscert_unity(TARGET): its sources compiled twenty at a time. The headers of JSON and of the command line, and what each source instantiates
-# of them, take 8 seconds a file, precompiled or not; twenty files take 30. So names in unnamed namespaces are a target's own, not a file's.
+# axiscert_unity(TARGET): its sources compiled forty at a time. The headers of JSON and of the command line, and what each source instantiates
+# of them, take 8 seconds a file, precompiled or not; forty files take 40. So names in unnamed namespaces are a target's own, not a file's.
 # Sources that compile for several instruction sets include themselves and stay alone, as, by CMake, those with options of their own.
-set(axiscert_unity_batch 20)
+set(axiscert_unity_batch 40)
 function(axiscert_unity target)
   get_target_property(sources ${target} SOURCES)
   axiscert_vectors_among(vectors ${sources})

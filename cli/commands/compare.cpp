@@ -27,13 +27,13 @@ struct CompareOptions {
   bool no_replay = false, quiet = false;
 };
 
-std::string kind_of(const std::string& id) { return id.substr(0, id.find(':')); }
+std::string how_given(const std::string& id) { return id.substr(0, id.find(':')); }
 std::string path_of(const std::string& id) { return id.substr(id.find(':') + 1); }
 
 // Whether two ids are of one plug-in or program, given by two spellings of one path.
 bool is_same_path(const std::string& x, const std::string& y) {
   const auto normal = [](const std::string& id) { return std::filesystem::path(path_of(id)).lexically_normal(); };
-  return plugin::is_given_by_file(x) && plugin::is_given_by_file(y) && kind_of(x) == kind_of(y) &&
+  return plugin::is_given_by_file(x) && plugin::is_given_by_file(y) && how_given(x) == how_given(y) &&
          normal(x) == normal(y);
 }
 
@@ -49,7 +49,7 @@ std::string named_kernel(const std::string& given, const CompareOptions& options
   if (plugin::is_given_by_file(given) && std::filesystem::is_regular_file(path_of(given))) {
     declares = find_kernel(given).declared_name;
     for (const auto& [id, identity] : identities_of(record)) {
-      if (!declares.empty() && identity == fmt::format("{}/{}", kind_of(given), declares)) return id;
+      if (!declares.empty() && identity == fmt::format("{}/{}", how_given(given), declares)) return id;
     }
   }
   throw Error(fmt::format(

@@ -28,7 +28,7 @@ struct ProveOptions {
   bool without_coq = false;
 };
 
-struct Entry {
+struct ScriptEntry {
   Setting setting;
   Comparison which;
   std::string status;  // proved, open, refused, NOT CHECKED
@@ -38,8 +38,8 @@ std::string kernel_of(const Setting& setting) {
   return std::string(name(setting.form)) + (setting.contraction == Contraction::fma ? "+fma" : "");
 }
 
-std::vector<Entry> entries_of(const ProveOptions& options) {
-  std::vector<Entry> entries;
+std::vector<ScriptEntry> entries_of(const ProveOptions& options) {
+  std::vector<ScriptEntry> entries;
   for (const Form form : {Form::published, Form::reduced}) {
     for (const Contraction contraction : {Contraction::plain, Contraction::fma}) {
       for (const Precision precision : {Precision::binary32, Precision::binary64}) {
@@ -56,7 +56,7 @@ std::vector<Entry> entries_of(const ProveOptions& options) {
 }
 
 // The largest error that a search attained with the kernel, or with the kernel whose comparison is the same program.
-std::optional<double> attained_of(const Entry& entry) {
+std::optional<double> attained_of(const ScriptEntry& entry) {
   if (entry.setting.domain != Domain::scaled || entry.setting.precision != Precision::binary32) return std::nullopt;
   Setting searched = entry.setting;
   if (is_shared(entry.which)) searched.form = Form::published;
@@ -68,10 +68,10 @@ std::optional<double> attained_of(const Entry& entry) {
 
 // A bound is proved where Gappa accepts its script and Coq accepts every range that the script takes as a hypothesis.
 // The ranges of the absolute domain have no proof in Coq.
-void check(std::vector<Entry>& entries, const std::optional<bool>& ranges, const ShowProgress& report) {
+void check(std::vector<ScriptEntry>& entries, const std::optional<bool>& ranges, const ShowProgress& report) {
   const Files scripts = gappa_files();
   std::vector<std::pair<std::string, bool>> accepted;  // each script once, whichever bounds share it
-  for (const Entry& entry : entries) accepted.emplace_back(script_path(entry.setting, entry.which), false);
+  for (const ScriptEntry& entry : entries) accepted.emplace_back(script_path(entry.setting, entry.which), false);
   std::sort(accepted.begin(), accepted.end());
   accepted.erase(std::unique(accepted.begin(), accepted.end()), accepted.end());
   ProgressCount progress(report, accepted.size(), "Gappa's scripts");
@@ -79,7 +79,7 @@ void check(std::vector<Entry>& entries, const std::optional<bool>& ranges, const
     accepted[i].second = gappa_accepts(scripts.at(accepted[i].first));
     progress.finished();
   });
-  for (Entry& entry : entries) {
+  for (ScriptEntry& entry : entries) {
     const auto found =
         std::lower_bound(accepted.begin(), accepted.end(), std::pair(script_path(entry.setting, entry.which), false));
     if (!found->second || ranges == false) entry.status = "refused";
@@ -88,10 +88,10 @@ void check(std::vector<Entry>& entries, const std::optional<bool>& ranges, const
   }
 }
 
-Json data_of(const std::vector<Entry>& entries, const std::optional<std::string>& gappa,
+Json data_of(const std::vector<ScriptEntry>& entries, const std::optional<std::string>& gappa,
              const std::optional<std::string>& coq) {
   Json bounds = Json::array();
-  for (const Entry& entry : entries) {
+  for (const ScriptEntry& entry : entries) {
     const double u = bound(entry.setting, entry.which) / 16.0;
     const auto attained = attained_of(entry);
     bounds.push_back({{"comparison", info(entry.which).name},
@@ -128,7 +128,7 @@ void print_text(const Json& data) {
 int prove(const ProveOptions& options) {
   std::optional<OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);  // checked before anything runs
-  std::vector<Entry> entries = entries_of(options);
+  std::vector<ScriptEntry> entries = entries_of(options);
   const auto gappa = gappa_version(), coq = options.without_coq ? std::nullopt : coq_version();
   if (gappa) {
     ProgressLine progress("prove");
@@ -142,7 +142,7 @@ int prove(const ProveOptions& options) {
   if (options.format == "text") print_text(data);
   else std::cout << data_text(data, options.format);
   const bool refused =
-      std::any_of(entries.begin(), entries.end(), [](const Entry& e) { return e.status == "refused"; });
+      std::any_of(entries.begin(), entries.end(), [](const ScriptEntry& e) { return e.status == "refused"; });
   return refused ? exit_requirement_failed : exit_done;
 }
 
