@@ -6,7 +6,7 @@
 A block is a fence (```), lines that are indented like one, a table of figures (one with a column of numbers) or a picture. What may hold it:
 
 - docs/figures.py, which runs the command of `<!-- $ axiscert ... -->`, `<!-- table N of: $ axiscert ... -->`, where a test gives it the page
-- docs/readme_test.py, which makes the table between `<!-- table: NAME -->` and `<!-- end -->`
+- docs/checks/readme_test.py, which makes the table between `<!-- table: NAME -->` and `<!-- end -->`
 - docs/checks/sessions_test.py, which runs each `$ command` of a page with `<!-- session -->` (quick) or `<!-- session, long -->`, in order, and
   compares what it prints; there the fence after `<!-- file: NAME -->` is a file
 - the test named in `<!-- held by PATH -->` before it, which has to exist and to name the page
@@ -21,7 +21,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-FIGURES, TABLES, SESSIONS = "docs/figures.py", "docs/readme_test.py", "docs/checks/sessions_test.py"
+FIGURES, TABLES, SESSIONS = "docs/figures.py", "docs/checks/readme_test.py", "docs/checks/sessions_test.py"
 UPSTREAM = "kernel/peers/npm/upstream_test.py"
 UNHELD = "docs/checks/unheld.txt"
 LANGUAGES = ("c", "cpp", "js", "json", "python", "cmake", "yaml", "rust")

@@ -12,7 +12,7 @@
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/filters/decided_check.h"
-#include "fuzz/search/moves.h"
+#include "fuzz/search/moves/moves.h"
 #include "fuzz/search/proved.h"
 #include "kernel/ask.h"
 #include "kernel/sphere_triangle/shown_sides.h"

@@ -8,7 +8,7 @@
 #include "exact/trait/examine.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/query_shape.h"
-#include "fuzz/search/moves.h"
+#include "fuzz/search/moves/moves.h"
 #include "fuzz/search/search.h"
 
 namespace axiscert {

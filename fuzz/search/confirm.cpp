@@ -8,7 +8,7 @@
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
-#include "fuzz/search/moves.h"
+#include "fuzz/search/moves/moves.h"
 #include "fuzz/search/range.h"
 #include "kernel/ask.h"
 #include "kernel/sphere_triangle/shown_sides.h"

@@ -6,7 +6,7 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/search/evaluator.h"
-#include "fuzz/search/moves.h"
+#include "fuzz/search/moves/moves.h"
 #include "fuzz/search/range.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 

@@ -8,7 +8,7 @@
 #include "exact/numbers/double_double.h"
 #include "exact/sphere_triangle/oracles/feature_walk.h"
 #include "exact/numbers/floating.h"
-#include "fuzz/search/moves.h"
+#include "fuzz/search/moves/moves.h"
 #include "fuzz/search/range.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/forms/simd.h"

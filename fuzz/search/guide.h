@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fuzz/queries/query_shape.h"
-#include "fuzz/search/dice.h"
+#include "fuzz/search/moves/dice.h"
 #include "fuzz/search/goal.h"
 
 namespace axiscert {

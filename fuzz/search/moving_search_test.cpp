@@ -4,7 +4,7 @@
 #include "exact/trait/examine.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/queries/entry_families.h"
-#include "fuzz/search/moves.h"
+#include "fuzz/search/moves/moves.h"
 #include "fuzz/search/search.h"
 #include "fuzz/search/verdict_guide.h"
 

@@ -13,7 +13,7 @@
 #include "fuzz/search/confirm.h"
 #include "fuzz/search/evaluator.h"
 #include "fuzz/search/island.h"
-#include "fuzz/search/moves.h"
+#include "fuzz/search/moves/moves.h"
 #include "fuzz/search/pool.h"
 #include "fuzz/search/range.h"
 #include "fuzz/search/state.h"

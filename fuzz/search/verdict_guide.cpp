@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "fuzz/search/moves.h"
+#include "fuzz/search/moves/moves.h"
 
 namespace axiscert {
 namespace {

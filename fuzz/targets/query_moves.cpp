@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "exact/sphere_triangle/measures/nearest_root.h"
-#include "fuzz/search/moves.h"
+#include "fuzz/search/moves/moves.h"
 
 namespace axiscert::fuzzing {
 namespace {

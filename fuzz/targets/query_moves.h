@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "fuzz/search/dice.h"
+#include "fuzz/search/moves/dice.h"
 #include "fuzz/targets/fuzzed_query.h"
 
 namespace axiscert::fuzzing {

@@ -1,8 +1,7 @@
 // Tests report.html in Debian's Chromium, from disk and without a network: node page_test.mjs AXISCERT TESTDATA WORK
 //   AXISCERT  the command; TESTDATA  reports/testdata; WORK  a folder of the build tree, for runs, npm's packages, screenshots
-// Every test opens pages that the command rendered; the run's seed is in the plan in pages.mjs.
+// How it looks is in looks_test.mjs. Every test opens pages that the command rendered; the run's seed is in the plan in pages.mjs.
 import './figures.mjs';
 import './cards.mjs';
 import './motions.mjs';
 import './strangers.mjs';
-import './appearance.mjs';

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fuzz/queries/query_shape.h"
-#include "fuzz/search/dice.h"
+#include "fuzz/search/moves/dice.h"
 
 namespace axiscert {
 

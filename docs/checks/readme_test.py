@@ -14,7 +14,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 MESHES = ("OBJ/spider.obj", "PLY/Wuson.ply", "STL/sphereWithHole.stl")
 
 
@@ -323,7 +323,7 @@ class Tables(unittest.TestCase):
             if which == WHICH:
                 with self.subTest(name):
                     stale = stale_lines(name, (ROOT / page).read_text(), commands)
-                    self.assertEqual(stale, [], f"{page} is stale: docs/readme_test.py AXISCERT MODELS --write {name} puts these lines there")
+                    self.assertEqual(stale, [], f"{page} is stale: docs/checks/readme_test.py AXISCERT MODELS --write {name} puts these lines there")
 
     def test_a_planted_stale_number_is_seen(self):
         name = "declined"

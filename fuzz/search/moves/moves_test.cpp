@@ -1,5 +1,5 @@
 // The moves of a search: settled queries are in the box, exactly, and steps are those of the floats.
-#include "fuzz/search/moves.h"
+#include "fuzz/search/moves/moves.h"
 
 #include <gtest/gtest.h>
 

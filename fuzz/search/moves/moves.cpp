@@ -1,11 +1,11 @@
-#include "fuzz/search/moves.h"
+#include "fuzz/search/moves/moves.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 
-#include "fuzz/search/frame_moves.h"
+#include "fuzz/search/moves/frame_moves.h"
 #include "kernel/arithmetic/error_free.h"
 
 namespace axiscert {

@@ -1,7 +1,7 @@
 // The moves of a search from one query to the next. Only integers, sums, products and quotients: the same everywhere.
 #pragma once
 
-#include "fuzz/search/dice.h"
+#include "fuzz/search/moves/dice.h"
 #include "fuzz/queries/query_shape.h"
 #include "kernel/sphere_triangle/query.h"
 

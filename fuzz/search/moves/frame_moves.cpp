@@ -1,4 +1,4 @@
-#include "fuzz/search/frame_moves.h"
+#include "fuzz/search/moves/frame_moves.h"
 
 #include <cmath>
 #include <limits>
