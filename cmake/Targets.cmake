@@ -12,7 +12,7 @@ target_compile_options(axiscert_warnings INTERFACE -Wall -Wextra -Wconversion -W
 add_library(axiscert_light INTERFACE)
 target_compile_options(axiscert_light INTERFACE $<$<CONFIG:Release>:-O1>)
 
-# Flags of tests, which spend their time in the libraries that they test.
+# Flags of tests that spend their time in the libraries that they test, not in templates of a library's headers.
 add_library(axiscert_unoptimized INTERFACE)
 target_compile_options(axiscert_unoptimized INTERFACE $<$<CONFIG:Release>:-O0>)
 
@@ -79,7 +79,7 @@ find_program(AXISCERT_CCACHE ccache)
 if(AXISCERT_CCACHE)
   # Precompiled headers take these allowances; no source here uses __TIME__. With CCACHE_DEPEND a source is not preprocessed
   # a second time, which would cost a build without a warm cache a third of its time.
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros
+  set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros
       ${AXISCERT_CCACHE})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)
@@ -129,16 +129,22 @@ target_compile_definitions(axiscert_test_settings INTERFACE
   SOURCE_FOLDER="${PROJECT_SOURCE_DIR}" BUILD_FOLDER="${PROJECT_BINARY_DIR}" TEST_MODELS="${TEST_MODELS}"
   TRIAL_DIVISOR=${AXISCERT_TRIAL_DIVISOR})
 
-# axiscert_test_header(LAYER LIBRARIES libraries... HEADERS headers...): the precompiled header of a layer's tests, read once.
+# axiscert_test_header(LAYER LIBRARIES libraries... HEADERS headers... [UNOPTIMIZED]): the precompiled header of a layer's tests, read
+# once; with UNOPTIMIZED it and they are compiled at -O0, else at -O1.
 function(axiscert_test_header layer)
   if(NOT AXISCERT_TESTS)
     return()
   endif()
-  cmake_parse_arguments(arg "" "" "LIBRARIES;HEADERS" ${ARGN})
+  cmake_parse_arguments(arg "UNOPTIMIZED" "" "LIBRARIES;HEADERS" ${ARGN})
+  set(flags axiscert_light)
+  if(arg_UNOPTIMIZED)
+    set(flags axiscert_unoptimized)
+  endif()
+  set_property(GLOBAL PROPERTY AXISCERT_FLAGS_OF_${layer}_TESTS ${flags})
   set(source ${CMAKE_CURRENT_BINARY_DIR}/${layer}_test_header.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT "" @ONLY)
   add_library(${layer}_test_header OBJECT EXCLUDE_FROM_ALL ${source})
-  target_link_libraries(${layer}_test_header PRIVATE ${arg_LIBRARIES} axiscert_test_settings axiscert_unoptimized axiscert_warnings
+  target_link_libraries(${layer}_test_header PRIVATE ${arg_LIBRARIES} axiscert_test_settings ${flags} axiscert_warnings
                                                        GTest::gtest GTest::gmock)
   target_precompile_headers(${layer}_test_header PRIVATE <gtest/gtest.h> <gmock/gmock.h> ${arg_HEADERS})
 endfunction()
@@ -163,7 +169,11 @@ function(axiscert_test name)
   list(FILTER sources INCLUDE REGEX "_test\\.cpp$")
   list(TRANSFORM sources PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ REGEX "^[^/]")
   set_property(GLOBAL APPEND PROPERTY AXISCERT_TESTED ${sources})
-  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_test_settings axiscert_unoptimized axiscert_warnings GTest::gtest GTest::gmock
+  get_property(flags GLOBAL PROPERTY AXISCERT_FLAGS_OF_${arg_HEADER}_TESTS)
+  if(NOT flags)
+    set(flags axiscert_light)
+  endif()
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_test_settings ${flags} axiscert_warnings GTest::gtest GTest::gmock
                                         GTest::gtest_main)
   axiscert_unity(${name})
   if(arg_HEADER)
