@@ -165,6 +165,7 @@ struct Twenty {
 
 struct TwentyNonstrict : Twenty {
   static constexpr std::string_view name = "twenty-nonstrict";
+  using SidesOf = Twenty;
   static constexpr ComparisonBits nonstrict = moving_sphere::side_bits;
 };
 
