@@ -13,9 +13,6 @@
 //   template <class T, class Sink>
 //   static void comparisons(const Problem<T>&, Sink& sink);       sink(i, lhs, rhs) for each: comparison i is lhs > rhs
 //   static constexpr ComparisonBits nonstrict;                    optional: those that are lhs >= rhs
-//   using SidesOf = ...;                                          optional: formulae with the same sides, of which
-//   other
-//                                                                 comparisons are >=
 // Formulae, and a method that has a verdict alone, may give the first of the test's measures:
 //   static constexpr std::size_t measure_count;
 //   template <class Real>

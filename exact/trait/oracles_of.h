@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <type_traits>
 
 #include "exact/numbers/floating.h"
 #include "exact/trait/oracles.h"
@@ -24,19 +23,6 @@ struct ExactOfTrait<Test> {
 };
 template <class Test>
 using ExactOf = typename ExactOfTrait<Test>::type;
-
-// The formulae whose sides F has: its own, unless it says which.
-template <class F>
-struct SidesOfFormulae {
-  using type = F;
-};
-template <class F>
-  requires requires { typename F::SidesOf; }
-struct SidesOfFormulae<F> {
-  using type = typename F::SidesOf;
-};
-template <class F>
-using SidesOf = typename SidesOfFormulae<F>::type;
 
 template <TestTrait Test>
 class OraclesOf final : public Oracles {
@@ -170,7 +156,7 @@ class OraclesOf final : public Oracles {
     template <class F>
     Claimed evaluated(const Kernel& kernel) {
       Claimed claim;
-      claim.sides = sides<F>();
+      claim.sides = exact_sides<F>(q_);
       if (F::kind == FormulaeKind::rung) require_same_signs(F::name, *claim.sides);
       claim.chain = {outcome(claim.sides->holds), std::nullopt, claim.sides->ties};
       if (!kernel.is_reference) return claim;
@@ -186,18 +172,6 @@ class OraclesOf final : public Oracles {
     const Signs& signs() {
       if (!signs_) signs_ = exact_signs(q_);
       return *signs_;
-    }
-    // Formulae with the sides of the first, of which other comparisons are `>=`, are not evaluated again.
-    template <class F>
-    ExactSides sides() {
-      if constexpr (std::is_same_v<SidesOf<F>, First>) {
-        if (!first_) first_ = exact_sides<First>(q_);
-        ExactSides found = *first_;
-        found.holds = strict(found) | (found.ties & nonstrict_comparisons<F>());
-        return found;
-      } else {
-        return exact_sides<F>(q_);
-      }
     }
     template <class Signed>
     static ComparisonBits strict(const Signed& of) {
@@ -216,7 +190,6 @@ class OraclesOf final : public Oracles {
 
     const Numbers<Real> q_;
     std::optional<Signs> signs_;
-    std::optional<ExactSides> first_;  // by the kernels' claims alone: to keep sides takes as long as to find them
   };
 
   template <class Real>

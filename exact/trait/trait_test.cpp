@@ -61,12 +61,11 @@ struct Variant : Slip {
   static constexpr FormulaeKind kind = FormulaeKind::variant;
 };
 
-// The sides of the first, compared by >=: it evaluates nothing of its own.
+// The sides of the first, compared by >=.
 struct AtLeast {
   static constexpr std::string_view name = "at-least";
   static constexpr FormulaeKind kind = FormulaeKind::rung;
   static constexpr ComparisonBits nonstrict = 1;
-  using SidesOf = AsWritten;
   template <class T, class Sink>
   static void comparisons(const Sum::Problem<T>& q, Sink& sink) {
     AsWritten::comparisons<T>(q, sink);
@@ -133,7 +132,7 @@ TEST(Trait, AClaimHasExactSidesAndTies) {
       ThrowsMessage<HarnessFault>(HasSubstr("kernel 'sum/one' claims formulae 'none', which sum has not")));
 }
 
-TEST(Trait, FormulaeThatShareTheirSidesHaveTheirOwnRelation) {
+TEST(Trait, ClaimsOfOneQueryAreEachOfTheirOwnFormulae) {
   const auto asked = oracles.about(Numbers<double>{0.5, 0, 0.25});
   EXPECT_EQ(asked->truth().verdict, Verdict::contact);
   // In any order, whatever was asked before.

@@ -165,7 +165,6 @@ struct Twenty {
 
 struct TwentyNonstrict : Twenty {
   static constexpr std::string_view name = "twenty-nonstrict";
-  using SidesOf = Twenty;
   static constexpr ComparisonBits nonstrict = moving_sphere::side_bits;
 };
 
