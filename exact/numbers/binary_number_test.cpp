@@ -58,6 +58,9 @@ TEST(BinaryNumber, IsExactInEveryOperation) {
     ASSERT_EQ(order(a.number, b.number), less_or_greater < 0 ? -1 : less_or_greater > 0 ? 1 : 0) << i;
     ASSERT_EQ(a.number.sign(), sgn(a.exactly)) << i;
     ASSERT_TRUE(a.number + b.number - b.number == a.number) << i;
+    // Numbers of which one begins with all words of the other.
+    const BinaryNumber least(0x1p-1074), longer = a.number + least * least;
+    ASSERT_TRUE(longer > a.number && a.number < longer && -longer < -a.number && !(a.number == longer)) << i;
   }
 }
 
