@@ -11,10 +11,8 @@
 namespace axiscert {
 namespace {
 
-using Random = std::mt19937_64;
-
 // All exponents of finite doubles, and runs of ones and zeros, which carry far or cancel.
-double any_double(Random& random) {
+double any_exponent(std::mt19937_64& random) {
   const auto exponent = static_cast<int>(random() % 2098) - 1074;
   const double runs[] = {1, 3, 0x1.fffffffffffffp52, 0x1p52, 0x1.00000000001p52};
   const double size = random() % 2 == 0 ? runs[random() % 5] : static_cast<double>(random() >> 11);
@@ -22,20 +20,20 @@ double any_double(Random& random) {
   return random() % 2 == 0 ? x : -x;
 }
 // Mostly of one size, so that sums overlap.
-double near_one(Random& random) {
+double of_one_size(std::mt19937_64& random) {
   const double x = std::ldexp(static_cast<double>(random() >> (11 + random() % 40)), -static_cast<int>(random() % 90));
   return random() % 2 == 0 ? x : -x;
 }
 
-struct Both {
+struct BinaryAndRational {
   BinaryNumber number;
   Rational exactly;
 };
-Both any_number(Random& random) {
+BinaryAndRational any_binary_number(std::mt19937_64& random) {
   const bool is_wide = random() % 4 == 0;
-  const auto next = [&] { return is_wide ? any_double(random) : near_one(random); };
+  const auto next = [&] { return is_wide ? any_exponent(random) : of_one_size(random); };
   const double first = next();
-  Both sum{BinaryNumber(first), exact(first)};
+  BinaryAndRational sum{BinaryNumber(first), exact(first)};
   for (std::uint64_t terms = random() % 6; terms > 0; --terms) {
     const double x = next(), y = random() % 2 == 0 ? 1 : next();
     sum.number = sum.number + BinaryNumber(x) * BinaryNumber(y);
@@ -45,9 +43,9 @@ Both any_number(Random& random) {
 }
 
 TEST(BinaryNumber, IsExactInEveryOperation) {
-  Random random(20261124);
+  std::mt19937_64 random(20261124);
   for (int i = 0; i < 4000; ++i) {
-    const Both a = any_number(random), b = random() % 16 == 0 ? a : any_number(random);
+    const BinaryAndRational a = any_binary_number(random), b = random() % 16 == 0 ? a : any_binary_number(random);
     ASSERT_EQ(rational(a.number), a.exactly) << i;
     ASSERT_EQ(rational(a.number + b.number), a.exactly + b.exactly) << i;
     ASSERT_EQ(rational(a.number - b.number), a.exactly - b.exactly) << i;
@@ -92,9 +90,10 @@ TEST(BinaryNumber, IsCopiedAndMovedWithManyWordsAndWithFew) {
 }
 
 TEST(BinaryFraction, IsExactInEveryOperation) {
-  Random random(5);
+  std::mt19937_64 random(5);
   for (int i = 0; i < 1000; ++i) {
-    const Both a = any_number(random), b = any_number(random), c = any_number(random), d = any_number(random);
+    const BinaryAndRational a = any_binary_number(random), b = any_binary_number(random), c = any_binary_number(random),
+                            d = any_binary_number(random);
     if (b.number.sign() == 0 || d.number.sign() == 0) continue;
     const bool same = random() % 2 == 0;
     const Rational q = a.exactly / b.exactly, r = c.exactly / (same ? b.exactly : d.exactly);
