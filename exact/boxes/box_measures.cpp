@@ -20,28 +20,10 @@ ExactPair rational(const BoxPair<ExactNumber>& q) {
   return {box(q.a), box(q.b)};
 }
 
-struct Quaternion {
-  Rational w;
-  Point v;
-};
-Quaternion operator*(const Quaternion& p, const Quaternion& q) {
-  return {p.w * q.w - dot(p.v, q.v), q.v * p.w + p.v * q.w + cross(p.v, q.v)};
-}
-
-// The axis e_k becomes q e_k q* / |q|^2, as Hamilton has it: the kernels' matrix of a quaternion is not used here.
 ExactBox turned(const TurnedBox<double>& box) {
-  const auto number = [](double x) { return exact(x); };
-  const Quaternion q{number(box.q[0]), {number(box.q[1]), number(box.q[2]), number(box.q[3])}};
-  const Quaternion conjugate{q.w, Point{-q.v.x, -q.v.y, -q.v.z}};
-  const Rational square = q.w * q.w + dot(q.v, q.v);
-  ExactBox found{{number(box.centre.x), number(box.centre.y), number(box.centre.z)},
-                 {{number(box.half[0]), number(box.half[1]), number(box.half[2])}},
-                 {}};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Point unit{k == 0 ? 1 : 0, k == 1 ? 1 : 0, k == 2 ? 1 : 0};
-    const Point axis = (q * Quaternion{0, unit} * conjugate).v;
-    found.axis[k] = {axis.x / square, axis.y / square, axis.z / square};
-  }
+  const TurnedAxes<Rational> turned = turned_axes<Rational>(box.q);
+  ExactBox found{each<Rational>(box.centre), each<Rational>(box.half), {}};
+  for (std::size_t k = 0; k < 3; ++k) found.axis[k] = turned.axis[k] / turned.square;
   return found;
 }
 
@@ -79,21 +61,6 @@ ExactPair exact_pair(const BoxPair<double>& q) {
 }
 
 ExactPair exact_pair(const TurnedPair<double>& q) { return {turned(q.a), turned(q.b)}; }
-
-Hull corners_of(const ExactBox& box) {
-  Hull corners;
-  for (unsigned signs = 0; signs < 8; ++signs) {
-    Point corner = box.centre;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Rational t = signs >> k & 1 ? box.half[k] : Rational(-box.half[k]);
-      corner = corner + box.axis[k] * t;
-    }
-    corners.push_back(std::move(corner));
-  }
-  return corners;
-}
-
-Rational determinant(const ExactBox& box) { return dot(box.axis[0], cross(box.axis[1], box.axis[2])); }
 
 std::vector<std::string_view> deciding_axes(const ExactPair& q) {
   std::vector<std::string_view> separating, least;
@@ -164,7 +131,7 @@ Rational orthonormality_defect(const ExactBox& box) {
   return greatest;
 }
 
-Rational squared_distance(const ExactPair& q) { return nearest_points(corners_of(q.a), corners_of(q.b)).squared(); }
+Rational squared_distance(const ExactPair& q) { return squared_distance(corners_of(q.a), corners_of(q.b)); }
 
 Rational squared_scene(const ExactPair& q) {
   const Point between = q.b.centre - q.a.centre;

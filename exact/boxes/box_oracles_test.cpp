@@ -106,9 +106,9 @@ struct WithPlantedAxes : MatrixTrait {
 
 // A bound that should be closed: touching is not a contact.
 struct WithOpenBoxes : MatrixTrait {
-  static Truth geometric_truth(const Numbers<double>& numbers) {
-    const Truth right = MatrixTrait::geometric_truth(numbers);
-    return right.touching ? Truth{Verdict::separated, false} : right;
+  static ClippedTruth geometric_truth(const Numbers<double>& numbers) {
+    const ClippedTruth right = MatrixTrait::geometric_truth(numbers);
+    return right.touching ? ClippedTruth{{Verdict::separated, false}, right.common} : right;
   }
 };
 
@@ -161,19 +161,19 @@ TEST(BoxOracles, AllFormsWithoutAnEpsilonHaveOneSignOnQuaternions) {
   }
 }
 
-// q = (2, 1, 0, 0) turns by the angle about x whose cosine is (4 - 1) / 5 and whose sine is 2 * 2 / 5; the inverse turn has
-// the other sign. A needle along the turned y touches a plate where the needle of the inverse is far away.
+// q = (2, 1, 0, 0) turns by the angle about x whose cosine is (4 - 1) / 5 and whose sine is 2 * 2 / 5; the inverse turn
+// has the other sign. A needle along the turned y touches a plate where the needle of the inverse is far away.
 TEST(BoxOracles, AQuaternionTurnsAsHamiltonHasIt) {
-  const ExactBox turned = exact_pair(TurnedPair<double>{{{0, 0, 0}, {1, 1, 1}, {2, 1, 0, 0}},
-                                                        {{0, 0, 0}, {1, 1, 1}, {1, 0, 0, 0}}}).a;
+  const ExactBox turned =
+      exact_pair(TurnedPair<double>{{{0, 0, 0}, {1, 1, 1}, {2, 1, 0, 0}}, {{0, 0, 0}, {1, 1, 1}, {1, 0, 0, 0}}}).a;
   EXPECT_EQ(turned.axis[0].x, 1);
   EXPECT_EQ(turned.axis[1].y, Rational(3, 5));
   EXPECT_EQ(turned.axis[1].z, Rational(4, 5));
   EXPECT_EQ(turned.axis[2].y, Rational(-4, 5));
   EXPECT_EQ(turned.axis[2].z, Rational(3, 5));
   const auto verdict = [](double x) {
-    const Numbers<double> needle_and_cube = numbers_of(TurnedPair<double>{{{0, 0, 0}, {0, 5, 0}, {2, x, 0, 0}},
-                                                                          {{0, 3, 4}, {0.5, 0.5, 0.5}, {1, 0, 0, 0}}});
+    const Numbers<double> needle_and_cube = numbers_of(
+        TurnedPair<double>{{{0, 0, 0}, {0, 5, 0}, {2, x, 0, 0}}, {{0, 3, 4}, {0.5, 0.5, 0.5}, {1, 0, 0, 0}}});
     return quaternion_oracles().truth(needle_and_cube).verdict;
   };
   EXPECT_EQ(verdict(1), Verdict::contact);

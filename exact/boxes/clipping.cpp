@@ -2,185 +2,242 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
+
+#include "exact/boxes/scaled.h"
 
 namespace axiscert::boxes {
 namespace {
 
-using portable::cross, portable::dot;
+using Number = DyadicNumber;
+using Vector = Vec3<Number>;
+using Box = OrientedBox<Number>;
 
-Point plus(const Point& p, const Point& d, const Rational& t) { return {p.x + d.x * t, p.y + d.y * t, p.z + d.z * t}; }
+const Number zero(0.0), one(1.0);
 
-// The three slabs of a box: |normal[k].(x - centre)| <= width[k].
-struct Slabs {
-  Point centre;
-  std::array<Point, 3> normal;
-  std::array<Rational, 3> width;
-
-  explicit Slabs(const ExactBox& box) : centre(box.centre) {
-    const Rational volume = abs(determinant(box));
-    for (std::size_t k = 0; k < 3; ++k) {
-      normal[k] = cross(box.axis[next(k)], box.axis[last(k)]);
-      width[k] = box.half[k] * volume;
-    }
-  }
-
-  // Whether p is in the relative interior: strictly inside each slab that has a width.
-  bool is_inside(const Point& p) const {
-    const Point from = p - centre;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Rational at = abs(dot(normal[k], from));
-      if (width[k] == 0 ? at != 0 : at >= width[k]) return false;
-    }
-    return true;
-  }
+// The number over / under; `under` is positive.
+struct Quotient {
+  Number over = zero, under = one;
 };
+bool is_less(const Quotient& s, const Quotient& t) { return t.over * s.under > s.over * t.under; }
 
 // A range of t; nothing where first > last.
 struct Range {
-  Rational first = -1, last = 1;
+  Quotient first{zero - one, one}, last{one, one};
 };
 
-// Leaves of the range the t for which start + t slope <= most; false where none is left.
-bool keep_below(Range& range, const Rational& start, const Rational& slope, const Rational& most) {
-  if (slope == 0) return start <= most;
-  const Rational t = (most - start) / slope;
-  if (slope > 0 && t < range.last) range.last = t;
-  if (slope < 0 && t > range.first) range.first = t;
-  return range.first <= range.last;
+// Leaves of the range, which is in [-1, 1], the t for which start + t slope <= most; false where none is left.
+bool keep_below(Range& range, const Number& start, const Number& slope, const Number& most) {
+  const Number rest = most - start, size = magnitude(slope);
+  if (rest >= size) return true;
+  if (zero - size > rest) return false;
+  if (slope > zero) {
+    Quotient t{rest, slope};
+    if (is_less(t, range.last)) range.last = std::move(t);
+  } else {
+    Quotient t{zero - rest, size};
+    if (is_less(range.first, t)) range.first = std::move(t);
+  }
+  return !is_less(range.last, range.first);
 }
 
-// The part of the edge `middle` + t `along`, |t| <= 1, in the slabs.
-std::optional<Range> clipped(const Point& middle, const Point& along, const Slabs& slabs) {
-  Range range;
-  const Point from = middle - slabs.centre;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Rational start = dot(slabs.normal[k], from), slope = dot(slabs.normal[k], along);
-    if (!keep_below(range, start, slope, slabs.width[k])) return std::nullopt;
-    if (!keep_below(range, Rational(-start), Rational(-slope), slabs.width[k])) return std::nullopt;
+// `middle` + t `along`, |t| <= 1.
+struct Edge {
+  Vector middle, along;
+};
+// What a linear function that is `start` at the middle and grows by `slope` along the edge is at t, times t.under.
+Number at(const Quotient& t, const Number& start, const Number& slope) { return start * t.under + slope * t.over; }
+
+// The three slabs of a box: |normal[k].(x - centre)| <= width[k].
+class Slabs {
+ public:
+  explicit Slabs(const Box& box) : centre_(box.centre) {
+    const Number volume = magnitude(determinant(box));
+    for (std::size_t k = 0; k < 3; ++k) {
+      normal_[k] = cross(box.axis[next(k)], box.axis[last(k)]);
+      width_[k] = box.half[k] * volume;
+      // A slab without a width has no inside: all of it is as far in as can be.
+      is_off_[k] = {!(width_[k] > zero), !(width_[k] > zero)};
+    }
   }
-  return range;
-}
+
+  // The part of the edge in the slabs.
+  std::optional<Range> clipped(const Edge& edge) const {
+    Range range;
+    const Vector from = edge.middle - centre_;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Number start = dot(normal_[k], from), slope = dot(normal_[k], edge.along);
+      if (!keep_below(range, start, slope, width_[k])) return std::nullopt;
+      if (!keep_below(range, zero - start, zero - slope, width_[k])) return std::nullopt;
+    }
+    return range;
+  }
+
+  // Takes note of a point of the box: that it is off some of the bounding planes.
+  void note(const Edge& edge, const Quotient& t) {
+    const Vector from = edge.middle - centre_;
+    for (std::size_t k = 0; k < 3; ++k) {
+      auto& [below, above] = is_off_[k];
+      if (below && above) continue;
+      const Number here = at(t, dot(normal_[k], from), dot(normal_[k], edge.along)), limit = width_[k] * t.under;
+      below = below || limit > here;
+      above = above || here > zero - limit;
+    }
+  }
+  // Whether the mean of the points noted, one or more, is in the relative interior: strictly inside each slab that has
+  // a width.
+  bool mean_is_inside() const {
+    return std::all_of(is_off_.begin(), is_off_.end(), [](const auto& off) { return off[0] && off[1]; });
+  }
+
+ private:
+  Vector centre_;
+  std::array<Vector, 3> normal_;
+  std::array<Number, 3> width_;
+  std::array<std::array<bool, 2>, 3> is_off_;  // the upper and the lower plane of each
+};
 
 // A triangle: its plane, and the side of each edge on which it is.
-struct TriangleBody {
-  const std::array<Point, 3>& corner;
-  Point normal;
-
-  explicit TriangleBody(const std::array<Point, 3>& corners)
-      : corner(corners), normal(cross(corners[1] - corners[0], corners[2] - corners[0])) {}
-  bool has_area() const { return dot(normal, normal) != 0; }
-  // Positive on the inner side of edge j.
-  Rational side(std::size_t j, const Point& p) const {
-    return dot(cross(normal, corner[next(j)] - corner[j]), p - corner[j]);
-  }
-
-  // Whether p, a point of the triangle, is in its relative interior: not on an edge; without an area, not an end of the
-  // segment that it then is. A point is its own interior.
-  bool is_inside(const Point& p) const {
-    if (has_area()) return side(0, p) > 0 && side(1, p) > 0 && side(2, p) > 0;
+class TriangleBody {
+ public:
+  explicit TriangleBody(const std::array<Vector, 3>& corner)
+      : corner_(corner), normal_(cross(corner[1] - corner[0], corner[2] - corner[0])) {
+    has_area_ = dot(normal_, normal_) > zero;
     for (std::size_t j = 0; j < 3; ++j) {
-      const Point along = corner[next(j)] - corner[j];
-      if (dot(along, along) == 0) continue;
-      std::array<Rational, 3> at;
-      for (std::size_t k = 0; k < 3; ++k) at[k] = dot(along, corner[k]);
-      const auto [least, greatest] = std::minmax_element(at.begin(), at.end());
-      const Rational here = dot(along, p);
-      return *least < here && here < *greatest;
+      const Vector along = corner[next(j)] - corner[j];
+      inwards_[j] = cross(normal_, along);
+      if (!along_ && dot(along, along) > zero) along_ = along;
     }
-    return true;
+    if (has_area_ || !along_) return;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Number here = dot(*along_, corner[k]);
+      if (k == 0 || least_ > here) least_ = here;
+      if (k == 0 || here > greatest_) greatest_ = here;
+    }
   }
+
+  // The part of the edge in the triangle; nothing where that has no area, since its edges then are all of it.
+  std::optional<Range> clipped(const Edge& edge) const {
+    if (!has_area_) return std::nullopt;
+    Range range;
+    const Number start = dot(normal_, edge.middle - corner_[0]), slope = dot(normal_, edge.along);
+    if (!keep_below(range, start, slope, zero)) return std::nullopt;
+    if (!keep_below(range, zero - start, zero - slope, zero)) return std::nullopt;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Number outside = dot(inwards_[j], corner_[j] - edge.middle);
+      if (!keep_below(range, outside, zero - dot(inwards_[j], edge.along), zero)) return std::nullopt;
+    }
+    return range;
+  }
+
+  // Takes note of a point of the triangle: that it is off some of the edges, or without an area off an end of the
+  // segment that it then is.
+  void note(const Edge& edge, const Quotient& t) {
+    if (has_area_) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        if (is_off_[j]) continue;
+        is_off_[j] = at(t, dot(inwards_[j], edge.middle - corner_[j]), dot(inwards_[j], edge.along)) > zero;
+      }
+    } else if (along_) {
+      const Number here = at(t, dot(*along_, edge.middle), dot(*along_, edge.along));
+      is_off_[0] = is_off_[0] || here > least_ * t.under;
+      is_off_[1] = is_off_[1] || greatest_ * t.under > here;
+    }
+  }
+  // Whether the mean of the points noted is in the relative interior. A point is its own interior.
+  bool mean_is_inside() const {
+    if (has_area_) return is_off_[0] && is_off_[1] && is_off_[2];
+    return !along_ || (is_off_[0] && is_off_[1]);
+  }
+
+ private:
+  const std::array<Vector, 3>& corner_;
+  Vector normal_;
+  std::array<Vector, 3> inwards_;  // at right angles to each edge, in the plane; 0 without an area
+  bool has_area_;
+  std::optional<Vector> along_;  // the first edge that is not 0
+  Number least_, greatest_;      // of the corners along it, without an area
+  std::array<bool, 3> is_off_{};
 };
 
-// The part of the edge in the triangle; nothing where that has no area, since its edges then are all of it.
-std::optional<Range> clipped(const Point& middle, const Point& along, const TriangleBody& triangle) {
-  if (!triangle.has_area()) return std::nullopt;
-  Range range;
-  const Rational start = dot(triangle.normal, middle - triangle.corner[0]), slope = dot(triangle.normal, along);
-  if (!keep_below(range, start, slope, 0)) return std::nullopt;
-  if (!keep_below(range, Rational(-start), Rational(-slope), 0)) return std::nullopt;
-  for (std::size_t j = 0; j < 3; ++j) {
-    const Point inwards = cross(triangle.normal, triangle.corner[next(j)] - triangle.corner[j]);
-    if (!keep_below(range, Rational(-triangle.side(j, middle)), Rational(-dot(inwards, along)), 0)) return std::nullopt;
-  }
-  return range;
-}
-
-// The ends of the parts of `box`'s twelve edges that are in the other body.
-template <class Body>
-void add_ends(const ExactBox& box, const Body& body, std::vector<Point>& ends) {
+std::vector<Edge> edges_of(const Box& box) {
+  std::vector<Edge> edges;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Point along = box.axis[k] * box.half[k];
-    const Point one = box.axis[next(k)] * box.half[next(k)], other = box.axis[last(k)] * box.half[last(k)];
-    for (const int sign_of_one : {-1, 1}) {
-      for (const int sign_of_other : {-1, 1}) {
-        const Point middle = plus(plus(box.centre, one, sign_of_one), other, sign_of_other);
-        if (const auto range = clipped(middle, along, body)) {
-          ends.push_back(plus(middle, along, range->first));
-          ends.push_back(plus(middle, along, range->last));
-        }
-      }
+    const Vector along = box.axis[k] * box.half[k];
+    const Vector side = box.axis[next(k)] * box.half[next(k)], other = box.axis[last(k)] * box.half[last(k)];
+    for (const Vector& middle : {box.centre - side, box.centre + side}) {
+      edges.push_back({middle - other, along});
+      edges.push_back({middle + other, along});
     }
   }
+  return edges;
 }
-
-void add_edges(const ExactBox& box, std::vector<Point>& edges) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (box.half[k] != 0) edges.push_back(box.axis[k]);
+std::vector<Edge> edges_of(const std::array<Vector, 3>& corner) {
+  std::vector<Edge> edges;
+  const Number half(0.5);
+  for (std::size_t j = 0; j < 3; ++j) {
+    const Vector along = (corner[next(j)] - corner[j]) * half;
+    edges.push_back({corner[j] + along, along});
   }
+  return edges;
 }
 
 // Whether these edges span the space.
-bool spans(const std::vector<Point>& edges) {
+bool span(const std::vector<Vector>& edges) {
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (std::size_t j = i + 1; j < edges.size(); ++j) {
-      const Point normal = cross(edges[i], edges[j]);
+      const Vector normal = cross(edges[i], edges[j]);
       for (std::size_t k = j + 1; k < edges.size(); ++k) {
-        if (dot(normal, edges[k]) != 0) return true;
+        if (magnitude(dot(normal, edges[k])) > zero) return true;
       }
     }
   }
   return false;
 }
 
-Point mean_of(const std::vector<Point>& points) {
-  Point mean{0, 0, 0};
-  for (const Point& p : points) mean = mean + p;
-  return mean / Rational(static_cast<unsigned long>(points.size()));
+// Whether a part of one of the edges of `from` is in `to`. The ends of such parts are noted in both.
+template <class From, class To>
+bool note_ends(const std::vector<Edge>& edges, From& from, To& to) {
+  bool meets = false;
+  for (const Edge& edge : edges) {
+    if (meets && from.mean_is_inside() && to.mean_is_inside()) break;  // more points do not change that
+    const std::optional<Range> range = to.clipped(edge);
+    if (!range) continue;
+    meets = true;
+    for (const Quotient* t : {&range->first, &range->last}) {
+      from.note(edge, *t);
+      to.note(edge, *t);
+    }
+  }
+  return meets;
+}
+
+template <class A, class B>
+Common common_of(const std::vector<Edge>& edges_of_a, A& a, const std::vector<Edge>& edges_of_b, B& b) {
+  const bool first = note_ends(edges_of_a, a, b), second = note_ends(edges_of_b, b, a);
+  if (!first && !second) return {false, false};
+  if (!a.mean_is_inside() || !b.mean_is_inside()) return {true, false};
+  std::vector<Vector> along;
+  for (const std::vector<Edge>* edges : {&edges_of_a, &edges_of_b}) {
+    // Of a box, each fourth edge has a direction of its own.
+    for (std::size_t i = 0, step = edges->size() == 3 ? 1 : 4; i < edges->size(); i += step) {
+      along.push_back((*edges)[i].along);
+    }
+  }
+  return {true, span(along)};
 }
 
 }  // namespace
 
-Common common_of(const ExactPair& q) {
-  const Slabs of_a(q.a), of_b(q.b);
-  std::vector<Point> ends;
-  add_ends(q.a, of_b, ends);
-  add_ends(q.b, of_a, ends);
-  if (ends.empty()) return {false, false};
-  const Point mean = mean_of(ends);
-  std::vector<Point> edges;
-  add_edges(q.a, edges);
-  add_edges(q.b, edges);
-  return {true, of_a.is_inside(mean) && of_b.is_inside(mean) && spans(edges)};
+Common common_of(const BoxPair<Number>& q) {
+  Slabs a(q.a), b(q.b);
+  return common_of(edges_of(q.a), a, edges_of(q.b), b);
 }
 
-Common common_of(const ExactBoxAndTriangle& q) {
-  const Slabs of_box(q.box);
-  const TriangleBody triangle(q.corner);
-  std::vector<Point> ends, edges;
-  add_ends(q.box, triangle, ends);
-  const Rational half(1, 2);
-  for (std::size_t j = 0; j < 3; ++j) {
-    const Point along = (q.corner[next(j)] - q.corner[j]) * half, middle = q.corner[j] + along;
-    edges.push_back(along);
-    if (const auto range = clipped(middle, along, of_box)) {
-      ends.push_back(plus(middle, along, range->first));
-      ends.push_back(plus(middle, along, range->last));
-    }
-  }
-  if (ends.empty()) return {false, false};
-  const Point mean = mean_of(ends);
-  add_edges(q.box, edges);
-  return {true, of_box.is_inside(mean) && triangle.is_inside(mean) && spans(edges)};
+Common common_of(const BoxAndTriangle<Number>& q) {
+  Slabs box(q.box);
+  TriangleBody triangle(q.corner);
+  return common_of(edges_of(q.box), box, edges_of(q.corner), triangle);
 }
 
 }  // namespace axiscert::boxes

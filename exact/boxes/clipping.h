@@ -1,8 +1,9 @@
 // A second way to the truth about two boxes: the edges of each, clipped by the other. It shares nothing with the
-// nearest points or with the fifteen axes.
+// nearest points or with the fifteen axes but the query's numbers.
 #pragma once
 
-#include "exact/boxes/exact_triangle.h"
+#include "exact/trait/dyadic_number.h"
+#include "kernel/boxes/thirteen.h"
 
 namespace axiscert::boxes {
 
@@ -18,12 +19,15 @@ struct Common {
 //
 // No small translation parts them where the point 0 is inside A - B, not on its boundary: where a point is in the
 // relative interior of both and their edges together span the space. The mean of those ends is such a point if any is.
+// It is off a bounding plane exactly where one of them is, since none is beyond it.
+//
+// No number is divided: a place on an edge is kept as a quotient.
 //
 // Precondition: the axes of each box are independent; half extents may be 0.
-Common common_of(const ExactPair& q);
+Common common_of(const BoxPair<DyadicNumber>& q);
 
 // The same of a box and a triangle, which may be degenerate. A corner of what they have in common is on an edge of the
 // triangle, within the box, or on an edge of the box, within the triangle.
-Common common_of(const ExactBoxAndTriangle& q);
+Common common_of(const BoxAndTriangle<DyadicNumber>& q);
 
 }  // namespace axiscert::boxes

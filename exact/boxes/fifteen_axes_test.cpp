@@ -194,7 +194,7 @@ ThirteenRates thirteen_rates(int queries) {
     Hull triangle;
     for (const Vec3<double>& v : q.corner) triangle.push_back({v.x, v.y, v.z});
     const ExactPair box = exact_pair(BoxPair<double>{q.box, q.box});
-    const bool apart = nearest_points(corners_of(box.a), triangle).squared() > 0;
+    const bool apart = squared_distance(corners_of(box.a), triangle) > 0;
     found.products.count(separates<Thirteen>(q), apart);
     found.half_edges.count(separates<Thirteen>(BoxAndTriangle<double>{by_half_edges(q.box), q.corner}), apart);
   }

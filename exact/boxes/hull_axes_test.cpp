@@ -90,7 +90,7 @@ HullRates hull_rates(const Kind& kind, int pairs) {
   HullRates found;
   for (int i = 0; i < pairs; ++i) {
     const auto [a, b] = kind.make(random);
-    const bool apart = nearest_points(a, b).squared() > 0;
+    const bool apart = squared_distance(a, b) > 0;
     found.apart += apart;
     found.all.count(are_apart_on(separating_axes(a, b), a, b), apart);
     found.without.count(are_apart_on(separating_axes(a, b, InPlane::left_out), a, b), apart);

@@ -3,53 +3,52 @@
 #include <algorithm>
 #include <optional>
 
+#include "exact/numbers/binary_fraction.h"
 #include "kernel/base/error.h"
 
 namespace axiscert::boxes {
 namespace {
 
 using portable::cross, portable::dot;
-using Integer = mpz_class;
-using Whole = portable::Vec3<Integer>;
+using Number = BinaryNumber;
+using Vector = BinaryPoint;
 
 // A vertex of A minus a vertex of B.
 struct Corner {
   std::size_t a, b;
-  Whole at;
+  Vector at;
 };
 
 // Corners, and the point of their simplex that is nearest to 0, strictly inside it: the sum of weight times corner over
 // `total`, every weight positive.
 struct Simplex {
   std::vector<Corner> corners;
-  std::vector<Integer> weights;
-  Integer total;
-  Whole nearest;  // times `total`
+  std::vector<Number> weights;
+  Number total;
+  Vector nearest;  // times `total`
 };
-
-Integer determinant(const Whole& a, const Whole& b, const Whole& c) { return dot(a, cross(b, c)); }
 
 // The weights, up to a common factor, that make the point nearest to 0 on the line, plane or space through the corners.
 // Their sum is 0 where the corners are dependent.
-std::vector<Integer> affine_weights(const std::vector<Corner>& corners) {
+std::vector<Number> affine_weights(const std::vector<Corner>& corners) {
   switch (corners.size()) {
     case 1:
-      return {1};
+      return {Number(1)};
     case 2: {
-      const Whole &p = corners[0].at, &q = corners[1].at, along = q - p;
+      const Vector &p = corners[0].at, &q = corners[1].at, along = q - p;
       return {dot(q, along), -dot(p, along)};
     }
     case 3: {
-      const Whole &p = corners[0].at, &q = corners[1].at, &r = corners[2].at;
-      const Whole normal = cross(Whole(q - p), Whole(r - p));
+      const Vector &p = corners[0].at, &q = corners[1].at, &r = corners[2].at;
+      const Vector normal = cross(Vector(q - p), Vector(r - p));
       return {dot(normal, cross(q, r)), dot(normal, cross(r, p)), dot(normal, cross(p, q))};
     }
     default: {
-      const Whole &p = corners[0].at, &q = corners[1].at, &r = corners[2].at, &s = corners[3].at;
-      std::vector<Integer> weights = {determinant(q, r, s), -determinant(p, r, s), determinant(p, q, s),
-                                      -determinant(p, q, r)};
-      if (weights[0] + weights[1] + weights[2] + weights[3] < 0) {
-        for (Integer& w : weights) w = -w;
+      const Vector &p = corners[0].at, &q = corners[1].at, &r = corners[2].at, &s = corners[3].at;
+      const Vector rs = cross(r, s), pq = cross(p, q);
+      std::vector<Number> weights = {dot(q, rs), -dot(p, rs), dot(s, pq), -dot(r, pq)};
+      if ((weights[0] + weights[1] + weights[2] + weights[3]).sign() < 0) {
+        for (Number& w : weights) w = -w;
       }
       return weights;
     }
@@ -58,19 +57,21 @@ std::vector<Integer> affine_weights(const std::vector<Corner>& corners) {
 
 // Empty where the nearest point of the corners' affine hull is not strictly inside their simplex.
 std::optional<Simplex> simplex_of(std::vector<Corner> corners) {
-  Simplex found{std::move(corners), {}, 0, {0, 0, 0}};
+  Simplex found{std::move(corners), {}, {}, {}};
   found.weights = affine_weights(found.corners);
+  const auto is_positive = [](const Number& w) { return w.sign() > 0; };
+  if (!std::all_of(found.weights.begin(), found.weights.end(), is_positive)) return std::nullopt;
   for (std::size_t i = 0; i < found.weights.size(); ++i) {
-    if (found.weights[i] <= 0) return std::nullopt;
-    found.total += found.weights[i];
+    found.total = found.total + found.weights[i];
     found.nearest = found.nearest + found.corners[i].at * found.weights[i];
   }
   return found;
 }
 
-// Whether `corner` is no nearer to 0 than the simplex's nearest point, along the direction to that.
-bool is_beyond(const Simplex& simplex, const Whole& corner) {
-  return simplex.total * dot(simplex.nearest, corner) >= dot(simplex.nearest, simplex.nearest);
+// Whether `corner` is no nearer to 0 than the simplex's nearest point, along the direction to that. `least` is the
+// square of that, times the square of the total.
+bool is_beyond(const Simplex& simplex, const Number& least, const Vector& corner) {
+  return simplex.total * dot(simplex.nearest, corner) >= least;
 }
 
 // The nearest point of the simplex with one corner more, which comes nearer than without it: so the new corner is among
@@ -85,97 +86,106 @@ Simplex nearer(const Simplex& before, const Corner& corner) {
     std::optional<Simplex> found = simplex_of(std::move(corners));
     if (!found) continue;
     bool is_least = true;
-    for (std::size_t i = 0; i < old; ++i) {
-      is_least = is_least && ((kept >> i & 1) != 0 || is_beyond(*found, before.corners[i].at));
+    const Number least = dot(found->nearest, found->nearest);
+    for (std::size_t i = 0; i < old && is_least; ++i) {
+      is_least = (kept >> i & 1) != 0 || is_beyond(*found, least, before.corners[i].at);
     }
     if (is_least) return *std::move(found);
   }
   throw HarnessFault("nearest_points: no subset of a simplex has its nearest point");
 }
 
-// The points times a common denominator.
-std::vector<Whole> in_integers(const Hull& hull, const Integer& scale) {
-  std::vector<Whole> points;
-  const auto times = [&](const Rational& x) { return Integer(x.get_num() * (scale / x.get_den())); };
-  for (const Point& p : hull) points.push_back({times(p.x), times(p.y), times(p.z)});
-  return points;
-}
-Integer common_denominator(const Hull& a, const Hull& b) {
-  Integer scale = 1;
-  for (const Hull* hull : {&a, &b}) {
-    for (const Point& p : *hull) {
-      for (const Rational* x : {&p.x, &p.y, &p.z}) scale = lcm(scale, x->get_den());
-    }
-  }
-  return scale;
-}
-
-std::size_t least_along(const Whole& direction, const std::vector<Whole>& points, int sign) {
+// The vertex that is least along the direction, or along its opposite.
+std::size_t least_along(const Vector& direction, const BinaryHull& hull, bool opposite) {
   std::size_t best = 0;
-  Integer least = sign * dot(direction, points[0]);
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    Integer here = sign * dot(direction, points[i]);
-    if (here >= least) continue;
+  std::optional<Number> least;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    Number here = dot(direction, hull[i]);
+    if (least && (opposite ? here <= *least : here >= *least)) continue;
     least = std::move(here);
     best = i;
   }
   return best;
 }
 
-Point combined(const Hull& hull, const std::vector<Rational>& weights) {
-  Point sum{0, 0, 0};
-  for (std::size_t i = 0; i < hull.size(); ++i) sum = sum + hull[i] * weights[i];
+Vector combined(const BinaryHull& hull, const std::vector<Number>& weights) {
+  Vector sum;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    if (weights[i].sign() != 0) sum = sum + hull[i] * weights[i];
+  }
   return sum;
+}
+
+// The points times `scale`, a common denominator.
+BinaryHull in_integers(const Hull& hull, const mpz_class& scale) {
+  BinaryHull points;
+  const auto times = [&](const Rational& x) {
+    return Number(mpz_class(x.get_num() * (scale / x.get_den())).get_mpz_t());
+  };
+  for (const Point& p : hull) points.push_back({times(p.x), times(p.y), times(p.z)});
+  return points;
 }
 
 }  // namespace
 
-NearestPoints nearest_points(const Hull& a, const Hull& b) {
-  const Integer scale = common_denominator(a, b);
-  const std::vector<Whole> of_a = in_integers(a, scale), of_b = in_integers(b, scale);
-  const auto corner = [&](std::size_t i, std::size_t j) { return Corner{i, j, of_a[i] - of_b[j]}; };
+NearestPoints nearest_points(const BinaryHull& a, const BinaryHull& b) {
+  const auto corner = [&](std::size_t i, std::size_t j) { return Corner{i, j, a[i] - b[j]}; };
   Simplex simplex = *simplex_of({corner(0, 0)});
   for (;;) {
-    const Corner ahead = corner(least_along(simplex.nearest, of_a, 1), least_along(simplex.nearest, of_b, -1));
-    if (is_beyond(simplex, ahead.at)) break;
+    const Corner ahead = corner(least_along(simplex.nearest, a, false), least_along(simplex.nearest, b, true));
+    if (is_beyond(simplex, dot(simplex.nearest, simplex.nearest), ahead.at)) break;
     simplex = nearer(simplex, ahead);
   }
-  NearestPoints found{std::vector<Rational>(a.size()), std::vector<Rational>(b.size()), {}};
+  NearestPoints found{std::vector<Number>(a.size()), std::vector<Number>(b.size()), simplex.total, simplex.nearest};
   for (std::size_t i = 0; i < simplex.corners.size(); ++i) {
-    Rational weight(simplex.weights[i], simplex.total);
-    weight.canonicalize();
-    found.weights_a[simplex.corners[i].a] += weight;
-    found.weights_b[simplex.corners[i].b] += weight;
+    Number &of_a = found.weights_a[simplex.corners[i].a], &of_b = found.weights_b[simplex.corners[i].b];
+    of_a = of_a + simplex.weights[i];
+    of_b = of_b + simplex.weights[i];
   }
-  found.apart = combined(a, found.weights_a) - combined(b, found.weights_b);
   if (const std::string reason = refuted(found, a, b); !reason.empty()) {
     throw HarnessFault("nearest_points: its result does not prove the distance: " + reason);
   }
   return found;
 }
 
-std::string refuted(const NearestPoints& found, const Hull& a, const Hull& b) {
+std::string refuted(const NearestPoints& found, const BinaryHull& a, const BinaryHull& b) {
   if (found.weights_a.size() != a.size() || found.weights_b.size() != b.size())
     return "there is not one weight a vertex";
-  for (const std::vector<Rational>* weights : {&found.weights_a, &found.weights_b}) {
-    Rational sum;
-    for (const Rational& w : *weights) {
-      if (w < 0) return "a weight is negative";
-      sum += w;
+  if (found.total.sign() <= 0) return "the total is not positive";
+  for (const std::vector<Number>* weights : {&found.weights_a, &found.weights_b}) {
+    Number sum;
+    for (const Number& w : *weights) {
+      if (w.sign() < 0) return "a weight is negative";
+      sum = sum + w;
     }
-    if (sum != 1) return "the weights of a hull do not sum to 1";
+    if (!(sum == found.total)) return "the weights of a hull do not sum to the total";
   }
-  const Point at_a = combined(a, found.weights_a), at_b = combined(b, found.weights_b), &apart = found.apart;
-  const Point between = at_a - at_b;
-  if (between.x != apart.x || between.y != apart.y || between.z != apart.z) return "the points are not `apart`";
-  const Rational from = dot(apart, at_a), to = dot(apart, at_b);
-  if (std::any_of(a.begin(), a.end(), [&](const Point& p) { return dot(apart, p) < from; })) {
+  const Vector at_a = combined(a, found.weights_a), at_b = combined(b, found.weights_b), &apart = found.apart;
+  const Vector between = at_a - at_b;
+  if (!(between.x == apart.x && between.y == apart.y && between.z == apart.z)) return "the points are not `apart`";
+  const Number from = dot(apart, at_a), to = dot(apart, at_b);
+  const auto along = [&](const Vector& p) { return found.total * dot(apart, p); };
+  if (std::any_of(a.begin(), a.end(), [&](const Vector& p) { return along(p) < from; })) {
     return "a vertex of A is nearer along `apart`";
   }
-  if (std::any_of(b.begin(), b.end(), [&](const Point& p) { return dot(apart, p) > to; })) {
+  if (std::any_of(b.begin(), b.end(), [&](const Vector& p) { return along(p) > to; })) {
     return "a vertex of B is nearer along `apart`";
   }
   return "";
+}
+
+Rational squared_distance(const Hull& a, const Hull& b) {
+  mpz_class scale = 1;
+  for (const Hull* hull : {&a, &b}) {
+    for (const Point& p : *hull) {
+      for (const Rational* x : {&p.x, &p.y, &p.z}) {
+        if (!mpz_divisible_p(scale.get_mpz_t(), x->get_den_mpz_t())) scale = lcm(scale, x->get_den());
+      }
+    }
+  }
+  const NearestPoints found = nearest_points(in_integers(a, scale), in_integers(b, scale));
+  const Rational length = rational(found.total) * scale;
+  return rational(dot(found.apart, found.apart)) / (length * length);
 }
 
 }  // namespace axiscert::boxes

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "exact/boxes/box_measures.h"
-#include "exact/boxes/clipping.h"
+#include "exact/boxes/clipped_truth.h"
 #include "exact/boxes/why_invalid.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
@@ -20,7 +20,7 @@ namespace axiscert::boxes {
 
 // `name` is the box's member: the reason for which its axes or its quaternion do not make a box, or empty.
 inline std::string why_invalid_box(std::string_view name, const OrientedBox<double>& box) {
-  return why_axes_are_invalid(name, determinant(exact_pair(BoxPair<double>{box, box}).a));
+  return why_axes_are_invalid(name, box);
 }
 inline std::string why_invalid_box(std::string_view name, const TurnedBox<double>& box) {
   const bool is_zero = std::all_of(box.q.begin(), box.q.end(), [](double x) { return x == 0; });
@@ -45,32 +45,19 @@ struct BoxTrait : Boxes {
   static bool is_valid(const Numbers<double>& numbers) { return why_invalid(numbers).empty(); }
 
   // Touching is taken from the clipped edges: nearest points do not tell it.
-  static Truth geometric_truth(const Numbers<double>& numbers) {
-    const ExactPair q = exactly(numbers);
-    if (squared_distance(q) > 0) return {Verdict::separated, false};
-    return {Verdict::contact, !common_of(q).interiors_meet};
+  static ClippedTruth geometric_truth(const Numbers<double>& numbers) {
+    const BoxPair<BinaryNumber> q = scaled<BinaryNumber>(query(numbers));
+    return clipped_truth(nearest_points(corners_of(q.a), corners_of(q.b)),
+                         common_of(scaled<DyadicNumber>(query(numbers))));
   }
 
   // The theorem. With the products of the boxes' own vectors as directions, one of the fifteen axes separates exactly
   // where the boxes have no point in common; they touch exactly where none separates and on one that is not 0 both
   // sides are equal.
-  static std::string contradiction(const Numbers<double>& numbers, const Truth& truth, ComparisonBits holds,
+  static std::string contradiction(const Numbers<double>& numbers, const ClippedTruth& truth, ComparisonBits holds,
                                    ComparisonBits ties) {
-    const ExactPair q = exactly(numbers);
-    const Common common = common_of(q);
-    const Verdict by_clipping = common.meets ? Verdict::contact : Verdict::separated;
-    const Verdict by_axes = verdict_of(box_box_test(), holds);
-    bool ties_somewhere = false;
-    for_each_bit(ties, [&](std::size_t i) {
-      const Point along = direction(q, i);
-      ties_somewhere = ties_somewhere || dot(along, along) != 0;
-    });
-    const bool axes_touch = by_axes == Verdict::contact && ties_somewhere;
-    if (truth.verdict == by_clipping && truth.verdict == by_axes && truth.touching == axes_touch) return "";
-    return fmt::format(
-        "nearest points {}; edges clipped {}, interiors have a point in common {}; the fifteen axes {}, touching {}: "
-        "{:#b}, ties {:#b} (bit 0 is the first axis)",
-        name(truth.verdict), name(by_clipping), common.interiors_meet, name(by_axes), axes_touch, holds, ties);
+    return contradiction_of("fifteen", truth, verdict_of(box_box_test(), holds), holds, ties,
+                            [&] { return scaled<DyadicNumber>(query(numbers)); });
   }
 
   static double depth(const Numbers<double>& numbers) { return depth_of(exactly(numbers)); }
@@ -102,7 +89,7 @@ struct MatrixTrait : BoxTrait<MatrixBoxes> {
 };
 
 struct QuaternionTrait : BoxTrait<QuaternionBoxes> {
-  using Exact = ExactNumber;  // the matrix of a quaternion is divided by its squared length
+  using Exact = BinaryFraction;  // the matrix of a quaternion is divided by its squared length
   using AllFormulae =
       FormulaeList<OfQuaternions<Projected>, OfQuaternions<Columns>, OfQuaternions<Dropped>, OfQuaternions<Framed>,
                    OfQuaternions<Textbook>, OfQuaternions<Rtcd>, OfQuaternions<Gottschalk>, OfQuaternions<Bullet>,

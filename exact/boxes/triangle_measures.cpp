@@ -88,7 +88,7 @@ std::vector<std::string_view> deciding_axes(const ExactBoxAndTriangle& q) {
 }
 
 Rational squared_distance(const ExactBoxAndTriangle& q) {
-  return nearest_points(corners_of(q.box), hull_of(q.corner)).squared();
+  return squared_distance(corners_of(q.box), hull_of(q.corner));
 }
 
 double depth_of(const ExactBoxAndTriangle& q) {

@@ -6,7 +6,8 @@
 
 #include <array>
 
-#include "exact/boxes/clipping.h"
+#include "exact/boxes/clipped_truth.h"
+#include "exact/boxes/exact_triangle.h"
 #include "exact/boxes/why_invalid.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
@@ -26,9 +27,7 @@ inline std::string why_invalid_box(const CornersAndTriangle<double>& q) {
   if (faults.empty()) return "";
   return fmt::format("{}; each element of min is at most that of max", fmt::join(faults, "; "));
 }
-inline std::string why_invalid_box(const BoxAndTriangle<double>& q) {
-  return why_axes_are_invalid("box", determinant(exact_box_and_triangle(q).box));
-}
+inline std::string why_invalid_box(const BoxAndTriangle<double>& q) { return why_axes_are_invalid("box", q.box); }
 
 template <class Entry>
 struct TriangleTrait : Entry {
@@ -44,30 +43,17 @@ struct TriangleTrait : Entry {
   }
   static bool is_valid(const Numbers<double>& numbers) { return why_invalid(numbers).empty(); }
 
-  static Truth geometric_truth(const Numbers<double>& numbers) {
-    const ExactBoxAndTriangle q = exactly(numbers);
-    if (squared_distance(q) > 0) return {Verdict::separated, false};
-    return {Verdict::contact, !common_of(q).interiors_meet};
+  static ClippedTruth geometric_truth(const Numbers<double>& numbers) {
+    const BoxAndTriangle<BinaryNumber> q = scaled<BinaryNumber>(query(numbers));
+    return clipped_truth(nearest_points(corners_of(q.box), {q.corner.begin(), q.corner.end()}),
+                         common_of(scaled<DyadicNumber>(query(numbers))));
   }
 
   // The theorem, as that of two boxes (exact/boxes/trait.h), of thirteen axes.
-  static std::string contradiction(const Numbers<double>& numbers, const Truth& truth, ComparisonBits holds,
+  static std::string contradiction(const Numbers<double>& numbers, const ClippedTruth& truth, ComparisonBits holds,
                                    ComparisonBits ties) {
-    const ExactBoxAndTriangle q = exactly(numbers);
-    const Common common = common_of(q);
-    const Verdict by_clipping = common.meets ? Verdict::contact : Verdict::separated;
-    const Verdict by_axes = verdict_of(box_triangle_test(), holds);
-    bool ties_somewhere = false;
-    for_each_bit(ties, [&](std::size_t i) {
-      const Point along = direction(q, i);
-      ties_somewhere = ties_somewhere || dot(along, along) != 0;
-    });
-    const bool axes_touch = by_axes == Verdict::contact && ties_somewhere;
-    if (truth.verdict == by_clipping && truth.verdict == by_axes && truth.touching == axes_touch) return "";
-    return fmt::format(
-        "nearest points {}; edges clipped {}, interiors have a point in common {}; the thirteen axes {}, touching {}: "
-        "{:#b}, ties {:#b} (bit 0 is the first axis)",
-        name(truth.verdict), name(by_clipping), common.interiors_meet, name(by_axes), axes_touch, holds, ties);
+    return contradiction_of("thirteen", truth, verdict_of(box_triangle_test(), holds), holds, ties,
+                            [&] { return scaled<DyadicNumber>(query(numbers)); });
   }
 
   static double depth(const Numbers<double>& numbers) { return depth_of(exactly(numbers)); }

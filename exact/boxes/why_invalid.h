@@ -9,7 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/numbers/rational.h"
+#include "exact/boxes/scaled.h"
+#include "exact/trait/dyadic_number.h"
 #include "kernel/test.h"
 
 namespace axiscert::boxes {
@@ -37,10 +38,10 @@ inline std::string why_numbers_are_invalid(const TestEntry& entry, const Numbers
   return "";
 }
 
-// `box` is the box's member. The reason for its axes, by their determinant; empty where they are independent.
-inline std::string why_axes_are_invalid(std::string_view box, const Rational& determinant) {
-  return determinant == 0 ? fmt::format("{}.b has the determinant 0; the axes of a box are linearly independent", box)
-                          : "";
+// The reason for the axes of a box, whose member this is, by their determinant; empty where they are independent.
+inline std::string why_axes_are_invalid(std::string_view member, const OrientedBox<double>& box) {
+  if (determinant(scaled<DyadicNumber>(box)).value.sign() != CGAL::ZERO) return "";
+  return fmt::format("{}.b has the determinant 0; the axes of a box are linearly independent", member);
 }
 
 }  // namespace axiscert::boxes

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 namespace axiscert::moving_sphere {
 namespace {
@@ -41,20 +42,24 @@ Vector integers(const portable::Vec3<double>& v, int exponent) {
   return {integer(v.x, exponent), integer(v.y, exponent), integer(v.z, exponent)};
 }
 
-// Makes `first` and `last` the times in [0, 1] at which all gates are open. False where there are none.
-bool has_times(Piece& piece) {
-  piece.first = 0;
-  piece.last = 1;
-  for (const auto& [value, slope] : piece.gates) {
-    if (slope == 0) {
-      if (value < 0) return false;
-      continue;
-    }
-    const Rational opens = quotient(-value, slope);
-    if (slope > 0) piece.first = std::max(piece.first, opens);
-    else piece.last = std::min(piece.last, opens);
+// A piece with the times in [0, 1] at which all gates are open, and nothing else; empty where there are none.
+std::optional<Piece> opened(Feature feature, std::vector<Gate> gates) {
+  // A gate's sign at both ends tells most: closed throughout, open throughout, or turning between.
+  std::vector<const Gate*> turning;
+  for (const Gate& gate : gates) {
+    const bool at_first = gate.value >= 0, at_last = gate.value >= -gate.slope;
+    if (!at_first && !at_last) return std::nullopt;
+    if (!at_first || !at_last) turning.push_back(&gate);
   }
-  return piece.first <= piece.last;
+  Piece piece{feature, {}, 0, 1, {}, {}, {}, {}};
+  for (const Gate* gate : turning) {
+    const Rational turns = quotient(-gate->value, gate->slope);
+    if (gate->slope > 0) piece.first = std::max(piece.first, turns);
+    else piece.last = std::min(piece.last, turns);
+  }
+  if (piece.first > piece.last) return std::nullopt;
+  piece.gates = std::move(gates);
+  return piece;
 }
 
 }  // namespace
@@ -83,13 +88,18 @@ MotionPieces::MotionPieces(const GivenMotion& q) : exponent(common_exponent(q)) 
   const auto gate = [&](const Vector& x, const Vector& n) { return Gate{dot(x, n), -dot(d, n)}; };
   // The gates (X x U).V of edges U at X: whether the centre is on the inner side of the edge's plane.
   std::vector<Gate> inner;
-  const auto add = [&](Piece piece) {
-    if (has_times(piece)) pieces.push_back(std::move(piece));
+  // `squares` are a, b, c and the divisor.
+  const auto add = [&](Feature feature, std::vector<Gate> gates, auto&& squares) {
+    std::optional<Piece> piece = opened(feature, std::move(gates));
+    if (!piece) return;
+    std::tie(piece->a, piece->b, piece->c, piece->divisor) = squares();
+    pieces.push_back(*std::move(piece));
   };
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector &a = at(i), &b = at(i + 1), &c = at(i + 2);
     // Nearest is the vertex where the centre is beyond it along both of its edges.
-    add({static_cast<Feature>(i), {gate(a, b - a), gate(a, c - a)}, {}, {}, dot(d, d), dot(a, d), dot(a, a), 1});
+    add(static_cast<Feature>(i), {gate(a, b - a), gate(a, c - a)},
+        [&] { return std::tuple(dot(d, d), dot(a, d), dot(a, a), Integer(1)); });
 
     // Nearest is a point inside the edge where the foot is on it, and the centre on its outer side.
     const Vector along = b - a, n = cross(a, along), m = cross(d, along);
@@ -98,19 +108,14 @@ MotionPieces::MotionPieces(const GivenMotion& q) : exponent(common_exponent(q)) 
     const Gate from = gate(a, along), to = gate(b, along);
     inner.push_back({dot(n, normal), -dot(m, normal)});
     const Gate& in = inner.back();
-    add({static_cast<Feature>(3 + i),
-         {{-from.value, -from.slope}, to, {-in.value, -in.slope}},
-         {},
-         {},
-         dot(m, m),
-         dot(n, m),
-         dot(n, n),
-         e});
+    add(static_cast<Feature>(3 + i), {{-from.value, -from.slope}, to, {-in.value, -in.slope}},
+        [&] { return std::tuple(dot(m, m), dot(n, m), dot(n, n), e); });
   }
   if (const Integer v = dot(normal, normal); v != 0) {
     const Integer offset = dot(at(0), normal), m = dot(d, normal);
     // A triangle with area has three edges.
-    add({Feature::face, std::move(inner), {}, {}, m * m, offset * m, offset * offset, v});
+    add(Feature::face, std::move(inner),
+        [&] { return std::tuple(Integer(m * m), Integer(offset * m), Integer(offset * offset), v); });
   }
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& x, const Piece& y) { return x.first < y.first; });
 }

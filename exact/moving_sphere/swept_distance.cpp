@@ -2,12 +2,98 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Mpzf.h>
-#include <CGAL/Quotient.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/squared_distance_3.h>
 
+#include <boost/operators.hpp>
+#include <utility>
+
 // The distance of two triangles, degenerate ones included, was compared with least_distance() in this version alone.
 static_assert(CGAL_VERSION_NR >= 1050500000 && CGAL_VERSION_NR < 1050600000, "axiscert is tested with CGAL 5.5");
+
+namespace axiscert::moving_sphere {
+namespace {
+
+// over / under, of binary numbers, which have no common divisors to look for. Most of what CGAL computes on the way is
+// whole, and is then computed as that; CGAL::Quotient multiplies denominators that are 1.
+class Fraction : boost::ordered_field_operators1<Fraction>, boost::ordered_field_operators2<Fraction, int> {
+ public:
+  Fraction() = default;
+  Fraction(int x) : over_(x) {}
+  Fraction(double x) : over_(x) {}
+
+  Fraction& operator+=(const Fraction& other) { return add(other, other.over_); }
+  Fraction& operator-=(const Fraction& other) { return add(other, -other.over_); }
+  Fraction& operator*=(const Fraction& other) {
+    over_ = over_ * other.over_;
+    multiply_under(other);
+    return *this;
+  }
+  Fraction& operator/=(const Fraction& other) {
+    CGAL_assertion(other.over_.sign() != CGAL::ZERO);
+    under_ = is_whole_ ? other.over_ : under_ * other.over_;
+    is_whole_ = false;
+    if (!other.is_whole_) over_ = over_ * other.under_;
+    return *this;
+  }
+  Fraction operator-() const {
+    Fraction result = *this;
+    result.over_ = -over_;
+    return result;
+  }
+  friend bool operator==(const Fraction& a, const Fraction& b) { return (a - b).sign() == CGAL::ZERO; }
+  friend bool operator<(const Fraction& a, const Fraction& b) { return (a - b).sign() == CGAL::NEGATIVE; }
+  friend bool operator==(const Fraction& a, int b) { return a == Fraction(b); }
+  friend bool operator<(const Fraction& a, int b) { return a < Fraction(b); }
+  friend bool operator>(const Fraction& a, int b) { return Fraction(b) < a; }
+
+  CGAL::Sign sign() const { return is_whole_ ? over_.sign() : over_.sign() * under_.sign(); }
+
+ private:
+  // Adds `over` over the denominator of `other`.
+  Fraction& add(const Fraction& other, const CGAL::Mpzf& over) {
+    if (is_whole_ && other.is_whole_) {
+      over_ = over_ + over;
+    } else {
+      const CGAL::Mpzf own = other.is_whole_ ? over_ : over_ * other.under_;
+      over_ = own + (is_whole_ ? over : over * under_);
+      multiply_under(other);
+    }
+    return *this;
+  }
+  void multiply_under(const Fraction& other) {
+    if (other.is_whole_) return;
+    under_ = is_whole_ ? other.under_ : under_ * other.under_;
+    is_whole_ = false;
+  }
+
+  CGAL::Mpzf over_{0}, under_{1};  // `under` is not 0, and may be negative
+  bool is_whole_ = true;           // `under` is 1
+};
+
+}  // namespace
+}  // namespace axiscert::moving_sphere
+
+namespace CGAL {
+
+template <>
+class Algebraic_structure_traits<axiscert::moving_sphere::Fraction>
+    : public Algebraic_structure_traits_base<axiscert::moving_sphere::Fraction, Field_tag> {
+ public:
+  using Is_exact = Tag_true;
+  using Is_numerical_sensitive = Tag_false;
+};
+template <>
+class Real_embeddable_traits<axiscert::moving_sphere::Fraction>
+    : public INTERN_RET::Real_embeddable_traits_base<axiscert::moving_sphere::Fraction, Tag_true> {
+ public:
+  using Fraction = axiscert::moving_sphere::Fraction;
+  struct Sgn : public CGAL::cpp98::unary_function<Fraction, ::CGAL::Sign> {
+    ::CGAL::Sign operator()(const Fraction& x) const { return x.sign(); }
+  };
+};
+
+}  // namespace CGAL
 
 namespace axiscert::moving_sphere {
 namespace {
@@ -33,11 +119,10 @@ Rational swept_squared_distance(const GivenMotion& q) {
 }
 
 // Intervals would never decide: the triangle of a path has two equal corners, and CGAL asks whether its sides are
-// parallel. Quotients of binary numbers have no common divisors to look for.
+// parallel.
 int swept_distance_order(const GivenMotion& q, double until) {
-  using Exact = CGAL::Quotient<CGAL::Mpzf>;
-  const Exact r(q.r);
-  return static_cast<int>(CGAL::compare(swept_distance<CGAL::Simple_cartesian<Exact>>(q, until), Exact(r * r)));
+  const Fraction r(q.r), distance = swept_distance<CGAL::Simple_cartesian<Fraction>>(q, until);
+  return static_cast<int>((distance - r * r).sign());
 }
 
 }  // namespace axiscert::moving_sphere

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "exact/numbers/binary_fraction.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -104,5 +105,16 @@ Real nearest_sqrt(const mpz_class& numerator, const mpz_class& denominator) {
 }
 template float nearest_sqrt<float>(const mpz_class&, const mpz_class&);
 template double nearest_sqrt<double>(const mpz_class&, const mpz_class&);
+
+Rational rational(const BinaryNumber& x) {
+  return x.as_mpz([](mpz_srcptr whole, long exponent) {
+    Rational q{mpz_class(whole)};
+    const auto places = static_cast<mp_bitcnt_t>(std::labs(exponent));
+    if (exponent < 0) mpq_div_2exp(q.get_mpq_t(), q.get_mpq_t(), places);
+    else mpq_mul_2exp(q.get_mpq_t(), q.get_mpq_t(), places);
+    return q;
+  });
+}
+Rational rational(const BinaryFraction& x) { return rational(x.over) / rational(x.under); }
 
 }  // namespace axiscert

@@ -1,5 +1,6 @@
-// A number of finitely many binary digits as a number type of the formulae (kernel/plain_kernel.h): what finite floats
-// become by +, - and *. Exact, and without the greatest common divisors of rationals.
+// A number of finitely many binary digits by CGAL, as a number type of the formulae (kernel/plain_kernel.h): what
+// finite floats become by +, - and *. exact/numbers/binary_number.h is another one for the same purpose, in which the
+// formulae are evaluated: what is computed in one of them checks what is computed in the other.
 #pragma once
 
 #include <CGAL/Mpzf.h>

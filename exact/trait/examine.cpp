@@ -22,13 +22,14 @@ OracleExamination examine_by_oracles(const Numbers<Real>& q, const Kernel& kerne
                                      std::vector<double> measures) {
   const Oracles& oracles = oracles_of(kernel);
   OracleExamination out;
-  out.truth = oracles.truth(q);
+  const std::unique_ptr<AskedQuery> asked = oracles.about(q);
+  out.truth = asked->truth();
   out.answer = answer;
   out.measures = std::move(measures);
   if (out.truth.verdict != Verdict::invalid) out.is_promised = oracles.is_promised(kernel.motion, q);
   std::optional<Reference> chain;
   if (out.truth.verdict != Verdict::invalid) {
-    out.claim = oracles.claimed(kernel, q);
+    out.claim = asked->claimed(kernel);
     if (out.claim) chain = out.claim->chain;
   }
   out.judgement = judge(*kernel.test, out.truth, chain, answer, kernel.touching);

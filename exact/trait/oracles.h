@@ -10,14 +10,14 @@
 
 #include "exact/judge/judge.h"
 #include "exact/judge/motion_judgement.h"
-#include "exact/numbers/rational.h"
+#include "exact/numbers/binary_fraction.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
 
 // The sides of formulae in exact arithmetic, by comparison.
 struct ExactSides {
-  std::vector<Rational> lhs, rhs;
+  std::vector<BinaryFraction> lhs, rhs;
   // Those that hold: lhs > rhs, or lhs >= rhs where the formulae say so; and those with lhs == rhs.
   ComparisonBits holds = 0, ties = 0;
 };
@@ -35,6 +35,18 @@ struct Detail {
   std::variant<std::monostate, double, std::string_view, std::vector<std::string_view>> value;
 };
 
+// One query of which more than one thing is asked: what two answers need is evaluated once. Each member throws
+// OracleDisagreement where two ways of finding one answer differ. One thread asks, while the oracles exist.
+class AskedQuery {
+ public:
+  virtual ~AskedQuery() = default;
+  // By geometry and by the exact formulae, compared.
+  virtual Truth truth() = 0;
+  // Empty for a kernel that claims no formulae; the query is valid. Throws HarnessFault if the kernel claims formulae
+  // that are not among Oracles::formulae().
+  virtual std::optional<Claimed> claimed(const Kernel& kernel) = 0;
+};
+
 // Stateless: any thread may ask at any time. `numbers` are of one entry of the test, whose oracles these are. Each
 // member throws OracleDisagreement where two ways of finding one answer differ.
 class Oracles {
@@ -47,13 +59,18 @@ class Oracles {
   // The names of the formulae that a kernel can claim.
   virtual std::vector<std::string_view> formulae() const = 0;
 
-  // By geometry and by the exact formulae, compared.
-  virtual Truth truth(const Numbers<float>& numbers) const = 0;
-  virtual Truth truth(const Numbers<double>& numbers) const = 0;
-  // Empty for a kernel that claims no formulae; the numbers are a valid query. Throws HarnessFault if the kernel claims
-  // formulae that are not among formulae().
-  virtual std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<float>& numbers) const = 0;
-  virtual std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<double>& numbers) const = 0;
+  // The query, to be asked more than once.
+  virtual std::unique_ptr<AskedQuery> about(const Numbers<float>& numbers) const = 0;
+  virtual std::unique_ptr<AskedQuery> about(const Numbers<double>& numbers) const = 0;
+  // The same, asked once.
+  Truth truth(const Numbers<float>& numbers) const { return about(numbers)->truth(); }
+  Truth truth(const Numbers<double>& numbers) const { return about(numbers)->truth(); }
+  std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<float>& numbers) const {
+    return about(numbers)->claimed(kernel);
+  }
+  std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<double>& numbers) const {
+    return about(numbers)->claimed(kernel);
+  }
   virtual bool has_depth() const = 0;
   // The distance of a valid query from touching, relative to its scene and rounded once; empty if the test has none.
   virtual std::optional<double> depth(const Numbers<float>& numbers) const = 0;

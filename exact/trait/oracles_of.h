@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "exact/numbers/floating.h"
-#include "exact/trait/dyadic_number.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
 #include "kernel/base/error.h"
@@ -15,7 +14,7 @@ namespace axiscert {
 
 template <class Test>
 struct ExactOfTrait {
-  using type = DyadicNumber;
+  using type = BinaryNumber;
 };
 template <class Test>
   requires requires { typename Test::Exact; }
@@ -34,13 +33,11 @@ class OraclesOf final : public Oracles {
   std::string why_invalid(const Numbers<float>& q) const override { return reason(q); }
   std::string why_invalid(const Numbers<double>& q) const override { return reason(q); }
 
-  Truth truth(const Numbers<float>& q) const override { return truth_of(q); }
-  Truth truth(const Numbers<double>& q) const override { return truth_of(q); }
-  std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<float>& q) const override {
-    return claimed_by(kernel, q, typename Test::AllFormulae());
+  std::unique_ptr<AskedQuery> about(const Numbers<float>& q) const override {
+    return std::make_unique<Asked<float>>(q);
   }
-  std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<double>& q) const override {
-    return claimed_by(kernel, q, typename Test::AllFormulae());
+  std::unique_ptr<AskedQuery> about(const Numbers<double>& q) const override {
+    return std::make_unique<Asked<double>>(q);
   }
   bool has_depth() const override { return HasDepth<Test>; }
   std::optional<double> depth(const Numbers<float>& q) const override { return depth_of(q); }
@@ -73,98 +70,127 @@ class OraclesOf final : public Oracles {
     return Test::template problem<T>([&](std::size_t k) { return T(q[k]); });
   }
 
+  template <class List>
+  struct FirstOf;
+  template <class F, class... Rest>
+  struct FirstOf<FormulaeList<F, Rest...>> {
+    using type = F;
+  };
+  // Those of the theorem.
+  using First = typename FirstOf<typename Test::AllFormulae>::type;
+
+  // Of these formulae, each with both sides.
   template <class F, class Real>
   static ExactSides exact_sides(const Numbers<Real>& q) {
     const std::size_t count = Test::description().comparisons.size();
-    ExactSides sides{std::vector<Rational>(count), std::vector<Rational>(count)};
+    ExactSides sides{std::vector<BinaryFraction>(count), std::vector<BinaryFraction>(count)};
     const auto keep = [&](std::size_t i, const Exact& lhs, const Exact& rhs) {
-      if (lhs.value == rhs.value) sides.ties |= one_bit<ComparisonBits>(i);
-      sides.lhs[i] = lhs.rational();
-      sides.rhs[i] = rhs.rational();
+      if (lhs == rhs) sides.ties |= one_bit<ComparisonBits>(i);
+      sides.lhs[i] = BinaryFraction(lhs);
+      sides.rhs[i] = BinaryFraction(rhs);
     };
     sides.holds = bits_of<F, Exact>(problem_of<Exact>(q), keep);
     return sides;
   }
-
-  // Exact signs alone, for which no side has to be kept: lhs > rhs, or lhs >= rhs where the formulae say so; lhs ==
-  // rhs.
-  struct Signs {
-    ComparisonBits holds = 0, ties = 0;
-    ComparisonBits strict() const { return holds & ~ties; }
-  };
-  template <class First, class... Rest, class Real>
-  static Signs theorem_signs(const Numbers<Real>& q, FormulaeList<First, Rest...>) {
-    Signs signs;
-    const auto keep = [&](std::size_t i, const Exact& lhs, const Exact& rhs) {
-      if (lhs.value == rhs.value) signs.ties |= one_bit<ComparisonBits>(i);
-    };
-    signs.holds = bits_of<First, Exact>(problem_of<Exact>(q), keep);
-    return signs;
-  }
-
   template <class Real>
   static std::string reason(const Numbers<Real>& q) {
     if constexpr (SaysWhyInvalid<Test>) return Test::why_invalid(widened(q));
     else return {};
   }
 
+  // The same of the first formulae, without the sides.
+  struct Signs {
+    ComparisonBits holds = 0, ties = 0;
+  };
   template <class Real>
-  static Truth truth_of(const Numbers<Real>& q) {
-    const TestEntry& entry = Test::description().entries[entry_of<Test>()];
-    if (q.size() != entry.columns.size()) {
-      throw HarnessFault(fmt::format("{}: the oracles of entry {}, of {} columns, are asked about {} numbers",
-                                     Test::description().id, entry.name, entry.columns.size(), q.size()));
-    }
-    const Numbers<double> wide = widened(q);
-    if (!Test::is_valid(wide)) return {Verdict::invalid, false};
-    const Truth truth = Test::geometric_truth(wide);
-    const Signs signs = theorem_signs(q, typename Test::AllFormulae());
-    const std::string wrong = Test::contradiction(wide, truth, signs.holds, signs.ties);
-    if (!wrong.empty()) {
-      throw OracleDisagreement(fmt::format("{}: {}", Test::description().id, wrong), q, Test::description());
-    }
-    return truth;
-  }
-
-  template <class Real, class... F>
-  static std::optional<Claimed> claimed_by(const Kernel& kernel, const Numbers<Real>& q, FormulaeList<F...>) {
-    if (kernel.claims.empty()) return std::nullopt;
-    std::optional<Claimed> found;
-    const auto evaluate = [&]<class One>() {
-      if (!found && One::name == kernel.claims) found = evaluated<One>(kernel, q);
+  static Signs exact_signs(const Numbers<Real>& q) {
+    Signs signs;
+    const auto see = [&](std::size_t i, const Exact& lhs, const Exact& rhs) {
+      if (lhs == rhs) signs.ties |= one_bit<ComparisonBits>(i);
     };
-    (evaluate.template operator()<F>(), ...);
-    if (found) return found;
-    throw HarnessFault(
-        fmt::format("kernel '{}' claims formulae '{}', which {} has not", kernel.id, kernel.claims, kernel.test->id));
+    signs.holds = bits_of<First, Exact>(problem_of<Exact>(q), see);
+    return signs;
   }
 
-  // R-infinity is by MPFR, whose exponents have no end that a query could reach.
-  template <class F, class Real>
-  static Claimed evaluated(const Kernel& kernel, const Numbers<Real>& q) {
-    Claimed claim;
-    claim.sides = exact_sides<F>(q);
-    if (F::kind == FormulaeKind::rung) require_same_signs(F::name, *claim.sides, q);
-    claim.chain = {outcome(claim.sides->holds), std::nullopt, claim.sides->ties};
-    if (!kernel.is_reference) return claim;
-    constexpr auto ignore = [](std::size_t, const auto&, const auto&) {};
-    const FloatingScope scope({std::numeric_limits<Real>::digits, Rounding::nearest, {}});
-    claim.chain.rounded = Rounded{outcome(bits_of<F, Floating>(problem_of<Floating>(q), ignore)),
-                                  outcome(bits_of<F, Real>(problem_of<Real>(q), ignore))};
-    return claim;
-  }
-  static Outcome outcome(ComparisonBits bits) { return {verdict_of(Test::description(), bits), bits}; }
-
+  // A query, and what was evaluated of the first formulae on it.
   template <class Real>
-  static void require_same_signs(std::string_view name, const ExactSides& rung, const Numbers<Real>& q) {
-    const Signs first = theorem_signs(q, typename Test::AllFormulae()), signs{rung.holds, rung.ties};
-    if (signs.strict() == first.strict() && signs.ties == first.ties) return;
-    throw OracleDisagreement(
-        fmt::format("{}: formulae {} have the exact signs {:#b} ties {:#b}, the first formulae {:#b} ties {:#b} (bit 0 "
-                    "is the first comparison)",
-                    Test::description().id, name, signs.strict(), signs.ties, first.strict(), first.ties),
-        q, Test::description());
-  }
+  class Asked final : public AskedQuery {
+   public:
+    explicit Asked(const Numbers<Real>& q) : q_(q) {}
+
+    Truth truth() override {
+      const TestEntry& entry = Test::description().entries[entry_of<Test>()];
+      if (q_.size() != entry.columns.size()) {
+        throw HarnessFault(fmt::format("{}: the oracles of entry {}, of {} columns, are asked about {} numbers",
+                                       Test::description().id, entry.name, entry.columns.size(), q_.size()));
+      }
+      const Numbers<double> wide = widened(q_);
+      if (!Test::is_valid(wide)) return {Verdict::invalid, false};
+      const auto truth = Test::geometric_truth(wide);
+      const std::string wrong = Test::contradiction(wide, truth, signs().holds, signs().ties);
+      if (!wrong.empty()) {
+        throw OracleDisagreement(fmt::format("{}: {}", Test::description().id, wrong), q_, Test::description());
+      }
+      return truth;
+    }
+
+    std::optional<Claimed> claimed(const Kernel& kernel) override {
+      return claimed_by(kernel, typename Test::AllFormulae());
+    }
+
+   private:
+    template <class... F>
+    std::optional<Claimed> claimed_by(const Kernel& kernel, FormulaeList<F...>) {
+      if (kernel.claims.empty()) return std::nullopt;
+      std::optional<Claimed> found;
+      const auto evaluate = [&]<class One>() {
+        if (!found && One::name == kernel.claims) found = evaluated<One>(kernel);
+      };
+      (evaluate.template operator()<F>(), ...);
+      if (found) return found;
+      throw HarnessFault(
+          fmt::format("kernel '{}' claims formulae '{}', which {} has not", kernel.id, kernel.claims, kernel.test->id));
+    }
+
+    // R-infinity is by MPFR, whose exponents have no end that a query could reach.
+    template <class F>
+    Claimed evaluated(const Kernel& kernel) {
+      Claimed claim;
+      claim.sides = exact_sides<F>(q_);
+      if (F::kind == FormulaeKind::rung) require_same_signs(F::name, *claim.sides);
+      claim.chain = {outcome(claim.sides->holds), std::nullopt, claim.sides->ties};
+      if (!kernel.is_reference) return claim;
+      constexpr auto ignore = [](std::size_t, const auto&, const auto&) {};
+      const FloatingScope scope({std::numeric_limits<Real>::digits, Rounding::nearest, {}});
+      claim.chain.rounded = Rounded{outcome(bits_of<F, Floating>(problem_of<Floating>(q_), ignore)),
+                                    outcome(bits_of<F, Real>(problem_of<Real>(q_), ignore))};
+      return claim;
+    }
+    static Outcome outcome(ComparisonBits bits) { return {verdict_of(Test::description(), bits), bits}; }
+
+    // Of the first formulae.
+    const Signs& signs() {
+      if (!signs_) signs_ = exact_signs(q_);
+      return *signs_;
+    }
+    template <class Signed>
+    static ComparisonBits strict(const Signed& of) {
+      return of.holds & ~of.ties;
+    }
+
+    void require_same_signs(std::string_view name, const ExactSides& rung) {
+      if (strict(rung) == strict(signs()) && rung.ties == signs().ties) return;
+      throw OracleDisagreement(
+          fmt::format(
+              "{}: formulae {} have the exact signs {:#b} ties {:#b}, the first formulae {:#b} ties {:#b} (bit 0 "
+              "is the first comparison)",
+              Test::description().id, name, strict(rung), rung.ties, strict(signs()), signs().ties),
+          q_, Test::description());
+    }
+
+    const Numbers<Real> q_;
+    std::optional<Signs> signs_;
+  };
 
   template <class Real>
   static std::optional<double> depth_of(const Numbers<Real>& q) {

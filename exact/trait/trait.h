@@ -16,11 +16,12 @@ namespace axiscert {
 // `numbers` are doubles, to which floats widen exactly, in the order of the columns of the trait's entry; all but
 // is_valid() are asked about valid queries alone.
 //   AllFormulae        a FormulaeList; those of kind `rung` after the first have its signs on every query
-//   Exact              optional: the number type in which the formulae are exact; ExactNumber where they divide, else
-//                      DyadicNumber
+//   Exact              optional: the number type in which the formulae are exact; BinaryFraction where they divide,
+//                      else BinaryNumber
 //   is_valid           whether the numbers are a query; else the truth is `invalid`
 //   why_invalid        optional: the reason, in words, for which they are not a query
-//   geometric_truth    by an exact method that shares nothing with the formulae
+//   geometric_truth    by an exact method that shares nothing with the formulae: a Truth, or one with more that
+//                      contradiction() is to know
 //   contradiction      the theorem that ties the first formulae to the geometry. `holds` and `ties` are their exact
 //                      signs, lhs > rhs and lhs == rhs; the result says what the theorem excludes, or is empty
 //   depth              optional: how far the query is from touching, relative to its scene: exact, rounded once
@@ -28,15 +29,14 @@ namespace axiscert {
 //   is_promised        of a test of motions, optional: whether a kernel with this policy promises to be right on a
 //   query motion_judge<Real> of a test with measures: the judge of those of a query that has contact
 template <class Test>
-concept TestTrait =
-    requires(const Numbers<double>& numbers, const Truth& truth, ComparisonBits holds, ComparisonBits ties) {
-      { Test::description() } -> std::same_as<const TestDescription&>;
-      typename Test::template Problem<ExactNumber>;
-      typename Test::AllFormulae;
-      { Test::is_valid(numbers) } -> std::same_as<bool>;
-      { Test::geometric_truth(numbers) } -> std::same_as<Truth>;
-      { Test::contradiction(numbers, truth, holds, ties) } -> std::same_as<std::string>;
-    };
+concept TestTrait = requires(const Numbers<double>& numbers, ComparisonBits holds, ComparisonBits ties) {
+  { Test::description() } -> std::same_as<const TestDescription&>;
+  typename Test::template Problem<ExactNumber>;
+  typename Test::AllFormulae;
+  { Test::is_valid(numbers) } -> std::same_as<bool>;
+  { Test::geometric_truth(numbers) } -> std::convertible_to<Truth>;
+  { Test::contradiction(numbers, Test::geometric_truth(numbers), holds, ties) } -> std::same_as<std::string>;
+};
 
 template <class Test>
 concept HasDepth = requires(const Numbers<double>& numbers) {

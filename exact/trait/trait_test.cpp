@@ -61,9 +61,20 @@ struct Variant : Slip {
   static constexpr FormulaeKind kind = FormulaeKind::variant;
 };
 
+// The sides of the first, compared by >=.
+struct AtLeast {
+  static constexpr std::string_view name = "at-least";
+  static constexpr FormulaeKind kind = FormulaeKind::rung;
+  static constexpr ComparisonBits nonstrict = 1;
+  template <class T, class Sink>
+  static void comparisons(const Sum::Problem<T>& q, Sink& sink) {
+    AsWritten::comparisons<T>(q, sink);
+  }
+};
+
 template <int wrong_by>
 struct SumTrait : Sum {
-  using AllFormulae = FormulaeList<AsWritten, Slip, Variant>;
+  using AllFormulae = FormulaeList<AsWritten, Slip, Variant, AtLeast>;
   static bool is_valid(const Numbers<double>& q) {
     return std::isfinite(q[0]) && std::isfinite(q[1]) && std::isfinite(q[2]);
   }
@@ -112,13 +123,30 @@ TEST(Trait, AClaimHasExactSidesAndTies) {
   const auto claim = oracles.claimed(claiming("as-written", false), Numbers<double>{0.5, 0, 0.25});
   EXPECT_EQ(claim->chain.rounded, std::nullopt);
   EXPECT_EQ(claim->chain.ties, 1u);
-  EXPECT_EQ(claim->sides->lhs[0], Rational(1, 4));
+  EXPECT_EQ(rational(claim->sides->lhs[0]), Rational(1, 4));
   EXPECT_EQ(oracles.claimed(claiming(""), Numbers<double>{1, 1, 1}), std::nullopt);
   EXPECT_THAT(
       [] {
         oracles.claimed(claiming("none"), Numbers<double>{1, 1, 1});
       },
       ThrowsMessage<HarnessFault>(HasSubstr("kernel 'sum/one' claims formulae 'none', which sum has not")));
+}
+
+TEST(Trait, ClaimsOfOneQueryAreEachOfTheirOwnFormulae) {
+  const auto asked = oracles.about(Numbers<double>{0.5, 0, 0.25});
+  EXPECT_EQ(asked->truth().verdict, Verdict::contact);
+  // In any order, whatever was asked before.
+  for (const bool first : {true, false, true}) {
+    const auto claim = asked->claimed(claiming(first ? "as-written" : "at-least"));
+    EXPECT_EQ(claim->chain.exact.bits, first ? 0u : 1u);
+    EXPECT_EQ(claim->chain.rounded->reference.bits, first ? 0u : 1u);
+    EXPECT_EQ(claim->sides->ties, 1u);
+    EXPECT_EQ(rational(claim->sides->lhs[0]), Rational(1, 4));
+  }
+  EXPECT_EQ(asked->claimed(claiming("variant"))->sides->ties, 1u);
+  const auto apart = oracles.about(Numbers<double>{1, 0.5, 1});
+  EXPECT_EQ(rational(apart->claimed(claiming("variant"))->sides->lhs[0]), Rational(1, 2));
+  EXPECT_EQ(rational(apart->claimed(claiming("at-least"))->sides->lhs[0]), Rational(3, 2));
 }
 
 TEST(Trait, DisagreementsEndARun) {
@@ -132,12 +160,15 @@ TEST(Trait, DisagreementsEndARun) {
 }
 
 TEST(SideError, IsInUnitsOfUAndOfBothSides) {
-  const auto kind = [](double lhs, double rhs, const Rational& exact) { return SideError(lhs, rhs, exact, 0).kind(); };
+  const auto side = [](double x) { return BinaryFraction(x); };
+  const auto kind = [&](double lhs, double rhs, double exact) {
+    return SideError(lhs, rhs, side(exact), side(0)).kind();
+  };
   using enum SideError::Kind;
   EXPECT_EQ(kind(INFINITY, 0, 1), range_event);
   EXPECT_EQ(kind(1, 0, 0), without_scale);
   EXPECT_EQ(kind(0, 0, 0), finite);
-  const SideError error(1 + 0x1p-23f, 1.0f, Rational(1), Rational(1));
+  const SideError error(1 + 0x1p-23f, 1.0f, side(1), side(1));
   EXPECT_EQ(error.rounded_up().value(), 1);
   EXPECT_GE(error.upper(), 1);
   EXPECT_FALSE(error.exceeds(1));

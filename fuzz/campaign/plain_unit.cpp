@@ -17,7 +17,7 @@ template <class Real>
 class ExactQuery final : public DepthOf {
  public:
   ExactQuery(const Oracles& oracles, const Numbers<Real>& numbers)
-      : oracles_(oracles), numbers_(numbers), truth_(oracles.truth(numbers)) {}
+      : oracles_(oracles), numbers_(numbers), asked_(oracles.about(numbers)), truth_(asked_->truth()) {}
 
   const Truth& truth() const { return truth_; }
   // Null without a claim or a truth.
@@ -28,7 +28,7 @@ class ExactQuery final : public DepthOf {
         return &known.claim;
       }
     }
-    return &known_.emplace_back(Known{&kernel, *oracles_.claimed(kernel, numbers_)}).claim;
+    return &known_.emplace_back(Known{&kernel, *asked_->claimed(kernel)}).claim;
   }
 
   double at_least() override { return exactly(); }
@@ -63,6 +63,7 @@ class ExactQuery final : public DepthOf {
   };
   const Oracles& oracles_;
   const Numbers<Real> numbers_;
+  const std::unique_ptr<AskedQuery> asked_;
   Truth truth_;
   std::deque<Known> known_;
   std::optional<double> depth_;

@@ -38,11 +38,12 @@ class OracleDrawing {
 
  private:
   void put(std::size_t pixel, const Numbers<Real>& q, const Reply<Real>& reply, std::size_t in_batch) const {
-    const Truth truth = oracles_.truth(q);
+    const std::unique_ptr<AskedQuery> asked = oracles_.about(q);
+    const Truth truth = asked->truth();
     if (truth.verdict == Verdict::invalid) return;  // remains no_query, as initialised
     const Outcome said = reply.outcome(in_batch);
     std::optional<Claimed> claim;
-    if (has_comparison_maps(*plan_.kernel)) claim = oracles_.claimed(*plan_.kernel, q);
+    if (has_comparison_maps(*plan_.kernel)) claim = asked->claimed(*plan_.kernel);
     for (std::size_t s = 0; s < plan_.subjects.size(); ++s) {
       const MapSubject& subject = plan_.subjects[s];
       if (subject.level == Level::verdict) {

@@ -147,7 +147,7 @@ std::optional<Severity> SymptomFinder<Real>::severity_by_oracles(const Numbers<R
     return Severity{RoundedDepth{*found.depth}, fmt::format("{:.6g} of the scene", *found.depth)};
   }
   const auto relative = [&](std::size_t k) {
-    return margin_of(found.claim->sides->lhs[k], found.claim->sides->rhs[k]);
+    return margin_of(rational(found.claim->sides->lhs[k]), rational(found.claim->sides->rhs[k]));
   };
   if (!found.claim || !found.claim->sides) return std::nullopt;
   return of_margin(symptom.level == Level::axis ? axis_margin(*symptom.test, symptom.index, relative)

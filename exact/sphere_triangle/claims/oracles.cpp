@@ -17,39 +17,47 @@ std::optional<ExactSides> rational_sides(const FormulaTruth& truth, Strictness s
   for (std::size_t i = 0; i < comparison_count; ++i) {
     const ExactComparison comparison = truth.comparison(i);
     const Rational denominator = rational(comparison.denominator);
-    sides.lhs.emplace_back(rational(comparison.lhs) / denominator);
-    sides.rhs.emplace_back(rational(comparison.rhs) / denominator);
+    sides.lhs.emplace_back(Rational(rational(comparison.lhs) / denominator));
+    sides.rhs.emplace_back(Rational(rational(comparison.rhs) / denominator));
   }
   return sides;
 }
+
+template <class Real>
+class AskedSphereTriangle final : public AskedQuery {
+ public:
+  explicit AskedSphereTriangle(const Numbers<Real>& numbers) : q_(query_from(numbers)) {}
+
+  Truth truth() override { return exact_truth(q_, true); }
+  std::optional<Claimed> claimed(const Kernel& kernel) override {
+    const FormulaTruth published = formula_truth(q_);
+    Claims<Real> claims(q_, published);
+    std::optional<Reference> chain = claims.chain(kernel);
+    if (!chain) return std::nullopt;
+    const FormulaTruth* own = claims.sides(kernel.formulae);
+    return Claimed{std::move(*chain), own ? rational_sides(*own, kernel.strictness) : std::nullopt};
+  }
+
+ private:
+  const Query<Real> q_;
+};
 
 class SphereTriangleOracles final : public Oracles {
  public:
   const TestDescription& test() const override { return sphere_triangle_test(); }
   std::vector<std::string_view> formulae() const override { return {}; }  // a kernel claims them by Kernel::formulae
 
-  Truth truth(const Numbers<float>& q) const override { return exact_truth<float>(q, true); }
-  Truth truth(const Numbers<double>& q) const override { return exact_truth<double>(q, true); }
-  std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<float>& q) const override {
-    return claimed_by<float>(kernel, q);
+  std::unique_ptr<AskedQuery> about(const Numbers<float>& q) const override {
+    return std::make_unique<AskedSphereTriangle<float>>(q);
   }
-  std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<double>& q) const override {
-    return claimed_by<double>(kernel, q);
+  std::unique_ptr<AskedQuery> about(const Numbers<double>& q) const override {
+    return std::make_unique<AskedSphereTriangle<double>>(q);
   }
   bool has_depth() const override { return true; }
   std::optional<double> depth(const Numbers<float>& q) const override { return depth_of<float>(q); }
   std::optional<double> depth(const Numbers<double>& q) const override { return depth_of<double>(q); }
 
  private:
-  template <class Real>
-  static std::optional<Claimed> claimed_by(const Kernel& kernel, const Query<Real>& q) {
-    const FormulaTruth published = formula_truth(q);
-    Claims<Real> claims(q, published);
-    std::optional<Reference> chain = claims.chain(kernel);
-    if (!chain) return std::nullopt;
-    const FormulaTruth* own = claims.sides(kernel.formulae);
-    return Claimed{std::move(*chain), own ? rational_sides(*own, kernel.strictness) : std::nullopt};
-  }
   template <class Real>
   static double depth_of(const Query<Real>& q) {
     return axiscert::depth(q, squared_distance(q));
