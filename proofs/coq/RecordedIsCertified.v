@@ -40,7 +40,7 @@ Section Float.
   Notation threshold := (float_threshold prec emax _ _ fused).
   Notation constant := (constant prec emax _ _).
 
-  (* What the coarse step computes, in the order of the recording. *)
+  (* The numbers that the coarse step computes, in the order of the recording. *)
   Definition coarse_numbers (a b c p : float_vec) (r : float) : list float :=
     map (margin a b c p r) recorded_order ++
     [float_S prec emax _ _ fused a b c p r; float_E prec emax _ _ fused a b c p r; threshold a b c p r vertex_a_radius;
@@ -215,7 +215,7 @@ Section Float.
   Qed.
 End Float.
 
-(* What is recorded, by format and fusion. *)
+(* The recorded programs, by format and fusion. *)
 Definition recorded_coarse_numbers32 (fused : bool) := if fused then coarse_fma_binary32_numbers else coarse_plain_binary32_numbers.
 Definition recorded_coarse_numbers64 (fused : bool) := if fused then coarse_fma_binary64_numbers else coarse_plain_binary64_numbers.
 Definition recorded_coarse_answers32 (fused : bool) := if fused then coarse_fma_binary32_answers else coarse_plain_binary32_answers.

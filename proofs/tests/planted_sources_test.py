@@ -38,7 +38,8 @@ class Planted(unittest.TestCase):
         (overlay / source).write_text(text.replace(old, new))
         planted = overlay / unit if source == unit else ROOT / unit
         # The unit's own definitions take precedence over those of the library.
-        subprocess.run([CXX, "-std=c++20", "-O0", "-ffp-contract=off", "-I", overlay, "-I", ROOT, planted,
+        beside = (ROOT / source).parent  # for what the source includes by its name alone
+        subprocess.run([CXX, "-std=c++20", "-O0", "-ffp-contract=off", "-iquote", beside, "-I", overlay, "-I", ROOT, planted,
                         PROOFS / "emit" / "write_proofs.cpp", LIBRARY, "-lfmt", "-o", self.work / "write_proofs"], check=True)
         return self.work / "write_proofs"
 
