@@ -2,7 +2,6 @@
 
 #include "proofs/certified/equivalent.h"
 #include "proofs/certified/step_queries.h"
-#include "proofs/emit/emit.h"
 
 namespace axiscert::proofs::certified {
 namespace {
@@ -13,7 +12,6 @@ StepScore score_in(const RecordedStep& step, std::size_t queries, std::uint64_t 
   const QueryBatch<Real> batch = StepQueries<Real>(seed).of(right, queries);
   std::vector<StepAnswers> expected;
   for (std::size_t i = 0; i < batch.size(); ++i) expected.push_back(right(batch[i]));
-  const std::string recorded = text_of(step);
   StepScore score{.step = step.name, .bits = step.bits};
   for (const Mutant& mutant : mutants_of(step)) {
     const RecordedStep planted = with(mutant, step);
@@ -26,7 +24,6 @@ StepScore score_in(const RecordedStep& step, std::size_t queries, std::uint64_t 
     else if (!is_seen) score.unseen.push_back(mutant.name);
     if (is_equivalent && is_seen)
       score.contradictions.push_back(mutant.name + ": is argued to be equivalent, and shown");
-    if (text_of(planted) == recorded) score.contradictions.push_back(mutant.name + ": leaves the recording as it is");
   }
   return score;
 }

@@ -11,8 +11,7 @@ struct StepScore {
   std::size_t mutants = 0;
   std::vector<std::string> equivalent{};  // faults that no query can show, as equivalent.h argues
   std::vector<std::string> unseen{};      // others that no query showed
-  // Where this is not empty an argument or the recording is wrong: faults that are argued to be equivalent and were
-  // shown, or that leave the recording as it is.
+  // Where this is not empty an argument is wrong: faults that are argued to be equivalent and were shown.
   std::vector<std::string> contradictions{};
 };
 
