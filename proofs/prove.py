@@ -2,7 +2,8 @@
 """Checks the Coq theory in proofs/coq: builds it, compares the assumptions of each main theorem with
 Assumptions.expected and its statement with Statements.expected, and refuses admitted steps. coqc writes beside its
 sources, so a copy is built, in build/proofs; files that have not changed since the last time are not built again.
-Where everything holds, prove.json beside the copy has each main theorem's name, axioms and statement.
+Where everything holds, prove.json beside the copy has each main theorem's name, axioms and statement, and for each step of
+the certified predicate what is proved, recorded, on paper, tested and trusted: the table of docs/proofs.md.
 
   prove.py [--build DIR] [--jobs N]            checks the whole theory
   prove.py --emitted [--build DIR] [--jobs N]  checks, in a minute, that what is emitted is what is proved: every statement,
@@ -19,6 +20,9 @@ import subprocess
 import sys
 
 SOURCES = pathlib.Path(__file__).resolve().parent / "coq"
+# The page with the table of the certified predicate's steps.
+PAGE = SOURCES.parents[1] / "docs" / "proofs.md"
+STEP_COLUMNS = ["step", "proved", "recorded", "on paper", "tested", "trusted"]
 # Everything that would let a theorem rest on something unproved. Print Assumptions decides; this names the line.
 FORBIDDEN = re.compile(r"\b(Admitted|admit|give_up|Axioms?|Parameters?|Conjecture|bypass_check|Unset\s+\w+\s+Checking)\b")
 
@@ -232,8 +236,18 @@ def compare(build):
     statements = by_theorem((SOURCES / "Statements.expected").read_text())
     version = subprocess.run(["coqc", "--print-version"], text=True, capture_output=True).stdout.split()
     theorems = [{"name": name, "axioms": axioms, "statement": statements[name]} for name, axioms in result.items()]
-    text = json.dumps({"schema": "axiscert-theorems/1", "coq": version[0], "theorems": theorems}, indent=1)
+    text = json.dumps({"schema": "axiscert-theorems/2", "coq": version[0], "theorems": theorems,
+                       "steps": certified_steps()}, indent=1)
     (build.parent / "prove.json").write_text(text + "\n")
+
+
+def certified_steps():
+    """The rows of the table of docs/proofs.md, by column; docs.records asks that the theorems named there are main ones."""
+    page = PAGE.read_text().split("## The certified predicate, step by step", 1)[1].split("\n## ", 1)[0]
+    head, _, *rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in page.splitlines() if line.startswith("|")]
+    if head != STEP_COLUMNS or not rows:
+        fail(f"{PAGE}: the table of the steps has the columns {head}, and should have {STEP_COLUMNS}")
+    return [dict(zip(head, row, strict=True)) for row in rows]
 
 
 def require_statements(build, *flags):
@@ -269,7 +283,8 @@ def planted_copy(build, name, file, old, new):
 def plant(build):
     for name, (file, old, new, refused_at) in FAULTS.items():
         planted = planted_copy(build, name, file, old, new)
-        result = subprocess.run(["make", "--no-print-directory", refused_at + "o"], cwd=planted, text=True,
+        # The statements of the others and the proofs of this file.
+        result = subprocess.run(["make", "--no-print-directory", refused_at + "ok"], cwd=planted, text=True,
                                 capture_output=True)
         where = re.search(r'File "\./(\w+\.v)", line (\d+)', result.stderr)
         if result.returncode == 0 or not where or where.group(1) != refused_at:

@@ -131,7 +131,7 @@ std::string base_asked(const MutateOptions& options) {
 // The certified predicate has steps in place of comparisons, and no wrong verdict shows a fault of one that a later
 // step puts right: its mutants are those of the recorded steps, asked step by step.
 constexpr const char* certified_kernel = "certified";
-constexpr std::uint64_t queries_of_a_step = 6000;
+constexpr std::uint64_t queries_of_a_step = 12000;
 
 std::vector<proofs::certified::RecordedStep> steps_asked(const MutateOptions& options) {
   std::vector<proofs::certified::RecordedStep> steps;
@@ -172,13 +172,17 @@ int mutate_certified(const MutateOptions& options) {
       "In each recorded step (proofs/certified) each constant is halved and doubled, the operands of each operation "
       "that "
       "depends on their order exchanged, and each of two conditions dropped. Shown: an answer of the step differs on "
-      "one of the queries, which are an ulp to both sides of a change of an answer. Every fault, shown or not, changes "
-      "the recording, which the test proofs.Current compares with the committed one."};
+      "one "
+      "of the queries, many of which are an ulp to both sides of a change of an answer. Equivalent: "
+      "proofs/certified/equivalent.cpp argues that no query shows it. Every fault, shown or not, changes the "
+      "recording, "
+      "which the test proofs.Current compares with the committed one."};
   InstrumentTable table{.caption = "Score", .columns = {}, .rows = {}};
-  table.columns = {"step", "precision", "mutants", "shown", "by the recording alone"};
+  table.columns = {"step", "precision", "mutants", "shown", "equivalent", "by the recording alone"};
   InstrumentTable unseen{.caption = "By the recording alone", .columns = {}, .rows = {}};
   unseen.columns = {"step", "precision", "fault"};
   Json data = {{"schema", "axiscert-mutation-of-certified/1"}, {"command", report.command}, {"steps", Json::array()}};
+  std::vector<std::string> faults;
   {
     ProgressLine progress("mutate");
     for (const RecordedStep& step : steps) {
@@ -186,18 +190,22 @@ int mutate_certified(const MutateOptions& options) {
       const StepScore score = score_of(step, queries, options.seed);
       const std::string precision = fmt::format("binary{}", score.bits);
       table.rows.push_back({score.step, precision, fmt::format("{}", score.mutants),
-                            fmt::format("{}", score.mutants - score.unseen.size()),
-                            fmt::format("{}", score.unseen.size())});
+                            fmt::format("{}", score.mutants - score.equivalent.size() - score.unseen.size()),
+                            fmt::format("{}", score.equivalent.size()), fmt::format("{}", score.unseen.size())});
       for (const std::string& fault : score.unseen) unseen.rows.push_back({score.step, precision, fault});
       data["steps"].push_back({{"step", score.step},
                                {"precision", precision},
                                {"mutants", score.mutants},
+                               {"equivalent", score.equivalent},
                                {"by_the_recording_alone", score.unseen}});
+      for (const std::string& what : score.contradictions) {
+        faults.push_back(fmt::format("{}, {}: {}", score.step, precision, what));
+      }
     }
   }
   report.tables = {table, unseen};
   report.data = data;
-  return put_score(options, folder, report, report, true, {});
+  return put_score(options, folder, report, report, true, faults);
 }
 
 int mutate(const MutateOptions& given) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 namespace axiscert::proofs::certified {
@@ -36,7 +37,7 @@ std::vector<Mutant> mutants_of(const RecordedStep& step) {
       change(changed);
       all.push_back({std::move(fault), i, std::move(changed)});
     };
-    if (node.op == Op::constant && node.number != 0) {
+    if (node.op == Op::constant && node.number != 0 && std::isfinite(node.number)) {  // half of infinity is infinity
       add(fmt::format("{:a} halved", node.number), [](Node& n) { n.number /= 2; });
       add(fmt::format("{:a} doubled", node.number), [](Node& n) { n.number *= 2; });
     }

@@ -8,8 +8,11 @@ namespace axiscert::proofs::certified {
 struct StepScore {
   std::string step;  // as in graph.h
   int bits;
-  std::size_t mutants;
-  std::vector<std::string> unseen;  // faults that no query showed
+  std::size_t mutants = 0;
+  std::vector<std::string> equivalent{};  // faults that no query can show, as equivalent.h argues
+  std::vector<std::string> unseen{};      // others that no query showed
+  // Where this is not empty an argument is wrong: faults that are argued to be equivalent and were shown.
+  std::vector<std::string> contradictions{};
 };
 
 // Plants every fault in the step, one after the other, and asks it about `queries` queries (step_queries.h) until one

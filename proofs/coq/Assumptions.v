@@ -182,6 +182,8 @@ Goal True. theorem "recorded_conservative_is_right64". Abort.
 Print Assumptions recorded_conservative_is_right64.
 Goal True. theorem "exact_values_fit". Abort.
 Print Assumptions exact_values_fit.
+Goal True. theorem "recorded_margins". Abort.
+Print Assumptions recorded_margins.
 Goal True. theorem "exact_step_decides". Abort.
 Print Assumptions exact_step_decides.
 Goal True. theorem "negligible_radius". Abort.

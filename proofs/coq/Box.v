@@ -128,8 +128,8 @@ Section Float.
     destruct f; cbn [beyond_exactly Filter.real_vec cx cy cz]; first [apply below_the_box | apply above_the_box]; assumption.
   Qed.
 
-  (* What is passed over: some face that all vertices of a set are beyond, which contains the triangle's; its own three, or
-     those between the least and the greatest of a chunk. *)
+  (* A triangle is passed over where all vertices of a set that contains its own are beyond some face: its own three, or those
+     between the least and the greatest of a chunk. *)
   Theorem passed_over_is_separated p r f vertices a b c : forallb (beyond p r f) vertices = true ->
     In a vertices -> In b vertices -> In c vertices ->
     is_sphere p r = true /\ is_finite_vec a = true /\ is_finite_vec b = true /\ is_finite_vec c = true /\

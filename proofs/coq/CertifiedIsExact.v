@@ -13,7 +13,7 @@ Open Scope Z_scope.
 Lemma scaled_difference v w k : sub (scale v k) (scale w k) = scale (sub v w) k.
 Proof. vec_ring. Qed.
 
-(* What holds of a query holds of it times a positive number. *)
+(* A query times a positive number has the same answers. *)
 Section Scale.
   Open Scope R_scope.
   Lemma dot_scale u v k l : dot (scale u k) (scale v l) = dot u v * (k * l).
@@ -88,7 +88,7 @@ Section Exact.
   Let a := point ax ay az. Let b := point bx by_ bz. Let c := point cx_ cy_ cz_. Let p := point px py pz.
   Let radius := (IZR r * bpow radix2 unit)%R.
 
-  (* What the steps in floating point have told: bits that are right, in any order. *)
+  (* The steps in floating point have told bits that are right, in any order. *)
   Variable told : list known.
   Hypothesis told_is_right : Forall (sound_known (holds_for q (sub a p) (sub b p) (sub c p) (radius * radius))) told.
   Let k := fold_right both_known nothing_known told.

@@ -1,4 +1,4 @@
-(* What the coarse step, taken in doubles for the queries that it leaves open, tells the next steps of each axis: every bit is
+(* The coarse step, taken in doubles for the queries that it leaves open, tells the next steps bits of each axis: every bit is
    right, for either sphere, and the bits are those recorded from the code that runs. *)
 From Coq Require Import Reals ZArith Bool List Lra.
 From Flocq Require Import Core BinarySingleNaN.

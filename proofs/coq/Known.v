@@ -1,4 +1,4 @@
-(* What the certified predicate's steps tell each other: `Known` of kernel/sphere_triangle/certified/exact_step.h, three bits
+(* The certified predicate's steps tell each other `Known` of kernel/sphere_triangle/certified/exact_step.h, three bits
    for each axis. Where every bit that is set is right, so are the verdicts made of them, for the closed sphere and the open
    one, whichever steps set which bits and in whatever order; and the last step, which evaluates what is not known, decides. *)
 From Coq Require Import Reals Bool List Lra.
@@ -46,7 +46,7 @@ Theorem either_exact q A B C P r : 0 <= r ->
   (some_axis (holds_for q (sub A P) (sub B P) (sub C P) (r * r)) <-> apart q A B C P r).
 Proof. intros r0. destruct q; [apply reduced_exact | apply open_exact]; assumption. Qed.
 
-(* What a step may conclude from the sign of a margin, the left side less the right one. *)
+(* The sign of a margin, the left side less the right one, decides a comparison. *)
 Theorem sign_decides q A B C rr K : 0 <= rr -> let s := reduced A B C rr K in
   (fst s > snd s -> holds_for q A B C rr K) /\ (fst s < snd s -> ~ holds_for q A B C rr K) /\
   (fst s = snd s -> (holds_for q A B C rr K <-> is_side K = true \/ q = open_sphere /\ has_normal A B C K)).

@@ -52,7 +52,7 @@ Section Float.
     m_at_most := Bleb;
     m_equal := Beqb
   |}.
-  (* What they are of finite numbers. *)
+  (* The least and the greatest of finite numbers; of others instruction sets differ. *)
   Definition is_least : Prop := forall x y, is_finite x = true -> is_finite y = true ->
     is_finite (least x y) = true /\ B2R (least x y) = Rmin (B2R x) (B2R y).
   Definition is_greatest : Prop := forall x y, is_finite x = true -> is_finite y = true ->

@@ -63,7 +63,7 @@ Section Open.
   Let a := sub A P. Let b := sub B P. Let c := sub C P.
   Let closed (t : R) (K : comparison) := nonstrict K (reduced a b c (t * t) K).
 
-  (* What holds for a radius holds for every smaller one. *)
+  (* A comparison that holds for a radius holds for every smaller one. *)
   Lemma closed_mono K s t : 0 <= s <= t -> closed t K -> closed s K.
   Proof.
     intros st. unfold closed, nonstrict. destruct (sides_shape a b c K) as [(-> & _ & same) | (-> & f & n & f0 & n0 & _ & _ & same)].
@@ -96,8 +96,8 @@ Section Open.
       assert (t * t * n < r * r * n) by (apply Rmult_lt_compat_r; [assumption | nra]). lra.
   Qed.
 
-  (* Of two properties of radii, each of which holds for smaller ones too, and which together cover every t < r, one holds
-     for every t < r. *)
+  (* Two properties of radii each hold for smaller ones too, and one of them for each t < r: then one of them holds for every
+     t < r. *)
   Lemma one_of_two (r : R) (Q S : R -> Prop) : 0 < r ->
     (forall s t, 0 <= s <= t -> Q t -> Q s) -> (forall s t, 0 <= s <= t -> S t -> S s) ->
     (forall t, 0 <= t < r -> Q t \/ S t) -> (forall t, 0 <= t < r -> Q t) \/ (forall t, 0 <= t < r -> S t).
@@ -169,7 +169,7 @@ Proof.
   - intros (X & inside & less) far. specialize (far X inside). lra.
 Qed.
 
-(* What is separated from the closed sphere is separated from the open one. *)
+(* A triangle that is separated from the closed sphere is separated from the open one. *)
 Lemma separated_is_open A B C P r : separated A B C P r -> separated_open A B C P r.
 Proof. intros far X inside. apply Rlt_le, far, inside. Qed.
 

@@ -1,6 +1,7 @@
 (* The conservative test as recorded from the code that runs is the program of ConservativeStep.v, over rounding to nearest with
    gradual underflow; so what is proved of that program is proved of the code, except overflow: it never misses a contact, and
-   its phantoms are shallow. *)
+   its phantoms are shallow. The section states the program once more with answers that are bits and with the code's constants;
+   its abbreviations are those of ConservativeStep.v, which do not leave the section there. *)
 From Coq Require Import Reals ZArith Bool List Lra Lia.
 From Flocq Require Import Core.
 From Axiscert Require Import Vectors Exact Expression Format Lanes Certified CertifiedStep Conservative ConservativeStep Phantom PhantomStep
@@ -109,8 +110,8 @@ Theorem recorded_conservative64 rnd a b c p r : of_real_query conservative_plain
   conservative_answers rnd 53 (-400) (-120) 400 a b c p r.
 Proof. destruct a, b, c, p. reflexivity. Qed.
 
-(* What the code says is right: separated is; and where every point is farther than the depth that certified.h promises, it
-   says so. *)
+(* The code's answers are right: what it calls separated is; and where every point is farther than the depth that certified.h
+   promises, it says so. *)
 Definition recorded_conservative_is_right (prec emin : Z) (depth : Z * Z) (answers : vec -> vec -> vec -> vec -> R -> list bool) : Prop :=
   forall a b c p r, in_format prec emin a -> in_format prec emin b -> in_format prec emin c -> in_format prec emin p ->
   let unknown := nth 1 (answers a b c p r) true in

@@ -569,6 +569,8 @@ Goal True. statement "recorded_conservative_is_right64". Abort.
 Check recorded_conservative_is_right64.
 Goal True. statement "exact_values_fit". Abort.
 Check exact_values_fit.
+Goal True. statement "recorded_margins". Abort.
+Check recorded_margins.
 Goal True. statement "exact_step_decides". Abort.
 Check exact_step_decides.
 Goal True. statement "negligible_radius". Abort.
@@ -611,6 +613,8 @@ Goal True. statement "exact_results". Abort.
 Print exact_results.
 Goal True. statement "exact_margins". Abort.
 Print exact_margins.
+Goal True. statement "real_margins". Abort.
+Print real_margins.
 Goal True. statement "bits_of". Abort.
 Print bits_of.
 Goal True. statement "words_of". Abort.

@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include "proofs/certified/graph.h"
+
 namespace axiscert::proofs {
 
 // Texts by path under proofs/.
@@ -19,6 +21,8 @@ Files header_files();
 
 // The steps of the certified predicate, proofs/certified.
 Files certified_files();
+// A step as steps_plain.txt and steps_fma.txt have it.
+std::string text_of(const certified::RecordedStep& step);
 
 // All of these files.
 Files proof_files();

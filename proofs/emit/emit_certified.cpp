@@ -56,7 +56,9 @@ std::string text_of_constant(const Node& node) {
   if (node.op == Op::flag_constant) return node.word ? "true" : "false";
   return fmt::format("{:#x}", node.word);
 }
-std::string as_text(const RecordedStep& step) {
+}  // namespace
+
+std::string text_of(const RecordedStep& step) {
   const Named named(step, step.results);
   const auto operand = [&](Index i) { return named.name(i).empty() ? text_of_constant(named.node(i)) : named.name(i); };
   std::string text = fmt::format("step {}\n", full_name(step));
@@ -69,6 +71,8 @@ std::string as_text(const RecordedStep& step) {
   for (const Result& result : step.results) text += fmt::format("  {}: {}\n", result.name, operand(result.node));
   return text;
 }
+
+namespace {
 
 // n and e in Coq's notation, x = n 2^e with an odd n, for x that is finite and not 0.
 struct CoqDyadic {
@@ -284,7 +288,7 @@ Files certified_files() {
   coq +=
       promised_depth("binary32", AXISCERT_PHANTOM_DEPTH_F32) + promised_depth("binary64", AXISCERT_PHANTOM_DEPTH_F64);
   for (const RecordedStep& step : recorded_steps()) {
-    (step.fused ? fused : plain) += as_text(step) + "\n";
+    (step.fused ? fused : plain) += text_of(step) + "\n";
     if (step.name.starts_with("deep_")) coq += coq_constants(step);
     if (!is_stated(step)) continue;
     coq += coq_definition(step, Sort::number, "numbers", "(m_number m)");

@@ -23,7 +23,7 @@ ROOT = PROOFS.parent
 COQ_BUILD = ROOT / "build" / "proofs" / "coq"
 
 
-class PlantedSources(unittest.TestCase):
+class Planted(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -38,7 +38,8 @@ class PlantedSources(unittest.TestCase):
         (overlay / source).write_text(text.replace(old, new))
         planted = overlay / unit if source == unit else ROOT / unit
         # The unit's own definitions take precedence over those of the library.
-        subprocess.run([CXX, "-std=c++20", "-O0", "-ffp-contract=off", "-I", overlay, "-I", ROOT, planted,
+        beside = (ROOT / source).parent  # for what the source includes by its name alone
+        subprocess.run([CXX, "-std=c++20", "-O0", "-ffp-contract=off", "-iquote", beside, "-I", overlay, "-I", ROOT, planted,
                         PROOFS / "emit" / "write_proofs.cpp", LIBRARY, "-lfmt", "-o", self.work / "write_proofs"], check=True)
         return self.work / "write_proofs"
 
@@ -55,19 +56,22 @@ class PlantedSources(unittest.TestCase):
         subprocess.run([writer, made], check=True, stdout=subprocess.DEVNULL)
         return made
 
-    def refused_by_coq(self, made, target):
-        """The file at which the build of the theory with this Recorded.v stops, on the way to `target`."""
+    def refused_by_coq(self, made, target, *recorded):
+        """The file at which the check of `target` stops, with what is `recorded` now: its proofs, and the others' statements."""
         theory = self.work / "coq"
-        shutil.copytree(COQ_BUILD, theory)  # with times, so that only what depends on Recorded.v is built again
-        (theory / "Recorded.v").write_bytes((made / "coq" / "Recorded.v").read_bytes())
-        result = subprocess.run(["make", "--no-print-directory", target + "o"], cwd=theory, text=True, capture_output=True)
+        shutil.copytree(COQ_BUILD, theory)  # with times, so that only what depends on these files is built again
+        for name in recorded:
+            (theory / name).write_bytes((made / "coq" / name).read_bytes())
+        result = subprocess.run(["make", "--no-print-directory", target + "ok"], cwd=theory, text=True, capture_output=True)
         self.assertNotEqual(result.returncode, 0, "the theory accepts it")
         return re.search(r'File "\./(\w+\.v)"', result.stderr).group(1)
 
+
+class PlantedSources(Planted):
     def formula(self, source, old, new, refused_at):
         writer = self.writer(source, old, new, "proofs/record.cpp")
         self.assertIn("Recorded.v", self.stale(writer))
-        self.assertEqual(self.refused_by_coq(self.written(writer), refused_at), refused_at)
+        self.assertEqual(self.refused_by_coq(self.written(writer), refused_at, "Recorded.v"), refused_at)
 
     def test_a_wrong_coefficient(self):
         self.formula("kernel/sphere_triangle/formulae.h", "A * e1 - AB * d1", "A * e1 + AB * d1", "RecordedIsSat7.v")
@@ -108,7 +112,85 @@ class PlantedSources(unittest.TestCase):
         self.assertIn("RangesClaimed.v", done.stderr)
 
 
+CERTIFIED = "kernel/sphere_triangle/certified"
+BOUNDS = "kernel/sphere_triangle/certified_filter/margin_bounds.h"
+STEPS, EXACT = "proofs/certified/record_steps.cpp", "proofs/certified/record_exact.cpp"
+# Faults of the certified predicate: the source and what is replaced in it, the unit that records it, and the file of the
+# theory at which what is recorded then stops. None: the theory states no more of it than that it is what is committed.
+STEP_FAULTS = {
+    # What an audit planted, and no random query showed.
+    "coarse thresholds a quarter of what is proved": (
+        f"{CERTIFIED}/coarse_step-inl.h", "static_cast<Real>(n * u)", "static_cast<Real>(n * u / 4)", STEPS, "RecordedIsCertified.v"),
+    "coarse thresholds a sixteenth of what is proved": (
+        f"{CERTIFIED}/coarse_step-inl.h", "static_cast<Real>(n * u)", "static_cast<Real>(n * u / 16)", STEPS, "RecordedIsCertified.v"),
+    "a coarse range in binary32 from 2^-60": (
+        BOUNDS, "least_square_binary32 = 0x1p-21", "least_square_binary32 = 0x1p-60", STEPS, "RecordedIsCertified.v"),
+    "a unit of pairs of 2^-106": (
+        f"{CERTIFIED}/numbers/pairs-inl.h", "unit = 0x1p-102", "unit = 0x1p-106", STEPS, "RecordedIsDeep.v"),
+    "residues known below 2^64 units": (
+        f"{CERTIFIED}/numbers/wrapped-inl.h", "hn::Set(d_, 0x1p60)", "hn::Set(d_, 0x1p64)", STEPS, "RecordedIsDeep.v"),
+    "errors of the conservative test a quarter of what is proved": (
+        f"{CERTIFIED}/conservative_step-inl.h", "units(Bounds::error) * W", "units(Bounds::error / 4) * W", STEPS, "RecordedIsConservative.v"),
+    "a promised depth of phantoms that is not proved": (
+        "kernel/include/axiscert/certified.h", "DEPTH_F32 0.0048828125", "DEPTH_F32 0.004638671875", "proofs/emit/emit_certified.cpp",
+        "RecordedIsConservative.v"),
+    # Constants written by hand.
+    "an upper end of the conservative test that is not proved": (
+        f"{CERTIFIED}/conservative_step-inl.h", "is_float ? 0x1p60 : 0x1p400", "is_float ? 0x1p62 : 0x1p400", STEPS,
+        "RecordedIsConservative.v"),
+    "a range of leaves from 2^-200": (
+        f"{CERTIFIED}/thresholds.h", "least_fine_leaf = 0x1p-100", "least_fine_leaf = 0x1p-200", STEPS, None),
+    "a fine bound a half of what is proved": (BOUNDS, "vertex_side_units = 15", "vertex_side_units = 7.5", STEPS, "FineStep.v"),
+    # An operation, an operand, a guard or a comparison in each step.
+    "another formula in the coarse step: A x B for A x AB": (
+        f"{CERTIFIED}/coarse_step-inl.h", "edge(A, AB, e1)", "edge(A, B, e1)", STEPS, "RecordedIsCertified.v"),
+    "another order of additions in the coarse step": (
+        f"{CERTIFIED}/coarse_step-inl.h", "((aa + bb) + cc) + rr", "(aa + bb) + (cc + rr)", STEPS, "RecordedIsCertified.v"),
+    "a bit told for a margin that only reaches its threshold": (
+        f"{CERTIFIED}/coarse_step-inl.h", "axis.sides = hn::Gt(side.v", "axis.sides = hn::Ge(side.v", STEPS, "CoarseKnown.v"),
+    "a lane of the single pair with its own vertex for the next": (
+        f"{CERTIFIED}/pair_step-inl.h", "permuted<1, 2, 0>", "permuted<0, 1, 2>", STEPS, "RecordedIsCertified.v"),
+    "a product's operand exchanged in the fine and deep margins": (
+        f"{CERTIFIED}/margins-inl.h", "rr * dot(along.v, along.v)", "rr * dot(along.v, N.v)", STEPS, "FineStep.v"),
+    "a tie that the fine step takes as certain": (
+        f"{CERTIFIED}/fine_step-inl.h", "hn::Lt(margin.value, hn::Neg(margin.bound)));", "hn::Le(margin.value, hn::Neg(margin.bound)));",
+        STEPS, None),
+    "a range of the deep step that is not asked": (
+        f"{CERTIFIED}/deep_step-inl.h", "sound = hn::And(sound, in_range(m_.ab));", "", STEPS, None),
+    "a pair's sum with an error of the wrong sign": (
+        f"{CERTIFIED}/numbers/pairs-inl.h", "hn::Sub(y, part))", "hn::Sub(part, y))", STEPS, None),
+    "a unit that is not the least bit": (
+        f"{CERTIFIED}/numbers/wrapped-inl.h", "hn::And(any, hn::Sub(words(0), any))", "hn::And(any, any)", STEPS, None),
+    "a thin triangle's plane in the conservative test": (
+        f"{CERTIFIED}/conservative_step-inl.h", "hn::And(usable, passes)", "passes", STEPS, "RecordedIsConservative.v"),
+    "a difference reversed in the exact step": (
+        f"{CERTIFIED}/numbers/exact_margins.h", "return {u.x - v.x,", "return {v.x - u.x,", EXACT, "ExactStep.v"),
+    "a side that is added in the exact step": (
+        f"{CERTIFIED}/numbers/exact_margins.h", "dot<Four>(N, N) - product", "dot<Four>(N, N) + product", EXACT, "ExactStep.v"),
+}
+
+
+class PlantedSteps(Planted):
+    def fault(self, source, old, new, unit, refused_at):
+        writer = self.writer(source, old, new, unit)
+        stale = self.stale(writer)
+        if unit == EXACT:
+            self.assertIn("RecordedExact.v", stale)
+        elif unit == STEPS:
+            self.assertLessEqual({"steps_plain.txt", "steps_fma.txt"} if "conservative" not in source else {"steps_plain.txt"}, stale)
+        if refused_at:
+            made = self.written(writer)
+            self.assertEqual(self.refused_by_coq(made, refused_at, "RecordedCertified.v", "RecordedExact.v"), refused_at)
+
+
+for number, (name, given) in enumerate(STEP_FAULTS.items()):
+    def planted(self, given=given):
+        self.fault(*given)
+    planted.__doc__ = name
+    setattr(PlantedSteps, f"test_step_{number:02}_" + re.sub(r"\W+", "_", name), planted)
+
+
 if __name__ == "__main__":
     prove.copy_changed(prove.SOURCES, COQ_BUILD)
-    prove.make(COQ_BUILD, 1)
+    prove.make(COQ_BUILD, 1, "vos")
     unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
