@@ -74,7 +74,7 @@ Meant meant_by_families(const GenerateOptions& options) {
   return {test_given(options.test), 0};
 }
 
-PipePlan plan_of(const GenerateOptions& options) {
+PipePlan pipe_plan_of(const GenerateOptions& options) {
   PipePlan plan{options.seed, parse_precision(options.precision), {}, options.measures};
   const Meant meant = meant_by_families(options);
   const auto sources = sources_of(options, meant.test, meant.entry, plan.precision);
@@ -90,7 +90,7 @@ PipePlan plan_of(const GenerateOptions& options) {
 }
 
 int generate(const GenerateOptions& options) {
-  const PipePlan plan = plan_of(options);
+  const PipePlan plan = pipe_plan_of(options);
   const auto encoding = options.binary ? QueryEncoding::binary : QueryEncoding::json_lines;
   if (options.binary) header_of(plan);  // throws where there is none, before a file is created
   std::signal(SIGPIPE, SIG_IGN);

@@ -41,7 +41,7 @@ const Kernel& kernel_of(const SearchOptions& options) {
 }
 
 // The families that islands start from: those that were given; else of sphere-triangle some, of another test all.
-std::vector<SourcePtr> sources_of(const SearchOptions& options, const Kernel& kernel) {
+std::vector<SourcePtr> beginning_sources(const SearchOptions& options, const Kernel& kernel) {
   std::vector<std::string> names = options.families;
   if (names.empty() && kernel.test == &first_test())
     names = {"general", "tangent", "seam", "sliver", "needle", "collinear", "repeated", "far", "ratio"};
@@ -76,7 +76,7 @@ SearchPlan search_plan_of(const SearchOptions& options) {
         fmt::format("--comparison: kernel {} does not show the computed sides of its own formulae", plan.kernel->id));
   }
   std::sort(plan.comparisons.begin(), plan.comparisons.end());
-  plan.sources = sources_of(options, *plan.kernel);
+  plan.sources = beginning_sources(options, *plan.kernel);
   // The run from which it begins has every family, as `axiscert run` does, unless some are given.
   plan.first_queries = is_first ? first_queries : first_by_oracles;
   if (options.first_queries != 0) plan.first_queries = options.first_queries;

@@ -16,7 +16,7 @@ std::string_view trimmed(std::string_view cell) {
   return cell.substr(first, cell.find_last_not_of(" \t") - first + 1);
 }
 
-std::vector<std::string_view> cells_of(std::string_view line) {
+std::vector<std::string_view> csv_cells(std::string_view line) {
   std::vector<std::string_view> cells;
   for (;;) {
     const std::size_t end = line.find(',');
@@ -89,7 +89,7 @@ void refuse_other_csv(std::string_view line, const Place& place, KnownTests know
   if (separator != ',') {
     refuse(fmt::format("CSV whose cells are separated by {}, not by ','", in_words(separator)));
   }
-  const auto given = cells_of(text);
+  const auto given = csv_cells(text);
   if (begins_like_a_number(given.front())) refuse("CSV without a header: its first line has numbers");
   if (text.find('"') != text.npos) refuse("CSV whose header is quoted; write its names without quotes");
   if (plain(given.front()) == csv_columns(known).substr(0, plain(given.front()).size())) {
@@ -104,7 +104,7 @@ void refuse_other_csv(std::string_view line, const Place& place, KnownTests know
 std::string csv_columns(KnownTests known) { return columns_text(known.front()->entries.front()); }
 
 std::optional<CsvHeader> csv_header(std::string_view line, const Place& place, KnownTests known) {
-  const auto cells = cells_of(line);
+  const auto cells = csv_cells(line);
   const bool has_id = cells[0] == "id";
   // A header that no entry has is measured by the one that is most like it, and among those by the first.
   std::optional<CsvHeader> header;
@@ -139,7 +139,7 @@ std::optional<CsvHeader> csv_header(std::string_view line, const Place& place, K
 }
 
 StoredQuery query_of_csv(std::string_view line, const CsvHeader& header, Precision precision, const Place& place) {
-  const auto cells = cells_of(line);
+  const auto cells = csv_cells(line);
   if (cells.size() != width(header)) {
     place.fail(
         cells.size() < width(header) ? column_name(header, cells.size()) : "",

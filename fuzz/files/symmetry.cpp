@@ -28,7 +28,7 @@ std::array<Symmetry, symmetry_count> all_symmetries() {
 
 // P at the origin, and everything multiplied by the power of two that makes all numbers integers and at least one odd,
 // unless all are zero.
-Query<mpz_class> integers(const Query<double>& q) {
+Query<mpz_class> in_integers(const Query<double>& q) {
   auto v = coordinates(q);
   std::array<Rational, coordinate_count> centred;
   mpz_class denominator = 1;
@@ -127,7 +127,7 @@ std::string canonical_form(const StoredQuery& stored) {
       [&](const auto& q) {
         const auto v = coordinates(q);
         const bool finite = std::all_of(v.begin(), v.end(), [](auto x) { return std::isfinite(x); });
-        return finite ? joined(stored.precision, least_image(integers(widened(q))))
+        return finite ? joined(stored.precision, least_image(in_integers(widened(q))))
                       : joined(stored.precision, least_image(literals(q)));
       },
       sphere_triangle_query(stored));

@@ -60,8 +60,8 @@ std::pair<Verdict, ComparisonBits> answer_of(const Implementation<Real>& kernel,
 
 // Every flip and every wrong verdict among the queries of a block.
 template <class Real>
-Findings search(const ConditionPlan& plan, const std::vector<Implementation<Real>>& kernels, const QueryBlock& block,
-                ProgressCount& progress) {
+Findings search_block(const ConditionPlan& plan, const std::vector<Implementation<Real>>& kernels,
+                      const QueryBlock& block, ProgressCount& progress) {
   Findings found{0, std::vector<KernelFindings>(kernels.size())};
   const Source& source = *plan.sources[block.source];
   const std::uint64_t stride = plan.sample == 0 ? 0 : (plan.trials + plan.sample - 1) / plan.sample;
@@ -172,7 +172,7 @@ ConditionResult measure(const ConditionPlan& plan, const ShowProgress& report) {
   std::vector<Findings> findings(blocks.size());
   ProgressCount searched(report, blocks.size(), "flips are searched for");
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
-    findings[i] = search(plan, kernels, blocks[i], searched);
+    findings[i] = search_block(plan, kernels, blocks[i], searched);
     searched.finished();
   });
 

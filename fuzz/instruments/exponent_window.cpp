@@ -24,7 +24,7 @@ bool far_from_right_angle(const Vec3<Ring>& u, const Vec3<Ring>& v) {
 }
 
 template <class Real>
-QueryBatch<Real> scaled(const std::vector<Query<Real>>& queries, int exponent) {
+QueryBatch<Real> scaled_queries(const std::vector<Query<Real>>& queries, int exponent) {
   QueryBatch<Real> batch(queries.size(), coordinate_count);
   for (const Query<Real>& q : queries) {
     auto v = coordinates(q);
@@ -114,7 +114,7 @@ AxisWindows exponent_windows(const Kernel& kernel) {
     expected.push_back(*unbounded(kernel.formulae, kernel.arithmetic, kernel.strictness, q).bits);
   }
   const Implementation<Real> implementation = kernel.on<Real>(scalar_target);
-  const auto sound_at = [&](int m) { return sound_axes(kernel, implementation, scaled(queries, m), expected); };
+  const auto sound_at = [&](int m) { return sound_axes(kernel, implementation, scaled_queries(queries, m), expected); };
   AxisWindows windows;
   const AxisBits at_zero = sound_at(0);
   for_each_bit(at_zero, [&](std::size_t i) { windows[i] = ExponentWindow{0, 0}; });

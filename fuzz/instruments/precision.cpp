@@ -26,13 +26,13 @@ PrecisionTally empty_tally(const PrecisionPlan& plan) {
   return tally;
 }
 
-void count(VerdictFlips& flips, Verdict found, Verdict truth) {
+void count_step(VerdictFlips& flips, Verdict found, Verdict truth) {
   flips.false_separation += found == Verdict::separated && truth == Verdict::contact;
   flips.false_contact += found == Verdict::contact && truth == Verdict::separated;
 }
 
-void count(PrecisionCounts& counts, const Outcome& found, const Outcome& exact, Verdict truth) {
-  count(counts.verdict, found.verdict, truth);
+void count_step(PrecisionCounts& counts, const Outcome& found, const Outcome& exact, Verdict truth) {
+  count_step(counts.verdict, found.verdict, truth);
   if (!exact.bits) return;
   const auto flips = static_cast<ComparisonBits>(*found.bits ^ *exact.bits);
   for (std::size_t i = 0; i < comparison_count; ++i) counts.comparisons[i] += has_bit(flips, i);
@@ -41,7 +41,7 @@ void count(PrecisionCounts& counts, const Outcome& found, const Outcome& exact, 
 template <class Real>
 void measure_kernel(const PrecisionPlan& plan, const Kernel& kernel, const Query<Real>& q, const Outcome& exact,
                     Verdict truth, KernelPrecision& out) {
-  count(out.exact, exact.verdict, truth);
+  count_step(out.exact, exact.verdict, truth);
   for (std::size_t i = 0; i < plan.bits.size(); ++i) {
     const BothRanges found =
         at_precision_in_both_ranges(kernel.formulae, kernel.strictness, q, plan.bits[i], plan.precision);
@@ -54,8 +54,8 @@ void measure_kernel(const PrecisionPlan& plan, const Kernel& kernel, const Query
       }
     }
     PrecisionStep& step = out.steps[i];
-    count(step.ranges[unlimited], found.unlimited, exact, truth);
-    count(step.ranges[limited], found.limited, exact, truth);
+    count_step(step.ranges[unlimited], found.unlimited, exact, truth);
+    count_step(step.ranges[limited], found.limited, exact, truth);
     step.rounding += found.unlimited.verdict != exact.verdict;
     step.range += found.limited.verdict != found.unlimited.verdict;
   }

@@ -24,7 +24,7 @@ std::uint64_t places_of(const ColumnGroup& group) {
   return places;
 }
 
-bool moves(const PlaneSide& side, std::size_t place) { return has_bit(side.numbers.places, place); }
+bool is_moved(const PlaneSide& side, std::size_t place) { return has_bit(side.numbers.places, place); }
 
 void require_different(const MovedNumbers& along, const MovedNumbers& across) {
   if (along.places != across.places) return;
@@ -110,7 +110,7 @@ Numbers<Real> query_at(const Plane& plane, const Numbers<Real>& witness, std::si
   const std::int64_t along = plane.along.offset(column), across = plane.offset_of_row(row);
   Numbers<Real> v = witness;
   for (std::size_t k = 0; k < v.size(); ++k) {
-    const std::int64_t offset = (moves(plane.along, k) ? along : 0) + (moves(plane.across, k) ? across : 0);
+    const std::int64_t offset = (is_moved(plane.along, k) ? along : 0) + (is_moved(plane.across, k) ? across : 0);
     if (offset == 0) continue;  // keeps the sign of a witness's -0
     v[k] = plane.kind == PlaneKind::ulps ? moved_by_ulps(v[k], offset) : std::ldexp(v[k], static_cast<int>(offset));
   }

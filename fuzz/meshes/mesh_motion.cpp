@@ -108,7 +108,7 @@ Moved shake(Stream& random, const Placed& at) {
   return {at.p, any_direction(random) * far, at.r};
 }
 
-Moved moved(Stream& random, const Placed& at, MeshMotion motion, Placement placement) {
+Moved moved_at(Stream& random, const Placed& at, MeshMotion motion, Placement placement) {
   switch (motion) {
     case MeshMotion::walking:
       return walk(random, at, placement);
@@ -181,7 +181,7 @@ void mesh_motions(const Mesh& mesh, const StreamName& placed, const StreamName& 
       const Query<Real> q = places[i];
       const mesh_motion::Placed at(widened(q), random);
       const MeshMotion motion = mesh_motion_at(position, triangles);
-      const mesh_motion::Moved move = mesh_motion::moved(random, at, motion, placement_at(position, triangles));
+      const mesh_motion::Moved move = mesh_motion::moved_at(random, at, motion, placement_at(position, triangles));
       out.set(begin + i, mesh_motion::query_of(q, move));
     }
   }

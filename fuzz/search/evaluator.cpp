@@ -81,7 +81,7 @@ double score_of(const Aim& aim, double difference, double size, int digits) {
 }
 
 template <class T>
-T number(double x) {
+T number_as(double x) {
   if constexpr (std::is_same_v<T, double>) return x;
   else return T{x, 0};
 }
@@ -94,12 +94,12 @@ struct Distances {
 };
 template <class T, class Real>
 Distances distances(const Query<Real>& q) {
-  auto t = centred_as<T>(q, [](Real x) { return number<T>(static_cast<double>(x)); });
+  auto t = centred_as<T>(q, [](Real x) { return number_as<T>(static_cast<double>(x)); });
   const auto order = [](const T& x, const T& y) {
     const double d = leading(x - y);
     return (d > 0) - (d < 0);
   };
-  const auto squared = walked_squared_distance(t, number<T>(0), number<T>(1), order);
+  const auto squared = walked_squared_distance(t, number_as<T>(0), number_as<T>(1), order);
   const auto length = [](const Vec3<T>& v) { return std::sqrt(leading(dot(v, v))); };
   return {std::sqrt(std::max(leading(squared.numerator), 0.0) / leading(squared.denominator)),
           std::max({length(t.a), length(t.b), length(t.c)})};

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 constexpr int search_version = 2;
 
 // The part of the plan that has to be the same for a search to continue.
-Json plan_json(const SearchPlan& plan) {
+Json search_plan_json(const SearchPlan& plan) {
   Json comparison_names = Json::array();
   const auto versions = [](const std::vector<SourcePtr>& sources) {
     Json all = Json::array();
@@ -45,7 +45,7 @@ constexpr Kind kinds[] = {
 }  // namespace
 
 std::string state_text(const SearchPlan& plan, const std::vector<Aim>& aims, const SearchState& state) {
-  Json header = plan_json(plan);
+  Json header = search_plan_json(plan);
   header["islands"] = state.islands;
   header["evaluations"] = state.evaluations;
   for (const StoredPools& pools : state.pools) {
@@ -70,7 +70,7 @@ SearchState parse_state(std::string_view text, const SearchPlan& plan, const std
   if (end == text.npos || !header.is_object() || !header.contains("schema")) {
     throw Error("the state to resume from is not the state of a search");
   }
-  const Json expected = plan_json(plan);
+  const Json expected = search_plan_json(plan);
   for (const auto& [key, value] : expected.items()) {
     if (header.contains(key) && header[key] == value) continue;
     throw Error(fmt::format("the state to resume from has {} {}, this search {}", key,

@@ -73,7 +73,7 @@ std::int64_t shorten(std::string& digits, std::size_t kept) {
 }
 
 // digits (base 16 or 10) * root^exponent.
-Rational scaled(const std::string& digits, int base, unsigned long root, std::int64_t exponent) {
+Rational product_with_power(const std::string& digits, int base, unsigned long root, std::int64_t exponent) {
   Rational q;
   q.get_num().set_str(digits, base);
   mpz_class power;
@@ -99,7 +99,7 @@ Real hex_value(std::string_view text, bool negative, Scanned& scanned) {
   Real nearest_value = 0;
   bool is_exact = false;
   if (top > -1200) {
-    const Rational q = scaled(scanned.digits, 16, 2, exponent);
+    const Rational q = product_with_power(scanned.digits, 16, 2, exponent);
     nearest_value = nearest<Real>(q);
     if (std::isinf(nearest_value)) overflow<Real>(text);
     // q is not in lowest terms, which mpq's == would require.
@@ -121,7 +121,7 @@ Real decimal_value(std::string_view text, bool negative, Scanned& scanned) {
   const std::int64_t top = static_cast<std::int64_t>(scanned.digits.size()) + exponent;
   Real magnitude = 0;
   if (top > 400) overflow<Real>(text);
-  if (top > -400) magnitude = nearest<Real>(scaled(scanned.digits, 10, 10, exponent));
+  if (top > -400) magnitude = nearest<Real>(product_with_power(scanned.digits, 10, 10, exponent));
   if (std::isinf(magnitude)) overflow<Real>(text);
   return negative ? -magnitude : magnitude;
 }

@@ -78,7 +78,7 @@ std::string observed(const Json& entry, const std::string& level, const std::str
       covers, amount(limit, 3));
 }
 
-const Json* entry_of(const Json& record, const LevelOutcome& outcome) {
+const Json* record_entry_of(const Json& record, const LevelOutcome& outcome) {
   for (const Json& kernel : record["kernels"]) {
     if (outcome.is_of(kernel)) return &kernel;
   }
@@ -102,7 +102,7 @@ Json level_json(const Json& record, const LevelOutcome& outcome, const Json& sea
   if (state == "met") {
     if (const std::string proof = proved_at(outcome.kernel, outcome.asked.text); !proof.empty())
       rests.push_back({{"kind", "proved"}, {"text", proof}});
-    const Json* entry = entry_of(record, outcome);
+    const Json* entry = record_entry_of(record, outcome);
     rests.push_back({{"kind", "observed"},
                      {"text", entry ? observed(*entry, outcome.asked.name, outcome.covers) : outcome.covers}});
     if (!search.is_null() && is_of_verdicts(outcome.asked.name)) {

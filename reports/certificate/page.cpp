@@ -14,7 +14,7 @@
 namespace axiscert {
 namespace {
 
-std::string cell_text(const Json& value) {
+std::string plain_text(const Json& value) {
   return value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : value.dump();
 }
 std::string cell_count(const Json& count) { return thousands(count.get<std::uint64_t>()); }
@@ -67,7 +67,7 @@ class CertificatePage {
     return fmt::format("Met: {}. Not met: {}. Asked with effort {}, seed {}: {} queries of {} families and files{}.",
                        met.empty() ? "nothing" : fmt::format("{}", fmt::join(met, ", ")),
                        not_met.empty() ? "nothing" : fmt::format("{}", fmt::join(not_met, ", ")),
-                       cell_text(asked["effort"]), asked["seed"].dump(), cell_count(asked["queries"]),
+                       plain_text(asked["effort"]), asked["seed"].dump(), cell_count(asked["queries"]),
                        asked["families"].size(),
                        asked["complete"].get<bool>()
                            ? ""
@@ -110,7 +110,7 @@ class CertificatePage {
   }
 
   static std::string member_text(const Json& value, const char* member) {
-    return value.is_null() ? "" : cell_text(value[member]);
+    return value.is_null() ? "" : plain_text(value[member]);
   }
 
   // "r times 1.5, or r plus 2, mends"; each may be absent.
@@ -145,11 +145,11 @@ class CertificatePage {
   std::string breaks_note() const {
     const Json& first = predicate_["breaks_first"];
     if (first.is_null()) return "Nothing broke.";
-    std::string meaning = cell_text(first["meaning"]);
+    std::string meaning = plain_text(first["meaning"]);
     if (meaning.ends_with('.')) meaning.pop_back();
-    return fmt::format("What breaks first: {}, {}{}: {}. {} See {}.", cell_text(first["what"]),
-                       first["precision"].is_null() ? "" : cell_text(first["precision"]) + ", ",
-                       cell_text(first["cause"]), meaning, cell_text(first["advice"]), cell_text(first["section"]));
+    return fmt::format("What breaks first: {}, {}{}: {}. {} See {}.", plain_text(first["what"]),
+                       first["precision"].is_null() ? "" : plain_text(first["precision"]) + ", ",
+                       plain_text(first["cause"]), meaning, plain_text(first["advice"]), plain_text(first["section"]));
   }
 
   // One row a level, a column a precision.
@@ -169,7 +169,7 @@ class CertificatePage {
       std::string why;
       for (const std::string& precision : precisions) {
         const Json* entry = find(name, precision);
-        row.push_back(entry ? cell_text((*entry)["state"]) : "-");
+        row.push_back(entry ? plain_text((*entry)["state"]) : "-");
         if (entry != nullptr && why.empty()) why = why_of(*entry);
         else if (entry != nullptr && (*entry)["state"] == "not met" && level["state"] != "not met")
           why = why_of(*entry);
@@ -191,7 +191,7 @@ class CertificatePage {
   static std::string why_of(const Json& level) {
     std::vector<std::string> parts;
     for (const Json& rest : level["rests_on"])
-      parts.push_back(fmt::format("{}: {}", cell_text(rest["kind"]), cell_text(rest["text"])));
+      parts.push_back(fmt::format("{}: {}", plain_text(rest["kind"]), plain_text(rest["text"])));
     for (const Json& failure : level["failures"]) parts.push_back(failure);
     const auto shown = level["failures"].size();
     const auto count = level["failure_count"].get<std::uint64_t>();
@@ -204,7 +204,7 @@ class CertificatePage {
     for (const std::string& name : levels_with("not asked")) {
       for (const Json& level : predicate_["levels"]) {
         if (level["level"] != name) continue;
-        table.rows.push_back({name, cell_text(level["reason"])});
+        table.rows.push_back({name, plain_text(level["reason"])});
         break;
       }
     }
@@ -221,9 +221,9 @@ class CertificatePage {
       for (const Json& part : margin["decades"]) {
         if (part["missed"] == 0) continue;
         const int decade = part["decade"];
-        table.rows.push_back({cell_text(margin["precision"]), decade < -399 ? "0" : fmt::format("1e{}", decade),
+        table.rows.push_back({plain_text(margin["precision"]), decade < -399 ? "0" : fmt::format("1e{}", decade),
                               cell_count(part["queries"]), cell_count(part["missed"]), cell_count(part["hopeless"]),
-                              cell_count(part["tiny"]), cell_text(part["factor"]), cell_text(part["amount"]),
+                              cell_count(part["tiny"]), plain_text(part["factor"]), plain_text(part["amount"]),
                               cell_count(part["phantoms_by_factor"]), cell_count(part["phantoms_by_amount"])});
       }
     }
@@ -233,7 +233,7 @@ class CertificatePage {
   InstrumentTable witnesses_table() const {
     InstrumentTable table{"Witnesses", {"what", "address"}, {}};
     for (const Json& witness : predicate_["witnesses"]) {
-      table.rows.push_back({cell_text(witness["title"]), cell_text(witness["address"])});
+      table.rows.push_back({plain_text(witness["title"]), plain_text(witness["address"])});
       InstrumentScene scene;
       scene.title = witness["title"];
       scene.sentence = witness["sentence"];
@@ -256,10 +256,10 @@ class CertificatePage {
                            "critical radius, median ulps", "greatest ulps"},
                           {}};
     for (const Json& row : predicate_["comparison"]) {
-      table.rows.push_back({cell_text(row["kernel"]), cell_text(row["precision"]), cell_count(row["missed"]),
-                            cell_text(row["deepest_missed"]), cell_count(row["phantom"]),
-                            cell_text(row["deepest_phantom"]), cell_text(row["median_ulps"]),
-                            cell_text(row["largest_ulps"])});
+      table.rows.push_back({plain_text(row["kernel"]), plain_text(row["precision"]), cell_count(row["missed"]),
+                            plain_text(row["deepest_missed"]), cell_count(row["phantom"]),
+                            plain_text(row["deepest_phantom"]), plain_text(row["median_ulps"]),
+                            plain_text(row["largest_ulps"])});
     }
     return table;
   }
@@ -268,8 +268,8 @@ class CertificatePage {
     InstrumentTable table{"Diagnosis", {"property", "precision", "is", "because"}, {}};
     for (const Json& part : predicate_["diagnosis"]["precisions"]) {
       for (const Json& property : part["properties"]) {
-        table.rows.push_back({cell_text(property["name"]), cell_text(part["precision"]), cell_text(property["value"]),
-                              cell_text(property["sentence"])});
+        table.rows.push_back({plain_text(property["name"]), plain_text(part["precision"]),
+                              plain_text(property["value"]), plain_text(property["sentence"])});
       }
     }
     return table;
@@ -280,7 +280,7 @@ class CertificatePage {
     for (const auto& [precision, search] : predicate_["search"]["precisions"].items()) {
       for (const auto& [goal, find] : search["finds"].items()) {
         const bool is_depth = find.is_object() && find.contains("depth");
-        table.rows.push_back({precision, goal, find.is_null() ? "none" : cell_text(find[is_depth ? "depth" : "ulps"]),
+        table.rows.push_back({precision, goal, find.is_null() ? "none" : plain_text(find[is_depth ? "depth" : "ulps"]),
                               goal == "critical_radius" ? "ulps" : "of the scene", cell_count(search["evaluations"])});
       }
     }
@@ -303,18 +303,18 @@ class CertificatePage {
   InstrumentTable materials_table() const {
     InstrumentTable table{"Made from", {"what", "name", "SHA-256"}, {}};
     for (const Json& subject : statement_["subject"]) {
-      table.rows.push_back({"subject: " + cell_text(subject["annotations"]["what"]), cell_text(subject["name"]),
-                            cell_text(subject["digest"]["sha256"])});
+      table.rows.push_back({"subject: " + plain_text(subject["annotations"]["what"]), plain_text(subject["name"]),
+                            plain_text(subject["digest"]["sha256"])});
     }
     const Json& materials = predicate_["materials"];
     table.rows.push_back(
-        {"axiscert", cell_text(materials["axiscert"]["version"]), cell_text(materials["axiscert"]["sources"])});
-    table.rows.push_back({"proofs", "proofs/", cell_text(materials["proofs"])});
+        {"axiscert", plain_text(materials["axiscert"]["version"]), plain_text(materials["axiscert"]["sources"])});
+    table.rows.push_back({"proofs", "proofs/", plain_text(materials["proofs"])});
     table.rows.push_back({"plan", fmt::format("{} stretches", cell_count(predicate_["asked"]["stretches"])),
-                          cell_text(materials["plan"]["digest"])});
+                          plain_text(materials["plan"]["digest"])});
     table.rows.push_back({"this certificate",
-                          cell_text(predicate_["signed_at"].is_null() ? Json("not signed") : predicate_["signed_at"]),
-                          cell_text(predicate_["digest"])});
+                          plain_text(predicate_["signed_at"].is_null() ? Json("not signed") : predicate_["signed_at"]),
+                          plain_text(predicate_["digest"])});
     return table;
   }
 

@@ -15,7 +15,7 @@ namespace {
 using Entries = std::vector<LadderEntry>;
 
 constexpr AxisKind all_kinds[] = {AxisKind::plane, AxisKind::vertex, AxisKind::edge};
-std::string name(AxisKind kind) { return std::string(axis_kind_names[kind]); }
+std::string kind_text(AxisKind kind) { return std::string(axis_kind_names[kind]); }
 
 bool has_sides(const LadderEntry& entry) { return entry.kernel->exposes == Exposure::sides; }
 
@@ -85,7 +85,7 @@ InstrumentTable families_table(const LadderPlan& plan, const Entries& entries) {
                         {}};
   for (const AxisKind kind : all_kinds) {
     for (const char* what : {"signs", "by range", "median", "99 %", "worst"})
-      table.columns.push_back(name(kind) + " " + what);
+      table.columns.push_back(kind_text(kind) + " " + what);
   }
   for (std::size_t s = 0; s < plan.sources.size(); ++s) {
     for (const LadderEntry& entry : entries) {
@@ -120,7 +120,7 @@ InstrumentTable steps_table(const LadderPlan& plan, const Entries& entries, cons
         return fmt::format("{:+}", static_cast<std::int64_t>(b - a));
       };
       auto& row = table.rows.emplace_back(std::vector<std::string>{
-          from.kernel->id, to.kernel->id, name(kind), fmt::format("{}", after.sign_errors()),
+          from.kernel->id, to.kernel->id, kind_text(kind), fmt::format("{}", after.sign_errors()),
           change(before.sign_errors(), after.sign_errors()), fmt::format("{}", after.rounding_sign_errors()),
           change(before.rounding_sign_errors(), after.rounding_sign_errors()), quantile(before, 50),
           "to " + quantile(after, 50), worst(before), "to " + worst(after), window_of(from, kind),
@@ -137,12 +137,12 @@ InstrumentTable costliest_table(const Entries& entries, const std::vector<Ladder
     const CostliestSteps costliest = costliest_steps(entries, steps, kind);
     const auto add = [&](const char* what, std::optional<std::size_t> i, auto&& figure) {
       if (!i) {
-        table.rows.push_back({name(kind), what, "no step worsens it", "", ""});
+        table.rows.push_back({kind_text(kind), what, "no step worsens it", "", ""});
         return;
       }
       const LadderEntry &from = entries[steps[*i].from], &to = entries[steps[*i].to];
       table.rows.push_back(
-          {name(kind), what, fmt::format("{} to {}", from.kernel->id, to.kernel->id), figure(from), figure(to)});
+          {kind_text(kind), what, fmt::format("{} to {}", from.kernel->id, to.kernel->id), figure(from), figure(to)});
     };
     const auto of = [&](const LadderEntry& entry) { return entry.all.of(comparisons_of_kind(kind)); };
     add("sign errors", costliest.sign_errors,
@@ -189,7 +189,7 @@ template <class Figure>
 InstrumentPlot by_kind(std::string caption, std::string y_label, const Entries& entries, Figure&& figure) {
   InstrumentPlot plot{std::move(caption), "kernel", std::move(y_label), InstrumentPlot::Kind::line, false, true, {}};
   for (const AxisKind kind : all_kinds) {
-    plot.series.push_back(by_kernel(name(kind), entries, [&](const LadderEntry& entry) -> std::optional<double> {
+    plot.series.push_back(by_kernel(kind_text(kind), entries, [&](const LadderEntry& entry) -> std::optional<double> {
       return figure(entry.all.of(comparisons_of_kind(kind)));
     }));
   }

@@ -22,7 +22,7 @@ std::uint64_t other_findings(const Tally& tally) {
 }
 
 // The rate with three digits: 57, 1.31k, 999k.
-std::string per_million(std::uint64_t count, std::uint64_t of) {
+std::string counts_per_million(std::uint64_t count, std::uint64_t of) {
   const double rate = 1e6 * static_cast<double>(count) / static_cast<double>(of);
   return rate < 999.5 ? fmt::format("{:.3g}", rate) : fmt::format("{:.3g}k", rate / 1000);
 }
@@ -33,8 +33,9 @@ std::string family_cell(const Tally& tally) {
   const std::uint64_t of = answered(tally);
   std::string cell = "none";
   if (of != 0) {
-    cell = per_million(tally.verdict.false_separation, of) + "/" + per_million(tally.verdict.false_contact, of);
-    if (tally.verdict.invalid != 0) cell += " n" + per_million(tally.verdict.invalid, of);
+    cell = counts_per_million(tally.verdict.false_separation, of) + "/" +
+           counts_per_million(tally.verdict.false_contact, of);
+    if (tally.verdict.invalid != 0) cell += " n" + counts_per_million(tally.verdict.invalid, of);
   }
   if (tally.verdict.unanswered != 0) cell += fmt::format(" u{}", tally.verdict.unanswered);
   return cell;

@@ -14,7 +14,7 @@ namespace {
 
 using Cbor = nlohmann::json;
 
-std::uint64_t size_of(const Plan& plan, const CellResult& cell) {
+std::uint64_t cell_queries(const Plan& plan, const CellResult& cell) {
   const Source& source = *plan.sources[cell.source];
   const auto fixed = plan.replies ? plan.replies->size(source, cell.precision) : source.fixed_size(cell.precision);
   return fixed ? *fixed : plan.trials(source, cell.precision);
@@ -28,7 +28,7 @@ std::uint64_t rounded_up(std::uint64_t a, std::uint64_t b) { return a / b + (a %
 std::uint64_t Stretches::default_units_each(const Plan& plan) {
   std::uint64_t units = 0;
   const auto cells = cells_of(plan);
-  for (const CellResult& cell : cells) units += rounded_up(size_of(plan, cell), unit_size);
+  for (const CellResult& cell : cells) units += rounded_up(cell_queries(plan, cell), unit_size);
   // A cell's last stretch may be short: one more stretch for each cell.
   const std::uint64_t least = rounded_up(units, most - std::min<std::uint64_t>(most / 2, cells.size()));
   return std::max({std::uint64_t{1}, std::min(usual_units, units / enough_stretches), least});
@@ -37,7 +37,7 @@ std::uint64_t Stretches::default_units_each(const Plan& plan) {
 Stretches::Stretches(const Plan& plan, std::uint64_t units_each) : units_each_(units_each) {
   std::vector<std::uint64_t> counts;
   for (const CellResult& cell : cells_of(plan)) {
-    const std::uint64_t queries = size_of(plan, cell), units = rounded_up(queries, unit_size);
+    const std::uint64_t queries = cell_queries(plan, cell), units = rounded_up(queries, unit_size);
     cells_.push_back({cell.source, cell.precision, queries,
                       fmt::format("{} {}", plan.sources[cell.source]->name(), name(cell.precision))});
     counts.push_back(rounded_up(units, units_each));
@@ -110,7 +110,7 @@ std::string Stretches::text(const std::vector<std::uint64_t>& numbers, std::size
 
 CampaignResult planned(const Plan& plan) {
   CampaignResult result{.cells = cells_of(plan)};
-  for (CellResult& cell : result.cells) cell.queries = size_of(plan, cell);
+  for (CellResult& cell : result.cells) cell.queries = cell_queries(plan, cell);
   return result;
 }
 

@@ -5,7 +5,7 @@ namespace axiscert::moving_sphere {
 namespace {
 
 template <class Real>
-MovingQuery<Real> anywhere(Stream& random) {
+MovingQuery<Real> motion_anywhere(Stream& random) {
   const auto [a, b, c] = shapes::vertices_in_cube<Real>(random);
   const Vec3<Real> p = shapes::in_cube<Real>(random), d = shapes::in_cube<Real>(random);
   return {a, b, c, p + p, d + d, random.unit<Real>() * Real(0.5)};
@@ -13,13 +13,13 @@ MovingQuery<Real> anywhere(Stream& random) {
 
 template <class Real>
 Numbers<Real> general_motion(Stream& random, std::uint64_t) {
-  return anywhere<Real>(random);
+  return motion_anywhere<Real>(random);
 }
 
 // The centre is aimed at a point beside the triangle, about r from it.
 template <class Real>
 Numbers<Real> approaching_motion(Stream& random, std::uint64_t position) {
-  MovingQuery<Real> q = anywhere<Real>(random);
+  MovingQuery<Real> q = motion_anywhere<Real>(random);
   const int exponent = 4 + static_cast<int>(position % 23);
   const Vec3<Real> target = q.a + shapes::in_cube<Real>(random) * q.r, way = shapes::in_cube<Real>(random);
   q.p = target - way * (q.r * std::ldexp(Real(1), exponent));
@@ -29,7 +29,7 @@ Numbers<Real> approaching_motion(Stream& random, std::uint64_t position) {
 
 template <class Real>
 Numbers<Real> with_length(Stream& random, int exponent) {
-  MovingQuery<Real> q = anywhere<Real>(random);
+  MovingQuery<Real> q = motion_anywhere<Real>(random);
   q.p = q.p * Real(0.5);
   q.d = q.d * std::ldexp(Real(1), exponent);
   return q;
@@ -49,7 +49,7 @@ Numbers<Real> tiny_motion(Stream& random, std::uint64_t position) {
 template <class Real>
 Numbers<Real> no_motion(Stream& random, std::uint64_t position) {
   if (position % 2 == 0) {
-    MovingQuery<Real> q = anywhere<Real>(random);
+    MovingQuery<Real> q = motion_anywhere<Real>(random);
     q.p = q.p * Real(0.5);
     q.d = {0, 0, 0};
     return q;
