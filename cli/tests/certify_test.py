@@ -129,6 +129,10 @@ class Certify(CertifyCase):
             self.assertGreater(search["evaluations"], 0)
             self.assertIn("missed_contact", search["finds"])
         self.assertEqual(predicate["kernel"]["test"], "box-box")
+        self.assertTrue(predicate["witnesses"])
+        for witness in predicate["witnesses"]:  # what the page draws
+            self.assertEqual(witness["query"]["test"], "box-box")
+            self.assertLessEqual({"a.m", "a.s", "b.m", "b.s"}, set(witness["query"]))
 
     def test_a_run_that_is_out_of_time_lists_what_was_done(self):
         self.certify("published", "--time", "0.001", "--threads", 1)

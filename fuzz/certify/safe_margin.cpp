@@ -79,7 +79,7 @@ class MarginFinder {
     ++part.missed;
     const Real r = query[radius()];
     const CriticalRadius<Real> critical =
-        critical_radius(kernel_, QueryWithRadius<Real>{query, radius()}, {r, std::max(r, range_.greatest)});
+        critical_radius(kernel_, QueryWithRadius<Real>{query, radius()}, {r, std::max(r, greatest_for(query))});
     const auto contact = [&](const Decimal6& value) {
       const TestDescription& test = *plan_.kernel->test;
       return MissedContact{query_line({id, precision_of<Real>, query, 0, &test, 0}), family, format_number(r),
@@ -105,6 +105,13 @@ class MarginFinder {
     const Decimal6 factor = round_up(Rational(to / from));
     for (std::optional<MissedContact>* kept : {&part.factor, &into_.factor})
       if (!*kept || factor > (*kept)->value) *kept = contact(factor);
+  }
+
+  // Twice the scene's size: a sphere of that radius holds the whole triangle, and a kernel that misses it even then is
+  // mended by no margin.
+  Real greatest_for(const Numbers<Real>& query) const {
+    const double twice = 2 * scene_.size(query);
+    return twice < static_cast<double>(range_.greatest) ? static_cast<Real>(twice) : range_.greatest;
   }
 
   // Is r below 2^-tiny_radius_exponent of the scene's size? Zero is tiny in each scene, also in one of no size.

@@ -39,7 +39,7 @@ struct MissedContact {
 struct MarginPart {
   std::uint64_t queries = 0;     // valid, and within what the kernel promises
   std::uint64_t missed = 0;      // contacts called separated: of the run, probed and found
-  std::uint64_t hopeless = 0;    // of these, missed at every radius up to the greatest
+  std::uint64_t hopeless = 0;    // of these, missed up to twice the scene's size: the sphere holds the triangle
   std::uint64_t tiny = 0;        // of the rest, those whose r is tiny, or 0: these have an amount, and no factor
   std::uint64_t unmeasured = 0;  // the kernel did not answer at some radius, or its radius is the query's own
   std::optional<MissedContact> factor = {}, amount = {};  // the greatest

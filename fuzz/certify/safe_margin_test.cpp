@@ -135,6 +135,17 @@ TEST(SafeMargin, NoRadiusMendsAKernelThatNeverSaysContact) {
   EXPECT_FALSE(margin.factor);
 }
 
+TEST(SafeMargin, ASphereThatHoldsTheTriangleAndIsMissedIsPastMending) {
+  // The size of the scene is 4: what would be heard from 8 on is mended, and from more on not.
+  const SafeMargin mended = margin_for_find(deaf_below(8), Precision::binary32, sphere_of(0.5)),
+                   missed = margin_for_find(deaf_below(9), Precision::binary32, sphere_of(0.5));
+  EXPECT_EQ(mended.total().hopeless, 0u);
+  ASSERT_TRUE(mended.factor);
+  EXPECT_EQ(mended.factor->value.text(), "16");
+  EXPECT_EQ(missed.total().hopeless, 1u);
+  EXPECT_FALSE(missed.factor || missed.amount);
+}
+
 TEST(SafeMargin, AFindOfASearchCounts) {
   // The sphere of radius 1 touches; a hundredth less is what only this query needs.
   const Kernel shy = certified_with("shy", [](auto r) { return r == 1 ? decltype(r)(0.99) : r; });

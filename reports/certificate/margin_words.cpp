@@ -106,7 +106,9 @@ std::string counts_note(const Json& margin) {
   text += fmt::format("; {} contacts were missed, and {} phantom on {} queries", count_of(all, "missed"),
                       thousands(margin["phantoms"].get<std::uint64_t>()),
                       thousands(margin["queries"].get<std::uint64_t>()));
-  if (all["hopeless"] != 0) text += fmt::format("; {} were missed at every radius", count_of(all, "hopeless"));
+  if (all["hopeless"] != 0)
+    text += fmt::format("; {} are missed even by a sphere that holds the whole triangle, and no margin mends that",
+                        count_of(all, "hopeless"));
   if (all["tiny"] != 0) {
     const int exponent = tiny_radius_exponent[parse_precision(margin["precision"].get<std::string>())];
     text += fmt::format(
@@ -138,7 +140,7 @@ std::vector<std::string> margin_notes(const Json& margin) {
 InstrumentTable margin_table(const Json& safe_margin) {
   InstrumentTable table{
       "Safe margin by the size of the scene: what r has to be multiplied by, or grow by, and new phantom contacts",
-      {"precision", "triangles", "size from", "queries", "missed", "at every radius", "tiny r", "factor", "amount",
+      {"precision", "triangles", "size from", "queries", "missed", "past mending", "tiny r", "factor", "amount",
        "phantoms by the factor", "phantoms by the amount"},
       {}};
   for (const Json& margin : safe_margin["precisions"]) {

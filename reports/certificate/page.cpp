@@ -82,6 +82,9 @@ class CertificatePage {
     if (first.is_null()) return "Nothing broke.";
     std::string meaning = cell_text(first["meaning"]);
     if (meaning.ends_with('.')) meaning.pop_back();
+    if (first["cause"] == "finding")
+      return fmt::format("What breaks first: {}. {} See {}.", meaning, cell_text(first["advice"]),
+                         cell_text(first["section"]));
     return fmt::format("What breaks first: {}, {}{}: {}. {} See {}.", cell_text(first["what"]),
                        first["precision"].is_null() ? "" : cell_text(first["precision"]) + ", ",
                        cell_text(first["cause"]), meaning, cell_text(first["advice"]), cell_text(first["section"]));
