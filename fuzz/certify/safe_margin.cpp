@@ -77,7 +77,7 @@ class MarginFinder {
   void add_missed(const Numbers<Real>& query, const std::string& family, const std::string& id) {
     MarginPart& part = into_.parts[scene(query)];
     ++part.missed;
-    const Real r = query[radius()];
+    const Real r = query[radius()] + Real(0);  // of -0, which is the radius 0 too, the bits are not in order
     const CriticalRadius<Real> critical =
         critical_radius(kernel_, QueryWithRadius<Real>{query, radius()}, {r, std::max(r, greatest_for(query))});
     const auto contact = [&](const Decimal6& value) {

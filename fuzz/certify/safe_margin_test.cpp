@@ -165,7 +165,7 @@ TEST(SafeMargin, AFindOfASearchCounts) {
 TEST(SafeMargin, ATinyRadiusHasAnAmountAndNoFactor) {
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
     const double least_not_tiny = std::ldexp(4.0, -tiny_radius_exponent[precision]);
-    for (const double r : {0.0, 1e-30, least_not_tiny * 0.75}) {
+    for (const double r : {0.0, -0.0, 1e-30, least_not_tiny * 0.75}) {
       const SafeMargin margin = margin_for_find(deaf_below(0.25), precision, sphere_of(r));
       EXPECT_EQ(margin.total().missed, 1u) << r;
       EXPECT_EQ(margin.total().tiny, 1u) << r;
