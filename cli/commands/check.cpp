@@ -9,6 +9,7 @@
 #include "fuzz/queries/address.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/confirm/finding_record.h"
+#include "reports/instrument/data.h"
 
 namespace axiscert {
 namespace {
@@ -76,7 +77,7 @@ int check(const CheckOptions& options) {
     } else {
       Json json = check_json(stored.id, kernel, found);
       if (options.errors) json["errors"] = errors_json(errors_of(stored, kernel, target));
-      fmt::print("{}\n", json.dump());
+      fmt::print("{}\n", headed("axiscert-check/1", json).dump());
     }
   }
   return exit_done;

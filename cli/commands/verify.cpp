@@ -27,7 +27,7 @@ void add_verify(CLI::App& app, Action& action) {
       ->needs(recheck);
   command->add_option("--replies", o.replies.replies, "reply file that it has to be about, repeatable")
       ->allow_extra_args(false);
-  add_reply_options(*command, o.replies);
+  add_reply_files(*command, o.replies);
   add_thread_option(*command, o.threads);
   add_plugin_seconds(*command);
   add_progress(*command);

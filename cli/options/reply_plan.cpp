@@ -146,6 +146,10 @@ void add_reply_options(CLI::App& command, ReplyOptions& options) {
                   "the program's intended answer for a sphere that touches the triangle")
       ->check(one_of({"contact", "separated", "either"}))
       ->capture_default_str();
+  add_reply_files(command, options);
+}
+
+void add_reply_files(CLI::App& command, ReplyOptions& options) {
   command.add_option("--mesh", options.meshes, "present path of a mesh of the queries, repeatable")
       ->allow_extra_args(false);
   command.add_option("--queries", options.queries, "present path of a query file of the queries, repeatable")

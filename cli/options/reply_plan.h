@@ -18,8 +18,10 @@ struct ReplyOptions {
   ReplyClaim claim;
 };
 
-// Adds all but the replies themselves.
+// Adds all but the replies themselves: what the program claims, and where the files of its queries are.
 void add_reply_options(CLI::App& command, ReplyOptions& options);
+// Adds the present paths of those files alone.
+void add_reply_files(CLI::App& command, ReplyOptions& options);
 
 // The program, represented by a kernel that is never run, and the plan of which it is the one kernel.
 struct ReplyPlan {

@@ -1,6 +1,7 @@
 #include "cli/options/run_options.h"
 
 #include <fmt/format.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -245,7 +246,11 @@ std::uint64_t trials_of(const SourceOptions& options, const Source& source, Prec
 }
 
 int threads_of(int given) {
-  return given != 0 ? given : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (given != 0) return given;
+  // Of the processors those on which this process may run: an MPI binds each rank to its own.
+  cpu_set_t processors;
+  if (sched_getaffinity(0, sizeof processors, &processors) == 0) return CPU_COUNT(&processors);
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 Plan plan_of(const RunOptions& given) {

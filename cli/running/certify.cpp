@@ -115,7 +115,7 @@ Json limits_of(const Staged& staged, const Json& predicate) {
   Json limits = Json::array();
   const Kernel& kernel = staged.kernel;
   limits.push_back(
-      "What is met was observed on queries that these families make, unless `proved` stands there: no number of "
+      "What is met was observed on queries that these families make, but for what `proved` says there: no number of "
       "queries "
       "proves it for others, and the bounds are of rates in these families, not in a game.");
   if (!predicate["asked"]["complete"].get<bool>()) {

@@ -103,11 +103,29 @@ void require_same_plan(const Certificate& certificate, const VerifyOptions& opti
   const Json& materials = certificate.predicate()["materials"];
   const std::string differs = difference(Json::parse(canonical_json(portable_plan(plan))), materials["plan"]["plan"]);
   if (differs.empty() && units_each == materials["plan"]["units_per_stretch"].get<std::uint64_t>()) return;
-  throw Error(
-      fmt::format("{}: cannot be rechecked here: it was made by axiscert {}, sources {:.16}, and this is {}, {:.16}{}",
-                  options.certificate, axiscert::shown(materials["axiscert"]["version"].get<std::string>()),
-                  materials["axiscert"]["sources"].get<std::string>(), axiscert_version, source_digests().sources,
-                  differs.empty() ? "" : fmt::format("; here {} (a mesh of its plan is given by --mesh)", differs)));
+  throw Error(fmt::format(
+      "{}: cannot be rechecked here: it was made by axiscert {}, sources {:.16}, and this is {}, {:.16}{}",
+      options.certificate, axiscert::shown(materials["axiscert"]["version"].get<std::string>()),
+      materials["axiscert"]["sources"].get<std::string>(), axiscert_version, source_digests().sources,
+      differs.empty() ? "" : fmt::format("; here {} (files of its plan are given by --mesh and --queries)", differs)));
+}
+
+// What the certificate says that its replies claim: reply_plan holds it to what they are.
+ReplyOptions with_claim(ReplyOptions options, const Json& predicate) {
+  const Json& plan = predicate["materials"]["plan"]["plan"];
+  const Json claim = plan.value("replies", Json::object());
+  const auto text_of = [&](const char* member) {
+    const Json text = claim.is_object() ? claim.value(member, Json()) : Json();
+    return text.is_string() ? text.get<std::string>() : "";
+  };
+  options.id = predicate["kernel"]["id"].get<std::string>();
+  options.touching = predicate["kernel"]["touching"].get<std::string>();
+  if (std::find(touching_names.begin(), touching_names.end(), options.touching) == touching_names.end())
+    throw Error(fmt::format("the certificate says of a touching sphere {}, which is no answer",
+                            axiscert::shown(options.touching)));
+  options.claim.conforms_to = text_of("conforms_to");
+  options.claim.formulae = text_of("formulae");
+  return options;
 }
 
 void recheck_certificate(const Certificate& certificate, const VerifyOptions& options, const std::string& id) {
@@ -134,7 +152,7 @@ void recheck_certificate(const Certificate& certificate, const VerifyOptions& op
   Plan plan;
   std::uint64_t units_each = 1;
   if (predicate["kernel"]["kind"] == "replies") {
-    replies = reply_plan(options.replies);
+    replies = reply_plan(with_claim(options.replies, predicate));
     plan = replies.plan;
     units_each = Stretches::default_units_each(plan);
     require_same_plan(certificate, options, plan_json(plan, planned(plan), {}), units_each);

@@ -18,7 +18,8 @@ struct VerifyOptions {
   std::string kernel;
   std::string recheck;  // "1%": that share of its stretches; empty: nobody's code is run
   std::optional<std::uint64_t> recheck_seed;
-  // For a certificate of replies these, and their claim; for any the present paths of the meshes of its plan.
+  // For a certificate of replies these, whose claim the certificate has; for any the present paths of the files of its
+  // plan.
   ReplyOptions replies;
   int threads = 0;
 };

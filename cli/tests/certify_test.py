@@ -129,6 +129,10 @@ class Certify(CertifyCase):
             self.assertGreater(search["evaluations"], 0)
             self.assertIn("missed_contact", search["finds"])
         self.assertEqual(predicate["kernel"]["test"], "box-box")
+        self.assertTrue(predicate["witnesses"])
+        for witness in predicate["witnesses"]:  # what the page draws
+            self.assertEqual(witness["query"]["test"], "box-box")
+            self.assertLessEqual({"a.m", "a.s", "b.m", "b.s"}, set(witness["query"]))
 
     def test_a_run_that_is_out_of_time_lists_what_was_done(self):
         self.certify("published", "--time", "0.001", "--threads", 1)
@@ -367,6 +371,36 @@ class CertifiedFiles(CertifyCase):
         predicate["digest"] = hashlib.sha256(canonical(statement)).hexdigest()
         self.verify(self.written(canonical(statement)), code=1, says=["this axiscert has no kernel plugin:"])
         self.assertFalse(marker.exists(), "verify has loaded a file that it was not asked to run")
+
+    def test_replies_are_judged_as_they_are_and_known_by_their_bytes(self):
+        program, files = self.folder / "program", []
+        for precision, real in (("binary32", "float"), ("binary64", "double")):
+            subprocess.run(["cc", "-std=c99", "-O2", "-ffp-contract=off", f"-DREAL={real}", "-o", program, ROOT / "examples/pipe/published.c"],
+                           check=True)
+            queries = self.folder / precision
+            done = axiscert("generate", "--family", "all", "--trials", 256, "--precision", precision, "--binary", "-o", queries)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            files.append(self.written(subprocess.run([program], input=queries.read_bytes(), capture_output=True, check=True).stdout,
+                                      f"{precision}.replies"))
+        given = [word for file in files for word in ("--replies", file)]
+        made = []
+        for threads in (1, 2):
+            out = self.folder / f"replies-{threads}"
+            done = axiscert("certify", *given, "--conforms-to", "published", "--effort", "smoke", "--threads", threads, "--out", out)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            made.append((out / "certificate.json").read_bytes())
+        self.assertEqual(*made)
+        predicate = json.loads(made[0])["predicate"]
+        self.assertIn("cannot be asked again", predicate["search"]["reason"])
+        self.assertIn("Asked by a program's replies", (out / "certificate.txt").read_text())
+        cert = out / "certificate.json"
+        self.verify(cert, says=["kernel: NOT CHECKED"])
+        # What they claim is in the certificate.
+        self.verify(cert, *given, "--recheck", "10%", says=["will judge the replies of pipe", "every tally the same"])
+        self.verify(cert, "--recheck", "10%", code=2, says=["give the replies that are to be judged again"])
+        changed = bytearray(files[0].read_bytes())
+        changed[-1] ^= 1
+        self.verify(cert, "--replies", self.written(bytes(changed), "changed"), "--replies", files[1], code=1, says=["about other replies"])
 
     def test_a_program_is_its_manifest_and_its_files(self):
         folder = self.folder_of("program")

@@ -29,6 +29,16 @@ COMMANDS = {
     "families": ("families", ("families",)),
     "tests": ("tests", ("tests",)),
 }
+# What prints a line of JSON for each query, by its schema: commands with their standard input.
+MOTION = ('{"id":"m","test":"moving-sphere","precision":"binary32","a":[0,0,0],"b":[1,0,0],"c":[0,1,0],"p":[0,0,5],"d":[0,0,-3],"r":1}\n')
+LINES = {
+    "check": ((("check", "-", "--kernel", "published", "--errors"), QUERY % 1), (("check", "-", "--kernel", "published"), QUERY % -1),
+              (("check", "-", "--kernel", "closest-point"), QUERY % 2), (("check", "-", "--kernel", "moving-sphere/twenty"), MOTION)),
+    "shrink": ((("shrink", "1:repeated:2:binary64:0:143", "--kernel", "published"), None),
+               (("shrink", "1:repeated:2:binary64:0:143", "--kernel", "published", "--any-class"), None),
+               (("shrink", "1:orders:1:binary32:0:2", "--kernel", "published", "--what", "asymmetry"), None)),
+    "corpus": ((("corpus", "list"), None),),
+}
 # Which of these write a folder.
 WRITTEN = {"ladder", "precision", "condition", "critical-radius", "league", "search", "diagnose", "mutate", "mutate --verdict-only"}
 
@@ -85,8 +95,23 @@ class Data(Case):
                 self.assertTrue(list(schema_of(name).iter_errors(wrong)), name)
 
     def test_each_schema_is_of_something_that_is_written(self):
-        others = {"record", "run", "ratchet", "comparison", "proofs", "certificate"}
+        others = {"record", "run", "ratchet", "comparison", "proofs", "certificate", *LINES}
         self.assertEqual({path.name.split(".")[0] for path in SCHEMAS.glob("*.schema.json")}, others | {name for name, _ in COMMANDS.values()})
+
+    def test_a_line_of_json_conforms_to_its_schema(self):
+        for name, commands in LINES.items():
+            for command, stdin in commands:
+                done = axiscert(*command, "--format", "jsonl", stdin=stdin)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                lines = [json.loads(line) for line in done.stdout.splitlines()]
+                self.assertGreater(len(lines), 0)
+                for line in lines:
+                    self.assertEqual([error.message[:200] for error in schema_of(name).iter_errors(line)], [], command)
+                if name == "corpus":
+                    continue
+                self.assertEqual(list(lines[0])[:2], ["schema", "axiscert"])
+                wrong = {**lines[0], "schema": f"axiscert-{name}/2"}, {k: v for k, v in lines[0].items() if k != "kernel"}
+                self.assertTrue(all(list(schema_of(name).iter_errors(line)) for line in wrong), name)
 
     def test_csv_has_the_columns_that_the_page_describes_in_their_order(self):
         columns = documented()

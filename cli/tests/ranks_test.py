@@ -47,6 +47,17 @@ class Ranks(MpiCase):
             self.mpi_ok(ranks, "--out", self.folder / f"ranks-{ranks}")
             self.assertEqual(self.record(f"ranks-{ranks}"), self.record("alone"), ranks)
 
+    def test_a_certificate_is_the_same_on_ranks(self):
+        alone = self.folder / "certified-alone/certificate.json"
+        self.ok("certify", "published", "--effort", "smoke", "--out", alone.parent)
+        out = self.folder / "certified"
+        done = subprocess.run(["mpirun", "-n", "2", "--oversubscribe", BUILD / "axiscert", "certify", "published", "--effort", "smoke",
+                               "--quiet", "--out", out], capture_output=True, text=True, env=os.environ | MPI, timeout=300)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("rank 1: ", done.stderr)
+        self.assertNotIn("Warning", done.stderr)
+        self.assertEqual((out / "certificate.json").read_bytes(), alone.read_bytes())
+
     def test_a_fault_ends_all_ranks_with_its_exit_code(self):
         self.plan.write_text("{}")
         self.assertIn("not a plan", self.mpi_ok(2, "--out", self.folder / "out", code=2))

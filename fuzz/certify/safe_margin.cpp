@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <charconv>
 
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "fuzz/certify/truths.h"
@@ -21,51 +20,11 @@ namespace {
 
 constexpr std::size_t margin_batch = 1024;
 constexpr std::uint64_t margin_block = 4 * margin_batch;
-constexpr int decade_of_nothing = -400;  // below that of every number
-
-// The decimal exponent of a positive number, by its shortest decimal: the same on every machine.
-int scene_decade(double size) {
-  if (size == 0) return decade_of_nothing;
-  const std::string text = fmt::format("{:e}", size);
-  const std::size_t e = text.find('e') + 1;
-  int decade = 0;
-  std::from_chars(text.data() + e + (text[e] == '+'), text.data() + text.size(), decade);
-  return decade;
-}
-
-// The columns of a test's first entry, as a scene is measured by them.
-class SceneSize {
- public:
-  explicit SceneSize(const TestDescription& test) : columns_(test.entries[0].columns), centre_(columns_.size()) {
-    for (const ColumnGroup& group : groups_of(test.entries[0])) {
-      if (group.name != "p") continue;
-      for (const ColumnGroup& other : groups_of(test.entries[0])) {
-        for (std::size_t k = 0; k < other.size && other.size == group.size; ++k)
-          if (columns_[other.first + k].role == Role::coordinate) centre_[other.first + k] = group.first + k;
-      }
-    }
-  }
-  template <class Real>
-  double of(const Numbers<Real>& query) const {
-    double size = 0;
-    for (std::size_t k = 0; k < columns_.size(); ++k) {
-      double x = static_cast<double>(query[k]);
-      if (centre_[k]) x -= static_cast<double>(query[*centre_[k]]);
-      size = std::max(size, std::abs(x));
-    }
-    return size;
-  }
-
- private:
-  const std::vector<TestColumn>& columns_;
-  std::vector<std::optional<std::size_t>> centre_;
-};
-
 void keep(std::optional<MissedContact>& kept, const std::optional<MissedContact>& other) {
   if (other && (!kept || other->value > kept->value)) kept = other;
 }
 
-void merge(MarginDecade& all, const MarginDecade& other) {
+void merge(MarginPart& all, const MarginPart& other) {
   all.queries += other.queries;
   all.missed += other.missed;
   all.hopeless += other.hopeless;
@@ -83,11 +42,11 @@ void merge(SafeMargin& all, const SafeMargin& later) {
   all.found += later.found;
   all.queries += later.queries;
   all.phantoms += later.phantoms;
-  for (const auto& [decade, part] : later.decades) {
-    MarginDecade& of_decade = all.decades[decade];
-    merge(of_decade, part);
-    keep(of_decade.factor, part.factor);
-    keep(of_decade.amount, part.amount);
+  for (const auto& [scene, part] : later.parts) {
+    MarginPart& into = all.parts[scene];
+    merge(into, part);
+    keep(into.factor, part.factor);
+    keep(into.amount, part.amount);
   }
   keep(all.factor, later.factor);
   keep(all.amount, later.amount);
@@ -110,48 +69,55 @@ class MarginFinder {
 
   Truths<Real>& truths() { return truths_; }
   const Implementation<Real>& kernel() const { return kernel_; }
-  int decade(const Numbers<Real>& query) const { return scene_decade(scene_.of(query)); }
+  MarginScene scene(const Numbers<Real>& query) const { return scene_.of(query); }
   std::size_t radius() const { return distance_.radius; }
   Real greatest() const { return range_.greatest; }
 
   // A query that is a contact and that the kernel calls separated. `id` names it.
   void add_missed(const Numbers<Real>& query, const std::string& family, const std::string& id) {
-    MarginDecade& decade = into_.decades[this->decade(query)];
-    ++decade.missed;
-    const Real r = query[radius()];
+    MarginPart& part = into_.parts[scene(query)];
+    ++part.missed;
+    const Real r = query[radius()] + Real(0);  // of -0, which is the radius 0 too, the bits are not in order
     const CriticalRadius<Real> critical =
-        critical_radius(kernel_, QueryWithRadius<Real>{query, radius()}, {r, std::max(r, range_.greatest)});
+        critical_radius(kernel_, QueryWithRadius<Real>{query, radius()}, {r, std::max(r, greatest_for(query))});
     const auto contact = [&](const Decimal6& value) {
       const TestDescription& test = *plan_.kernel->test;
       return MissedContact{query_line({id, precision_of<Real>, query, 0, &test, 0}), family, format_number(r),
                            critical.radius ? format_number(*critical.radius) : "", value};
     };
     if (!critical.answered || (critical.radius && *critical.radius <= r)) {
-      ++decade.unmeasured;
+      ++part.unmeasured;
       return;
     }
     if (!critical.radius) {
-      ++decade.hopeless;
+      ++part.hopeless;
       if (!into_.hopeless) into_.hopeless = contact({});
       return;
     }
     const Rational from = exact(r), to = exact(*critical.radius);
     const Decimal6 amount = round_up(Rational(to - from));
-    for (std::optional<MissedContact>* kept : {&decade.amount, &into_.amount})
+    for (std::optional<MissedContact>* kept : {&part.amount, &into_.amount})
       if (!*kept || amount > (*kept)->value) *kept = contact(amount);
     if (is_tiny(query)) {
-      ++decade.tiny;
+      ++part.tiny;
       return;
     }
     const Decimal6 factor = round_up(Rational(to / from));
-    for (std::optional<MissedContact>* kept : {&decade.factor, &into_.factor})
+    for (std::optional<MissedContact>* kept : {&part.factor, &into_.factor})
       if (!*kept || factor > (*kept)->value) *kept = contact(factor);
+  }
+
+  // Twice the scene's size: a sphere of that radius holds the whole triangle, and a kernel that misses it even then is
+  // mended by no margin.
+  Real greatest_for(const Numbers<Real>& query) const {
+    const double twice = 2 * scene_.size(query);
+    return twice < static_cast<double>(range_.greatest) ? static_cast<Real>(twice) : range_.greatest;
   }
 
   // Is r below 2^-tiny_radius_exponent of the scene's size? Zero is tiny in each scene, also in one of no size.
   bool is_tiny(const Numbers<Real>& query) const {
     const auto r = static_cast<double>(query[radius()]);
-    return r == 0 || std::ldexp(r, tiny_radius_exponent[precision_of<Real>]) < scene_.of(query);
+    return r == 0 || std::ldexp(r, tiny_radius_exponent[precision_of<Real>]) < scene_.size(query);
   }
 
   // Asks at the least radius that is a contact.
@@ -179,7 +145,7 @@ class MarginFinder {
  private:
   const SafeMarginPlan& plan_;
   const CriticalDistance distance_;
-  const SceneSize scene_;
+  const SceneMeasure scene_;
   const RadiusRange<Real> range_;
   const Implementation<Real> kernel_;
   Truths<Real> truths_;
@@ -225,7 +191,7 @@ SafeMargin find_in(const SafeMarginPlan& plan, const QueryBlock& block) {
                     for (std::size_t i = 0; i < batch.size(); ++i) {
                       if (right[i]) {
                         ++found.queries;
-                        ++found.decades[finder.decade(batch[i])].queries;
+                        ++found.parts[finder.scene(batch[i])].queries;
                         if (*right[i] == Verdict::separated) found.phantoms += verdicts[i] == Verdict::contact;
                         else if (verdicts[i] == Verdict::separated)
                           finder.add_missed(batch[i], source.name(), margin_address(plan, source, first + i));
@@ -245,42 +211,39 @@ SafeMargin grow_in(const SafeMarginPlan& plan, const QueryBlock& block, const Sa
   MarginFinder<Real> finder(plan, found);
   ask_block<Real>(plan, block, finder.kernel(),
                   [&](const QueryBatch<Real>& batch, std::uint64_t, const std::vector<Verdict>& verdicts) {
+                    const std::vector<std::optional<Verdict>>& right = finder.truths().of(batch);
                     std::vector<std::size_t> separated;
                     QueryBatch<Real> by_factor(batch.size(), batch.column_count()),
                         by_amount(batch.size(), batch.column_count());
-                    std::vector<int> decades;
+                    std::vector<MarginScene> scenes;
                     for (std::size_t i = 0; i < batch.size(); ++i) {
                       Numbers<Real> query = batch[i];
                       const Real r = query[finder.radius()];
-                      if (verdicts[i] != Verdict::separated || !(std::isfinite(r) && r >= 0)) continue;
-                      const int decade = finder.decade(query);
-                      const auto at = margin.decades.find(decade);
-                      if (at == margin.decades.end()) continue;  // of no valid query
-                      const Rational factor = at->second.factor ? exact(at->second.factor->value) : Rational(1);
+                      if (verdicts[i] != Verdict::separated || !right[i]) continue;
+                      const MarginScene scene = finder.scene(query);
+                      const MarginPart& part = margin.parts.at(scene);  // every query with a truth is in one
+                      const Rational factor = part.factor ? exact(part.factor->value) : Rational(1);
                       separated.push_back(i);
-                      decades.push_back(decade);
+                      scenes.push_back(scene);
                       query[finder.radius()] = std::min(finder.greatest(), rounded_up_to<Real>(exact(r) * factor));
                       by_factor.push_back(query);
-                      const Rational amount = at->second.amount ? exact(at->second.amount->value) : Rational(0);
+                      const Rational amount = part.amount ? exact(part.amount->value) : Rational(0);
                       query[finder.radius()] = std::min(finder.greatest(), rounded_up_to<Real>(exact(r) + amount));
                       by_amount.push_back(query);
                     }
                     if (separated.empty()) return;
-                    const std::vector<std::optional<Verdict>>& right = finder.truths().of(batch);
-                    const auto count = [&](const QueryBatch<Real>& grown, std::uint64_t MarginDecade::*phantoms,
-                                           std::uint64_t MarginDecade::*missed) {
+                    const auto count = [&](const QueryBatch<Real>& grown, std::uint64_t MarginPart::*phantoms,
+                                           std::uint64_t MarginPart::*missed) {
                       Reply<Real> reply;
                       ask(finder.kernel(), grown.columns(), reply);
                       for (std::size_t k = 0; k < separated.size(); ++k) {
-                        const auto& verdict = right[separated[k]];
-                        if (!verdict) continue;
                         const bool is_contact = reply.verdicts[k] == Verdict::contact;
-                        if (*verdict == Verdict::separated) found.decades[decades[k]].*phantoms += is_contact;
-                        else found.decades[decades[k]].*missed += reply.verdicts[k] == Verdict::separated;
+                        if (*right[separated[k]] == Verdict::separated) found.parts[scenes[k]].*phantoms += is_contact;
+                        else found.parts[scenes[k]].*missed += reply.verdicts[k] == Verdict::separated;
                       }
                     };
-                    count(by_factor, &MarginDecade::phantoms_by_factor, &MarginDecade::still_missed_by_factor);
-                    count(by_amount, &MarginDecade::phantoms_by_amount, &MarginDecade::still_missed_by_amount);
+                    count(by_factor, &MarginPart::phantoms_by_factor, &MarginPart::still_missed_by_factor);
+                    count(by_amount, &MarginPart::phantoms_by_amount, &MarginPart::still_missed_by_amount);
                   });
   return found;
 }
@@ -333,9 +296,9 @@ Real rounded_up_to(const Rational& value) {
 template float rounded_up_to<float>(const Rational& value);
 template double rounded_up_to<double>(const Rational& value);
 
-MarginDecade SafeMargin::total() const {
-  MarginDecade all;
-  for (const auto& [decade, part] : decades) merge(all, part);
+MarginPart SafeMargin::total() const {
+  MarginPart all;
+  for (const auto& [scene, part] : parts) merge(all, part);
   return all;
 }
 

@@ -11,6 +11,7 @@
 
 #include "exact/numbers/decimal6.h"
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/certify/margin_scene.h"
 #include "fuzz/files/query_file.h"
 
 namespace axiscert {
@@ -34,16 +35,15 @@ struct MissedContact {
   Decimal6 value;                // the factor critical / r, or the amount critical - r, rounded up
 };
 
-// The contacts of one decade of scenes, whose size is the greatest of r and the coordinates of all points as seen from
-// the sphere's centre: 10^decade <= size < 10^(decade + 1). A size of 0 has the least decade.
-struct MarginDecade {
+// The contacts of scenes of one size, with triangles of one kind.
+struct MarginPart {
   std::uint64_t queries = 0;     // valid, and within what the kernel promises
   std::uint64_t missed = 0;      // contacts called separated: of the run, probed and found
-  std::uint64_t hopeless = 0;    // of these, missed at every radius up to the greatest
+  std::uint64_t hopeless = 0;    // of these, missed up to twice the scene's size: the sphere holds the triangle
   std::uint64_t tiny = 0;        // of the rest, those whose r is tiny, or 0: these have an amount, and no factor
   std::uint64_t unmeasured = 0;  // the kernel did not answer at some radius, or its radius is the query's own
   std::optional<MissedContact> factor = {}, amount = {};  // the greatest
-  // The run's queries asked again, each grown by the factor, and by the amount, of its decade.
+  // The run's queries asked again, each grown by the factor, and by the amount, of its part.
   std::uint64_t phantoms_by_factor = 0, phantoms_by_amount = 0;          // new ones
   std::uint64_t still_missed_by_factor = 0, still_missed_by_amount = 0;  // all the same: the hopeless among them
 };
@@ -51,12 +51,12 @@ struct MarginDecade {
 struct SafeMargin {
   Precision precision = Precision::binary32;
   std::uint64_t queries = 0, probed = 0, found = 0;  // asked: of the run, at the least radius, of a search
-  std::map<int, MarginDecade> decades = {};
-  std::optional<MissedContact> factor = {}, amount = {}, hopeless = {};  // over all decades; of the hopeless the first
+  std::map<MarginScene, MarginPart> parts = {};
+  std::optional<MissedContact> factor = {}, amount = {}, hopeless = {};  // over all parts; of the hopeless the first
   std::uint64_t phantoms = 0;                                            // of the run's queries, before any growth
   bool complete = true;                                                  // false: interrupted
 
-  MarginDecade total() const;  // counts added, without the greatest
+  MarginPart total() const;  // counts added, without the greatest
 };
 
 // A radius below 2^-k of its scene's size is tiny. Its square is then below one rounding of a squared length of that

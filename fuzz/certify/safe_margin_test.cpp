@@ -1,6 +1,7 @@
 // The safe margin of kernels whose margin is known.
 #include "fuzz/certify/safe_margin.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,6 +48,41 @@ SafeMargin margin_for(const Kernel& kernel, Precision precision, std::uint64_t p
   return safe_margin(plan, interrupted, {});
 }
 
+// `certified`, that hears of no sphere of a radius below `least`.
+Kernel deaf_below(double least) {
+  Kernel kernel = find_kernel("certified");
+  kernel.id = "deaf";
+  const auto with = [least]<class Real>(Real) {
+    return [least](std::string_view target) {
+      const Implementation<Real> right = find_kernel("certified").on<Real>(target);
+      return Implementation<Real>{[right, least](const QueryColumns<Real>& batch, Verdict* out) {
+        right.verdicts(batch, out);
+        for (std::size_t i = 0; i < batch.size; ++i)
+          if (batch.column[12][i] < least && out[i] == Verdict::contact) out[i] = Verdict::separated;
+      }};
+    };
+  };
+  kernel.binary32 = with(float());
+  kernel.binary64 = with(double());
+  return kernel;
+}
+
+// The margin for a single query, as a search finds it, without those of a run.
+SafeMargin margin_for_find(const Kernel& kernel, Precision precision, const std::string& members) {
+  const std::string line = fmt::format(R"({{"precision":"{}",{}}})", name(precision), members);
+  Plan run = small_plan({"published"}, {"general"}, 0);
+  run.kernels = {&kernel};
+  const SafeMarginPlan plan{
+      &run, &kernel, precision, [](const Source&) { return 0u; }, 0, parse_queries(line + "\n", "f", precision)};
+  const std::atomic<bool> interrupted = false;
+  return safe_margin(plan, interrupted, {});
+}
+
+// A sphere around a point of the triangle, in a scene of size 4.
+std::string sphere_of(double r) {
+  return fmt::format(R"("a":[-4,-4,0],"b":[4,-4,0],"c":[0,4,0],"p":[0,0,0],"r":{})", r);
+}
+
 TEST(SafeMargin, AKernelThatIsRightNeedsNone) {
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
     const SafeMargin margin = margin_for(find_kernel("certified"), precision, 200);
@@ -64,7 +100,7 @@ TEST(SafeMargin, AKernelThatHalvesTheRadiusNeedsTheFactorTwoAndNothingElseChange
     const SafeMargin margin = margin_for(halves, precision, 100);
     ASSERT_TRUE(margin.factor);
     EXPECT_EQ(margin.factor->value.text(), "2");  // exactly: at the least radius, which the probes ask
-    const MarginDecade all = margin.total();
+    const MarginPart all = margin.total();
     EXPECT_GT(all.missed, 100u);
     EXPECT_EQ(all.hopeless, 0u);
     EXPECT_EQ(all.still_missed_by_factor, 0u);
@@ -91,12 +127,23 @@ TEST(SafeMargin, TheWitnessIsMissedAtItsRadiusAndCaughtWhereItSays) {
 TEST(SafeMargin, NoRadiusMendsAKernelThatNeverSaysContact) {
   const Kernel never = certified_with("never", [](auto r) { return r * 0; });
   const SafeMargin margin = margin_for(never, Precision::binary32, 0);
-  const MarginDecade all = margin.total();
+  const MarginPart all = margin.total();
   EXPECT_GT(all.hopeless, 1000u);
   EXPECT_EQ(all.hopeless, all.missed);
   ASSERT_TRUE(margin.hopeless);
   EXPECT_EQ(margin.hopeless->critical, "");
   EXPECT_FALSE(margin.factor);
+}
+
+TEST(SafeMargin, ASphereThatHoldsTheTriangleAndIsMissedIsPastMending) {
+  // The size of the scene is 4: what would be heard from 8 on is mended, and from more on not.
+  const SafeMargin mended = margin_for_find(deaf_below(8), Precision::binary32, sphere_of(0.5)),
+                   missed = margin_for_find(deaf_below(9), Precision::binary32, sphere_of(0.5));
+  EXPECT_EQ(mended.total().hopeless, 0u);
+  ASSERT_TRUE(mended.factor);
+  EXPECT_EQ(mended.factor->value.text(), "16");
+  EXPECT_EQ(missed.total().hopeless, 1u);
+  EXPECT_FALSE(missed.factor || missed.amount);
 }
 
 TEST(SafeMargin, AFindOfASearchCounts) {
@@ -111,15 +158,45 @@ TEST(SafeMargin, AFindOfASearchCounts) {
   const SafeMargin margin = margin_for(shy, Precision::binary32, 0, 2, parse_queries(line, "f", Precision::binary32));
   EXPECT_EQ(margin.found, 1u);
   ASSERT_TRUE(margin.factor);
-  EXPECT_EQ(margin.decades.at(0).amount->family.empty(), false);
+  EXPECT_EQ(margin.parts.at({false, 0}).amount->family.empty(), false);
   EXPECT_EQ(margin.factor->value.text(), "1.00001");  // the next number after 1
+}
+
+TEST(SafeMargin, ATinyRadiusHasAnAmountAndNoFactor) {
+  for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+    const double least_not_tiny = std::ldexp(4.0, -tiny_radius_exponent[precision]);
+    for (const double r : {0.0, -0.0, 1e-30, least_not_tiny * 0.75}) {
+      const SafeMargin margin = margin_for_find(deaf_below(0.25), precision, sphere_of(r));
+      EXPECT_EQ(margin.total().missed, 1u) << r;
+      EXPECT_EQ(margin.total().tiny, 1u) << r;
+      EXPECT_FALSE(margin.factor || margin.parts.begin()->second.factor) << r;
+      ASSERT_TRUE(margin.amount) << r;
+      EXPECT_EQ(exact(std::strtod(margin.amount->critical.c_str(), nullptr)), Rational(1, 4)) << r;
+      EXPECT_LE(margin.amount->value.value(), 0.25) << r;
+    }
+    const SafeMargin margin = margin_for_find(deaf_below(0.25), precision, sphere_of(least_not_tiny));
+    EXPECT_EQ(margin.total().tiny, 0u);
+    ASSERT_TRUE(margin.factor);
+    EXPECT_EQ(margin.factor->value.text(), precision == Precision::binary32 ? "256" : "4194310");  // 2^22, rounded up
+  }
+}
+
+TEST(SafeMargin, DegenerateTrianglesHaveAMarginOfTheirOwn) {
+  // The needle needs 16 times the radius, the triangle twice.
+  const std::string needle = R"("a":[-4,-1,0],"b":[4,-1,0],"c":[0,-0.9999,0],"p":[0,-1,0],"r":0.0625)";
+  const std::string triangle = sphere_of(0.5);
+  const SafeMargin of_needle = margin_for_find(deaf_below(1), Precision::binary32, needle),
+                   of_triangle = margin_for_find(deaf_below(1), Precision::binary32, triangle);
+  ASSERT_TRUE(of_needle.parts.contains({true, 0}) && of_triangle.parts.contains({false, 0}));
+  EXPECT_EQ(of_needle.parts.at({true, 0}).factor->value.text(), "16");
+  EXPECT_EQ(of_triangle.parts.at({false, 0}).factor->value.text(), "2");
 }
 
 TEST(SafeMargin, IsTheSameOnAnyNumberOfThreads) {
   const Kernel halves = certified_with("halves", [](auto r) { return r / 2; });
   const SafeMargin one = margin_for(halves, Precision::binary32, 50, 1),
                    two = margin_for(halves, Precision::binary32, 50, 2);
-  ASSERT_EQ(one.decades.size(), two.decades.size());
+  ASSERT_EQ(one.parts.size(), two.parts.size());
   EXPECT_EQ(one.factor->query, two.factor->query);
   EXPECT_EQ(one.amount->query, two.amount->query);
   EXPECT_EQ(one.total().phantoms_by_amount, two.total().phantoms_by_amount);

@@ -10,6 +10,7 @@
 
 #include "exact/sphere_triangle/measures/input_class.h"
 #include "reports/certificate/statement.h"
+#include "reports/run_folder/run_folder.h"
 #include "reports/wording/classes.h"
 #include "reports/wording/finding.h"
 #include "reports/wording/reproduce.h"
@@ -114,6 +115,19 @@ std::optional<Cause> deepest_cause(const Json& record, const Json& entry, bool m
                total["verdict"][kind].get<std::uint64_t>(), total["verdict"]["deepest_" + kind].get<double>()};
 }
 
+// The query alone, by the groups of its test's columns in whichever entry it is.
+Json query_of(const Json& witness, const TestDescription& test) {
+  Json query = Json::object();
+  if (&test != &first_test()) query["test"] = test.id;
+  for (const TestEntry& entry : test.entries) {
+    for (const ColumnGroup& group : groups_of(entry)) {
+      if (const auto numbers = witness.find(std::string(group.name)); numbers != witness.end())
+        query[std::string(group.name)] = *numbers;
+    }
+  }
+  return query;
+}
+
 }  // namespace
 
 Json what_breaks_first(const Json& record, const std::string& kernel) {
@@ -152,10 +166,7 @@ Json worst_of_certificate(const Json& record, const std::string& kernel) {
       const bool is_there =
           std::any_of(worst.begin(), worst.end(), [&](const Json& w) { return w["address"] == address; });
       if (is_there || (another_family && !families.insert(family).second)) continue;
-      Json query = Json::object();
-      for (const char* group : {"test", "a", "b", "c", "p", "r", "d", "box", "triangle"}) {
-        if (witness->contains(group)) query[group] = (*witness)[group];
-      }
+      const Json query = query_of(*witness, test_of(record["plan"]));
       const std::string truth =
           (*witness)["touching"].get<bool>() ? "touching" : (*witness)["truth"].get<std::string>();
       const std::string depth =

@@ -27,11 +27,17 @@ struct ProvedLevel {
 };
 constexpr ProvedLevel proved_levels[] = {
     {"certified", " logic range exact conservative conservative=0.001 depth=0.001 ",
-     "for every query: what Coq and Gappa accepted, what is argued on paper and what is tested stands step by step in "
-     "docs/proofs.md#the-certified-predicate-step-by-step"},
+     "where the numbers are multiples of one power of two by integers of at most 126 bits: that the verdict is right, "
+     "by Coq (certified_is_exact_within_126_bits), if the signs told by the steps before are, which Coq proves of the "
+     "coarse step (coarse_known_is_sound64) and, where nothing underflows, of the fine one (fine_is_near); of the deep "
+     "one it is argued on paper. Of wider "
+     "numbers it is argued on paper alone. docs/proofs.md#the-certified-predicate-step-by-step has what is trusted "
+     "besides"},
     {"conservative", " conservative ",
-     "for every query: docs/proofs.md#the-conservative-test-of-the-certified-predicate says of which program, and what "
-     "is argued on paper"},
+     "where the square of the scene's size is from 2^-42 to 2^60 in binary32, 2^-400 to 2^400 in binary64: that no "
+     "contact is missed, by Coq, of the code as recorded (recorded_conservative_is_right32, "
+     "recorded_conservative_is_right64). That nothing overflows there, and other sizes, which are scaled first, are "
+     "argued on paper: docs/proofs.md#the-conservative-test-of-the-certified-predicate"},
 };
 
 double number_of(const Json& figure) {

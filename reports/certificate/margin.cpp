@@ -12,7 +12,7 @@ Json missed_json(const std::optional<MissedContact>& missed) {
           {"query", Json::parse(missed->query)}};
 }
 
-Json decade_json(const MarginDecade& part) {
+Json part_json(const MarginPart& part) {
   const auto value = [](const std::optional<MissedContact>& greatest) {
     return greatest ? Json(greatest->value.text()) : Json(nullptr);
   };
@@ -33,9 +33,9 @@ Json decade_json(const MarginDecade& part) {
 
 Json margin_json(const SafeMargin& margin) {
   Json decades = Json::array();
-  for (const auto& [decade, part] : margin.decades) {
-    Json entry = {{"decade", decade}};
-    entry.update(decade_json(part));
+  for (const auto& [scene, part] : margin.parts) {
+    Json entry = {{"degenerate", scene.is_degenerate}, {"decade", scene.decade}};
+    entry.update(part_json(part));
     decades.push_back(entry);
   }
   return {{"precision", name(margin.precision)},
@@ -46,7 +46,7 @@ Json margin_json(const SafeMargin& margin) {
           {"factor", missed_json(margin.factor)},
           {"amount", missed_json(margin.amount)},
           {"hopeless", missed_json(margin.hopeless)},
-          {"all", decade_json(margin.total())},
+          {"all", part_json(margin.total())},
           {"decades", decades}};
 }
 

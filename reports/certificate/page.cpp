@@ -4,11 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <vector>
 
-#include "fuzz/certify/safe_margin.h"
 #include "fuzz/queries/address.h"
+#include "reports/certificate/margin_words.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -30,14 +29,16 @@ class CertificatePage {
     report.command = command;
     report.notes_heading = "In short";
     report.notes = {levels_note()};
-    for (const Json& margin : predicate_["safe_margin"]["precisions"]) report.notes.push_back(margin_note(margin));
+    for (const Json& margin : predicate_["safe_margin"]["precisions"])
+      for (std::string& note : margin_notes(margin)) report.notes.push_back(std::move(note));
     if (predicate_["safe_margin"]["precisions"].empty())
       report.notes.push_back(
           fmt::format("Safe margin: not asked: {}.", predicate_["safe_margin"]["reason"].get<std::string>()));
     report.notes.push_back(breaks_note());
     report.tables = {levels_table()};
     if (InstrumentTable table = not_asked_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
-    if (InstrumentTable table = margin_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
+    if (InstrumentTable table = margin_table(predicate_["safe_margin"]); !table.rows.empty())
+      report.tables.push_back(std::move(table));
     if (InstrumentTable table = witnesses_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
     report.tables.push_back(limits_table());
     report.tables.push_back(comparison_table());
@@ -64,82 +65,16 @@ class CertificatePage {
   std::string levels_note() const {
     const std::vector<std::string> met = levels_with("met"), not_met = levels_with("not met");
     const Json& asked = predicate_["asked"];
-    return fmt::format("Met: {}. Not met: {}. Asked with effort {}, seed {}: {} queries of {} families and files{}.",
-                       met.empty() ? "nothing" : fmt::format("{}", fmt::join(met, ", ")),
-                       not_met.empty() ? "nothing" : fmt::format("{}", fmt::join(not_met, ", ")),
-                       plain_text(asked["effort"]), asked["seed"].dump(), cell_count(asked["queries"]),
-                       asked["families"].size(),
-                       asked["complete"].get<bool>()
-                           ? ""
-                           : fmt::format("; {} of {} stretches of the plan were done",
-                                         cell_count(asked["stretches_done"]), cell_count(asked["stretches"])));
-  }
-
-  static std::string margin_note(const Json& margin) {
-    const Json& all = margin["all"];
-    const std::string where = fmt::format("Safe margin in {}: ", margin["precision"].get<std::string>());
-    if (all["missed"] == 0) {
-      return fmt::format(
-          "{}none is needed: no contact was missed on {} queries, {} probes at the least radius and {} finds of a "
-          "search.",
-          where, cell_count(margin["queries"]), cell_count(margin["probed"]), cell_count(margin["found"]));
-    }
-    std::string text = where + everyday_margin(margin);
-    const std::string factor = member_text(margin["factor"], "value"), amount = member_text(margin["amount"], "value");
-    if (margin["factor"].is_null() && margin["amount"].is_null()) text += "no growth of r mends a missed contact";
-    else {
-      text += fmt::format("over all scales {} every missed contact that a radius mends{}", growth_mends(factor, amount),
-                          all["tiny"] == 0 || margin["factor"].is_null() ? "" : ", the factor where r is not tiny");
-      text += fmt::format(
-          "; each scale's own factor makes {} new phantom contacts of {} queries, where there were {}, its own amount "
-          "{}",
-          cell_count(all["phantoms_by_factor"]), cell_count(margin["queries"]), cell_count(margin["phantoms"]),
-          cell_count(all["phantoms_by_amount"]));
-    }
-    text += fmt::format(". {} contacts were missed", cell_count(all["missed"]));
-    if (all["hopeless"] != 0) text += fmt::format(", {} of them at every radius", cell_count(all["hopeless"]));
-    if (all["tiny"] != 0) {
-      const int exponent = tiny_radius_exponent[parse_precision(margin["precision"].get<std::string>())];
-      text += fmt::format(
-          ", {} with r = 0 or below 2^-{} of the scene's size: r^2 is less than a rounding of a squared length there, "
-          "a "
-          "factor would only say how small r is, and only the amount counts them",
-          cell_count(all["tiny"]), exponent);
-    }
-    return text + ".";
-  }
-
-  static std::string member_text(const Json& value, const char* member) {
-    return value.is_null() ? "" : plain_text(value[member]);
-  }
-
-  // "r times 1.5, or r plus 2, mends"; each may be absent.
-  static std::string growth_mends(const std::string& factor, const std::string& amount) {
-    if (factor.empty()) return fmt::format("r plus {} mends", amount);
-    return amount.empty() ? fmt::format("r times {} mends", factor)
-                          : fmt::format("r times {}, or r plus {}, mends", factor, amount);
-  }
-
-  // The greatest of the scales that scenes have in metres, from a millimetre to ten kilometres.
-  static std::string everyday_margin(const Json& margin) {
-    double factor = 0, amount = 0;
-    std::string factor_text, amount_text;
-    const auto raise = [](const Json& figure, double& most, std::string& text) {
-      if (figure.is_null()) return;
-      const double value = std::strtod(figure.get_ref<const std::string&>().c_str(), nullptr);
-      if (value <= most) return;
-      most = value;
-      text = figure;
-    };
-    for (const Json& part : margin["decades"]) {
-      const int decade = part["decade"];
-      if (decade < -3 || decade > 3) continue;
-      raise(part["factor"], factor, factor_text);
-      raise(part["amount"], amount, amount_text);
-    }
-    const std::string scenes = "in scenes of 0.001 to 10,000 ";
-    if (factor_text.empty() && amount_text.empty()) return scenes + "no growth is needed, or none mends; ";
-    return fmt::format("{}{} them; ", scenes, growth_mends(factor_text, amount_text));
+    return fmt::format(
+        "Met: {}. Not met: {}. Asked {}, seed {}: {} queries of {} families and files{}.",
+        met.empty() ? "nothing" : fmt::format("{}", fmt::join(met, ", ")),
+        not_met.empty() ? "nothing" : fmt::format("{}", fmt::join(not_met, ", ")),
+        asked["effort"] == "replies" ? "by a program's replies" : "with effort " + plain_text(asked["effort"]),
+        asked["seed"].dump(), cell_count(asked["queries"]), asked["families"].size(),
+        asked["complete"].get<bool>()
+            ? ""
+            : fmt::format("; {} of {} stretches of the plan were done", cell_count(asked["stretches_done"]),
+                          cell_count(asked["stretches"])));
   }
 
   std::string breaks_note() const {
@@ -147,6 +82,9 @@ class CertificatePage {
     if (first.is_null()) return "Nothing broke.";
     std::string meaning = plain_text(first["meaning"]);
     if (meaning.ends_with('.')) meaning.pop_back();
+    if (first["cause"] == "finding")
+      return fmt::format("What breaks first: {}. {} See {}.", meaning, plain_text(first["advice"]),
+                         plain_text(first["section"]));
     return fmt::format("What breaks first: {}, {}{}: {}. {} See {}.", plain_text(first["what"]),
                        first["precision"].is_null() ? "" : plain_text(first["precision"]) + ", ",
                        plain_text(first["cause"]), meaning, plain_text(first["advice"]), plain_text(first["section"]));
@@ -211,25 +149,6 @@ class CertificatePage {
     return table;
   }
 
-  InstrumentTable margin_table() const {
-    InstrumentTable table{
-        "Safe margin by the size of the scene: what r has to be multiplied by, or grow by, and new phantom contacts",
-        {"precision", "size from", "queries", "missed", "at every radius", "tiny r", "factor", "amount",
-         "phantoms by the factor", "phantoms by the amount"},
-        {}};
-    for (const Json& margin : predicate_["safe_margin"]["precisions"]) {
-      for (const Json& part : margin["decades"]) {
-        if (part["missed"] == 0) continue;
-        const int decade = part["decade"];
-        table.rows.push_back({plain_text(margin["precision"]), decade < -399 ? "0" : fmt::format("1e{}", decade),
-                              cell_count(part["queries"]), cell_count(part["missed"]), cell_count(part["hopeless"]),
-                              cell_count(part["tiny"]), plain_text(part["factor"]), plain_text(part["amount"]),
-                              cell_count(part["phantoms_by_factor"]), cell_count(part["phantoms_by_amount"])});
-      }
-    }
-    return table;
-  }
-
   InstrumentTable witnesses_table() const {
     InstrumentTable table{"Witnesses", {"what", "address"}, {}};
     for (const Json& witness : predicate_["witnesses"]) {
@@ -251,7 +170,9 @@ class CertificatePage {
   }
 
   InstrumentTable comparison_table() const {
-    InstrumentTable table{"Beside other kernels, on the same queries",
+    const bool has_others = std::any_of(predicate_["comparison"].begin(), predicate_["comparison"].end(),
+                                        [&](const Json& row) { return row["kernel"] != predicate_["kernel"]["id"]; });
+    InstrumentTable table{has_others ? "Beside other kernels, on the same queries" : "Wrong verdicts on all queries",
                           {"kernel", "precision", "missed", "deepest", "phantom", "deepest ",
                            "critical radius, median ulps", "greatest ulps"},
                           {}};

@@ -106,6 +106,10 @@ TEST(Invariant, AKindThatNoFamilyMakesIsNotChecked) {
   ASSERT_EQ(outcomes.size(), 1u);
   EXPECT_EQ(outcomes[0].state, LevelState::not_checked);
   EXPECT_THAT(outcomes[0].reason, HasSubstr("--family orders"));
+  // It was asked, and none of its queries is an image.
+  const auto asked = outcomes_at(black_box("orders", false, Json::object()), "invariant=order");
+  ASSERT_EQ(asked.size(), 1u);
+  EXPECT_THAT(asked[0].reason, HasSubstr("too few queries of orders were asked to have one"));
 }
 
 // Near tangency nothing is known of the range of every base: such images are reported, and no level goes by them.

@@ -42,7 +42,7 @@ TEST(Requirement, LogicJudgesAKernelOfVerdictsByExactArithmeticTouchingApart) {
   // deeper of those that do not touch.
   EXPECT_EQ(texts(record, "logic"),
             (std::vector<std::string>{"<script> binary32 on lattice: wrong verdicts in exact "
-                                      "arithmetic, touching spheres not counted: 2 (witness w5)"}));
+                                      "arithmetic, touching ones not counted: 2 (witness w5)"}));
   record["kernels"][0]["families"]["lattice"]["verdict"]["touching_flips"] = 5;
   EXPECT_TRUE(unmet(record, "logic").empty());
 }

@@ -85,7 +85,7 @@ class MutationReport {
          "implementation link; `queries` counts all queries up to then, of all families in "
          "turn, 251 of each. Every catch is confirmed by all oracles.",
          "Formulae alone: the same mutant where it claims the formulae and not their bits, as a kernel "
-         "of one's own may: caught by a wrong verdict where arithmetic is exact, touching spheres not counted. A fault "
+         "of one's own may: caught by a wrong verdict where arithmetic is exact, touching ones not counted. A fault "
          "that only changes rounding is not a fault there.",
          "Equivalent: fuzz/mutation/equivalent.txt argues that no query distinguishes it from the kernel; "
          "it was run on as many queries as the others."},

@@ -85,7 +85,7 @@ void find_logic_failures(const Subject& subject, const std::string& family, cons
     const std::uint64_t wrong = number("false_separation") + number("false_contact");
     subject.add(
         failures, family, wrong - number("touching_flips"),
-        "wrong verdicts in exact arithmetic, touching spheres not counted", [](const Json&) { return true; }, false);
+        "wrong verdicts in exact arithmetic, touching ones not counted", [](const Json&) { return true; }, false);
     return;
   }
   for (const Link link : {Link::specification, Link::implementation})
@@ -103,7 +103,7 @@ std::string logic_sentence(const AskedLevel&) {
   return "no wrong verdict but by rounding or range: the formulae are right (specification), and so is the code that "
          "computes them (implementation). A kernel that claims no formulae, or has its own way to evaluate them, is "
          "held "
-         "to queries on which nothing is rounded, touching spheres not counted, and to other units of length, in which "
+         "to queries on which nothing is rounded, touching ones not counted, and to other units of length, in which "
          "its verdicts have to be the same";
 }
 

@@ -90,7 +90,7 @@ void Subject::add_link(std::vector<Failure>& failures, const std::string& family
   add(
       failures, family, count,
       in_exact_arithmetic
-          ? "wrong verdicts in exact arithmetic that its formulae do not give, touching spheres not counted"
+          ? "wrong verdicts in exact arithmetic that its formulae do not give, touching ones not counted"
           : fmt::format("wrong verdicts with a broken {} link", name),
       [name](const Json& flip) {
         return std::find(flip["links"].begin(), flip["links"].end(), name) != flip["links"].end();
