@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "exact/numbers/binary_fraction.h"
 #include "exact/trait/exact_number.h"
 
 namespace axiscert::boxes {
@@ -27,12 +28,31 @@ ExactBox turned(const TurnedBox<double>& box) {
   return found;
 }
 
+Rational magnitude(const Rational& x) { return abs(x); }
+
 // Half the extent of a box in direction d, times |d|.
-Rational extent_along(const ExactBox& box, const Point& d) {
-  Rational sum;
-  for (std::size_t k = 0; k < 3; ++k) sum += box.half[k] * abs(Rational(dot(d, box.axis[k])));
+template <class T>
+T extent_along(const OrientedBox<T>& box, const Vec3<T>& d) {
+  T sum{};
+  for (std::size_t k = 0; k < 3; ++k) sum = sum + box.half[k] * magnitude(T(dot(d, box.axis[k])));
   return sum;
 }
+
+// Rationals of one kind times the least factor that makes all of them integers.
+struct Integers {
+  mpz_class factor = 1;
+
+  void include(const Point& p) {
+    for (const Rational* x : {&p.x, &p.y, &p.z}) factor = lcm(factor, x->get_den());
+  }
+  void include(const std::array<Rational, 3>& numbers) {
+    for (const Rational& x : numbers) factor = lcm(factor, x.get_den());
+  }
+  BinaryNumber of(const Rational& x) const {
+    return BinaryNumber(mpz_class(x.get_num() * (factor / x.get_den())).get_mpz_t());
+  }
+  Vec3<BinaryNumber> of(const Point& p) const { return {of(p.x), of(p.y), of(p.z)}; }
+};
 
 // On an axis that is not 0: what is left of both extents beside the distance of the centres, times the axis' length.
 struct AxisRest {
@@ -93,16 +113,31 @@ Rational squared_gap(const ExactPair& q) {
   return greatest;
 }
 
+// In integers: families ask this for each query that touches, and quotients of rationals would take ten times as long.
 Rational critical_factor(const ExactPair& q, const Point& u) {
-  std::optional<Rational> least;
-  for (std::size_t i = 0; i < axis_count; ++i) {
-    const Point along = direction(q, i);
-    const Rational slope = abs(Rational(dot(along, u)));
-    if (slope == 0) continue;
-    Rational factor = (extent_along(q.a, along) + extent_along(q.b, along)) / slope;
-    if (!least || factor < *least) least = std::move(factor);
+  Integers axes, halves, way;
+  for (const ExactBox* box : {&q.a, &q.b}) {
+    for (const Point& axis : box->axis) axes.include(axis);
+    halves.include(box->half);
   }
-  return *least;  // the normals of a box span the space, so one is not at right angles to u
+  way.include(u);
+  const auto box_of = [&](const ExactBox& box) {
+    return OrientedBox<BinaryNumber>{{},
+                                     {{halves.of(box.half[0]), halves.of(box.half[1]), halves.of(box.half[2])}},
+                                     {{axes.of(box.axis[0]), axes.of(box.axis[1]), axes.of(box.axis[2])}}};
+  };
+  const BoxPair<BinaryNumber> boxes{box_of(q.a), box_of(q.b)};
+  const Vec3<BinaryNumber> along_way = way.of(u);
+  std::optional<BinaryFraction> least;
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const Vec3<BinaryNumber> along = direction(boxes, i);
+    BinaryNumber slope = magnitude(dot(along, along_way));
+    if (slope.sign() == 0) continue;
+    BinaryFraction factor(extent_along(boxes.a, along) + extent_along(boxes.b, along), std::move(slope));
+    if (!least || order(factor, *least) < 0) least = std::move(factor);
+  }
+  // There is one: the normals of a box span the space, so one is not at right angles to u.
+  return rational(*least) * way.factor / (axes.factor * halves.factor);
 }
 
 std::optional<Rational> critical_extent(const ExactPair& q) {

@@ -77,7 +77,7 @@ struct Node {
   std::array<Index, 3> operands{};
   double number = 0;       // of a constant
   std::uint64_t word = 0;  // of a constant; of a flag's, 0 or 1
-  std::string name;        // of an input
+  std::string name{};      // of an input
 };
 
 class Graph {
