@@ -194,7 +194,7 @@ class Run(RunCase):
         self.refused("report", self.folder / "nowhere", says=["nowhere"])
 
 
-class Planted(Case):
+class PlantedLong(Case):
     """Faults put into the harness itself: it has to catch each and exit 3."""
 
     def test_a_corrupted_oracle(self):

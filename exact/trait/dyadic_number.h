@@ -5,7 +5,7 @@
 
 #include <CGAL/Mpzf.h>
 
-#include "exact/numbers/rational.h"
+#include <utility>
 
 namespace axiscert {
 
@@ -15,12 +15,6 @@ struct DyadicNumber {
   DyadicNumber() = default;
   explicit DyadicNumber(double x) : value(x) {}  // finite
   explicit DyadicNumber(CGAL::Mpzf x) : value(std::move(x)) {}
-
-  Rational rational() const {
-    Rational q;
-    value.export_to_mpq_t(q.get_mpq_t());
-    return q;
-  }
 
   friend DyadicNumber operator+(const DyadicNumber& a, const DyadicNumber& b) {
     return DyadicNumber(a.value + b.value);
