@@ -247,7 +247,7 @@ std::uint64_t trials_of(const SourceOptions& options, const Source& source, Prec
 
 int threads_of(int given) {
   if (given != 0) return given;
-  // Of the processors those on which this process may run: an MPI binds each rank to its own.
+  // The processors on which this process may run: an MPI binds each rank to its own.
   cpu_set_t processors;
   if (sched_getaffinity(0, sizeof processors, &processors) == 0) return CPU_COUNT(&processors);
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

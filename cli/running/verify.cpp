@@ -110,7 +110,7 @@ void require_same_plan(const Certificate& certificate, const VerifyOptions& opti
       differs.empty() ? "" : fmt::format("; here {} (files of its plan are given by --mesh and --queries)", differs)));
 }
 
-// What the certificate says that its replies claim: reply_plan holds it to what they are.
+// The claim of the replies, as the certificate has it: reply_plan holds it to what they are.
 ReplyOptions with_claim(ReplyOptions options, const Json& predicate) {
   const Json& plan = predicate["materials"]["plan"]["plan"];
   const Json claim = plan.value("replies", Json::object());

@@ -395,7 +395,7 @@ class CertifiedFiles(CertifyCase):
         self.assertIn("Asked by a program's replies", (out / "certificate.txt").read_text())
         cert = out / "certificate.json"
         self.verify(cert, says=["kernel: NOT CHECKED"])
-        # What they claim is in the certificate.
+        # Their claim is in the certificate.
         self.verify(cert, *given, "--recheck", "10%", says=["will judge the replies of pipe", "every tally the same"])
         self.verify(cert, "--recheck", "10%", code=2, says=["give the replies that are to be judged again"])
         changed = bytearray(files[0].read_bytes())

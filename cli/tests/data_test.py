@@ -29,7 +29,7 @@ COMMANDS = {
     "families": ("families", ("families",)),
     "tests": ("tests", ("tests",)),
 }
-# What prints a line of JSON for each query, by its schema: commands with their standard input.
+# Commands that print a line of JSON for each query, by its schema, with their standard input.
 MOTION = ('{"id":"m","test":"moving-sphere","precision":"binary32","a":[0,0,0],"b":[1,0,0],"c":[0,1,0],"p":[0,0,5],"d":[0,0,-3],"r":1}\n')
 LINES = {
     "check": ((("check", "-", "--kernel", "published", "--errors"), QUERY % 1), (("check", "-", "--kernel", "published"), QUERY % -1),

@@ -45,7 +45,8 @@ bool keep_below(Range& range, const Number& start, const Number& slope, const Nu
 struct Edge {
   Vector middle, along;
 };
-// What a linear function that is `start` at the middle and grows by `slope` along the edge is at t, times t.under.
+// The value at t, times t.under, of a linear function that is `start` at the middle and grows by `slope` along the
+// edge.
 Number at(const Quotient& t, const Number& start, const Number& slope) { return start * t.under + slope * t.over; }
 
 // The three slabs of a box: |normal[k].(x - centre)| <= width[k].
@@ -219,7 +220,7 @@ Common common_of(const std::vector<Edge>& edges_of_a, A& a, const std::vector<Ed
   if (!a.mean_is_inside() || !b.mean_is_inside()) return {true, false};
   std::vector<Vector> along;
   for (const std::vector<Edge>* edges : {&edges_of_a, &edges_of_b}) {
-    // Of a box, each fourth edge has a direction of its own.
+    // Each fourth edge of a box has a direction of its own.
     for (std::size_t i = 0, step = edges->size() == 3 ? 1 : 4; i < edges->size(); i += step) {
       along.push_back((*edges)[i].along);
     }

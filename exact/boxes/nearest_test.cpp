@@ -10,7 +10,7 @@ const Hull square = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
 
 Rational distance2(const Hull& a, const Hull& b) { return squared_distance(a, b); }
 
-// Of small integers.
+// The coordinates are small integers.
 BinaryHull binary(const Hull& hull) {
   BinaryHull points;
   const auto number = [](const Rational& x) { return BinaryNumber(x.get_d()); };

@@ -92,7 +92,7 @@ class BinaryNumber {
 
   // a + b or a - b; `b_is_negative` is the sign to use for b.
   static BinaryNumber sum(const BinaryNumber& a, const BinaryNumber& b, bool b_is_negative);
-  // Of numbers of one exponent, neither of them 0.
+  // The same of numbers of one exponent, neither of them 0.
   static BinaryNumber aligned_sum(const BinaryNumber& a, const BinaryNumber& b, bool b_is_negative);
 
   std::size_t size_ = 0, capacity_ = own_words;

@@ -79,7 +79,7 @@ class OraclesOf final : public Oracles {
   // Those of the theorem.
   using First = typename FirstOf<typename Test::AllFormulae>::type;
 
-  // Of these formulae, each with both sides.
+  // Both sides of each comparison of these formulae.
   template <class F, class Real>
   static ExactSides exact_sides(const Numbers<Real>& q) {
     const std::size_t count = Test::description().comparisons.size();
@@ -168,7 +168,7 @@ class OraclesOf final : public Oracles {
     }
     static Outcome outcome(ComparisonBits bits) { return {verdict_of(Test::description(), bits), bits}; }
 
-    // Of the first formulae.
+    // The signs of the first formulae.
     const Signs& signs() {
       if (!signs_) signs_ = exact_signs(q_);
       return *signs_;
