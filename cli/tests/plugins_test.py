@@ -120,9 +120,9 @@ class Plugins(Case):
             self.assertIn(id.split("/")[-1], text)
 
     def test_a_finding_fails_every_requirement(self):
-        for name in ("random", "wrong_abi"):
+        for name in ("misbehaving/random", "misdeclared/wrong_abi"):
             for level in ("logic", "range", "conservative=1"):
-                done = axiscert("run", "--kernel", f"plugin:{BUILD}/misbehaving/{name}.so", "--family", "general",
+                done = axiscert("run", "--kernel", f"plugin:{BUILD}/{name}.so", "--family", "general",
                                 "--trials", "2000", "--require", level, "--out", self.folder / "out")
                 self.assertEqual(done.returncode, 1, (name, level, done.stderr))
                 self.assertIn(name, done.stderr)
@@ -187,12 +187,12 @@ class Plugins(Case):
             text = axiscert("kernels", "--kernel", id).stdout
             self.assertIn("test sphere-triangle, entry vertices\n", text)
             self.assertEqual(f"source {source}\n" in text, source is not None, text)
-        refused = axiscert("kernels", "--kernel", f"plugin:{BUILD}/misbehaving/unknown_test.so").stdout
+        refused = axiscert("kernels", "--kernel", f"plugin:{BUILD}/misdeclared/unknown_test.so").stdout
         self.assertIn("load: what it answers: unknown test 'sphere-cube'", refused)
         self.refused("kernels", "--kernel", "nosuch", says=["unknown kernel 'nosuch'"])
 
     def test_a_plugin_for_another_version_leaves_the_run_whole(self):
-        record = self.run_ok("--kernel", f"plugin:{BUILD}/misbehaving/wrong_abi.so", "--kernel", "published", "--family",
+        record = self.run_ok("--kernel", f"plugin:{BUILD}/misdeclared/wrong_abi.so", "--kernel", "published", "--family",
                              "general", "--trials", "2000", code=1)
         (finding,) = record["findings"]
         self.assertEqual((finding["kind"], finding["address"]), ("abi", None))

@@ -8,7 +8,7 @@ import time
 import unittest
 
 from command import BUILD, ROOT
-from motion_records_test import MOTIONS
+from moving_sphere.motion_records_test import MOTIONS
 from plan_case import PlanCase
 
 # For root, and for more ranks than cores, which Open MPI refuses to start otherwise.

@@ -117,7 +117,7 @@ TEST(Interface, WhatCannotBeTrueIsOneLineThatSaysWhatWouldBe) {
         std::pair{"wrong_columns", "it reads 12 columns; test 'sphere-triangle' in entry 'vertices' has 13"},
         std::pair{"unknown_measure", "it gives 1 measures; test 'sphere-triangle' has 0"}}) {
     SCOPED_TRACE(name);
-    const Kernel& kernel = find_kernel(fmt::format("plugin:{}/misbehaving/{}.so", BUILD_FOLDER, name));
+    const Kernel& kernel = find_kernel(fmt::format("plugin:{}/misdeclared/{}.so", BUILD_FOLDER, name));
     EXPECT_FALSE(kernel.has(Precision::binary32));
     ASSERT_EQ(kernel.findings.size(), 1u);
     EXPECT_EQ(kernel.findings[0].kind, FindingKind::load);

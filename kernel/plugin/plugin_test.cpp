@@ -20,6 +20,7 @@ using namespace plugin_testing;
 using testing::HasSubstr;
 
 std::string misbehaving_path(const std::string& name) { return fmt::format(BUILD_FOLDER "/misbehaving/{}.so", name); }
+std::string misdeclared_path(const std::string& name) { return fmt::format(BUILD_FOLDER "/misdeclared/{}.so", name); }
 
 Seen supervise(const std::string& name) {
   const Kernel& kernel = find_kernel("plugin:" + misbehaving_path(name));
@@ -67,7 +68,7 @@ TEST(Plugin, AProcessThatItLeavesBehindHidesNoCrash) {
 }
 
 TEST(Plugin, ANameIsShownAsPlainText) {
-  EXPECT_EQ(find_kernel("plugin:" + misbehaving_path("strange_name")).summary, "caf? ");
+  EXPECT_EQ(find_kernel("plugin:" + misdeclared_path("strange_name")).summary, "caf? ");
 }
 
 TEST(Plugin, AFullStackIsSaid) {
@@ -146,7 +147,7 @@ TEST(Plugin, WhatCannotBeLoadedIsAKernelWithAFinding) {
   for (const auto& [name, kind, says] : {std::tuple{"wrong_abi", FindingKind::abi, "version"},
                                          std::tuple{"no_symbol", FindingKind::load, "axiscert_plugin"},
                                          std::tuple{"conforms_elsewhere", FindingKind::load, "binary32"}}) {
-    const Kernel& kernel = find_kernel("plugin:" + misbehaving_path(name));
+    const Kernel& kernel = find_kernel("plugin:" + misdeclared_path(name));
     EXPECT_FALSE(kernel.has(Precision::binary32) || kernel.has(Precision::binary64));
     ASSERT_EQ(kernel.findings.size(), 1u);
     EXPECT_EQ(kernel.findings[0].kind, kind);

@@ -3,11 +3,10 @@
 import json
 import re
 import unittest
-from pathlib import Path
 
-from command import Case, axiscert
+from command import ROOT, Case, axiscert
 
-CORPUS = Path(__file__).resolve().parents[2] / "fuzz/corpus"
+CORPUS = ROOT / "fuzz/corpus"
 MOTIONS = CORPUS / "moving-sphere.jsonl"
 
 
@@ -38,7 +37,7 @@ class Motions(Case):
         self.assertEqual(len(names), len(set(names)))
 
     def test_the_names_in_the_tests_of_peers_are_here(self):
-        text = (CORPUS.parents[1] / "kernel/peers/moving_sphere/sweep_faults_test.cpp").read_text()
+        text = (ROOT / "kernel/peers/moving_sphere/sweep_faults_test.cpp").read_text()
         named = re.findall(r"(?:bullet|fcl|ode|wildmagic)-[a-z-]+(?=[,:\n])", "\n".join(re.findall(r"^// (.*)$", text, re.MULTILINE)) + "\n")
         self.assertTrue(named)
         self.assertLessEqual(set(named), {entry["id"] for entry in self.ENTRIES})
