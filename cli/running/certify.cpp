@@ -200,6 +200,7 @@ int write_certificate(const Judged& judged, const std::optional<SigningKey>& key
   predicate["harness"] = harness_stage(staged, stages);
   predicate["comparison"] = comparison_json(run.record);
   predicate["breaks_first"] = what_breaks_first(run.record, kernel.id);
+  predicate["situations"] = where_it_is_wrong(run.record, kernel.id);
   predicate["witnesses"] = worst_of_certificate(run.record, kernel.id);
   predicate["limits"] = limits_of(staged, predicate);
   const Json portable = portable_plan(judged.plan_json);

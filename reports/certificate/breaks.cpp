@@ -1,6 +1,7 @@
 #include "reports/certificate/breaks.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "exact/sphere_triangle/measures/input_class.h"
+#include "reports/certificate/situations.h"
 #include "reports/certificate/statement.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/classes.h"
@@ -130,6 +132,33 @@ Json query_of(const Json& witness, const TestDescription& test) {
 
 }  // namespace
 
+namespace {
+
+// "missed contacts in families x, y, up to 0.4 of the scene deep"
+std::string failures_text(const Json& situation, bool missed) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> families = situation["families"];
+  const std::size_t more = families.size() - std::min(most, families.size());
+  families.resize(families.size() - more);
+  return fmt::format("{} in {} {}{}, up to {} of the scene deep", missed ? "missed contacts" : "phantom contacts",
+                     families.size() + more == 1 ? "the family" : "the families", fmt::join(families, ", "),
+                     more == 0 ? "" : fmt::format(" and {} more", more),
+                     amount(situation[missed ? "deepest_missed" : "deepest_phantom"], 3));
+}
+
+Json break_of_situation(const Json& situation, bool missed) {
+  return {{"precision", situation["precision"]},
+          {"what", missed ? "missed contact" : "phantom contact"},
+          {"cause", situation["situation"]},
+          {"meaning", fmt::format("{}: {}", situation["meaning"].get<std::string>(), failures_text(situation, missed))},
+          {"count", situation[missed ? "missed" : "phantom"]},
+          {"deepest", amount(situation[missed ? "deepest_missed" : "deepest_phantom"], 3)},
+          {"advice", situation["advice"]},
+          {"section", situation["section"]}};
+}
+
+}  // namespace
+
 Json what_breaks_first(const Json& record, const std::string& kernel) {
   for (const Json& finding : record["findings"]) {
     if (finding["kernel"] == kernel)
@@ -145,9 +174,29 @@ Json what_breaks_first(const Json& record, const std::string& kernel) {
       deepest = cause;
       precision = entry["precision"];
     }
-    if (deepest) return break_json(precision, missed ? "missed contact" : "phantom contact", *deepest);
+    if (!deepest) continue;
+    // Where only the verdict is seen, the situation says more than that nothing is known.
+    if (deepest->name == link_names[Link::unattributed]) break;
+    return break_json(precision, missed ? "missed contact" : "phantom contact", *deepest);
   }
-  return nullptr;
+  bool missed = true;
+  const Json situations = situations_json(record, kernel);
+  const Json* first = first_situation(situations, missed);
+  return first == nullptr ? Json() : break_of_situation(*first, missed);
+}
+
+Json where_it_is_wrong(const Json& record, const std::string& kernel) {
+  Json situations = situations_json(record, kernel);
+  for (Json& situation : situations) {
+    for (const char* depth : {"deepest_missed", "deepest_phantom"}) situation[depth] = amount(situation[depth], 3);
+  }
+  return situations;
+}
+
+std::vector<std::string_view> advised_sections() {
+  std::vector<std::string_view> sections;
+  for (const Advice& advice : advices) sections.push_back(advice.section);
+  return sections;
 }
 
 Json worst_of_certificate(const Json& record, const std::string& kernel) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fuzz/queries/address.h"
+#include "reports/certificate/breaks_words.h"
 #include "reports/certificate/margin_words.h"
 #include "reports/wording/summary.h"
 
@@ -34,8 +35,11 @@ class CertificatePage {
     if (predicate_["safe_margin"]["precisions"].empty())
       report.notes.push_back(
           fmt::format("Safe margin: not asked: {}.", predicate_["safe_margin"]["reason"].get<std::string>()));
-    report.notes.push_back(breaks_note());
+    report.notes.push_back(breaks_note(predicate_));
+    if (std::string note = peculiarities_note(predicate_); !note.empty()) report.notes.push_back(std::move(note));
     report.tables = {levels_table()};
+    if (InstrumentTable table = situations_table(predicate_); !table.rows.empty())
+      report.tables.push_back(std::move(table));
     if (InstrumentTable table = not_asked_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
     if (InstrumentTable table = margin_table(predicate_["safe_margin"]); !table.rows.empty())
       report.tables.push_back(std::move(table));
@@ -75,19 +79,6 @@ class CertificatePage {
             ? ""
             : fmt::format("; {} of {} stretches of the plan were done", cell_count(asked["stretches_done"]),
                           cell_count(asked["stretches"])));
-  }
-
-  std::string breaks_note() const {
-    const Json& first = predicate_["breaks_first"];
-    if (first.is_null()) return "Nothing broke.";
-    std::string meaning = plain_text(first["meaning"]);
-    if (meaning.ends_with('.')) meaning.pop_back();
-    if (first["cause"] == "finding")
-      return fmt::format("What breaks first: {}. {} See {}.", meaning, plain_text(first["advice"]),
-                         plain_text(first["section"]));
-    return fmt::format("What breaks first: {}, {}{}: {}. {} See {}.", plain_text(first["what"]),
-                       first["precision"].is_null() ? "" : plain_text(first["precision"]) + ", ",
-                       plain_text(first["cause"]), meaning, plain_text(first["advice"]), plain_text(first["section"]));
   }
 
   // One row a level, a column a precision.

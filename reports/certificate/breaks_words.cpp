@@ -1,0 +1,103 @@
+#include "reports/certificate/breaks_words.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+std::string word_or_dash(const Json& value) {
+  return value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+// Values of properties that somebody who uses the kernel has to know, and what to say of them in a word or two. A value
+// that is not here is what one expects, is said by the levels, or is not known.
+struct Peculiarity {
+  std::string_view property, value, says;
+};
+constexpr Peculiarity peculiarities[] = {
+    {"touching", "open", "what only touches is no contact"},
+    {"touching", "neither", "what only touches is a contact or not, as it falls"},
+    {"sides", "front_only", "one-sided: only from the front"},
+    {"sides", "back_only", "one-sided: only from behind"},
+    {"degenerate_triangles", "skipped", "triangles without area are never hit"},
+    {"degenerate_triangles", "always_hit", "triangles without area are always hit"},
+    {"degenerate_triangles", "refused", "triangles without area are refused"},
+    {"degenerate_triangles", "wrong_on_some", "wrong on some triangles without area"},
+    {"absolute_threshold", "present", "compares with an absolute number, so it depends on the unit of length"},
+    {"range_window", "limited", "right only within a range of sizes"},
+    {"subnormal_numbers", "flushed", "takes subnormal numbers for zero"},
+    {"operation_order", "contracted", "fuses operations"},
+    {"inner_precision", "narrower", "computes in floats"},
+    {"repeated", "differs", "not deterministic"},
+    {"position_in_batch", "depends", "depends on the position in the batch"},
+    {"batch_length", "depends", "depends on the length of the batch"},
+    {"neighbours", "depends", "depends on the other queries of the batch"},
+};
+
+// What is said of a property; of the window its ends too.
+std::string said_of(const Json& property) {
+  for (const Peculiarity& known : peculiarities) {
+    if (property["name"] == known.property && property["value"] == known.value) return std::string(known.says);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string breaks_note(const Json& predicate) {
+  const Json& first = predicate["breaks_first"];
+  if (first.is_null()) return "Nothing broke.";
+  std::string meaning = word_or_dash(first["meaning"]);
+  if (meaning.ends_with('.')) meaning.pop_back();
+  if (first["cause"] == "finding")
+    return fmt::format("What breaks first: {}. {} See {}.", meaning, word_or_dash(first["advice"]),
+                       word_or_dash(first["section"]));
+  // A situation's meaning says what happens there; a cause's does not.
+  const bool is_situation =
+      std::ranges::any_of(predicate["situations"], [&](const Json& s) { return s["situation"] == first["cause"]; });
+  if (is_situation)
+    return fmt::format("What breaks first, in {}: {}. {} See {}.", word_or_dash(first["precision"]), meaning,
+                       word_or_dash(first["advice"]), word_or_dash(first["section"]));
+  return fmt::format("What breaks first: {}, {}{}: {}. {} See {}.", word_or_dash(first["what"]),
+                     first["precision"].is_null() ? "" : word_or_dash(first["precision"]) + ", ",
+                     word_or_dash(first["cause"]), meaning, word_or_dash(first["advice"]),
+                     word_or_dash(first["section"]));
+}
+
+std::string peculiarities_note(const Json& predicate) {
+  std::vector<std::string> parts;
+  for (const Json& part : predicate["diagnosis"]["precisions"]) {
+    std::vector<std::string> said;
+    for (const Json& property : part["properties"]) {
+      if (const std::string text = said_of(property); !text.empty()) said.push_back(text);
+    }
+    if (!said.empty())
+      parts.push_back(fmt::format("in {}, {}", word_or_dash(part["precision"]), fmt::join(said, "; ")));
+  }
+  return parts.empty() ? "" : fmt::format("What it is like: {}.", fmt::join(parts, ". And "));
+}
+
+InstrumentTable situations_table(const Json& predicate) {
+  InstrumentTable table{"Where it is wrong, and what to do",
+                        {"queries", "precision", "missed", "deepest", "phantom", "deepest ",
+                         "families, the deepest first", "what to do", "see"},
+                        {}};
+  for (const Json& s : predicate["situations"]) {
+    const std::vector<std::string> families = s["families"];
+    table.rows.push_back({word_or_dash(s["meaning"]), word_or_dash(s["precision"]),
+                          thousands(s["missed"].get<std::uint64_t>()), word_or_dash(s["deepest_missed"]),
+                          thousands(s["phantom"].get<std::uint64_t>()), word_or_dash(s["deepest_phantom"]),
+                          fmt::format("{}", fmt::join(families, ", ")), word_or_dash(s["advice"]),
+                          word_or_dash(s["section"])});
+  }
+  return table;
+}
+
+}  // namespace axiscert
