@@ -1,0 +1,62 @@
+"""What the tests of `certify` and `verify` share: certificates that are made once, keys, and files that were written by hand."""
+import json
+import subprocess
+import tempfile
+from pathlib import Path
+
+from command import Case, axiscert
+
+
+def openssl(*args, stdin=None):
+    return subprocess.run(["openssl", *map(str, args)], input=stdin, capture_output=True, check=True).stdout
+
+
+def canonical(value):
+    return json.dumps(value, sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()
+
+
+class CertifyCase(Case):
+    """A certificate is made once for each kernel."""
+    made = {}
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.shared = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.shared.cleanup)
+
+    @classmethod
+    def folder_of(cls, name):
+        return Path(cls.shared.name) / name
+
+    def certify(self, kernel, *args, out=None, code=0):
+        out = out or self.folder / "certificate"
+        done = axiscert("certify", kernel, "--effort", "smoke", *args, "--out", out)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done
+
+    def certificate_of(self, kernel, *args, name=None):
+        out = self.folder_of(name or kernel.replace("/", "-"))
+        if not out.exists():
+            self.certify(kernel, *args, out=out)
+        return out / "certificate.json"
+
+    def verify(self, cert, *args, code=0, says=()):
+        done = axiscert("verify", cert, *args)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        for part in says:
+            self.assertIn(part, done.stdout + done.stderr)
+        self.assertNotIn("terminate called", done.stderr)
+        return done
+
+    def written(self, content, name="cert.json"):
+        path = self.folder / name
+        path.write_bytes(content)
+        return path
+
+    def keys(self, name="key"):
+        private, public = self.folder_of(name + ".pem"), self.folder_of(name + ".pub")
+        if not private.exists():
+            openssl("genpkey", "-algorithm", "ed25519", "-out", private)
+            openssl("pkey", "-in", private, "-pubout", "-out", public)
+        return private, public

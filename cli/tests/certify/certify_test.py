@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""`axiscert certify`: what a certificate says, that it is the same again, and what cannot be certified."""
+import hashlib
+import json
+import shutil
+import unittest
+
+import jsonschema
+
+from certificates import canonical, CertifyCase
+from command import SCHEMAS, axiscert
+
+
+class Certify(CertifyCase):
+    def test_a_certificate_is_the_same_again_on_any_number_of_threads_and_without_a_clock(self):
+        cert = self.certificate_of("published")
+        self.certify("published", "--threads", 1)
+        self.assertEqual((self.folder / "certificate/certificate.json").read_bytes(), cert.read_bytes())
+        statement = json.loads(cert.read_text())
+        schema = json.loads((SCHEMAS / "certificate.schema.json").read_text())
+        jsonschema.validators.validator_for(schema)(schema).validate(statement)
+        self.assertEqual(cert.read_bytes(), canonical(statement) + b"\n")
+        self.assertIsNone(statement["predicate"]["signed_at"])
+        digest = statement["predicate"].pop("digest")
+        self.assertEqual(digest, hashlib.sha256(canonical(statement)).hexdigest())
+
+    def test_it_says_what_published_is_and_leaves_nothing_out(self):
+        cert = self.certificate_of("published")
+        predicate = json.loads(cert.read_text())["predicate"]
+        state = {(level["level"], level["precision"]): level["state"] for level in predicate["levels"]}
+        for precision in ("binary32", "binary64"):
+            self.assertEqual(state["exact", precision], "not met")
+            self.assertEqual(state["logic", precision], "not met")  # strict sides are wrong on triangles without area
+        for level in predicate["levels"]:
+            self.assertEqual(level["state"] == "not asked", level["reason"] is not None, level)
+            self.assertEqual(level["state"] == "met", bool(level["rests_on"]), level)
+            self.assertEqual(level["state"] == "not met", bool(level["failures"]), level)
+        self.assertEqual(len(predicate["witnesses"]), 3)
+        self.assertEqual({row["kernel"] for row in predicate["comparison"]}, {"published", "certified"})
+        self.assertEqual(set(predicate["search"]["precisions"]), {"binary32", "binary64"})
+        self.assertIsNotNone(predicate["breaks_first"])
+        folder = cert.parent
+        words, page = (folder / "certificate.txt").read_text(), (folder / "certificate.html").read_text()
+        for part in ("Safe margin in binary32", "What breaks first", "What this does not say", "Diagnosis", "Beside other kernels"):
+            self.assertIn(part, words)
+            self.assertIn(part, page)
+        self.assertNotIn("not run", words)
+        self.assertIn("axiscert: no level met", (folder / "badge.svg").read_text())
+        # A witness is one: its command shows that.
+        command = predicate["witnesses"][0]["command"].split(" && ")[-1].split()
+        query = axiscert("query", predicate["witnesses"][0]["address"]).stdout
+        shown = axiscert("check", "-", *command[command.index("--kernel"):], stdin=query)
+        self.assertIn("wrong", shown.stdout)
+
+    def test_certified_meets_every_level_that_it_can_and_needs_no_margin(self):
+        predicate = json.loads(self.certificate_of("certified").read_text())["predicate"]
+        for level in predicate["levels"]:
+            self.assertIn(level["state"], ("met", "not asked"), level)
+            if level["level"] == "exact":
+                self.assertEqual([rest["kind"] for rest in level["rests_on"]], ["proved", "observed", "searched"])
+        for margin in predicate["safe_margin"]["precisions"]:
+            self.assertEqual((margin["all"]["missed"], margin["factor"], margin["amount"]), (0, None, None))
+
+    def test_a_test_without_a_radius_says_so(self):
+        predicate = json.loads(self.certificate_of("box-box/projected").read_text())["predicate"]
+        self.assertIn("does not depend on one radius", predicate["safe_margin"]["reason"])
+        self.assertEqual(predicate["safe_margin"]["precisions"], [])
+        self.assertIsNone(predicate["search"]["reason"])  # a test need not have a radius to be searched
+        for precision in predicate["kernel"]["precisions"]:
+            search = predicate["search"]["precisions"][precision]
+            self.assertGreater(search["evaluations"], 0)
+            self.assertIn("missed_contact", search["finds"])
+        self.assertEqual(predicate["kernel"]["test"], "box-box")
+        self.assertTrue(predicate["witnesses"])
+        for witness in predicate["witnesses"]:  # what the page draws
+            self.assertEqual(witness["query"]["test"], "box-box")
+            self.assertLessEqual({"a.m", "a.s", "b.m", "b.s"}, set(witness["query"]))
+
+    def test_a_run_that_is_out_of_time_lists_what_was_done(self):
+        self.certify("published", "--time", "0.001", "--threads", 1)
+        cert = self.folder / "certificate/certificate.json"
+        predicate = json.loads(cert.read_text())["predicate"]
+        self.assertFalse(predicate["asked"]["complete"])
+        self.assertLess(predicate["asked"]["stretches_done"], predicate["asked"]["stretches"])
+        self.assertEqual(len(predicate["materials"]["tallies"]), predicate["asked"]["stretches_done"])
+        self.assertIn("the time given was over", json.dumps(predicate["limits"]))
+        self.verify(cert)
+
+    def test_it_is_resumed_and_comes_to_the_same(self):
+        whole = self.certificate_of("published").parent
+        out = self.folder / "again"
+        shutil.copytree(whole, out)
+        (out / "certificate.json").unlink()
+        stages = json.loads((out / "stages.json").read_text())
+        stages.pop("harness")
+        (out / "stages.json").write_text(json.dumps(stages))
+        journal = out / "run/journal"
+        journal.write_bytes(journal.read_bytes()[:-1000])  # as a kill leaves it
+        self.assertIn("--resume continues it", self.certify("published", out=out, code=2).stderr)
+        self.certify("published", "--resume", out=out)
+        self.assertEqual((out / "certificate.json").read_bytes(), (whole / "certificate.json").read_bytes())
+
+    def test_what_cannot_be_certified_is_refused(self):
+        self.refused("certify", "publishd", says=["publishd", "did you mean 'published'"])
+        self.refused("certify", "published", "--effort", "quik", says=["--effort", "quick"])
+        self.refused("certify", "published", "--key", self.written(b"hello"), says=["is no private key in PEM"])
+        self.refused("certify", says=["KERNEL"])
+
+
+if __name__ == "__main__":
+    unittest.main()
