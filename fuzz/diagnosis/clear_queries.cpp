@@ -7,21 +7,19 @@
 namespace axiscert::diagnosis {
 namespace {
 
-constexpr double clear_depth = 0x1p-6;
 // Positions that are looked at for each query that is wanted.
 constexpr std::uint64_t most_positions = 64;
 
-// A direction is a displacement in a test of motions, which has a time.
-bool are_displacements(const TestDescription& test) {
+}  // namespace
+
+bool is_of_motions(const TestDescription& test) {
   return std::ranges::any_of(test.measures, [](const TestMeasure& measure) { return measure.name == "time"; });
 }
-
-}  // namespace
 
 const Family* plain_family(const Kernel& kernel) {
   for (const Family* family : families_of(*kernel.test)) {
     const std::string_view last = family->name.substr(family->name.rfind('/') + 1);
-    if (family->entry == kernel.entry && last.starts_with("general")) return family;
+    if (family->entry == kernel.entry && (last.starts_with("general") || last.ends_with("_general"))) return family;
   }
   return nullptr;
 }
@@ -51,7 +49,7 @@ std::vector<ClearQuery<Real>> clear_queries(const Kernel& kernel, std::size_t co
 template <class Real>
 Numbers<Real> in_unit(const Kernel& kernel, const Numbers<Real>& numbers, int exponent) {
   const std::vector<TestColumn>& columns = kernel.test->entries[kernel.entry].columns;
-  const bool displacements = are_displacements(*kernel.test);
+  const bool displacements = is_of_motions(*kernel.test);
   Numbers<Real> scaled = numbers;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const Role role = columns[k].role;

@@ -6,8 +6,11 @@
 
 namespace axiscert::diagnosis {
 
-// The family of the kernel's test that is named "general", of the entry that the kernel takes; null where there is
-// none.
+// The depth, relative to the scene, above which a query is clear of touching.
+inline constexpr double clear_depth = 0x1p-6;
+
+// The family of the kernel's test that is named "general", with the entry that the kernel takes before it or after it
+// ("ends_general", "general_minmax"); null where there is none.
 const Family* plain_family(const Kernel& kernel);
 
 template <class Real>
@@ -20,6 +23,9 @@ struct ClearQuery {
 // ladder's range windows. The numbers are of the kernel's entry. Empty where the test has no depth or no such family.
 template <class Real>
 std::vector<ClearQuery<Real>> clear_queries(const Kernel& kernel, std::size_t count);
+
+// Whether a test is of motions, whose directions are displacements: it has a time.
+bool is_of_motions(const TestDescription& test);
 
 // The query in another unit of length: places, lengths and displacements times 2^exponent. The axes of a box stay.
 template <class Real>

@@ -13,10 +13,9 @@ std::vector<std::string_view> all_of_them(const EnumArray<Value, std::string_vie
   return {names.begin(), names.end()};
 }
 
-// A property with its probe. Of sphere-triangle alone, or of any test.
+// A property with its probe.
 struct Probe {
   PropertyKind kind;
-  bool is_of_any_test;
   Found (*binary32)(Subject<float>&);
   Found (*binary64)(Subject<double>&);
 
@@ -29,33 +28,30 @@ struct Probe {
 
 const std::vector<Probe>& probes() {
   static const std::vector<Probe> all = {
-#define AXISCERT_PROBE(name, asks, values, is_of_any_test, probe) \
-  {{name, asks, values}, is_of_any_test, probe<float>, probe<double>}
-      AXISCERT_PROBE("touching", "the answer at a distance of exactly r", all_of_them(at_touching_names), false,
-                     at_touching),
-      AXISCERT_PROBE("sides", "the sides of a triangle from which it is hit", all_of_them(sides_names), false,
-                     sides_hit),
+#define AXISCERT_PROBE(name, asks, values, probe) {{name, asks, values}, probe<float>, probe<double>}
+      AXISCERT_PROBE("touching", "the answer at a distance of exactly r", all_of_them(at_touching_names), at_touching),
+      AXISCERT_PROBE("sides", "the sides of a triangle from which it is hit", all_of_them(sides_names), sides_hit),
       AXISCERT_PROBE("degenerate_triangles", "what becomes of triangles without area", all_of_them(degenerate_names),
-                     false, degenerate_triangles),
+                     degenerate_triangles),
       AXISCERT_PROBE("absolute_threshold", "whether something is compared with a number that has a length in it",
-                     all_of_them(threshold_names), true, absolute_thresholds),
+                     all_of_them(threshold_names), absolute_thresholds),
       AXISCERT_PROBE("range_window", "the powers of two times which it answers as at scale 1",
-                     all_of_them(window_names), true, range_window),
+                     all_of_them(window_names), range_window),
       AXISCERT_PROBE("subnormal_numbers", "whether subnormal numbers are numbers or zero",
-                     all_of_them(subnormals_names), false, subnormal_numbers),
+                     all_of_them(subnormals_names), subnormal_numbers),
       AXISCERT_PROBE("operation_order", "the order of the sums in dot products, and whether operations are fused",
-                     all_of_them(order_names), false, operation_order),
+                     all_of_them(order_names), operation_order),
       AXISCERT_PROBE("inner_precision", "the precision in which it computes, against that of the query",
-                     all_of_them(inner_names), false, inner_precision),
-      AXISCERT_PROBE("repeated", "whether the same batch is answered the same again", all_of_them(repeated_names), true,
+                     all_of_them(inner_names), inner_precision),
+      AXISCERT_PROBE("repeated", "whether the same batch is answered the same again", all_of_them(repeated_names),
                      diagnosis::repeated),
       AXISCERT_PROBE("position_in_batch", "whether an answer depends on the position in the batch",
-                     all_of_them(place_names), true, position_in_batch),
+                     all_of_them(place_names), position_in_batch),
       AXISCERT_PROBE("batch_length", "whether an answer depends on the length of the batch", all_of_them(place_names),
-                     true, batch_length),
+                     batch_length),
       AXISCERT_PROBE("neighbours", "whether an answer depends on the other queries of the batch",
-                     all_of_them(place_names), true, neighbours),
-      AXISCERT_PROBE("nearest_form", "the built-in kernel that it agrees with most", {}, true, nearest_form),
+                     all_of_them(place_names), neighbours),
+      AXISCERT_PROBE("nearest_form", "the built-in kernel that it agrees with most", {}, nearest_form),
 #undef AXISCERT_PROBE
   };
   return all;
@@ -76,16 +72,11 @@ Diagnosis diagnosed(const Kernel& kernel, const DiagnosisOptions& options) {
   ProgressCount progress(options.report, probes().size());
   for (const Probe& probe : probes()) {
     Found found;
-    if (!probe.is_of_any_test && !subject.is_first_test()) {
-      found = unasked(
-          fmt::format("The probe's scenes are of {}; this kernel answers {}.", first_test().id, subject.test().id));
-    } else {
-      try {
-        found = probe.in<Real>()(subject);
-      } catch (const Interrupted&) {
-        diagnosis.complete = false;
-        return diagnosis;
-      }
+    try {
+      found = probe.in<Real>()(subject);
+    } catch (const Interrupted&) {
+      diagnosis.complete = false;
+      return diagnosis;
     }
     require_value(probe.kind, found.value);
     const std::uint64_t queries = subject.take_count();

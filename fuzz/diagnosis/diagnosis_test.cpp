@@ -167,42 +167,5 @@ TEST(Diagnosis, RefusesAPrecisionThatTheKernelHasNot) {
   }
 }
 
-// For other tests the probes that need nothing of the scene are asked, and the others say why not.
-void expect_general(const std::string& id, Precision precision) {
-  const Diagnosis diagnosis = diagnosis_of(find_kernel(id), precision);
-  for (const char* name :
-       {"touching", "sides", "degenerate_triangles", "subnormal_numbers", "operation_order", "inner_precision"}) {
-    EXPECT_EQ(diagnosis.find(name)->value, not_asked) << id;
-    EXPECT_THAT(diagnosis.find(name)->sentence, HasSubstr("sphere-triangle"));
-  }
-  for (const auto& [name, value] : Values{{"repeated", "same"},
-                                          {"position_in_batch", "independent"},
-                                          {"batch_length", "independent"},
-                                          {"neighbours", "independent"}}) {
-    EXPECT_EQ(diagnosis.find(name)->value, value) << id << ": " << diagnosis.find(name)->sentence;
-  }
-  EXPECT_NE(diagnosis.find("range_window")->value, not_asked) << id << ": " << diagnosis.find("range_window")->sentence;
-}
-TEST(Diagnosis, AsksKernelsOfOtherTests) {
-  expect_general("moving-sphere/twenty", single);
-  expect_general("box-triangle/thirteen", single);
-}
-
-// Every length taken as at least 0.01, in tests whose directions are displacements and in those whose are axes.
-TEST(DiagnosisLong, FindsThresholdsOfOtherTests) {
-  Precision precision = single;
-  for (const char* id :
-       {"moving-sphere/twenty", "box-box/textbook", "box-box/cofactor-turned", "box-triangle/thirteen"}) {
-    SCOPED_TRACE(id);
-    const Kernel& base = find_kernel(id);
-    const Diagnosis without = diagnosis_of(base, precision), of_clamped = diagnosis_of(made::clamped(base), precision);
-    const Property &none = *without.find("absolute_threshold"), &found = *of_clamped.find("absolute_threshold");
-    EXPECT_EQ(none.value, "none_found") << none.sentence << none.measured.dump();
-    EXPECT_EQ(found.value, "present") << found.sentence << found.measured.dump();
-    EXPECT_EQ(found.witnesses.size(), 2u);
-    precision = precision == single ? twice : single;
-  }
-}
-
 }  // namespace
 }  // namespace axiscert

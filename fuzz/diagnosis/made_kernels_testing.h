@@ -176,30 +176,4 @@ inline Kernel by_coin() {
   });
 }
 
-// A kernel of any test that takes every length, as radii and half extents are, as at least 0.01.
-inline Kernel clamped(const Kernel& base) {
-  Kernel kernel = base;
-  kernel.id += "-clamped";
-  const auto clamped = []<class Real>(const Kernel& of, const Implementation<Real>& right) {
-    const std::vector<TestColumn>& columns = of.test->entries[of.entry].columns;
-    Implementation<Real> implementation;
-    implementation.verdicts = [right, &columns](const QueryColumns<Real>& batch, Verdict* out) {
-      QueryBatch<Real> changed(batch.size, batch.count);
-      for (std::size_t i = 0; i < batch.size; ++i) {
-        Numbers<Real> numbers(batch.count);
-        for (std::size_t k = 0; k < batch.count; ++k) {
-          const Real x = batch.column[k][i];
-          numbers[k] = columns[k].role == Role::length && x < Real(0.01) ? Real(0.01) : x;
-        }
-        changed.push_back(numbers);
-      }
-      right.verdicts(changed.columns(), out);
-    };
-    return implementation;
-  };
-  kernel.binary32 = [=](std::string_view target) { return clamped(base, base.on<float>(target)); };
-  kernel.binary64 = [=](std::string_view target) { return clamped(base, base.on<double>(target)); };
-  return kernel;
-}
-
 }  // namespace axiscert::made

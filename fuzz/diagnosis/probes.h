@@ -6,7 +6,8 @@
 
 namespace axiscert::diagnosis {
 
-// Probes of kernels of sphere-triangle.
+// Probes whose scenes are those of sphere-triangle, or made of another test's families and columns
+// (scenes_by_trait.h); operation_order is of sphere-triangle alone.
 template <class Real>
 Found at_touching(Subject<Real>& subject);
 template <class Real>
@@ -20,7 +21,7 @@ Found operation_order(Subject<Real>& subject);
 template <class Real>
 Found inner_precision(Subject<Real>& subject);
 
-// Probes of kernels of any test.
+// Probes that need nothing of the scene.
 template <class Real>
 Found absolute_thresholds(Subject<Real>& subject);
 template <class Real>

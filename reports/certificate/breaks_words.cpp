@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string_view>
 #include <vector>
 
+#include "fuzz/diagnosis/diagnosis.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -41,10 +43,20 @@ constexpr Peculiarity peculiarities[] = {
     {"neighbours", "depends", "depends on the other queries of the batch"},
 };
 
-// What is said of a property; of the window its ends too.
-std::string said_of(const Json& property) {
+// The part of the documents on what the built-in kernels of a test answer.
+std::string_view section_of_forms(const Json& test) {
+  if (test == "moving-sphere") return "docs/moving.md#what-each-method-gets-wrong-over-the-reals";
+  if (test == "sphere-triangle") return "docs/kernels.md#what-each-answers";
+  return "docs/boxes.md#from-the-definition-to-the-books";
+}
+
+// What is said of a property of a kernel.
+std::string said_of(const Json& property, const Json& kernel) {
+  const std::string value = property["value"];
+  if (property["name"] == "nearest_form" && value != not_known && value != not_asked && kernel["id"] != value)
+    return fmt::format("answers as {} does, see {}", value, section_of_forms(kernel["test"]));
   for (const Peculiarity& known : peculiarities) {
-    if (property["name"] == known.property && property["value"] == known.value) return std::string(known.says);
+    if (property["name"] == known.property && value == known.value) return std::string(known.says);
   }
   return "";
 }
@@ -59,15 +71,27 @@ std::string breaks_note(const Json& predicate) {
   if (first["cause"] == "finding")
     return fmt::format("What breaks first: {}. {} See {}.", meaning, word_or_dash(first["advice"]),
                        word_or_dash(first["section"]));
+  // What a search found besides, where that is deeper: the run's families do not have it.
+  std::string found;
+  const char* goal = first["what"] == "missed contact" ? "missed_contact" : "phantom_contact";
+  const auto depth_of = [](const Json& figure) {
+    return std::strtod(figure.get_ref<const std::string&>().c_str(), nullptr);
+  };
+  for (const auto& [precision, search] : predicate["search"]["precisions"].items()) {
+    const Json find = search["finds"].value(goal, Json());
+    if (precision != first["precision"] || find.is_null() || depth_of(find["depth"]) <= depth_of(first["deepest"]))
+      continue;
+    found = fmt::format(" A search found one of {} of the scene.", word_or_dash(find["depth"]));
+  }
   // A situation's meaning says what happens there; a cause's does not.
   const bool is_situation =
       std::ranges::any_of(predicate["situations"], [&](const Json& s) { return s["situation"] == first["cause"]; });
   if (is_situation)
-    return fmt::format("What breaks first, in {}: {}. {} See {}.", word_or_dash(first["precision"]), meaning,
+    return fmt::format("What breaks first, in {}: {}.{} {} See {}.", word_or_dash(first["precision"]), meaning, found,
                        word_or_dash(first["advice"]), word_or_dash(first["section"]));
-  return fmt::format("What breaks first: {}, {}{}: {}. {} See {}.", word_or_dash(first["what"]),
+  return fmt::format("What breaks first: {}, {}{}: {}.{} {} See {}.", word_or_dash(first["what"]),
                      first["precision"].is_null() ? "" : word_or_dash(first["precision"]) + ", ",
-                     word_or_dash(first["cause"]), meaning, word_or_dash(first["advice"]),
+                     word_or_dash(first["cause"]), meaning, found, word_or_dash(first["advice"]),
                      word_or_dash(first["section"]));
 }
 
@@ -76,7 +100,7 @@ std::string peculiarities_note(const Json& predicate) {
   for (const Json& part : predicate["diagnosis"]["precisions"]) {
     std::vector<std::string> said;
     for (const Json& property : part["properties"]) {
-      if (const std::string text = said_of(property); !text.empty()) said.push_back(text);
+      if (const std::string text = said_of(property, predicate["kernel"]); !text.empty()) said.push_back(text);
     }
     if (!said.empty())
       parts.push_back(fmt::format("in {}, {}", word_or_dash(part["precision"]), fmt::join(said, "; ")));

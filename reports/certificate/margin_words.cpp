@@ -20,11 +20,23 @@ double figure_value(const Json& figure) { return std::strtod(figure.get_ref<cons
 // Scales that scenes have in metres, from a millimetre to ten kilometres.
 bool is_everyday(const Json& part) { return part["decade"] >= -3 && part["decade"] <= 3; }
 
-// The parts of one kind added up.
+constexpr int least_measured_decade = -307, greatest_measured_decade = 307;
+
+// An amount relative to the least size of its scenes, rounded up: three digits are half a percent off at most. Empty
+// where there is none, or where the size is 0 or its power of ten no double: nothing is said by it there.
+std::string share_text(double share) { return share > 0 ? axiscert::amount(share * 1.006, 3) : ""; }
+double share_of(const Json& part) {
+  const int decade = part["decade"];
+  if (part["amount"].is_null() || decade < least_measured_decade || decade > greatest_measured_decade) return 0;
+  return figure_value(part["amount"]) / std::pow(10.0, decade);
+}
+
+// The parts of one kind added up. Amounts of scenes of different sizes are compared as shares of the size: one that
+// mends a scene of a kilometre says nothing of one of a metre.
 struct Growth {
   std::uint64_t queries = 0, missed = 0, hopeless = 0, tiny = 0, by_factor = 0, by_amount = 0;
-  double factor = 0, amount = 0, share = 0;  // the greatest; share: of an amount in the least size of its scenes
-  std::string factor_text, amount_text;
+  double factor = 0, share = 0;  // the greatest; share: of an amount in the least size of its scenes
+  std::string factor_text;
 
   void add(const Json& part) {
     const auto plus = [&](std::uint64_t& sum, const char* member) { sum += part[member].get<std::uint64_t>(); };
@@ -34,26 +46,19 @@ struct Growth {
     plus(tiny, "tiny");
     plus(by_factor, "phantoms_by_factor");
     plus(by_amount, "phantoms_by_amount");
-    const auto raise = [](const Json& figure, double& most, std::string& text) {
-      if (figure.is_null() || figure_value(figure) <= most) return;
-      most = figure_value(figure);
-      text = figure;
-    };
-    raise(part["factor"], factor, factor_text);
-    raise(part["amount"], amount, amount_text);
-    if (!part["amount"].is_null())
-      share = std::max(share, figure_value(part["amount"]) / std::pow(10.0, part["decade"].get<int>()));
+    if (!part["factor"].is_null() && figure_value(part["factor"]) > factor) {
+      factor = figure_value(part["factor"]);
+      factor_text = part["factor"];
+    }
+    share = std::max(share, share_of(part));
   }
-  bool mends() const { return !factor_text.empty() || !amount_text.empty(); }
-  // "r times 1.5, or r plus 2, or r plus 0.3 of the scene's size, mends"; each may be absent.
-  std::string text(bool has_share) const {
+  bool mends() const { return !factor_text.empty() || share > 0; }
+  // "r times 1.5, or r plus 0.3 of the scene's size, mends"; each may be absent.
+  std::string text() const {
     std::string ways;
     const auto add_way = [&](const std::string& way) { ways += (ways.empty() ? "" : ", or ") + way; };
     if (!factor_text.empty()) add_way("r times " + factor_text);
-    if (!amount_text.empty()) add_way("r plus " + amount_text);
-    // Three digits are half a percent off at most: rounded up.
-    if (!amount_text.empty() && has_share)
-      add_way(fmt::format("r plus {} of the scene's size", axiscert::amount(share * 1.006, 3)));
+    if (share > 0) add_way(fmt::format("r plus {} of the scene's size", share_text(share)));
     return ways + (ways.find(", ") == ways.npos ? " mends" : ", mends");
   }
 };
@@ -73,6 +78,15 @@ std::string phantoms_text(const Growth& growth) {
       thousands(growth.queries), thousands(growth.by_factor), thousands(growth.by_amount));
 }
 
+// The amount for scenes of about 1, as those in metres are.
+std::string at_unit_text(const Json& margin) {
+  for (const Json& part : margin["decades"]) {
+    if (part["decade"] == 0 && !part["degenerate"].get<bool>() && !part["amount"].is_null())
+      return "; in scenes of 1 to 10 r plus " + part["amount"].get<std::string>();
+  }
+  return "";
+}
+
 std::string everyday_note(const Json& margin) {
   const Growth here =
       growth_of(margin, [](const Json& part) { return is_everyday(part) && !part["degenerate"].get<bool>(); });
@@ -83,8 +97,9 @@ std::string everyday_note(const Json& margin) {
                        where, thousands(here.queries));
   }
   if (!here.mends()) return where + "no growth of r mends the contacts that were missed.";
-  return fmt::format("{}{} every contact that was missed on a triangle that is not degenerate{}{}.", where,
-                     here.text(true), here.hopeless == 0 ? "" : " and that a radius mends", phantoms_text(here));
+  return fmt::format("{}{} every contact that was missed on a triangle that is not degenerate{}{}{}.", where,
+                     here.text(), here.hopeless == 0 ? "" : " and that a radius mends", at_unit_text(margin),
+                     phantoms_text(here));
 }
 
 std::string degenerate_note(const Json& margin) {
@@ -94,14 +109,14 @@ std::string degenerate_note(const Json& margin) {
   return fmt::format(
       "On degenerate triangles there (without area, or a height below 1/1024 of the longest edge, or lengths beyond "
       "those of degree 6) {} {} missed contacts{}: such triangles are better mended when the mesh is read.",
-      here.text(true), thousands(here.missed - here.hopeless), phantoms_text(here));
+      here.text(), thousands(here.missed - here.hopeless), phantoms_text(here));
 }
 
 std::string counts_note(const Json& margin) {
   const Json& all = margin["all"];
   std::string text = fmt::format("Over all scales in {}, degenerate or not: ", margin["precision"].get<std::string>());
   const Growth everything = growth_of(margin, [](const Json&) { return true; });
-  text += everything.mends() ? fmt::format("{} every missed contact that a radius mends", everything.text(false))
+  text += everything.mends() ? fmt::format("{} every missed contact that a radius mends", everything.text())
                              : "no growth of r mends a missed contact";
   text += fmt::format("; {} contacts were missed, and {} phantom on {} queries", count_of(all, "missed"),
                       thousands(margin["phantoms"].get<std::uint64_t>()),
@@ -141,7 +156,7 @@ InstrumentTable margin_table(const Json& safe_margin) {
   InstrumentTable table{
       "Safe margin by the size of the scene: what r has to be multiplied by, or grow by, and new phantom contacts",
       {"precision", "triangles", "size from", "queries", "missed", "past mending", "tiny r", "factor", "amount",
-       "phantoms by the factor", "phantoms by the amount"},
+       "amount by size", "phantoms by the factor", "phantoms by the amount"},
       {}};
   for (const Json& margin : safe_margin["precisions"]) {
     for (const Json& part : margin["decades"]) {
@@ -150,7 +165,8 @@ InstrumentTable margin_table(const Json& safe_margin) {
       table.rows.push_back(
           {margin["precision"].get<std::string>(), part["degenerate"].get<bool>() ? "degenerate" : "others",
            decade < -399 ? "0" : fmt::format("1e{}", decade), count_of(part, "queries"), count_of(part, "missed"),
-           count_of(part, "hopeless"), count_of(part, "tiny"), figure_text(part["factor"]), figure_text(part["amount"]),
+           count_of(part, "hopeless"), count_of(part, "tiny"), figure_text(part["factor"]),
+           is_everyday(part) ? figure_text(part["amount"]) : "-", share_of(part) > 0 ? share_text(share_of(part)) : "-",
            count_of(part, "phantoms_by_factor"), count_of(part, "phantoms_by_amount")});
     }
   }

@@ -122,12 +122,18 @@ TEST(Situations, TheMostEverydayOneWithAVisibleDepthBreaksFirst) {
 
 TEST(Situations, AreSaidWithTheirFamiliesTheDepthAndWhatToDo) {
   const Json record = record_of({{"lattice", {3, 0, 0.25, 0}}, {"general", {0, 2, 0, 1e-8}}});
-  Json predicate = {{"breaks_first", what_breaks_first(record, "k")}, {"situations", where_it_is_wrong(record, "k")}};
+  Json predicate = {{"breaks_first", what_breaks_first(record, "k")},
+                    {"situations", where_it_is_wrong(record, "k")},
+                    {"search", {{"precisions", Json::object()}}}};
   EXPECT_EQ(predicate["breaks_first"]["cause"], "small_integers");
   const std::string note = breaks_note(predicate);
   EXPECT_THAT(note, HasSubstr("in binary32: motions in small integers"));
   EXPECT_THAT(note, HasSubstr("missed contacts in the family moving-sphere/lattice, up to 0.25 of the scene deep"));
   EXPECT_THAT(note, HasSubstr("See docs/moving.md#"));
+  predicate["search"]["precisions"]["binary32"]["finds"]["missed_contact"] = {{"depth", "0.2"}};
+  EXPECT_EQ(breaks_note(predicate), note);
+  predicate["search"]["precisions"]["binary32"]["finds"]["missed_contact"] = {{"depth", "0.5"}};
+  EXPECT_THAT(breaks_note(predicate), HasSubstr("deep. A search found one of 0.5 of the scene. "));
   const InstrumentTable table = situations_table(predicate);
   ASSERT_EQ(table.rows.size(), 2u);
   EXPECT_EQ(table.rows[1][2], "3");
@@ -138,15 +144,20 @@ TEST(Peculiarities, AreThoseThatAUserHasToKnow) {
   const auto property = [](const char* name, const char* value) {
     return Json{{"name", name}, {"value", value}, {"sentence", "s"}, {"queries", 1}};
   };
-  Json predicate = {{"diagnosis",
+  Json predicate = {{"kernel", {{"id", "peer/x"}, {"test", "moving-sphere"}}},
+                    {"diagnosis",
                      {{"precisions",
                        {{{"precision", "binary32"},
                          {"properties",
                           {property("sides", "front_only"), property("repeated", "same"),
                            property("absolute_threshold", "present")}}}}}}}};
   EXPECT_THAT(peculiarities_note(predicate), HasSubstr("in binary32, one-sided: only from the front; compares with"));
-  predicate["diagnosis"]["precisions"][0]["properties"] = {property("repeated", "same"),
-                                                           property("sides", "not_known")};
+  Json& properties = predicate["diagnosis"]["precisions"][0]["properties"];
+  properties = {property("nearest_form", "moving-sphere/physx5")};
+  EXPECT_THAT(peculiarities_note(predicate), HasSubstr("answers as moving-sphere/physx5 does, see docs/moving.md#"));
+  predicate["kernel"]["id"] = "moving-sphere/physx5";
+  EXPECT_EQ(peculiarities_note(predicate), "");
+  properties = {property("repeated", "same"), property("sides", "not_known")};
   EXPECT_EQ(peculiarities_note(predicate), "");
 }
 
