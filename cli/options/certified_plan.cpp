@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/options/test_options.h"
 #include "fuzz/certify/effort.h"
 #include "fuzz/confirm/finding_record.h"
@@ -26,7 +28,10 @@ PlanFile certified_plan(const CertifiedRun& run) {
   for (const std::string& id : yardsticks_for(kernel)) options.kernels.push_back(id);
   options.families = {"all"};
   options.meshes = run.meshes;
-  if (kernel.test == &first_test()) options.corpus = default_corpus_folder();
+  const auto is_of_kernel = [&](const CorpusEntry& entry) {
+    return entry.stored.test == kernel.test && entry.stored.entry == kernel.entry;
+  };
+  if (std::ranges::any_of(read_corpus(default_corpus_folder()), is_of_kernel)) options.corpus = default_corpus_folder();
   options.seed = run.seed;
   options.effort = run.effort;
   options.is_slow = !kernel.file.empty();

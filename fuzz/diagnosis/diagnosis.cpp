@@ -31,6 +31,8 @@ const std::vector<Probe>& probes() {
 #define AXISCERT_PROBE(name, asks, values, probe) {{name, asks, values}, probe<float>, probe<double>}
       AXISCERT_PROBE("touching", "the answer at a distance of exactly r", all_of_them(at_touching_names), at_touching),
       AXISCERT_PROBE("sides", "the sides of a triangle from which it is hit", all_of_them(sides_names), sides_hit),
+      AXISCERT_PROBE("overlap_at_start", "whether an overlap before the motion is a contact", all_of_them(starts_names),
+                     overlap_at_start),
       AXISCERT_PROBE("degenerate_triangles", "what becomes of triangles without area", all_of_them(degenerate_names),
                      degenerate_triangles),
       AXISCERT_PROBE("absolute_threshold", "whether something is compared with a number that has a length in it",

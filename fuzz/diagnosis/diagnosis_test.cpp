@@ -40,7 +40,7 @@ void expect_true(const Row& row) {
     const auto truth = row.truth.find(property.name);
     const std::string expected = truth == row.truth.end() ? "" : truth->second;
     const bool has_to_be_found = row.decided.contains(property.name);
-    EXPECT_NE(property.value, not_asked);
+    EXPECT_EQ(property.value == not_asked, property.name == "overlap_at_start");
     if (has_to_be_found) {
       EXPECT_EQ(property.value, expected);
     } else if (!expected.empty()) {
@@ -93,6 +93,7 @@ TEST(Diagnosis, HasTwentyKernelsOfEachKindAndEveryValue) {
     }
   }
   for (const PropertyKind& kind : property_kinds()) {
+    if (kind.name == "overlap_at_start") continue;  // of motions: other_tests_test.cpp
     for (const std::string_view value : kind.values) {
       EXPECT_TRUE(decided[std::string(kind.name)].contains(std::string(value)))
           << "no kernel of the tables is made so that " << kind.name << " is " << value;

@@ -102,6 +102,23 @@ inline Kernel one_sided(const Kernel& base, bool is_front) {
                      });
 }
 
+// Overlaps before the motion missed: where the distance does not fall at first, where nothing moves, or all of them.
+enum class Missed : std::uint8_t { leaving_and_still, still, all_starts };
+inline Kernel missing_starts(const Kernel& base, Missed missed) {
+  return answered_by(
+      base, "missing-starts", [missed]<class Real>(const Kernel& of, const auto& right, const Numbers<Real>& query) {
+        const Numbers<Real> still = diagnosis::without_motion(of, query);
+        if (verdict_by(right, still) == Verdict::separated) return verdict_by(right, query);
+        const bool is_still = std::ranges::equal(still, query);
+        const bool is_approaching =
+            oracles_of(of).is_promised(MotionPolicy{.start = StartPolicy::approaching}, query) && !is_still;
+        const bool is_missed = missed == Missed::still               ? is_still
+                               : missed == Missed::leaving_and_still ? !is_approaching
+                                                                     : true;
+        return is_missed ? Verdict::separated : Verdict::contact;
+      });
+}
+
 // Triangles without area answered in one way, whatever the query.
 inline Kernel flat_triangles(const Kernel& base, Verdict verdict) {
   return answered_by(base, "flat-" + std::string(name(verdict)),

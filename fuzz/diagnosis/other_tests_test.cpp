@@ -24,6 +24,7 @@ diagnosis::Found found_of(const Kernel& kernel, const std::string& property, std
   using namespace diagnosis;
   const std::map<std::string, Found (*)(Subject<Real>&)> probes = {{"touching", at_touching<Real>},
                                                                    {"sides", sides_hit<Real>},
+                                                                   {"overlap_at_start", overlap_at_start<Real>},
                                                                    {"degenerate_triangles", degenerate_triangles<Real>},
                                                                    {"subnormal_numbers", subnormal_numbers<Real>},
                                                                    {"operation_order", operation_order<Real>},
@@ -49,7 +50,7 @@ struct Row {
 };
 
 std::vector<Row> rows() {
-  const Kernel &moving = find_kernel("moving-sphere/twenty-nonstrict"), &boxes = find_kernel("box-box/cofactor"),
+  const Kernel &moving = find_kernel("moving-sphere/twenty-nonstrict"), &boxes = find_kernel("box-box/projected"),
                &triangle = find_kernel("box-triangle/thirteen");
   const Verdict apart = Verdict::separated, hit = Verdict::contact, refused = Verdict::invalid;
   return {
@@ -72,6 +73,12 @@ std::vector<Row> rows() {
       {"sides", "front_only", twice, one_sided(triangle, true)},
       {"sides", "back_only", single, one_sided(triangle, false)},
       {"sides", "not_asked", single, boxes},
+      {"overlap_at_start", "reported", single, moving},
+      {"overlap_at_start", "reported", twice, find_kernel("moving-sphere/ends-twenty-nonstrict")},
+      {"overlap_at_start", "moving", twice, missing_starts(moving, Missed::still)},
+      {"overlap_at_start", "approaching", single, missing_starts(moving, Missed::leaving_and_still)},
+      {"overlap_at_start", "ignored", twice, missing_starts(moving, Missed::all_starts)},
+      {"overlap_at_start", "not_asked", single, boxes},
       {"degenerate_triangles", "handled", single, moving},
       {"degenerate_triangles", "wrong_on_some", single, find_kernel("moving-sphere/twenty")},
       {"degenerate_triangles", "skipped", twice, flat_triangles(moving, apart)},

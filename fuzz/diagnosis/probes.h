@@ -7,11 +7,14 @@
 namespace axiscert::diagnosis {
 
 // Probes whose scenes are those of sphere-triangle, or made of another test's families and columns
-// (scenes_by_trait.h); operation_order is of sphere-triangle alone.
+// (scenes_by_trait.h); operation_order is of sphere-triangle
+// alone, overlap_at_start of motions.
 template <class Real>
 Found at_touching(Subject<Real>& subject);
 template <class Real>
 Found sides_hit(Subject<Real>& subject);
+template <class Real>
+Found overlap_at_start(Subject<Real>& subject);
 template <class Real>
 Found degenerate_triangles(Subject<Real>& subject);
 template <class Real>

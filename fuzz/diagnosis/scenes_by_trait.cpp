@@ -29,15 +29,6 @@ std::optional<Vec3<double>> displacement(const Kernel& kernel, const Numbers<Rea
   return triple(query, *to) - triple(query, *from);
 }
 
-// The same query without its motion.
-template <class Real>
-Numbers<Real> at_start(const Kernel& kernel, Numbers<Real> query) {
-  if (const auto d = first_column(kernel, "d")) std::fill_n(query.begin() + *d, 3, Real(0));
-  const auto from = first_column(kernel, "p"), to = first_column(kernel, "p1");
-  if (from && to) std::copy_n(query.begin() + *from, 3, query.begin() + *to);
-  return query;
-}
-
 // Where what is held against the triangle is: the moving centre before the motion, or the centre of the box.
 template <class Real>
 std::optional<Vec3<double>> place_of(const Kernel& kernel, const Numbers<Real>& query) {
@@ -96,6 +87,14 @@ std::optional<std::array<std::size_t, 3>> vertex_columns(const Kernel& kernel) {
 
 bool has_lengths(const Kernel& kernel) {
   return std::ranges::any_of(columns_of(kernel), [](const TestColumn& column) { return column.role == Role::length; });
+}
+
+template <class Real>
+Numbers<Real> without_motion(const Kernel& kernel, Numbers<Real> query) {
+  if (const auto d = first_column(kernel, "d")) std::fill_n(query.begin() + *d, 3, Real(0));
+  const auto from = first_column(kernel, "p"), to = first_column(kernel, "p1");
+  if (from && to) std::copy_n(query.begin() + *from, 3, query.begin() + *to);
+  return query;
 }
 
 template <class Real>
@@ -159,7 +158,7 @@ std::vector<SidedQuery<Real>> sided_queries(Subject<Real>& subject, std::size_t 
     if (height == 0 || (d && (dot(*d, triangle->normal) > 0) == is_front)) continue;
     if (of_side[is_front] >= count / 2) continue;
     if (oracles.truth(query).verdict != Verdict::contact || !(oracles.depth(query) > clear_depth)) continue;
-    if (d && oracles.truth(at_start(kernel, query)).verdict != Verdict::separated) continue;
+    if (d && oracles.truth(without_motion(kernel, query)).verdict != Verdict::separated) continue;
     ++of_side[is_front];
     found.push_back({query, is_front});
   }
@@ -193,6 +192,7 @@ std::vector<FlatQuery<Real>> flat_queries(Subject<Real>& subject, std::size_t of
 }
 
 #define AXISCERT_INSTANCES(Real)                                                     \
+  template Numbers<Real> without_motion(const Kernel&, Numbers<Real>);               \
   template bool is_plump(const Kernel&, const Numbers<Real>&);                       \
   template Numbers<Real> with_lengths_times(const Kernel&, Numbers<Real>, Real);     \
   template Queries<Real> touching_queries(Subject<Real>&, std::size_t);              \

@@ -20,6 +20,10 @@ std::optional<std::array<std::size_t, 3>> vertex_columns(const Kernel& kernel);
 // Whether the entry has lengths, which grow what it asks about: a radius, half extents.
 bool has_lengths(const Kernel& kernel);
 
+// The same motion without its displacement; another query as it is.
+template <class Real>
+Numbers<Real> without_motion(const Kernel& kernel, Numbers<Real> query);
+
 // Whether nothing in a query is without extent, or hardly any: no length of 0, no thin triangle, no displacement of 0.
 template <class Real>
 bool is_plump(const Kernel& kernel, const Numbers<Real>& query);

@@ -13,6 +13,9 @@ namespace axiscert::diagnosis {
 enum class AtTouching : std::uint8_t { closed, open, neither };
 // Triangles of which the centre lies on the one side or the other: front is the side of (B - A) x (C - A).
 enum class Sides : std::uint8_t { both, front_only, back_only };
+// An overlap before the motion: always a contact; not where nothing moves; only where the distance falls at first;
+// never.
+enum class Starts : std::uint8_t { reported, moving, approaching, ignored };
 // Triangles of area 0: right on all; always separated; always contact; `invalid`; wrong on some.
 enum class Degenerate : std::uint8_t { handled, skipped, always_hit, refused, wrong_on_some };
 // Something is compared with a number that has a length in it.
@@ -43,6 +46,7 @@ namespace axiscert {
   }
 AXISCERT_VALUES(AtTouching, 3, at_touching_names, "closed", "open", "neither")
 AXISCERT_VALUES(Sides, 3, sides_names, "both", "front_only", "back_only")
+AXISCERT_VALUES(Starts, 4, starts_names, "reported", "moving", "approaching", "ignored")
 AXISCERT_VALUES(Degenerate, 5, degenerate_names, "handled", "skipped", "always_hit", "refused", "wrong_on_some")
 AXISCERT_VALUES(Threshold, 2, threshold_names, "none_found", "present")
 AXISCERT_VALUES(Window, 2, window_names, "whole", "limited")

@@ -28,6 +28,10 @@ constexpr Peculiarity peculiarities[] = {
     {"touching", "neither", "what only touches is a contact or not, as it falls"},
     {"sides", "front_only", "one-sided: only from the front"},
     {"sides", "back_only", "one-sided: only from behind"},
+    {"overlap_at_start", "moving", "misses an overlap where nothing moves: ask the static test there"},
+    {"overlap_at_start", "approaching",
+     "misses an overlap before the motion unless it approaches: ask the static test first"},
+    {"overlap_at_start", "ignored", "misses every overlap before the motion: ask the static test first"},
     {"degenerate_triangles", "skipped", "triangles without area are never hit"},
     {"degenerate_triangles", "always_hit", "triangles without area are always hit"},
     {"degenerate_triangles", "refused", "triangles without area are refused"},
@@ -81,7 +85,7 @@ std::string breaks_note(const Json& predicate) {
     const Json find = search["finds"].value(goal, Json());
     if (precision != first["precision"] || find.is_null() || depth_of(find["depth"]) <= depth_of(first["deepest"]))
       continue;
-    found = fmt::format(" A search found one of {} of the scene.", word_or_dash(find["depth"]));
+    found = fmt::format(" A search found one of depth {}.", word_or_dash(find["depth"]));
   }
   // A situation's meaning says what happens there; a cause's does not.
   const bool is_situation =

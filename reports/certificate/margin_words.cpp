@@ -96,10 +96,13 @@ std::string everyday_note(const Json& margin) {
     return fmt::format("{}none is needed on triangles that are not degenerate: no contact was missed on {} queries.",
                        where, thousands(here.queries));
   }
-  if (!here.mends()) return where + "no growth of r mends the contacts that were missed.";
+  if (!here.mends())
+    return fmt::format("{}no growth of r mends the {} contacts that were missed.", where, thousands(here.missed));
+  const std::string beyond = here.hopeless == 0 ? ""
+                                                : fmt::format(", but for {} of {} that no radius mends",
+                                                              thousands(here.hopeless), thousands(here.missed));
   return fmt::format("{}{} every contact that was missed on a triangle that is not degenerate{}{}{}.", where,
-                     here.text(), here.hopeless == 0 ? "" : " and that a radius mends", at_unit_text(margin),
-                     phantoms_text(here));
+                     here.text(), beyond, at_unit_text(margin), phantoms_text(here));
 }
 
 std::string degenerate_note(const Json& margin) {

@@ -30,16 +30,16 @@ class CertificatePage {
     report.command = command;
     report.notes_heading = "In short";
     report.notes = {levels_note()};
+    report.notes.push_back(breaks_note(predicate_));
+    if (std::string note = peculiarities_note(predicate_); !note.empty()) report.notes.push_back(std::move(note));
     for (const Json& margin : predicate_["safe_margin"]["precisions"])
       for (std::string& note : margin_notes(margin)) report.notes.push_back(std::move(note));
     if (predicate_["safe_margin"]["precisions"].empty())
       report.notes.push_back(
           fmt::format("Safe margin: not asked: {}.", predicate_["safe_margin"]["reason"].get<std::string>()));
-    report.notes.push_back(breaks_note(predicate_));
-    if (std::string note = peculiarities_note(predicate_); !note.empty()) report.notes.push_back(std::move(note));
-    report.tables = {levels_table()};
     if (InstrumentTable table = situations_table(predicate_); !table.rows.empty())
       report.tables.push_back(std::move(table));
+    report.tables.push_back(levels_table());
     if (InstrumentTable table = not_asked_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
     if (InstrumentTable table = margin_table(predicate_["safe_margin"]); !table.rows.empty())
       report.tables.push_back(std::move(table));

@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view sweeps = "docs/moving.md#libraries-and-engines",
                            sweeps_over_reals = "docs/moving.md#what-each-method-gets-wrong-over-the-reals";
 constexpr Situation of_moving_sphere[] = {
-    {"everyday", "motions of everyday sizes and scenes in metres, clear or not",
+    {"everyday", "motions of everyday sizes, and scenes in metres",
      "Do not build on it as it stands: sweep by another method, and ask both about your own motions "
      "(`axiscert run --queries`).",
      sweeps, "general scene_walk scene_fall scene_bullet scene_shake ends_general ends_walk"},
@@ -42,6 +42,8 @@ constexpr Situation of_moving_sphere[] = {
      sweeps,
      "graze touch_end touch_start exact_time seam_time overlap_ulp orders axes inverted translated reversed split "
      "halved ends_graze ends_touch"},
+    {"known", "queries of the corpus, which were hard once or are faults of engines",
+     "`axiscert corpus list` says what each is about.", "docs/corpus.md#the-corpus", "corpus"},
     {"own", "the queries of meshes and files that were given", "`axiscert check` a witness.", sweeps, ""},
 };
 
@@ -78,6 +80,8 @@ constexpr Situation of_box_box[] = {
      "Roundings, where the depth is small: let the boxes grow by more than that depth of the scene.",
      "docs/boxes.md#from-the-definition-to-the-books",
      "tangent stacked edge_edge vertex_face tangent_turned edge_edge_turned vertex_face_turned"},
+    {"known", "queries of the corpus, which were hard once or are faults of engines",
+     "`axiscert corpus list` says what each is about.", "docs/corpus.md#the-corpus", "corpus"},
     {"own", "the queries of files that were given", "`axiscert check` a witness.", box_libraries, ""},
 };
 
@@ -96,6 +100,8 @@ constexpr Situation of_box_triangle[] = {
     {"touching", "boxes and triangles that touch, or miss by ulps",
      "Roundings, where the depth is small: let the box grow by more than that depth of the scene.", box_and_triangle,
      "touching touching_minmax touching_oriented"},
+    {"known", "queries of the corpus, which were hard once or are faults of engines",
+     "`axiscert corpus list` says what each is about.", "docs/corpus.md#the-corpus", "corpus"},
     {"own", "the queries of meshes and files that were given", "`axiscert check` a witness.", box_and_triangle, ""},
 };
 

@@ -56,7 +56,7 @@ TEST(Situations, HaveEveryFamilyOfOtherTestsOnce) {
       for (std::string word; words >> word;) named.insert(fmt::format("{}/{}", test->id, word));
     }
     if (situations.empty()) continue;
-    std::multiset<std::string> known;
+    std::multiset<std::string> known = {fmt::format("{}/corpus", test->id)};
     for (const Family* family : families_of(*test)) known.insert(std::string(family->name));
     EXPECT_EQ(named, known) << test->id;
   }
@@ -118,6 +118,7 @@ TEST(Situations, TheMostEverydayOneWithAVisibleDepthBreaksFirst) {
   EXPECT_EQ(first_of({{"graze", {0, 1, 0, 2e-7}}}), situation_named("touching", false));
   EXPECT_EQ(first_of({{"mesh-abc", {1, 0, 0.5, 0}}}), situation_named("own", true));
   EXPECT_EQ(first_of({{"graze", {0, 0, 0, 0}}}), Json());
+  EXPECT_EQ(first_of({{"graze", {1, 0, 0.5, 0}}, {"corpus", {1, 0, 0.9, 0}}}), situation_named("touching", true));
 }
 
 TEST(Situations, AreSaidWithTheirFamiliesTheDepthAndWhatToDo) {
@@ -133,7 +134,7 @@ TEST(Situations, AreSaidWithTheirFamiliesTheDepthAndWhatToDo) {
   predicate["search"]["precisions"]["binary32"]["finds"]["missed_contact"] = {{"depth", "0.2"}};
   EXPECT_EQ(breaks_note(predicate), note);
   predicate["search"]["precisions"]["binary32"]["finds"]["missed_contact"] = {{"depth", "0.5"}};
-  EXPECT_THAT(breaks_note(predicate), HasSubstr("deep. A search found one of 0.5 of the scene. "));
+  EXPECT_THAT(breaks_note(predicate), HasSubstr("deep. A search found one of depth 0.5. "));
   const InstrumentTable table = situations_table(predicate);
   ASSERT_EQ(table.rows.size(), 2u);
   EXPECT_EQ(table.rows[1][2], "3");

@@ -7,8 +7,8 @@ import jsonschema
 
 from command import BUILD, SCHEMAS, Case, axiscert
 
-PROPERTIES = ["touching", "sides", "degenerate_triangles", "absolute_threshold", "range_window", "subnormal_numbers", "operation_order", "inner_precision",
-              "repeated", "position_in_batch", "batch_length", "neighbours", "nearest_form"]
+PROPERTIES = ["touching", "sides", "overlap_at_start", "degenerate_triangles", "absolute_threshold", "range_window", "subnormal_numbers", "operation_order",
+              "inner_precision", "repeated", "position_in_batch", "batch_length", "neighbours", "nearest_form"]
 
 
 class Diagnose(Case):
