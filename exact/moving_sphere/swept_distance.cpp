@@ -21,6 +21,19 @@ class Fraction : boost::ordered_field_operators1<Fraction>, boost::ordered_field
   Fraction() = default;
   Fraction(int x) : over_(x) {}
   Fraction(double x) : over_(x) {}
+  // A denominator of 1 is not copied.
+  Fraction(const Fraction& other) : over_(other.over_), is_whole_(other.is_whole_) {
+    if (!is_whole_) under_ = other.under_;
+  }
+  Fraction& operator=(const Fraction& other) {
+    over_ = other.over_;
+    is_whole_ = other.is_whole_;
+    if (!is_whole_) under_ = other.under_;
+    return *this;
+  }
+  Fraction(Fraction&&) = default;
+  Fraction& operator=(Fraction&&) = default;
+  ~Fraction() = default;
 
   Fraction& operator+=(const Fraction& other) { return add(other, other.over_); }
   Fraction& operator-=(const Fraction& other) { return add(other, -other.over_); }
@@ -67,8 +80,8 @@ class Fraction : boost::ordered_field_operators1<Fraction>, boost::ordered_field
     is_whole_ = false;
   }
 
-  CGAL::Mpzf over_{0}, under_{1};  // `under` is not 0, and may be negative
-  bool is_whole_ = true;           // `under` is 1
+  CGAL::Mpzf over_, under_;
+  bool is_whole_ = true;  // the denominator is 1; else it is `under`, which is not 0 and may be negative
 };
 
 }  // namespace

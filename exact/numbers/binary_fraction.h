@@ -9,13 +9,15 @@ namespace axiscert {
 // over / under; `under` is positive. Quotients of one denominator keep it in a sum, others multiply theirs, so it
 // serves for formulae that divide in a stated place, and not for a loop.
 struct BinaryFraction {
-  BinaryNumber over, under{1.0};
+  BinaryNumber over, under = BinaryNumber::one();
 
   BinaryFraction() = default;
   explicit BinaryFraction(double x) : over(x) {}  // finite
   explicit BinaryFraction(BinaryNumber x) : over(std::move(x)) {}
   BinaryFraction(BinaryNumber above, BinaryNumber below) : over(std::move(above)), under(std::move(below)) {}
   explicit BinaryFraction(const Rational& x) : over(x.get_num_mpz_t()), under(x.get_den_mpz_t()) {}
+
+  bool is_whole() const { return under == BinaryNumber::one(); }
 
   friend BinaryFraction operator+(const BinaryFraction& a, const BinaryFraction& b) {
     if (a.under == b.under) return {a.over + b.over, a.under};

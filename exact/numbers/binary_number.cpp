@@ -61,7 +61,7 @@ void BinaryNumber::take(BinaryNumber& other) {
   other.size_ = 0;
 }
 
-void BinaryNumber::trim() {
+void BinaryNumber::trim_ends() {
   while (size_ > 0 && word_[size_ - 1] == 0) --size_;
   std::size_t low = 0;
   while (low < size_ && word_[low] == 0) ++low;
@@ -87,6 +87,13 @@ BinaryNumber operator*(const BinaryNumber& a, const BinaryNumber& b) {
   result.is_negative_ = a.is_negative_ != b.is_negative_;
   result.trim();
   return result;
+}
+
+long double BinaryNumber::approximately() const {
+  if (size_ == 0) return 0;
+  const long double more = size_ > 1 ? static_cast<long double>(word_[size_ - 2]) * 0x1p-64L : 0;
+  const long double size = std::ldexp(static_cast<long double>(word_[size_ - 1]) + more, 64 * (top() - 1));
+  return is_negative_ ? -size : size;
 }
 
 int order(const BinaryNumber& a, const BinaryNumber& b) {

@@ -19,6 +19,12 @@ class BinaryNumber {
   BinaryNumber() = default;
   // Finite.
   explicit BinaryNumber(double x);
+  static BinaryNumber one() {
+    BinaryNumber result;
+    result.size_ = 1;
+    result.own_[0] = 1;
+    return result;
+  }
   explicit BinaryNumber(mpz_srcptr x);
   BinaryNumber(const BinaryNumber& other) { copy(other); }
   BinaryNumber(BinaryNumber&& other) noexcept { take(other); }
@@ -63,6 +69,10 @@ class BinaryNumber {
   friend bool operator<(const BinaryNumber& a, const BinaryNumber& b) { return order(a, b) < 0; }
   friend bool operator<=(const BinaryNumber& a, const BinaryNumber& b) { return order(a, b) <= 0; }
 
+  // Within 2^-62 of its size: the words from the third on are left out, and a sum is rounded where long double has 64
+  // bits. Infinite, or 0, beyond the exponents of long double.
+  long double approximately() const;
+
   // Calls use(mpz, exponent) with a view of the words as an integer of GMP; the number is mpz 2^exponent.
   template <class Use>
   auto as_mpz(Use&& use) const {
@@ -83,7 +93,10 @@ class BinaryNumber {
   // Precondition: the words are in the object.
   void take(BinaryNumber& other);
   // Removes the words at both ends that are 0.
-  void trim();
+  void trim() {
+    if (size_ == 0 || word_[0] == 0 || word_[size_ - 1] == 0) trim_ends();
+  }
+  void trim_ends();
 
   static int order_of_magnitudes(const BinaryNumber& a, const BinaryNumber& b);
 

@@ -52,6 +52,14 @@ TEST(BinaryNumber, IsExactInEveryOperation) {
     ASSERT_EQ(rational(a.number * b.number), a.exactly * b.exactly) << i;
     ASSERT_EQ(rational(-a.number), -a.exactly) << i;
     ASSERT_EQ(rational(magnitude(a.number)), abs(a.exactly)) << i;
+    const long double near = a.number.approximately();
+    ASSERT_EQ(near > 0, a.number.sign() > 0) << i;
+    // The two doubles of a long double have all its bits, where neither is too great or subnormal.
+    if (std::fabs(near) > 0x1p-900L && std::fabs(near) < 0x1p1000L) {
+      const auto leading = static_cast<double>(near);
+      const Rational off = exact(leading) + exact(static_cast<double>(near - leading)) - a.exactly;
+      ASSERT_LE(abs(off) * exact(0x1p62), abs(a.exactly)) << i;
+    }
     const int less_or_greater = cmp(a.exactly, b.exactly);
     ASSERT_EQ(order(a.number, b.number), less_or_greater < 0 ? -1 : less_or_greater > 0 ? 1 : 0) << i;
     ASSERT_EQ(a.number.sign(), sgn(a.exactly)) << i;
@@ -71,6 +79,7 @@ TEST(BinaryNumber, HasAFloatsValueAtEveryExponent) {
     }
   }
   EXPECT_EQ(BinaryNumber(-0.0).sign(), 0);
+  EXPECT_TRUE(BinaryNumber::one() == BinaryNumber(1));
   EXPECT_EQ(rational(BinaryNumber(mpz_class("-340282366920938463463374607431768211456").get_mpz_t())),
             Rational("-340282366920938463463374607431768211456"));
 }

@@ -40,6 +40,8 @@ struct Detail {
 class AskedQuery {
  public:
   virtual ~AskedQuery() = default;
+  // This kernel's claim will be asked: what the truth evaluates of it is then kept.
+  virtual void expect(const Kernel&) {}
   // By geometry and by the exact formulae, compared.
   virtual Truth truth() = 0;
   // Empty for a kernel that claims no formulae; the query is valid. Throws HarnessFault if the kernel claims formulae

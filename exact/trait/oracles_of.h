@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "exact/numbers/floating.h"
+#include "exact/numbers/range_events.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
 #include "kernel/base/error.h"
@@ -112,6 +115,10 @@ class OraclesOf final : public Oracles {
     return signs;
   }
 
+  // Formulae made from the first by other relations: the sides are the same.
+  template <class F>
+  static constexpr bool has_first_sides = std::is_base_of_v<First, F>;
+
   // A query, and what was evaluated of the first formulae on it.
   template <class Real>
   class Asked final : public AskedQuery {
@@ -134,6 +141,13 @@ class OraclesOf final : public Oracles {
       return truth;
     }
 
+    void expect(const Kernel& kernel) override {
+      const auto expected = [&]<class... F>(FormulaeList<F...>) {
+        return ((has_first_sides<F> && F::name == kernel.claims) || ...);
+      };
+      keeps_sides_ = keeps_sides_ || expected(typename Test::AllFormulae());
+    }
+
     std::optional<Claimed> claimed(const Kernel& kernel) override {
       return claimed_by(kernel, typename Test::AllFormulae());
     }
@@ -152,26 +166,46 @@ class OraclesOf final : public Oracles {
           fmt::format("kernel '{}' claims formulae '{}', which {} has not", kernel.id, kernel.claims, kernel.test->id));
     }
 
-    // R-infinity is by MPFR, whose exponents have no end that a query could reach.
     template <class F>
     Claimed evaluated(const Kernel& kernel) {
       Claimed claim;
-      claim.sides = exact_sides<F>(q_);
+      claim.sides = sides<F>();
       if (F::kind == FormulaeKind::rung) require_same_signs(F::name, *claim.sides);
       claim.chain = {outcome(claim.sides->holds), std::nullopt, claim.sides->ties};
       if (!kernel.is_reference) return claim;
-      constexpr auto ignore = [](std::size_t, const auto&, const auto&) {};
-      const FloatingScope scope({std::numeric_limits<Real>::digits, Rounding::nearest, {}});
-      claim.chain.rounded = Rounded{outcome(bits_of<F, Floating>(problem_of<Floating>(q_), ignore)),
-                                    outcome(bits_of<F, Real>(problem_of<Real>(q_), ignore))};
+      claim.chain.rounded = rounded<F>();
       return claim;
+    }
+    // R, and R-infinity: where the range was left by MPFR, whose exponents have no end that a query could reach.
+    template <class F>
+    Rounded rounded() const {
+      constexpr auto ignore = [](std::size_t, const auto&, const auto&) {};
+      const BitsInRange reference = bits_in_range([&] { return bits_of<F, Real>(problem_of<Real>(q_), ignore); });
+      const Outcome found = outcome(reference.bits);
+      if (reference.stayed) return {found, found};
+      const FloatingScope scope({std::numeric_limits<Real>::digits, Rounding::nearest, {}});
+      return {outcome(bits_of<F, Floating>(problem_of<Floating>(q_), ignore)), found};
     }
     static Outcome outcome(ComparisonBits bits) { return {verdict_of(Test::description(), bits), bits}; }
 
     // The signs of the first formulae.
     const Signs& signs() {
-      if (!signs_) signs_ = exact_signs(q_);
+      if (signs_) return *signs_;
+      if (keeps_sides_) {
+        first_ = exact_sides<First>(q_);
+        signs_ = Signs{first_->holds, first_->ties};
+      } else {
+        signs_ = exact_signs(q_);
+      }
       return *signs_;
+    }
+    // Those that the signs were found from are handed on to the first claim that has them.
+    template <class F>
+    ExactSides sides() {
+      if (!has_first_sides<F> || !first_) return exact_sides<F>(q_);
+      ExactSides found = *std::exchange(first_, std::nullopt);
+      found.holds = strict(found) | (found.ties & nonstrict_comparisons<F>());
+      return found;
     }
     template <class Signed>
     static ComparisonBits strict(const Signed& of) {
@@ -190,6 +224,8 @@ class OraclesOf final : public Oracles {
 
     const Numbers<Real> q_;
     std::optional<Signs> signs_;
+    bool keeps_sides_ = false;
+    std::optional<ExactSides> first_;  // of the first formulae
   };
 
   template <class Real>

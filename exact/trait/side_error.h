@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -74,5 +75,25 @@ class SideError {
   int digits_;
   BinaryNumber difference_, scale_;  // |l^ - r^ - (l - r)| and |l| + |r|, in one unit
 };
+
+// No less than the error, from the leading words alone: infinite where these do not tell, as where it is of another
+// kind than `finite`.
+template <class Real>
+double side_error_at_most(Real computed_lhs, Real computed_rhs, const BinaryFraction& lhs, const BinaryFraction& rhs) {
+  using Long = long double;
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  if (!lhs.is_whole() || !rhs.is_whole()) return unknown;
+  // All that is rounded, and what the leading words leave out, is less than this part of the four numbers: a few
+  // roundings, and 2^-63 of an exact side.
+  constexpr Long lost = std::max(16 * std::numeric_limits<Long>::epsilon(), Long(0x1p-59));
+  const Long left = lhs.over.approximately(), right = rhs.over.approximately();
+  const Long scale = std::fabs(left) + std::fabs(right);
+  const Long computed = static_cast<Long>(computed_lhs) - static_cast<Long>(computed_rhs);
+  const Long sizes = std::fabs(static_cast<Long>(computed_lhs)) + std::fabs(static_cast<Long>(computed_rhs)) + scale;
+  const Long error = (std::fabs(computed - (left - right)) + lost * sizes) / scale;
+  const bool is_known = scale > std::numeric_limits<Long>::min() / lost && error < std::numeric_limits<float>::max();
+  constexpr Long one_u = Long(1) * (std::uint64_t{1} << std::numeric_limits<Real>::digits);
+  return is_known ? static_cast<double>(error * one_u * (1 + 0x1p-40L)) : unknown;
+}
 
 }  // namespace axiscert

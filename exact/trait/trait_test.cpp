@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "exact/trait/oracles_of.h"
 #include "exact/trait/side_error.h"
@@ -72,9 +73,15 @@ struct AtLeast {
   }
 };
 
+// The same, made from the first: what was evaluated of these is not evaluated again.
+struct Tied : AsWritten {
+  static constexpr std::string_view name = "tied";
+  static constexpr ComparisonBits nonstrict = 1;
+};
+
 template <int wrong_by>
 struct SumTrait : Sum {
-  using AllFormulae = FormulaeList<AsWritten, Slip, Variant, AtLeast>;
+  using AllFormulae = FormulaeList<AsWritten, Slip, Variant, AtLeast, Tied>;
   static bool is_valid(const Numbers<double>& q) {
     return std::isfinite(q[0]) && std::isfinite(q[1]) && std::isfinite(q[2]);
   }
@@ -149,6 +156,23 @@ TEST(Trait, ClaimsOfOneQueryAreEachOfTheirOwnFormulae) {
   EXPECT_EQ(rational(apart->claimed(claiming("at-least"))->sides->lhs[0]), Rational(3, 2));
 }
 
+TEST(Trait, AnExpectedClaimIsTheSame) {
+  for (const double c : {0.25, 0.125, 0.5}) {
+    const Numbers<double> q{0.5, 0, c};
+    const auto asked = oracles.about(q);
+    asked->expect(claiming("tied"));
+    EXPECT_EQ(asked->truth().touching, c == 0.25);
+    for (const std::string formulae : {"tied", "as-written", "tied"}) {
+      const auto claim = asked->claimed(claiming(formulae)), alone = oracles.claimed(claiming(formulae), q);
+      EXPECT_EQ(claim->chain.exact.bits, alone->chain.exact.bits) << formulae << " at " << c;
+      EXPECT_EQ(claim->chain.exact.bits, c < 0.25 || (c == 0.25 && formulae == "tied") ? 1u : 0u);
+      EXPECT_EQ(claim->sides->ties, alone->sides->ties) << formulae << " at " << c;
+      EXPECT_EQ(rational(claim->sides->lhs[0]), Rational(1, 4));
+      EXPECT_EQ(rational(claim->sides->rhs[0]), exact(c));
+    }
+  }
+}
+
 TEST(Trait, DisagreementsEndARun) {
   const Numbers<double> q{1, 1, 1.5};
   EXPECT_THAT([&] { OraclesOf<SumTrait<-1>>().truth(q); },
@@ -173,6 +197,47 @@ TEST(SideError, IsInUnitsOfUAndOfBothSides) {
   EXPECT_GE(error.upper(), 1);
   EXPECT_FALSE(error.exceeds(1));
   EXPECT_TRUE(error.exceeds(Rational(999, 1000)));
+}
+
+// a b against c d of any exponents and lengths, computed with a few ulps of error or none.
+template <class Real>
+void expect_bounds_of_errors(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto number = [&] {
+    const double bits = static_cast<double>(random() >> (11 + random() % 53));
+    return std::ldexp(random() % 2 == 0 ? bits : -bits, static_cast<int>(random() % 40) - 20);
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const int exponent = (random() % 2000 == 0 ? 500 : 8) * (static_cast<int>(random() % 9) - 4);
+    const auto side = [&] {
+      return BinaryNumber(number()) * BinaryNumber(number()) * BinaryNumber(std::ldexp(1, exponent / 4));
+    };
+    const BinaryFraction lhs(side()), rhs(random() % 4 == 0 ? lhs.over : side());
+    const auto computed = [&](const BinaryFraction& exactly) {
+      auto rounded = static_cast<Real>(rational(exactly).get_d());
+      for (auto steps = random() % 3; steps > 0; --steps) rounded = std::nextafter(rounded, Real(random() % 2));
+      return rounded;
+    };
+    const Real l = computed(lhs), r = computed(rhs);
+    const double at_most = side_error_at_most(l, r, lhs, rhs);
+    const SideError error(l, r, lhs, rhs);
+    if (error.kind() != SideError::Kind::finite) {
+      ASSERT_EQ(at_most, INFINITY) << i;
+    } else if (std::isfinite(at_most)) {
+      ASSERT_FALSE(error.exceeds(Rational(at_most))) << i;
+      ASSERT_LE(at_most, error.upper() * (1 + 1e-6) + 0.05) << i;
+    } else {
+      ASSERT_TRUE(lhs.over.sign() == 0 && rhs.over.sign() == 0) << i;
+    }
+  }
+  const BinaryFraction one(1.0), third = one / BinaryFraction(3.0);
+  EXPECT_EQ(side_error_at_most(Real(1), Real(0), third, one), INFINITY) << "a quotient";
+  EXPECT_EQ(side_error_at_most(std::numeric_limits<Real>::infinity(), Real(0), one, one), INFINITY);
+  EXPECT_EQ(side_error_at_most(std::numeric_limits<Real>::quiet_NaN(), Real(0), one, one), INFINITY);
+}
+TEST(SideError, ABoundFromTheLeadingWordsHoldsAndIsClose) {
+  expect_bounds_of_errors<float>(20261125);
+  expect_bounds_of_errors<double>(20261126);
 }
 
 }  // namespace

@@ -16,8 +16,12 @@ namespace {
 template <class Real>
 class ExactQuery final : public DepthOf {
  public:
-  ExactQuery(const Oracles& oracles, const Numbers<Real>& numbers)
-      : oracles_(oracles), numbers_(numbers), asked_(oracles.about(numbers)), truth_(asked_->truth()) {}
+  // `kernels` are those whose claims will be asked.
+  ExactQuery(const Oracles& oracles, const Numbers<Real>& numbers, const std::vector<const Kernel*>& kernels)
+      : oracles_(oracles), numbers_(numbers), asked_(oracles.about(numbers)) {
+    for (const Kernel* kernel : kernels) asked_->expect(*kernel);
+    truth_ = asked_->truth();
+  }
 
   const Truth& truth() const { return truth_; }
   // Null without a claim or a truth.
@@ -130,9 +134,11 @@ void run_plain(const Plan& plan, const Source& source, std::uint64_t first, std:
                const std::vector<Standing>& standing, UnitResult& out) {
   static const Standing nothing;
   std::deque<PlainRun<Real>> runs;
+  std::vector<const Kernel*> kernels;
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     const Kernel& kernel = *plan.kernels[k];
     if (!kernel.has(precision_of<Real>) || kernel.entry != source.entry()) continue;
+    kernels.push_back(&kernel);
     runs.emplace_back(kernel, plan, source, standing.empty() ? nothing : standing[k], out.tallies[k]);
   }
   if (runs.empty()) return;
@@ -149,7 +155,7 @@ void run_plain(const Plan& plan, const Source& source, std::uint64_t first, std:
     for (PlainRun<Real>& run : runs) run.ask_about(made);
     steps.kernels += watch.lap();
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      ExactQuery<Real> query(oracles, queries[i]);
+      ExactQuery<Real> query(oracles, queries[i], kernels);
       for (PlainRun<Real>& run : runs) run.judge(i, query);
     }
     steps.queries[Step::exact] += queries.size();

@@ -114,6 +114,11 @@ void keep_first_verdict(VerdictTally& tally, std::uint64_t position, bool touchi
   }
 }
 
+// A smaller error than the largest so far may round up to the same decimal, at an earlier position.
+double least_of_interest(const ComparisonTally& comparison) {
+  return comparison.largest_error.best().value() * Decimal6::least_ratio;
+}
+
 // Counts the error of one comparison's sides; returns whether it exceeds what is tolerated.
 template <class Error>
 bool count_error(ComparisonTally& comparison, std::uint64_t position, const Error& error,
@@ -126,9 +131,8 @@ bool count_error(ComparisonTally& comparison, std::uint64_t position, const Erro
       ++comparison.error_without_scale;
       break;
     case Error::Kind::finite:
-      // The bound only selects; what is compared and stored is the exact error. A smaller one may round up to the same
-      // decimal, at an earlier position.
-      if (error.upper() > 0 && error.upper() >= comparison.largest_error.best().value() * Decimal6::least_ratio) {
+      // The bound only selects; what is compared and stored is the exact error.
+      if (error.upper() > 0 && error.upper() >= least_of_interest(comparison)) {
         comparison.largest_error.offer({error.rounded_up(), position});
       }
       if (tolerated && error.exceeds(*tolerated)) {
@@ -296,6 +300,9 @@ void count_errors(Tally& tally, std::uint64_t position, const TestDescription& t
                   const Answers<Real>& computed, std::size_t index, const Tolerances& tolerances) {
   ClauseBits failing = 0;
   for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
+    const double at_most =
+        side_error_at_most(computed.lhs[i][index], computed.rhs[i][index], exact.lhs[i], exact.rhs[i]);
+    if (!tolerances[i] && at_most < least_of_interest(tally.comparisons[i])) continue;
     const SideError error(computed.lhs[i][index], computed.rhs[i][index], exact.lhs[i], exact.rhs[i]);
     if (count_error(tally.comparisons[i], position, error, tolerances[i])) {
       failing |= one_bit<ClauseBits>(test.comparisons[i].clause);

@@ -67,6 +67,14 @@ TEST(WildMagicSweepFaults, AContactIsGivenATimeBeforeTheMotion) {
   }
 }
 
+// wildmagic-assertion: Math::InvSqrt asserts that it is not given 0. The next motion of the batch is answered.
+TEST(WildMagicSweepFaults, AnAssertionEndsTheProcessOnAPathThatTouchesAVertex) {
+  const Sweep<float> at_an_edge{{1, -1, 1}, {-1, 0, -1}, {0, 0, 0}, {-2, 2, 2}, {0, -3, -3}, 2};
+  const auto face = motion<float>({1, 1, 3}, {0, 0, -4}, 1);
+  for (const char* peer : {"wildmagic", "wildmagic-float"})
+    EXPECT_EQ(letters_of(ask_sweeps<float>(peer, {at_an_edge, face, at_an_edge, face})), "ucuc") << peer;
+}
+
 // ode-capsule-vertex
 TEST(OdeSweepFaults, ACapsuleThatEndsOnAVertexIsMissed) {
   expect_answer("ode-capsule", motion<double>({-3, -4, 0.5}, {3, 4, -0.5}, 1), 's');
