@@ -1,6 +1,6 @@
 (* Prints the assumptions of each main theorem; Assumptions.expected has the text that it has to print. *)
 From Axiscert Require Import Exact Reduced OpenSphere Known Scaled RecordedIsSat7 RecordedIsProgram Expression Run Windows Thresholds
-  Filter Filters Margins Pairs CertifiedStep CoarseFloat OpenCoarse PairStep Box ConservativeStep PhantomStep Exported Decides
+  Filter Filters Margins Pairs CertifiedStep CoarseFloat OpenCoarse PairStep Box ConservativeStep PhantomStep ConservativeFloat InversePower Exported Decides
   CoarseKnown RecordedIsCertified FineStep RecordedIsDeep RecordedIsConservative ExactStep Negligible CertifiedIsExact.
 
 Tactic Notation "theorem" string(name) := idtac "==" name.
@@ -176,6 +176,22 @@ Goal True. theorem "recorded_fine_margins". Abort.
 Print Assumptions recorded_fine_margins.
 Goal True. theorem "recorded_deep_constants". Abort.
 Print Assumptions recorded_deep_constants.
+Goal True. theorem "float_conservative_is_right32". Abort.
+Print Assumptions float_conservative_is_right32.
+Goal True. theorem "float_conservative_is_right64". Abort.
+Print Assumptions float_conservative_is_right64.
+Goal True. theorem "inverse_power_is32". Abort.
+Print Assumptions inverse_power_is32.
+Goal True. theorem "inverse_power_is64". Abort.
+Print Assumptions inverse_power_is64.
+Goal True. theorem "order_gives_least". Abort.
+Print Assumptions order_gives_least.
+Goal True. theorem "conservative_step_decides". Abort.
+Print Assumptions conservative_step_decides.
+Goal True. theorem "recorded_conservative32". Abort.
+Print Assumptions recorded_conservative32.
+Goal True. theorem "recorded_conservative64". Abort.
+Print Assumptions recorded_conservative64.
 Goal True. theorem "recorded_conservative_is_right32". Abort.
 Print Assumptions recorded_conservative_is_right32.
 Goal True. theorem "recorded_conservative_is_right64". Abort.

@@ -193,7 +193,7 @@ Definition conservative_never_misses (prec emin least least_normal : Z) : Prop :
   bpow radix2 least <= conservative_W rnd a b c p r ->
   conservative_separated rnd (u prec) (bpow radix2 least_normal) a b c p r -> separated a b c p r.
 
-(* binary32 and binary64; overflow is not covered here. *)
+(* binary32 and binary64, over numbers without a greatest one; ConservativeFloat.v has overflow. *)
 Theorem conservative_never_misses32 : conservative_never_misses 24 (-149) (-42) (-60).
 Proof. intros a b c p r fa fb fc fp r0 rnd large says. apply (conservative_sound 24 (-149) (-42) (-60)); try lia; try tauto; lra. Qed.
 Theorem conservative_never_misses64 : conservative_never_misses 53 (-1074) (-400) (-120).

@@ -1,6 +1,6 @@
 (* The operations that a recorded step of the certified predicate (RecordedCertified.v) is made of, and two machines that
    have them: IEEE-754 numbers, and reals with a rounding. *)
-From Coq Require Import ZArith Reals Bool.
+From Coq Require Import ZArith Reals Bool Lra.
 From Flocq Require Import Core BinarySingleNaN.
 
 Record machine := Machine {
@@ -25,8 +25,7 @@ Record machine := Machine {
 }.
 
 (* IEEE-754 numbers. Instruction sets differ in which zero, and which operand beside a NaN, is the least: so `least` and
-   `greatest` are any functions, of which theorems assume what all have. So is `inverse_power`, which no theorem over these
-   numbers uses. *)
+   `greatest` are any functions, of which theorems assume what all have. So is `inverse_power`. *)
 Section Float.
   Variables prec emax : Z.
   Context (prec_gt_0_ : Prec_gt_0 prec) (prec_lt_emax_ : Prec_lt_emax prec emax).
@@ -52,11 +51,31 @@ Section Float.
     m_at_most := Bleb;
     m_equal := Beqb
   |}.
-  (* The least and the greatest of finite numbers; of others instruction sets differ. *)
-  Definition is_least : Prop := forall x y, is_finite x = true -> is_finite y = true ->
+  (* The least and the greatest of two numbers that are not NaN, infinities included; of NaNs instruction sets differ. *)
+  Definition is_least : Prop := forall x y, is_nan x = false -> is_nan y = false ->
+    (least x y = x /\ Bleb x y = true) \/ (least x y = y /\ Bleb y x = true).
+  Definition is_greatest : Prop := forall x y, is_nan x = false -> is_nan y = false ->
+    (greatest x y = x /\ Bleb y x = true) \/ (greatest x y = y /\ Bleb x y = true).
+  (* 2^-e for x in [2^e, 2^(e + 1)) from the least normal number up to below half the greatest power of two. *)
+  Definition is_inverse_power : Prop := forall x, (bpow radix2 (2 - emax) <= B2R x < bpow radix2 (emax - 1))%R ->
+    is_finite (inverse_power x) = true /\ B2R (inverse_power x) = bpow radix2 (1 - mag radix2 (B2R x)).
+
+  Lemma finite_not_nan (x : float) : is_finite x = true -> is_nan x = false.
+  Proof. destruct x; cbn; congruence. Qed.
+  Lemma at_most_of_finite (x y : float) : is_finite x = true -> is_finite y = true -> Bleb x y = true -> (B2R x <= B2R y)%R.
+  Proof. intros Fx Fy. rewrite Bleb_correct by assumption. case Rle_bool_spec; [auto | discriminate]. Qed.
+  Lemma least_of_finite : is_least -> forall x y, is_finite x = true -> is_finite y = true ->
     is_finite (least x y) = true /\ B2R (least x y) = Rmin (B2R x) (B2R y).
-  Definition is_greatest : Prop := forall x y, is_finite x = true -> is_finite y = true ->
+  Proof.
+    intros H x y Fx Fy. destruct (H x y (finite_not_nan x Fx) (finite_not_nan y Fy)) as [[-> le] | [-> le]];
+      apply at_most_of_finite in le; try assumption; (split; [assumption |]); unfold Rmin; destruct Rle_dec; lra.
+  Qed.
+  Lemma greatest_of_finite : is_greatest -> forall x y, is_finite x = true -> is_finite y = true ->
     is_finite (greatest x y) = true /\ B2R (greatest x y) = Rmax (B2R x) (B2R y).
+  Proof.
+    intros H x y Fx Fy. destruct (H x y (finite_not_nan x Fx) (finite_not_nan y Fy)) as [[-> le] | [-> le]];
+      apply at_most_of_finite in le; try assumption; (split; [assumption |]); unfold Rmax; destruct Rle_dec; lra.
+  Qed.
 End Float.
 
 Definition less_real (x y : R) : bool := if Rlt_dec x y then true else false.

@@ -86,13 +86,13 @@ Section Float.
   Lemma less_low t x y : finite t -> finite x -> finite y ->
     finite (low x y) /\ Bltb t (low x y) = Bltb t x && Bltb t y /\ Bltb (low x y) t = Bltb x t || Bltb y t.
   Proof.
-    intros Ft Fx Fy. destruct (low_is x y Fx Fy) as [F value]. split; [exact F |]. rewrite !Bltb_correct, value by assumption.
+    intros Ft Fx Fy. destruct (least_of_finite prec emax low low_is x y Fx Fy) as [F value]. split; [exact F |]. rewrite !Bltb_correct, value by assumption.
     unfold Rmin. destruct Rle_dec; repeat case Rlt_bool_spec; intros; cbn; split; try reflexivity; exfalso; lra.
   Qed.
   Lemma less_high t x y : finite t -> finite x -> finite y ->
     finite (high x y) /\ Bltb t (high x y) = Bltb t x || Bltb t y /\ Bltb (high x y) t = Bltb x t && Bltb y t.
   Proof.
-    intros Ft Fx Fy. destruct (high_is x y Fx Fy) as [F value]. split; [exact F |]. rewrite !Bltb_correct, value by assumption.
+    intros Ft Fx Fy. destruct (greatest_of_finite prec emax high high_is x y Fx Fy) as [F value]. split; [exact F |]. rewrite !Bltb_correct, value by assumption.
     unfold Rmax. destruct Rle_dec; repeat case Rlt_bool_spec; intros; cbn; split; try reflexivity; exfalso; lra.
   Qed.
 

@@ -5,7 +5,7 @@ From Coq Require Import Reals ZArith List.
 From Flocq Require Import Core BinarySingleNaN.
 From Axiscert Require Import Vectors Sat7 Exact Reduced OpenSphere Known Scaled Sides RecordedIsSat7 RecordedIsProgram Expression
   Programs Format Run Window Windows Thresholds Filter Filters Lanes Margins Pairs Certified CertifiedStep Sizes CoarseFloat OpenCoarse
-  PairStep Box Conservative ConservativeStep PhantomStep Exported Decides
+  PairStep Box Conservative ConservativeStep PhantomStep ConservativeProgram ConservativeFloat InversePower Exported Decides
   ExactProgram RecordedExact ExactStep Negligible CertifiedIsExact Machine RecordedCertified RecordedIsCertified CoarseKnown FineStep RecordedIsDeep RecordedIsConservative.
 Open Scope R_scope.
 Set Printing Width 120.
@@ -563,6 +563,22 @@ Goal True. statement "recorded_coarse_known_is_proved". Abort.
 Check recorded_coarse_known_is_proved.
 Goal True. statement "coarse_known_is_sound64". Abort.
 Check coarse_known_is_sound64.
+Goal True. statement "float_conservative_is_right32". Abort.
+Check float_conservative_is_right32.
+Goal True. statement "float_conservative_is_right64". Abort.
+Check float_conservative_is_right64.
+Goal True. statement "inverse_power_is32". Abort.
+Check inverse_power_is32.
+Goal True. statement "inverse_power_is64". Abort.
+Check inverse_power_is64.
+Goal True. statement "order_gives_least". Abort.
+Check order_gives_least.
+Goal True. statement "conservative_step_decides". Abort.
+Check conservative_step_decides.
+Goal True. statement "recorded_conservative32". Abort.
+Check recorded_conservative32.
+Goal True. statement "recorded_conservative64". Abort.
+Check recorded_conservative64.
 Goal True. statement "recorded_conservative_is_right32". Abort.
 Check recorded_conservative_is_right32.
 Goal True. statement "recorded_conservative_is_right64". Abort.
@@ -601,8 +617,64 @@ Goal True. statement "coarse_known". Abort.
 Print coarse_known.
 Goal True. statement "known_list". Abort.
 Print known_list.
-Goal True. statement "recorded_conservative_is_right". Abort.
-Print recorded_conservative_is_right.
+Goal True. statement "machine_vec". Abort.
+Print machine_vec.
+Goal True. statement "program_sub". Abort.
+Print program_sub.
+Goal True. statement "program_product". Abort.
+Print program_product.
+Goal True. statement "program_cross". Abort.
+Print program_cross.
+Goal True. statement "program_least". Abort.
+Print program_least.
+Goal True. statement "program_W". Abort.
+Print program_W.
+Goal True. statement "program_error". Abort.
+Print program_error.
+Goal True. statement "program_square_error". Abort.
+Print program_square_error.
+Goal True. statement "program_passes". Abort.
+Print program_passes.
+Goal True. statement "program_share". Abort.
+Print program_share.
+Goal True. statement "program_mix". Abort.
+Print program_mix.
+Goal True. statement "program_edge". Abort.
+Print program_edge.
+Goal True. statement "program_normal". Abort.
+Print program_normal.
+Goal True. statement "program_plane". Abort.
+Print program_plane.
+Goal True. statement "program_squares". Abort.
+Print program_squares.
+Goal True. statement "program_known". Abort.
+Print program_known.
+Goal True. statement "program_separated". Abort.
+Print program_separated.
+Goal True. statement "conservative_answers". Abort.
+Print conservative_answers.
+Goal True. statement "on_floats". Abort.
+Print on_floats.
+Goal True. statement "float_answers". Abort.
+Print float_answers.
+Goal True. statement "conservative_is_right". Abort.
+Print conservative_is_right.
+Goal True. statement "is_inverse_power". Abort.
+Print is_inverse_power.
+Goal True. statement "inverse_power_of_bits". Abort.
+Print inverse_power_of_bits.
+Goal True. statement "inverse_power32". Abort.
+Print inverse_power32.
+Goal True. statement "inverse_power64". Abort.
+Print inverse_power64.
+Goal True. statement "promised". Abort.
+Print promised.
+Goal True. statement "least_by_order". Abort.
+Print least_by_order.
+Goal True. statement "greatest_by_order". Abort.
+Print greatest_by_order.
+Goal True. statement "conservative_steps". Abort.
+Print conservative_steps.
 Goal True. statement "instruction". Abort.
 Print instruction.
 Goal True. statement "run_program". Abort.

@@ -36,7 +36,8 @@
 //
 // Range: W in [2^-42, 2^60] (binary64: 2^-400, 2^400). V is scaled by the power of two below 1 / W, so that |V| <= 8;
 // then every product compared is at least 18 u W 2^-60 (2^-120), a normal number, and below 2^122. Underflow in a
-// dot product is below 2^-140 (2^-1060), which the constants cover.
+// dot product is below 2^-140 (2^-1060), which the constants cover. The quotient of a very short edge may overflow: an
+// infinity is clamped to 0 or 1. Nothing else does, for any thirteen numbers (proofs/coq/ConservativeFloat.v).
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
