@@ -40,7 +40,7 @@ endforeach()
 # The corpus, which `run --corpus` replays.
 install(DIRECTORY fuzz/corpus DESTINATION share/axiscert FILES_MATCHING PATTERN "*.jsonl")
 
-# What describes the data that commands print, for other programs.
+# Schemas of the data that commands print, for other programs.
 file(GLOB schemas CONFIGURE_DEPENDS reports/schemas/*.schema.json)
 install(FILES ${schemas} DESTINATION share/axiscert/schemas)
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the instruments print for other programs: JSON that its schema describes, and CSV with the columns of docs/data.md."""
+"""The data that instruments print for other programs: JSON that its schema describes, and CSV with the columns of docs/data.md."""
 import csv
 import io
 import json

@@ -45,7 +45,7 @@ class Block:
         return f"{self.file}:{self.line}"
 
     def head(self):
-        """What unheld.txt knows it by: the first line that says something."""
+        """Its name in unheld.txt: the first line that says something."""
         return next((line.strip() for line in self.lines if line.strip()), "")
 
 
@@ -112,7 +112,7 @@ def holder_of_picture(block, text, root, calls):
 
 
 def holder(block, text, root, calls):
-    """What holds the block, or nothing; `calls` is the text of the lists of tests."""
+    """The check that holds the block, or nothing; `calls` is the text of the lists of tests."""
     if block.language in LANGUAGES:
         return "source"
     if block.kind == "picture":

@@ -25,7 +25,7 @@ class Commands:
         self.axiscert, self.models, self.done = axiscert, models, {}
 
     def run(self, *words):
-        """What `axiscert run WORDS` prints, its record and its report.md."""
+        """The output of `axiscert run WORDS`, its record and its report.md."""
         if words not in self.done:
             with tempfile.TemporaryDirectory() as folder:
                 text = self.text("run", *words, "--out", folder)

@@ -1,4 +1,4 @@
-// What the command line asks for, and what of it needs the mesh or the kernels to be understood.
+// The command line's options, and the parts of them that need the mesh or the kernels to be understood.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a margin of r is told apart by: the size of the scene, and whether its triangle is one to measure a kernel by.
+// The scenes that margins of r are told apart by: their size, and whether the triangle is one to measure a kernel by.
 #pragma once
 
 #include <compare>

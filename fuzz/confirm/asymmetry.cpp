@@ -66,7 +66,7 @@ class AsymmetryBlock {
     count_invariance<Real>(found_.invariance, {group_, position, queries_, verdicts_});
   }
 
-  // Of image i: separated where every part is, and in contact where any is.
+  // The verdict of image i: separated where every part is, and in contact where any is.
   std::optional<Outcome> answer_of_parts(std::uint64_t position, std::size_t in_batch, std::size_t i) const {
     std::optional<Outcome> all;
     for (std::size_t part = i; part < i + group_.parts; ++part) {

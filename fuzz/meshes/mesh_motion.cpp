@@ -31,7 +31,7 @@ double power_between(Stream& random, std::int64_t low, std::int64_t high) {
   return std::ldexp(1 + random.unit<double>(), exponent);
 }
 
-// What a placement leaves to its motion: the triangle, where the sphere is, and its sizes.
+// A placement without its motion: the triangle, where the sphere is, and its sizes.
 struct Placed {
   Place a, b, c, p;
   double r, edge;  // the mean edge, or 1 where the triangle is a point

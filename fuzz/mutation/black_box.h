@@ -53,8 +53,8 @@ struct BlackBoxScore {
   bool complete = true;  // false: interrupted
 };
 
-// What `run` records of these kernels, all of one test, on the first `trials` queries of each of the plan's families.
-// Throws OracleDisagreement.
+// The record that `run` makes of these kernels, of one test, on the first `trials` queries of each of the plan's
+// families. Throws OracleDisagreement.
 Json record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
                        std::vector<const Kernel*> kernels);
 

@@ -91,7 +91,7 @@ TYPED_TEST(CertifiedSteps, WouldShowAFault) {
   }
 }
 
-// What the test proofs.Current compares has every fault, of any step.
+// The recording that the test proofs.Current compares shows every fault, in any step.
 TEST(CertifiedFaults, ChangeTheRecording) {
   std::size_t faults = 0;
   std::set<const certified::Equivalent*> argued;

@@ -118,7 +118,7 @@ STEPS, EXACT = "proofs/certified/record_steps.cpp", "proofs/certified/record_exa
 # Faults of the certified predicate: the source and what is replaced in it, the unit that records it, and the file of the
 # theory at which what is recorded then stops. None: the theory states no more of it than that it is what is committed.
 STEP_FAULTS = {
-    # What an audit planted, and no random query showed.
+    # Faults that an audit planted, and no random query showed.
     "coarse thresholds a quarter of what is proved": (
         f"{CERTIFIED}/coarse_step-inl.h", "static_cast<Real>(n * u)", "static_cast<Real>(n * u / 4)", STEPS, "RecordedIsCertified.v"),
     "coarse thresholds a sixteenth of what is proved": (

@@ -1,4 +1,4 @@
-// What a page says in figures: the answer, tables, the heat table, margins, classes.
+// The figures of a page: the answer, tables, the heat table, margins, classes.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';

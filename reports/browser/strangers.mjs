@@ -1,4 +1,4 @@
-// What comes from others: names from plug-ins, meshes and queries, files that other commands left, a file cut off.
+// Text that comes from others: names from plug-ins, meshes and queries, files that other commands left, a file cut off.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';

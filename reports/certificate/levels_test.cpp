@@ -1,4 +1,4 @@
-// What a certificate says is proved is what the theory states.
+// A certificate calls proved only what the theory states.
 #include "reports/certificate/levels.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ TEST(ProvedLevels, NameTheoremsOfTheTheoryAndSectionsOfTheDocument) {
       EXPECT_NE(document.find(at->str()), document.npos) << at->str();
     }
     EXPECT_GE(theorems, 2u) << text;
-    // What is proved has a range, and the rest is said to be argued.
+    // A proof has a range, and the rest is said to be argued.
     EXPECT_THAT(text, testing::StartsWith("where "));
     EXPECT_THAT(text, testing::HasSubstr("on paper"));
   }

@@ -1,4 +1,4 @@
-// What a certificate's page says of the safe margin.
+// The sentences of a certificate's page about the safe margin.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace axiscert {
 
-// Of one precision, the sentences that an engine's programmer needs: first what r has to grow by in scenes of everyday
+// The sentences that an engine's programmer needs about one precision: first what r has to grow by in scenes of everyday
 // sizes on triangles that have an area, then all else. `margin`: a member of the predicate's safe_margin.precisions.
 std::vector<std::string> margin_notes(const Json& margin);
 

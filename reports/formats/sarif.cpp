@@ -22,7 +22,7 @@
 namespace axiscert {
 namespace {
 
-// What a cell counts: verdicts, a comparison, or the times of a test of motions.
+// The kinds of cells by what they count: verdicts, a comparison, or the times of a test of motions.
 enum class CountOf { verdict, comparison, time };
 
 struct Rule {

@@ -7,7 +7,7 @@
 
 namespace axiscert {
 
-// What a record fails at the level. Throws Error, when it is asked, for a level that does not exist.
+// The failures of a record at the level. Throws Error, when it is asked, for a level that does not exist.
 Gate gate_at(const std::string& level);
 
 }  // namespace axiscert

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint64_t time_mutants_seed = 7, motions_each = 12;
 
-// What the records of both precisions count of one kernel, over all families.
+// The counts of one kernel in the records of both precisions, over all families.
 struct TimesSeen {
   std::uint64_t hits = 0, best = 0, early = 0, late = 0, untimed = 0, missed = 0, phantom = 0;
   std::vector<std::string> refused_by;

@@ -20,7 +20,7 @@ function origin(witness) {
   return one_line(`${witness.id}: ${witness.kernel}, ${witness.precision}, family ${witness.family}, address ${witness.address}`);
 }
 
-// What a time of contact has to be, where the witness shows that it is not; nothing for a test without times.
+// The time of contact as it has to be, where the witness shows that it is not; nothing for a test without times.
 function time_lines(witness, name, numbers) {
   const best = witness.first_contact?.time;
   const said = witness.measures?.time;

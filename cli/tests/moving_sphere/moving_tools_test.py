@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What is done with a fault that a run found, for the moving sphere: made smaller, and looked for deeper."""
+"""Uses of a fault that a run found, for the moving sphere: it is made smaller, and looked for deeper."""
 import json
 import subprocess
 import unittest

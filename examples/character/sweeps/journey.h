@@ -5,7 +5,7 @@
 
 namespace axiscert::character {
 
-// What the sphere is about.
+// The errand of the sphere.
 enum class Errand : std::uint8_t {
   walk,    // a character: a stride ahead, sliding along what it meets, then down to the ground
   fall,    // dropped from above the mesh, at once to below it, above a point of a triangle, an edge or a vertex

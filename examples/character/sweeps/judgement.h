@@ -1,4 +1,4 @@
-// What the motions of a journey were worth, decided exactly.
+// The motions of a journey, judged exactly.
 #pragma once
 
 #include "examples/character/sweeps/journey.h"

@@ -29,7 +29,7 @@ struct Path {
   std::span<const std::uint32_t> triangles;
 };
 
-// What a kernel says of the whole motion and one triangle; the time is NaN where it gives none.
+// A kernel's answer about the whole motion and one triangle; the time is NaN where it gives none.
 struct Said {
   bool contact;
   float time;

@@ -66,7 +66,7 @@ MovingCounts counted(std::string_view name, std::uint64_t queries) {
   const Family& family = find_family(name);
   const Oracles& oracles = oracles_of(moving_sphere_test(), family.entry);
   MovingCounts found;
-  // Of a family of images, each image of one base after the other.
+  // In a family of images, each image of one base after the other.
   const ImageGroup* group = image_group(name);
   const std::uint64_t stride = group ? group->size + 1 : 1;
   for (std::uint64_t i = 0; i < queries; ++i) {

@@ -27,7 +27,7 @@ class MovingImages : public testing::Test {};
 using ImagedReals = testing::Types<float, double>;
 TYPED_TEST_SUITE(MovingImages, ImagedReals);
 
-// Of an image in parts the one in contact, or the first; the depth is that of the query, relative to its scene.
+// The part in contact of an image in parts, or the first part; the depth is that of the query, relative to its scene.
 struct ImageTruth {
   Truth truth;
   double depth;

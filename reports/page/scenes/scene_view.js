@@ -226,7 +226,7 @@ class SceneView {
     if (this.note.textContent !== note) this.note.textContent = note;
   }
 
-  // What of the view as it is now is not to scale; empty where everything is.
+  // The parts of the view that are not to scale as it is now; empty where everything is.
   caution() { return ''; }
 }
 

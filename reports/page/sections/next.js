@@ -18,7 +18,7 @@ function look_step(data, entry) {
             witness.depth > 0 ? `, wrong by ${amount(witness.depth, 3)} of the scene` : '', '.');
 }
 
-// What to mend, or what to require.
+// Advice: a fault to mend, or a level to require.
 function mend_step(data, entry) {
   if (!data.requirement) {
     return el('li', '', 'Say what has to hold: ', el('code', '', 'axiscert run --require logic'),
