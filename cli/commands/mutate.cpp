@@ -17,6 +17,7 @@
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
 #include "reports/gates/gate.h"
+#include "reports/instrument/data.h"
 #include "reports/instrument/black_box_report.h"
 #include "reports/instrument/mutation_report.h"
 
@@ -181,7 +182,9 @@ int mutate_certified(const MutateOptions& options) {
   table.columns = {"step", "precision", "mutants", "shown", "equivalent", "by the recording alone"};
   InstrumentTable unseen{.caption = "By the recording alone", .columns = {}, .rows = {}};
   unseen.columns = {"step", "precision", "fault"};
-  Json data = {{"schema", "axiscert-mutation-of-certified/1"}, {"command", report.command}, {"steps", Json::array()}};
+  Json data =
+      headed("axiscert-mutation-of-certified/1",
+             {{"command", report.command}, {"queries", queries}, {"seed", options.seed}, {"steps", Json::array()}});
   std::vector<std::string> faults;
   {
     ProgressLine progress("mutate");
@@ -189,15 +192,18 @@ int mutate_certified(const MutateOptions& options) {
       progress.stage(step.name);
       const StepScore score = score_of(step, queries, options.seed);
       const std::string precision = fmt::format("binary{}", score.bits);
-      table.rows.push_back({score.step, precision, fmt::format("{}", score.mutants),
-                            fmt::format("{}", score.mutants - score.equivalent.size() - score.unseen.size()),
+      const std::size_t shown = score.mutants - score.equivalent.size() - score.unseen.size();
+      table.rows.push_back({score.step, precision, fmt::format("{}", score.mutants), fmt::format("{}", shown),
                             fmt::format("{}", score.equivalent.size()), fmt::format("{}", score.unseen.size())});
       for (const std::string& fault : score.unseen) unseen.rows.push_back({score.step, precision, fault});
       data["steps"].push_back({{"step", score.step},
                                {"precision", precision},
                                {"mutants", score.mutants},
-                               {"equivalent", score.equivalent},
-                               {"by_the_recording_alone", score.unseen}});
+                               {"shown", shown},
+                               {"equivalent", score.equivalent.size()},
+                               {"by_the_recording_alone", score.unseen.size()},
+                               {"equivalent_faults", score.equivalent},
+                               {"faults_by_the_recording_alone", score.unseen}});
       for (const std::string& what : score.contradictions) {
         faults.push_back(fmt::format("{}, {}: {}", score.step, precision, what));
       }

@@ -25,6 +25,7 @@ COMMANDS = {
     "map": ("maps", ("map", "-", "--size", 8)),
     "mutate": ("mutation", (*MUTATE, "swap")),
     "mutate --verdict-only": ("mutation-by-verdict", (*MUTATE, "drop", "--verdict-only")),
+    "mutate --kernel certified": ("mutation-of-certified", ("mutate", "--kernel", "certified", "--trials", 200, "--precision", "binary32")),
     "kernels": ("kernels", ("kernels",)),
     "families": ("families", ("families",)),
     "tests": ("tests", ("tests",)),
@@ -40,7 +41,8 @@ LINES = {
     "corpus": ((("corpus", "list"), None),),
 }
 # Which of these write a folder.
-WRITTEN = {"ladder", "precision", "condition", "critical-radius", "league", "search", "diagnose", "mutate", "mutate --verdict-only"}
+WRITTEN = {"ladder", "precision", "condition", "critical-radius", "league", "search", "diagnose", "mutate", "mutate --verdict-only",
+           "mutate --kernel certified"}
 
 
 def documented():

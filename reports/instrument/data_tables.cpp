@@ -237,6 +237,10 @@ DataTable mutation_by_verdict_rows(const Json& data) {
                       "survival.deepest.family", "survival.deepest.address", "survival.deepest.depth"});
 }
 
+DataTable mutation_of_certified_rows(const Json& data) {
+  return listed_rows(data["steps"], {"step", "precision", "mutants", "shown", "equivalent", "by_the_recording_alone"});
+}
+
 DataTable proofs_rows(const Json& data) {
   return listed_rows(data["bounds"], {"comparison", "kernel", "precision", "domain", "bound_u", "attained_u", "ratio",
                                       "status", "file"});
@@ -265,8 +269,9 @@ constexpr std::array named_tables = {
     NamedTable{"league", league_rows},       NamedTable{"search", search_rows},
     NamedTable{"diagnosis", diagnosis_rows}, NamedTable{"maps", maps_rows},
     NamedTable{"mutation", mutation_rows},   NamedTable{"mutation-by-verdict", mutation_by_verdict_rows},
-    NamedTable{"proofs", proofs_rows},       NamedTable{"kernels", kernels_rows},
-    NamedTable{"families", families_rows},   NamedTable{"tests", tests_rows},
+    NamedTable{"proofs", proofs_rows},       NamedTable{"mutation-of-certified", mutation_of_certified_rows},
+    NamedTable{"kernels", kernels_rows},     NamedTable{"families", families_rows},
+    NamedTable{"tests", tests_rows},
 };
 
 }  // namespace
