@@ -119,24 +119,41 @@ FAULTS = {
         "CoarseKnown.v"),
     "a radius taken as zero that is not negligible": (
         "Negligible.v", "r <= bpow radix2 (-2 * n - 2))%R.", "r <= bpow radix2 (-2 * n - 1))%R.", "Negligible.v"),
+    "a conservative test's range that overflows": (
+        "ConservativeFloat.v", "float_answers 24 128 (-42) 30 (-60)", "float_answers 24 128 (-42) 32 (-60)", "ConservativeFloat.v"),
+    "a share of an edge that is not clamped from above": (
+        "ConservativeProgram.v", "(product X along)) e else zero) zero) one", "(product X along)) e else zero) zero) zero", "ConservativeProgram.v"),
+    "a side of the plane by another vertex": (
+        "ConservativeProgram.v", "m_with_sign m one (product A n)", "m_with_sign m one (product B n)", "ConservativeProgram.v"),
+    "a power of two from bits with another bias": ("InversePower.v", "0x7f000000 0x7f800000", "0x7f800000 0x7f800000", "InversePower.v"),
+    "an upper end of the conservative test that is not proved": (
+        "RecordedCertified.v", "(m_constant m 1 60)", "(m_constant m 1 64)", "RecordedIsConservative.v"),
+    "a share that is not clamped from above in the code": (
+        "RecordedCertified.v", "let t71 := m_least m t70 (m_constant m 1 0) in", "let t71 := t70 in", "RecordedIsConservative.v"),
+    "a quotient that is taken where the edge has no length": (
+        "RecordedCertified.v", "let t69 := if t61 then t68 else (m_zero m) in", "let t69 := t68 in", "RecordedIsConservative.v"),
+    # Theorems made weaker, which the theorems that use them refuse.
+    "a coarse step that may be wrong for an infinite radius": (
+        "CoarseFloat.v", "(r : binary_float prec emax),\n", "(r : binary_float prec emax), is_finite r = true ->\n",
+        "PairStep.v"),
+    "a conservative test that may miss a point's contact": (
+        "ConservativeStep.v", "in_format prec emin p -> 0 <= r ->\n  let rnd", "in_format prec emin p -> 0 < r ->\n  let rnd",
+        "ConservativeFloat.v"),
     "phantoms too shallow": ("PhantomStep.v", "Definition phantom_depth : R := 20.", "Definition phantom_depth : R := 19.", "PhantomStep.v"),
 }
 
 # Theorems made weaker, which still have their proofs: what is replaced in which file, and the statement that says less
 # then.
 WEAKENED = {
+    "a conservative test that may be wrong for an infinite radius": (
+        "ConservativeFloat.v", "  forall a b c p r,\n  let says := nth 0 (answers", "  forall a b c p r, is_finite r = true ->\n  let says := nth 0 (answers",
+        "conservative_is_right"),
     "a filter that may be wrong for an infinite radius": (
         "Filters.v", "-> Prop) : Prop := forall q,", "-> Prop) : Prop := forall q, is_finite (fr prec emax q) = true ->",
         "never_lies"),
     "a program recorded for one comparison only": (
         "RecordedIsProgram.v", "Theorem published_float_program rnd q m K :",
         "Theorem published_float_program rnd q m K : K = plane_radius ->", "published_float_program"),
-    "a coarse step that may be wrong for an infinite radius": (
-        "CoarseFloat.v", "(r : binary_float prec emax),\n", "(r : binary_float prec emax), is_finite r = true ->\n",
-        "float_coarse_never_lies"),
-    "a conservative test that may miss a point's contact": (
-        "ConservativeStep.v", "in_format prec emin p -> 0 <= r ->\n  let rnd", "in_format prec emin p -> 0 < r ->\n  let rnd",
-        "conservative_never_misses"),
     "a single pair that may be wrong for an infinite radius": (
         "PairStep.v", "(r : binary_float prec emax),\n  let closed", "(r : binary_float prec emax), is_finite r = true ->\n  let closed",
         "float_pair_never_lies"),
@@ -292,9 +309,10 @@ def plant(build):
         print(f"refused {name:50} {where.group(1)}:{where.group(2)}")
     for name, (file, old, new, weaker) in WEAKENED.items():
         planted = planted_copy(build, name, file, old, new)
-        make(planted, 1)
-        if set(changed_statements(planted)) != {weaker}:
-            fail(f"{name}: only {weaker} should differ from Statements.expected, but {sorted(changed_statements(planted))} do")
+        # The statements of all, and the proofs of this file: those of files that use the theorem may fail then.
+        make(planted, 1, "vos", file + "ok")
+        if set(changed := changed_statements(planted, "-vok")) != {weaker}:
+            fail(f"{name}: only {weaker} should differ from Statements.expected, but {sorted(changed)} do")
         print(f"seen    {name:50} Statements.expected, {weaker}")
 
 

@@ -91,7 +91,8 @@ Section Float.
       intros (FX & <- & sx) (FY & <- & sy) fits.
       destruct (rounded_bound (n + n') (k * k') (B2R (X : float) * B2R (Y : float)) fits) as [size fit].
       { rewrite Rabs_mult, mult_IZR, Z.mul_add_distr_r, bpow_plus.
-        replace (IZR k * IZR k' * (bpow radix2 (n * j) * bpow radix2 (n' * j))) with (IZR k * bpow radix2 (n * j) * (IZR k' * bpow radix2 (n' * j))) by ring.
+        replace (IZR k * IZR k' * (bpow radix2 (n * j) * bpow radix2 (n' * j)))
+          with (IZR k * bpow radix2 (n * j) * (IZR k' * bpow radix2 (n' * j))) by ring.
         apply Rmult_le_compat; auto using Rabs_pos. }
       destruct (mult_fits prec emax _ _ X Y FX FY fit). repeat split; assumption.
     Qed.
@@ -184,10 +185,12 @@ Section Float.
       (Q = B754_infinity false /\ 1 <= q) ->
       bounded 0 1 (m_least F (m_greatest F Q (m_zero F)) (m_constant F 1 0)) (m_least N (m_greatest N q (m_zero N)) (m_constant N 1 0)).
     Proof.
-      destruct one_bounded as (F1 & v1 & _). cbn [m_constant float_machine real_machine] in *. set (one := binary_normalize _ _ _ _ _ _ _ _) in *.
+      destruct one_bounded as (F1 & v1 & _). cbn [m_constant float_machine real_machine] in *.
+      set (one := binary_normalize _ _ _ _ _ _ _ _) in *.
       assert (IZR 1 * bpow radix2 0 = 1) as is_1 by (cbn; ring). rewrite is_1 in *.
       intros cases. cbn [m_least m_greatest m_zero float_machine real_machine].
-      assert (is_finite (low (high Q (B754_zero false)) one) = true /\ B2R (low (high Q (B754_zero false)) one) = Rmin (Rmax q 0) 1) as [finite value].
+      assert (is_finite (low (high Q (B754_zero false)) one) = true /\
+        B2R (low (high Q (B754_zero false)) one) = Rmin (Rmax q 0) 1) as [finite value].
       { destruct cases as [(FQ & <-) | [(-> & q0) | (-> & q1)]].
         - destruct (greatest_of_finite prec emax high high_is Q (B754_zero false) FQ eq_refl) as [FG vG].
           destruct (least_of_finite prec emax low low_is _ _ FG F1) as [FL vL]. rewrite vL, vG, v1. auto.
@@ -195,7 +198,8 @@ Section Float.
           destruct (least_of_finite prec emax low low_is (B754_zero false) one eq_refl F1) as [FL vL]. rewrite vL, v1. split; [exact FL |].
           rewrite (Rmax_right q 0) by assumption. reflexivity.
         - assert (high (B754_infinity false) (B754_zero false) = B754_infinity false) as ->
-            by (destruct (high_is (B754_infinity false) (B754_zero false) eq_refl eq_refl) as [(-> & _) | (_ & no)]; [reflexivity | discriminate no]).
+            by (destruct (high_is (B754_infinity false) (B754_zero false) eq_refl eq_refl) as [(-> & _) | (_ & no)];
+              [reflexivity | discriminate no]).
           assert (low (B754_infinity false) one = one) as ->.
           { destruct (low_is (B754_infinity false) one eq_refl (finite_not_nan _ _ one F1)) as [(_ & no) | (-> & _)]; [| reflexivity].
             exfalso. revert F1 no. clear. destruct one as [[] | [] | | []]; cbn; discriminate. }
@@ -248,7 +252,8 @@ Section Float.
     Lemma share_bounded X along x al : bounded_vec 1 1 X x -> bounded_vec 1 2 along al ->
       bounded 0 1 (program_share F X along) (program_share N x al).
     Proof.
-      intros hX ha. pose proof (product_bounded 1 1 2 2 _ _ _ _ ha ha eq_refl) as he. pose proof (product_bounded 1 1 1 2 _ _ _ _ hX ha eq_refl) as hd.
+      intros hX ha. pose proof (product_bounded 1 1 2 2 _ _ _ _ ha ha eq_refl) as he.
+      pose proof (product_bounded 1 1 1 2 _ _ _ _ hX ha eq_refl) as hd.
       unfold program_share. cbv zeta. pose proof (less_same 0 _ 1 _ _ _ _ _ (zero_bounded 0 1 ltac:(lia)) he) as same. rewrite same.
       apply clamp_bounded. destruct (m_less N (m_zero N) (program_product N al al)) eqn:positive; [| left; split; reflexivity].
       apply negate_bounded in hd. destruct he as (Fe & ve & _), hd as (Fd & vd & _).
@@ -285,7 +290,8 @@ Section Float.
       - rewrite vI, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0. change (bpow radix2 (0 * j)) with 1.
         apply Rle_trans with (8 * bpow radix2 (2 * j) * bpow radix2 (1 - mag radix2 (program_W N a' b' c' p' r' : R)));
           [apply Rmult_le_compat_r; [apply bpow_ge_0 | exact size] |].
-        rewrite Rmult_assoc, <- bpow_plus. assert (bpow radix2 (2 * j + (1 - mag radix2 (program_W N a' b' c' p' r' : R))) <= bpow radix2 2) by (apply bpow_le; lia).
+        rewrite Rmult_assoc, <- bpow_plus.
+        assert (bpow radix2 (2 * j + (1 - mag radix2 (program_W N a' b' c' p' r' : R))) <= bpow radix2 2) by (apply bpow_le; lia).
         change (bpow radix2 2) with 4 in *. lra.
       - destruct (mult_fits prec emax _ _ X _ FX FI fit). repeat split; assumption.
     Qed.
@@ -319,14 +325,18 @@ Section Float.
     Qed.
     Lemma plane_same : program_plane F prec least_normal a b c p r = program_plane N prec least_normal a' b' c' p' r'.
     Proof.
-      pose proof (sub_bounded 1 1 1 _ _ _ _ size_a size_c eq_refl) as hCA. pose proof (sub_bounded 1 1 1 _ _ _ _ size_b size_a eq_refl) as hAB.
+      pose proof (sub_bounded 1 1 1 _ _ _ _ size_a size_c eq_refl) as hCA.
+      pose proof (sub_bounded 1 1 1 _ _ _ _ size_b size_a eq_refl) as hAB.
       destruct (cross_bounded 1 1 2 2 _ _ _ _ hCA hAB eq_refl) as (Vx & Vy & Vz).
       assert (bounded_vec 0 32 (program_normal F a b c p r) (program_normal N a' b' c' p' r')) as hn
         by (split; [| split]; apply scaled_bounded; assumption).
-      clear Vx Vy Vz hCA hAB. unfold program_plane. cbv zeta. set (n := program_normal F a b c p r) in *. set (n' := program_normal N a' b' c' p' r') in *.
+      clear Vx Vy Vz hCA hAB. unfold program_plane. cbv zeta. set (n := program_normal F a b c p r) in *.
+      set (n' := program_normal N a' b' c' p' r') in *.
       clearbody n n'.
-      pose proof (product_bounded 1 0 1 32 _ _ _ _ size_a hn eq_refl) as ha. pose proof (product_bounded 1 0 1 32 _ _ _ _ size_b hn eq_refl) as hb.
-      pose proof (product_bounded 1 0 1 32 _ _ _ _ size_c hn eq_refl) as hc. pose proof (product_bounded 0 0 32 32 _ _ _ _ hn hn eq_refl) as hnn.
+      pose proof (product_bounded 1 0 1 32 _ _ _ _ size_a hn eq_refl) as ha.
+      pose proof (product_bounded 1 0 1 32 _ _ _ _ size_b hn eq_refl) as hb.
+      pose proof (product_bounded 1 0 1 32 _ _ _ _ size_c hn eq_refl) as hc.
+      pose proof (product_bounded 0 0 32 32 _ _ _ _ hn hn eq_refl) as hnn.
       f_equal.
       - apply (at_most_same 0 0 1 3072); [| exact hnn]. apply constant_bounded; [lia | unfold Prec_gt_0, Prec_lt_emax in *; lia |].
         rewrite Rmult_1_l. change 1 with (bpow radix2 0). apply bpow_le. lia.
@@ -334,11 +344,15 @@ Section Float.
     Qed.
     Theorem separated_same : program_separated F prec least_normal a b c p r = program_separated N prec least_normal a' b' c' p' r'.
     Proof.
-      pose proof (sub_bounded 1 1 1 _ _ _ _ size_b size_a eq_refl) as hAB. pose proof (sub_bounded 1 1 1 _ _ _ _ size_c size_b eq_refl) as hBC.
+      pose proof (sub_bounded 1 1 1 _ _ _ _ size_b size_a eq_refl) as hAB.
+      pose proof (sub_bounded 1 1 1 _ _ _ _ size_c size_b eq_refl) as hBC.
       pose proof (sub_bounded 1 1 1 _ _ _ _ size_a size_c eq_refl) as hCA.
-      pose proof (product_bounded 1 1 1 1 _ _ _ _ size_a size_a eq_refl) as haa. pose proof (product_bounded 1 1 1 1 _ _ _ _ size_b size_b eq_refl) as hbb.
-      pose proof (product_bounded 1 1 1 1 _ _ _ _ size_c size_c eq_refl) as hcc. pose proof (product_bounded 1 1 1 1 _ _ _ _ size_a size_b eq_refl) as hab.
-      pose proof (product_bounded 1 1 1 1 _ _ _ _ size_b size_c eq_refl) as hbc. pose proof (product_bounded 1 1 1 1 _ _ _ _ size_c size_a eq_refl) as hca.
+      pose proof (product_bounded 1 1 1 1 _ _ _ _ size_a size_a eq_refl) as haa.
+      pose proof (product_bounded 1 1 1 1 _ _ _ _ size_b size_b eq_refl) as hbb.
+      pose proof (product_bounded 1 1 1 1 _ _ _ _ size_c size_c eq_refl) as hcc.
+      pose proof (product_bounded 1 1 1 1 _ _ _ _ size_a size_b eq_refl) as hab.
+      pose proof (product_bounded 1 1 1 1 _ _ _ _ size_b size_c eq_refl) as hbc.
+      pose proof (product_bounded 1 1 1 1 _ _ _ _ size_c size_a eq_refl) as hca.
       unfold program_separated. rewrite plane_same. f_equal. f_equal; [f_equal |]; apply edge_same; assumption.
     Qed.
   End Sizes.
@@ -361,8 +375,10 @@ Section Float.
     intros [notx x0] [noty y0]. destruct (is_finite x && is_finite y) eqn:finite.
     - apply andb_prop in finite as [Fx Fy]. pose proof (Bplus_correct prec emax _ _ mode_NE x y Fx Fy) as H. revert H.
       case Rlt_bool_spec; intros size H.
-      + destruct H as (value & finite & _). split; [| rewrite value; apply rounded_nonneg; lra]. intros no. rewrite no in finite. discriminate.
-      + destruct H as [infinite same]. pose proof (sign_of_finite x Fx) as sx. pose proof (sign_of_finite y Fy) as sy. rewrite <- same in sy.
+      + destruct H as (value & finite & _). split; [| rewrite value; apply rounded_nonneg; lra]. intros no. rewrite no in finite.
+        discriminate.
+      + destruct H as [infinite same]. pose proof (sign_of_finite x Fx) as sx. pose proof (sign_of_finite y Fy) as sy.
+        rewrite <- same in sy.
         destruct (Bsign x).
         * exfalso. replace (B2R x + B2R y) with 0 in size by lra. cbn [round_mode] in size.
           change (round radix2 (SpecFloat.fexp prec emax) ZnearestE 0) with (nearest 0) in size. rewrite nearest_0, Rabs_R0 in size.
@@ -393,11 +409,13 @@ Section Float.
       - assert (1 < 2 ^ (prec - 1))%Z by (apply Z.pow_gt_1; lia). rewrite Z.abs_eq by lia. change (2 ^ (prec - 1) + 1 < 2 ^ prec)%Z.
         replace (2 ^ prec)%Z with (2 ^ 1 * 2 ^ (prec - 1))%Z by (rewrite <- Z.pow_add_r by lia; f_equal; lia). lia. }
     assert (t <= x * x) as beyond.
-    { assert (bpow radix2 j + bpow radix2 (j + 1 - prec) <= Rabs x) as size by lra. pose proof (bpow_ge_0 radix2 j). pose proof (bpow_ge_0 radix2 (j + 1 - prec)).
+    { assert (bpow radix2 j + bpow radix2 (j + 1 - prec) <= Rabs x) as size by lra. pose proof (bpow_ge_0 radix2 j).
+      pose proof (bpow_ge_0 radix2 (j + 1 - prec)).
       replace (x * x) with (Rabs x * Rabs x) by (rewrite <- Rabs_mult; apply Rabs_pos_eq, Rle_0_sqr).
       apply Rle_trans with ((bpow radix2 j + bpow radix2 (j + 1 - prec)) * (bpow radix2 j + bpow radix2 (j + 1 - prec)));
         [| apply Rmult_le_compat; lra].
-      unfold t. replace (2 * j)%Z with (j + j)%Z by lia. replace (j + j + 1 - prec)%Z with (j + (j + 1 - prec))%Z by lia. rewrite !bpow_plus.
+      unfold t. replace (2 * j)%Z with (j + j)%Z by lia. replace (j + j + 1 - prec)%Z with (j + (j + 1 - prec))%Z by lia.
+      rewrite !bpow_plus.
       assert (0 <= bpow radix2 j * bpow radix2 (j + 1 - prec)) by (apply Rmult_le_pos; assumption).
       assert (0 <= bpow radix2 (j + 1 - prec) * bpow radix2 (j + 1 - prec)) by (apply Rmult_le_pos; assumption). lra. }
     apply (Format.rnd_monotone prec emin ltac:(lia)) in beyond. rewrite (rnd_format prec emin t above) in beyond.
@@ -416,16 +434,22 @@ Section Float.
 
     Lemma vertex_known v : is_finite (float_dot (float_sub v p) (float_sub v p)) = true ->
       finite_vec v /\ finite_vec p /\
-      B2R (float_dot (float_sub v p) (float_sub v p)) = program_product N (program_sub N (on_real v) (on_real p)) (program_sub N (on_real v) (on_real p)) /\
-      forall j, (emin + prec <= j)%Z -> (emin + prec <= 2 * j)%Z -> B2R (float_dot (float_sub v p) (float_sub v p)) <= bpow radix2 (2 * j) ->
+      B2R (float_dot (float_sub v p) (float_sub v p)) =
+        program_product N (program_sub N (on_real v) (on_real p)) (program_sub N (on_real v) (on_real p)) /\
+      forall j, (emin + prec <= j)%Z -> (emin + prec <= 2 * j)%Z ->
+        B2R (float_dot (float_sub v p) (float_sub v p)) <= bpow radix2 (2 * j) ->
         bounded_vec j 1 1 (program_sub F (on_floats v) (on_floats p)) (program_sub N (on_real v) (on_real p)).
     Proof.
-      intros finite. destruct (Sizes.square_finite prec emax _ _ false _ finite) as [FX value]. destruct (Sizes.sub_finite prec emax _ _ _ _ FX) as (Fv & Fp & same).
-      split; [exact Fv |]. split; [exact Fp |]. rewrite same in value. split; [exact value |]. intros j j_low j_low2 small. rewrite value in small.
-      destruct FX as (Fx & Fy & Fz). pose proof (Sizes.square_above prec emax _ false prec20 (rounded_sub nearest (real_vec v) (real_vec p))) as ((bx & by_ & bz) & _).
+      intros finite. destruct (Sizes.square_finite prec emax _ _ false _ finite) as [FX value].
+      destruct (Sizes.sub_finite prec emax _ _ _ _ FX) as (Fv & Fp & same).
+      split; [exact Fv |]. split; [exact Fp |]. rewrite same in value. split; [exact value |]. intros j j_low j_low2 small.
+      rewrite value in small.
+      destruct FX as (Fx & Fy & Fz).
+      pose proof (Sizes.square_above prec emax _ false prec20 (rounded_sub nearest (real_vec v) (real_vec p))) as ((bx & by_ & bz) & _).
       assert (each : forall x : float, nearest (B2R x * B2R x) <= bpow radix2 (2 * j) -> Rabs (B2R x) <= IZR 1 * bpow radix2 (1 * j)).
       { intros x square. rewrite Rmult_1_l, Z.mul_1_l. apply root_bound; try assumption. apply generic_format_B2R. }
-      pose proof (f_equal cx same) as sx. pose proof (f_equal cy same) as sy. pose proof (f_equal cz same) as sz. cbn [cx cy cz Filter.real_vec rounded_sub] in *.
+      pose proof (f_equal cx same) as sx. pose proof (f_equal cy same) as sy. pose proof (f_equal cz same) as sz.
+      cbn [cx cy cz Filter.real_vec rounded_sub] in *.
       split; [| split]; (split; [assumption |]); (split; [assumption |]).
       - change (Rabs (nearest (B2R (fx _ _ v) - B2R (fx _ _ p))) <= IZR 1 * bpow radix2 (1 * j)). rewrite <- sx in *. apply each. lra.
       - change (Rabs (nearest (B2R (fy _ _ v) - B2R (fy _ _ p))) <= IZR 1 * bpow radix2 (1 * j)). rewrite <- sy in *. apply each. lra.
@@ -443,7 +467,8 @@ Section Float.
       destruct (constant_spec 1 least) as [Fl vl]; [split; [lia | apply Z.pow_gt_1; lia] | lia |].
       destruct (constant_spec 1 (2 * half)) as [Fh vh]; [split; [lia | apply Z.pow_gt_1; lia] | unfold Prec_gt_0 in *; lia |].
       rewrite Rmult_1_l in vl, vh. unfold program_squares in high_S. cbn [m_add m_at_most m_constant m_multiply float_machine] in high_S.
-      set (aa := program_product F _ _) in high_S at 1. set (bb := program_product F _ _) in high_S at 1. set (cc := program_product F _ _) in high_S at 1.
+      set (aa := program_product F _ _) in high_S at 1. set (bb := program_product F _ _) in high_S at 1.
+      set (cc := program_product F _ _) in high_S at 1.
       set (rr := Bmult mode_NE r r) in high_S.
       assert (is_finite (Bplus mode_NE (Bplus mode_NE (Bplus mode_NE aa bb) cc) rr) = true) as FS.
       { apply (at_most_finite _ _ Fh); [| exact high_S].
@@ -451,23 +476,31 @@ Section Float.
         apply sum_not_negative; [apply sum_not_negative |]; apply product_not_negative. }
       pose proof FS as FS'. apply (at_most_of_finite prec emax _ _ FS Fh) in high_S.
       match type of high_S with _ <= ?x => change x with (B2R (constant prec emax _ _ 1 (2 * half))) in high_S end. rewrite vh in high_S.
-      destruct (plus_finite _ _ FS) as (F2 & Frr & v3). destruct (plus_finite _ _ F2) as (F1 & Fcc & v2). destruct (plus_finite _ _ F1) as (Faa & Fbb & v1).
+      destruct (plus_finite _ _ FS) as (F2 & Frr & v3). destruct (plus_finite _ _ F2) as (F1 & Fcc & v2).
+      destruct (plus_finite _ _ F1) as (Faa & Fbb & v1).
       destruct (mult_finite _ _ Frr) as (Fr & _ & vrr). fold rr in vrr.
-      pose proof (product_not_negative (program_sub F (on_floats a) (on_floats p))) as [_ a0]. pose proof (product_not_negative (program_sub F (on_floats b) (on_floats p))) as [_ b0].
-      pose proof (product_not_negative (program_sub F (on_floats c) (on_floats p))) as [_ c0]. pose proof (square_not_negative r) as [_ rr0].
+      pose proof (product_not_negative (program_sub F (on_floats a) (on_floats p))) as [_ a0].
+      pose proof (product_not_negative (program_sub F (on_floats b) (on_floats p))) as [_ b0].
+      pose proof (product_not_negative (program_sub F (on_floats c) (on_floats p))) as [_ c0].
+      pose proof (square_not_negative r) as [_ rr0].
       change (0 <= B2R aa) in a0. change (0 <= B2R bb) in b0. change (0 <= B2R cc) in c0. change (0 <= B2R rr) in rr0.
       destruct (Sizes.sum_nonneg prec emax _ _ prec20 _ _ F1 a0 b0) as [a1 b1]. assert (0 <= B2R (Bplus mode_NE aa bb)) as s0 by lra.
-      destruct (Sizes.sum_nonneg prec emax _ _ prec20 _ _ F2 s0 c0) as [s1 c1]. assert (0 <= B2R (Bplus mode_NE (Bplus mode_NE aa bb) cc)) as s0' by lra.
+      destruct (Sizes.sum_nonneg prec emax _ _ prec20 _ _ F2 s0 c0) as [s1 c1].
+      assert (0 <= B2R (Bplus mode_NE (Bplus mode_NE aa bb) cc)) as s0' by lra.
       destruct (Sizes.sum_nonneg prec emax _ _ prec20 _ _ FS s0' rr0) as [s2 r2].
-      destruct (vertex_known a Faa) as (fa & fp & va & ha). destruct (vertex_known b Fbb) as (fb & _ & vb & hb). destruct (vertex_known c Fcc) as (fc & _ & vc & hc).
-      change (float_dot (float_sub a p) (float_sub a p)) with aa in va, ha. change (float_dot (float_sub b p) (float_sub b p)) with bb in vb, hb.
+      destruct (vertex_known a Faa) as (fa & fp & va & ha). destruct (vertex_known b Fbb) as (fb & _ & vb & hb).
+      destruct (vertex_known c Fcc) as (fc & _ & vc & hc).
+      change (float_dot (float_sub a p) (float_sub a p)) with aa in va, ha.
+      change (float_dot (float_sub b p) (float_sub b p)) with bb in vb, hb.
       change (float_dot (float_sub c p) (float_sub c p)) with cc in vc, hc.
       (* W. *)
-      destruct (greatest_of_finite prec emax high high_is aa bb Faa Fbb) as [G1 w1]. destruct (greatest_of_finite prec emax high high_is cc rr Fcc Frr) as [G2 w2].
+      destruct (greatest_of_finite prec emax high high_is aa bb Faa Fbb) as [G1 w1].
+      destruct (greatest_of_finite prec emax high high_is cc rr Fcc Frr) as [G2 w2].
       destruct (greatest_of_finite prec emax high high_is _ _ G1 G2) as [FW vW].
       change (high (high aa bb) (high cc rr)) with (program_W F (on_floats a) (on_floats b) (on_floats c) (on_floats p) r) in FW, vW.
       assert (B2R (program_W F (on_floats a) (on_floats b) (on_floats c) (on_floats p) r : float) =
-        program_W N (on_real a) (on_real b) (on_real c) (on_real p) (B2R r)) as same_W by (rewrite vW, w1, w2, va, vb, vc, vrr; reflexivity).
+        program_W N (on_real a) (on_real b) (on_real c) (on_real p) (B2R r)) as same_W by (rewrite vW, w1, w2, va, vb, vc, vrr;
+          reflexivity).
       set (W := program_W F _ _ _ _ _) in *. set (w := program_W N _ _ _ _ _) in *.
       apply (at_most_of_finite prec emax _ _ Fl FW) in low_W.
       match type of low_W with ?x <= _ => change x with (B2R (constant prec emax _ _ 1 least)) in low_W end. rewrite vl, same_W in low_W.
@@ -475,10 +508,12 @@ Section Float.
       assert (B2R aa <= w /\ B2R bb <= w /\ B2R cc <= w /\ B2R rr <= w /\ w <= bpow radix2 (2 * half)) as (aw & bw & cw & rw & w_high).
       { rewrite vW. unfold Rmax. repeat destruct Rle_dec; lra. }
       assert (0 < w) as w0 by (pose proof (bpow_gt_0 radix2 least); change (bpow radix2 least <= w) in low_W; lra).
-      pose proof (bpow_mag_gt radix2 w) as w_below. pose proof (bpow_mag_le radix2 w ltac:(lra)) as w_above. rewrite Rabs_pos_eq in w_below, w_above by lra.
+      pose proof (bpow_mag_gt radix2 w) as w_below. pose proof (bpow_mag_le radix2 w ltac:(lra)) as w_above.
+      rewrite Rabs_pos_eq in w_below, w_above by lra.
       set (j := Z.min half ((mag radix2 (w : R) + 1) / 2)).
       assert (least < mag radix2 (w : R))%Z as mag_low by (apply mag_gt_bpow; rewrite Rabs_pos_eq by lra; exact low_W).
-      pose proof (Z.div_mod (mag radix2 (w : R) + 1) 2 ltac:(lia)) as split. pose proof (Z.mod_pos_bound (mag radix2 (w : R) + 1) 2 ltac:(lia)) as rest.
+      pose proof (Z.div_mod (mag radix2 (w : R) + 1) 2 ltac:(lia)) as split.
+      pose proof (Z.mod_pos_bound (mag radix2 (w : R) + 1) 2 ltac:(lia)) as rest.
       assert (w <= bpow radix2 (2 * j)) as w_j.
       { unfold j. destruct (Z.min_spec half ((mag radix2 (w : R) + 1) / 2)) as [[_ ->] | [_ ->]]; [exact w_high |].
         apply Rle_trans with (bpow radix2 (mag radix2 (w : R))); [lra | apply bpow_le; lia]. }
@@ -494,7 +529,8 @@ Section Float.
         + apply ha; try assumption. lra.
         + apply hb; try assumption. lra.
         + apply hc; try assumption. lra.
-        + split; [exact Fr |]. split; [reflexivity |]. rewrite Rmult_1_l, Z.mul_1_l. apply root_bound; try assumption; [apply generic_format_B2R |].
+        + split; [exact Fr |]. split; [reflexivity |]. rewrite Rmult_1_l, Z.mul_1_l.
+          apply root_bound; try assumption; [apply generic_format_B2R |].
           rewrite <- vrr. lra.
         + split; [exact FW |]. split; [exact same_W |]. rewrite Rmult_1_l, Rabs_pos_eq by lra. exact w_j.
         + split; [eapply Rle_trans; [| exact low_W]; apply bpow_le; lia | eapply Rle_lt_trans; [exact w_high |]; apply bpow_lt; lia].
@@ -506,12 +542,14 @@ End Float.
    point of the triangle is farther than that depth beyond the sphere, it is answered separated. Where the answer is known, all
    thirteen are finite. *)
 Definition conservative_is_right (prec emax : Z) (depth : R)
-  (answers : float_vec prec emax -> float_vec prec emax -> float_vec prec emax -> float_vec prec emax -> binary_float prec emax -> list bool) : Prop :=
+  (answers : float_vec prec emax -> float_vec prec emax -> float_vec prec emax -> float_vec prec emax -> binary_float prec emax ->
+    list bool) : Prop :=
   forall a b c p r,
   let says := nth 0 (answers a b c p r) false in
   let unknown := nth 1 (answers a b c p r) true in
   let a' := real_vec prec emax a in let b' := real_vec prec emax b in let c' := real_vec prec emax c in let p' := real_vec prec emax p in
-  (unknown = false -> finite_vec prec emax a /\ finite_vec prec emax b /\ finite_vec prec emax c /\ finite_vec prec emax p /\ is_finite r = true) /\
+  (unknown = false -> finite_vec prec emax a /\ finite_vec prec emax b /\ finite_vec prec emax c /\ finite_vec prec emax p /\
+    is_finite r = true) /\
   (says = true -> unknown = false /\ separated a' b' c' p' (B2R r)) /\
   (unknown = false -> (forall X, in_triangle X a' b' c' -> B2R r + depth * query_size a' b' c' p' (B2R r) < distance p' X) -> says = true).
 
@@ -539,17 +577,21 @@ Section Instance.
     conservative_phantoms_shallow prec emin least least_normal -> phantom_depth * sqrt (u prec) <= depth ->
     conservative_is_right prec emax depth float_answers.
   Proof.
-    intros low_is high_is inverse_is (prec20 & deep & emax20 & half0 & high4 & high2 & least2 & least_range & normal_range) never shallow enough.
+    intros low_is high_is inverse_is (prec20 & deep & emax20 & half0 & high4 & high2 & least2 & least_range & normal_range).
+    intros never shallow enough.
     intros a b c p r. cbv zeta. unfold float_answers, conservative_answers. cbn [nth].
-    pose proof (fun known => float_is_real prec emax _ _ low high inverse_power low_is high_is inverse_is prec20 ltac:(lia) least half least_normal
+    pose proof (fun known => float_is_real prec emax _ _ low high inverse_power low_is high_is inverse_is prec20 ltac:(lia)
+      least half least_normal
       ltac:(lia) ltac:(lia) ltac:(lia) a b c p r known) as same.
-    pose proof (separated_on_reals rnd prec least_normal (real_vec prec emax a) (real_vec prec emax b) (real_vec prec emax c) (real_vec prec emax p) (B2R r)
+    pose proof (separated_on_reals rnd prec least_normal (real_vec prec emax a) (real_vec prec emax b) (real_vec prec emax c)
+      (real_vec prec emax p) (B2R r)
       rounded_is_itself (round_NE_opp radix2 (FLT_exp emin prec))) as says.
     assert (formats : forall v, in_format prec emin (real_vec prec emax v)) by (intros v; repeat split; apply generic_format_B2R).
     destruct (program_known F least (2 * half) _ _ _ _ r); cbn [negb];
       [| split; [discriminate |]; split; [rewrite andb_false_r |]; discriminate].
     destruct (same eq_refl) as (finite & known & ->). rewrite andb_true_r. unfold program_known in known. rewrite !andb_true_iff in known.
-    destruct known as (r0 & large & _). apply at_most_real_is in r0, large. cbn [m_constant real_machine] in large. rewrite Rmult_1_l in large.
+    destruct known as (r0 & large & _). apply at_most_real_is in r0, large. cbn [m_constant real_machine] in large.
+    rewrite Rmult_1_l in large.
     split; [auto |]. split.
     - intros apart. split; [reflexivity |]. apply (never _ _ _ _ _ (formats a) (formats b) (formats c) (formats p) r0 large), says, apart.
     - intros _ far. apply says, (shallow _ _ _ _ _ (formats a) (formats b) (formats c) (formats p) r0 large). intros X inside.
@@ -558,15 +600,21 @@ Section Instance.
   Qed.
 End Instance.
 
-Theorem float_conservative_is_right32 low high inverse_power : is_least 24 128 low -> is_greatest 24 128 high -> is_inverse_power 24 128 inverse_power ->
-  conservative_is_right 24 128 (phantom_depth * sqrt (u 24)) (float_answers 24 128 (-42) 30 (-60) eq_refl eq_refl low high inverse_power).
+Theorem float_conservative_is_right32 low high inverse_power : is_least 24 128 low -> is_greatest 24 128 high ->
+  is_inverse_power 24 128 inverse_power ->
+  conservative_is_right 24 128 (phantom_depth * sqrt (u 24))
+    (float_answers 24 128 (-42) 30 (-60) eq_refl eq_refl low high inverse_power).
 Proof.
-  intros low_is high_is inverse_is. apply float_instance; try assumption; [unfold conservative_fits; lia | exact conservative_never_misses32 |
+  intros low_is high_is inverse_is.
+  apply float_instance; try assumption; [unfold conservative_fits; lia | exact conservative_never_misses32 |
     exact conservative_phantoms_shallow32 | apply Rle_refl].
 Qed.
-Theorem float_conservative_is_right64 low high inverse_power : is_least 53 1024 low -> is_greatest 53 1024 high -> is_inverse_power 53 1024 inverse_power ->
-  conservative_is_right 53 1024 (phantom_depth * sqrt (u 53)) (float_answers 53 1024 (-400) 200 (-120) eq_refl eq_refl low high inverse_power).
+Theorem float_conservative_is_right64 low high inverse_power : is_least 53 1024 low -> is_greatest 53 1024 high ->
+  is_inverse_power 53 1024 inverse_power ->
+  conservative_is_right 53 1024 (phantom_depth * sqrt (u 53))
+    (float_answers 53 1024 (-400) 200 (-120) eq_refl eq_refl low high inverse_power).
 Proof.
-  intros low_is high_is inverse_is. apply float_instance; try assumption; [unfold conservative_fits; lia | exact conservative_never_misses64 |
+  intros low_is high_is inverse_is.
+  apply float_instance; try assumption; [unfold conservative_fits; lia | exact conservative_never_misses64 |
     exact conservative_phantoms_shallow64 | apply Rle_refl].
 Qed.

@@ -118,14 +118,17 @@ Section Reals.
     program_edge M prec (on_reals a) (on_reals b) (on_reals c) (on_reals p) r (on_reals X) (on_reals along) xx xy yy xz yz = true <->
     conservative_edge rnd (u prec) a b c p r X along xx xy yy xz yz.
   Proof.
-    unfold program_edge. cbv zeta. rewrite passes_on_reals, share_on_reals. unfold program_error, program_square_error. cbn [M m_multiply real_machine m_constant].
+    unfold program_edge. cbv zeta. rewrite passes_on_reals, share_on_reals. unfold program_error, program_square_error.
+    cbn [M m_multiply real_machine m_constant].
     rewrite error_is, square_error_is. reflexivity.
   Qed.
   Lemma plane_on_reals : program_plane M prec least_normal (on_reals a) (on_reals b) (on_reals c) (on_reals p) r = true <->
     conservative_plane rnd (u prec) (bpow radix2 least_normal) a b c p r.
   Proof.
-    unfold program_plane. cbv zeta. rewrite andb_true_iff, passes_on_reals. cbn [M real_machine m_at_most m_constant]. rewrite at_most_real_is, number_power.
-    unfold conservative_plane. cbv zeta. rewrite <- !(signed_product (rounded_dot rnd false (rounded_sub rnd a p) (conservative_normal rnd a b c p r))).
+    unfold program_plane. cbv zeta. rewrite andb_true_iff, passes_on_reals. cbn [M real_machine m_at_most m_constant].
+    rewrite at_most_real_is, number_power.
+    unfold conservative_plane. cbv zeta.
+    rewrite <- !(signed_product (rounded_dot rnd false (rounded_sub rnd a p) (conservative_normal rnd a b c p r))).
     reflexivity.
   Qed.
   Theorem separated_on_reals : program_separated M prec least_normal (on_reals a) (on_reals b) (on_reals c) (on_reals p) r = true <->

@@ -42,7 +42,8 @@ Definition coarse_steps (far near neither : bool * bool) : Prop :=
     (float_separated 53 1024 _ _ fused (-300) 150 (fa _ _ q) (fb _ _ q) (fc _ _ q) (fp _ _ q) r,
      float_contact 53 1024 _ _ fused (-300) 150 (fa _ _ q) (fb _ _ q) (fc _ _ q) (fp _ _ q) r) in
   let answers {prec emax} f (two four three minus_two : binary_float prec emax) :=
-    f two = far /\ f four = near /\ f three = neither /\ f B754_nan = neither /\ f (B754_infinity false) = neither /\ f minus_two = neither in
+    f two = far /\ f four = near /\ f three = neither /\ f B754_nan = neither /\ f (B754_infinity false) = neither /\
+      f minus_two = neither in
   answers step32 (whole 24 128 _ _ 2) (whole 24 128 _ _ 4) (whole 24 128 _ _ 3) (whole 24 128 _ _ (-2)) /\
   answers step64 (whole 53 1024 _ _ 2) (whole 53 1024 _ _ 4) (whole 53 1024 _ _ 3) (whole 53 1024 _ _ (-2)).
 
@@ -74,7 +75,8 @@ End Order.
 Definition conservative_steps (far near unknown : list bool) : Prop :=
   let step32 r := let q := above 24 128 _ _ r in float_answers 24 128 (-42) 30 (-60) _ _ (least_by_order 24 128) (greatest_by_order 24 128)
     inverse_power32 (fa _ _ q) (fb _ _ q) (fc _ _ q) (fp _ _ q) r in
-  let step64 r := let q := above 53 1024 _ _ r in float_answers 53 1024 (-400) 200 (-120) _ _ (least_by_order 53 1024) (greatest_by_order 53 1024)
+  let step64 r := let q := above 53 1024 _ _ r in float_answers 53 1024 (-400) 200 (-120) _ _ (least_by_order 53 1024)
+    (greatest_by_order 53 1024)
     inverse_power64 (fa _ _ q) (fb _ _ q) (fc _ _ q) (fp _ _ q) r in
   let answers {prec emax} f (two four three minus_two : binary_float prec emax) :=
     f two = far /\ f four = near /\ f three = near /\ f B754_nan = unknown /\ f (B754_infinity false) = unknown /\ f minus_two = unknown in

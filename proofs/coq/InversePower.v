@@ -40,12 +40,15 @@ Section Bits.
   Variable nan : { x : Binary.binary_float prec emax | Binary.is_nan prec emax x = true }.
   Definition inverse_power_of_bits (twice_bias exponent : Z) (x : binary_float prec emax) : binary_float prec emax :=
     B2BSN prec emax (of_bits (twice_bias - Z.land (bits (BSN2B prec emax nan x)) exponent)).
-  Theorem bits_give_inverse_power twice_bias exponent : twice_bias = ((2 * emax - 2) * 2 ^ mw)%Z -> exponent = ((2 * emax - 1) * 2 ^ mw)%Z ->
+  Theorem bits_give_inverse_power twice_bias exponent : twice_bias = ((2 * emax - 2) * 2 ^ mw)%Z ->
+    exponent = ((2 * emax - 1) * 2 ^ mw)%Z ->
     is_inverse_power prec emax (inverse_power_of_bits twice_bias exponent).
   Proof.
     intros -> -> x range. unfold inverse_power_of_bits. rewrite is_finite_B2BSN, B2R_B2BSN. rewrite <- (B2R_BSN2B _ _ nan x) in *.
-    set (y := BSN2B prec emax nan x) in *. clearbody y. pose proof exponents as twice. assert (0 < 2 ^ mw)%Z as m0 by (apply Z.pow_pos_nonneg; lia).
-    pose proof (bpow_gt_0 radix2 (2 - emax)) as low. destruct y as [s | s | s payload is_one | [|] m e inside]; try (cbn [Binary.B2R] in range; lra).
+    set (y := BSN2B prec emax nan x) in *. clearbody y. pose proof exponents as twice.
+    assert (0 < 2 ^ mw)%Z as m0 by (apply Z.pow_pos_nonneg; lia).
+    pose proof (bpow_gt_0 radix2 (2 - emax)) as low.
+    destruct y as [s | s | s payload is_one | [|] m e inside]; try (cbn [Binary.B2R] in range; lra).
     { exfalso. cbn [Binary.B2R cond_Zopp Z.opp] in range. pose proof (F2R_le_0 radix2 (Float radix2 (Z.neg m) e) ltac:(cbn; lia)) as below.
       lra. }
     cbn [Binary.B2R cond_Zopp] in range |- *.
@@ -53,7 +56,8 @@ Section Bits.
     set (v := F2R (Float radix2 (Z.pos m) e)) in *.
     assert (2 - emax < mag radix2 v <= emax - 1)%Z as (least & greatest).
     { split; [apply mag_gt_bpow | apply mag_le_bpow; [lra |]]; rewrite Rabs_pos_eq by lra; lra. }
-    pose proof inside as canonical. apply andb_prop in canonical as [canonical _]. apply Zeq_bool_eq in canonical. rewrite Zpos_digits2_pos in canonical.
+    pose proof inside as canonical. apply andb_prop in canonical as [canonical _]. apply Zeq_bool_eq in canonical.
+    rewrite Zpos_digits2_pos in canonical.
     unfold SpecFloat.fexp, SpecFloat.emin in canonical.
     assert (Zdigits radix2 (Z.pos m) = prec) as digits by lia.
     assert (2 ^ mw <= Z.pos m < 2 * 2 ^ mw)%Z as (m_low & m_high).
@@ -72,9 +76,11 @@ Section Bits.
         + destruct (Z_lt_le_dec (n - mw) ew) as [inner | outer].
           * rewrite Z.ones_spec_low by lia. apply andb_true_r.
           * rewrite Z.ones_spec_high by lia. rewrite andb_false_r. symmetry. destruct (Z.eq_dec E 0) as [-> | E0]; [apply Z.bits_0 |].
-            apply Z.bits_above_log2; [lia |]. apply Z.log2_lt_pow2; [lia |]. eapply Z.lt_le_trans; [apply E_range |]. apply Z.pow_le_mono_r; lia.
+            apply Z.bits_above_log2; [lia |]. apply Z.log2_lt_pow2; [lia |]. eapply Z.lt_le_trans; [apply E_range |].
+            apply Z.pow_le_mono_r; lia.
         + replace (Z.shiftl E mw + (Z.pos m - 2 ^ mw))%Z with (Z.pos m - 2 ^ mw + E * 2 ^ mw)%Z by (rewrite Z.shiftl_mul_pow2 by lia; ring).
-          replace n with (n - mw + mw)%Z at 2 by lia. rewrite <- Z.shiftr_spec by lia. rewrite Z.shiftr_div_pow2, Z.div_add, Z.div_small by lia.
+          replace n with (n - mw + mw)%Z at 2 by lia. rewrite <- Z.shiftr_spec by lia.
+          rewrite Z.shiftr_div_pow2, Z.div_add, Z.div_small by lia.
           rewrite Z.add_0_l. reflexivity. }
     rewrite masked, <- Z.mul_sub_distr_r. destruct (power_from_bits (2 * emax - 2 - (e - emin + 1))) as [finite value]; [lia |].
     split; [exact finite |]. eapply eq_trans; [exact value |]. f_equal. lia.

@@ -3,8 +3,8 @@
    contact, and its phantoms are as shallow as certified.h promises. *)
 From Coq Require Import Reals ZArith Bool List Lra Lia.
 From Flocq Require Import Core BinarySingleNaN.
-From Axiscert Require Import Vectors Expression Filter PhantomStep Machine ConservativeStep ConservativeProgram ConservativeFloat InversePower
-  RecordedCertified RecordedIsCertified.
+From Axiscert Require Import Vectors Expression Filter PhantomStep Machine ConservativeStep ConservativeProgram ConservativeFloat
+  InversePower RecordedCertified RecordedIsCertified.
 Open Scope R_scope.
 
 Notation of_machine_query f m a b c p r :=
