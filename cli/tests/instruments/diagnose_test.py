@@ -54,7 +54,8 @@ class Diagnose(Case):
     def test_another_test(self):
         data, values = self.diagnosed("box-triangle/textbook-minmax")
         self.assertEqual(data["test"], "box-triangle")
-        self.assertEqual(values["sides"], "not_asked")
+        self.assertEqual(values["sides"], "both")
+        self.assertEqual(values["operation_order"], "not_asked")
         self.assertEqual(values["repeated"], "same")
 
     def test_bad_input_is_refused_in_one_line(self):
