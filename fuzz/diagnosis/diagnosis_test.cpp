@@ -154,7 +154,8 @@ TEST(Diagnosis, EndsWhereItIsInterrupted) {
   options.report = [&](const Progress& progress) { interrupted = progress.units_done >= 2; };
   const Diagnosis diagnosis = diagnose(find_kernel("published"), options);
   EXPECT_FALSE(diagnosis.complete);
-  EXPECT_EQ(diagnosis.properties.size(), 2u);
+  // Two that ask queries, and one that has nothing to ask a test without motions.
+  EXPECT_EQ(diagnosis.properties.size(), 3u);
 }
 
 TEST(Diagnosis, RefusesAPrecisionThatTheKernelHasNot) {
