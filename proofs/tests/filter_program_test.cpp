@@ -21,8 +21,8 @@ namespace {
 using testing_support::random_query;
 using Thresholds = std::array<filter::Threshold, comparison_count>;
 
-// The program of the coarse step's theorem has this constant; the certified predicate's own steps are recorded and compared
-// in certified_program_test.cpp.
+// The program of the coarse step's theorem has this constant; the certified predicate's own steps are recorded and
+// compared in certified_program_test.cpp.
 static_assert(axiscert::certified::least_relative_triangle == 1.0 / 1048576);
 // The promised depth of phantoms is at least `phantom_depth` of PhantomStep.v, 20, times the root of u.
 static_assert(AXISCERT_PHANTOM_DEPTH_F32 * AXISCERT_PHANTOM_DEPTH_F32 >= 20 * 20 * 0x1p-24);

@@ -8,8 +8,9 @@
 
 namespace axiscert {
 
-// The sentences that an engine's programmer needs about one precision: first what r has to grow by in scenes of everyday
-// sizes on triangles that have an area, then all else. `margin`: a member of the predicate's safe_margin.precisions.
+// The sentences that an engine's programmer needs about one precision: first what r has to grow by in scenes of
+// everyday sizes on triangles that have an area, then all else. `margin`: a member of the predicate's
+// safe_margin.precisions.
 std::vector<std::string> margin_notes(const Json& margin);
 
 // Every size of scene in which a contact was missed. `safe_margin`: of the predicate.
