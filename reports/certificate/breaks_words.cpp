@@ -75,7 +75,7 @@ std::string breaks_note(const Json& predicate) {
   if (first["cause"] == "finding")
     return fmt::format("What breaks first: {}. {} See {}.", meaning, word_or_dash(first["advice"]),
                        word_or_dash(first["section"]));
-  // What a search found besides, where that is deeper: the run's families do not have it.
+  // A find of the search, where that is deeper: the run's families do not have it.
   std::string found;
   const char* goal = first["what"] == "missed contact" ? "missed_contact" : "phantom_contact";
   const auto depth_of = [](const Json& figure) {
@@ -83,8 +83,8 @@ std::string breaks_note(const Json& predicate) {
   };
   for (const auto& [precision, search] : predicate["search"]["precisions"].items()) {
     const Json find = search["finds"].value(goal, Json());
-    if (precision != first["precision"] || find.is_null() || depth_of(find["depth"]) <= depth_of(first["deepest"]))
-      continue;
+    if (Json(precision) != first["precision"] || find.is_null()) continue;
+    if (depth_of(find["depth"]) <= depth_of(first["deepest"])) continue;
     found = fmt::format(" A search found one of depth {}.", word_or_dash(find["depth"]));
   }
   // A situation's meaning says what happens there; a cause's does not.
