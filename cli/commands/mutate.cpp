@@ -17,8 +17,8 @@
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
 #include "reports/gates/gate.h"
-#include "reports/instrument/data.h"
 #include "reports/instrument/black_box_report.h"
+#include "reports/instrument/data.h"
 #include "reports/instrument/mutation_report.h"
 
 namespace axiscert {

@@ -15,9 +15,8 @@ namespace axiscert {
 
 // `numbers` are doubles, to which floats widen exactly, in the order of the columns of the trait's entry; all but
 // is_valid() are asked about valid queries alone.
-//   AllFormulae        a FormulaeList; those of kind `rung` after the first have its signs on every query, and those
-//   that
-//                      derive from it its comparisons, with other relations
+//   AllFormulae        a FormulaeList; those of kind `rung` after the first have its signs on every query, and
+//                      those that derive from it its comparisons, with other relations
 //   Exact              optional: the number type in which the formulae are exact; BinaryFraction where they divide,
 //                      else BinaryNumber
 //   is_valid           whether the numbers are a query; else the truth is `invalid`

@@ -1,4 +1,4 @@
-// What becomes of triangles without area.
+// The answers of a kernel on triangles without area.
 #include <array>
 
 #include "fuzz/diagnosis/clear_queries.h"

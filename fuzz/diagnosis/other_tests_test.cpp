@@ -42,7 +42,7 @@ diagnosis::Found found_of(const Kernel& kernel, Precision precision, const std::
   return precision == single ? found_of<float>(kernel, property, seed) : found_of<double>(kernel, property, seed);
 }
 
-// What a probe has to say of a kernel.
+// The value that a probe has to find of a kernel.
 struct Row {
   std::string property, value;
   Precision precision;

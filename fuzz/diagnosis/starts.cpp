@@ -1,4 +1,4 @@
-// What a kernel of motions reports where the two have a point in common before the motion.
+// The answers of a kernel of motions where the two have a point in common before the motion.
 #include <array>
 
 #include "fuzz/diagnosis/clear_queries.h"
@@ -66,7 +66,7 @@ Found overlap_at_start(Subject<Real>& subject) {
   const std::string counts =
       fmt::format("contact on {} of {} that approach, {} of {} that leave, {} of {} that do not move", said[0].contact,
                   said[0].all(), said[1].contact, said[1].all(), said[2].contact, said[2].all());
-  // What does not move may be declined: then the other two decide.
+  // Queries without a motion may be declined: then the other two decide.
   const bool is_still_declined = said[2].all() == 0;
   if (always(0) && always(1) && (always(2) || is_still_declined))
     return decided(Starts::reported, "It reports an overlap before the motion: " + counts + ".", std::move(witnesses),

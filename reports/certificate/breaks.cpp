@@ -130,10 +130,6 @@ Json query_of(const Json& witness, const TestDescription& test) {
   return query;
 }
 
-}  // namespace
-
-namespace {
-
 // "missed contacts in families x, y, up to 0.4 of the scene deep"
 std::string failures_text(const Json& situation, bool missed) {
   constexpr std::size_t most = 3;

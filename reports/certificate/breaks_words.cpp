@@ -14,10 +14,6 @@
 namespace axiscert {
 namespace {
 
-std::string word_or_dash(const Json& value) {
-  return value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : value.dump();
-}
-
 // Values of properties that somebody who uses the kernel has to know, and what to say of them in a word or two. A value
 // that is not here is what one expects, is said by the levels, or is not known.
 struct Peculiarity {
@@ -54,7 +50,7 @@ std::string_view section_of_forms(const Json& test) {
   return "docs/boxes.md#from-the-definition-to-the-books";
 }
 
-// What is said of a property of a kernel.
+// A property of a kernel in words; empty where there is nothing to say.
 std::string said_of(const Json& property, const Json& kernel) {
   const std::string value = property["value"];
   if (property["name"] == "nearest_form" && value != not_known && value != not_asked && kernel["id"] != value)
@@ -70,11 +66,11 @@ std::string said_of(const Json& property, const Json& kernel) {
 std::string breaks_note(const Json& predicate) {
   const Json& first = predicate["breaks_first"];
   if (first.is_null()) return "Nothing broke.";
-  std::string meaning = word_or_dash(first["meaning"]);
+  std::string meaning = plain_text(first["meaning"]);
   if (meaning.ends_with('.')) meaning.pop_back();
   if (first["cause"] == "finding")
-    return fmt::format("What breaks first: {}. {} See {}.", meaning, word_or_dash(first["advice"]),
-                       word_or_dash(first["section"]));
+    return fmt::format("What breaks first: {}. {} See {}.", meaning, plain_text(first["advice"]),
+                       plain_text(first["section"]));
   // A find of the search, where that is deeper: the run's families do not have it.
   std::string found;
   const char* goal = first["what"] == "missed contact" ? "missed_contact" : "phantom_contact";
@@ -85,18 +81,18 @@ std::string breaks_note(const Json& predicate) {
     const Json find = search["finds"].value(goal, Json());
     if (Json(precision) != first["precision"] || find.is_null()) continue;
     if (depth_of(find["depth"]) <= depth_of(first["deepest"])) continue;
-    found = fmt::format(" A search found one of depth {}.", word_or_dash(find["depth"]));
+    found = fmt::format(" A search found one of depth {}.", plain_text(find["depth"]));
   }
   // A situation's meaning says what happens there; a cause's does not.
   const bool is_situation =
       std::ranges::any_of(predicate["situations"], [&](const Json& s) { return s["situation"] == first["cause"]; });
   if (is_situation)
-    return fmt::format("What breaks first, in {}: {}.{} {} See {}.", word_or_dash(first["precision"]), meaning, found,
-                       word_or_dash(first["advice"]), word_or_dash(first["section"]));
-  return fmt::format("What breaks first: {}, {}{}: {}.{} {} See {}.", word_or_dash(first["what"]),
-                     first["precision"].is_null() ? "" : word_or_dash(first["precision"]) + ", ",
-                     word_or_dash(first["cause"]), meaning, found, word_or_dash(first["advice"]),
-                     word_or_dash(first["section"]));
+    return fmt::format("What breaks first, in {}: {}.{} {} See {}.", plain_text(first["precision"]), meaning, found,
+                       plain_text(first["advice"]), plain_text(first["section"]));
+  return fmt::format("What breaks first: {}, {}{}: {}.{} {} See {}.", plain_text(first["what"]),
+                     first["precision"].is_null() ? "" : plain_text(first["precision"]) + ", ",
+                     plain_text(first["cause"]), meaning, found, plain_text(first["advice"]),
+                     plain_text(first["section"]));
 }
 
 std::string peculiarities_note(const Json& predicate) {
@@ -106,8 +102,7 @@ std::string peculiarities_note(const Json& predicate) {
     for (const Json& property : part["properties"]) {
       if (const std::string text = said_of(property, predicate["kernel"]); !text.empty()) said.push_back(text);
     }
-    if (!said.empty())
-      parts.push_back(fmt::format("in {}, {}", word_or_dash(part["precision"]), fmt::join(said, "; ")));
+    if (!said.empty()) parts.push_back(fmt::format("in {}, {}", plain_text(part["precision"]), fmt::join(said, "; ")));
   }
   return parts.empty() ? "" : fmt::format("What it is like: {}.", fmt::join(parts, ". And "));
 }
@@ -119,11 +114,11 @@ InstrumentTable situations_table(const Json& predicate) {
                         {}};
   for (const Json& s : predicate["situations"]) {
     const std::vector<std::string> families = s["families"];
-    table.rows.push_back({word_or_dash(s["meaning"]), word_or_dash(s["precision"]),
-                          thousands(s["missed"].get<std::uint64_t>()), word_or_dash(s["deepest_missed"]),
-                          thousands(s["phantom"].get<std::uint64_t>()), word_or_dash(s["deepest_phantom"]),
-                          fmt::format("{}", fmt::join(families, ", ")), word_or_dash(s["advice"]),
-                          word_or_dash(s["section"])});
+    table.rows.push_back({plain_text(s["meaning"]), plain_text(s["precision"]),
+                          thousands(s["missed"].get<std::uint64_t>()), plain_text(s["deepest_missed"]),
+                          thousands(s["phantom"].get<std::uint64_t>()), plain_text(s["deepest_phantom"]),
+                          fmt::format("{}", fmt::join(families, ", ")), plain_text(s["advice"]),
+                          plain_text(s["section"])});
   }
   return table;
 }

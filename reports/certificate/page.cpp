@@ -14,9 +14,6 @@
 namespace axiscert {
 namespace {
 
-std::string plain_text(const Json& value) {
-  return value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : value.dump();
-}
 std::string cell_count(const Json& count) { return thousands(count.get<std::uint64_t>()); }
 
 class CertificatePage {

@@ -8,6 +8,20 @@
 namespace axiscert {
 namespace {
 
+// Situations and advice of more than one test.
+constexpr std::string_view mend_units =
+                               "Bring the scene to a unit in which the kernel is right: `range_window` and "
+                               "`absolute_threshold` of the diagnosis say which.",
+                           shrink_small_integers =
+                               "A case is wrong or left out, or an epsilon is larger than the gap: `axiscert shrink` a "
+                               "witness.";
+constexpr Situation of_corpus = {"known", "queries of the corpus, which were hard once or are faults of engines",
+                                 "`axiscert corpus list` says what each is about.", "docs/corpus.md#the-corpus",
+                                 "corpus"};
+constexpr Situation of_own_queries(std::string_view meaning, std::string_view section) {
+  return {"own", meaning, "`axiscert check` a witness.", section, ""};
+}
+
 constexpr std::string_view sweeps = "docs/moving.md#libraries-and-engines",
                            sweeps_over_reals = "docs/moving.md#what-each-method-gets-wrong-over-the-reals";
 constexpr Situation of_moving_sphere[] = {
@@ -29,22 +43,18 @@ constexpr Situation of_moving_sphere[] = {
     {"far", "motions of many radii, or that begin far away",
      "Cut long motions into parts, or start them near the triangle.", "docs/moving.md#what-distance-does-to-b2---a-c",
      "approach huge_d ends_approach ends_huge"},
-    {"units", "clear motions in other units of length",
-     "Bring the scene to a unit in which the kernel is right: `range_window` and `absolute_threshold` of the diagnosis "
-     "say which.",
-     "docs/error_model.md#units-of-length", "units scale"},
+    {"units", "clear motions in other units of length", mend_units, "docs/error_model.md#units-of-length",
+     "units scale"},
     {"zero_area", "triangles without area", "Drop triangles without area when the mesh is read.", sweeps_over_reals,
      "line_sweep repeated_sweep ends_line"},
     {"touching", "motions that touch, at the start, on the way or at the end, or miss by ulps",
      "Roundings, where the depth is small: keep a skin between sphere and mesh, larger than the safe margin. Where it "
-     "is "
-     "not small, contacts at the start or at the end are left out: ask the static test there.",
+     "is not small, contacts at the start or at the end are left out: ask the static test there.",
      sweeps,
      "graze touch_end touch_start exact_time seam_time overlap_ulp orders axes inverted translated reversed split "
      "halved ends_graze ends_touch"},
-    {"known", "queries of the corpus, which were hard once or are faults of engines",
-     "`axiscert corpus list` says what each is about.", "docs/corpus.md#the-corpus", "corpus"},
-    {"own", "the queries of meshes and files that were given", "`axiscert check` a witness.", sweeps, ""},
+    of_corpus,
+    of_own_queries("the queries of meshes and files that were given", sweeps),
 };
 
 constexpr std::string_view boxes_by_epsilon = "docs/boxes.md#the-price-of-an-epsilon",
@@ -54,8 +64,7 @@ constexpr Situation of_box_box[] = {
      "Do not build on it as it stands: take another test, as box-box/cofactor, and ask both about your own boxes "
      "(`axiscert run --queries`).",
      box_libraries, "general stack pile resting general_turned stack_turned pile_turned resting_turned"},
-    {"small_integers", "boxes in small integers, turned by quarter turns: nothing is rounded",
-     "A case is wrong or left out, or an epsilon is larger than the gap: `axiscert shrink` a witness.",
+    {"small_integers", "boxes in small integers, turned by quarter turns: nothing is rounded", shrink_small_integers,
      boxes_by_epsilon, "lattice lattice_turned"},
     {"parallel", "boxes whose axes are parallel but for roundings",
      "Products of nearly parallel edges separate what overlaps, or an epsilon holds what is apart: leave these axes "
@@ -69,10 +78,7 @@ constexpr Situation of_box_box[] = {
     {"far", "boxes far from the origin that touch but for ulps",
      "Subtract an origin near the boxes before their numbers are rounded to the test's precision.", box_libraries,
      "far"},
-    {"units", "boxes in other units of length",
-     "Bring the scene to a unit in which the kernel is right: `range_window` and `absolute_threshold` of the diagnosis "
-     "say which.",
-     "docs/error_model.md#units-of-length", "scale"},
+    {"units", "boxes in other units of length", mend_units, "docs/error_model.md#units-of-length", "scale"},
     {"no_rotation", "axes that are no rotation: any numbers, or columns at right angles that are not of length 1",
      "Make the axes of length 1 and at right angles before the test is asked.", "docs/boxes.md#the-question",
      "bits int_scaled"},
@@ -80,9 +86,8 @@ constexpr Situation of_box_box[] = {
      "Roundings, where the depth is small: let the boxes grow by more than that depth of the scene.",
      "docs/boxes.md#from-the-definition-to-the-books",
      "tangent stacked edge_edge vertex_face tangent_turned edge_edge_turned vertex_face_turned"},
-    {"known", "queries of the corpus, which were hard once or are faults of engines",
-     "`axiscert corpus list` says what each is about.", "docs/corpus.md#the-corpus", "corpus"},
-    {"own", "the queries of files that were given", "`axiscert check` a witness.", box_libraries, ""},
+    of_corpus,
+    of_own_queries("the queries of files that were given", box_libraries),
 };
 
 constexpr std::string_view box_and_triangle = "docs/boxes.md#a-box-and-a-triangle";
@@ -91,8 +96,7 @@ constexpr Situation of_box_triangle[] = {
      "Do not build on it as it stands: take another test, as box-triangle/thirteen, and ask both about your own mesh "
      "(`axiscert run --mesh`).",
      box_and_triangle, "general voxel general_minmax general_oriented"},
-    {"small_integers", "boxes and triangles in small integers: nothing is rounded",
-     "A case is wrong or left out, or an epsilon is larger than the gap: `axiscert shrink` a witness.",
+    {"small_integers", "boxes and triangles in small integers: nothing is rounded", shrink_small_integers,
      box_and_triangle, "lattice lattice_minmax lattice_oriented"},
     {"degenerate", "triangles without area, or boxes without thickness",
      "Drop triangles without area when the mesh is read, and give every box a thickness.", box_and_triangle,
@@ -100,9 +104,8 @@ constexpr Situation of_box_triangle[] = {
     {"touching", "boxes and triangles that touch, or miss by ulps",
      "Roundings, where the depth is small: let the box grow by more than that depth of the scene.", box_and_triangle,
      "touching touching_minmax touching_oriented"},
-    {"known", "queries of the corpus, which were hard once or are faults of engines",
-     "`axiscert corpus list` says what each is about.", "docs/corpus.md#the-corpus", "corpus"},
-    {"own", "the queries of meshes and files that were given", "`axiscert check` a witness.", box_and_triangle, ""},
+    of_corpus,
+    of_own_queries("the queries of meshes and files that were given", box_and_triangle),
 };
 
 bool has_word(std::string_view words, std::string_view word) {

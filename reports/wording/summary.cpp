@@ -107,6 +107,10 @@ std::string with_rate(std::uint64_t count, const Json& family) {
   return limit < 0 ? "not checked" : fmt::format("0 (< {} per million, 95 %)", amount(limit, 3));
 }
 
+std::string plain_text(const Json& value) {
+  return value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : value.dump();
+}
+
 std::string thousands(std::uint64_t count) {
   std::string text = std::to_string(count);
   for (auto i = static_cast<std::ptrdiff_t>(text.size()) - 3; i > 0; i -= 3)

@@ -29,6 +29,7 @@ double per_million(std::uint64_t count, const Json& family);
 // "0 (< 11.4 per million, 95 %)", "12 (45.8 per million)"; "not checked" where no valid query was run.
 std::string with_rate(std::uint64_t count, const Json& family);
 
+std::string plain_text(const Json& value);         // a text without its quotes; "-" for null
 std::string thousands(std::uint64_t count);        // "1,234,567"
 std::string amount(double value, int digits = 6);  // significant digits, thousands separated
 // An error in u as the record has it: a number, or its text where binary64 cannot hold it.

@@ -1,4 +1,4 @@
-"""What the tests of `certify` and `verify` share: certificates that are made once, keys, and files that were written by hand."""
+"""Parts that the tests of `certify` and `verify` share: certificates that are made once, keys, and files that were written by hand."""
 import json
 import subprocess
 import tempfile

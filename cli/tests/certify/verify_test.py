@@ -115,7 +115,7 @@ class Signed(CertifyCase):
 
 
 class BrokenCertificates(CertifyCase):
-    """What each row of the table in docs/certify.md says of a certificate that something happened to."""
+    """Each row of the table in docs/certify.md, tried on a certificate that something happened to."""
 
     def remade(self, change):
         """The certificate of published with its statement changed, whole by its own digest."""

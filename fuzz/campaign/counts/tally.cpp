@@ -300,9 +300,9 @@ void count_errors(Tally& tally, std::uint64_t position, const TestDescription& t
                   const Answers<Real>& computed, std::size_t index, const Tolerances& tolerances) {
   ClauseBits failing = 0;
   for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
-    const double at_most =
-        side_error_at_most(computed.lhs[i][index], computed.rhs[i][index], exact.lhs[i], exact.rhs[i]);
-    if (!tolerances[i] && at_most < least_of_interest(tally.comparisons[i])) continue;
+    if (!tolerances[i] && side_error_at_most(computed.lhs[i][index], computed.rhs[i][index], exact.lhs[i],
+                                             exact.rhs[i]) < least_of_interest(tally.comparisons[i]))
+      continue;
     const SideError error(computed.lhs[i][index], computed.rhs[i][index], exact.lhs[i], exact.rhs[i]);
     if (count_error(tally.comparisons[i], position, error, tolerances[i])) {
       failing |= one_bit<ClauseBits>(test.comparisons[i].clause);
