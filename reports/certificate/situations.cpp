@@ -74,7 +74,7 @@ constexpr Situation of_box_box[] = {
      "The epsilon is too large or too small for these lengths: take a test whose bound grows with the boxes.",
      boxes_by_epsilon, "crossed crossed_turned"},
     {"flat", "boxes without thickness, or thin by a factor of 1,000 or a million",
-     "Give every box a thickness that is visible in its scene.", box_libraries, "flat thin"},
+     "Give every box a thickness that is visible in its scene.", box_libraries, "flat rectangles thin"},
     {"far", "boxes far from the origin that touch but for ulps",
      "Subtract an origin near the boxes before their numbers are rounded to the test's precision.", box_libraries,
      "far"},

@@ -13,6 +13,7 @@
   X(parallel)                    \
   X(thin)                        \
   X(flat)                        \
+  X(rectangles)                  \
   X(scale)                       \
   X(far)                         \
   X(bits)                        \

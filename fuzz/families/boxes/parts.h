@@ -77,6 +77,18 @@ Vec3<Real> rounded_point(const Point& p) {
   return {nearest<Real>(p.x), nearest<Real>(p.y), nearest<Real>(p.z)};
 }
 
+// An offset of B in A's frame: a multiple of 2^-23 from -most to most.
+inline Rational offset(Stream& random, const Rational& most) {
+  Rational x(random.integer(-(1 << 23), 1 << 23), 1 << 23);
+  x.canonicalize();
+  return x * most;
+}
+
+template <class Real>
+Rational exact_number(Real x) {
+  return Rational(static_cast<double>(x));
+}
+
 // B's centre at A's plus the vector, which is turned exactly and rounded once.
 template <class Pair>
 void place(Pair& q, const Quaternion& frame, const std::array<Rational, 3>& at) {
@@ -111,13 +123,12 @@ Pair anywhere(Stream& random, std::uint64_t position) {
   return q;
 }
 
-// A coordinate of B's centre moved by up to `most` ulps.
+// Each coordinate of B's centre moved by up to `most` ulps.
 template <class Pair>
 void nudge(Stream& random, int most, Pair& q) {
-  const auto which = random.below(3);
-  const int ulps = static_cast<int>(random.integer(-most, most));
-  auto& x = which == 0 ? q.b.centre.x : which == 1 ? q.b.centre.y : q.b.centre.z;
-  x = step_ulps(x, ulps);
+  for (auto* x : {&q.b.centre.x, &q.b.centre.y, &q.b.centre.z}) {
+    *x = step_ulps(*x, static_cast<int>(random.integer(-most, most)));
+  }
 }
 
 // B on the ray from A's centre to its own, at `times` the farthest distance of contact: exactly, then rounded. A query
@@ -140,23 +151,23 @@ void fill_pairs(const StreamName& name, std::uint64_t first, const MutableColumn
   }
 }
 
-// The family in the entry `matrix`, and that of quaternions.
-template <class Made>
+// The family in the entry `matrix`, and that of quaternions. The version changes with the queries of `Made`.
+template <class Made, std::uint32_t version = 1>
 constexpr Family matrix_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false) {
   return {.name = name,
           .purpose = purpose,
-          .version = 1,
+          .version = version,
           .exact_arithmetic = exact_arithmetic,
           .binary32 = fill_pairs<Made, BoxPair<float>>,
           .binary64 = fill_pairs<Made, BoxPair<double>>,
           .test = box_box_test,
           .entry = MatrixBoxes::entry};
 }
-template <class Made>
+template <class Made, std::uint32_t version = 1>
 constexpr Family turned_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false) {
   return {.name = name,
           .purpose = purpose,
-          .version = 1,
+          .version = version,
           .exact_arithmetic = exact_arithmetic,
           .binary32 = fill_pairs<Made, TurnedPair<float>>,
           .binary64 = fill_pairs<Made, TurnedPair<double>>,

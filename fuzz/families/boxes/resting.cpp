@@ -1,31 +1,23 @@
-// Boxes that stand on each other: rotations that differ by a small yaw, by quarter turns, or by a crossing of edges at
-// a small angle. Here the textbook's edge axes are nearly 0, and an epsilon invents contacts.
+// Boxes that stand on each other: rotations that differ by a small yaw, or by a crossing of edges at a small angle.
+// Here the textbook's edge axes are nearly 0, and an epsilon invents contacts.
 #include "fuzz/families/boxes/parts.h"
 
 namespace axiscert::boxes {
 namespace {
 
-// An offset of B in A's frame: a multiple of 2^-23 from -most to most.
-Rational offset(Stream& random, const Rational& most) {
-  Rational x(random.integer(-(1 << 23), 1 << 23), 1 << 23);
-  x.canonicalize();
-  return x * most;
-}
-
-template <class Real>
-Rational exact_number(Real x) {
-  return Rational(static_cast<double>(x));
-}
-
-// B on A's third facet, yawed by about 2^-7 to 2^-23, sunk in by so much.
+// B on A's third facet, yawed by 2^-k for a k of `least` to `most`, sunk in by so much; sideways up to `part` of the
+// way to where it would stand beside A.
 template <class Pair>
-Pair standing(Stream& random, std::uint64_t position, const Rational& sunk) {
+Pair standing(Stream& random, std::uint64_t position, int least, int most, const Rational& part, const Rational& sunk) {
   Pair q = of_ordinary_size<Pair>(random, position);
   const Quaternion frame = random_turn(random);
-  const double yaw = std::ldexp(1.0, static_cast<int>(random.integer(8, 24)));
+  const double yaw = std::ldexp(2.0, static_cast<int>(random.integer(least, most)));
   turn(q.a, frame);
   turn(q.b, product(frame, {yaw, 0, 0, 1}));
-  const Rational x = offset(random, Rational(1, 2)), y = offset(random, Rational(1, 2));
+  const auto sideways = [&](std::size_t k) {
+    return offset(random, part * (exact_number(q.a.half[k]) + exact_number(q.b.half[k])));
+  };
+  const Rational x = sideways(0), y = sideways(1);
   place(q, frame, {x, y, exact_number(q.a.half[2]) + exact_number(q.b.half[2]) - sunk});
   return q;
 }
@@ -33,7 +25,7 @@ Pair standing(Stream& random, std::uint64_t position, const Rational& sunk) {
 struct Stacked {
   template <class Pair>
   static Pair make(Stream& random, std::uint64_t position) {
-    Pair q = standing<Pair>(random, position, 0);
+    Pair q = standing<Pair>(random, position, 1, 11, Rational(1, 4), 0);
     nudge(random, 8, q);
     return q;
   }
@@ -42,41 +34,7 @@ struct Resting {
   template <class Pair>
   static Pair make(Stream& random, std::uint64_t position) {
     const auto power = static_cast<unsigned long>(random.integer(6, 14));
-    return standing<Pair>(random, position, Rational(1, 1ul << power));
-  }
-};
-
-// B is turned by quarter turns against A, which no cube shows, its numbers rounded along another route.
-template <class Pair>
-Pair quarter_turns(Stream& random, std::uint64_t position) {
-  static constexpr std::array<Quaternion, 4> quarters = {{{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 0, 1, 0}, {1, 0, 0, 1}}};
-  Pair q = of_ordinary_size<Pair>(random, position);
-  const Quaternion frame = random_turn(random);
-  const auto one = random.below(4), other = random.below(4);
-  turn(q.a, frame);
-  turn_in_floats(q.b, product(product(frame, quarters[one]), quarters[other]));
-  const Rational x = offset(random, 1), y = offset(random, 1), z = offset(random, 1);
-  place(q, frame, {x, y, z});
-  return q;
-}
-struct Parallel {
-  template <class Pair>
-  static Pair make(Stream& random, std::uint64_t position) {
-    return quarter_turns<Pair>(random, position);
-  }
-};
-
-// In turn: a rectangle and a box, two rectangles, a segment and a box.
-struct Flat {
-  template <class Pair>
-  static Pair make(Stream& random, std::uint64_t position) {
-    Pair q = quarter_turns<Pair>(random, position);
-    const auto of_a = random.below(3), of_b = random.below(3);
-    q.a.half[of_a] = 0;
-    const std::uint64_t turn_of = position / 2 % 3;
-    if (turn_of == 1) q.b.half[of_b] = 0;
-    if (turn_of == 2) q.a.half[next(of_a)] = 0;
-    return q;
+    return standing<Pair>(random, position, 7, 23, Rational(3, 4), Rational(1, 1ul << power));
   }
 };
 
@@ -115,22 +73,16 @@ struct Crossed {
 
 }  // namespace
 
-extern const Family box_box_stacked_family = matrix_family<Stacked>(
-    "box-box/stacked", "B stands on A, yawed by 2^-7 to 2^-23, touching but for roundings and up to eight ulps");
+extern const Family box_box_stacked_family = matrix_family<Stacked, 2>(
+    "box-box/stacked", "B stands on A, yawed by 2^-1 to 2^-11, touching but for roundings and up to eight ulps");
 extern const Family box_box_resting_family =
-    matrix_family<Resting>("box-box/resting", "stacked, and sunk in by 2^-6 to 2^-14");
+    matrix_family<Resting, 2>("box-box/resting", "B stands on A, yawed by 2^-7 to 2^-23, sunk in by 2^-6 to 2^-14");
 extern const Family box_box_crossed_family = matrix_family<Crossed>(
     "box-box/crossed", "edges of length up to 24 cross at an angle of 2^-5 to 2^-17, 2^-8 to 2^-20 apart or as deep");
-extern const Family box_box_parallel_family =
-    matrix_family<Parallel>("box-box/parallel", "quarter turns of one rotation, rounded along two routes; overlapping");
-extern const Family box_box_flat_family =
-    matrix_family<Flat>("box-box/flat", "parallel, with extents 0: a rectangle and a box, two rectangles, a segment");
 
 extern const Family box_box_resting_turned_family =
-    turned_family<Resting>("box-box/resting_turned", "resting, as quaternions of integers");
+    turned_family<Resting, 2>("box-box/resting_turned", "resting, as quaternions of integers");
 extern const Family box_box_crossed_turned_family =
     turned_family<Crossed>("box-box/crossed_turned", "crossed, as quaternions of integers");
-extern const Family box_box_parallel_turned_family =
-    turned_family<Parallel>("box-box/parallel_turned", "parallel, as quaternions of integers");
 
 }  // namespace axiscert::boxes

@@ -75,7 +75,7 @@ TEST(RungsOverTheRealsLong, TheTableOfDocsBoxes) {
   for (int k = 0; k < 9; ++k) table += "---:|";
   table += "\n";
   for (const char* family : reals_families) {
-    const RungCounts counts = rungs_on(family, 1000);
+    const RungCounts counts = rungs_on(family, 2500);
     table += fmt::format("| `{}` |", family);
     for (const Wrong& wrong : counts.wrong) table += " " + cell_of(wrong) + " |";
     table += "\n";

@@ -10,7 +10,7 @@ struct Tangent {
   static Pair make(Stream& random, std::uint64_t position) {
     Pair q = anywhere<Pair>(random, position);
     solve_tangent(q);
-    nudge(random, 4, q);
+    nudge(random, 2, q);
     return q;
   }
 };
@@ -26,7 +26,7 @@ struct Thin {
     q.a.half[of_a] *= factor;
     if (random.coin()) q.b.half[of_b] *= factor;
     solve_tangent(q);
-    nudge(random, 4, q);
+    nudge(random, 2, q);
     return q;
   }
 };
@@ -54,7 +54,7 @@ Pair touching_on(Stream& random, std::uint64_t position, std::size_t axis) {
   const Point product = direction(exact, axis), along = random.coin() ? product : product * Rational(-1);
   const Point of_a = farthest(random, exact.a, along), of_b = farthest(random, exact.b, along * Rational(-1));
   if (dot(along, along) != 0) q.b.centre = rounded_point<RealOf<Pair>>(exact.a.centre + of_a - of_b);
-  if (position / 2 % 2 == 1) nudge(random, 4, q);
+  if (position / 2 % 2 == 1) nudge(random, 2, q);
   return q;
 }
 
@@ -91,22 +91,22 @@ struct Far {
 
 }  // namespace
 
-extern const Family box_box_tangent_family = matrix_family<Tangent>(
+extern const Family box_box_tangent_family = matrix_family<Tangent, 2>(
     "box-box/tangent", "any two rotations, rounded; B's centre where they touch, and up to four ulps from there");
 extern const Family box_box_thin_family =
-    matrix_family<Thin>("box-box/thin", "tangent, with an extent of A, or one of each, times 2^-10 or 2^-20");
-extern const Family box_box_edge_edge_family = matrix_family<EdgeEdge>(
+    matrix_family<Thin, 2>("box-box/thin", "tangent, with an extent of A, or one of each, times 2^-10 or 2^-20");
+extern const Family box_box_edge_edge_family = matrix_family<EdgeEdge, 2>(
     "box-box/edge_edge", "an edge of A touches an edge of B, each pair of edges in turn; every other one up to 4 ulps");
-extern const Family box_box_vertex_face_family = matrix_family<VertexFace>(
+extern const Family box_box_vertex_face_family = matrix_family<VertexFace, 2>(
     "box-box/vertex_face", "a vertex touches a facet, the six normals in turn; every other one up to 4 ulps");
 extern const Family box_box_far_family =
-    matrix_family<Far>("box-box/far", "tangent, 2^4 to 2^19 (binary64: 2^47) from the origin");
+    matrix_family<Far, 2>("box-box/far", "tangent, 2^4 to 2^19 (binary64: 2^47) from the origin");
 
 extern const Family box_box_tangent_turned_family =
-    turned_family<Tangent>("box-box/tangent_turned", "tangent, as quaternions of integers");
+    turned_family<Tangent, 2>("box-box/tangent_turned", "tangent, as quaternions of integers");
 extern const Family box_box_edge_edge_turned_family =
-    turned_family<EdgeEdge>("box-box/edge_edge_turned", "edge_edge, as quaternions of integers");
+    turned_family<EdgeEdge, 2>("box-box/edge_edge_turned", "edge_edge, as quaternions of integers");
 extern const Family box_box_vertex_face_turned_family =
-    turned_family<VertexFace>("box-box/vertex_face_turned", "vertex_face, as quaternions of integers");
+    turned_family<VertexFace, 2>("box-box/vertex_face_turned", "vertex_face, as quaternions of integers");
 
 }  // namespace axiscert::boxes
