@@ -37,6 +37,7 @@ class ExactQuery final : public DepthOf {
 
   double at_least() override { return exactly(); }
   double at_most() override { return exactly(); }
+  bool is_touching() override { return truth_.touching; }
   // Engine-like is defined of the numbers of a sphere and a triangle.
   double engine_threshold() override { return std::numeric_limits<double>::infinity(); }
   double exactly() override {

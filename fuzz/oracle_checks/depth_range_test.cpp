@@ -49,5 +49,30 @@ TYPED_TEST(DepthRanges, OfOnePointAreCertain) {
   EXPECT_GT(depth_range(q).low, 0.99);
 }
 
+// Where sizes differ so much that the depth rounds to 1, and just before that.
+TYPED_TEST(DepthRanges, AreOneWhereTheDepthRoundsToOne) {
+  const TypeParam tiny = std::ldexp(TypeParam(1), -60), small = std::ldexp(TypeParam(1), -20);
+  const auto range_of = [](const Query<TypeParam>& q) {
+    const DepthRange range = depth_range(q);
+    const double exact = depth(q, squared_distance(q));
+    EXPECT_LE(range.low, exact);
+    EXPECT_GE(range.high, exact);
+    return range;
+  };
+  const auto around = [](TypeParam size, TypeParam r) {
+    return Query<TypeParam>{{size, 0, 0}, {0, size, 0}, {0, 0, size}, {0, 0, 0}, r};
+  };
+  EXPECT_EQ(range_of(around(tiny, 1)).low, 1) << "a triangle that is nothing beside the radius";
+  EXPECT_LT(range_of(around(small, 1)).low, 1);
+  const auto far_away = [](TypeParam size) {
+    return Query<TypeParam>{{1, 0, 0}, {1, size, 0}, {1, 0, size}, {0, 0, 0}, size};
+  };
+  EXPECT_EQ(range_of(far_away(tiny)).low, 1) << "a triangle and a radius that are nothing beside their distance";
+  EXPECT_LT(range_of(far_away(small)).low, 1);
+  const DepthRange near_one_vertex = range_of({{1, 0, 0}, {0, 1, 0}, {tiny, 0, 0}, {0, 0, 0}, 2 * tiny});
+  EXPECT_GT(near_one_vertex.low, 0);
+  EXPECT_LT(near_one_vertex.high, 0x1p-57) << "a vertex is so near: d is no greater";
+}
+
 }  // namespace
 }  // namespace axiscert

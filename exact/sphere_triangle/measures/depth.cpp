@@ -55,6 +55,27 @@ double estimate(const Rational& dd, const Rational& r, const Rational& ss) {
   return result;
 }
 
+// Not less than the vector's length, even where squares of its components underflow.
+template <class T>
+double length_at_most(const EnclosedVector<T>& v) {
+  const EnclosedVector<double> w = as_doubles(v);
+  return (w.size + 4 * w.error) * more;  // 3, and what `more` lies beyond an error
+}
+
+// Whether the depth is certainly within half an ulp (2^-54) below 1, so that it rounds to 1, which is even. Either the
+// vertices are all so near the centre that the divisor is r and the depth 1 - d / r; or the triangle and r are so small
+// that every point of it is nearly as far away as the farthest vertex: d is that less an edge at most, and the divisor
+// it.
+template <class T>
+bool rounds_to_one(const EnclosedTriangle<T>& triangle, double r_low, double r_high, double length_low) {
+  double farthest = 0, longest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    farthest = std::max(farthest, length_at_most(triangle.vertex[i]));
+    longest = std::max(longest, length_at_most(triangle.edge[i]));
+  }
+  return (r_low > 0 && farthest <= r_low * 0x1p-54) || (length_low > 0 && longest + r_high <= length_low * 0x1p-55);
+}
+
 // (d - r) (d + r) D = N - r^2 D where d^2 = N / D: cancellation occurs only in the residual, which is enclosed. Sums,
 // products, quotients and roots of positive doubles follow, at most ten, which `more` and `less` cover. Nothing
 // overflows: the greatest is r^2 times the divisor, below 2^262 2^530.
@@ -62,7 +83,7 @@ template <class T>
 DepthRange range_of(const EnclosedTriangle<T>& triangle, double radius) {
   const EnclosedSquare<T> d = distance_bounds(triangle);
   const double r = std::ldexp(radius, triangle.exponent);
-  if (!(r <= 0x1p130)) return {};
+  if (!(r <= 0x1p130)) return rounds_to_one(triangle, r, r, 0) ? DepthRange{1, 1} : DepthRange{};
   const Enclosed<T> enclosed_r = enclosed_difference<T>(r, 0, triangle.scaling_error);
   const Enclosed<T> residual = d.numerator - enclosed_r * enclosed_r * d.divisor;
   const double least = residual.low() - d.below, greatest = residual.high() + d.above;
@@ -75,19 +96,23 @@ DepthRange range_of(const EnclosedTriangle<T>& triangle, double radius) {
   const double r_low = positive_part(as_double(enclosed_r).low()), r_high = as_double(enclosed_r).high();
   const Enclosed<double> numerator = as_double(d.numerator);
   const double d_low = std::sqrt(quotient_low(positive_part(numerator.low() - d.below * more), divisor_high)) * less;
-  const double d_high = std::sqrt(quotient_high(numerator.high() + d.above, divisor_low)) * more;
+  double d_high = std::sqrt(quotient_high(numerator.high() + d.above, divisor_low)) * more;
   double length_low = r_low, length_high = r_high;
   for (const auto& v : triangle.vertex) {
     const Enclosed<double> square = dot(as_doubles(v), as_doubles(v));
     length_low = std::max(length_low, std::sqrt(positive_part(square.low())));
     length_high = std::max(length_high, std::sqrt(square.high()));
+    d_high = std::min(d_high, length_at_most(v));  // which is tight where the other vertices are far away
   }
   const double low = quotient_low(nearest, divisor_high) / (d_high + r_high) / length_high * less - 0x1p-1073;
   // If d and r are both near zero the quotient gives no bound; their own sizes do.
   const double apart = std::max(d_high - r_low, r_high - d_low) / length_low * more + 0x1p-1073;
   const double high = quotient_high(farthest, divisor_low) / (d_low + r_low) / length_low * more + 0x1p-1073;
   const double least_high = high < apart ? high : apart;
-  return {low > 0 ? low : 0, least_high < 1 ? least_high : 1};
+  const auto known = [](double x) { return x > 0 ? x : 0; };  // 0 for NaN too
+  if (!(least_high < 1)) return {rounds_to_one(triangle, r_low, r_high, length_low) ? 1 : known(low), 1};
+  if (low > 0) return {low, least_high};
+  return {known(std::max(d_low - r_high, r_low - d_high) / length_high * less - 0x1p-1073), least_high};
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
 #include "fuzz/campaign/counts/depths.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
+#include <type_traits>
 
 namespace axiscert {
 namespace {
@@ -18,12 +19,13 @@ constexpr double greatest_engine_coordinate = 0x1p20, least_engine_radius = 0x1p
 template <class Real>
 bool is_engine_coordinate(Real x) {
   const Real size = std::abs(x);
-  return size == 0 ||
-         (size >= std::numeric_limits<Real>::min() && size <= static_cast<Real>(greatest_engine_coordinate));
+  const bool is_within =
+      (size >= std::numeric_limits<Real>::min()) & (size <= static_cast<Real>(greatest_engine_coordinate));
+  return (size == 0) | is_within;
 }
 template <class Real>
 bool is_engine_radius(Real r) {
-  return r >= static_cast<Real>(least_engine_radius) && r <= static_cast<Real>(greatest_engine_radius);
+  return (r >= static_cast<Real>(least_engine_radius)) & (r <= static_cast<Real>(greatest_engine_radius));
 }
 
 }  // namespace
@@ -35,8 +37,10 @@ std::size_t decade_of(double depth) {
 }
 
 std::size_t decade_of(DepthOf& depth) {
-  const std::size_t low = decade_of(depth.at_least());
-  return low == decade_of(depth.at_most()) ? low : decade_of(depth.exactly());
+  if (depth.is_touching()) return 0;
+  const auto above_zero = [](double x) { return std::max(decade_of(x), std::size_t{1}); };
+  const std::size_t low = above_zero(depth.at_least());
+  return low == above_zero(depth.at_most()) ? low : above_zero(depth.exactly());
 }
 
 std::string decade_name(std::size_t decade) {
@@ -66,13 +70,27 @@ template bool is_engine_like(const Query<double>&);
 
 template <class Real>
 std::uint64_t engine_like_queries(const QueryColumns<Real>& columns) {
-  constexpr std::size_t radius = coordinate_count - 1;
-  std::vector<unsigned char> is_one(columns.size);
-  for (std::size_t i = 0; i < columns.size; ++i) is_one[i] = is_engine_radius(columns.column[radius][i]);
-  for (std::size_t c = 0; c < radius; ++c) {
-    for (std::size_t i = 0; i < columns.size; ++i) is_one[i] &= is_engine_coordinate(columns.column[c][i]);
+  // Blocks of a fixed size and flags as wide as a number: a compiler makes vectors of these loops.
+  constexpr std::size_t radius = coordinate_count - 1, block = 64;
+  using Flag = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
+  const auto count_from = [&](std::size_t first, auto size) {
+    std::array<Flag, block> flags;
+    const Real* radii = columns.column[radius] + first;
+    for (std::size_t i = 0; i < size; ++i) flags[i] = is_engine_radius(radii[i]);
+    for (std::size_t c = 0; c < radius; ++c) {
+      const Real* x = columns.column[c] + first;
+      for (std::size_t i = 0; i < size; ++i) flags[i] &= Flag{is_engine_coordinate(x[i])};
+    }
+    Flag count = 0;
+    for (std::size_t i = 0; i < size; ++i) count += flags[i];
+    return static_cast<std::uint64_t>(count);
+  };
+  std::uint64_t count = 0;
+  std::size_t first = 0;
+  for (; first + block <= columns.size; first += block) {
+    count += count_from(first, std::integral_constant<std::size_t, block>());
   }
-  return static_cast<std::uint64_t>(std::count(is_one.begin(), is_one.end(), 1));
+  return count + count_from(first, columns.size - first);
 }
 template std::uint64_t engine_like_queries(const QueryColumns<float>&);
 template std::uint64_t engine_like_queries(const QueryColumns<double>&);

@@ -18,6 +18,7 @@ class DepthOf {
   virtual double at_least() = 0;  // both certainly, of exactly() too
   virtual double at_most() = 0;
   virtual double exactly() = 0;  // rounded once, to the nearest binary64
+  virtual bool is_touching() = 0;
   // The depth above which a wrong verdict counts as one on an engine-like query; infinity where the query is not one.
   virtual double engine_threshold() = 0;
 
@@ -25,8 +26,9 @@ class DepthOf {
   ~DepthOf() = default;
 };
 
-// Decades of depths: 0 is a depth of zero, 1 is all below 10^-20, then [10^k, 10^(k+1)) for k from -20 on; the last
-// one is a depth of 1. Depth and power of ten are the nearest binary64 of each.
+// Decades of depths: 0 is a depth of zero, of spheres that touch; 1 is all else below 10^-20, too small for a double or
+// not; then [10^k, 10^(k+1)) for k from -20 on; the last one is a depth of 1. Depth and power of ten are the nearest
+// binary64 of each.
 inline constexpr int least_decade = -20;
 inline constexpr std::size_t decade_count = 2 - least_decade + 1;
 std::size_t decade_of(double depth);

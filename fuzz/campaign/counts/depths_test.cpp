@@ -39,6 +39,7 @@ class PlantedDepth final : public DepthOf {
     ++asked;
     return depth_;
   }
+  bool is_touching() override { return depth_ == 0 && high_ == 0; }
   double engine_threshold() override { return threshold_; }
 
   int asked = 0;
@@ -51,12 +52,17 @@ TEST(Decades, ExactlyOnlyWhereBoundsStraddle) {
   DepthTally depths;
   EngineTally engine;
   PlantedDepth inside(0.02, 0.03, 0.04, 0.01), astride(0.09, 0.1, 0.11, 0.1), below(0.05, 0.06, 0.2, 0.06);
-  for (PlantedDepth* depth : {&inside, &astride, &below}) count_depth(depths, engine, FlipKind::false_contact, *depth);
+  PlantedDepth touching(0, 0, 0, 0.01), unrepresentable(0, 0, 1e-300, 0.01);
+  for (PlantedDepth* depth : {&inside, &astride, &below, &touching, &unrepresentable})
+    count_depth(depths, engine, FlipKind::false_contact, *depth);
   EXPECT_EQ(inside.asked, 0);
   EXPECT_GT(astride.asked, 0);
   EXPECT_EQ(depths.false_contact[decade_of(0.02)], 2u);
   EXPECT_EQ(depths.false_contact[decade_of(0.1)], 1u) << "the exact depth decides, not a bound";
   EXPECT_EQ(sum(engine.wrong.false_contact), 1u) << "a depth at the threshold is not above it";
+  EXPECT_EQ(depths.false_contact[0], 1u) << "spheres that touch alone";
+  EXPECT_EQ(depths.false_contact[1], 1u);
+  EXPECT_EQ(unrepresentable.asked, 0) << "below all decades, whether or not a double holds it";
   EXPECT_EQ(sum(depths.false_separation), 0u);
 }
 

@@ -42,7 +42,8 @@ double LazyDistance<Real>::exactly() {
   return *depth_;
 }
 template <class Real>
-void LazyDistance<Real>::is_zero() {
+void LazyDistance<Real>::set_touching() {
+  is_touching_ = true;
   if (exact_only_) return;
   range_ = DepthRange{0, 0};
   depth_ = 0;

@@ -23,13 +23,14 @@ class LazyDistance final : public DepthOf {
   double at_most() override;
   double exactly() override;
   double engine_threshold() override;
-  void is_zero();  // the depth: of a query that touches
+  bool is_touching() override { return is_touching_; }
+  void set_touching();
 
  private:
   const DepthRange& range();
 
   const Query<Real>& query_;
-  bool exact_only_;
+  bool exact_only_, is_touching_ = false;
   std::optional<Rational> squared_;
   std::optional<Real> rounded_;
   std::optional<DepthRange> range_;

@@ -142,7 +142,7 @@ void KernelRun<Real>::judge_by_signs(const Signs& signs, const Answer& answer, C
     repeated = repeated_.find(pattern);
     if (repeated && repeated->is_known) {
       ++repeated->repetitions;
-      if (repeated->is_touching) depth.is_zero();
+      if (repeated->is_touching) depth.set_touching();
       if (const auto flip = repeated->verdict_flip()) count_depth(tally_, position_ + i, *flip, depth, standing_);
       return;
     }
@@ -157,7 +157,7 @@ void KernelRun<Real>::judge_by_signs(const Signs& signs, const Answer& answer, C
       chain->rounded = rounded(kernel_.formulae, kernel_.arithmetic, kernel_.strictness, q);
   }
   const Judgement judgement = axiscert::judge(*kernel_.test, truth, chain, answer, kernel_.touching);
-  if (truth.touching) depth.is_zero();
+  if (truth.touching) depth.set_touching();
   count(tally_, position_ + i, truth, chain ? signs.ties : ComparisonBits{0}, answer, judgement, depth, standing_);
   count_wrong_input(look, judgement, truth.touching);
   if (repeated) *repeated = {repeated->pattern, truth.verdict, truth.touching, answer, judgement, true, 0};
@@ -174,7 +174,7 @@ void KernelRun<Real>::judge_exactly(const Answer& answer, bool is_filtered, Clos
     sides = claims->sides(kernel_.formulae);
   }
   const Judgement judgement = axiscert::judge(*kernel_.test, truth, chain, answer, kernel_.touching);
-  if (truth.touching) depth.is_zero();
+  if (truth.touching) depth.set_touching();
   if (truth.verdict != Verdict::invalid && kernel_.limits.any() && !is_within(kernel_.limits, look.query())) {
     count_outside(tally_, truth, answer, judgement, depth);
     return;
