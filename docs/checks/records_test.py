@@ -4,6 +4,7 @@
     docs/league.md    versions of the engines: kernel/peers/npm/package.json
     docs/proofs.md    bounds and thresholds: proofs/coq/Thresholds.v, kernel/sphere_triangle/certified_filter/thresholds.h; theorems named
                       beside the steps of the certified predicate: proofs/coq/Assumptions.expected
+                      how many faults ./dev prove --planted has: proofs/prove.py
     docs/bounds.md    bounds: proofs/bounds.cpp, which Gappa proves; errors attained: proofs/attained.h, and these those of docs/search.md
     CITATION.cff, CHANGELOG.md, docs/ci.md, docs/pipe.md    the version: CMakeLists.txt
     docs/moving.md    strict sides that are wrong: exact/moving_sphere/twenty_axes_test.cpp
@@ -11,11 +12,14 @@
 import json
 import math
 import re
+import sys
 import unittest
 from fractions import Fraction
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "proofs"))
+import prove  # noqa: E402
 
 
 def text_of(path):
@@ -92,6 +96,10 @@ class Records(unittest.TestCase):
         self.assertGreater(len(named), 20)
         self.assertEqual(named - theorems, set())
         self.assertEqual({"never_lies", "open_exact"} - theorems, {"never_lies"})  # a definition is not a theorem
+
+    def test_planted_faults_of_the_theory(self):
+        said = re.search(r"plants (\d+) faults .*?weakens (\d+) theorems", text_of("docs/proofs.md"), re.S)
+        self.assertEqual(list(map(int, said.groups())), [len(prove.FAULTS), len(prove.WEAKENED)])
 
     def test_bounds_of_the_scaled_domain(self):
         self.assertEqual(table("docs/bounds.md", "| comparison | plain | fma | attained"), bounds_rows())
