@@ -26,10 +26,10 @@ struct Quarters {
 // B at up to `part` of the distance of touching along each of A's axes, turned against A as `turns` says.
 template <class Pair>
 void place_parallel(Stream& random, const Quaternion& frame, const Quaternion& turns, const Rational& part, Pair& q) {
-  std::array<Rational, 3> extent = {exact_number(q.a.half[0]), exact_number(q.a.half[1]), exact_number(q.a.half[2])};
+  std::array<Rational, 3> extent = {exact(q.a.half[0]), exact(q.a.half[1]), exact(q.a.half[2])};
   const std::array<Point, 3> axes = exact_axes(turns);
   for (std::size_t k = 0; k < 3; ++k) {
-    const Rational half = exact_number(q.b.half[k]);
+    const Rational half = exact(q.b.half[k]);
     extent[0] += abs(axes[k].x) * half;
     extent[1] += abs(axes[k].y) * half;
     extent[2] += abs(axes[k].z) * half;
@@ -38,38 +38,30 @@ void place_parallel(Stream& random, const Quaternion& frame, const Quaternion& t
   place(q, frame, {x, y, offset(random, part * extent[2])});
 }
 
-// A quaternion of length 1 in Real, as an engine keeps an orientation.
+// Of length 1 in Real, as an engine keeps an orientation.
 template <class Real>
-struct UnitQuaternion {
-  Real w, x, y, z;
+std::array<Real, 4> unit(const Quaternion& q) {
+  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  return {static_cast<Real>(q[0] / length), static_cast<Real>(q[1] / length), static_cast<Real>(q[2] / length),
+          static_cast<Real>(q[3] / length)};
+}
 
-  explicit UnitQuaternion(const Quaternion& q) {
-    const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-    w = static_cast<Real>(q[0] / length), x = static_cast<Real>(q[1] / length);
-    y = static_cast<Real>(q[2] / length), z = static_cast<Real>(q[3] / length);
-  }
-  void turn_by(const UnitQuaternion& q) {
-    const Real w1 = w * q.w - x * q.x - y * q.y - z * q.z, x1 = w * q.x + x * q.w + y * q.z - z * q.y;
-    const Real y1 = w * q.y - x * q.z + y * q.w + z * q.x, z1 = w * q.z + x * q.y - y * q.x + z * q.w;
-    w = w1, x = x1, y = y1, z = z1;
-  }
-  std::array<Vec3<Real>, 3> columns() const {
-    return {{{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
-             {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
-             {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}}};
-  }
-};
+// The columns of its matrix without a division, which a quaternion of length 1 does not need.
+template <class Real>
+std::array<Vec3<Real>, 3> columns_of_unit(const std::array<Real, 4>& q) {
+  const auto& [w, x, y, z] = q;
+  return {{{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
+           {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
+           {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}}};
+}
 
 // B turned as engines do it: unit quaternions multiplied in Real, a round of two quarters after the other, and the
 // matrix of the product. It is some ulps from A's own turned.
 template <class Real>
 void turn_step_by_step(OrientedBox<Real>& box, const Quarters& turns, int rounds) {
-  UnitQuaternion<Real> now(turns.frame);
-  for (int k = 0; k < rounds; ++k) {
-    now.turn_by(UnitQuaternion<Real>(turns.one));
-    now.turn_by(UnitQuaternion<Real>(turns.other));
-  }
-  box.axis = now.columns();
+  std::array<Real, 4> now = unit<Real>(turns.frame);
+  for (int k = 0; k < rounds; ++k) now = product(product(now, unit<Real>(turns.one)), unit<Real>(turns.other));
+  box.axis = columns_of_unit(now);
 }
 template <class Real>
 void turn_step_by_step(TurnedBox<Real>& box, const Quarters& turns, int rounds) {

@@ -12,11 +12,6 @@ Numbers<double> widened(const Numbers<Real>& numbers) {
 
 }  // namespace
 
-Quaternion product(const Quaternion& p, const Quaternion& q) {
-  return {p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3], p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2],
-          p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1], p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0]};
-}
-
 Quaternion random_turn(Stream& random) {
   constexpr std::int64_t bound = 3000;
   Quaternion q;

@@ -32,7 +32,12 @@ using RealOf = typename RealOfPair<Pair>::type;
 // w, x, y, z: integers whose products by M(q) are exact as rationals, not all 0.
 using Quaternion = std::array<double, 4>;
 
-Quaternion product(const Quaternion& p, const Quaternion& q);
+// In that order of operations: exact of integers, and of others the same bits everywhere.
+template <class Real>
+std::array<Real, 4> product(const std::array<Real, 4>& p, const std::array<Real, 4>& q) {
+  return {p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3], p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2],
+          p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1], p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0]};
+}
 // Up to 3000 in magnitude.
 Quaternion random_turn(Stream& random);
 // The columns of the rotation, exactly.
@@ -70,7 +75,7 @@ void turn_in_floats(OrientedBox<Real>& box, const Quaternion& q) {
 
 template <class Real>
 Point exact_point(const Vec3<Real>& p) {
-  return {Rational(static_cast<double>(p.x)), Rational(static_cast<double>(p.y)), Rational(static_cast<double>(p.z))};
+  return {exact(p.x), exact(p.y), exact(p.z)};
 }
 template <class Real>
 Vec3<Real> rounded_point(const Point& p) {
@@ -82,11 +87,6 @@ inline Rational offset(Stream& random, const Rational& most) {
   Rational x(random.integer(-(1 << 23), 1 << 23), 1 << 23);
   x.canonicalize();
   return x * most;
-}
-
-template <class Real>
-Rational exact_number(Real x) {
-  return Rational(static_cast<double>(x));
 }
 
 // B's centre at A's plus the vector, which is turned exactly and rounded once.

@@ -14,11 +14,9 @@ Pair standing(Stream& random, std::uint64_t position, int least, int most, const
   const double yaw = std::ldexp(2.0, static_cast<int>(random.integer(least, most)));
   turn(q.a, frame);
   turn(q.b, product(frame, {yaw, 0, 0, 1}));
-  const auto sideways = [&](std::size_t k) {
-    return offset(random, part * (exact_number(q.a.half[k]) + exact_number(q.b.half[k])));
-  };
+  const auto sideways = [&](std::size_t k) { return offset(random, part * (exact(q.a.half[k]) + exact(q.b.half[k]))); };
   const Rational x = sideways(0), y = sideways(1);
-  place(q, frame, {x, y, exact_number(q.a.half[2]) + exact_number(q.b.half[2]) - sunk});
+  place(q, frame, {x, y, exact(q.a.half[2]) + exact(q.b.half[2]) - sunk});
   return q;
 }
 
