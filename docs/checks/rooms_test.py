@@ -22,6 +22,7 @@ LAYERS = ("kernel", "proofs", "exact", "fuzz", "reports", "cli")
 # what is made of these rooms (the list of the test's kernels) above them.
 WORDS = {
     "fuzz/campaign": "campaign.h progress.h thread_seconds.h".split(),
+    "fuzz/diagnosis": "diagnosis.h subject.h".split(),
     "kernel/sphere_triangle": "decision.h description.cpp description.h formulae.h names.h proved_bounds.h query.h".split(),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]')

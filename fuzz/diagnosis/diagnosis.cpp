@@ -1,6 +1,6 @@
 #include "fuzz/diagnosis/diagnosis.h"
 
-#include "fuzz/diagnosis/probes.h"
+#include "fuzz/diagnosis/probes/probes.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "fuzz/diagnosis/scenes_by_trait.h"
+#include "fuzz/diagnosis/scenes/scenes_by_trait.h"
 #include "kernel/ask.h"
 #include "kernel/base/environment.h"
 #include "kernel/kernel.h"

@@ -9,7 +9,7 @@
 
 #include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/diagnosis/made_of_any_test_testing.h"
-#include "fuzz/diagnosis/probes.h"
+#include "fuzz/diagnosis/probes/probes.h"
 
 namespace axiscert {
 namespace {

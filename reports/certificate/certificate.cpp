@@ -9,7 +9,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"
 #include "kernel/base/version.h"
-#include "reports/certificate/canonical.h"
+#include "reports/certificate/statement/canonical.h"
 #include "reports/page/embedded.h"
 #include "reports/run_folder/schema.h"
 

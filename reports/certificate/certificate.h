@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "fuzz/text/json.h"
-#include "reports/certificate/envelope.h"
+#include "reports/certificate/statement/envelope.h"
 
 namespace axiscert {
 

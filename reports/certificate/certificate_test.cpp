@@ -2,9 +2,9 @@
 #include "reports/certificate/certificate.h"
 
 #include "kernel/base/temporary_folder.h"
-#include "reports/certificate/canonical.h"
+#include "reports/certificate/statement/canonical.h"
 #include "reports/certificate/page.h"
-#include "reports/certificate/statement.h"
+#include "reports/certificate/statement/statement.h"
 #include "reports/testing/test_run.h"
 
 namespace axiscert {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fuzz/queries/address.h"
-#include "reports/certificate/breaks_words.h"
-#include "reports/certificate/margin_words.h"
+#include "reports/certificate/findings/breaks_words.h"
+#include "reports/certificate/findings/margin_words.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

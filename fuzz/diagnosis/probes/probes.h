@@ -1,0 +1,44 @@
+// The probes, one for each property. Each asks the kernel, and gives a value only where the answers decide it.
+#pragma once
+
+#include "fuzz/diagnosis/subject.h"
+#include "fuzz/diagnosis/probes/values.h"
+
+namespace axiscert::diagnosis {
+
+// Probes whose scenes are those of sphere-triangle, or made of another test's families and columns
+// (scenes_by_trait.h); operation_order is of sphere-triangle
+// alone, overlap_at_start of motions.
+template <class Real>
+Found at_touching(Subject<Real>& subject);
+template <class Real>
+Found sides_hit(Subject<Real>& subject);
+template <class Real>
+Found overlap_at_start(Subject<Real>& subject);
+template <class Real>
+Found degenerate_triangles(Subject<Real>& subject);
+template <class Real>
+Found subnormal_numbers(Subject<Real>& subject);
+template <class Real>
+Found operation_order(Subject<Real>& subject);
+template <class Real>
+Found inner_precision(Subject<Real>& subject);
+
+// Probes that need nothing of the scene.
+template <class Real>
+Found absolute_thresholds(Subject<Real>& subject);
+template <class Real>
+Found range_window(Subject<Real>& subject);
+template <class Real>
+Found repeated(Subject<Real>& subject);
+template <class Real>
+Found nearest_form(Subject<Real>& subject);
+// Probes of a kernel that gives the same batch the same answers.
+template <class Real>
+Found position_in_batch(Subject<Real>& subject);
+template <class Real>
+Found batch_length(Subject<Real>& subject);
+template <class Real>
+Found neighbours(Subject<Real>& subject);
+
+}  // namespace axiscert::diagnosis

@@ -1,0 +1,126 @@
+#include "reports/certificate/findings/breaks_words.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/diagnosis/diagnosis.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+// Values of properties that somebody who uses the kernel has to know, and what to say of them in a word or two. A value
+// that is not here is what one expects, is said by the levels, or is not known.
+struct Peculiarity {
+  std::string_view property, value, says;
+};
+constexpr Peculiarity peculiarities[] = {
+    {"touching", "open", "what only touches is no contact"},
+    {"touching", "neither", "what only touches is a contact or not, as it falls"},
+    {"sides", "front_only", "one-sided: only from the front"},
+    {"sides", "back_only", "one-sided: only from behind"},
+    {"overlap_at_start", "moving", "misses an overlap where nothing moves: ask the static test there"},
+    {"overlap_at_start", "approaching",
+     "misses an overlap before the motion unless it approaches: ask the static test first"},
+    {"overlap_at_start", "ignored", "misses every overlap before the motion: ask the static test first"},
+    {"degenerate_triangles", "skipped", "triangles without area are never hit"},
+    {"degenerate_triangles", "always_hit", "triangles without area are always hit"},
+    {"degenerate_triangles", "refused", "triangles without area are refused"},
+    {"degenerate_triangles", "wrong_on_some", "wrong on some triangles without area"},
+    {"absolute_threshold", "present", "compares with an absolute number, so it depends on the unit of length"},
+    {"range_window", "limited", "right only within a range of sizes"},
+    {"subnormal_numbers", "flushed", "takes subnormal numbers for zero"},
+    {"operation_order", "contracted", "fuses operations"},
+    {"inner_precision", "narrower", "computes in floats"},
+    {"repeated", "differs", "not deterministic"},
+    {"position_in_batch", "depends", "depends on the position in the batch"},
+    {"batch_length", "depends", "depends on the length of the batch"},
+    {"neighbours", "depends", "depends on the other queries of the batch"},
+};
+
+// The part of the documents on what the built-in kernels of a test answer.
+std::string_view section_of_forms(const Json& test) {
+  if (test == "moving-sphere") return "docs/moving.md#what-each-method-gets-wrong-over-the-reals";
+  if (test == "sphere-triangle") return "docs/kernels.md#what-each-answers";
+  return "docs/boxes.md#from-the-definition-to-the-books";
+}
+
+// A property of a kernel in words; empty where there is nothing to say.
+std::string said_of(const Json& property, const Json& kernel) {
+  const std::string value = property["value"];
+  if (property["name"] == "nearest_form" && value != not_known && value != not_asked && kernel["id"] != value)
+    return fmt::format("answers as {} does, see {}", value, section_of_forms(kernel["test"]));
+  for (const Peculiarity& known : peculiarities) {
+    if (property["name"] == known.property && value == known.value) return std::string(known.says);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string breaks_note(const Json& predicate) {
+  const Json& first = predicate["breaks_first"];
+  if (first.is_null()) return "Nothing broke.";
+  std::string meaning = plain_text(first["meaning"]);
+  if (meaning.ends_with('.')) meaning.pop_back();
+  if (first["cause"] == "finding")
+    return fmt::format("What breaks first: {}. {} See {}.", meaning, plain_text(first["advice"]),
+                       plain_text(first["section"]));
+  // A find of the search, where that is deeper: the run's families do not have it.
+  std::string found;
+  const char* goal = first["what"] == "missed contact" ? "missed_contact" : "phantom_contact";
+  const auto depth_of = [](const Json& figure) {
+    return std::strtod(figure.get_ref<const std::string&>().c_str(), nullptr);
+  };
+  for (const auto& [precision, search] : predicate["search"]["precisions"].items()) {
+    const Json find = search["finds"].value(goal, Json());
+    if (Json(precision) != first["precision"] || find.is_null()) continue;
+    if (depth_of(find["depth"]) <= depth_of(first["deepest"])) continue;
+    found = fmt::format(" A search found one of depth {}.", plain_text(find["depth"]));
+  }
+  // A situation's meaning says what happens there; a cause's does not.
+  const bool is_situation =
+      std::ranges::any_of(predicate["situations"], [&](const Json& s) { return s["situation"] == first["cause"]; });
+  if (is_situation)
+    return fmt::format("What breaks first, in {}: {}.{} {} See {}.", plain_text(first["precision"]), meaning, found,
+                       plain_text(first["advice"]), plain_text(first["section"]));
+  return fmt::format("What breaks first: {}, {}{}: {}.{} {} See {}.", plain_text(first["what"]),
+                     first["precision"].is_null() ? "" : plain_text(first["precision"]) + ", ",
+                     plain_text(first["cause"]), meaning, found, plain_text(first["advice"]),
+                     plain_text(first["section"]));
+}
+
+std::string peculiarities_note(const Json& predicate) {
+  std::vector<std::string> parts;
+  for (const Json& part : predicate["diagnosis"]["precisions"]) {
+    std::vector<std::string> said;
+    for (const Json& property : part["properties"]) {
+      if (const std::string text = said_of(property, predicate["kernel"]); !text.empty()) said.push_back(text);
+    }
+    if (!said.empty()) parts.push_back(fmt::format("in {}, {}", plain_text(part["precision"]), fmt::join(said, "; ")));
+  }
+  return parts.empty() ? "" : fmt::format("What it is like: {}.", fmt::join(parts, ". And "));
+}
+
+InstrumentTable situations_table(const Json& predicate) {
+  InstrumentTable table{"Where it is wrong, and what to do",
+                        {"queries", "precision", "missed", "deepest", "phantom", "deepest ",
+                         "families, the deepest first", "what to do", "see"},
+                        {}};
+  for (const Json& s : predicate["situations"]) {
+    const std::vector<std::string> families = s["families"];
+    table.rows.push_back({plain_text(s["meaning"]), plain_text(s["precision"]),
+                          thousands(s["missed"].get<std::uint64_t>()), plain_text(s["deepest_missed"]),
+                          thousands(s["phantom"].get<std::uint64_t>()), plain_text(s["deepest_phantom"]),
+                          fmt::format("{}", fmt::join(families, ", ")), plain_text(s["advice"]),
+                          plain_text(s["section"])});
+  }
+  return table;
+}
+
+}  // namespace axiscert

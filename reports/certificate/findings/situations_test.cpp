@@ -1,0 +1,166 @@
+// Situations of other tests: every family is in one, the sections are there, and the most everyday fault is named
+// first.
+#include "reports/certificate/findings/situations.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "fuzz/queries/family.h"
+#include "fuzz/text/file_bytes.h"
+#include "reports/certificate/findings/breaks.h"
+#include "reports/certificate/findings/breaks_words.h"
+
+namespace axiscert {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// The headings of a page, as links name them.
+std::set<std::string> anchors_of(const std::string& page) {
+  std::set<std::string> anchors;
+  std::istringstream lines(read_bytes(fmt::format("{}/{}", SOURCE_FOLDER, page)));
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("#")) continue;
+    std::string anchor;
+    for (const char c : line.substr(line.find(' ') + 1)) {
+      if (c == ' ' || c == '-') anchor += '-';
+      else if (std::isalnum(static_cast<unsigned char>(c)) || c == '_')
+        anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    anchors.insert(anchor);
+  }
+  return anchors;
+}
+
+bool is_there(std::string_view section) {
+  const std::size_t at = section.find('#');
+  return at != section.npos &&
+         anchors_of(std::string(section.substr(0, at))).contains(std::string(section.substr(at + 1)));
+}
+
+TEST(Situations, HaveEveryFamilyOfOtherTestsOnce) {
+  for (const TestDescription* test : tests()) {
+    const auto situations = situations_of(test->id);
+    EXPECT_EQ(situations.empty(), test == &first_test()) << test->id;
+    std::multiset<std::string> named;
+    for (const Situation& situation : situations) {
+      std::istringstream words{std::string(situation.families)};
+      for (std::string word; words >> word;) named.insert(fmt::format("{}/{}", test->id, word));
+    }
+    if (situations.empty()) continue;
+    std::multiset<std::string> known = {fmt::format("{}/corpus", test->id)};
+    for (const Family* family : families_of(*test)) known.insert(std::string(family->name));
+    EXPECT_EQ(named, known) << test->id;
+  }
+}
+
+TEST(Situations, AndCausesPointToSectionsThatAreThere) {
+  EXPECT_FALSE(is_there("docs/moving.md#nowhere"));
+  for (const TestDescription* test : tests()) {
+    for (const Situation& situation : situations_of(test->id))
+      EXPECT_TRUE(is_there(situation.section)) << situation.section;
+  }
+  for (const std::string_view section : advised_sections()) EXPECT_TRUE(is_there(section)) << section;
+}
+
+struct Wrong {
+  int missed, phantom;
+  double deepest_missed, deepest_phantom;
+};
+
+// The record of a kernel of moving-sphere, wrong on these families.
+Json record_of(const std::map<std::string, Wrong>& families) {
+  Json entry = {
+      {"id", "k"}, {"precision", "binary32"}, {"critical_radius", Json::object()}, {"families", Json::object()}};
+  for (const auto& [family, wrong] : families) {
+    entry["families"]["moving-sphere/" + family] = {{"critical_radius", Json::object()},
+                                                    {"verdict",
+                                                     {{"false_separation", wrong.missed},
+                                                      {"false_contact", wrong.phantom},
+                                                      {"deepest_false_separation", wrong.deepest_missed},
+                                                      {"deepest_false_contact", wrong.deepest_phantom}}}};
+  }
+  return {{"plan", {{"test", "moving-sphere"}}},
+          {"kernels", Json::array({entry})},
+          {"findings", Json::array()},
+          {"witnesses", Json::array()}};
+}
+
+Json first_of(const std::map<std::string, Wrong>& families) {
+  bool missed = true;
+  const Json situations = situations_json(record_of(families), "k");
+  const Json* first = first_situation(situations, missed);
+  if (first == nullptr) return nullptr;
+  return {{"situation", (*first)["situation"]}, {"missed", missed}};
+}
+
+Json situation_named(const std::string& situation, bool missed) {
+  return {{"situation", situation}, {"missed", missed}};
+}
+
+TEST(Situations, TheMostEverydayOneWithAVisibleDepthBreaksFirst) {
+  EXPECT_EQ(first_of({{"graze", {9, 9, 0.9, 0.9}}, {"general", {1, 0, 0.01, 0}}}), situation_named("everyday", true));
+  // Roundings near touching in an everyday scene are no reason not to use it.
+  EXPECT_EQ(first_of({{"line_sweep", {9, 0, 0.5, 0}}, {"general", {1, 0, 1e-7, 0}}}),
+            situation_named("zero_area", true));
+  // Missed contacts before phantoms, and visible ones before others.
+  EXPECT_EQ(first_of({{"general", {0, 5, 0, 0.5}}, {"approach", {1, 0, 0.5, 0}}}), situation_named("far", true));
+  EXPECT_EQ(first_of({{"point", {0, 5, 0, 0.5}}, {"graze", {1, 0, 1e-7, 0}}}), situation_named("point", false));
+  EXPECT_EQ(first_of({{"graze", {1, 0, 2e-7, 0}}, {"general", {1, 0, 1e-7, 0}}}), situation_named("touching", true));
+  EXPECT_EQ(first_of({{"graze", {0, 1, 0, 2e-7}}}), situation_named("touching", false));
+  EXPECT_EQ(first_of({{"mesh-abc", {1, 0, 0.5, 0}}}), situation_named("own", true));
+  EXPECT_EQ(first_of({{"graze", {0, 0, 0, 0}}}), Json());
+  EXPECT_EQ(first_of({{"graze", {1, 0, 0.5, 0}}, {"corpus", {1, 0, 0.9, 0}}}), situation_named("touching", true));
+}
+
+TEST(Situations, AreSaidWithTheirFamiliesTheDepthAndWhatToDo) {
+  const Json record = record_of({{"lattice", {3, 0, 0.25, 0}}, {"general", {0, 2, 0, 1e-8}}});
+  Json predicate = {{"breaks_first", what_breaks_first(record, "k")},
+                    {"situations", where_it_is_wrong(record, "k")},
+                    {"search", {{"precisions", Json::object()}}}};
+  EXPECT_EQ(predicate["breaks_first"]["cause"], "small_integers");
+  const std::string note = breaks_note(predicate);
+  EXPECT_THAT(note, HasSubstr("in binary32: motions in small integers"));
+  EXPECT_THAT(note, HasSubstr("missed contacts in the family moving-sphere/lattice, up to 0.25 of the scene deep"));
+  EXPECT_THAT(note, HasSubstr("See docs/moving.md#"));
+  predicate["search"]["precisions"]["binary32"]["finds"]["missed_contact"] = {{"depth", "0.2"}};
+  EXPECT_EQ(breaks_note(predicate), note);
+  predicate["search"]["precisions"]["binary32"]["finds"]["missed_contact"] = {{"depth", "0.5"}};
+  EXPECT_THAT(breaks_note(predicate), HasSubstr("deep. A search found one of depth 0.5. "));
+  const InstrumentTable table = situations_table(predicate);
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(table.rows[1][2], "3");
+  EXPECT_EQ(table.rows[1][3], "0.25");
+}
+
+TEST(Peculiarities, AreThoseThatAUserHasToKnow) {
+  const auto property = [](const char* name, const char* value) {
+    return Json{{"name", name}, {"value", value}, {"sentence", "s"}, {"queries", 1}};
+  };
+  Json predicate = {{"kernel", {{"id", "peer/x"}, {"test", "moving-sphere"}}},
+                    {"diagnosis",
+                     {{"precisions",
+                       {{{"precision", "binary32"},
+                         {"properties",
+                          {property("sides", "front_only"), property("repeated", "same"),
+                           property("absolute_threshold", "present")}}}}}}}};
+  EXPECT_THAT(peculiarities_note(predicate), HasSubstr("in binary32, one-sided: only from the front; compares with"));
+  Json& properties = predicate["diagnosis"]["precisions"][0]["properties"];
+  properties = {property("nearest_form", "moving-sphere/physx5")};
+  EXPECT_THAT(peculiarities_note(predicate), HasSubstr("answers as moving-sphere/physx5 does, see docs/moving.md#"));
+  predicate["kernel"]["id"] = "moving-sphere/physx5";
+  EXPECT_EQ(peculiarities_note(predicate), "");
+  properties = {property("repeated", "same"), property("sides", "not_known")};
+  EXPECT_EQ(peculiarities_note(predicate), "");
+}
+
+}  // namespace
+}  // namespace axiscert
