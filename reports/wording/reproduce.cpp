@@ -259,7 +259,7 @@ std::vector<std::string> not_checked(const Json& record) {
       open.push_back(fmt::format("Families of the plan without a query for {}: {}.", who, fmt::join(missing, ", ")));
   }
   open.push_back(
-      fmt::format("Families that the plan does not name were not run. It names: {}.", joined(plan["families"])));
+      fmt::format("Queries of other kinds than the plan's families make. These are: {}.", joined(plan["families"])));
   return open;
 }
 
