@@ -202,14 +202,16 @@ struct DegenerateTriangle {
   }
 };
 
-// A cell of a grid, up to 2^10 cells from 0, and a triangle a few cells wide in a plane through a corner of the cell.
+// A cell of a grid, and a triangle a few cells wide in a plane through a corner of the cell. Two of three cells are up
+// to 2^10 cells from 0, where the plane is rounded by more than a kernel errs, the others up to 1, 2, 4 ... 2^10 in
+// turn.
 struct Voxel {
   template <class Query>
   static Query make(Stream& random, std::uint64_t position) {
     using Real = RealOf<Query>;
     const Real cell = std::ldexp(Real(1), -static_cast<int>(position % 8));
     Query q{};
-    q.low = whole_point<Real>(random, 1024) * cell;
+    q.low = whole_point<Real>(random, std::int64_t{1} << (position / 8 % 3 != 0 ? 10 : position / 24 % 11)) * cell;
     q.high = q.low + Vec3<Real>{cell, cell, cell};
     const Vec3<Real> corner{random.coin() ? q.high.x : q.low.x, q.low.y, q.high.z};
     const Vec3<Real> u = point_in_cube<Real>(random) * (cell * 3), v = point_in_cube<Real>(random) * (cell * 3);
@@ -219,10 +221,11 @@ struct Voxel {
 };
 
 template <class Made, class Entry>
-constexpr Family triangle_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false) {
+constexpr Family triangle_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false,
+                                 int version = 1) {
   return {.name = name,
           .purpose = purpose,
-          .version = 1,
+          .version = version,
           .exact_arithmetic = exact_arithmetic,
           .binary32 = fill_pairs<Made, typename Entry::template Problem<float>>,
           .binary64 = fill_pairs<Made, typename Entry::template Problem<double>>,
@@ -250,7 +253,8 @@ extern const Family box_triangle_touching_minmax_family =
 extern const Family box_triangle_lattice_minmax_family = triangle_family<LatticeTriangle, MinmaxEntry>(
     "box-triangle/lattice_minmax", "small integers, the box by two corners: nothing is rounded", true);
 extern const Family box_triangle_voxel_family = triangle_family<Voxel, MinmaxEntry>(
-    "box-triangle/voxel", "a cell of a grid, and a triangle in a plane through a corner of the cell, of a few cells");
+    "box-triangle/voxel", "a cell of a grid, and a triangle in a plane through a corner of the cell, of a few cells",
+    false, 2);
 
 extern const Family box_triangle_general_oriented_family = triangle_family<GeneralTriangle, OrientedEntry>(
     "box-triangle/general_oriented", "general, the box turned by any rotation, rounded");

@@ -20,6 +20,7 @@
   X(repeated_sweep)                 \
   X(point)                          \
   X(lattice)                        \
+  X(one_axis)                       \
   X(units)                          \
   X(scale)                          \
   X(scene_walk)                     \

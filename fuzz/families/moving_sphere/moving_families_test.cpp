@@ -219,6 +219,32 @@ TYPED_TEST(MovingFamilies, RoundNothingWhereTheySaySo) {
   }
 }
 
+// In turn each of the twenty axes as the only one that separates, but every fourth round, which is in contact. Of
+// integers up to 3 the axes of vertices at the end are hard to find.
+TYPED_TEST(MovingFamilies, OfOneAxisAreSeparatedByItAlone) {
+  const Family& family = find_family("moving-sphere/one_axis");
+  const TestDescription& test = moving_sphere_test();
+  const std::size_t axes = test.clauses.size();
+  std::vector<int> alone(axes);
+  for (std::uint64_t position = 0; position < 80 * axes; ++position) {
+    const Numbers<TypeParam> q = family.make<TypeParam>(1, position);
+    const Oracles& oracles = oracles_of(test);
+    const Verdict verdict = oracles.truth(q).verdict;
+    if (position / axes % 4 == 3) {
+      EXPECT_EQ(verdict, Verdict::contact) << position;
+      continue;
+    }
+    EXPECT_EQ(verdict, Verdict::separated) << position;
+    const auto bits = bits_of<moving_sphere::TwentyNonstrict, TypeParam>(
+        MovingSphere::problem<TypeParam>([&](std::size_t k) { return q[k]; }),
+        [](std::size_t, TypeParam, TypeParam) {});
+    alone[position % axes] += clauses_of(test, bits) == one_bit<ClauseBits>(position % axes);
+  }
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    EXPECT_GE(alone[axis], sizeof(TypeParam) == 4 ? 5 : 50) << test.clauses[axis].name << ", of 60";
+  }
+}
+
 // The verdicts of the kernels on the lattice, where nothing is rounded: only the theorem is left.
 TEST(MovingSphereKernels, WhereNothingIsRoundedTheNonstrictAreRightAndTheStrictInventContacts) {
   Plan plan;

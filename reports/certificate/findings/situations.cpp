@@ -31,7 +31,7 @@ constexpr Situation of_moving_sphere[] = {
      sweeps, "general scene_walk scene_fall scene_bullet scene_shake ends_general ends_walk"},
     {"small_integers", "motions in small integers, on which hardly an operation is rounded",
      "A case of its method is wrong or left out: `axiscert shrink` a witness, and see which methods lack the same.",
-     sweeps_over_reals, "lattice ends_lattice"},
+     sweeps_over_reals, "lattice one_axis ends_lattice"},
     {"parallel", "motions parallel to the face or to an edge",
      "Ask the static test at the end of such a motion as well, or keep the sphere a skin away from the surface.",
      sweeps_over_reals, "slide skim along_edge ends_slide ends_along"},
