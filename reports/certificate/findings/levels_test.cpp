@@ -1,4 +1,5 @@
-// A certificate calls proved only what the theory states.
+// A certificate calls proved only what the theory states, and a level met only where the search found nothing against
+// it.
 #include "reports/certificate/findings/levels.h"
 
 #include <fmt/format.h>
@@ -6,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <regex>
 
 #include "fuzz/text/file_bytes.h"
+#include "reports/testing/test_run.h"
 
 namespace axiscert {
 namespace {
@@ -38,6 +41,52 @@ TEST(ProvedLevels, NothingElseIsProved) {
   for (const std::string level : {"exact", "depth=0.001", "conservative=0.001", "logic"})
     EXPECT_EQ(proved_at("conservative", level), "") << level;
   EXPECT_EQ(proved_at("published", "conservative"), "");
+}
+
+// The levels of `published` in binary32 that are about verdicts, on a run that saw no wrong one, beside a search's
+// finds.
+std::map<std::string, Json> levels_beside(const Json& finds) {
+  Json record = stored_record();
+  record["kernels"][0]["families"].erase("tangent");
+  const Json searches = {{"binary32", {{"evaluations", 12345}, {"finds", finds}}}};
+  std::map<std::string, Json> levels;
+  for (const Json& level : levels_json(record, find_kernel("published"), {}, searches)) {
+    if (level["precision"] == "binary32") levels[level["level"].get<std::string>()] = level;
+  }
+  return levels;
+}
+std::vector<std::string> not_met_beside(const std::string& goal, const std::string& depth) {
+  std::vector<std::string> not_met;
+  for (const auto& [name, level] : levels_beside({{goal, {{"depth", depth}}}})) {
+    if (level["state"] == "not met") not_met.push_back(name);
+  }
+  return not_met;
+}
+
+TEST(LevelsBesideASearch, AreMetWhereItFoundNothing) {
+  const auto levels = levels_beside(Json::object());
+  for (const char* name : {"exact", "conservative", "conservative=0.001", "depth=0.001"}) {
+    const Json& level = levels.at(name);
+    EXPECT_EQ(level["state"], "met") << name;
+    EXPECT_EQ(level["failure_count"], 0) << name;
+    ASSERT_EQ(level["rests_on"].size(), 2u) << name;
+    EXPECT_EQ(level["rests_on"][0]["kind"], "observed");
+    EXPECT_THAT(level["rests_on"][1]["text"].get<std::string>(), testing::HasSubstr("12,345 evaluations"));
+  }
+}
+
+// `conservative=D` allows no missed contact at all, and phantoms up to D deep; `depth=D` both up to D.
+TEST(LevelsBesideASearch, AreNotMetWhereItFoundAWrongVerdictThatIsTooDeep) {
+  using testing::ElementsAre;
+  EXPECT_THAT(not_met_beside("missed_contact", "0.01"),
+              ElementsAre("conservative", "conservative=0.001", "depth=0.001", "exact"));
+  EXPECT_THAT(not_met_beside("missed_contact", "0.0001"), ElementsAre("conservative", "conservative=0.001", "exact"));
+  EXPECT_THAT(not_met_beside("phantom_contact", "0.01"), ElementsAre("conservative=0.001", "depth=0.001", "exact"));
+  EXPECT_THAT(not_met_beside("phantom_contact", "0.0001"), ElementsAre("exact"));
+  const Json level = levels_beside({{"missed_contact", {{"depth", "0.01"}}}}).at("exact");
+  EXPECT_EQ(level["failure_count"], 1);
+  EXPECT_EQ(level["failures"], Json::array({"the search found a missed contact of depth 0.01 of the scene"}));
+  EXPECT_EQ(level["rests_on"], Json::array());
 }
 
 }  // namespace

@@ -106,5 +106,12 @@ TEST(MarginWords, AnAmountBeyondEverydaySizesIsShownRelativeToTheSceneAlone) {
   EXPECT_THAT(notes, Not(HasSubstr("e+")));
 }
 
+TEST(MarginWords, EverydayScenesEndAtTenKilometresAndTheUnitIsOneOfTrianglesThatAreNotDegenerate) {
+  const auto notes =
+      margin_notes(margin_json(margin_with({{{false, 3}, {2, 1}}, {{false, 4}, {7, 1}}, {{true, 0}, {5, 8000}}})));
+  EXPECT_THAT(notes[0], HasSubstr("in scenes of 0.001 to 10,000: r times 2, or"));
+  EXPECT_THAT(notes[0], Not(HasSubstr("in scenes of 1 to 10")));
+}
+
 }  // namespace
 }  // namespace axiscert

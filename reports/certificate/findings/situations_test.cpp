@@ -141,6 +141,19 @@ TEST(Situations, AreSaidWithTheirFamiliesTheDepthAndWhatToDo) {
   EXPECT_EQ(table.rows[1][3], "0.25");
 }
 
+TEST(Situations, AddUpTheirFamiliesTheDeepestFirst) {
+  const Json found = situations_json(
+      record_of({{"general", {1, 2, 0.1, 0.3}}, {"scene_fall", {4, 0, 0.5, 0}}, {"scene_walk", {8, 1, 0.2, 0.01}}}),
+      "k");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0]["families"],
+            Json::array({"moving-sphere/scene_fall", "moving-sphere/general", "moving-sphere/scene_walk"}));
+  EXPECT_EQ(found[0]["missed"], 13);
+  EXPECT_EQ(found[0]["phantom"], 3);
+  EXPECT_EQ(found[0]["deepest_missed"], 0.5);
+  EXPECT_EQ(found[0]["deepest_phantom"], 0.3);
+}
+
 TEST(Peculiarities, AreThoseThatAUserHasToKnow) {
   const auto property = [](const char* name, const char* value) {
     return Json{{"name", name}, {"value", value}, {"sentence", "s"}, {"queries", 1}};
