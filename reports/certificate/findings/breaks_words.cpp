@@ -50,11 +50,12 @@ std::string_view section_of_forms(const Json& test) {
   return "docs/boxes.md#from-the-definition-to-the-books";
 }
 
-// A property of a kernel in words; empty where there is nothing to say.
-std::string said_of(const Json& property, const Json& kernel) {
+// A property of a kernel in words, where others were said before or not; empty where there is nothing to say.
+std::string said_of(const Json& property, const Json& kernel, bool has_others) {
   const std::string value = property["value"];
   if (property["name"] == "nearest_form" && value != not_known && value != not_asked && kernel["id"] != value)
-    return fmt::format("answers as {} does, see {}", value, section_of_forms(kernel["test"]));
+    return fmt::format("{}answers as {} does, see {}", has_others ? "otherwise " : "", value,
+                       section_of_forms(kernel["test"]));
   for (const Peculiarity& known : peculiarities) {
     if (property["name"] == known.property && value == known.value) return std::string(known.says);
   }
@@ -100,7 +101,8 @@ std::string peculiarities_note(const Json& predicate) {
   for (const Json& part : predicate["diagnosis"]["precisions"]) {
     std::vector<std::string> said;
     for (const Json& property : part["properties"]) {
-      if (const std::string text = said_of(property, predicate["kernel"]); !text.empty()) said.push_back(text);
+      if (const std::string text = said_of(property, predicate["kernel"], !said.empty()); !text.empty())
+        said.push_back(text);
     }
     if (!said.empty()) parts.push_back(fmt::format("in {}, {}", plain_text(part["precision"]), fmt::join(said, "; ")));
   }

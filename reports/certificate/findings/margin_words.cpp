@@ -109,10 +109,11 @@ std::string degenerate_note(const Json& margin) {
   const Growth here =
       growth_of(margin, [](const Json& part) { return is_everyday(part) && part["degenerate"].get<bool>(); });
   if (here.missed == 0 || !here.mends()) return "";
+  const std::uint64_t mended = here.missed - here.hopeless;
   return fmt::format(
       "On degenerate triangles there (without area, or a height below 1/1024 of the longest edge, or lengths beyond "
-      "those of degree 6) {} {} missed contacts{}: such triangles are better mended when the mesh is read.",
-      here.text(), thousands(here.missed - here.hopeless), phantoms_text(here));
+      "those of degree 6) {} {}{}: such triangles are better mended when the mesh is read.",
+      here.text(), mended == 1 ? "1 missed contact" : thousands(mended) + " missed contacts", phantoms_text(here));
 }
 
 std::string counts_note(const Json& margin) {

@@ -169,6 +169,10 @@ TEST(Peculiarities, AreThoseThatAUserHasToKnow) {
   Json& properties = predicate["diagnosis"]["precisions"][0]["properties"];
   properties = {property("nearest_form", "moving-sphere/physx5")};
   EXPECT_THAT(peculiarities_note(predicate), HasSubstr("answers as moving-sphere/physx5 does, see docs/moving.md#"));
+  properties.insert(properties.begin(), property("degenerate_triangles", "skipped"));
+  EXPECT_THAT(peculiarities_note(predicate),
+              HasSubstr("are never hit; otherwise answers as moving-sphere/physx5 does"));
+  properties.erase(0);
   predicate["kernel"]["id"] = "moving-sphere/physx5";
   EXPECT_EQ(peculiarities_note(predicate), "");
   properties = {property("repeated", "same"), property("sides", "not_known")};
