@@ -42,7 +42,7 @@ bool gappa_accepts(const std::string& script) {
 
 bool coq_accepts_ranges(const std::string& folder, const std::string& claimed) {
   const TemporaryFolder scratch;
-  const fs::path ranges = fs::path(folder) / "coq" / "Ranges.v";
+  const fs::path ranges = fs::path(folder) / "coq" / "formulae" / "Ranges.v";
   std::error_code fault;
   fs::copy_file(ranges, scratch.path() / "Ranges.v", fault);
   if (fault) throw Error(ranges.string() + ": cannot be read: " + fault.message());

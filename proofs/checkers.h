@@ -12,8 +12,8 @@ std::optional<std::string> coq_version();
 
 // Whether Gappa proves the script.
 bool gappa_accepts(const std::string& script);
-// Whether Coq accepts the folder's Ranges.v together with `claimed` as RangesClaimed.v. Throws Error if a file cannot
-// be read.
+// Whether Coq accepts the folder's coq/formulae/Ranges.v together with `claimed` as RangesClaimed.v. Throws Error if a
+// file cannot be read.
 bool coq_accepts_ranges(const std::string& folder, const std::string& claimed);
 
 }  // namespace axiscert::proofs

@@ -26,6 +26,9 @@ STEP_COLUMNS = ["step", "proved", "recorded", "on paper", "tested", "trusted"]
 # Everything that would let a theorem rest on something unproved. Print Assumptions decides; this names the line.
 FORBIDDEN = re.compile(r"\b(Admitted|admit|give_up|Axioms?|Parameters?|Conjecture|bypass_check|Unset\s+\w+\s+Checking)\b")
 
+# Each file of the theory, by its name, and its place in proofs/coq. Imports name no folder, so no two files have the same name.
+PATHS = {path.name: path.relative_to(SOURCES).as_posix() for path in SOURCES.rglob("*.v")}
+
 # Where the theory meets what is generated: the recorded formulae are those of the theorems, the exported thresholds are
 # the proved ones.
 EMITTED = ["RecordedIsSat7.v", "RecordedIsProgram.v", "Exported.v", "RecordedIsCertified.v", "CoarseKnown.v", "ExactStep.v", "FineStep.v",
@@ -172,13 +175,14 @@ def fail(message):
 
 
 def copy_changed(sources, build):
-    """Copies the sources to `build`, keeping the times of those that are unchanged, for make."""
-    build.mkdir(parents=True, exist_ok=True)
-    for stale in build.glob("*.v"):
-        if not (sources / stale.name).exists():
-            stale.unlink()
-    for source in [*sources.glob("*.v"), sources / "_CoqProject"]:
-        target = build / source.name
+    """Copies the sources to `build`, keeping the times of those that are unchanged, for make. A file that is gone or
+    has moved leaves nothing behind: coqc refuses an import that it finds in two folders."""
+    for built in build.rglob("*.v*"):
+        if not (sources / built.relative_to(build)).with_suffix(".v").exists():
+            built.unlink()
+    for source in [*sources.rglob("*.v"), sources / "_CoqProject"]:
+        target = build / source.relative_to(sources)
+        target.parent.mkdir(parents=True, exist_ok=True)
         if not target.exists() or target.read_bytes() != source.read_bytes():
             target.write_bytes(source.read_bytes())
 
@@ -196,7 +200,7 @@ def without_comments(text):
 
 
 def refuse_unproved(sources):
-    for source in sorted(sources.glob("*.v")):
+    for source in sorted(sources.rglob("*.v")):
         for number, line in enumerate(without_comments(source.read_text()).splitlines(), 1):
             if found := FORBIDDEN.search(line):
                 fail(f"{source.name}:{number}: '{found.group()}': every step has to be proved")
@@ -278,7 +282,7 @@ def check_emitted(build, jobs):
     make(build, jobs, "vos")
     require_statements(build, "-vok")
     for file in EMITTED:
-        result = coqc(build, file, "-vok")
+        result = coqc(build, PATHS[file], "-vok")
         if result.returncode:
             fail(f"{file}: what is emitted is not what is proved:\n{result.stdout}{result.stderr}")
         print(f"emitted is proved  {file}")
@@ -290,10 +294,10 @@ def planted_copy(build, name, file, old, new):
     planted = build.parent / "planted"
     shutil.rmtree(planted, ignore_errors=True)
     shutil.copytree(build, planted)
-    text = (planted / file).read_text()
+    text = (planted / PATHS[file]).read_text()
     if old not in text:
         fail(f"the fault '{name}': '{old}' is not in {file}")
-    (planted / file).write_text(text.replace(old, new))
+    (planted / PATHS[file]).write_text(text.replace(old, new))
     return planted
 
 
@@ -301,16 +305,16 @@ def plant(build):
     for name, (file, old, new, refused_at) in FAULTS.items():
         planted = planted_copy(build, name, file, old, new)
         # The statements of the others and the proofs of this file.
-        result = subprocess.run(["make", "--no-print-directory", refused_at + "ok"], cwd=planted, text=True,
+        result = subprocess.run(["make", "--no-print-directory", PATHS[refused_at] + "ok"], cwd=planted, text=True,
                                 capture_output=True)
-        where = re.search(r'File "\./(\w+\.v)", line (\d+)', result.stderr)
-        if result.returncode == 0 or not where or where.group(1) != refused_at:
+        where = re.search(r'File "\./([\w/]+\.v)", line (\d+)', result.stderr)
+        if result.returncode == 0 or not where or where.group(1) != PATHS[refused_at]:
             fail(f"{name}: should be refused at {refused_at}\n{result.stdout}{result.stderr}")
         print(f"refused {name:50} {where.group(1)}:{where.group(2)}")
     for name, (file, old, new, weaker) in WEAKENED.items():
         planted = planted_copy(build, name, file, old, new)
         # The statements of all, and the proofs of this file: those of files that use the theorem may fail then.
-        make(planted, 1, "vos", file + "ok")
+        make(planted, 1, "vos", PATHS[file] + "ok")
         if set(changed := changed_statements(planted, "-vok")) != {weaker}:
             fail(f"{name}: only {weaker} should differ from Statements.expected, but {sorted(changed)} do")
         print(f"seen    {name:50} Statements.expected, {weaker}")

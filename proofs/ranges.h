@@ -1,5 +1,5 @@
 // Ranges of exact quantities that Gappa cannot find by itself, for two domains. The scripts take them as hypotheses;
-// those with a lemma are theorems of proofs/coq/Ranges.v.
+// those with a lemma are theorems of proofs/coq/formulae/Ranges.v.
 #pragma once
 
 #include <optional>

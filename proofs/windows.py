@@ -4,7 +4,7 @@
 windows.py            writes the table and proofs/windows.jsonl
 windows.py --check    says which of the two is not current, and exits 1
 
-The window is a theorem (coq/Windows.v), and its numbers are read from there. Where it ends is found here, by
+The window is a theorem (coq/formulae/Windows.v), and its numbers are read from there. Where it ends is found here, by
 evaluating the FPCores in exact arithmetic with rounding, once with the format's exponents and once with unlimited
 ones: the first size 2^h at which an operation overflows, among the cube's vertices, and the first grid 2^g on which
 one underflows, among small integers. Each end is kept as two queries, the last that does not and the first that
@@ -42,8 +42,8 @@ def shown(comparison):
 
 
 def proved_greatest():
-    """The size 2^h up to which nothing overflows, by (form, precision, comparison), read from coq/Windows.v."""
-    text = (PROOFS / "coq" / "Windows.v").read_text()
+    """The size 2^h up to which nothing overflows, by (form, precision, comparison), read from coq/formulae/Windows.v."""
+    text = (PROOFS / "coq" / "formulae" / "Windows.v").read_text()
     found = {}
     for form in ("published", "reduced"):
         for precision in ("binary32", "binary64"):

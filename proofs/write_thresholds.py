@@ -3,8 +3,7 @@
 
   write_thresholds.py [--check] [--coq FOLDER] [--headers FOLDER]
 
-reads coq/Thresholds.v, coq/Filters.v, coq/Margins.v, coq/Certified.v, coq/CertifiedStep.v, coq/CoarseFloat.v,
-coq/Conservative.v and coq/ConservativeStep.v and writes
+reads, in coq/, the files named in READ and writes
   kernel/sphere_triangle/certified_filter/thresholds.h      for the kernels
   kernel/sphere_triangle/certified_filter/margin_bounds.h   for the filters of exact/ and the certified predicate
   coq/Exported.v                  the same figures as theorems about the filters, so that the figures read here are those
@@ -21,6 +20,12 @@ PROOFS = pathlib.Path(__file__).resolve().parent
 FORMS = ["published", "reduced"]
 # Bits of the significand, exponent of the overflow threshold: as in Filters.v.
 FORMATS = {"binary32": (24, 128), "binary64": (53, 1024)}
+# The files of the theory that are read, by folder.
+READ = {
+    "formulae": ["Thresholds.v", "Filters.v"],
+    "certified": ["Margins.v", "Certified.v", "CertifiedStep.v", "CoarseFloat.v"],
+    "conservative": ["Conservative.v", "ConservativeStep.v"],
+}
 # The comparisons in the order of kernel/sphere_triangle/names.h and of Vectors.v.
 COMPARISONS = ["plane_radius"] + [
     f"vertex_{v}_{what}" for v, others in (("a", "bc"), ("b", "ac"), ("c", "ab"))
@@ -74,19 +79,19 @@ def window_end(text, which, number_format):
     return significand.bit_length() - 1 + exponent
 
 
-def constants(text, file):
+def constants(theory, file):
     """The real constants that a file defines, with their spelling and in its order."""
-    found = dict(re.findall(r"^Definition (\w+) : R := ([\d.]*\d)\.$", text, re.M))
+    found = dict(re.findall(r"^Definition (\w+) : R := ([\d.]*\d)\.$", theory[file], re.M))
     if not found:
         stop(f"{file}: there is no 'Definition NAME : R := NUMBER.'")
     return found
 
 
-def exponents(text, file, theorem, number_format):
+def exponents(theory, file, theorem, number_format):
     """The exponents in parentheses that follow the precision and the least exponent in a theorem about a step."""
     precision, emax = FORMATS[number_format]
     says = f"{theorem} {precision} ({3 - emax - precision})"
-    found = re.search(rf"Theorem {theorem}\d+ : {re.escape(says)}((?: \(-?\d+\))+)\.", text)
+    found = re.search(rf"Theorem {theorem}\d+ : {re.escape(says)}((?: \(-?\d+\))+)\.", theory[file])
     if not found:
         stop(f"{file}: there is no 'Theorem {theorem}... : {says} (...).'")
     return [int(exponent) for exponent in re.findall(r"-?\d+", found.group(1))]
@@ -251,18 +256,14 @@ def main():
     parser.add_argument("--coq", type=pathlib.Path, default=PROOFS / "coq")
     parser.add_argument("--headers", type=pathlib.Path, default=PROOFS.parent / "kernel" / "sphere_triangle" / "certified_filter")
     options = parser.parse_args()
-    proved, filters = (options.coq / "Thresholds.v").read_text(), (options.coq / "Filters.v").read_text()
-    exported = {form: thresholds(proved, form) for form in FORMS}
-    windows = {f: [window_end(filters, which, f) for which in ("least", "greatest")] for f in FORMATS}
-    bounds = constants((options.coq / "Margins.v").read_text(), "Margins.v")
-    coarse = constants((options.coq / "Certified.v").read_text(), "Certified.v")
-    conservative = constants((options.coq / "Conservative.v").read_text(), "Conservative.v")
-    step = (options.coq / "ConservativeStep.v").read_text()
-    ends = {("conservative", f): exponents(step, "ConservativeStep.v", "conservative_never_misses", f) for f in FORMATS}
-    steps = [(options.coq / name).read_text() for name in ("CertifiedStep.v", "CoarseFloat.v")]
+    theory = {name: (options.coq / folder / name).read_text() for folder, names in READ.items() for name in names}
+    exported = {form: thresholds(theory["Thresholds.v"], form) for form in FORMS}
+    windows = {f: [window_end(theory["Filters.v"], which, f) for which in ("least", "greatest")] for f in FORMATS}
+    bounds, coarse, conservative = (constants(theory, file) for file in ("Margins.v", "Certified.v", "Conservative.v"))
+    ends = {("conservative", f): exponents(theory, "ConservativeStep.v", "conservative_never_misses", f) for f in FORMATS}
     for f in FORMATS:
-        ends["coarse", f] = float_exponents(steps[1], f)
-        if ends["coarse", f][:1] != exponents(steps[0], "CertifiedStep.v", "coarse_never_lies", f):
+        ends["coarse", f] = float_exponents(theory["CoarseFloat.v"], f)
+        if ends["coarse", f][:1] != exponents(theory, "CertifiedStep.v", "coarse_never_lies", f):
             stop(f"CertifiedStep.v and CoarseFloat.v: the least S differs in {f}")
     stale = False
     for path, text in ((options.headers / "thresholds.h", header(exported, windows)),

@@ -154,7 +154,7 @@ void add_prove(CLI::App& app, Action& action) {
   auto options = std::make_shared<ProveOptions>();
   ProveOptions& o = *options;
   command->add_option("--precision", o.precision, "binary32 or binary64 (default: both)");
-  command->add_option("--proofs", o.proofs, "folder with coq/Ranges.v")->capture_default_str();
+  command->add_option("--proofs", o.proofs, "folder with coq/formulae/Ranges.v")->capture_default_str();
   command->add_flag("--without-coq", o.without_coq, "Gappa alone, which takes a minute less; nothing counts as proved");
   add_progress(*command);
   add_format(*command, o.format, data_formats);

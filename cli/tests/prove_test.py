@@ -112,7 +112,7 @@ class Prove(Case):
         self.checker("gappa")
         self.checker("coqc")
         with mock.patch.dict(os.environ, PATH=str(self.folder / "bin")):
-            self.refused("prove", "--proofs", self.folder, says=["coq/Ranges.v: cannot be read"])
+            self.refused("prove", "--proofs", self.folder, says=["coq/formulae/Ranges.v: cannot be read"])
 
 
 if __name__ == "__main__":

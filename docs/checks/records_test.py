@@ -2,7 +2,7 @@
 """Tables of docs/ whose figures are committed elsewhere, where a proof, a test or a lock file holds them, say the same here as there.
 
     docs/league.md    versions of the engines: kernel/peers/npm/package.json
-    docs/proofs.md    bounds and thresholds: proofs/coq/Thresholds.v, kernel/sphere_triangle/certified_filter/thresholds.h; theorems named
+    docs/proofs.md    bounds and thresholds: proofs/coq/formulae/Thresholds.v, kernel/sphere_triangle/certified_filter/thresholds.h; theorems named
                       beside the steps of the certified predicate: proofs/coq/Assumptions.expected
                       how many faults ./dev prove --planted has: proofs/prove.py
     docs/bounds.md    bounds: proofs/bounds.cpp, which Gappa proves; errors attained: proofs/attained.h, and these those of docs/search.md
@@ -49,7 +49,7 @@ def up(value, parts):
 
 def thresholds_rows():
     """The rows of docs/proofs.md, from the theory: bounds in u / 1024, thresholds as the filter has them."""
-    theory = text_of("proofs/coq/Thresholds.v")
+    theory = text_of("proofs/coq/formulae/Thresholds.v")
 
     def errors(name):
         plain, fused = re.search(rf"Theorem {name} :.*?\[(.*?)\].*?\[(.*?)\]", theory, re.S).groups()

@@ -5,6 +5,8 @@
 
 Tests and benchmarks (`_test.cpp`, `_bench.cpp`, and the headers with `testing` in their path that they share) may look into every room of
 their own layer and of those before it. Nothing else includes them.
+
+The imports of the theory run one way too, between the folders of proofs/coq in the order of its README.
 """
 import os
 import re
@@ -25,6 +27,8 @@ WORDS = {
     "fuzz/diagnosis": "diagnosis.h subject.h".split(),
     "kernel/sphere_triangle": "decision.h description.cpp description.h formulae.h names.h proved_bounds.h query.h".split(),
 }
+THEORY = "proofs/coq"
+IMPORT = re.compile(r"\bFrom Axiscert Require (?:Import |Export )?([\w\s]+)\.")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]')
 
 
@@ -38,13 +42,18 @@ def sources():
     return found
 
 
+def theory():
+    """Path and text of every file of the theory."""
+    return {path.relative_to(ROOT).as_posix(): path.read_text() for path in (ROOT / THEORY).rglob("*.v")}
+
+
 def room_of(file):
     folder, name = file.rsplit("/", 1)
     return folder + "/words" if name in WORDS.get(folder, ()) else folder
 
 
 def layer_of(file):
-    return file.split("/")[0]
+    return THEORY if file.startswith(THEORY + "/") else file.split("/")[0]
 
 
 def is_for_tests(file):
@@ -52,14 +61,14 @@ def is_for_tests(file):
 
 
 def stated_order(layer, text):
-    """The rooms of the layer as its README lists them: the indented block with `<` between names."""
+    """The rooms of the layer, or of the theory, as its README lists them: the indented block with `<` between names."""
     block = re.search(r"\n\n((?:    .+\n)+)", text)
     names = [name.strip() for name in " ".join((block[1] if block else "").split()).split("<")]
     return [layer if name == "(top)" else f"{layer}/{name}" for name in names]
 
 
 def orders():
-    return {layer: stated_order(layer, (ROOT / layer / "README.md").read_text()) for layer in LAYERS}
+    return {layer: stated_order(layer, (ROOT / layer / "README.md").read_text()) for layer in (*LAYERS, THEORY)}
 
 
 def arrows(texts):
@@ -95,10 +104,23 @@ def upward(texts, order):
     return wrong
 
 
+def imports(texts):
+    """(file, imported file) of every import of the theory. It names no folder."""
+    place = {Path(file).stem: file for file in texts}
+    return [(file, place[name]) for file, text in texts.items() for names in IMPORT.findall(text) for name in names.split()]
+
+
+def imports_upward(texts, order):
+    """A line for each import that runs against the order of the theory's folders."""
+    rooms = order[THEORY]
+    return [f"{file} imports {target}: {THEORY}/README.md has {room_of(file)} before {room_of(target)}"
+            for file, target in imports(texts) if rooms.index(room_of(file)) < rooms.index(room_of(target))]
+
+
 def not_in_order(texts, order):
     """A line for each room that a README lacks, or lists and that does not exist."""
     wrong = []
-    for layer in LAYERS:
+    for layer in order:
         rooms = {room_of(file) for file in texts if layer_of(file) == layer}
         wrong += [f"{layer}/README.md: the order of rooms lacks {room}" for room in sorted(rooms - set(order[layer]))]
         wrong += [f"{layer}/README.md: the order of rooms has {room}, which does not exist or appears twice"
@@ -107,18 +129,18 @@ def not_in_order(texts, order):
 
 
 def draw(texts, order):
-    """A line for each room, in the order of the READMEs: the rooms that its files other than tests include."""
+    """A line for each room, in the order of the READMEs: the rooms that its files other than tests include or import."""
     included = defaultdict(set)
-    for file, _, target in arrows(texts):
-        if not is_for_tests(file):
+    for file, target in [(file, target) for file, _, target in arrows(texts)] + imports(theory()):
+        if not is_for_tests(file) and room_of(file) != room_of(target):
             included[room_of(file)].add(room_of(target))
-    every = [room for layer in LAYERS for room in order[layer]]
+    every = [room for layer in order for room in order[layer]]
     return [f"{room} -> {', '.join(sorted(included[room], key=every.index)) or '-'}" for room in every]
 
 
 class Rooms(unittest.TestCase):
     def test_every_room_has_its_place_in_the_order_of_its_layer(self):
-        self.assertEqual(not_in_order(sources(), orders()), [])
+        self.assertEqual(not_in_order({**sources(), **theory()}, orders()), [])
 
     def test_every_include_goes_to_an_earlier_layer_or_room(self):
         self.assertEqual(upward(sources(), orders()), [])
@@ -138,8 +160,27 @@ class Rooms(unittest.TestCase):
             self.assertIn(says, wrong[0])
 
     def test_a_planted_room_is_asked_for(self):
-        self.assertEqual(not_in_order({**sources(), "fuzz/attic/old.h": ""}, orders()),
-                         ["fuzz/README.md: the order of rooms lacks fuzz/attic"])
+        self.assertEqual(not_in_order({**sources(), **theory(), "fuzz/attic/old.h": "", "proofs/coq/attic/Old.v": ""}, orders()),
+                         ["fuzz/README.md: the order of rooms lacks fuzz/attic", "proofs/coq/README.md: the order of rooms lacks proofs/coq/attic"])
+
+
+class Theory(unittest.TestCase):
+    def test_every_import_goes_to_an_earlier_folder(self):
+        texts = theory()
+        self.assertGreater(len(imports(texts)), 300)
+        self.assertEqual(imports_upward(texts, orders()), [])
+
+    def test_a_planted_import_is_seen(self):
+        file, line = "proofs/coq/floats/Run.v", "From Axiscert Require Import Format\n  Filter.\n"
+        self.assertEqual(imports_upward({path: line if path == file else "" for path in theory()}, orders()),
+                         [f"{file} imports proofs/coq/formulae/Filter.v: proofs/coq/README.md has proofs/coq/floats before proofs/coq/formulae"])
+
+    def test_no_two_files_have_the_same_name(self):
+        names = [Path(file).name for file in theory()]
+        self.assertEqual(sorted(set(names)), sorted(names))
+
+    def test_every_file_is_in_the_README_of_its_folder(self):
+        self.assertEqual([file for file in theory() if f"`{Path(file).name}`" not in (ROOT / room_of(file) / "README.md").read_text()], [])
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 // The steps of the certified predicate as they were recorded: all of them as text, and those that the theory states as
-// definitions of Coq, over any machine that has the operations (coq/Machine.v).
+// definitions of Coq, over any machine that has the operations (coq/floats/Machine.v).
 #include <fmt/format.h>
 
 #include <bit>
@@ -296,8 +296,8 @@ Files certified_files() {
     if (step.name == "coarse" && step.bits == 64)
       coq += coq_definition(with_known_bits(step), Sort::flag, "known", "bool");
   }
-  return {{"coq/RecordedCertified.v", coq},
-          {"coq/RecordedExact.v", exact_as_coq()},
+  return {{"coq/certified/RecordedCertified.v", coq},
+          {"coq/integers/RecordedExact.v", exact_as_coq()},
           {"certified/steps_plain.txt", plain},
           {"certified/steps_fma.txt", fused}};
 }

@@ -54,7 +54,7 @@ Files coq_files() {
     text += definitions(form, Contraction::fma, "fma", "rnd ");
   }
   text += "\nEnd Rounded.\n";
-  return {{"coq/Recorded.v", text}};
+  return {{"coq/formulae/Recorded.v", text}};
 }
 
 }  // namespace axiscert::proofs

@@ -139,7 +139,7 @@ Files range_files() {
     }
     if (range.sum_in_hundredths != 0) text += sum_theorem(range);
   }
-  return {{"coq/RangesClaimed.v", text}};
+  return {{"coq/formulae/RangesClaimed.v", text}};
 }
 
 }  // namespace axiscert::proofs

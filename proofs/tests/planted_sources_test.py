@@ -60,11 +60,11 @@ class Planted(unittest.TestCase):
         """The file at which the check of `target` stops, with what is `recorded` now: its proofs, and the others' statements."""
         theory = self.work / "coq"
         shutil.copytree(COQ_BUILD, theory)  # with times, so that only what depends on these files is built again
-        for name in recorded:
-            (theory / name).write_bytes((made / "coq" / name).read_bytes())
-        result = subprocess.run(["make", "--no-print-directory", target + "ok"], cwd=theory, text=True, capture_output=True)
+        for path in (prove.PATHS[name] for name in recorded):
+            (theory / path).write_bytes((made / "coq" / path).read_bytes())
+        result = subprocess.run(["make", "--no-print-directory", prove.PATHS[target] + "ok"], cwd=theory, text=True, capture_output=True)
         self.assertNotEqual(result.returncode, 0, "the theory accepts it")
-        return re.search(r'File "\./(\w+\.v)"', result.stderr).group(1)
+        return os.path.basename(re.search(r'File "\./([\w/]+\.v)"', result.stderr).group(1))
 
 
 class PlantedSources(Planted):
@@ -104,8 +104,8 @@ class PlantedSources(Planted):
         writer = self.writer("proofs/ranges.cpp", row, row.replace("-4", "-3"),
                              "proofs/ranges.cpp")
         self.assertIn("RangesClaimed.v", self.stale(writer))
-        made = self.written(writer) / "coq"
-        shutil.copy(PROOFS / "coq" / "Ranges.v", made)
+        made = self.written(writer) / "coq" / "formulae"
+        shutil.copy(PROOFS / "coq" / "formulae" / "Ranges.v", made)
         for name, accepted in (("Ranges.v", True), ("RangesClaimed.v", False)):
             done = subprocess.run(["coqc", "-Q", ".", "Axiscert", name], cwd=made, capture_output=True, text=True)
             self.assertEqual(done.returncode == 0, accepted, done.stderr)

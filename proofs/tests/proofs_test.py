@@ -62,7 +62,7 @@ def current():
                     path = os.path.relpath(os.path.join(where, name), folder)
                     assert os.path.exists(os.path.join(made, path)), f"{path}: nothing writes it"
         # A changed formula, or any changed byte, is detected.
-        path = os.path.join(made, "coq", "Recorded.v")
+        path = os.path.join(made, "coq", "formulae", "Recorded.v")
         with open(path, "a") as file:
             file.write("\n")
         assert subprocess.run([write_proofs, "--check", made], capture_output=True).returncode == 1
@@ -89,7 +89,7 @@ def planted():
 
 def coq(work):
     for name in ["Ranges.v", "RangesClaimed.v"]:
-        shutil.copy(os.path.join(folder, "coq", name), work)
+        shutil.copy(os.path.join(folder, "coq", "formulae", name), work)
         subprocess.run(["coqc", "-Q", ".", "Axiscert", name], cwd=work, check=True)
 
 

@@ -24,9 +24,9 @@
 // underflows. The corresponding term of a bound is 2^-800 or more, or it is zero together with a leaf, all of whose
 // products are exact zeros: such errors are below 2^-200 of the bound, and inside its sixteenth.
 //
-// The constants are MarginBounds of proofs/coq/Margins.v, which proves that each bound exceeds its margin's error by a
-// thirty-second part if each operation has a relative error of at most U; that thirty-second covers the bound's own
-// rounding. The absence of underflow and the bounds of the scales are argued here only.
+// The constants are MarginBounds of proofs/coq/certified/Margins.v, which proves that each bound exceeds its margin's
+// error by a thirty-second part if each operation has a relative error of at most U; that thirty-second covers the
+// bound's own rounding. The absence of underflow and the bounds of the scales are argued here only.
 //
 // So a margin that exceeds its bound has the sign of the exact one; and if the bound is zero, all of its operands are
 // exact zeros, the margin is exact, and a tie is certain.

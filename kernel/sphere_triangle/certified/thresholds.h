@@ -30,7 +30,7 @@
 //                                                                  <= 21.4 u S w^2 <= 5.4 u S E^2
 //
 // Range of the coarse step: S^ in [least_square, greatest_square], and E + 2^-20 S in place of E. Overflow: e <= 4 S /
-// 2, every value is at most 16 S^3 <= 2^118 (binary64: 2^904); proofs/coq/CoarseFloat.v has it to the bit.
+// 2, every value is at most 16 S^3 <= 2^118 (binary64: 2^904); proofs/coq/certified/CoarseFloat.v has it to the bit.
 // Underflow: a product, fused or not, errs by eta = 2^-150 (2^-1075) more. |N| <= 1.5 S, |V| <= 2 S, |d| <= 2 S^1.5; N
 // and V are off by 4 eta more, d by 4 |A| eta + 3 eta. So at degree 2: 3 eta; 4: 16 S eta + 3 eta; 6: 18 S^2 eta + 16
 // S^1.5 eta + 3 S eta + 2 eta. The thresholds are at least 2^-20 S, 2^-40.4 S^2 and 2^-61.4 S^3 in binary32, 2^-49 S,

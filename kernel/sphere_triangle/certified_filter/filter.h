@@ -1,5 +1,5 @@
-// The filter that is proved never to answer wrongly (docs/proofs.md, proofs/coq/Filter.v), over any set of formulae
-// with a table of thresholds and any number type: the program of the theorem, operation by operation.
+// The filter that is proved never to answer wrongly (docs/proofs.md, proofs/coq/formulae/Filter.v), over any set of
+// formulae with a table of thresholds and any number type: the program of the theorem, operation by operation.
 //
 // It has three answers. lhs > rhs is certain where lhs - rhs, as computed, exceeds n u m^degree, as computed; lhs < rhs
 // where it is below the negative of that. `separated`: all comparisons of some axis are certain. `contact`: on each
