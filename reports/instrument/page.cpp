@@ -12,8 +12,9 @@ std::string cells(const std::vector<std::string>& row, const char* tag) {
   std::string html;
   for (std::size_t i = 0; i < row.size(); ++i) {
     const char* element = i == 0 ? "th" : tag;
-    const bool number = is_number(row[i]), is_sentence = row[i].size() > 24 && row[i].find(' ') != std::string::npos;
-    const char* const look = i == 0 ? "" : number ? " class=\"n\"" : is_sentence ? " class=\"words\"" : "";
+    // Sentences, and names of sections, are wrapped: a table of advice has to fit on the page.
+    const bool is_long = row[i].size() > 24 && row[i].find_first_of(" #") != std::string::npos;
+    const char* const look = is_long ? " class=\"words\"" : i != 0 && is_number(row[i]) ? " class=\"n\"" : "";
     html += fmt::format("<{0}{1}>{2}</{0}>", element, look, html_text(row[i]));
   }
   return html;

@@ -114,8 +114,13 @@ InstrumentTable situations_table(const Json& predicate) {
                         {"queries", "precision", "missed", "deepest", "phantom", "deepest ",
                          "families, the deepest first", "what to do", "see"},
                         {}};
+  // A family of the kernel's test without the test's name, which is in the heading.
+  const std::string prefix = plain_text(predicate["kernel"]["test"]) + "/";
   for (const Json& s : predicate["situations"]) {
-    const std::vector<std::string> families = s["families"];
+    std::vector<std::string> families = s["families"];
+    for (std::string& family : families) {
+      if (family.starts_with(prefix)) family.erase(0, prefix.size());
+    }
     table.rows.push_back({plain_text(s["meaning"]), plain_text(s["precision"]),
                           thousands(s["missed"].get<std::uint64_t>()), plain_text(s["deepest_missed"]),
                           thousands(s["phantom"].get<std::uint64_t>()), plain_text(s["deepest_phantom"]),

@@ -123,7 +123,8 @@ TEST(Situations, TheMostEverydayOneWithAVisibleDepthBreaksFirst) {
 
 TEST(Situations, AreSaidWithTheirFamiliesTheDepthAndWhatToDo) {
   const Json record = record_of({{"lattice", {3, 0, 0.25, 0}}, {"general", {0, 2, 0, 1e-8}}});
-  Json predicate = {{"breaks_first", what_breaks_first(record, "k")},
+  Json predicate = {{"kernel", {{"id", "k"}, {"test", "moving-sphere"}}},
+                    {"breaks_first", what_breaks_first(record, "k")},
                     {"situations", where_it_is_wrong(record, "k")},
                     {"search", {{"precisions", Json::object()}}}};
   EXPECT_EQ(predicate["breaks_first"]["cause"], "small_integers");
@@ -139,6 +140,7 @@ TEST(Situations, AreSaidWithTheirFamiliesTheDepthAndWhatToDo) {
   ASSERT_EQ(table.rows.size(), 2u);
   EXPECT_EQ(table.rows[1][2], "3");
   EXPECT_EQ(table.rows[1][3], "0.25");
+  EXPECT_EQ(table.rows[1][6], "lattice");
 }
 
 TEST(Situations, AddUpTheirFamiliesTheDeepestFirst) {
