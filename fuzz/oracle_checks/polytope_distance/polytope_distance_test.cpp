@@ -1,8 +1,8 @@
 // Verdicts of motions against CGAL's quadratic program for the distance of two convex hulls, here of the centre and of
 // the prism's six corners: it knows nothing of triangles, axes or times.
 #include <CGAL/Gmpq.h>
-#include <CGAL/Polytope_distance_d.h>
-#include <CGAL/Polytope_distance_d_traits_3.h>
+#include <CGAL/QP_functions.h>
+#include <CGAL/QP_models.h>
 #include <CGAL/Simple_cartesian.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,6 @@ namespace {
 
 using Gmpq = CGAL::Gmpq;
 using Cartesian = CGAL::Simple_cartesian<Gmpq>;
-using PolytopeDistance = CGAL::Polytope_distance_d<CGAL::Polytope_distance_d_traits_3<Cartesian, Gmpq, Gmpq>>;
 
 Cartesian::Point_3 exact_point(const portable::Vec3<double>& v) { return {Gmpq(v.x), Gmpq(v.y), Gmpq(v.z)}; }
 Cartesian::Vector_3 exact_displacement(const moving_sphere::GivenMotion& q) {
@@ -26,19 +25,29 @@ Cartesian::Vector_3 exact_displacement(const moving_sphere::GivenMotion& q) {
   return {d.x, d.y, d.z};
 }
 
-// The sign of the squared distance of the centre from the prism, less r^2. Exact.
+// The sign of the squared distance of the centre from the prism, less r^2. Exact: the least of |sum of w_i (v_i -
+// centre)|^2 over weights that are not negative and add up to 1. By Bland's rule, which cannot cycle:
+// Polytope_distance_d prices by another, and does not return on query 1383 of `point` in binary64.
 CGAL::Comparison_result polytope_order(const moving_sphere::GivenMotion& q) {
+  const Cartesian::Point_3 centre = exact_point(q.p);
   const Cartesian::Vector_3 d = exact_displacement(q);
-  std::array<Cartesian::Point_3, 6> prism;
-  std::size_t corner = 0;
+  std::array<Cartesian::Vector_3, 6> prism;
+  int corner = 0;
   for (const auto& vertex : {q.a, q.b, q.c}) {
-    prism[corner++] = exact_point(vertex);
-    prism[corner++] = exact_point(vertex) - d;
+    prism[corner++] = exact_point(vertex) - centre;
+    prism[corner++] = exact_point(vertex) - d - centre;
   }
-  const std::array centre{exact_point(q.p)};
-  const PolytopeDistance found(centre.begin(), centre.end(), prism.begin(), prism.end());
-  EXPECT_TRUE(found.is_valid());
-  return CGAL::compare(found.squared_distance_numerator() / found.squared_distance_denominator(),
+  CGAL::Quadratic_program<Gmpq> program(CGAL::EQUAL, true, Gmpq(0), false);
+  for (int i = 0; i < corner; ++i) {
+    for (int j = 0; j <= i; ++j) program.set_d(i, j, 2 * (prism[i] * prism[j]));
+    program.set_a(i, 0, Gmpq(1));
+  }
+  program.set_b(0, Gmpq(1));
+  CGAL::Quadratic_program_options options;
+  options.set_pricing_strategy(CGAL::QP_BLAND);
+  const auto solution = CGAL::solve_quadratic_program(program, Gmpq(), options);
+  EXPECT_TRUE(solution.is_optimal());
+  return CGAL::compare(solution.objective_value_numerator() / solution.objective_value_denominator(),
                        Gmpq(q.r) * Gmpq(q.r));
 }
 
