@@ -21,9 +21,9 @@
 #include "kernel/base/version.h"
 #include "kernel/plugin/load.h"
 #include "kernel/registry/self_check.h"
-#include "reports/certificate/statement/canonical.h"
 #include "reports/certificate/certificate.h"
 #include "reports/certificate/page.h"
+#include "reports/certificate/statement/canonical.h"
 #include "reports/certificate/statement/statement.h"
 
 namespace axiscert {

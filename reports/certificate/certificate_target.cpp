@@ -2,9 +2,9 @@
 // and shown. The digest is corrected first, or nearly no input would pass it; every input is also read unchanged.
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
-#include "reports/certificate/statement/canonical.h"
 #include "reports/certificate/certificate.h"
 #include "reports/certificate/page.h"
+#include "reports/certificate/statement/canonical.h"
 
 namespace {
 

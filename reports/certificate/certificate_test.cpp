@@ -2,8 +2,8 @@
 #include "reports/certificate/certificate.h"
 
 #include "kernel/base/temporary_folder.h"
-#include "reports/certificate/statement/canonical.h"
 #include "reports/certificate/page.h"
+#include "reports/certificate/statement/canonical.h"
 #include "reports/certificate/statement/statement.h"
 #include "reports/testing/test_run.h"
 

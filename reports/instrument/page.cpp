@@ -1,8 +1,8 @@
 // An instrument's page: tables and scenes as HTML, plots drawn by Chart.js from the figures beneath them.
 #include <fmt/format.h>
 
-#include "reports/page/embedded.h"
 #include "reports/instrument/instrument.h"
+#include "reports/page/embedded.h"
 #include "reports/page/page_template.h"
 
 namespace axiscert {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "fuzz/confirm/asymmetry.h"
-#include "fuzz/diagnosis/scenes/clear_queries.h"
 #include "fuzz/diagnosis/probes/probes.h"
+#include "fuzz/diagnosis/scenes/clear_queries.h"
 #include "fuzz/families/sphere_triangle/parts/lattice_bounds.h"
 #include "fuzz/queries/image_groups.h"
 #include "kernel/ask.h"

@@ -1,8 +1,8 @@
 // The answers of a kernel on triangles without area.
 #include <array>
 
-#include "fuzz/diagnosis/scenes/clear_queries.h"
 #include "fuzz/diagnosis/probes/probes.h"
+#include "fuzz/diagnosis/scenes/clear_queries.h"
 #include "fuzz/diagnosis/scenes/scenes_by_trait.h"
 #include "kernel/base/error.h"
 

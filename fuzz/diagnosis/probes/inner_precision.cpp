@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "exact/sphere_triangle/measures/critical_radius.h"
+#include "fuzz/diagnosis/probes/probes.h"
 #include "fuzz/diagnosis/scenes/clear_queries.h"
 #include "fuzz/diagnosis/scenes/near_ties.h"
-#include "fuzz/diagnosis/probes/probes.h"
 #include "fuzz/diagnosis/scenes/scenes_by_trait.h"
 #include "fuzz/instruments/critical_distance.h"
 #include "fuzz/queries/boundary.h"

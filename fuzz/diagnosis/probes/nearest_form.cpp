@@ -1,9 +1,9 @@
 // The built-in kernel whose verdicts a kernel gives most often, on queries on which the built-in kernels differ.
 #include <cmath>
 
+#include "fuzz/diagnosis/probes/probes.h"
 #include "fuzz/diagnosis/scenes/clear_queries.h"
 #include "fuzz/diagnosis/scenes/near_ties.h"
-#include "fuzz/diagnosis/probes/probes.h"
 #include "fuzz/queries/image_groups.h"
 
 namespace axiscert::diagnosis {

@@ -7,8 +7,8 @@
 // not rounded. No answer of such a kernel changes where two coordinates change their sign.
 #include <array>
 
-#include "fuzz/diagnosis/scenes/near_ties.h"
 #include "fuzz/diagnosis/probes/probes.h"
+#include "fuzz/diagnosis/scenes/near_ties.h"
 #include "fuzz/files/symmetry.h"
 
 namespace axiscert::diagnosis {

@@ -1,8 +1,8 @@
 // The probes, one for each property. Each asks the kernel, and gives a value only where the answers decide it.
 #pragma once
 
-#include "fuzz/diagnosis/subject.h"
 #include "fuzz/diagnosis/probes/values.h"
+#include "fuzz/diagnosis/subject.h"
 
 namespace axiscert::diagnosis {
 

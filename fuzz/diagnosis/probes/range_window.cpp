@@ -1,8 +1,8 @@
 // The powers of two times which a kernel answers as at scale 1.
 #include <cmath>
 
-#include "fuzz/diagnosis/scenes/clear_queries.h"
 #include "fuzz/diagnosis/probes/probes.h"
+#include "fuzz/diagnosis/scenes/clear_queries.h"
 #include "fuzz/instruments/exponent_window.h"
 
 namespace axiscert::diagnosis {

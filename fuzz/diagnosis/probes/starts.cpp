@@ -1,10 +1,10 @@
 // The answers of a kernel of motions where the two have a point in common before the motion.
 #include <array>
 
-#include "fuzz/diagnosis/scenes/clear_queries.h"
 #include "fuzz/diagnosis/probes/probes.h"
-#include "fuzz/diagnosis/scenes/scenes_by_trait.h"
 #include "fuzz/diagnosis/probes/tallied.h"
+#include "fuzz/diagnosis/scenes/clear_queries.h"
+#include "fuzz/diagnosis/scenes/scenes_by_trait.h"
 
 namespace axiscert::diagnosis {
 namespace {

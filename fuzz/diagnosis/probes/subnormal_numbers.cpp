@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fuzz/diagnosis/scenes/clear_queries.h"
 #include "fuzz/diagnosis/probes/probes.h"
+#include "fuzz/diagnosis/scenes/clear_queries.h"
 #include "kernel/registry/called.h"
 
 namespace axiscert::diagnosis {

@@ -1,10 +1,10 @@
 // The answer of a kernel at touching.
 #include <array>
 
-#include "fuzz/diagnosis/scenes/clear_queries.h"
 #include "fuzz/diagnosis/probes/probes.h"
-#include "fuzz/diagnosis/scenes/scenes_by_trait.h"
 #include "fuzz/diagnosis/probes/tallied.h"
+#include "fuzz/diagnosis/scenes/clear_queries.h"
+#include "fuzz/diagnosis/scenes/scenes_by_trait.h"
 #include "kernel/base/error.h"
 
 namespace axiscert::diagnosis {

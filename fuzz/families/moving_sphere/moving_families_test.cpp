@@ -229,11 +229,11 @@ TYPED_TEST(MovingFamilies, RoundNothingWhereTheySaySo) {
 TYPED_TEST(MovingFamilies, OfOneAxisAreSeparatedByItAlone) {
   const Family& family = find_family("moving-sphere/one_axis");
   const TestDescription& test = moving_sphere_test();
+  const Oracles& oracles = oracles_of(test);
   const std::size_t axes = test.clauses.size();
   std::vector<int> alone(axes);
   for (std::uint64_t position = 0; position < 80 * axes; ++position) {
     const Numbers<TypeParam> q = family.make<TypeParam>(1, position);
-    const Oracles& oracles = oracles_of(test);
     const Verdict verdict = oracles.truth(q).verdict;
     if (position / axes % 4 == 3) {
       EXPECT_EQ(verdict, Verdict::contact) << position;

@@ -1,4 +1,4 @@
-// What breaks first, by the classes of the input and by links, and the witnesses that a certificate shows.
+// The cause that breaks first, by the classes of the input and by links, and the witnesses that a certificate shows.
 #include "reports/certificate/findings/breaks.h"
 
 #include <gmock/gmock.h>
