@@ -76,6 +76,11 @@ function(axiscert_objects name)
   endif()
 endfunction()
 
+# g++ collects its garbage from 1 GB on, not from 128 MB: a tenth of the time of the large sources, which take 1.7 GB then, not 1.3.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:--param=ggc-min-expand=100;--param=ggc-min-heapsize=1000000>")
+endif()
+
 # ccache and lld where they are installed: neither changes a byte of what is computed.
 find_program(AXISCERT_CCACHE ccache)
 if(AXISCERT_CCACHE)
@@ -155,12 +160,12 @@ endfunction()
 # [LONG]): a GoogleTest program, one CTest test a case (one for all where objects are reused), of its sources and the `_test.cpp` of its rooms. Suites whose names end in "Long", typed
 # ones (SuiteLong/0) too, get the label `long`, the others `quick`; with LONG all get `long`, and in a sanitized build all that are not
 # marked MEMORY. HEADER: the layer whose precompiled header it
-# takes. NEEDS: what has to be built for it to run. REUSED: the cases about code of which a sanitized build reuses the objects.
+# takes. UNOPTIMIZED: compiled at -O0. NEEDS: what has to be built for it to run. REUSED: the cases about code of which a sanitized build reuses the objects.
 function(axiscert_test name)
   if(NOT AXISCERT_TESTS)
     return()
   endif()
-  cmake_parse_arguments(arg "LONG;MEMORY" "HEADER;REUSED" "LIBRARIES;ROOMS;NEEDS" ${ARGN})
+  cmake_parse_arguments(arg "LONG;MEMORY;UNOPTIMIZED" "HEADER;REUSED" "LIBRARIES;ROOMS;NEEDS" ${ARGN})
   set(sources ${arg_UNPARSED_ARGUMENTS})
   if(arg_ROOMS)
     list(TRANSFORM arg_ROOMS APPEND /*_test.cpp)
@@ -172,7 +177,9 @@ function(axiscert_test name)
   list(TRANSFORM sources PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ REGEX "^[^/]")
   set_property(GLOBAL APPEND PROPERTY AXISCERT_TESTED ${sources})
   get_property(flags GLOBAL PROPERTY AXISCERT_FLAGS_OF_${arg_HEADER}_TESTS)
-  if(NOT flags)
+  if(arg_UNOPTIMIZED)
+    set(flags axiscert_unoptimized)
+  elseif(NOT flags)
     set(flags axiscert_light)
   endif()
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} axiscert_test_settings ${flags} axiscert_warnings GTest::gtest GTest::gmock

@@ -63,7 +63,7 @@ TEST(TriangleOracles, SayWhyNumbersAreNoQuery) {
             "box.min, element 1, is 3, above 1 in box.max; box.min, element 2, is 2, above 1 in box.max; each element "
             "of min is at "
             "most that of max");
-  numbers = Numbers<double>(24);
+  numbers = numbers_of(BoxAndTriangle<double>{});
   EXPECT_EQ(oracles_in(OrientedEntry::entry).why_invalid(numbers),
             "box.b has the determinant 0; the axes of a box are linearly independent");
 }
