@@ -1,13 +1,17 @@
 // The proved bound of box-box/cofactor (docs/boxes.md) on the families of rotations that were rounded: no wrong verdict
 // is deeper, and how near the deepest come to it. The textbook breaks it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "exact/boxes/box_measures.h"
+#include "exact/boxes/boxes_testing.h"
 #include "exact/boxes/cofactor_bound.h"
 #include "fuzz/families/boxes/parts.h"
+#include "fuzz/files/corpus.h"
 #include "kernel/boxes/relative.h"
 
 namespace axiscert::boxes {
@@ -90,6 +94,27 @@ TEST(CofactorBoundOnFamilies, TheTextbookBreaksIt) {
   BoundUse use;
   add_use<Textbook, float>(find_family("box-box/resting"), 60, use);
   EXPECT_GT(use.of_missed, 100);
+}
+
+// The entries of the corpus that a search found, in the table of docs/boxes.md, which gives its command.
+TEST(CofactorBoundOnFamilies, TheTableHasTheWorstThatASearchFound) {
+  const double u = std::ldexp(1.0, -std::numeric_limits<float>::digits);
+  std::string table = "| found | of the scene | in u | the bound, in u | axis |\n|---|---:|---:|---:|---|\n";
+  for (const CorpusEntry& entry : read_corpus(SOURCE_FOLDER "/fuzz/corpus")) {
+    if (!entry.stored.id.starts_with("cofactor-")) continue;
+    const auto& numbers = std::get<Numbers<float>>(entry.stored.numbers);
+    const auto q = MatrixBoxes::problem<float>([&](std::size_t k) { return numbers[k]; });
+    const ExactPair exact = exactly(q);
+    const bool contact = squared_distance(exact) <= 0;
+    EXPECT_EQ(is_separated_by<Cofactor>(q), contact) << entry.stored.id;
+    const double defect = std::max(orthonormality_defect(exact.a), orthonormality_defect(exact.b)).get_d();
+    const CofactorBound bound = cofactor_bound(u, defect);
+    const double depth = depth_of(exact), most = contact ? bound.missed : bound.phantom;
+    EXPECT_LE(depth, most) << entry.stored.id;
+    table += fmt::format("| {} contact | {:.3g} | {:.0f} | {:.0f} | `{}` |\n", contact ? "missed" : "invented", depth,
+                         depth / u, most / u, deciding_axes(exact).front());
+  }
+  EXPECT_EQ(docs_table("| found | of the scene | in u | the bound, in u | axis |"), table);
 }
 
 }  // namespace
