@@ -206,6 +206,18 @@ def refuse_unproved(sources):
                 fail(f"{source.name}:{number}: '{found.group()}': every step has to be proved")
 
 
+def refuse_ambiguous(sources):
+    """A name in Statements.v that two files define says which is printed: Coq takes the one that was imported last, and
+    the other could be weakened unseen."""
+    defined = {}
+    for source in sorted(sources.rglob("*.v")):
+        for name in re.findall(r"^\s*(?:Definition|Fixpoint|Inductive|Record|Lemma|Theorem|Corollary)\s+([\w']+)", source.read_text(), re.M):
+            defined.setdefault(name, set()).add(source.stem)
+    for name in re.findall(r"^(?:Print|Check) ([\w']+)\.$", (sources / "Statements.v").read_text(), re.M):
+        if len(files := sorted(defined.get(name, ()))) > 1:
+            fail(f"Statements.v prints '{name}', which {' and '.join(files)} define: say which, '{files[0]}.{name}'")
+
+
 def coqc(build, file, *flags):
     return subprocess.run(["coqc", "-q", "-Q", ".", "Axiscert", *flags, file], cwd=build, text=True, capture_output=True)
 
@@ -331,6 +343,7 @@ def main():
         print("prove: NOT CHECKED: coqc is missing; install the Debian packages coq and libcoq-flocq", file=sys.stderr)
         sys.exit(2)
     refuse_unproved(SOURCES)
+    refuse_ambiguous(SOURCES)
     copy_changed(SOURCES, options.build)
     (options.build.parent / "prove.json").unlink(missing_ok=True)
     if options.emitted:

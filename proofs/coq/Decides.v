@@ -57,14 +57,14 @@ Section Order.
   Definition least_by_order (x y : float) : float := if Bleb x y then x else y.
   Definition greatest_by_order (x y : float) : float := if Bleb x y then y else x.
   Lemma order_is_total (x y : float) : is_nan x = false -> is_nan y = false -> Bleb x y = false -> Bleb y x = true.
-  Proof.
+  Proof using Type.
     intros nx ny. destruct (is_finite x && is_finite y) eqn:finite.
     - apply andb_prop in finite as [Fx Fy]. rewrite !Bleb_correct by assumption. intros beyond. apply Rle_bool_true. revert beyond.
       case Rle_bool_spec; [discriminate |]. intros H _. apply Rlt_le, H.
     - destruct x as [| [] | |], y as [| [] | |]; cbn in *; congruence.
   Qed.
   Lemma order_gives_least : is_least prec emax least_by_order /\ is_greatest prec emax greatest_by_order.
-  Proof.
+  Proof using Type.
     split; intros x y nx ny; [unfold least_by_order | unfold greatest_by_order]; pose proof (order_is_total x y nx ny);
       destruct (Bleb x y) eqn:H'; auto.
   Qed.

@@ -282,7 +282,7 @@ Print bounds.
 Goal True. statement "within". Abort.
 Print within.
 Goal True. statement "leaves". Abort.
-Print leaves.
+Print RecordedIsProgram.leaves.
 Goal True. statement "exact_leaves". Abort.
 Print exact_leaves.
 Goal True. statement "rounded_sides". Abort.
@@ -340,7 +340,7 @@ Print coordinates.
 Goal True. statement "float_leaf". Abort.
 Print float_leaf.
 Goal True. statement "greater". Abort.
-Print greater.
+Print Filter.greater.
 Goal True. statement "greatest". Abort.
 Print greatest.
 Goal True. statement "inside". Abort.
@@ -348,7 +348,9 @@ Print inside.
 Goal True. statement "coefficient". Abort.
 Print coefficient.
 Goal True. statement "values". Abort.
-Print values.
+Print Filter.values.
+Goal True. statement "deep_values". Abort.
+Print RecordedIsDeep.values.
 Goal True. statement "limit". Abort.
 Print limit.
 Goal True. statement "margin". Abort.
@@ -538,7 +540,7 @@ Print box_low.
 Goal True. statement "box_high". Abort.
 Print box_high.
 Goal True. statement "beyond". Abort.
-Print beyond.
+Print Box.beyond.
 Goal True. statement "coarse_steps". Abort.
 Print coarse_steps.
 Goal True. statement "phantom_depth". Abort.
@@ -694,7 +696,9 @@ Print words_of.
 Goal True. statement "radius_beyond". Abort.
 Print radius_beyond.
 Goal True. statement "is_zero". Abort.
-Print is_zero.
+Print ExactStep.is_zero.
+Goal True. statement "double_is_zero". Abort.
+Print Pairs.is_zero.
 Goal True. statement "vertex_separates". Abort.
 Print vertex_separates.
 Goal True. statement "plane_separates". Abort.
@@ -726,7 +730,9 @@ Print of_pairs.
 Goal True. statement "least_size". Abort.
 Print least_size.
 Goal True. statement "greatest_size". Abort.
-Print greatest_size.
+Print RecordedIsDeep.greatest_size.
+Goal True. statement "greatest_bound". Abort.
+Print Expression.greatest_size.
 Goal True. statement "residue_limit". Abort.
 Print residue_limit.
 Goal True. statement "split_factor". Abort.

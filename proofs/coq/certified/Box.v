@@ -65,26 +65,26 @@ Section Float.
     end.
 
   Lemma not_below_minus_infinity (x : float) : Bltb x (B754_infinity true) = false.
-  Proof. destruct x as [[] | [] | | []]; reflexivity. Qed.
+  Proof using Type. destruct x as [[] | [] | | []]; reflexivity. Qed.
   Lemma not_above_infinity (x : float) : Bltb (B754_infinity false) x = false.
-  Proof. destruct x as [[] | [] | | []]; reflexivity. Qed.
+  Proof using Type. destruct x as [[] | [] | | []]; reflexivity. Qed.
 
   Lemma infinity_of (x : float) s : B2SF x = SpecFloat.S754_infinity s -> x = B754_infinity s.
-  Proof. destruct x; cbn; congruence. Qed.
+  Proof using Type. destruct x; cbn; congruence. Qed.
   Lemma negative_zero (r : float) : is_finite r = true -> 0 <= B2R r -> Bsign r = true -> B2R r = 0.
-  Proof.
+  Proof using Type.
     destruct r as [| | | s m e bounds]; cbn; try reflexivity; try discriminate. intros _ r0 ->. exfalso.
     assert (F2R (Float radix2 (Zneg m) e) < 0) by (apply F2R_lt_0; reflexivity). cbn in *. lra.
   Qed.
   Lemma number_fits (x : float) : is_finite x = true ->
     Rlt_bool (Rabs (round radix2 (SpecFloat.fexp prec emax) ZnearestE (B2R x))) (bpow radix2 emax) = true.
-  Proof.
+  Proof using Type.
     intros F. rewrite round_generic; [apply Rlt_bool_true, abs_B2R_lt_emax | apply valid_rnd_N | apply generic_format_B2R].
   Qed.
 
   Lemma below_the_box (x p r : float) : is_finite x = true -> is_finite p = true -> is_finite r = true -> 0 <= B2R r ->
     Bltb x (Bminus mode_NE p r) = true -> B2R x < B2R p - B2R r.
-  Proof.
+  Proof using Type.
     intros Fx Fp Fr r0 less. pose proof (Bminus_correct prec emax _ _ mode_NE p r Fp Fr) as correct.
     destruct Rlt_bool eqn:fits.
     - destruct correct as (value & F & _). rewrite Bltb_correct, value in less by assumption. revert less.
@@ -99,7 +99,7 @@ Section Float.
   Qed.
   Lemma above_the_box (x p r : float) : is_finite x = true -> is_finite p = true -> is_finite r = true -> 0 <= B2R r ->
     Bltb (Bplus mode_NE p r) x = true -> B2R x > B2R p + B2R r.
-  Proof.
+  Proof using Type.
     intros Fx Fp Fr r0 less. pose proof (Bplus_correct prec emax _ _ mode_NE p r Fp Fr) as correct.
     destruct Rlt_bool eqn:fits.
     - destruct correct as (value & F & _). rewrite Bltb_correct, value in less by assumption. revert less.
@@ -115,7 +115,7 @@ Section Float.
 
   Lemma beyond_spec p r f v : beyond p r f v = true ->
     is_finite_vec v = true /\ is_sphere p r = true /\ 0 <= B2R r /\ beyond_exactly (real_vec p) (B2R r) f (real_vec v).
-  Proof.
+  Proof using Type.
     unfold beyond. rewrite andb_true_iff. intros [Fv is_beyond]. split; [assumption |].
     destruct (is_sphere p r) eqn:valid; cbn [box_low box_high] in is_beyond.
     2: { exfalso. destruct f; rewrite ?not_below_minus_infinity, ?not_above_infinity in is_beyond; discriminate. }
@@ -135,7 +135,7 @@ Section Float.
     is_sphere p r = true /\ is_finite_vec a = true /\ is_finite_vec b = true /\ is_finite_vec c = true /\
     separated (real_vec a) (real_vec b) (real_vec c) (real_vec p) (B2R r) /\
     separated_open (real_vec a) (real_vec b) (real_vec c) (real_vec p) (B2R r).
-  Proof.
+  Proof using Type.
     intros all ina inb inc. rewrite forallb_forall in all.
     destruct (beyond_spec _ _ _ _ (all a ina)) as (Fa & valid & r0 & A).
     destruct (beyond_spec _ _ _ _ (all b inb)) as (Fb & _ & _ & B), (beyond_spec _ _ _ _ (all c inc)) as (Fc & _ & _ & C).

@@ -99,9 +99,9 @@ Section Coarse.
   Hypothesis underflow_6 : eta <= kappa * s ^ 6.
 
   Lemma kappa_range : 0 <= kappa <= / 1000000000000000000.
-  Proof. unfold kappa. lra. Qed.
+  Proof using u_range. unfold kappa. lra. Qed.
   Lemma underflow k : (2 <= k <= 6)%nat -> eta <= kappa * s ^ k.
-  Proof.
+  Proof using s0 u_range underflow_2 underflow_6.
     intros range. pose proof kappa_range. destruct (Rle_or_lt 1 s) as [more | less].
     - eapply Rle_trans; [exact underflow_2 |]. apply Rmult_le_compat_l; [lra |]. apply Rle_pow; [assumption | lia].
     - eapply Rle_trans; [exact underflow_6 |]. apply Rmult_le_compat_l; [lra |].
@@ -117,7 +117,7 @@ Section Coarse.
   Definition approx_vec (k c : R) (n : nat) (z : R) (x X : vec) :=
     0 <= k <= 32 /\ 0 <= c <= 1000 /\ 0 <= z <= 4 * s ^ n /\ norm x <= z /\ norm (sub X x) <= k * u * z + c * kappa * s ^ n.
 
-  Lemma power_nonneg n : 0 <= s ^ n. Proof. apply pow_le. lra. Qed.
+  Lemma power_nonneg n : 0 <= s ^ n. Proof using s0. apply pow_le. lra. Qed.
 
   (* The error of a product of two numbers or two vectors. *)
   Lemma product_size k c n z k' c' n' z' :
@@ -125,7 +125,7 @@ Section Coarse.
     (k * u * z + c * kappa * s ^ n) * z' + z * (k' * u * z' + c' * kappa * s ^ n') +
     (k * u * z + c * kappa * s ^ n) * (k' * u * z' + c' * kappa * s ^ n') <=
     (k + k' + 0.001) * u * (z * z') + (4 * (c + c') + 1) * kappa * s ^ (n + n').
-  Proof.
+  Proof using s0 u_range.
     intros. rewrite pow_add. pose proof (power_nonneg n) as y0. pose proof (power_nonneg n') as y0'.
     set (y := s ^ n) in *. set (y' := s ^ n') in *. pose proof kappa_range as k0. set (h := kappa) in *.
     assert (0 <= h * (y * y')) as hy by (repeat apply Rmult_le_pos; lra).
@@ -158,7 +158,7 @@ Section Coarse.
   Lemma approx_product k c n z x X k' c' n' z' x' X' : (2 <= n + n' <= 6)%nat -> approx k c n z x X -> approx k' c' n' z' x' X' ->
     Rabs (x * x') <= z * z' /\
     Rabs (X * X' - x * x') <= (k + k' + 0.001) * u * (z * z') + (4 * (c + c') + 1) * kappa * s ^ (n + n').
-  Proof.
+  Proof using s0 u_range.
     intros _ (k0 & c0 & z0 & xz & off) (k0' & c0' & z0' & xz' & off'). split.
     - rewrite Rabs_mult. apply Rmult_le_compat; auto using Rabs_pos.
     - eapply Rle_trans; [| apply product_size; assumption]. pose proof (times_off _ _ _ _ _ _ off off') as H.
@@ -170,7 +170,7 @@ Section Coarse.
   (* An approximation after rounding. *)
   Lemma approx_rounded k c n z x Y X : (2 <= n <= 6)%nat -> 0 <= k <= 30 -> 0 <= c <= 990 -> 0 <= z <= 4 * s ^ n ->
     Rabs x <= z -> Rabs (Y - x) <= k * u * z + c * kappa * s ^ n -> rounds Y X -> approx (k + 1.001) (c + 2) n z x X.
-  Proof.
+  Proof using All.
     intros range k0 c0 z0 xz off H. pose proof (rounds_off u eta u_range _ _ _ _ off H) as total.
     pose proof (underflow n range) as tiny. pose proof (power_nonneg n) as y0. pose proof kappa_range as k00.
     set (y := s ^ n) in *. assert (0 <= kappa * y) as hy by (apply Rmult_le_pos; lra).
@@ -185,7 +185,7 @@ Section Coarse.
     z * z' <= 4 * s ^ (n + n') ->
     approx_vec k c n z x X -> approx_vec k' c' n' z' x' X' -> computed_dot X X' D ->
     approx (k + k' + 3.005) (4 * (c + c') + 8) (n + n') (z * z') (dot x x') D.
-  Proof.
+  Proof using All.
     intros range kk cc zz (k0 & c0 & z0 & xz & off) (k0' & c0' & z0' & xz' & off') HD.
     pose proof (product_size k c n z k' c' n' z' k0 c0 z0 k0' c0' z0') as size.
     set (e := k * u * z + c * kappa * s ^ n) in *. set (e' := k' * u * z' + c' * kappa * s ^ n') in *.
@@ -222,13 +222,13 @@ Section Coarse.
   Qed.
 
   Lemma approx_opposite k c n z x X : approx k c n z x X -> approx k c n z (- x) (- X).
-  Proof.
+  Proof using u_range.
     intros (k0 & c0 & z0 & xz & off). unfold approx. rewrite Rabs_Ropp. replace (- X - - x) with (- (X - x)) by ring.
     rewrite Rabs_Ropp. repeat split; tauto.
   Qed.
 
   Lemma leaf_approx x X : leaf_of x X -> norm x <= 4 * s ^ 1 -> approx_vec 1 0 1 (norm x) x X.
-  Proof.
+  Proof using u_range.
     intros (hx & hy & hz) long. pose proof (norm_nonneg x). unfold approx_vec. repeat split; try lra.
     assert (norm (sub X x) <= norm (Vec (u * Rabs (cx x)) (u * Rabs (cy x)) (u * Rabs (cz x)))) as step
       by (apply norm_monotone; assumption).
@@ -241,7 +241,7 @@ Section Coarse.
   Lemma leaf_difference a b c d A B C D E : Rabs (A - a) <= u * Rabs a -> Rabs (B - b) <= u * Rabs b ->
     Rabs (C - c) <= u * Rabs c -> Rabs (D - d) <= u * Rabs d -> computed_difference u eta A B C D E ->
     Rabs (E - (a * b - c * d)) <= 4.005 * u * (Rabs (a * b) + Rabs (c * d)) + 4 * eta.
-  Proof.
+  Proof using eta_nonneg u_range.
     intros Ha Hb Hc Hd HE. destruct (leaf_product u u_range _ _ _ _ Ha Hb) as [off size].
     destruct (leaf_product u u_range _ _ _ _ Hc Hd) as [off' size'].
     apply difference_error in HE; [| assumption | assumption].
@@ -253,7 +253,7 @@ Section Coarse.
 
   Lemma cross_approx x y X Y N : leaf_of x X -> leaf_of y Y -> computed_cross X Y N -> norm x * norm y <= 4 * s ^ 2 ->
     approx_vec 5.665 7 2 (norm x * norm y) (cross x y) N.
-  Proof.
+  Proof using All.
     intros (xx & xy & xz) (yx & yy & yz) (HX & HY & HZ) long.
     pose proof (norm_nonneg x). pose proof (norm_nonneg y). assert (0 <= norm x * norm y) as p0 by (apply Rmult_le_pos; assumption).
     unfold approx_vec. repeat split; try lra; [apply cross_norm |].
@@ -280,7 +280,7 @@ Section Coarse.
   Lemma difference_within k c k' c' n z x X z' x' X' M : (2 <= n <= 6)%nat -> approx k c n z x X -> approx k' c' n z' x' X' ->
     rounds (X - X') M ->
     Rabs (M - (x - x')) <= (k + 1.001) * u * z + (k' + 1.001) * u * z' + (c + c' + 2) * kappa * s ^ n.
-  Proof.
+  Proof using All.
     intros range (k0 & c0 & z0 & xz & off) (k0' & c0' & z0' & xz' & off') H.
     pose proof (rounds_off u eta u_range _ _ _ _ (minus_off _ _ _ _ _ _ off off') H) as total.
     pose proof (underflow n range) as tiny. pose proof (power_nonneg n) as y0. pose proof kappa_range as k00. set (y := s ^ n) in *.
@@ -300,7 +300,7 @@ Section Coarse.
     approx k c n z x X -> approx k1 c1 n1 z1 x1 X1 -> approx k2 c2 n2 z2 x2 X2 -> computed_minus_product X X1 X2 M ->
     Rabs (M - (x - x1 * x2)) <=
       (k + 1.001) * u * z + (k1 + k2 + 2.003) * u * (z1 * z2) + (c + 4 * (c1 + c2) + 5) * kappa * s ^ n.
-  Proof.
+  Proof using All.
     intros same range kk cc zz HX H1 H2 H. subst n. destruct (approx_product _ _ _ _ _ _ _ _ _ _ _ _ range H1 H2) as [size off].
     pose proof H1 as (k10 & c10 & z10 & _). pose proof H2 as (k20 & c20 & z20 & _).
     assert (0 <= z1 * z2) as zz0 by (apply Rmult_le_pos; lra).
@@ -325,20 +325,20 @@ Section Coarse.
   Hypothesis S_square : s ^ 2 = S.
 
   Lemma edge_twice x y : dot (sub y x) (sub y x) <= 2 * (dot x x + dot y y).
-  Proof.
+  Proof using Type.
     pose proof (dot_self_nonneg (add x y)) as H.
     replace (dot (add x y) (add x y)) with (2 * (dot x x + dot y y) - dot (sub y x) (sub y x)) in H
       by (unfold dot, add, sub; cbn [cx cy cz]; ring). lra.
   Qed.
   Lemma E_at_most : E <= 3 * S.
-  Proof.
+  Proof using ab bc ca r.
     pose proof (dot_self_nonneg (add (add a b) c)) as H. pose proof (Rle_0_sqr r). unfold Rsqr in *.
     replace (dot (add (add a b) c) (add (add a b) c)) with (3 * (dot a a + dot b b + dot c c) - E) in H
       by (unfold E, ab, bc, ca, dot, add, sub; cbn [cx cy cz]; ring). unfold S. lra.
   Qed.
   (* An edge is at most two thirds of E. *)
   Lemma edge_share x y z : dot (sub y x) (sub y x) <= 2 * (dot (sub z y) (sub z y) + dot (sub x z) (sub x z)).
-  Proof.
+  Proof using Type.
     pose proof (edge_twice (sub z y) (sub z x)) as H.
     replace (dot (sub (sub z x) (sub z y)) (sub (sub z x) (sub z y))) with (dot (sub y x) (sub y x)) in H
       by (unfold dot, sub; cbn [cx cy cz]; ring).
@@ -346,10 +346,10 @@ Section Coarse.
   Qed.
 
   Lemma parts_nonneg : 0 <= dot a a /\ 0 <= dot b b /\ 0 <= dot c c /\ 0 <= r * r /\ 0 <= dot ab ab /\ 0 <= dot bc bc /\ 0 <= dot ca ca.
-  Proof. repeat split; try apply dot_self_nonneg. apply Rle_0_sqr. Qed.
+  Proof using Type. repeat split; try apply dot_self_nonneg. apply Rle_0_sqr. Qed.
 
   Lemma norm_root x k : 0 <= k -> dot x x <= k * k * S -> norm x <= k * s ^ 1.
-  Proof.
+  Proof using S_square s0 underflow_2 underflow_6.
     intros k0 H. rewrite <- S_square in H. apply norm_at_most; [apply Rmult_le_pos; [assumption | apply power_nonneg] |].
     cbn [pow] in *. rewrite !Rmult_1_r in *. lra.
   Qed.
@@ -373,7 +373,7 @@ Section Coarse.
 
   Lemma leaf_square x X xx : leaf_of x X -> computed_dot X X xx -> dot x x <= 2 * S ->
     approx 5.005 8 2 (dot x x) (dot x x) xx.
-  Proof.
+  Proof using S_square ab bc ca eta_nonneg s0 u_range underflow_2 underflow_6.
     intros leaf H size. pose proof (dot_self_nonneg x) as x0. pose proof parts_nonneg as (? & ? & ? & ? & _).
     assert (0 <= S) by (unfold S; lra).
     assert (norm x <= 4 * s ^ 1) as long by (apply norm_root; lra).
@@ -385,19 +385,19 @@ Section Coarse.
     unfold approx. repeat split; lra.
   Qed.
   Lemma approx_aa : approx 5.005 8 2 (dot a a) (dot a a) aa.
-  Proof. apply leaf_square with A; try assumption. pose proof parts_nonneg. unfold S. lra. Qed.
+  Proof using S_square ab bc ca computed_aa eta_nonneg leaf_a s0 u_range underflow_2 underflow_6. apply leaf_square with A; try assumption. pose proof parts_nonneg. unfold S. lra. Qed.
   Lemma approx_bb : approx 5.005 8 2 (dot b b) (dot b b) bb.
-  Proof. apply leaf_square with B; try assumption. pose proof parts_nonneg. unfold S. lra. Qed.
+  Proof using S_square ab bc ca computed_bb eta_nonneg leaf_b s0 u_range underflow_2 underflow_6. apply leaf_square with B; try assumption. pose proof parts_nonneg. unfold S. lra. Qed.
   Lemma approx_cc : approx 5.005 8 2 (dot c c) (dot c c) cc.
-  Proof. apply leaf_square with C; try assumption. pose proof parts_nonneg. unfold S. lra. Qed.
+  Proof using S_square ab bc ca computed_cc eta_nonneg leaf_c s0 u_range underflow_2 underflow_6. apply leaf_square with C; try assumption. pose proof parts_nonneg. unfold S. lra. Qed.
   Lemma approx_e1 : approx 5.005 8 2 (dot ab ab) (dot ab ab) e1.
-  Proof. apply leaf_square with AB; try assumption. pose proof parts_nonneg. pose proof (edge_twice a b). unfold S, ab. lra. Qed.
+  Proof using S_square bc ca computed_e1 eta_nonneg leaf_ab s0 u_range underflow_2 underflow_6. apply leaf_square with AB; try assumption. pose proof parts_nonneg. pose proof (edge_twice a b). unfold S, ab. lra. Qed.
   Lemma approx_e2 : approx 5.005 8 2 (dot bc bc) (dot bc bc) e2.
-  Proof. apply leaf_square with BC; try assumption. pose proof parts_nonneg. pose proof (edge_twice b c). unfold S, bc. lra. Qed.
+  Proof using S_square ab ca computed_e2 eta_nonneg leaf_bc s0 u_range underflow_2 underflow_6. apply leaf_square with BC; try assumption. pose proof parts_nonneg. pose proof (edge_twice b c). unfold S, bc. lra. Qed.
   Lemma approx_e3 : approx 5.005 8 2 (dot ca ca) (dot ca ca) e3.
-  Proof. apply leaf_square with CA; try assumption. pose proof parts_nonneg. pose proof (edge_twice c a). unfold S, ca. lra. Qed.
+  Proof using S_square ab bc computed_e3 eta_nonneg leaf_ca s0 u_range underflow_2 underflow_6. apply leaf_square with CA; try assumption. pose proof parts_nonneg. pose proof (edge_twice c a). unfold S, ca. lra. Qed.
   Lemma approx_rr : approx 1.001 2 2 (r * r) (r * r) rr.
-  Proof.
+  Proof using S_square ab bc ca computed_rr eta_nonneg s0 u_range underflow_2 underflow_6.
     pose proof parts_nonneg as (? & ? & ? & ? & _).
     destruct (approx_rounded 0 0 2 (r * r) (r * r) (r * r) rr) as (k0 & c0 & z0 & xz & off);
       try assumption; try lra; try lia; try (rewrite S_square; unfold S; lra).
@@ -420,7 +420,7 @@ Section Coarse.
   Lemma approx_sum k c0 k' c0' z x X z' x' X' Y K : approx k c0 2 z x X -> approx k' c0' 2 z' x' X' -> rounds (X + X') Y ->
     k <= K -> k' <= K -> K <= 20 -> c0 + c0' <= 900 -> z + z' <= 4 * S ->
     approx (K + 1.001) (c0 + c0' + 2) 2 (z + z') (x + x') Y.
-  Proof.
+  Proof using S_square eta_nonneg s0 u_range underflow_2 underflow_6.
     intros (k0 & cc0 & z0 & xz & off) (k0' & cc0' & z0' & xz' & off') H kK kK' K20 c900 size.
     apply approx_rounded with (Y := X + X'); try assumption; try lra; try lia.
     - eapply Rle_trans; [apply Rabs_triang | lra].
@@ -437,7 +437,7 @@ Section Coarse.
     pose proof (approx_sum _ _ _ _ _ _ _ _ _ _ _ 7.007 h2 approx_rr sum_S ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(unfold S; lra)) as (k0 & c0 & z0 & xz & off).
     unfold approx. unfold S in *. repeat split; lra.
   Qed.
-  Lemma S_nonneg : 0 < S. Proof. rewrite <- S_square. apply pow_lt, s0. Qed.
+  Lemma S_nonneg : 0 < S. Proof using S_square s0. rewrite <- S_square. apply pow_lt, s0. Qed.
 
   Lemma approx_E : approx 12 200 2 floored floored Ec.
   Proof.
@@ -468,7 +468,7 @@ Section Coarse.
 
   Lemma rounds_from_below x X y k n : 0 <= y -> y <= x -> 0 <= k -> rounds x X -> (2 <= n <= 6)%nat -> s ^ n <= k ->
     0.999 * y - kappa * k <= X.
-  Proof.
+  Proof using s0 u_range underflow_2 underflow_6.
     intros y0 yx k0 H range small_n. unfold Lanes.rounds in H. rewrite (Rabs_pos_eq x) in H by lra. apply Rabs_le_inv in H.
     pose proof (underflow n range). pose proof kappa_range. pose proof (small x ltac:(lra)).
     assert (kappa * s ^ n <= kappa * k) by (apply Rmult_le_compat_l; lra). lra.
@@ -481,7 +481,7 @@ Section Coarse.
     assert (kappa * S <= / 1000000000000000000 * S) by (apply Rmult_le_compat_r; lra). lra.
   Qed.
   Lemma floored_nonneg : / 1048576 * S <= floored.
-  Proof. pose proof parts_nonneg. unfold floored, E. lra. Qed.
+  Proof using E r. pose proof parts_nonneg. unfold floored, E. lra. Qed.
   Lemma E_from_below : 0.9998 * floored <= Ec.
   Proof.
     destruct approx_E as (_ & _ & _ & _ & off). apply Rabs_le_inv in off. pose proof S_nonneg. pose proof kappa_range.
@@ -489,7 +489,7 @@ Section Coarse.
     assert (kappa * S <= / 1000000000000000000 * S) by (apply Rmult_le_compat_r; lra). lra.
   Qed.
 
-  Lemma u_kappa : kappa * 1000000000000000000 = u. Proof. unfold kappa. lra. Qed.
+  Lemma u_kappa : kappa * 1000000000000000000 = u. Proof using Type. unfold kappa. lra. Qed.
 
   Lemma T2_from_below : 20.1 * u * S <= T2.
   Proof.
@@ -583,7 +583,7 @@ Section Coarse.
 
   (* Degree 4. x is a vertex, y the edge that begins there. *)
   Lemma lengths x y : dot x x + dot (add x y) (add x y) <= S -> 0 <= norm x * norm y <= 1.21 * s ^ 2.
-  Proof.
+  Proof using S_square.
     intros size. pose proof (norm_nonneg x) as x0. pose proof (norm_nonneg y). pose proof (norm_nonneg (add x y)) as t0.
     split; [apply Rmult_le_pos; assumption |].
     assert (norm y <= norm x + norm (add x y)) as longer.
@@ -601,7 +601,7 @@ Section Coarse.
   Hypothesis computed_V : computed_cross CA AB V.
   Let w := norm ca * norm ab.
   Lemma w_range : 0 <= w <= E / 2 /\ w <= 1.5 * s ^ 2.
-  Proof.
+  Proof using S_square ab bc ca.
     pose proof (norm_nonneg ca). pose proof (norm_nonneg ab). pose proof E_at_most as E3. pose proof (dot_self_nonneg bc).
     assert (0 <= w) by (apply Rmult_le_pos; assumption). rewrite S_square.
     assert (2 * w <= dot ca ca + dot ab ab).
@@ -609,7 +609,7 @@ Section Coarse.
     unfold E in *. repeat split; lra.
   Qed.
   Lemma approx_V : approx_vec 5.665 7 2 w (cross ca ab) V.
-  Proof. pose proof w_range. pose proof (power_nonneg 2). apply cross_approx with CA AB; try assumption. fold w. lra. Qed.
+  Proof using E S_square computed_V eta_nonneg leaf_ab leaf_ca s0 u_range underflow_2 underflow_6. pose proof w_range. pose proof (power_nonneg 2). apply cross_approx with CA AB; try assumption. fold w. lra. Qed.
 
   Lemma edge_radius_4 x y X Y N nn e M : leaf_of x X -> leaf_of y Y -> computed_cross X Y N -> computed_dot N N nn ->
     dot x x + dot (add x y) (add x y) <= S - r * r -> 3 * dot y y <= 2 * E -> approx 5.005 8 2 (dot y y) (dot y y) e ->

@@ -120,30 +120,30 @@ Section Format.
   Hypothesis large_enough : least <= coarse_S rnd fused a b c p r.
 
   Lemma u_small : 0 <= u <= / 1048576.
-  Proof.
+  Proof using prec20.
     unfold u, Expression.u. split; [apply bpow_ge_0 |]. apply Rle_trans with (bpow radix2 (-20)); [apply bpow_le; lia | cbn; lra].
   Qed.
   Lemma eta_positive : 0 <= eta.
-  Proof. unfold eta, half_least. pose proof (bpow_ge_0 radix2 emin). lra. Qed.
+  Proof using emin. unfold eta, half_least. pose proof (bpow_ge_0 radix2 emin). lra. Qed.
   Lemma rounding x : rounds u eta x (rnd x).
-  Proof. apply rnd_error. lia. Qed.
+  Proof using emin prec20. apply rnd_error. lia. Qed.
   Lemma leaf_difference v w : in_format v -> in_format w -> leaf_of u (sub v w) (rounded_sub rnd v w).
-  Proof.
+  Proof using prec20.
     intros (vx & vy & vz) (wx & wy & wz). repeat split.
     - exact (proj1 (Format.difference_error prec emin ltac:(lia) _ _ vx wx)).
     - exact (proj1 (Format.difference_error prec emin ltac:(lia) _ _ vy wy)).
     - exact (proj1 (Format.difference_error prec emin ltac:(lia) _ _ vz wz)).
   Qed.
   Lemma same_edge v w : sub w v = sub (sub w p) (sub v p).
-  Proof. destruct v as [v1 v2 v3], w as [w1 w2 w3]. unfold sub. cbn [cx cy cz]. f_equal; ring. Qed.
+  Proof using Type. destruct v as [v1 v2 v3], w as [w1 w2 w3]. unfold sub. cbn [cx cy cz]. f_equal; ring. Qed.
   Lemma moved v w : in_format v -> in_format w -> leaf_of u (sub (sub w p) (sub v p)) (rounded_sub rnd w v).
-  Proof. intros. rewrite <- same_edge. apply leaf_difference; assumption. Qed.
+  Proof using prec20. intros. rewrite <- same_edge. apply leaf_difference; assumption. Qed.
 
   Let S := dot (sub a p) (sub a p) + dot (sub b p) (sub b p) + dot (sub c p) (sub c p) + r * r.
 
   Lemma square_at_most v : in_format v ->
     Rabs (rounded_dot rnd fused (rounded_sub rnd v p) (rounded_sub rnd v p)) <= 1.01 * dot (sub v p) (sub v p) + 6 * eta.
-  Proof.
+  Proof using formats prec20.
     intros fv. pose proof u_small as us. pose proof eta_positive as e0. destruct (leaf_difference v p fv ltac:(tauto)) as (lx & ly & lz).
     destruct (leaf_product u us _ _ _ _ lx lx) as [_ x]. destruct (leaf_product u us _ _ _ _ ly ly) as [_ y].
     destruct (leaf_product u us _ _ _ _ lz lz) as [_ z].
@@ -154,13 +154,13 @@ Section Format.
     pose proof (dot_self_nonneg X) as X0. pose proof (small u us _ X0). pose proof (dot_self_nonneg (sub v p)). apply Rabs_le_inv in off. apply Rabs_le. lra.
   Qed.
   Lemma sum_at_most x y : Rabs x <= y -> Rabs (rnd x) <= 1.00001 * y + eta.
-  Proof.
+  Proof using emin prec20 u.
     intros H. pose proof (rounding x) as off. unfold Lanes.rounds in off. pose proof u_small as us. pose proof (small u us _ (Rabs_pos x)).
     replace (rnd x) with (x + (rnd x - x)) by ring. eapply Rle_trans; [apply Rabs_triang |]. lra.
   Qed.
 
   Lemma S_large : 0.9 * least <= S.
-  Proof.
+  Proof using formats large_enough least_positive prec20 tiny_2.
     destruct formats as (fa & fb & fc & _). pose proof (square_at_most a fa) as ha. pose proof (square_at_most b fb) as hb. pose proof (square_at_most c fc) as hc.
     pose proof (sum_at_most (r * r) (r * r) ltac:(rewrite Rabs_pos_eq by apply Rle_0_sqr; lra)) as hr.
     unfold coarse_S in large_enough. pose proof eta_positive.
@@ -177,7 +177,7 @@ Section Format.
 
   Let s := sqrt S.
   Lemma s_facts : 0 < s /\ s ^ 2 = S /\ eta <= kappa u * s ^ 2 /\ eta <= kappa u * s ^ 6.
-  Proof.
+  Proof using formats large_enough least_positive prec20 tiny_2 tiny_6.
     pose proof S_large as large. assert (0 < S) as S0 by lra. assert (s ^ 2 = S) as square.
     { unfold s. cbn [pow]. rewrite Rmult_1_r. apply sqrt_sqrt. lra. }
     assert (s ^ 6 = S ^ 3) as sixth by (rewrite <- square; ring). rewrite sixth, square. pose proof u_small.
@@ -189,7 +189,7 @@ Section Format.
 
   (* Each margin is within its threshold. *)
   Theorem coarse_within K : Rabs (coarse_margin rnd fused a b c p r K - exact_margin a b c p r K) <= coarse_threshold rnd fused u a b c p r K.
-  Proof.
+  Proof using formats large_enough least_positive prec20 tiny_2 tiny_6.
     destruct s_facts as (s0 & square & tiny & tiny'). destruct formats as (fa & fb & fc & fp).
     pose proof u_small as us. pose proof eta_positive as e0.
     pose proof (leaf_difference a p fa fp) as la. pose proof (leaf_difference b p fb fp) as lb. pose proof (leaf_difference c p fc fp) as lc.
@@ -258,19 +258,19 @@ Section Format.
 
   Lemma margin_sign K : (0 < exact_margin a b c p r K <-> fst (reduced (sub a p) (sub b p) (sub c p) (r * r) K) > snd (reduced (sub a p) (sub b p) (sub c p) (r * r) K)) /\
     (0 <= exact_margin a b c p r K <-> fst (reduced (sub a p) (sub b p) (sub c p) (r * r) K) >= snd (reduced (sub a p) (sub b p) (sub c p) (r * r) K)).
-  Proof. unfold exact_margin. set (sides := reduced _ _ _ _ _). destruct K; split; split; lra. Qed.
+  Proof using Type. unfold exact_margin. set (sides := reduced _ _ _ _ _). destruct K; split; split; lra. Qed.
 
   Hypothesis r_nonneg : 0 <= r.
   Notation margin := (coarse_margin rnd fused a b c p r).
   Notation threshold := (coarse_threshold rnd fused u a b c p r).
   Theorem coarse_separated : some_axis (fun K => margin K > threshold K) -> separated a b c p r.
-  Proof.
+  Proof using formats large_enough least_positive prec20 r_nonneg tiny_2 tiny_6.
     intros H. apply reduced_exact; [assumption |]. revert H. apply some_axis_mono. intros K beyond.
     pose proof (coarse_within K) as near. apply Rabs_le_inv in near. pose proof (margin_sign K) as [strictly _].
     assert (0 < exact_margin a b c p r K) as positive by lra. apply strictly in positive. unfold nonstrict. destruct is_side; lra.
   Qed.
   Theorem coarse_contact : ~ some_axis (fun K => margin K >= - threshold K) -> ~ separated a b c p r.
-  Proof.
+  Proof using formats large_enough least_positive prec20 r_nonneg tiny_2 tiny_6.
     intros none apart. apply none. apply reduced_exact in apart; [| assumption]. revert apart. apply some_axis_mono. intros K holds.
     pose proof (coarse_within K) as near. apply Rabs_le_inv in near. pose proof (margin_sign K) as [_ weakly].
     assert (0 <= exact_margin a b c p r K) by (apply weakly; unfold nonstrict in holds; destruct is_side; lra). lra.

@@ -105,7 +105,7 @@ Section Float.
     finite_vec v /\ finite_vec p /\ sized_vec 1 1.001 (float_sub v p) (rounded_sub nearest (real_vec v) (real_vec p)) /\
     B2R (float_dot (float_sub v p) (float_sub v p)) =
       rounded_dot nearest fused (rounded_sub nearest (real_vec v) (real_vec p)) (rounded_sub nearest (real_vec v) (real_vec p)).
-  Proof.
+  Proof using deep half_nonneg prec20.
     intros F small. destruct (square_finite _ F) as [FX value]. destruct (sub_finite _ _ FX) as (Fv & Fp & same). rewrite same in value.
     split; [exact Fv |]. split; [exact Fp |]. split; [| exact value]. rewrite value in small. destruct FX as (Fx & Fy & Fz).
     pose proof (square_above (rounded_sub nearest (real_vec v) (real_vec p))) as ((bx & by_ & bz) & _).
@@ -115,13 +115,13 @@ Section Float.
     - split; [exact (f_equal cz same) |]. apply root_size. lra.
   Qed.
   Lemma in_format_real v : in_format (real_vec v).
-  Proof. repeat split; apply generic_format_B2R. Qed.
+  Proof using Type. repeat split; apply generic_format_B2R. Qed.
   (* An edge is at most twice as long. *)
   Lemma edge_sized v w : finite_vec v -> finite_vec w ->
     sized_vec 1 1.001 (float_sub v p) (rounded_sub nearest (real_vec v) (real_vec p)) ->
     sized_vec 1 1.001 (float_sub w p) (rounded_sub nearest (real_vec w) (real_vec p)) ->
     sized_vec 1 2.01 (float_sub v w) (rounded_sub nearest (real_vec v) (real_vec w)).
-  Proof.
+  Proof using deep fits_emax half_nonneg prec20.
     intros (vx & vy & vz) (wx & wy & wz) ((_ & _ & sx) & (_ & _ & sy) & (_ & _ & sz)) ((_ & _ & tx) & (_ & _ & ty) & (_ & _ & tz)).
     destruct (in_format_real v) as (gx & gy & gz), (in_format_real w) as (kx & ky & kz), (in_format_real p) as (qx & qy & qz).
     assert (each : forall (X Y : float) x y z, is_finite X = true -> is_finite Y = true -> B2R X = x -> B2R Y = y ->
@@ -149,7 +149,7 @@ Section Float.
   Lemma at_most (x : float) n e : is_finite (constant n e) = true -> B2R (constant n e) = IZR n * bpow radix2 e ->
     Bleb x (constant n e) = true ->
     Bleb (constant 1 least) x = true -> is_finite (constant 1 least) = true -> is_finite x = true /\ B2R x <= IZR n * bpow radix2 e.
-  Proof.
+  Proof using Type.
     intros F value below above F'. assert (is_finite x = true) as Fx.
     { revert F F' below above. clear. destruct x as [| [] | |], (constant n e) as [| | |], (constant 1 least) as [| | |]; cbn;
       try discriminate; auto. }
@@ -168,7 +168,7 @@ Section Float.
       sized 1 1.001 r (B2R r)) /\
     sized 2 1 float_S (coarse_S nearest fused (real_vec a) (real_vec b) (real_vec c) (real_vec p) (B2R r)) /\
     bpow radix2 least <= coarse_S nearest fused (real_vec a) (real_vec b) (real_vec c) (real_vec p) (B2R r) /\ 0 <= B2R r.
-  Proof.
+  Proof using constants_range deep half_nonneg in_range least_range prec20.
     pose proof in_range as H. unfold float_in_range in H. rewrite !andb_true_iff in H. destruct H as ((low & high) & r0).
     destruct (constant_spec 1 least) as [Fl vl]; [split; [lia | apply Z.pow_gt_1; lia] | lia |].
     destruct (constant_spec 1 (2 * half)) as [Fh vh]; [split; [lia | apply Z.pow_gt_1; lia] | lia |].
@@ -205,7 +205,7 @@ Section Float.
     let margin := coarse_margin nearest fused (real_vec a) (real_vec b) (real_vec c) (real_vec p) (B2R r) K in
     let threshold := coarse_threshold nearest fused (Expression.u prec) (real_vec a) (real_vec b) (real_vec c) (real_vec p) (B2R r) K in
     sized 6 4096 (float_margin K) margin /\ sized 6 4096 (float_threshold K) threshold.
-  Proof.
+  Proof using constants_range deep fits_emax half_nonneg in_range least_range prec20.
     destruct range_spec as ((fa & fb & fc) & (sa & sb & sc & sr) & sS & _).
     pose proof (edge_sized b a fb fa sb sa) as sab. pose proof (edge_sized c b fc fb sc sb) as sbc.
     pose proof (edge_sized a c fa fc sa sc) as sca.
@@ -290,7 +290,7 @@ Section Float.
     (some_axis_b (fun K => Bltb (float_threshold K) (float_margin K)) = true -> some_axis (fun K => margin K > threshold K)) /\
     (some_axis_b (fun K => negb (Bltb (float_margin K) (Bopp (float_threshold K)))) = false ->
       ~ some_axis (fun K => margin K >= - threshold K)).
-  Proof.
+  Proof using constants_range deep fits_emax half_nonneg in_range least_range prec20.
     cbv zeta. split; [| split].
     - intros K. destruct (step_is_program K) as [(F & _) (F' & _)]. auto.
     - rewrite some_axis_b_spec. apply some_axis_mono. intros K.

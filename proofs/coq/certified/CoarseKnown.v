@@ -56,7 +56,7 @@ Section Float.
 
     Lemma margin_tells q K : is_finite (m K) = true /\ is_finite (t K) = true /\
       (Bltb (t K) (m K) = true -> holds q K) /\ (Bltb (m K) (Bopp (t K)) = true -> ~ holds q K).
-    Proof.
+    Proof using fits inside never.
       destruct fits as (p20 & half0 & fit & deep & least_range & constants).
       destruct (range_spec prec emax _ _ fused least half a b c p r p20 half0 deep least_range constants inside)
         as (_ & _ & _ & enough & r0).
@@ -74,13 +74,13 @@ Section Float.
       - apply below, negative. lra.
     Qed.
     Lemma low_tells q K K' : Bltb (t K) (low (m K) (m K')) = true -> t K = t K' -> holds q K /\ holds q K'.
-    Proof.
+    Proof using fits inside low_is never.
       intros less same. destruct (margin_tells q K) as (F & Ft & one & _), (margin_tells q K') as (F' & _ & two & _).
       destruct (less_low prec emax low low_is (t K) _ _ Ft F F') as (_ & split_ & _).
       rewrite split_, andb_true_iff in less. destruct less as [less less']. rewrite same in less'. auto.
     Qed.
     Lemma low_refutes q K K' : Bltb (low (m K) (m K')) (Bopp (t K)) = true -> t K = t K' -> ~ (holds q K /\ holds q K').
-    Proof.
+    Proof using fits inside low_is never.
       intros less same. destruct (margin_tells q K) as (F & Ft & _ & one), (margin_tells q K') as (F' & _ & _ & two).
       assert (is_finite (Bopp (t K)) = true) as Fo by (rewrite is_finite_Bopp; exact Ft).
       destruct (less_low prec emax low low_is (Bopp (t K)) _ _ Fo F F') as (_ & _ & split_).
@@ -88,7 +88,7 @@ Section Float.
     Qed.
 
     Theorem coarse_known_is_sound q : sound_known (holds q) coarse_known.
-    Proof.
+    Proof using fits inside low_is never.
       intros i. cbn [coarse_known known_fails known_radius known_sides]. unfold axis_holds.
       pose proof (margin_tells q (radius_of i)) as (_ & _ & radius & radius_fails).
       split; [| split; [exact radius |]].

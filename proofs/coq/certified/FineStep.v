@@ -136,24 +136,24 @@ Section Sound.
   Notation rr := (rnd (r * r)).
 
   Lemma u_range : 0 < u <= / 1048576.
-  Proof. unfold u. split; [apply bpow_gt_0 | cbn; lra]. Qed.
-  Lemma u_weak : 0 <= u <= / 1048576. Proof. pose proof u_range. lra. Qed.
+  Proof using Type. unfold u. split; [apply bpow_gt_0 | cbn; lra]. Qed.
+  Lemma u_weak : 0 <= u <= / 1048576. Proof using Type. pose proof u_range. lra. Qed.
   Lemma rounds_0 x : rounds u 0 x (rnd x).
-  Proof. unfold Lanes.rounds. rewrite Rplus_0_r. apply rounds_to. Qed.
+  Proof using Type*. unfold Lanes.rounds. rewrite Rplus_0_r. apply rounds_to. Qed.
 
   (* X, as computed, has lost at most k roundings of x, which is not negative. *)
   Definition lowered (k : R) (X x : R) : Prop := 0 <= x /\ (1 - k * u) * x <= X /\ 0 <= X.
   Lemma lowered_itself x : 0 <= x -> lowered 0 x x.
-  Proof. intros. unfold lowered. lra. Qed.
+  Proof using Type. intros. unfold lowered. lra. Qed.
   Lemma rounded_lowered x : 0 <= x -> (1 - u) * x <= rnd x.
-  Proof. intros x0. pose proof (rounds_to x) as off. rewrite (Rabs_pos_eq x x0) in off. apply Rabs_le_inv in off. lra. Qed.
+  Proof using Type*. intros x0. pose proof (rounds_to x) as off. rewrite (Rabs_pos_eq x x0) in off. apply Rabs_le_inv in off. lra. Qed.
   Lemma lowered_weaken k l X x : k <= l -> lowered k X x -> lowered l X x.
-  Proof.
+  Proof using Type.
     intros kl (x0 & low & X0). split; [assumption |]. split; [| assumption]. eapply Rle_trans; [| exact low].
     apply Rmult_le_compat_r; [assumption |]. pose proof u_range. assert (k * u <= l * u) by (apply Rmult_le_compat_r; lra). lra.
   Qed.
   Lemma lowered_rounded k X x : 0 <= k <= 1000 -> lowered k X x -> lowered (k + 1) (rnd X) x.
-  Proof.
+  Proof using Type*.
     intros k0 (x0 & low & X0). pose proof u_range as us. pose proof (rounded_lowered X X0) as one.
     assert (0 <= (1 - u) * X) by (apply Rmult_le_pos; lra). split; [assumption |]. split; [| lra].
     eapply Rle_trans; [| exact one]. assert ((1 - u) * ((1 - k * u) * x) <= (1 - u) * X) as step by (apply Rmult_le_compat_l; lra).
@@ -162,9 +162,9 @@ Section Sound.
     lra.
   Qed.
   Lemma lowered_sum k X Y x y : lowered k X x -> lowered k Y y -> lowered k (X + Y) (x + y).
-  Proof. intros (? & ? & ?) (? & ? & ?). unfold lowered. lra. Qed.
+  Proof using Type. intros (? & ? & ?) (? & ? & ?). unfold lowered. lra. Qed.
   Lemma lowered_product k l X Y x y : 0 <= k <= 1000 -> 0 <= l <= 1000 -> lowered k X x -> lowered l Y y -> lowered (k + l) (X * Y) (x * y).
-  Proof.
+  Proof using Type.
     intros k0 l0 (x0 & lowX & X0) (y0 & lowY & Y0). pose proof u_range as us.
     assert (k * u <= 1000 * / 1048576) by (apply Rmult_le_compat; lra). assert (l * u <= 1000 * / 1048576) by (apply Rmult_le_compat; lra).
     assert (0 <= k * u) by (apply Rmult_le_pos; lra). assert (0 <= l * u) by (apply Rmult_le_pos; lra).
@@ -175,7 +175,7 @@ Section Sound.
   Qed.
   Lemma lowered_mul_add k l X Y Z x y z : 0 <= k <= 100 -> 0 <= l <= 100 -> lowered k X x -> lowered l Y y -> lowered (k + l + 1) Z z ->
     lowered (k + l + 2) (mul_add rnd fused X Y Z) (x * y + z).
-  Proof.
+  Proof using rounds_to.
     intros k0 l0 HX HY HZ. pose proof (lowered_product k l X Y x y ltac:(lra) ltac:(lra) HX HY) as product. unfold mul_add.
     replace (k + l + 2) with (k + l + 1 + 1) by ring. destruct fused.
     - apply lowered_rounded; [lra |]. apply lowered_sum; [| exact HZ]. apply (lowered_weaken (k + l)); [lra | exact product].
@@ -184,19 +184,19 @@ Section Sound.
   Qed.
   Lemma lowered_times k l X Y x y : 0 <= k <= 100 -> 0 <= l <= 100 -> lowered k X x -> lowered l Y y ->
     lowered (k + l + 1) (rnd (X * Y)) (x * y).
-  Proof. intros k0 l0 HX HY. apply lowered_rounded; [lra |]. apply lowered_product; [lra | lra | assumption | assumption]. Qed.
+  Proof using Type*. intros k0 l0 HX HY. apply lowered_rounded; [lra |]. apply lowered_product; [lra | lra | assumption | assumption]. Qed.
   (* A constant that is at least another. *)
   Lemma lowered_constant C' x : 0 <= x <= C' -> lowered 0 C' x.
-  Proof. unfold lowered. lra. Qed.
+  Proof using Type. unfold lowered. lra. Qed.
   Lemma lowered_sum_of v : lowered 2 (sum_of rnd v) (total v).
-  Proof.
+  Proof using Type*.
     unfold sum_of, total. pose proof (Rabs_pos (cx v)). pose proof (Rabs_pos (cy v)). pose proof (Rabs_pos (cz v)).
     replace 2 with (1 + 1) by ring. apply lowered_rounded; [lra |]. apply lowered_sum.
     - replace 1 with (0 + 1) by ring. apply lowered_rounded; [lra |]. apply lowered_itself. lra.
     - apply (lowered_weaken 0); [lra |]. apply lowered_itself. assumption.
   Qed.
   Lemma lowered_error X Y : lowered 2 (error_of rnd X Y) (component_error u X Y).
-  Proof.
+  Proof using Type*.
     unfold error_of, component_error. pose proof (greatest_nonneg X). pose proof (greatest_nonneg Y). pose proof u_range.
     replace 2 with (0 + 1 + 1) by ring. apply lowered_times; [lra | lra | |].
     - apply lowered_constant. unfold fine_normal, units, normal_units, unit_factor, u. cbn [bpow]. split; [apply Rmult_le_pos |]; cbn; lra.
@@ -204,25 +204,25 @@ Section Sound.
   Qed.
   (* A bound that has lost few roundings keeps enough. *)
   Lemma enough k X x m M : 0 <= k <= 1000 -> lowered k X x -> Rabs (M - m) <= kept * x -> Rabs (M - m) <= X.
-  Proof.
+  Proof using Type.
     intros k0 (x0 & low & _) near. pose proof u_range. eapply Rle_trans; [exact near |]. eapply Rle_trans; [| exact low].
     assert (k * u <= 1000 * / 1048576) by (apply Rmult_le_compat; lra). apply Rmult_le_compat_r; [assumption |]. unfold kept. lra.
   Qed.
 
   Lemma near_dots X Y : near_dot u X Y (rounded_dot rnd fused X Y).
-  Proof. apply double_dot_near; [exact u_weak |]. apply dot_is_computed, rounds_0. Qed.
+  Proof using rounds_to. apply double_dot_near; [exact u_weak |]. apply dot_is_computed, rounds_0. Qed.
   Lemma near_crosses X Y : near_cross u X Y (rounded_cross rnd fused X Y).
-  Proof. apply double_cross_near; [exact u_weak |]. apply cross_is_computed, rounds_0. Qed.
+  Proof using rounds_to. apply double_cross_near; [exact u_weak |]. apply cross_is_computed, rounds_0. Qed.
   Lemma near_differences x y : near_minus u x y (rnd (x - y)).
-  Proof. apply double_minus_near; [exact u_weak |]. apply rounds_0. Qed.
+  Proof using Type*. apply double_minus_near; [exact u_weak |]. apply rounds_0. Qed.
   Lemma leaves v w : leaf_of u (sub v w) (rounded_sub rnd v w).
-  Proof. repeat split; apply rounds_to. Qed.
+  Proof using Type*. repeat split; apply rounds_to. Qed.
   Lemma square_nonneg X : 0 <= rounded_dot rnd fused X X.
-  Proof. apply (square_back u u_weak X), near_dots. Qed.
+  Proof using rounds_to. apply (square_back u u_weak X), near_dots. Qed.
   Lemma rr_nonneg : 0 <= rr.
-  Proof. apply (radius_back u u_weak r), rounds_0. Qed.
+  Proof using rounds_to. apply (radius_back u u_weak r), rounds_0. Qed.
   Lemma product_nonneg x y : 0 <= x -> 0 <= y -> 0 <= rnd (x * y).
-  Proof. intros. pose proof (rounded_lowered (x * y) ltac:(apply Rmult_le_pos; assumption)). pose proof u_range.
+  Proof using Type*. intros. pose proof (rounded_lowered (x * y) ltac:(apply Rmult_le_pos; assumption)). pose proof u_range.
     assert (0 <= (1 - u) * (x * y)) by (repeat apply Rmult_le_pos; lra). lra. Qed.
   Ltac constants := unfold fine_vertex_radius, fine_vertex_side, fine_normal, fine_offset, fine_plane_lhs, fine_plane_rhs, fine_edge_square,
     fine_edge_rhs, fine_edge_side, fine_once, fine_once_offset, fine_twice, fine_thrice_in_side, fine_thrice, units, unit_factor,
@@ -231,7 +231,7 @@ Section Sound.
 
   Lemma radius_is_near v : let m := fine_radius rnd r (rounded_dot rnd fused) (rounded_sub rnd v p) in
     Rabs (fst m - (dot (sub v p) (sub v p) - r * r)) <= snd m.
-  Proof.
+  Proof using rounds_to.
     cbv zeta. unfold fine_radius. cbn [fst snd]. set (X := rounded_sub rnd v p).
     eapply (enough 2); [lra | | apply (vertex_radius_bound u u_weak _ _ _ _ _ _ (leaves v p) (near_dots X X) (rounds_0 _) (near_differences _ _))].
     replace 2 with (0 + 1 + 1) by ring. apply lowered_times; [lra | lra | apply lowered_constant; constants |].
@@ -240,7 +240,7 @@ Section Sound.
   Qed.
   Lemma side_is_near v w x : let m := fine_side rnd (rounded_dot rnd fused) (rounded_sub rnd v p) (rounded_sub rnd w x) in
     Rabs (fst m - dot (sub v p) (sub w x)) <= snd m.
-  Proof.
+  Proof using rounds_to.
     cbv zeta. unfold fine_side. cbn [fst snd]. set (X := rounded_sub rnd v p). set (Y := rounded_sub rnd w x).
     eapply (enough 2); [lra | | apply (vertex_side_bound u u_weak _ _ _ _ _ (leaves v p) (leaves w x) (near_dots X Y))].
     rewrite <- Rmult_assoc. replace 2 with (1 + 0 + 1) by ring.
@@ -248,12 +248,12 @@ Section Sound.
     apply lowered_times; [lra | lra | apply lowered_constant; constants | apply lowered_itself, greatest_nonneg].
   Qed.
   Lemma opposite_is_near (m : R * R) x : Rabs (fst m - x) <= snd m -> Rabs (fst (opposite m) - - x) <= snd (opposite m).
-  Proof. unfold opposite. cbn [fst snd]. intros. replace (- fst m - - x) with (- (fst m - x)) by ring. rewrite Rabs_Ropp. assumption. Qed.
+  Proof using Type. unfold opposite. cbn [fst snd]. intros. replace (- fst m - - x) with (- (fst m - x)) by ring. rewrite Rabs_Ropp. assumption. Qed.
 
   Notation V := (fine_V rnd a b c (rounded_cross rnd fused)).
   Definition exact_omega : R := if b_is_c rnd b c then 0 else component_error u CA AB.
   Lemma normal_is_computed : computed_normal u (sub a c) (sub b a) CA AB V exact_omega.
-  Proof.
+  Proof using rounds_to.
     split; [apply leaves |]. split; [apply leaves |]. unfold fine_V, exact_omega, b_is_c, equal_real. destruct Req_EM_T as [zero | some].
     - right. split; [reflexivity |]. split; [reflexivity |].
       assert (forall x, rnd x = 0 -> x = 0) as exact.
@@ -271,13 +271,13 @@ Section Sound.
     - left. split; [| reflexivity]. pose proof (near_crosses CA AB) as near. destruct (rounded_cross rnd fused CA AB). exact near.
   Qed.
   Lemma lowered_omega : lowered 2 (fine_omega rnd a b c) exact_omega.
-  Proof.
+  Proof using rounds_to.
     unfold fine_omega, exact_omega. destruct b_is_c; [| apply lowered_error]. apply (lowered_weaken 0); [lra |]. apply lowered_itself. lra.
   Qed.
 
   Lemma plane_is_near : let v := cross (sub a c) (sub b a) in let m := fine_plane rnd fused a b c p r (rounded_dot rnd fused) (rounded_cross rnd fused) in
     Rabs (fst m - (dot (sub a p) v * dot (sub a p) v - r * r * dot v v)) <= snd m.
-  Proof.
+  Proof using rounds_to.
     cbv zeta. unfold fine_plane. cbn [fst snd]. pose proof lowered_omega as omega. pose proof (lowered_sum_of V) as sum.
     set (w := fine_omega rnd a b c) in *. set (N := V) in *. set (D := rounded_dot rnd fused A N). set (E := rounded_dot rnd fused N N).
     pose proof (square_nonneg N : 0 <= E) as E0. pose proof rr_nonneg as rr0.
@@ -313,7 +313,7 @@ Section Sound.
   Lemma edge_radius_is_near v w x : let X := rounded_sub rnd v p in let Y := rounded_sub rnd w x in
     let m := fine_edge_radius rnd fused r (rounded_dot rnd fused) (rounded_cross rnd fused) X Y in let n := cross (sub v p) (sub w x) in
     Rabs (fst m - (dot n n - r * r * dot (sub w x) (sub w x))) <= snd m.
-  Proof.
+  Proof using rounds_to.
     cbv zeta. set (X := rounded_sub rnd v p). set (Y := rounded_sub rnd w x). unfold fine_edge_radius. cbn [fst snd].
     set (N := rounded_cross rnd fused X Y). pose proof (lowered_error X Y) as nu. pose proof (lowered_sum_of N) as sum.
     pose proof (square_nonneg N) as nn0. pose proof (square_nonneg Y) as e0. pose proof rr_nonneg as rr0.
@@ -330,7 +330,7 @@ Section Sound.
   Lemma edge_side_is_near v w x : let X := rounded_sub rnd v p in let Y := rounded_sub rnd w x in
     let m := fine_edge_side_margin rnd fused a b c (rounded_dot rnd fused) (rounded_cross rnd fused) X Y in
     Rabs (fst m - - dot (cross (sub v p) (sub w x)) (cross (sub a c) (sub b a))) <= snd m.
-  Proof.
+  Proof using rounds_to.
     cbv zeta. set (X := rounded_sub rnd v p). set (Y := rounded_sub rnd w x). unfold fine_edge_side_margin. cbn [fst snd].
     set (N := rounded_cross rnd fused X Y). pose proof (lowered_error X Y) as nu. pose proof (lowered_sum_of N) as sum.
     pose proof lowered_omega as omega. pose proof (lowered_sum_of V) as sum'. set (e := error_of rnd X Y) in *.
@@ -349,7 +349,7 @@ Section Sound.
   Definition margin_exactly (K : comparison) : R :=
     let s := reduced (sub a p) (sub b p) (sub c p) (r * r) K in fst s - snd s.
   Theorem fine_is_near K : Rabs (fst (fine_margin rnd fused a b c p r (rounded_dot rnd fused) (rounded_cross rnd fused) K) - margin_exactly K) <= snd (fine_margin rnd fused a b c p r (rounded_dot rnd fused) (rounded_cross rnd fused) K).
-  Proof.
+  Proof using rounds_to.
     pose proof (moved_by p) as edges. pose proof far_side as far. pose proof near_side as near. pose proof along_edge as along.
     pose proof turned_normal as turned.
     assert (normals : cross (sub a c) (sub b a) = normal (sub a p) (sub b p) (sub c p))

@@ -55,7 +55,7 @@ Section Margins.
 
   (* Errors relative to the computed value. *)
   Lemma rounded_back x X : rounds x X -> Rabs (x - X) <= 1.001 * u * Rabs X.
-  Proof.
+  Proof using All.
     unfold Lanes.rounds. intros H. rewrite Rplus_0_r in H.
     assert (Rabs x <= Rabs X + u * Rabs x) as up.
     { replace x with (X - (X - x)) at 1 by ring. unfold Rminus at 1. eapply Rle_trans; [apply Rabs_triang |].
@@ -69,51 +69,51 @@ Section Margins.
     Rabs (cx x - cx X) <= 1.001 * u * Rabs (cx X) /\ Rabs (cy x - cy X) <= 1.001 * u * Rabs (cy X) /\
     Rabs (cz x - cz X) <= 1.001 * u * Rabs (cz X).
   Lemma leaf_back x X : leaf_of x X -> near_leaf x X.
-  Proof. intros (? & ? & ?). repeat split; apply rounded_back; unfold Lanes.rounds; lra. Qed.
+  Proof using All. intros (? & ? & ?). repeat split; apply rounded_back; unfold Lanes.rounds; lra. Qed.
 
   Lemma greatest_nonneg v : 0 <= greatest_component v.
-  Proof. unfold greatest_component. eapply Rle_trans; [apply (Rabs_pos (cz v)) | apply Rmax_r]. Qed.
+  Proof using Type. unfold greatest_component. eapply Rle_trans; [apply (Rabs_pos (cz v)) | apply Rmax_r]. Qed.
   Lemma at_most_greatest v : Rabs (cx v) <= greatest_component v /\ Rabs (cy v) <= greatest_component v /\ Rabs (cz v) <= greatest_component v.
-  Proof.
+  Proof using Type.
     unfold greatest_component. pose proof (Rmax_l (Rabs (cx v)) (Rabs (cy v))). pose proof (Rmax_r (Rabs (cx v)) (Rabs (cy v))).
     pose proof (Rmax_l (Rmax (Rabs (cx v)) (Rabs (cy v))) (Rabs (cz v))).
     pose proof (Rmax_r (Rmax (Rabs (cx v)) (Rabs (cy v))) (Rabs (cz v))). lra.
   Qed.
   Lemma total_nonneg v : 0 <= total v.
-  Proof. unfold total. pose proof (Rabs_pos (cx v)). pose proof (Rabs_pos (cy v)). pose proof (Rabs_pos (cz v)). lra. Qed.
+  Proof using Type. unfold total. pose proof (Rabs_pos (cx v)). pose proof (Rabs_pos (cy v)). pose proof (Rabs_pos (cz v)). lra. Qed.
 
   Lemma product_at_most a b x y : Rabs a <= x -> Rabs b <= y -> Rabs (a * b) <= x * y.
-  Proof. intros. rewrite Rabs_mult. apply Rmult_le_compat; auto using Rabs_pos. Qed.
+  Proof using Type. intros. rewrite Rabs_mult. apply Rmult_le_compat; auto using Rabs_pos. Qed.
 
   Lemma sizes_greatest x y : sizes x y <= 3 * (greatest_component x * greatest_component y).
-  Proof.
+  Proof using All.
     unfold sizes. destruct (at_most_greatest x) as (? & ? & ?), (at_most_greatest y) as (? & ? & ?).
     pose proof (product_at_most (cx x) (cx y) (greatest_component x) (greatest_component y)).
     pose proof (product_at_most (cy x) (cy y) (greatest_component x) (greatest_component y)).
     pose proof (product_at_most (cz x) (cz y) (greatest_component x) (greatest_component y)). intuition lra.
   Qed.
   Lemma sizes_mixed x y : sizes x y <= greatest_component x * total y.
-  Proof.
+  Proof using Type.
     unfold sizes, total. destruct (at_most_greatest x) as (? & ? & ?).
     pose proof (product_at_most (cx x) (cx y) (greatest_component x) (Rabs (cx y)) ltac:(assumption) ltac:(lra)).
     pose proof (product_at_most (cy x) (cy y) (greatest_component x) (Rabs (cy y)) ltac:(assumption) ltac:(lra)).
     pose proof (product_at_most (cz x) (cz y) (greatest_component x) (Rabs (cz y)) ltac:(assumption) ltac:(lra)). lra.
   Qed.
   Lemma sizes_total x y : sizes x y <= total x * total y.
-  Proof.
+  Proof using Type.
     eapply Rle_trans; [apply sizes_mixed |]. apply Rmult_le_compat_r; [apply total_nonneg |].
     unfold greatest_component, total. pose proof (Rabs_pos (cx x)). pose proof (Rabs_pos (cy x)). pose proof (Rabs_pos (cz x)).
     repeat apply Rmax_lub; lra.
   Qed.
   Lemma sizes_nonneg x y : 0 <= sizes x y.
-  Proof. unfold sizes. pose proof (Rabs_pos (cx x * cx y)). pose proof (Rabs_pos (cy x * cy y)). pose proof (Rabs_pos (cz x * cz y)). lra. Qed.
+  Proof using Type. unfold sizes. pose proof (Rabs_pos (cx x * cx y)). pose proof (Rabs_pos (cy x * cy y)). pose proof (Rabs_pos (cz x * cz y)). lra. Qed.
   Lemma sizes_square x : sizes x x = dot x x.
-  Proof. unfold sizes, dot. rewrite !Rabs_pos_eq by (apply Rle_0_sqr). reflexivity. Qed.
+  Proof using Type. unfold sizes, dot. rewrite !Rabs_pos_eq by (apply Rle_0_sqr). reflexivity. Qed.
 
   (* A product of two components of leaves. *)
   Lemma leaf_times a b A B : Rabs (a - A) <= 1.001 * u * Rabs A -> Rabs (b - B) <= 1.001 * u * Rabs B ->
     Rabs (a * b - A * B) <= 2.003 * u * Rabs (A * B).
-  Proof.
+  Proof using All.
     intros Ha Hb. pose proof (times_off _ _ _ _ _ _ Ha Hb) as H. rewrite Rabs_mult.
     assert (0 <= Rabs A * Rabs B) as s0 by (apply Rmult_le_pos; apply Rabs_pos). set (s := Rabs A * Rabs B) in *.
     replace (1.001 * u * Rabs A * Rabs B + Rabs A * (1.001 * u * Rabs B) + 1.001 * u * Rabs A * (1.001 * u * Rabs B))
@@ -123,7 +123,7 @@ Section Margins.
 
   Lemma leaf_dot a b A B D : near_leaf a A -> near_leaf b B -> near_dot A B D ->
     Rabs (D - dot a b) <= 5.004 * u * sizes A B.
-  Proof.
+  Proof using All.
     intros (ax & ay & az) (bx & by_ & bz) HD. unfold near_dot in HD.
     pose proof (leaf_times _ _ _ _ ax bx) as X. pose proof (leaf_times _ _ _ _ ay by_) as Y. pose proof (leaf_times _ _ _ _ az bz) as Z.
     rewrite Rabs_minus_sym in X, Y, Z.
@@ -141,7 +141,7 @@ Section Margins.
     Rabs (c - C) <= 1.001 * u * Rabs C -> Rabs (d - D) <= 1.001 * u * Rabs D ->
     Rabs A <= x -> Rabs B <= y -> Rabs C <= x -> Rabs D <= y ->
     near_difference A B C D E -> Rabs (a * b - c * d - E) <= 8.012 * u * (x * y).
-  Proof.
+  Proof using All.
     intros Ha Hb Hc Hd. intros. pose proof (leaf_times _ _ _ _ Ha Hb) as L1. pose proof (leaf_times _ _ _ _ Hc Hd) as L2.
     assert (near_difference A B C D E) as L3 by assumption. unfold near_difference in L3. rewrite Rabs_minus_sym in L3.
     pose proof (product_at_most A B x y ltac:(assumption) ltac:(assumption)) as s1.
@@ -154,7 +154,7 @@ Section Margins.
 
   Lemma leaf_cross a b A B N : near_leaf a A -> near_leaf b B -> near_cross A B N ->
     off_by (8.012 * u * (greatest_component A * greatest_component B)) (cross a b) N.
-  Proof.
+  Proof using All.
     intros (ax & ay & az) (bx & by_ & bz) (HX & HY & HZ).
     destruct (at_most_greatest A) as (? & ? & ?), (at_most_greatest B) as (? & ? & ?).
     unfold off_by, cross. cbn [cx cy cz]. repeat split; eapply leaf_difference; eassumption.
@@ -162,7 +162,7 @@ Section Margins.
 
   Lemma off_dot e f n m N M : 0 <= e -> 0 <= f -> off_by e n N -> off_by f m M ->
     Rabs (dot n m - dot N M) <= f * total N + e * total M + 3 * (e * f).
-  Proof.
+  Proof using Type.
     intros e0 f0 (nx & ny & nz) (mx & my & mz).
     pose proof (times_off _ _ _ _ _ _ nx mx) as X. pose proof (times_off _ _ _ _ _ _ ny my) as Y. pose proof (times_off _ _ _ _ _ _ nz mz) as Z.
     replace (dot n m - dot N M) with (((cx n * cx m - cx N * cx M) + (cy n * cy m - cy N * cy M)) + (cz n * cz m - cz N * cz M))
@@ -172,7 +172,7 @@ Section Margins.
 
   Lemma off_leaf_dot w a v A V : 0 <= w -> near_leaf a A -> off_by w v V ->
     Rabs (dot a v - dot A V) <= greatest_component A * (3.001 * w + 1.001 * u * total V).
-  Proof.
+  Proof using All.
     intros w0 (ax & ay & az) (vx & vy & vz). destruct (at_most_greatest A) as (gx & gy & gz).
     assert (component : forall x X t T, Rabs (x - X) <= 1.001 * u * Rabs X -> Rabs X <= greatest_component A -> Rabs (t - T) <= w ->
       Rabs (x * t - X * T) <= greatest_component A * (1.0003 * w + 1.001 * u * Rabs T)).
@@ -190,7 +190,7 @@ Section Margins.
 
   (* A square, bounded from its computed value. *)
   Lemma square_back N nn : near_dot N N nn -> 0 <= nn /\ Rabs (nn - dot N N) <= 3.01 * u * nn.
-  Proof.
+  Proof using All.
     intros H. unfold near_dot in H. rewrite sizes_square in H. pose proof (dot_self_nonneg N) as s0.
     pose proof (small _ s0). pose proof (smaller _ s0). apply Rabs_le_inv in H as H'.
     assert (0 <= nn) by lra. split; [assumption |]. eapply Rle_trans; [exact H |].
@@ -198,7 +198,7 @@ Section Margins.
   Qed.
 
   Lemma radius_back r rr : rounds (r * r) rr -> 0 <= rr /\ Rabs (rr - r * r) <= 1.001 * u * rr.
-  Proof.
+  Proof using All.
     intros Hrr. apply rounded_back in Hrr. assert (0 <= r * r) as r0 by (apply Rle_0_sqr).
     assert (0 <= rr) as rr0.
     { apply Rabs_le_inv in Hrr. destruct (Rle_or_lt 0 rr) as [| negative]; [assumption |].
@@ -209,7 +209,7 @@ Section Margins.
   (* |A|^2 - r^2. *)
   Theorem vertex_radius_bound a A aa r rr M : leaf_of a A -> near_dot A A aa -> rounds (r * r) rr -> near_minus aa rr M ->
     Rabs (M - (dot a a - r * r)) <= kept * (units vertex_radius_units * (aa + rr)).
-  Proof.
+  Proof using All.
     intros la Haa Hrr HM. apply leaf_back in la. pose proof (square_back _ _ Haa) as [aa0 back].
     pose proof (leaf_dot _ _ _ _ _ la la Haa) as first. rewrite sizes_square in first.
     destruct (radius_back _ _ Hrr) as [rr0 Hrr']. clear Hrr. rename Hrr' into Hrr. unfold near_minus in HM.
@@ -225,7 +225,7 @@ Section Margins.
   (* A.(B - A). *)
   Theorem vertex_side_bound a ab A AB M : leaf_of a A -> leaf_of ab AB -> near_dot A AB M ->
     Rabs (M - dot a ab) <= kept * (units vertex_side_units * (greatest_component A * greatest_component AB)).
-  Proof.
+  Proof using All.
     intros la lab H. apply leaf_back in la, lab. pose proof (leaf_dot _ _ _ _ _ la lab H). pose proof (sizes_greatest A AB) as s.
     apply (Rmult_le_compat_l u) in s; [| lra]. unfold kept, units, unit_factor, vertex_side_units.
     assert (0 <= u * (greatest_component A * greatest_component AB)).
@@ -236,13 +236,13 @@ Section Margins.
   (* The error of a cross product's components, as in the bound: nu for N, omega for V. *)
   Definition component_error (A B : vec) := units normal_units * (greatest_component A * greatest_component B).
   Lemma component_error_nonneg A B : 0 <= component_error A B.
-  Proof.
+  Proof using All.
     unfold component_error, units, unit_factor, normal_units. pose proof (greatest_nonneg A). pose proof (greatest_nonneg B).
     apply Rmult_le_pos; [lra | apply Rmult_le_pos; assumption].
   Qed.
   Lemma cross_back a b A B N : leaf_of a A -> leaf_of b B -> near_cross A B N ->
     off_by (0.943 * component_error A B) (cross a b) N.
-  Proof.
+  Proof using All.
     intros la lb H. apply leaf_back in la, lb. pose proof (leaf_cross _ _ _ _ _ la lb H) as (X & Y & Z).
     assert (8.012 * u * (greatest_component A * greatest_component B) <= 0.943 * component_error A B).
     { unfold component_error, units, unit_factor, normal_units. assert (0 <= greatest_component A * greatest_component B) as g0
@@ -257,7 +257,7 @@ Section Margins.
      V = Vec 0 0 0 /\ omega = 0 /\ cross ca ab = Vec 0 0 0).
   Lemma normal_back ca ab CA AB V omega : computed_normal ca ab CA AB V omega ->
     0 <= omega /\ off_by (0.943 * omega) (cross ca ab) V.
-  Proof.
+  Proof using All.
     intros (lca & lab & [[H ->] | (-> & -> & ->)]).
     - split; [apply component_error_nonneg | apply cross_back; assumption].
     - split; [lra |]. unfold off_by. cbn [cx cy cz]. rewrite Rminus_eq_0, Rabs_R0. repeat split; lra.
@@ -265,7 +265,7 @@ Section Margins.
 
   Lemma off_square e n N nn : 0 <= e -> off_by (0.943 * e) n N -> near_dot N N nn ->
     0 <= nn /\ Rabs (nn - dot n n) <= 3.01 * u * nn + e * (1.886 * total N + 2.67 * e).
-  Proof.
+  Proof using All.
     intros e0 off H. destruct (square_back _ _ H) as [nn0 back]. split; [assumption |].
     pose proof (off_dot (0.943 * e) (0.943 * e) n n N N ltac:(lra) ltac:(lra) off off) as change. rewrite Rabs_minus_sym in change.
     replace (nn - dot n n) with ((nn - dot N N) + (dot N N - dot n n)) by ring. eapply Rle_trans; [apply Rabs_triang |].
@@ -276,7 +276,7 @@ Section Margins.
   Lemma product_back k x rr RR e E X : 0 <= k <= 6 -> 0 <= x -> 0 <= RR -> 0 <= E -> Rabs (RR - rr) <= 1.001 * u * RR ->
     Rabs (E - e) <= k * u * E + x -> rounds (RR * E) X ->
     0 <= X /\ Rabs (X - rr * e) <= (k + 2.01) * u * X + 1.001 * (RR * x).
-  Proof.
+  Proof using All.
     intros k0 x0 RR0 E0 Hr He HX. rewrite Rabs_minus_sym in Hr, He. pose proof (times_off _ _ _ _ _ _ Hr He) as H.
     apply rounded_back in HX. rewrite (Rabs_pos_eq RR RR0), (Rabs_pos_eq E E0) in H.
     assert (0 <= RR * E) as s0 by (apply Rmult_le_pos; assumption). assert (0 <= RR * x) as t0 by (apply Rmult_le_pos; assumption).
@@ -297,7 +297,7 @@ Section Margins.
   Qed.
 
   Lemma rounded_difference X Y M : 0 <= X -> 0 <= Y -> near_minus X Y M -> Rabs (M - (X - Y)) <= u * X + u * Y.
-  Proof. intros X0 Y0 H. unfold near_minus in H. rewrite (Rabs_pos_eq X X0), (Rabs_pos_eq Y Y0) in H. lra. Qed.
+  Proof using Type. intros X0 Y0 H. unfold near_minus in H. rewrite (Rabs_pos_eq X X0), (Rabs_pos_eq Y Y0) in H. lra. Qed.
 
   (* d^2 - r^2 |V|^2. *)
   Definition offset_error (A V : vec) (omega : R) := greatest_component A * (units offset_units * total V + thrice * omega).
@@ -310,7 +310,7 @@ Section Margins.
     rounds (D * D) lhs -> rounds (rr * E) rhs -> near_minus lhs rhs M ->
     let v := cross ca ab in
     Rabs (M - (dot a v * dot a v - r * r * dot v v)) <= kept * plane_bound A V omega D rr lhs rhs.
-  Proof.
+  Proof using All.
     intros la HV HD HE Hrr Hl Hr HM v. destruct (normal_back _ _ _ _ _ _ HV) as [omega0 off]. apply leaf_back in la. fold v in off.
     destruct (radius_back _ _ Hrr) as [rr0 back_rr]. clear Hrr.
     unfold plane_bound. set (delta := offset_error A V omega).
@@ -356,7 +356,7 @@ Section Margins.
     rounds (rr * e) rr_e -> near_minus nn rr_e M ->
     let n := cross a ab in
     Rabs (M - (dot n n - r * r * dot ab ab)) <= kept * edge_radius_limit N (component_error A AB) nn rr_e.
-  Proof.
+  Proof using All.
     intros la lab HN Hnn He Hrr Hre HM n. pose proof (cross_back _ _ _ _ _ la lab HN) as off. fold n in off.
     pose proof (component_error_nonneg A AB) as nu0. set (nu := component_error A AB) in *. clearbody nu.
     destruct (radius_back _ _ Hrr) as [rr0 back_rr]. clear Hrr.
@@ -382,7 +382,7 @@ Section Margins.
   Theorem edge_side_bound a ab A AB N ca ab' CA AB' V omega M :
     leaf_of a A -> leaf_of ab AB -> near_cross A AB N -> computed_normal ca ab' CA AB' V omega -> near_dot N V M ->
     Rabs (- M - - dot (cross a ab) (cross ca ab')) <= kept * edge_side_limit N V (component_error A AB) omega.
-  Proof.
+  Proof using All.
     intros la lab HN HV HM. pose proof (cross_back _ _ _ _ _ la lab HN) as off.
     destruct (normal_back _ _ _ _ _ _ HV) as [omega0 off']. pose proof (component_error_nonneg A AB) as nu0.
     set (nu := component_error A AB) in *. clearbody nu. unfold near_dot in HM.
@@ -400,7 +400,7 @@ Section Margins.
   Theorem times_length_bound m M limit ab AB e T : leaf_of ab AB -> near_dot AB AB e -> 0 <= limit ->
     Rabs (M - m) <= kept * limit -> rounds (M * e) T ->
     Rabs (T - m * dot ab ab) <= kept * ((e * limit + units edge_length_units * Rabs T) * once).
-  Proof.
+  Proof using All.
     intros lab He limit0 Hm HT. apply leaf_back in lab. destruct (square_back _ _ He) as [e0 back_e].
     pose proof (leaf_dot _ _ _ _ _ lab lab He) as dot_e. rewrite sizes_square in dot_e.
     assert (Rabs (dot ab ab - e) <= 5.01 * u * e) as e_off.
@@ -420,13 +420,13 @@ Section Margins.
 
   (* Doubles, whose operations have an error relative to their results, meet the premises. *)
   Theorem double_dot_near X Y D : computed_dot u 0 X Y D -> near_dot X Y D.
-  Proof. intros H. apply dot_error in H; unfold near_dot; lra. Qed.
+  Proof using All. intros H. apply dot_error in H; unfold near_dot; lra. Qed.
   Lemma double_difference_near a b c d D : computed_difference u 0 a b c d D -> near_difference a b c d D.
-  Proof. intros H. apply difference_error in H; unfold near_difference; lra. Qed.
+  Proof using All. intros H. apply difference_error in H; unfold near_difference; lra. Qed.
   Theorem double_cross_near X Y N : computed_cross u 0 X Y N -> near_cross X Y N.
-  Proof. intros (x & y & z). repeat split; apply double_difference_near; assumption. Qed.
+  Proof using All. intros (x & y & z). repeat split; apply double_difference_near; assumption. Qed.
   Theorem double_minus_near x y M : rounds (x - y) M -> near_minus x y M.
-  Proof.
+  Proof using All.
     unfold Lanes.rounds, near_minus. intros H. rewrite Rplus_0_r in H.
     assert (Rabs (x - y) <= Rabs x + Rabs y) by (unfold Rminus; rewrite <- (Rabs_Ropp y); apply Rabs_triang).
     assert (u * Rabs (x - y) <= u * (Rabs x + Rabs y)) by (apply Rmult_le_compat_l; lra). lra.

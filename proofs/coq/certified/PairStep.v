@@ -60,13 +60,13 @@ Section Float.
 
   Lemma lane_is_coarse a b c p r : lane_separated a b c p r = true ->
     float_separated prec emax _ _ fused least half a b c p r = true.
-  Proof.
+  Proof using Type.
     unfold lane_separated, float_separated. rewrite !andb_true_iff. intros [inside axis]. split; [assumption |].
     apply lane_axis_b_spec in axis. apply some_axis_b_spec. unfold lane_axis, some_axis in *. tauto.
   Qed.
   Lemma lane_says_separated a b c p r : lane_separated a b c p r = true ->
     separated (real_vec a) (real_vec b) (real_vec c) (real_vec p) (B2R r).
-  Proof.
+  Proof using fits never.
     intros says. apply lane_is_coarse in says.
     apply (float_instance prec emax least half prec_gt_0_ prec_lt_emax_ fits never fused a b c p r), says.
   Qed.
@@ -75,7 +75,7 @@ Section Float.
   Lemma lane_says_contact a b c p r : lane_contact a b c p r = true -> 0 <= B2R r /\
     ~ lane_axis (fun K => weak (reduced (sub (real_vec a) (real_vec p)) (sub (real_vec b) (real_vec p)) (sub (real_vec c) (real_vec p))
       (B2R r * B2R r) K)).
-  Proof.
+  Proof using fits never.
     unfold lane_contact. rewrite andb_true_iff, negb_true_iff. intros [inside none].
     destruct fits as (p20 & half0 & fit & deep & least_range & constants).
     destruct (range_spec prec emax _ _ fused least half a b c p r p20 half0 deep least_range constants inside)
@@ -95,7 +95,7 @@ Section Float.
 
   Lemma pair_says_separated a b c p r : pair_separated a b c p r = true ->
     separated (real_vec a) (real_vec b) (real_vec c) (real_vec p) (B2R r).
-  Proof.
+  Proof using fits never.
     unfold pair_separated. rewrite !orb_true_iff. intros [[says | says] | says]; apply lane_says_separated in says.
     - assumption.
     - apply turned_separated, says.
@@ -103,7 +103,7 @@ Section Float.
   Qed.
   Lemma pair_says_contact a b c p r : pair_contact a b c p r = true ->
     ~ separated_open (real_vec a) (real_vec b) (real_vec c) (real_vec p) (B2R r).
-  Proof.
+  Proof using fits never.
     unfold pair_contact. rewrite !andb_true_iff. intros [[one two] three] apart.
     apply lane_says_contact in one as [r0 one], two as [_ two], three as [_ three].
     apply (open_exact _ _ _ _ _ r0) in apart.

@@ -23,13 +23,13 @@ Section Rounded.
   Definition is_pair (x : R * R) : Prop := format (fst x) /\ format (snd x) /\ Rabs (snd x) <= u * Rabs (fst x + snd x).
 
   Lemma u_value : u = / IZR (2 ^ 53).
-  Proof. reflexivity. Qed.
+  Proof using Type. reflexivity. Qed.
   Lemma rnd_format x : format (rnd x).
-  Proof. apply generic_format_round; [apply FLT_exp_valid; reflexivity | apply valid_rnd_N]. Qed.
+  Proof using Type. apply generic_format_round; [apply FLT_exp_valid; reflexivity | apply valid_rnd_N]. Qed.
   Lemma ties_to_even x : negb (Z.even x) = negb (negb (Z.even (- (x + 1)))).
-  Proof. rewrite Z.even_opp, Z.add_1_r, Z.even_succ, <- Z.negb_even. destruct (Z.even x); reflexivity. Qed.
+  Proof using Type. rewrite Z.even_opp, Z.add_1_r, Z.even_succ, <- Z.negb_even. destruct (Z.even x); reflexivity. Qed.
   Lemma sum_error a b : format a -> format b -> Rabs (rnd (a + b) - (a + b)) <= u * Rabs (a + b).
-  Proof.
+  Proof using Type.
     intros Fa Fb. pose proof (generic_format_opp radix2 (FLT_exp emin 53) b Fb) as Fb'.
     pose proof (proj1 (Format.difference_error 53 emin ltac:(lia) a (- b) Fa Fb')) as off.
     replace (a - - b) with (a + b) in off by ring. exact off.
@@ -37,12 +37,12 @@ Section Rounded.
 
   (* The low number is what the sum's rounding loses. *)
   Lemma two_sum_exact x y : format x -> format y -> fst (rounded_two_sum x y) + snd (rounded_two_sum x y) = x + y.
-  Proof.
+  Proof using All.
     intros Fx Fy.
     exact (TwoSum_correct emin 53 (fun t => negb (Z.even t)) ltac:(lia) emin_negative ties_to_even x y Fx Fy).
   Qed.
   Lemma two_sum_is_pair x y : format x -> format y -> is_pair (rounded_two_sum x y).
-  Proof.
+  Proof using All.
     intros Fx Fy. pose proof (two_sum_exact x y Fx Fy) as exact. split; [apply rnd_format |]. split; [apply rnd_format |].
     rewrite exact. pose proof (sum_error x y Fx Fy) as off.
     replace (snd (rounded_two_sum x y)) with (- (rnd (x + y) - (x + y))) by (cbn [fst snd rounded_two_sum] in *; lra).
@@ -51,7 +51,7 @@ Section Rounded.
 
   Theorem pair_minus_near x y : is_pair x -> is_pair y -> let d := rounded_pair_minus x y in
     is_pair d /\ near_minus (/ IZR (2 ^ 102)) (fst x + snd x) (fst y + snd y) (fst d + snd d).
-  Proof.
+  Proof using All.
     destruct x as [X x], y as [Y y]. intros (FX & Fx & lx) (FY & Fy & ly). cbn [fst snd] in *.
     pose proof (generic_format_opp _ _ _ FY) as FY'. unfold rounded_pair_minus. cbn [fst snd].
     pose proof (two_sum_exact X (- Y) FX FY') as exact. destruct (two_sum_is_pair X (- Y) FX FY') as (Fs & Fl & ll).
@@ -91,7 +91,7 @@ Section Rounded.
 
   (* The premise of sign_of_leading. *)
   Theorem leading_near x : is_pair x -> Rabs (fst x - (fst x + snd x)) <= / 1048576 * Rabs (fst x + snd x).
-  Proof.
+  Proof using Type.
     intros (_ & _ & small). replace (fst x - (fst x + snd x)) with (- snd x) by ring. rewrite Rabs_Ropp.
     eapply Rle_trans; [exact small |]. apply Rmult_le_compat_r; [apply Rabs_pos |]. rewrite u_value. cbn. lra.
   Qed.

@@ -85,13 +85,13 @@ Section Float.
   Notation finite x := (is_finite x = true).
   Lemma less_low t x y : finite t -> finite x -> finite y ->
     finite (low x y) /\ Bltb t (low x y) = Bltb t x && Bltb t y /\ Bltb (low x y) t = Bltb x t || Bltb y t.
-  Proof.
+  Proof using low_is.
     intros Ft Fx Fy. destruct (least_of_finite prec emax low low_is x y Fx Fy) as [F value]. split; [exact F |]. rewrite !Bltb_correct, value by assumption.
     unfold Rmin. destruct Rle_dec; repeat case Rlt_bool_spec; intros; cbn; split; try reflexivity; exfalso; lra.
   Qed.
   Lemma less_high t x y : finite t -> finite x -> finite y ->
     finite (high x y) /\ Bltb t (high x y) = Bltb t x || Bltb t y /\ Bltb (high x y) t = Bltb x t && Bltb y t.
-  Proof.
+  Proof using high_is.
     intros Ft Fx Fy. destruct (greatest_of_finite prec emax high high_is x y Fx Fy) as [F value]. split; [exact F |]. rewrite !Bltb_correct, value by assumption.
     unfold Rmax. destruct Rle_dec; repeat case Rlt_bool_spec; intros; cbn; split; try reflexivity; exfalso; lra.
   Qed.
@@ -101,7 +101,7 @@ Section Float.
     Variables (a b c p : float_vec) (r : float).
     Hypothesis inside : float_in_range prec emax _ _ fused least half a b c p r = true.
     Lemma all_finite K : finite (margin a b c p r K) /\ finite (threshold a b c p r K) /\ finite (Bopp (threshold a b c p r K)).
-    Proof.
+    Proof using fits inside.
       destruct fits as (p20 & half0 & fit & deep & least_range & constants).
       destruct (step_is_program prec emax _ _ fused least half a b c p r p20 half0 fit deep least_range constants inside K)
         as [(F & _) (F' & _)].
@@ -111,21 +111,21 @@ Section Float.
     Lemma least_of_three t x y z : finite t -> finite x -> finite y -> finite z ->
       finite (low (low x y) z) /\ Bltb t (low (low x y) z) = Bltb t x && Bltb t y && Bltb t z /\
       Bltb (low (low x y) z) t = Bltb x t || Bltb y t || Bltb z t.
-    Proof.
+    Proof using low_is.
       intros Ft Fx Fy Fz. destruct (less_low t x y Ft Fx Fy) as (F & one & two). destruct (less_low t _ z Ft F Fz) as (F' & one' & two').
       rewrite one', two', one, two. auto.
     Qed.
     Lemma greatest_of_three t x y z : finite t -> finite x -> finite y -> finite z ->
       finite (high (high x y) z) /\ Bltb t (high (high x y) z) = Bltb t x || Bltb t y || Bltb t z /\
       Bltb (high (high x y) z) t = Bltb x t && Bltb y t && Bltb z t.
-    Proof.
+    Proof using high_is.
       intros Ft Fx Fy Fz. destruct (less_high t x y Ft Fx Fy) as (F & one & two). destruct (less_high t _ z Ft F Fz) as (F' & one' & two').
       rewrite one', two', one, two. auto.
     Qed.
     Notation t K := (threshold a b c p r K).
     Lemma beyond_is : some_beyond a b c p r (vertices_of a b c p r) (edges_of a b c p r) (m plane_radius) =
       some_axis_b (fun K => Bltb (t K) (m K)).
-    Proof.
+    Proof using All.
       unfold some_beyond, vertices_of, edges_of, some_axis_b. destruct (all_finite vertex_a_radius) as (_ & F2 & _).
       destruct (all_finite edge_ab_radius) as (_ & F4 & _). pose proof (fun K => proj1 (all_finite K)) as F.
       set (t2 := t vertex_a_radius) in *. set (t4 := t edge_ab_radius) in *.
@@ -145,7 +145,7 @@ Section Float.
     Qed.
     Lemma within_is : all_within a b c p r (vertices_of a b c p r) (edges_of a b c p r) (m plane_radius) =
       negb (some_axis_b (fun K => negb (Bltb (m K) (Bopp (t K))))).
-    Proof.
+    Proof using All.
       unfold all_within, vertices_of, edges_of, some_axis_b. destruct (all_finite vertex_a_radius) as (_ & _ & F2).
       destruct (all_finite edge_ab_radius) as (_ & _ & F4). pose proof (fun K => proj1 (all_finite K)) as F.
       set (t2 := Bopp (t vertex_a_radius)) in *. set (t4 := Bopp (t edge_ab_radius)) in *.
@@ -166,7 +166,7 @@ Section Float.
     Qed.
     Lemma lane_beyond_is : some_beyond a b c p r (lane_vertex a b c p r) (lane_edge a b c p r) (m plane_radius) =
       lane_axis_b (fun K => Bltb (t K) (m K)).
-    Proof.
+    Proof using fits inside low_is.
       unfold some_beyond, lane_vertex, lane_edge, lane_axis_b. destruct (all_finite vertex_a_radius) as (_ & F2 & _).
       destruct (all_finite edge_ab_radius) as (_ & F4 & _). pose proof (fun K => proj1 (all_finite K)) as F.
       set (t2 := t vertex_a_radius) in *. set (t4 := t edge_ab_radius) in *.
@@ -177,7 +177,7 @@ Section Float.
     Qed.
     Lemma lane_within_is : all_within a b c p r (lane_vertex a b c p r) (lane_edge a b c p r) (m plane_radius) =
       negb (lane_axis_b (fun K => negb (Bltb (m K) (Bopp (t K))))).
-    Proof.
+    Proof using fits inside low_is.
       unfold all_within, lane_vertex, lane_edge, lane_axis_b. destruct (all_finite vertex_a_radius) as (_ & _ & F2).
       destruct (all_finite edge_ab_radius) as (_ & _ & F4). pose proof (fun K => proj1 (all_finite K)) as F.
       set (t2 := Bopp (t vertex_a_radius)) in *. set (t4 := Bopp (t edge_ab_radius)) in *.
@@ -191,7 +191,7 @@ Section Float.
   Lemma says_what_is_proved a b c p r :
     says_separated a b c p r = float_separated prec emax _ _ fused least half a b c p r /\
     says_contact a b c p r = float_contact prec emax _ _ fused least half a b c p r.
-  Proof.
+  Proof using fits high_is low_is.
     unfold says_separated, says_contact, float_separated, float_contact.
     destruct (float_in_range prec emax _ _ fused least half a b c p r) eqn:inside; [| auto]. cbn [andb].
     split; [apply beyond_is | apply within_is]; assumption.
@@ -199,17 +199,17 @@ Section Float.
   Lemma lane_says_what_is_proved a b c p r :
     lane_says_separated a b c p r = lane_separated prec emax least half _ _ fused a b c p r /\
     lane_says_contact a b c p r = lane_contact prec emax least half _ _ fused a b c p r.
-  Proof.
+  Proof using fits low_is.
     unfold lane_says_separated, lane_says_contact, lane_separated, lane_contact.
     destruct (float_in_range prec emax _ _ fused least half a b c p r) eqn:inside; [| auto]. cbn [andb].
     split; [apply lane_beyond_is | apply lane_within_is]; assumption.
   Qed.
   Theorem coarse_answers_are_proved a b c p r : coarse_answers a b c p r =
     [float_separated prec emax _ _ fused least half a b c p r; float_contact prec emax _ _ fused least half a b c p r].
-  Proof. unfold coarse_answers. destruct (says_what_is_proved a b c p r) as [-> ->]. reflexivity. Qed.
+  Proof using fits high_is low_is. unfold coarse_answers. destruct (says_what_is_proved a b c p r) as [-> ->]. reflexivity. Qed.
   Theorem pair_answers_are_proved a b c p r : pair_answers a b c p r =
     [pair_separated prec emax least half _ _ fused a b c p r; pair_contact prec emax least half _ _ fused a b c p r].
-  Proof.
+  Proof using fits low_is.
     unfold pair_answers, pair_separated, pair_contact. destruct (lane_says_what_is_proved a b c p r) as [-> ->].
     destruct (lane_says_what_is_proved b c a p r) as [-> ->]. destruct (lane_says_what_is_proved c a b p r) as [-> ->]. reflexivity.
   Qed.

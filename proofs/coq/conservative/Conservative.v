@@ -58,7 +58,7 @@ Section Conservative.
   Notation rounds := (rounds u eta).
   Notation computed_dot := (computed_dot u eta).
   Notation leaf_of := (leaf_of u).
-  Let u_weak : 0 <= u <= / 1048576. Proof. lra. Qed.
+  Let u_weak : 0 <= u <= / 1048576. Proof using u_range. lra. Qed.
   Local Notation small := (small u u_weak).
 
   Variables (a b c A B C : vec) (r aa bb cc rr W : R).
@@ -76,20 +76,20 @@ Section Conservative.
   Let w := sqrt W.
 
   Lemma w_facts : 0 < w /\ w * w = W.
-  Proof. unfold w. split; [apply sqrt_lt_R0; assumption | apply sqrt_sqrt; lra]. Qed.
+  Proof using W_positive. unfold w. split; [apply sqrt_lt_R0; assumption | apply sqrt_sqrt; lra]. Qed.
   Lemma uW : 0 < u * W /\ u * W <= W / 1048576 /\ 0 <= u * (u * W) <= u * W / 1048576.
-  Proof.
+  Proof using W_positive u_weak.
     pose proof (small W ltac:(lra)). assert (0 < u * W) by (apply Rmult_lt_0_compat; lra). pose proof (small (u * W) ltac:(lra)). lra.
   Qed.
 
   Lemma square_size X xx : computed_dot X X xx -> xx <= W -> dot X X <= 1.00001 * W.
-  Proof.
+  Proof using W_positive eta_nonneg u_weak underflow_2.
     intros H least. apply dot_error in H; [| exact u_weak | assumption]. rewrite sizes_square in H. apply Rabs_le_inv in H.
     pose proof (dot_self_nonneg X) as x0. pose proof (small _ x0). pose proof uW. lra.
   Qed.
   Definition vertex X := X = A \/ X = B \/ X = C.
   Lemma vertex_size X : vertex X -> dot X X <= 1.00001 * W /\ norm X <= 1.00001 * w.
-  Proof.
+  Proof using W_greatest W_positive computed_aa computed_bb computed_cc eta_nonneg u_weak underflow_2.
     pose proof w_facts as [w0 ww].
     assert (dot X X <= 1.00001 * W -> dot X X <= 1.00001 * W /\ norm X <= 1.00001 * w) as enough.
     { intros H. split; [assumption |]. apply norm_at_most; [lra |].
@@ -97,12 +97,12 @@ Section Conservative.
     intros [-> | [-> | ->]]; apply enough; eapply square_size; try eassumption; tauto.
   Qed.
   Lemma vertices_dot X Y : vertex X -> vertex Y -> norm X * norm Y <= 1.00001 * W /\ Rabs (dot X Y) <= 1.00001 * W.
-  Proof.
+  Proof using W_greatest W_positive computed_aa computed_bb computed_cc eta_nonneg u_weak underflow_2.
     intros HX HY. apply vertex_size in HX, HY. pose proof (dot_norm X Y).
     pose proof (norm_square X). pose proof (norm_square Y). pose proof (Rle_0_sqr (norm X - norm Y)). unfold Rsqr in *. lra.
   Qed.
   Lemma radius_size : r * r <= 1.00001 * W /\ Rabs (rr - r * r) <= 1.0001 * (u * W).
-  Proof.
+  Proof using W_greatest W_positive computed_rr r_nonneg u_weak underflow_2.
     pose proof computed_rr as H. unfold Lanes.rounds in H. pose proof (Rmult_le_pos _ _ r_nonneg r_nonneg) as r0.
     rewrite (Rabs_pos_eq (r * r)) in H by assumption. pose proof H as H'. apply Rabs_le_inv in H'. pose proof (small _ r0). pose proof uW.
     assert (r * r <= 1.00001 * W) as size by lra. split; [assumption |].
@@ -111,7 +111,7 @@ Section Conservative.
 
   (* A vector beyond which all computed vertices lie, by more than the radius and the error of the translation. *)
   Lemma leaf_off x X : leaf_of x X -> norm X <= 1.00001 * w -> norm (sub X x) <= 1.003 * (u * w).
-  Proof.
+  Proof using W_positive u_weak.
     intros leaf size. pose proof (norm_nonneg x) as x0.
     pose proof (leaf_norm u x X u_weak leaf) as off.
     pose proof (difference_of_norms x X u off ltac:(lra)). pose proof w_facts as [w0 _]. assert (0 <= u * w) by (apply Rmult_le_pos; lra).
@@ -147,7 +147,7 @@ Section Conservative.
   Hypothesis computed_square_error : rounds (conservative_square_error * u * W) square_error.
   Hypothesis computed_R : rounds (rr + square_error) Rc.
   Lemma square_error_near : Rabs (square_error - conservative_square_error * (u * W)) <= 0.001 * (u * W).
-  Proof.
+  Proof using W_positive computed_square_error eta_nonneg u_weak underflow_2.
     pose proof computed_square_error as H. unfold conservative_square_error in *. unfold Lanes.rounds in H. pose proof uW.
     rewrite (Rabs_pos_eq (_ * u * W)) in H by lra. apply Rabs_le_inv in H. apply Rabs_le. lra.
   Qed.
@@ -163,7 +163,7 @@ Section Conservative.
   Lemma mixed k s p q P Q D F T : 0 <= k <= 14 -> 0 <= s <= 1 -> Rabs p <= 1.00001 * W -> Rabs q <= 1.00001 * W ->
     Rabs (P - p) <= k * (u * W) -> Rabs (Q - q) <= k * (u * W) -> rounds (Q - P) D -> rounds (s * D) F -> rounds (P + F) T ->
     Rabs (p + s * (q - p)) <= 1.00001 * W /\ Rabs (T - (p + s * (q - p))) <= (k + 5.01) * (u * W).
-  Proof.
+  Proof using W_positive u_weak underflow_2.
     intros k0 s0 hp hq offP offQ HD HF HT. pose proof uW as (u0 & uW1 & uW2 & uW3). unfold Lanes.rounds in HD, HF, HT.
     assert (inside : forall x y t, Rabs x <= t -> Rabs y <= t -> Rabs (x + s * (y - x)) <= t).
     { intros x y t hx hy. apply Rabs_le_inv in hx, hy. apply Rabs_le. split; nra. }
@@ -205,7 +205,7 @@ Section Conservative.
     least <= at_x -> least <= at_y -> least <= at_z -> least = at_x \/ least = at_y \/ least = at_z -> rounds (least - error) m ->
       rounds (m * m) mm -> rounds (Rc * square) rs ->
     0 < m -> rs < mm -> clear a b c (r * r).
-  Proof.
+  Proof using All.
     intros vX vY vZ all s01 Hxx Hxy Hyy Hxz Hyz Hd1 Hf1 Hx Hd2 Hf2 Hy Hd3 Hf3 Hz Hd4 Hf4 Hn Hs lx ly lz one Hm Hmm Hrs m0 passes.
     pose proof uW as (u0 & uW1 & uW2 & uW3). pose proof w_facts as [w0 ww].
     assert (product : forall P Q d, vertex P -> vertex Q -> computed_dot P Q d ->

@@ -32,7 +32,7 @@ Section Float.
   Notation constant_spec := (Sizes.constant_spec prec emax _ _ prec20).
 
   Lemma nearest_0 : nearest 0 = 0.
-  Proof. apply round_0. apply valid_rnd_N. Qed.
+  Proof using Type. apply round_0. apply valid_rnd_N. Qed.
 
   (* A number's size: finite, and at most a whole multiple of a power of h = 2^j, which is in the format, so that rounding does
      not go beyond it. *)
@@ -47,7 +47,7 @@ Section Float.
       bounded n k (mx V) (mx v) /\ bounded n k (my V) (my v) /\ bounded n k (mz V) (mz v).
 
     Lemma room_spec n k : room n k = true -> (emin <= n * j)%Z /\ (0 <= k < 2 ^ prec)%Z /\ IZR k * bpow radix2 (n * j) < bpow radix2 emax.
-    Proof.
+    Proof using deep j_high j_low prec20.
       unfold room. rewrite !andb_true_iff, !Z.leb_le, Z.ltb_lt. intros (((n0 & n4) & k0) & few).
       assert (n = 0 \/ n = 1 \/ n = 2 \/ n = 3 \/ n = 4)%Z as cases by lia.
       split; [destruct cases as [-> | [-> | [-> | [-> | ->]]]]; lia |]. split.
@@ -58,7 +58,7 @@ Section Float.
     Qed.
     Lemma rounded_bound n k z : room n k = true -> Rabs z <= IZR k * bpow radix2 (n * j) ->
       Rabs (nearest z) <= IZR k * bpow radix2 (n * j) /\ Rabs (nearest z) < bpow radix2 emax.
-    Proof.
+    Proof using deep j_high j_low prec20 prec_gt_0_.
       intros fits size. destruct (room_spec n k fits) as (n_low & (k0 & k_few) & below).
       assert (Rabs (nearest z) <= IZR k * bpow radix2 (n * j)) as bound.
       { apply abs_round_le_generic; [apply FLT_exp_valid; exact prec_gt_0_ | apply valid_rnd_N | | exact size].
@@ -67,27 +67,27 @@ Section Float.
       split; [exact bound | eapply Rle_lt_trans; [exact bound | exact below]].
     Qed.
     Lemma weaken n k k' X x : (k <= k')%Z -> bounded n k X x -> bounded n k' X x.
-    Proof.
+    Proof using Type.
       intros more (FX & value & size). repeat split; try assumption. eapply Rle_trans; [exact size |].
       apply Rmult_le_compat_r; [apply bpow_ge_0 | apply IZR_le; exact more].
     Qed.
     Lemma add_bounded n k k' X x Y y : bounded n k X x -> bounded n k' Y y -> room n (k + k') = true ->
       bounded n (k + k') (m_add F X Y) (m_add N x y).
-    Proof.
+    Proof using deep j_high j_low prec20.
       intros (FX & <- & sx) (FY & <- & sy) fits. destruct (rounded_bound n (k + k') (B2R (X : float) + B2R (Y : float)) fits) as [size fit].
       { rewrite plus_IZR. eapply Rle_trans; [apply Rabs_triang | lra]. }
       destruct (plus_fits prec emax _ _ X Y FX FY fit). repeat split; assumption.
     Qed.
     Lemma subtract_bounded n k k' X x Y y : bounded n k X x -> bounded n k' Y y -> room n (k + k') = true ->
       bounded n (k + k') (m_subtract F X Y) (m_subtract N x y).
-    Proof.
+    Proof using deep j_high j_low prec20.
       intros (FX & <- & sx) (FY & <- & sy) fits. destruct (rounded_bound n (k + k') (B2R (X : float) - B2R (Y : float)) fits) as [size fit].
       { rewrite plus_IZR. unfold Rminus. eapply Rle_trans; [apply Rabs_triang |]. rewrite Rabs_Ropp. lra. }
       destruct (minus_fits prec emax _ _ X Y FX FY fit). repeat split; assumption.
     Qed.
     Lemma multiply_bounded n n' k k' X x Y y : bounded n k X x -> bounded n' k' Y y -> room (n + n') (k * k') = true ->
       bounded (n + n') (k * k') (m_multiply F X Y) (m_multiply N x y).
-    Proof.
+    Proof using deep j_high j_low prec20.
       intros (FX & <- & sx) (FY & <- & sy) fits.
       destruct (rounded_bound (n + n') (k * k') (B2R (X : float) * B2R (Y : float)) fits) as [size fit].
       { rewrite Rabs_mult, mult_IZR, Z.mul_add_distr_r, bpow_plus.
@@ -97,66 +97,66 @@ Section Float.
       destruct (mult_fits prec emax _ _ X Y FX FY fit). repeat split; assumption.
     Qed.
     Lemma negate_bounded n k X x : bounded n k X x -> bounded n k (m_negate F X) (m_negate N x).
-    Proof. intros (FX & <- & size). unfold bounded. cbn. rewrite is_finite_Bopp, B2R_Bopp, Rabs_Ropp. auto. Qed.
+    Proof using Type. intros (FX & <- & size). unfold bounded. cbn. rewrite is_finite_Bopp, B2R_Bopp, Rabs_Ropp. auto. Qed.
     Lemma least_bounded n k X x Y y : bounded n k X x -> bounded n k Y y -> bounded n k (m_least F X Y) (m_least N x y).
-    Proof.
+    Proof using low_is.
       intros (FX & <- & sx) (FY & <- & sy). destruct (least_of_finite prec emax low low_is X Y FX FY) as [FL value].
       repeat split; [exact FL | exact value |]. cbn. unfold Rmin. destruct Rle_dec; assumption.
     Qed.
     Lemma greatest_bounded n k X x Y y : bounded n k X x -> bounded n k Y y -> bounded n k (m_greatest F X Y) (m_greatest N x y).
-    Proof.
+    Proof using high_is.
       intros (FX & <- & sx) (FY & <- & sy). destruct (greatest_of_finite prec emax high high_is X Y FX FY) as [FL value].
       repeat split; [exact FL | exact value |]. cbn. unfold Rmax. destruct Rle_dec; assumption.
     Qed.
     Lemma constant_bounded n e : (0 <= n < 2 ^ 10)%Z -> (emin <= e <= emax - prec)%Z -> IZR n * bpow radix2 e <= 1 ->
       bounded 0 1 (m_constant F n e) (m_constant N n e).
-    Proof.
+    Proof using prec20.
       intros n0 e0 small. destruct (constant_spec n e) as [FC value]; [| exact e0 |].
       { split; [lia |]. apply Z.lt_le_trans with (2 ^ 10)%Z; [lia | apply Z.pow_le_mono_r; lia]. }
       repeat split; [exact FC | exact value |]. change (bpow radix2 (0 * j)) with 1. cbn [m_constant real_machine].
       rewrite Rabs_pos_eq; [lra |]. apply Rmult_le_pos; [apply IZR_le; lia | apply bpow_ge_0].
     Qed.
     Lemma one_bounded : bounded 0 1 (m_constant F 1 0) (m_constant N 1 0).
-    Proof. apply constant_bounded; [lia | | cbn; lra]. unfold Prec_gt_0, Prec_lt_emax in *. lia. Qed.
+    Proof using prec20. apply constant_bounded; [lia | | cbn; lra]. unfold Prec_gt_0, Prec_lt_emax in *. lia. Qed.
     Lemma zero_bounded n k : (0 <= k)%Z -> bounded n k (m_zero F) (m_zero N).
-    Proof.
+    Proof using Type.
       intros k0. repeat split. cbn. rewrite Rabs_R0. apply Rmult_le_pos; [apply IZR_le; exact k0 | apply bpow_ge_0].
     Qed.
     Lemma less_same n n' k k' X x Y y : bounded n k X x -> bounded n' k' Y y -> m_less F X Y = m_less N x y.
-    Proof.
+    Proof using Type.
       intros (FX & <- & _) (FY & <- & _). cbn. rewrite Bltb_correct by assumption. unfold less_real.
       case Rlt_bool_spec; intros; destruct Rlt_dec; reflexivity || lra.
     Qed.
     Lemma at_most_same n n' k k' X x Y y : bounded n k X x -> bounded n' k' Y y -> m_at_most F X Y = m_at_most N x y.
-    Proof.
+    Proof using Type.
       intros (FX & <- & _) (FY & <- & _). cbn. rewrite Bleb_correct by assumption. unfold at_most_real.
       case Rle_bool_spec; intros; destruct Rle_dec; reflexivity || lra.
     Qed.
 
     Lemma sub_bounded n k k' V v W w : bounded_vec n k V v -> bounded_vec n k' W w -> room n (k + k') = true ->
       bounded_vec n (k + k') (program_sub F V W) (program_sub N v w).
-    Proof. intros (vx & vy & vz) (wx & wy & wz) fits. split; [| split]; apply subtract_bounded; assumption. Qed.
+    Proof using deep j_high j_low prec20. intros (vx & vy & vz) (wx & wy & wz) fits. split; [| split]; apply subtract_bounded; assumption. Qed.
     Lemma product_bounded n n' k k' V v W w : bounded_vec n k V v -> bounded_vec n' k' W w ->
       room (n + n') (k * k') && room (n + n') (k * k' + k * k') && room (n + n') (k * k' + k * k' + k * k') = true ->
       bounded (n + n') (k * k' + k * k' + k * k') (program_product F V W) (program_product N v w).
-    Proof.
+    Proof using deep j_high j_low prec20.
       intros (vx & vy & vz) (wx & wy & wz) fits. rewrite !andb_true_iff in fits. destruct fits as ((one & two) & three).
       apply add_bounded; [apply add_bounded |  |]; try apply multiply_bounded; assumption.
     Qed.
     Lemma cross_bounded n n' k k' V v W w : bounded_vec n k V v -> bounded_vec n' k' W w ->
       room (n + n') (k * k') && room (n + n') (k * k' + k * k') = true ->
       bounded_vec (n + n') (k * k' + k * k') (program_cross F V W) (program_cross N v w).
-    Proof.
+    Proof using deep j_high j_low prec20.
       intros (vx & vy & vz) (wx & wy & wz) fits. rewrite andb_true_iff in fits. destruct fits as (one & two).
       split; [| split]; apply subtract_bounded; try apply multiply_bounded; assumption.
     Qed.
     Lemma three_bounded n k X x Y y Z z : bounded n k X x -> bounded n k Y y -> bounded n k Z z ->
       bounded n k (program_least F X Y Z) (program_least N x y z).
-    Proof. intros hx hy hz. repeat apply least_bounded; assumption. Qed.
+    Proof using low_is. intros hx hy hz. repeat apply least_bounded; assumption. Qed.
 
     (* The quotient may be infinite; clamped to [0, 1], it is not. *)
     Lemma sign_of_finite (X : float) : is_finite X = true -> if Bsign X then B2R X <= 0 else 0 <= B2R X.
-    Proof.
+    Proof using Type.
       destruct X as [s | s | | s mantissa e inside]; cbn; intros FX; try discriminate; [destruct s; lra |].
       destruct s; cbn; [apply F2R_le_0 | apply F2R_ge_0]; cbn; lia.
     Qed.
@@ -164,7 +164,7 @@ Section Float.
       let q := nearest (B2R X / B2R Y) in
       (is_finite (Bdiv mode_NE X Y) = true /\ B2R (Bdiv mode_NE X Y) = q) \/
       (Bdiv mode_NE X Y = B754_infinity true /\ q <= 0) \/ (Bdiv mode_NE X Y = B754_infinity false /\ 1 <= q).
-    Proof.
+    Proof using deep prec20.
       intros FX FY Y0 q. pose proof (Bdiv_correct prec emax _ _ mode_NE X Y ltac:(lra)) as H. cbn [round_mode] in H.
       change (round radix2 (SpecFloat.fexp prec emax) ZnearestE (B2R X / B2R Y)) with q in H. revert H.
       case Rlt_bool_spec; [intros _ (value & finite & _); left; rewrite finite, value; auto | intros large infinite; right].
@@ -184,7 +184,7 @@ Section Float.
     Lemma clamp_bounded (Q : float) q : (is_finite Q = true /\ B2R Q = q) \/ (Q = B754_infinity true /\ q <= 0) \/
       (Q = B754_infinity false /\ 1 <= q) ->
       bounded 0 1 (m_least F (m_greatest F Q (m_zero F)) (m_constant F 1 0)) (m_least N (m_greatest N q (m_zero N)) (m_constant N 1 0)).
-    Proof.
+    Proof using high_is low_is prec20.
       destruct one_bounded as (F1 & v1 & _). cbn [m_constant float_machine real_machine] in *.
       set (one := binary_normalize _ _ _ _ _ _ _ _) in *.
       assert (IZR 1 * bpow radix2 0 = 1) as is_1 by (cbn; ring). rewrite is_1 in *.
@@ -221,24 +221,24 @@ Section Float.
     Hypothesis normal_range : (emin <= least_normal <= 0)%Z.
 
     Lemma unit_small n k e : (n <= 2 ^ k)%Z -> (0 <= k)%Z -> (k + e <= 0)%Z -> IZR n * bpow radix2 e <= 1.
-    Proof.
+    Proof using Type.
       intros small k0 sum. apply Rle_trans with (bpow radix2 k * bpow radix2 e).
       - apply Rmult_le_compat_r; [apply bpow_ge_0 |]. rewrite <- IZR_Zpower by assumption. apply IZR_le. exact small.
       - rewrite <- bpow_plus. change 1 with (bpow radix2 0). apply bpow_le. exact sum.
     Qed.
     Lemma error_bounded : bounded 2 1 (program_error F prec a b c p r) (program_error N prec a' b' c' p' r').
-    Proof.
+    Proof using deep j_high j_low prec20 size_W.
       apply (multiply_bounded 0 2 1 1); [| exact size_W | reflexivity].
       apply constant_bounded; [lia | unfold Prec_gt_0, Prec_lt_emax in *; lia | apply (unit_small 5 3); lia].
     Qed.
     Lemma square_error_bounded : bounded 2 1 (program_square_error F prec a b c p r) (program_square_error N prec a' b' c' p' r').
-    Proof.
+    Proof using deep j_high j_low prec20 size_W.
       apply (multiply_bounded 0 2 1 1); [| exact size_W | reflexivity].
       apply constant_bounded; [lia | unfold Prec_gt_0, Prec_lt_emax in *; lia | apply (unit_small 153 8); lia].
     Qed.
     Lemma passes_same n k n' k' X x S s : bounded n k X x -> bounded n' k' S s -> room (n + n) (k * k) && room (2 + n') (2 * k') = true ->
       program_passes F prec a b c p r X S = program_passes N prec a' b' c' p' r' x s.
-    Proof.
+    Proof using deep j_high j_low prec20 size_W size_r.
       intros hx hs fits. rewrite andb_true_iff in fits. destruct fits as (one & two). unfold program_passes.
       assert (bounded 2 2 (m_add F (m_multiply F r r) (program_square_error F prec a b c p r))
         (m_add N (m_multiply N r' r') (program_square_error N prec a' b' c' p' r'))) as hR.
@@ -251,7 +251,7 @@ Section Float.
 
     Lemma share_bounded X along x al : bounded_vec 1 1 X x -> bounded_vec 1 2 along al ->
       bounded 0 1 (program_share F X along) (program_share N x al).
-    Proof.
+    Proof using deep high_is j_high j_low low_is prec20.
       intros hX ha. pose proof (product_bounded 1 1 2 2 _ _ _ _ ha ha eq_refl) as he.
       pose proof (product_bounded 1 1 1 2 _ _ _ _ hX ha eq_refl) as hd.
       unfold program_share. cbv zeta. pose proof (less_same 0 _ 1 _ _ _ _ _ (zero_bounded 0 1 ltac:(lia)) he) as same. rewrite same.
@@ -263,7 +263,7 @@ Section Float.
     Lemma mix_bounded k S s X x Y y : bounded 0 1 S s -> bounded 2 k X x -> bounded 2 k Y y ->
       room 2 (k + k) && room 2 (1 * (k + k)) && room 2 (k + 1 * (k + k)) = true ->
       bounded 2 (k + 1 * (k + k)) (program_mix F S X Y) (program_mix N s x y).
-    Proof.
+    Proof using deep j_high j_low prec20.
       intros hs hx hy fits. rewrite !andb_true_iff in fits. destruct fits as ((one & two) & three).
       apply add_bounded; [exact hx | | exact three]. apply (multiply_bounded 0 2); [exact hs | | exact two].
       apply subtract_bounded; assumption.
@@ -271,7 +271,7 @@ Section Float.
     Lemma edge_same X along x al XX xx XY xy YY yy XZ xz YZ yz : bounded_vec 1 1 X x -> bounded_vec 1 2 along al ->
       bounded 2 3 XX xx -> bounded 2 3 XY xy -> bounded 2 3 YY yy -> bounded 2 3 XZ xz -> bounded 2 3 YZ yz ->
       program_edge F prec a b c p r X along XX XY YY XZ YZ = program_edge N prec a' b' c' p' r' x al xx xy yy xz yz.
-    Proof.
+    Proof using deep high_is j_high j_low low_is prec20 size_W size_r.
       intros hX ha hxx hxy hyy hxz hyz. pose proof (share_bounded _ _ _ _ hX ha) as hs. unfold program_edge. cbv zeta.
       pose proof (mix_bounded 3 _ _ _ _ _ _ hs hxx hxy eq_refl) as at_x. pose proof (mix_bounded 3 _ _ _ _ _ _ hs hxy hyy eq_refl) as at_y.
       pose proof (mix_bounded 3 _ _ _ _ _ _ hs hxz hyz eq_refl) as at_z.
@@ -283,7 +283,7 @@ Section Float.
 
     Lemma scaled_bounded X x : bounded 2 8 X x -> bounded 0 32 (m_multiply F X (m_inverse_power F (program_W F a b c p r)))
       (m_multiply N x (m_inverse_power N (program_W N a' b' c' p' r'))).
-    Proof.
+    Proof using W_large W_range deep inverse_is j_high j_low prec20 size_W.
       intros (FX & <- & size). destruct size_W as (FW & vW & _). cbn [m_inverse_power float_machine real_machine m_multiply].
       destruct (inverse_is (program_W F a b c p r) ltac:(rewrite vW; exact W_range)) as [FI vI]. rewrite vW in vI.
       rewrite <- vI. destruct (rounded_bound 0 32 (B2R (X : float) * B2R (inverse_power (program_W F a b c p r))) eq_refl) as [bound fit].
@@ -298,7 +298,7 @@ Section Float.
     (* The side of A; where the plane contains the centre, either. *)
     Lemma side_bounded n k X x : bounded n k X x -> exists s, bounded 0 1 (m_with_sign F (m_constant F 1 0) X) s /\
       (x <> 0 -> s = m_with_sign N (m_constant N 1 0) x).
-    Proof.
+    Proof using prec20.
       intros (FX & <- & _). destruct one_bounded as (F1 & v1 & s1). pose proof (sign_of_finite _ FX) as sign.
       cbn [m_with_sign float_machine real_machine]. set (one := m_constant F 1 0) in *. clearbody one. rewrite <- v1 in *. clear v1.
       exists (B2R (if Bsign (X : float) then Bopp (Babs (one : float)) else Babs (one : float))). split.
@@ -311,7 +311,7 @@ Section Float.
       let side := m_with_sign F (m_constant F 1 0) X in let side' := m_with_sign N (m_constant N 1 0) x in
       program_passes F prec a b c p r (program_least F (m_multiply F side X) (m_multiply F side Y) (m_multiply F side Z)) S =
       program_passes N prec a' b' c' p' r' (program_least N (m_multiply N side' x) (m_multiply N side' y) (m_multiply N side' z)) s.
-    Proof.
+    Proof using deep j_high j_low low_is prec20 size_W size_r.
       intros hX hY hZ hS fits side side'. apply andb_true_iff in fits as (one & two).
       destruct (side_bounded _ _ _ _ hX) as (t & ht & same). fold side in ht. fold side' in same. clearbody side side'.
       pose proof (three_bounded _ _ _ _ _ _ _ _ (multiply_bounded 0 n 1 k _ _ _ _ ht hX one) (multiply_bounded 0 n 1 k _ _ _ _ ht hY one)
@@ -343,7 +343,7 @@ Section Float.
       - exact (plane_passes_same 1 96 0 3072 _ _ _ _ _ _ _ _ ha hb hc hnn eq_refl).
     Qed.
     Theorem separated_same : program_separated F prec least_normal a b c p r = program_separated N prec least_normal a' b' c' p' r'.
-    Proof.
+    Proof using All.
       pose proof (sub_bounded 1 1 1 _ _ _ _ size_b size_a eq_refl) as hAB.
       pose proof (sub_bounded 1 1 1 _ _ _ _ size_c size_b eq_refl) as hBC.
       pose proof (sub_bounded 1 1 1 _ _ _ _ size_a size_c eq_refl) as hCA.
@@ -363,7 +363,7 @@ Section Float.
   Notation rounded_nonneg := (Sizes.rounded_nonneg prec emax prec20).
   Definition not_negative (x : float) : Prop := x <> B754_infinity true /\ 0 <= B2R x.
   Lemma square_not_negative (x : float) : not_negative (Bmult mode_NE x x).
-  Proof.
+  Proof using prec20.
     pose proof (Bmult_correct prec emax _ _ mode_NE x x) as H. rewrite xorb_nilpotent in H. revert H. case Rlt_bool_spec; intros _ H.
     - destruct H as (value & finite & _). split; [| rewrite value; apply rounded_nonneg, Rle_0_sqr].
       destruct (is_finite x) eqn:Fx; [| destruct x as [| [] | |]; discriminate].
@@ -371,7 +371,7 @@ Section Float.
     - destruct (Bmult mode_NE x x); cbn in H; try discriminate. injection H as ->. split; [discriminate | cbn; lra].
   Qed.
   Lemma sum_not_negative (x y : float) : not_negative x -> not_negative y -> not_negative (Bplus mode_NE x y).
-  Proof.
+  Proof using prec20.
     intros [notx x0] [noty y0]. destruct (is_finite x && is_finite y) eqn:finite.
     - apply andb_prop in finite as [Fx Fy]. pose proof (Bplus_correct prec emax _ _ mode_NE x y Fx Fy) as H. revert H.
       case Rlt_bool_spec; intros size H.
@@ -387,14 +387,14 @@ Section Float.
     - destruct x as [| [] | |], y as [| [] | |]; cbn in finite; try discriminate; try congruence; (split; [discriminate | cbn; lra]).
   Qed.
   Lemma product_not_negative (V : machine_vec F) : not_negative (program_product F V V).
-  Proof. apply sum_not_negative; [apply sum_not_negative |]; apply square_not_negative. Qed.
+  Proof using prec20. apply sum_not_negative; [apply sum_not_negative |]; apply square_not_negative. Qed.
   Lemma at_most_finite (x t : float) : is_finite t = true -> not_negative x -> Bleb x t = true -> is_finite x = true.
-  Proof. destruct x as [| [] | |], t as [| [] | |]; cbn; try discriminate; try reflexivity; intros _ [no _]; congruence. Qed.
+  Proof using Type. destruct x as [| [] | |], t as [| [] | |]; cbn; try discriminate; try reflexivity; intros _ [no _]; congruence. Qed.
 
   (* A number whose square rounds to at most h^2 is at most h. *)
   Lemma root_bound j x : (emin + prec <= j)%Z -> (emin + prec <= 2 * j)%Z -> generic_format radix2 (FLT_exp emin prec) x ->
     nearest (x * x) <= bpow radix2 (2 * j) -> Rabs x <= bpow radix2 j.
-  Proof.
+  Proof using prec20 prec_gt_0_.
     intros j_low j_low2 format small. destruct (Rle_lt_dec (Rabs x) (bpow radix2 j)) as [| large]; [assumption | exfalso].
     pose proof (FLT_exp_valid emin prec) as valid.
     assert (generic_format radix2 (FLT_exp emin prec) (bpow radix2 j)) as power by (apply generic_format_bpow; unfold FLT_exp; lia).
@@ -439,7 +439,7 @@ Section Float.
       forall j, (emin + prec <= j)%Z -> (emin + prec <= 2 * j)%Z ->
         B2R (float_dot (float_sub v p) (float_sub v p)) <= bpow radix2 (2 * j) ->
         bounded_vec j 1 1 (program_sub F (on_floats v) (on_floats p)) (program_sub N (on_real v) (on_real p)).
-    Proof.
+    Proof using prec20.
       intros finite. destruct (Sizes.square_finite prec emax _ _ false _ finite) as [FX value].
       destruct (Sizes.sub_finite prec emax _ _ _ _ FX) as (Fv & Fp & same).
       split; [exact Fv |]. split; [exact Fp |]. rewrite same in value. split; [exact value |]. intros j j_low j_low2 small.
@@ -462,7 +462,7 @@ Section Float.
       program_known N least (2 * half) (on_real a) (on_real b) (on_real c) (on_real p) (B2R r) = true /\
       program_separated F prec least_normal (on_floats a) (on_floats b) (on_floats c) (on_floats p) r =
         program_separated N prec least_normal (on_real a) (on_real b) (on_real c) (on_real p) (B2R r).
-    Proof.
+    Proof using All.
       pose proof known as H. unfold program_known in H. rewrite !andb_true_iff in H. destruct H as (r0 & low_W & high_S).
       destruct (constant_spec 1 least) as [Fl vl]; [split; [lia | apply Z.pow_gt_1; lia] | lia |].
       destruct (constant_spec 1 (2 * half)) as [Fh vh]; [split; [lia | apply Z.pow_gt_1; lia] | unfold Prec_gt_0 in *; lia |].
@@ -571,12 +571,12 @@ Section Instance.
     conservative_answers F prec least least_normal (2 * half) (on_floats a) (on_floats b) (on_floats c) (on_floats p) r.
 
   Lemma rounded_is_itself x : rnd (rnd x) = rnd x.
-  Proof. apply round_generic; auto with typeclass_instances. apply generic_format_round; auto with typeclass_instances. Qed.
+  Proof using prec_gt_0_. apply round_generic; auto with typeclass_instances. apply generic_format_round; auto with typeclass_instances. Qed.
   Lemma float_instance depth : is_least prec emax low -> is_greatest prec emax high -> is_inverse_power prec emax inverse_power ->
     conservative_fits prec emax least half least_normal -> conservative_never_misses prec emin least least_normal ->
     conservative_phantoms_shallow prec emin least least_normal -> phantom_depth * sqrt (u prec) <= depth ->
     conservative_is_right prec emax depth float_answers.
-  Proof.
+  Proof using Type.
     intros low_is high_is inverse_is (prec20 & deep & emax20 & half0 & high4 & high2 & least2 & least_range & normal_range).
     intros never shallow enough.
     intros a b c p r. cbv zeta. unfold float_answers, conservative_answers. cbn [nth].

@@ -91,19 +91,19 @@ Section Reals.
   Hypothesis rounded_is_itself : forall x, rnd (rnd x) = rnd x.
   Hypothesis rounded_opposite : forall x, rnd (- x) = - rnd x.
 
-  Lemma number_power e : IZR 1 * bpow radix2 e = bpow radix2 e. Proof. ring. Qed.
+  Lemma number_power e : IZR 1 * bpow radix2 e = bpow radix2 e. Proof using Type. ring. Qed.
   Lemma error_is : IZR 5 * bpow radix2 (1 - prec) = conservative_error * u prec.
-  Proof. unfold conservative_error, u, Zminus. rewrite bpow_plus. change (bpow radix2 1) with 2. lra. Qed.
+  Proof using Type. unfold conservative_error, u, Zminus. rewrite bpow_plus. change (bpow radix2 1) with 2. lra. Qed.
   Lemma square_error_is : IZR 153 * bpow radix2 (-3 - prec) = conservative_square_error * u prec.
-  Proof. unfold conservative_square_error, u, Zminus. rewrite bpow_plus. change (bpow radix2 (-3)) with (/ 8). lra. Qed.
+  Proof using Type. unfold conservative_square_error, u, Zminus. rewrite bpow_plus. change (bpow radix2 (-3)) with (/ 8). lra. Qed.
 
   Lemma sub_on_reals v w : program_sub M (on_reals v) (on_reals w) = on_reals (rounded_sub rnd v w).
-  Proof. reflexivity. Qed.
+  Proof using Type. reflexivity. Qed.
   Lemma product_on_reals v w : program_product M (on_reals v) (on_reals w) = rounded_dot rnd false v w.
-  Proof. reflexivity. Qed.
+  Proof using Type. reflexivity. Qed.
   Lemma signed_product t v w : let side := if Rlt_dec t 0 then - Rabs (IZR 1 * bpow radix2 0) else Rabs (IZR 1 * bpow radix2 0) in
     rnd (side * rounded_dot rnd false v w) = (if Rlt_dec t 0 then - rounded_dot rnd false v w else rounded_dot rnd false v w).
-  Proof.
+  Proof using rounded_is_itself rounded_opposite.
     cbv zeta. assert (exists x, rounded_dot rnd false v w = rnd x) as [x ->] by (eexists; reflexivity).
     rewrite number_power. change (bpow radix2 0) with 1. rewrite Rabs_R1. destruct Rlt_dec.
     - replace (- (1) * rnd x) with (- rnd x) by ring. rewrite rounded_opposite, rounded_is_itself. reflexivity.
@@ -111,20 +111,20 @@ Section Reals.
   Qed.
   Lemma passes_on_reals (x square : R) : program_passes M prec (on_reals a) (on_reals b) (on_reals c) (on_reals p) r x square = true <->
     0 < x /\ rnd (rnd (rnd (r * r) + rnd (conservative_square_error * u prec * conservative_W rnd a b c p r)) * square) < rnd (x * x).
-  Proof. rewrite <- square_error_is. unfold program_passes. rewrite andb_true_iff. cbn. rewrite !less_real_is. reflexivity. Qed.
+  Proof using Type. rewrite <- square_error_is. unfold program_passes. rewrite andb_true_iff. cbn. rewrite !less_real_is. reflexivity. Qed.
   Lemma share_on_reals X along : program_share M (on_reals X) (on_reals along) = conservative_share rnd X along.
-  Proof. unfold program_share, conservative_share. cbn. rewrite Rmult_1_l. unfold less_real. destruct Rlt_dec; reflexivity. Qed.
+  Proof using Type. unfold program_share, conservative_share. cbn. rewrite Rmult_1_l. unfold less_real. destruct Rlt_dec; reflexivity. Qed.
   Lemma edge_on_reals X along xx xy yy xz yz :
     program_edge M prec (on_reals a) (on_reals b) (on_reals c) (on_reals p) r (on_reals X) (on_reals along) xx xy yy xz yz = true <->
     conservative_edge rnd (u prec) a b c p r X along xx xy yy xz yz.
-  Proof.
+  Proof using Type.
     unfold program_edge. cbv zeta. rewrite passes_on_reals, share_on_reals. unfold program_error, program_square_error.
     cbn [M m_multiply real_machine m_constant].
     rewrite error_is, square_error_is. reflexivity.
   Qed.
   Lemma plane_on_reals : program_plane M prec least_normal (on_reals a) (on_reals b) (on_reals c) (on_reals p) r = true <->
     conservative_plane rnd (u prec) (bpow radix2 least_normal) a b c p r.
-  Proof.
+  Proof using rounded_is_itself rounded_opposite.
     unfold program_plane. cbv zeta. rewrite andb_true_iff, passes_on_reals. cbn [M real_machine m_at_most m_constant].
     rewrite at_most_real_is, number_power.
     unfold conservative_plane. cbv zeta.
@@ -133,7 +133,7 @@ Section Reals.
   Qed.
   Theorem separated_on_reals : program_separated M prec least_normal (on_reals a) (on_reals b) (on_reals c) (on_reals p) r = true <->
     conservative_separated rnd (u prec) (bpow radix2 least_normal) a b c p r.
-  Proof.
+  Proof using rounded_is_itself rounded_opposite.
     unfold program_separated, conservative_separated. rewrite !orb_true_iff, plane_on_reals, <- !edge_on_reals, !or_assoc. reflexivity.
   Qed.
 End Reals.

@@ -75,30 +75,30 @@ Section Format.
   Hypothesis large_enough : bpow radix2 least <= W.
 
   Lemma eta_power : eta = bpow radix2 (emin - 1).
-  Proof. unfold eta, half_least. replace (emin - 1)%Z with (emin + -1)%Z by lia. rewrite bpow_plus. change (bpow radix2 (-1)) with (/ 2).
+  Proof using Type. unfold eta, half_least. replace (emin - 1)%Z with (emin + -1)%Z by lia. rewrite bpow_plus. change (bpow radix2 (-1)) with (/ 2).
   ring. Qed.
   Lemma u_range : 0 < u <= / 1048576.
-  Proof. split; [apply bpow_gt_0 | apply (u_small prec prec20)]. Qed.
+  Proof using prec20. split; [apply bpow_gt_0 | apply (u_small prec prec20)]. Qed.
   Lemma W_positive : 0 < W.
-  Proof. pose proof (bpow_gt_0 radix2 least). lra. Qed.
+  Proof using large_enough. pose proof (bpow_gt_0 radix2 least). lra. Qed.
   (* eta is below the least power of two that a product can reach. *)
   Lemma eta_below k e x : (emin - 1 <= k + e)%Z -> bpow radix2 e <= x -> eta <= bpow radix2 k * x.
-  Proof.
+  Proof using Type.
     intros low large. rewrite eta_power. apply Rle_trans with (bpow radix2 (k + e)); [apply bpow_le; assumption |].
     rewrite bpow_plus. apply Rmult_le_compat_l; [apply bpow_ge_0 | assumption].
   Qed.
   Lemma uW_large : bpow radix2 (least - prec) <= u * W.
-  Proof.
+  Proof using large_enough.
     replace (least - prec)%Z with (- prec + least)%Z by lia. rewrite bpow_plus.
     apply Rmult_le_compat_l; [apply bpow_ge_0 | assumption].
   Qed.
   Lemma underflow_2 : eta <= / 1000000 * (u * W).
-  Proof.
+  Proof using large_enough low_2 prec20.
     apply Rle_trans with (bpow radix2 (-20) * (u * W)); [apply eta_below with (least - prec)%Z; [lia | apply uW_large] |].
     pose proof (Rmult_lt_0_compat _ _ (proj1 u_range) W_positive). apply Rmult_le_compat_r; [lra | cbn; lra].
   Qed.
   Lemma underflow_4 : eta <= / 100000 * (u * W * (u * W)).
-  Proof.
+  Proof using large_enough low_4 prec20.
     pose proof (Rmult_lt_0_compat _ _ (proj1 u_range) W_positive) as v0. pose proof uW_large as large.
     apply Rle_trans with (bpow radix2 (-17) * (u * W * (u * W))).
     - apply eta_below with (2 * (least - prec))%Z; [lia |]. replace (2 * (least - prec))%Z with (least - prec + (least - prec))%Z by lia.
@@ -108,7 +108,7 @@ Section Format.
 
   Lemma W_greatest : let product := rounded_dot rnd false in let A := rounded_sub rnd a p in let B := rounded_sub rnd b p in
     let C := rounded_sub rnd c p in product A A <= W /\ product B B <= W /\ product C C <= W /\ rnd (r * r) <= W.
-  Proof.
+  Proof using emin prec.
     cbv zeta. unfold W, conservative_W. repeat split.
     - eapply Rle_trans; [| apply Rmax_l]. apply Rmax_l.
     - eapply Rle_trans; [| apply Rmax_l]. apply Rmax_r.
@@ -116,9 +116,9 @@ Section Format.
     - eapply Rle_trans; [| apply Rmax_r]. apply Rmax_r.
   Qed.
   Let dots X Y : computed_dot u eta X Y (rounded_dot rnd false X Y).
-  Proof. apply dot_is_computed, (rounding prec emin prec20). Qed.
+  Proof using emin prec20. apply dot_is_computed, (rounding prec emin prec20). Qed.
   Let leaf v : in_format v -> leaf_of u (sub v p) (rounded_sub rnd v p).
-  Proof. intros fv. apply (leaf_difference prec emin prec20); [assumption | apply formats]. Qed.
+  Proof using formats prec20. intros fv. apply (leaf_difference prec emin prec20); [assumption | apply formats]. Qed.
 
   (* The axes of an edge and of the plane, for any order of the vertices. *)
   Lemma edge_passes X Y Z along : let product := rounded_dot rnd false in let A := rounded_sub rnd a p in
@@ -126,7 +126,7 @@ Section Format.
     (forall T, vertex A B C T -> T = X \/ T = Y \/ T = Z) ->
     conservative_edge rnd u a b c p r X along (product X X) (product X Y) (product Y Y) (product X Z) (product Y Z) ->
     separated a b c p r.
-  Proof.
+  Proof using dots large_enough leaf low_2 low_4 r_nonneg.
     cbv zeta. intros vX vY vZ all [positive beyond]. apply separated_iff_clear; [assumption |].
     destruct formats as (fa & fb & fc & _). pose proof (rounding prec emin prec20) as rounds_to. fold rnd u eta in rounds_to.
     destruct (least_of (rnd (rounded_dot rnd false X X + rnd (conservative_share rnd X along * rnd (rounded_dot rnd false X Y - rounded_dot
@@ -145,7 +145,7 @@ Section Format.
       (rounds_to _) (rounds_to _) (rounds_to _) positive beyond).
   Qed.
   Lemma plane_passes : conservative_plane rnd u (bpow radix2 least_normal) a b c p r -> separated a b c p r.
-  Proof.
+  Proof using dots large_enough leaf low_2 low_normal low_product r_nonneg.
     intros (long & positive & beyond). apply separated_iff_clear; [assumption |].
     destruct formats as (fa & fb & fc & _). pose proof (rounding prec emin prec20) as rounds_to. fold rnd u eta in rounds_to.
     set (n := conservative_normal rnd a b c p r) in *.
@@ -175,7 +175,7 @@ Section Format.
     destruct Rlt_dec; [right | left]; apply least_of.
   Qed.
   Lemma conservative_sound : conservative_separated rnd u (bpow radix2 least_normal) a b c p r -> separated a b c p r.
-  Proof.
+  Proof using All.
     set (A := rounded_sub rnd a p). set (B := rounded_sub rnd b p). set (C := rounded_sub rnd c p).
     pose proof (or_introl eq_refl : vertex A B C A) as vA. pose proof (or_intror (or_introl eq_refl) : vertex A B C B) as vB.
     pose proof (or_intror (or_intror eq_refl) : vertex A B C C) as vC.

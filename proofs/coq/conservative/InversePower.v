@@ -12,17 +12,17 @@ Section Bits.
   Hypothesis mw_positive : (0 < mw)%Z.
   Hypothesis ew_positive : (0 < ew)%Z.
   Hypothesis prec_emax : (prec < emax)%Z.
-  Let one_more : (0 < prec)%Z. Proof. unfold prec. lia. Qed.
+  Let one_more : (0 < prec)%Z. Proof using emax mw_positive. unfold prec. lia. Qed.
   Notation emin := (3 - emax - prec)%Z.
   Notation of_bits := (binary_float_of_bits mw ew mw_positive ew_positive prec_emax).
   Notation bits := (bits_of_binary_float mw ew).
 
   Lemma exponents : (2 ^ ew = 2 * emax)%Z.
-  Proof. unfold emax. replace ew with (1 + (ew - 1))%Z at 1 by lia. rewrite Z.pow_add_r by lia. reflexivity. Qed.
+  Proof using ew_positive prec. unfold emax. replace ew with (1 + (ew - 1))%Z at 1 by lia. rewrite Z.pow_add_r by lia. reflexivity. Qed.
   (* A number whose bits are those of an exponent alone is a power of two. *)
   Lemma power_from_bits e : (1 <= e <= 2 * emax - 2)%Z -> let x := of_bits (e * 2 ^ mw) in
     Binary.is_finite _ _ x = true /\ Binary.B2R _ _ x = bpow radix2 (e + mw + emin - 1).
-  Proof.
+  Proof using Type.
     intros range x. pose proof exponents as twice. assert (0 < 2 ^ mw)%Z as m0 by (apply Z.pow_pos_nonneg; lia).
     assert (split_bits mw ew (e * 2 ^ mw) = (false, 0%Z, e)) as split_up.
     { replace (e * 2 ^ mw)%Z with (join_bits mw ew false 0 e) by (unfold join_bits; rewrite Z.shiftl_mul_pow2 by lia; ring).
@@ -43,7 +43,7 @@ Section Bits.
   Theorem bits_give_inverse_power twice_bias exponent : twice_bias = ((2 * emax - 2) * 2 ^ mw)%Z ->
     exponent = ((2 * emax - 1) * 2 ^ mw)%Z ->
     is_inverse_power prec emax (inverse_power_of_bits twice_bias exponent).
-  Proof.
+  Proof using Type.
     intros -> -> x range. unfold inverse_power_of_bits. rewrite is_finite_B2BSN, B2R_B2BSN. rewrite <- (B2R_BSN2B _ _ nan x) in *.
     set (y := BSN2B prec emax nan x) in *. clearbody y. pose proof exponents as twice.
     assert (0 < 2 ^ mw)%Z as m0 by (apply Z.pow_pos_nonneg; lia).

@@ -128,13 +128,13 @@ Section Computed.
   Hypothesis w0 : 0 < w.
   Hypothesis underflow_1 : eta <= / 1000000 * u.
   Hypothesis underflow_5 : eta <= / 1000000 * (u * (u * w) * (u * w)).
-  Let u_weak : 0 <= u <= / 1048576. Proof. lra. Qed.
+  Let u_weak : 0 <= u <= / 1048576. Proof using u_range. lra. Qed.
   Local Notation small := (small u u_weak).
 
   Lemma share_near X Y along e d at_ : norm X <= 1.00001 * w -> norm Y <= 1.00001 * w -> leaf_of u (sub Y X) along ->
     computed_dot u eta along along e -> computed_dot u eta X along d -> (0 < e -> rounds u eta (- d / e) at_) -> (e <= 0 -> at_ = 0) ->
     norm (sub (between X Y (clamp at_)) (star X Y)) <= 30 * (u * w).
-  Proof.
+  Proof using All.
     intros sX sY leaf He Hd Hat Hzero. set (a := sub Y X) in *. set (l := norm a).
     pose proof (norm_nonneg a) as l0. fold l in l0. assert (l * l = dot a a) as ll by apply norm_square.
     assert (l <= 2.0001 * w) as lsize.

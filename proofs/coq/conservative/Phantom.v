@@ -51,7 +51,7 @@ Section Phantom.
   Hypothesis eta_nonneg : 0 <= eta.
   Notation rounds := (rounds u eta).
   Notation computed_dot := (computed_dot u eta).
-  Let u_weak : 0 <= u <= / 1048576. Proof. lra. Qed.
+  Let u_weak : 0 <= u <= / 1048576. Proof using u_range. lra. Qed.
   Local Notation small := (small u u_weak).
 
   Variables (A B C : vec) (r rr W square_error Rc error : R).
@@ -69,7 +69,7 @@ Section Phantom.
   Local Notation uW := (uW u u_range W W_positive).
 
   Lemma t_facts : 0 < w /\ w * w = W /\ 0 < t /\ t * t = u * W /\ u * w <= t / 1000.
-  Proof.
+  Proof using W_positive u_range.
     pose proof uW as (v0 & v1 & _). destruct (w_facts W W_positive) as [w0 ww]. fold w in w0, ww.
     assert (0 < t) as t0 by (apply sqrt_lt_R0; assumption). assert (t * t = u * W) as tt by (apply sqrt_sqrt; lra).
     repeat split; try assumption. apply Rsqr_incr_0_var; [| lra]. unfold Rsqr.
@@ -77,7 +77,7 @@ Section Phantom.
     rewrite ww, tt. pose proof (Rmult_le_compat_r (u * W) _ _ ltac:(lra) (proj2 u_range)). lra.
   Qed.
   Lemma Rc_range : 0 <= Rc <= r * r + 22 * (t * t).
-  Proof.
+  Proof using W_positive computed_R computed_square_error eta_nonneg r_nonneg rr_near u_range underflow_2 w.
     destruct t_facts as (_ & _ & _ & -> & _). destruct rr_near as [size off]. pose proof uW as (v0 & v1 & _).
     pose proof (Rmult_le_pos _ _ r_nonneg r_nonneg).
     pose proof (square_error_near u eta u_range eta_nonneg W W_positive underflow_2 square_error computed_square_error) as near.

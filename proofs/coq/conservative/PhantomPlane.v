@@ -25,12 +25,12 @@ Section Plane.
   Notation computed_dot := (computed_dot u eta).
   Notation computed_cross := (computed_cross u eta).
   Notation leaf_of := (leaf_of u).
-  Let u_weak : 0 <= u <= / 1048576. Proof. lra. Qed.
+  Let u_weak : 0 <= u <= / 1048576. Proof using u_range. lra. Qed.
   Local Notation small := (small u u_weak).
 
   Lemma cross_near x y X Y N : leaf_of x X -> leaf_of y Y -> computed_cross X Y N ->
     norm (sub N (cross x y)) <= 5.665 * u * (norm x * norm y) + 7 * eta.
-  Proof.
+  Proof using All.
     intros (xx & xy & xz) (yx & yy & yz) (HX & HY & HZ).
     pose proof (norm_nonneg x). pose proof (norm_nonneg y). assert (0 <= norm x * norm y) as p0 by (apply Rmult_le_pos; assumption).
     pose proof (leaf_difference u eta u_weak eta_nonneg _ _ _ _ _ _ _ _ _ xy yz xz yy HX) as dx.
@@ -65,7 +65,7 @@ Section Plane.
     rounds (m * m) mm -> rounds (Rc * square) rs ->
     (at_a < 0 -> m = - at_a \/ m = - at_b \/ m = - at_c) -> (0 <= at_a -> m = at_a \/ m = at_b \/ m = at_c) ->
     50 * (u * u) <= square /\ 0 < m /\ rs < mm.
-  Proof.
+  Proof using Rc_range W_positive eta_nonneg r_nonneg sizes_known u_weak underflow_3 underflow_5.
     intros lCA lAB HN kW nx ny nz Ha Hb Hc Hs la lb thick far high Hmm Hrs below above.
     destruct (t_facts u u_range W W_positive) as (w0 & ww & t0 & tt & uwt). fold w t in w0, ww, t0, tt, uwt.
     set (ca := norm (sub A C)). set (ab := norm (sub B A)). set (q := ca * ab). set (Vn := norm V).

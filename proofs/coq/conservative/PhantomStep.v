@@ -47,51 +47,51 @@ Section Format.
   Let w := sqrt W.
   Let t := sqrt (u * W).
   Let urange := u_range prec prec20.
-  Let u_weak : 0 <= u <= / 1048576. Proof. pose proof urange as H. fold u in H. lra. Qed.
+  Let u_weak : 0 <= u <= / 1048576. Proof using urange. pose proof urange as H. fold u in H. lra. Qed.
   Let W0 := W_positive prec emin least a b c p r large_enough.
   Let eta0 := eta_positive emin.
   Let tiny_2 := underflow_2 prec emin least prec20 low_2 a b c p r large_enough.
   Let tiny_4 := underflow_4 prec emin least prec20 low_4 a b c p r large_enough.
   Let greatest := W_greatest prec emin a b c p r.
   Let dots X Y : computed_dot u eta X Y (rounded_dot rnd false X Y).
-  Proof. apply dot_is_computed, (rounding prec emin prec20). Qed.
+  Proof using emin prec20. apply dot_is_computed, (rounding prec emin prec20). Qed.
   Let rounds_to x : rounds u eta x (rnd x).
-  Proof. apply (rounding prec emin prec20). Qed.
+  Proof using emin prec20. apply (rounding prec emin prec20). Qed.
   Let leaf v : in_format v -> leaf_of u (sub v p) (rounded_sub rnd v p).
-  Proof. intros fv. apply (leaf_difference prec emin prec20); [assumption | apply formats]. Qed.
+  Proof using formats prec20. intros fv. apply (leaf_difference prec emin prec20); [assumption | apply formats]. Qed.
   Lemma rounded_in_format v x : in_format (rounded_sub rnd v x).
-  Proof.
+  Proof using prec20.
     assert (Valid_exp (FLT_exp emin prec)) as valid by (apply FLT_exp_valid; unfold Prec_gt_0; lia).
     repeat split; apply generic_format_round; auto using valid_rnd_N.
   Qed.
 
   (* Underflow is far below powers of u. *)
   Lemma u3 : bpow radix2 (- 3 * prec) = u * u * u.
-  Proof. unfold u, Expression.u. rewrite <- !bpow_plus. f_equal. lia. Qed.
+  Proof using Type. unfold u, Expression.u. rewrite <- !bpow_plus. f_equal. lia. Qed.
   Lemma small_factor x : 0 <= x -> bpow radix2 (-20) * x <= / 1000000 * x.
-  Proof. intros x0. apply Rmult_le_compat_r; [assumption | cbn; lra]. Qed.
+  Proof using Type. intros x0. apply Rmult_le_compat_r; [assumption | cbn; lra]. Qed.
   Lemma tiny_3 : eta <= / 1000000 * (u * u * u).
-  Proof.
+  Proof using low_3 urange.
     pose proof urange as [u0 _]. fold u in u0. rewrite <- u3. eapply Rle_trans; [| apply small_factor, bpow_ge_0].
     apply (eta_below emin) with (- 3 * prec)%Z; [lia | apply Rle_refl].
   Qed.
   Lemma tiny_5 : eta <= / 1000000 * (u * u * (u * W)).
-  Proof.
+  Proof using W0 low_5 urange.
     pose proof urange as [u0 _]. fold u in u0. pose proof W0 as W1. fold rnd W in W1.
     replace (u * u * (u * W)) with (u * u * u * W) by ring. rewrite <- u3.
     eapply Rle_trans; [| apply small_factor; apply Rmult_le_pos; [apply bpow_ge_0 | lra]].
     apply (eta_below emin) with (- 3 * prec + least)%Z; [lia |]. rewrite bpow_plus. apply Rmult_le_compat_l; [apply bpow_ge_0 | assumption].
   Qed.
   Lemma tiny_1 : eta <= / 1000000 * u.
-  Proof.
+  Proof using low_3 u_weak.
     pose proof tiny_3 as H. pose proof urange as [u0 u1]. fold u in u0, u1. assert (u * u <= 1) as uu by nra.
     assert (u * u * u <= 1 * u) by (apply Rmult_le_compat_r; lra). lra.
   Qed.
 
   Let sizes_known X : vertex A B C X -> dot X X <= 1.00001 * W /\ norm X <= 1.00001 * sqrt W.
-  Proof. apply (vertex_size u eta urange eta0 A B C _ _ _ _ W (dots _ _) (dots _ _) (dots _ _) greatest W0 tiny_2). Qed.
+  Proof using W0 dots eta0 greatest tiny_2 urange. apply (vertex_size u eta urange eta0 A B C _ _ _ _ W (dots _ _) (dots _ _) (dots _ _) greatest W0 tiny_2). Qed.
   Let rr_near : r * r <= 1.00001 * W /\ Rabs (rnd (r * r) - r * r) <= 1.0001 * (u * W).
-  Proof. apply (radius_size u eta urange r _ _ _ _ W r_nonneg (rounds_to _) greatest W0 tiny_2). Qed.
+  Proof using W0 greatest r_nonneg rounds_to tiny_2 urange. apply (radius_size u eta urange r _ _ _ _ W r_nonneg (rounds_to _) greatest W0 tiny_2). Qed.
 
   (* Every point of the triangle as computed is at that distance or farther. *)
   Hypothesis far : forall x y z, 0 <= x -> 0 <= y -> 0 <= z -> x + y + z = 1 -> r + 19.9 * t <= norm (combination x y z A B C).
@@ -100,7 +100,7 @@ Section Format.
     r + 19.9 * t <= norm (star X Y) -> dot (star X Y) (star X Y) - 3 * (norm (star X Y) * t) <= dot (star X Y) Z ->
     let product := rounded_dot rnd false in
     conservative_edge rnd u a b c p r X (rounded_sub rnd Y X) (product X X) (product X Y) (product Y Y) (product X Z) (product Y Z).
-  Proof.
+  Proof using low_3 low_5 rr_near sizes_known tiny_4 u_weak.
     intros vX vY vZ fX fY away third product. destruct (star_nearest X Y) as [sX sY].
     destruct (t_facts u urange W W0) as (w0 & ww & _). fold w in w0, ww.
     assert (norm (sub (between X Y (conservative_share rnd X (rounded_sub rnd Y X))) (star X Y)) <= 30 * (u * w)) as close.
@@ -130,7 +130,7 @@ Section Format.
   Lemma plane_says longest : dot (sub A C) (sub A C) <= longest -> dot (sub B A) (sub B A) <= longest ->
     9 * (t * t) * longest < dot (normal A B C) (normal A B C) -> good_face A B C ->
       conservative_plane rnd u (bpow radix2 least_normal) a b c p r.
-  Proof.
+  Proof using far low_3 low_5 normal_5 rr_near sizes_known u_weak.
     intros la lb thick (fa & fb & fc). rewrite <- (normal_cross A B C) in thick. set (V := cross (sub A C) (sub B A)) in *.
     destruct (t_facts u urange W W0) as (w0 & ww & t0 & tt & _). fold w t in w0, ww, t0, tt.
     pose proof (dot_self_nonneg (sub A C)) as L0.
@@ -180,7 +180,7 @@ Section Format.
   Qed.
 
   Lemma says_separated : conservative_separated rnd u (bpow radix2 least_normal) a b c p r.
-  Proof.
+  Proof using far low_3 low_5 normal_5 rr_near sizes_known tiny_4 u_weak w.
     pose proof (or_introl eq_refl : vertex A B C A) as vA. pose proof (or_intror (or_introl eq_refl) : vertex A B C B) as vB.
     pose proof (or_intror (or_intror eq_refl) : vertex A B C C) as vC.
     pose proof (rounded_in_format a p) as fA. pose proof (rounded_in_format b p) as fB. pose proof (rounded_in_format c p) as fC.

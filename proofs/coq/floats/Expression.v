@@ -145,15 +145,15 @@ Section Sound.
     close : Rabs (computed - exact) <= IZR (error b) * unit_of_error * m ^ of_degree b
   }.
 
-  Lemma unit_positive : 0 < unit_of_error. Proof. apply bpow_gt_0. Qed.
+  Lemma unit_positive : 0 < unit_of_error. Proof using Type. apply bpow_gt_0. Qed.
   Lemma u_units : u = 1024 * unit_of_error.
-  Proof.
+  Proof using Type.
     unfold u, unit_of_error. replace 1024 with (bpow radix2 10) by reflexivity. rewrite <- bpow_plus. f_equal; lia.
   Qed.
 
   (* A division by a power of two, rounded up. *)
   Lemma quotient_up a n : (0 <= a)%Z -> (0 <= n)%Z -> IZR a * bpow radix2 (- n) <= IZR (a / 2 ^ n + 1).
-  Proof.
+  Proof using Type.
     intros a0 n0. pose proof (Z.pow_pos_nonneg 2 n eq_refl n0) as positive.
     pose proof (Z.mul_succ_div_gt a (2 ^ n) positive).
     assert (IZR a <= IZR (a / 2 ^ n + 1) * bpow radix2 n) as H1.
@@ -163,11 +163,11 @@ Section Sound.
     rewrite Rmult_assoc, <- bpow_plus. replace (- n + n)%Z with 0%Z by lia. cbn [bpow]. lra.
   Qed.
 
-  Lemma pow_positive k : 0 < m ^ k. Proof. apply pow_lt, m_positive. Qed.
+  Lemma pow_positive k : 0 < m ^ k. Proof using m_positive. apply pow_lt, m_positive. Qed.
 
   Lemma sum_within a b c ea ca eb cb : sum_bounds a b = Some c -> within a ea ca -> within b eb cb ->
     within c (ea + eb) (ca + cb).
-  Proof.
+  Proof using Type.
     unfold sum_bounds. destruct (Nat.eqb_spec (of_degree a) (of_degree b)) as [same |]; [| discriminate].
     intros [= <-] [] []. constructor; cbn [size error of_degree]; try lia.
     - rewrite <- same in *. rewrite plus_IZR. eapply Rle_trans; [apply Rabs_triang |]. lra.
@@ -176,7 +176,7 @@ Section Sound.
   Qed.
 
   Lemma neg_within a e c : within a e c -> within a (- e) (- c).
-  Proof.
+  Proof using Type.
     intros []. constructor; try assumption; [rewrite Rabs_Ropp; assumption |].
     replace (- c - - e) with (- (c - e)) by ring. rewrite Rabs_Ropp. assumption.
   Qed.
@@ -184,7 +184,7 @@ Section Sound.
   (* All of `within` except the bound of the degree, which has to be tested for a product. *)
   Lemma product_within a b ea ca eb cb : (of_degree a + of_degree b <= greatest_degree)%nat ->
     within a ea ca -> within b eb cb -> within (product_bounds p a b) (ea * eb) (ca * cb).
-  Proof.
+  Proof using m_positive p_positive.
     intros small [sa era _ xa la] [sb erb _ xb lb].
     assert (0 <= error a * error b / 2 ^ (p + 10))%Z as quotient by (apply Z.div_pos; [nia | apply Z.pow_pos_nonneg; lia]).
     constructor; cbn [size error of_degree product_bounds]; try nia.
@@ -219,7 +219,7 @@ Section Sound.
     (match cap with Some z => Rabs e <= IZR z * m ^ of_degree b | None => True end) ->
     round_bounds p cap b = Some c ->
     ((of_degree b <= greatest_degree)%nat -> within b e C) -> within c e (rnd C).
-  Proof.
+  Proof using m_positive p_positive rnd_error window.
     intros known. unfold round_bounds.
     set (s := match cap with Some z => Z.min z (size b) | None => size b end).
     destruct (Z.leb_spec 0 s) as [s0 |]; [| discriminate].
@@ -246,7 +246,7 @@ Section Sound.
   Qed.
 
   Lemma bound_degree e : forall cap b, bound p cap e = Some b -> of_degree b = degree e.
-  Proof.
+  Proof using Type.
     assert (rounds : forall cap a b, round_bounds p cap a = Some b -> of_degree b = of_degree a).
     { intros cap a b. unfold round_bounds. destruct andb; [| discriminate]. intros [= <-]. reflexivity. }
     assert (sums : forall a b c, sum_bounds a b = Some c -> of_degree c = of_degree a).
@@ -275,7 +275,7 @@ Section Sound.
     bound p cap e = Some b ->
     (match cap with Some z => Rabs (exact x e) <= IZR z * m ^ degree e | None => True end) ->
     caps_hold x m e -> within b (exact x e) (rounded rnd X e).
-  Proof.
+  Proof using All.
     induction e; intros cap bs; cbn [bound degree exact rounded caps_hold].
     - intros [= <-] _ _. constructor; cbn [size error of_degree]; try lia.
       + destruct l; cbn; lia.

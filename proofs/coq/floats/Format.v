@@ -14,10 +14,10 @@ Section Format.
   Definition half_least := / 2 * bpow radix2 emin.
 
   Lemma half_bpow : / 2 * bpow radix2 (- p + 1) = u.
-  Proof. unfold u, Expression.u. rewrite bpow_plus. change (bpow radix2 1) with 2. lra. Qed.
+  Proof using Type. unfold u, Expression.u. rewrite bpow_plus. change (bpow radix2 1) with 2. lra. Qed.
 
   Lemma rnd_error x : Rabs (rnd x - x) <= u * Rabs x + half_least.
-  Proof.
+  Proof using fexp p_positive.
     destruct (error_N_FLT radix2 emin p p_positive (fun t => negb (Z.even t)) x) as (eps & eta & small & tiny & _ & equal).
     unfold rnd, fexp. rewrite equal. rewrite half_bpow in small.
     replace (x * (1 + eps) + eta - x) with (eps * x + eta) by ring.
@@ -30,7 +30,7 @@ Section Format.
   (* A difference of two numbers of the format has no underflow error. *)
   Lemma difference_error a b : generic_format radix2 fexp a -> generic_format radix2 fexp b ->
     Rabs (rnd (a - b) - (a - b)) <= u * Rabs (a - b) /\ Rabs (a - b) <= (1 + u) * Rabs (rnd (a - b)).
-  Proof.
+  Proof using emin p_positive.
     intros Fa Fb.
     assert (generic_format radix2 fexp (- b)) as Fb' by (apply generic_format_opp; assumption).
     destruct (FLT_plus_error_N_ex radix2 emin p (fun t => negb (Z.even t)) a (- b) Fa Fb') as (eps & small & equal).
@@ -52,16 +52,16 @@ Section Format.
   Qed.
 
   Lemma rnd_monotone x y : x <= y -> rnd x <= rnd y.
-  Proof. apply round_le; [apply FLT_exp_valid; exact p_positive | apply valid_rnd_N]. Qed.
+  Proof using fexp p_positive. apply round_le; [apply FLT_exp_valid; exact p_positive | apply valid_rnd_N]. Qed.
   Lemma rnd_format x : generic_format radix2 fexp x -> rnd x = x.
-  Proof. apply round_generic, valid_rnd_N. Qed.
+  Proof using emin p. apply round_generic, valid_rnd_N. Qed.
 
   (* A rounded value beyond a number of the format was beyond it before rounding. *)
   Lemma beyond x t : generic_format radix2 fexp t -> t < rnd x -> t < x.
-  Proof. intros Ft more. destruct (Rlt_le_dec t x) as [| less]; [assumption |].
+  Proof using emin p_positive. intros Ft more. destruct (Rlt_le_dec t x) as [| less]; [assumption |].
     apply rnd_monotone in less. rewrite (rnd_format t Ft) in less. lra. Qed.
   Lemma below x t : generic_format radix2 fexp t -> rnd x < t -> x < t.
-  Proof. intros Ft less. destruct (Rlt_le_dec x t) as [| more]; [assumption |].
+  Proof using emin p_positive. intros Ft less. destruct (Rlt_le_dec x t) as [| more]; [assumption |].
     apply rnd_monotone in more. rewrite (rnd_format t Ft) in more. lra. Qed.
 End Format.
 

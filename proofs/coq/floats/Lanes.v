@@ -33,7 +33,7 @@ Section Lanes.
 
   (* The error of a sum x + y where x had the error e. *)
   Lemma rounds_off e y x Y : Rabs (y - x) <= e -> rounds y Y -> Rabs (Y - x) <= e * (1 + u) + u * Rabs x + eta.
-  Proof.
+  Proof using u_range.
     unfold rounds. intros off round.
     assert (Rabs y <= Rabs x + e) by (replace y with (x + (y - x)) by ring; eapply Rle_trans; [apply Rabs_triang | lra]).
     replace (Y - x) with ((Y - y) + (y - x)) by ring. eapply Rle_trans; [apply Rabs_triang |].
@@ -41,18 +41,18 @@ Section Lanes.
   Qed.
 
   Lemma rounds_exactly x X : rounds x X -> Rabs (X - x) <= u * Rabs x + eta.
-  Proof. exact (fun H => H). Qed.
+  Proof using Type. exact (fun H => H). Qed.
 
   Lemma plus_off a b a' b' ea eb : Rabs (a' - a) <= ea -> Rabs (b' - b) <= eb -> Rabs (a' + b' - (a + b)) <= ea + eb.
-  Proof. intros. replace (a' + b' - (a + b)) with ((a' - a) + (b' - b)) by ring. eapply Rle_trans; [apply Rabs_triang | lra]. Qed.
+  Proof using Type. intros. replace (a' + b' - (a + b)) with ((a' - a) + (b' - b)) by ring. eapply Rle_trans; [apply Rabs_triang | lra]. Qed.
   Lemma minus_off a b a' b' ea eb : Rabs (a' - a) <= ea -> Rabs (b' - b) <= eb -> Rabs (a' - b' - (a - b)) <= ea + eb.
-  Proof.
+  Proof using Type.
     intros. replace (a' - b' - (a - b)) with ((a' - a) + - (b' - b)) by ring.
     eapply Rle_trans; [apply Rabs_triang |]. rewrite Rabs_Ropp. lra.
   Qed.
   Lemma times_off a b a' b' ea eb : Rabs (a' - a) <= ea -> Rabs (b' - b) <= eb ->
     Rabs (a' * b' - a * b) <= ea * Rabs b + Rabs a * eb + ea * eb.
-  Proof.
+  Proof using Type.
     intros Ha Hb. replace (a' * b' - a * b) with ((a' - a) * b + a * (b' - b) + (a' - a) * (b' - b)) by ring.
     pose proof (Rabs_triang ((a' - a) * b + a * (b' - b)) ((a' - a) * (b' - b))).
     pose proof (Rabs_triang ((a' - a) * b) (a * (b' - b))). rewrite !Rabs_mult in *.
@@ -61,15 +61,15 @@ Section Lanes.
     assert (Rabs (a' - a) * Rabs (b' - b) <= ea * eb) by (apply Rmult_le_compat; auto using Rabs_pos). lra.
   Qed.
 
-  Lemma u_square : u * u <= u / 1048576. Proof. nra. Qed.
+  Lemma u_square : u * u <= u / 1048576. Proof using Type*. nra. Qed.
   Lemma small t : 0 <= t -> 0 <= u * t <= t / 1048576.
-  Proof. intros. split; [apply Rmult_le_pos; lra | assert (u * t <= / 1048576 * t) by (apply Rmult_le_compat_r; lra); lra]. Qed.
+  Proof using Type*. intros. split; [apply Rmult_le_pos; lra | assert (u * t <= / 1048576 * t) by (apply Rmult_le_compat_r; lra); lra]. Qed.
   Lemma smaller t : 0 <= t -> 0 <= u * u * t <= u * t / 1048576.
-  Proof. intros t0. pose proof (small t t0) as [a _]. pose proof (small _ a). lra. Qed.
+  Proof using Type*. intros t0. pose proof (small t t0) as [a _]. pose proof (small _ a). lra. Qed.
 
   (* Three roundings for each product, and at most six underflows. *)
   Lemma dot_error X Y D : computed_dot X Y D -> Rabs (D - dot X Y) <= 3.001 * u * sizes X Y + 6 * eta.
-  Proof.
+  Proof using All.
     intros (p & s & Hp & Hs & HD). unfold dot, sizes.
     set (x := cx X * cx Y) in *. set (y := cy X * cy Y) in *. set (z := cz X * cz Y) in *.
     assert (step : forall a e a' b S, 0 <= e -> Rabs (a' - a) <= e ->
@@ -101,7 +101,7 @@ Section Lanes.
 
   Lemma difference_error a b c d D : computed_difference a b c d D ->
     Rabs (D - (a * b - c * d)) <= 2.001 * u * (Rabs (a * b) + Rabs (c * d)) + 4 * eta.
-  Proof.
+  Proof using All.
     intros (p & Hp & H). set (x := a * b) in *. set (y := c * d) in *.
     pose proof (Rabs_pos x). pose proof (Rabs_pos y).
     assert (0 <= u * Rabs y) by (apply Rmult_le_pos; lra). assert (0 <= u * Rabs x) by (apply Rmult_le_pos; lra).
@@ -122,7 +122,7 @@ Section Lanes.
   (* The product of two leaves. *)
   Lemma leaf_product a b A B : Rabs (A - a) <= u * Rabs a -> Rabs (B - b) <= u * Rabs b ->
     Rabs (A * B - a * b) <= 2.001 * u * Rabs (a * b) /\ Rabs (A * B) <= 1.001 * Rabs (a * b).
-  Proof.
+  Proof using Type*.
     intros Ha Hb. pose proof (times_off _ _ _ _ _ _ Ha Hb) as H. rewrite Rabs_mult.
     pose proof (Rabs_pos a). pose proof (Rabs_pos b). assert (0 <= Rabs a * Rabs b) by (apply Rmult_le_pos; lra).
     set (s := Rabs a * Rabs b) in *.

@@ -61,18 +61,18 @@ Section Float.
     is_finite (inverse_power x) = true /\ B2R (inverse_power x) = bpow radix2 (1 - mag radix2 (B2R x)).
 
   Lemma finite_not_nan (x : float) : is_finite x = true -> is_nan x = false.
-  Proof. destruct x; cbn; congruence. Qed.
+  Proof using Type. destruct x; cbn; congruence. Qed.
   Lemma at_most_of_finite (x y : float) : is_finite x = true -> is_finite y = true -> Bleb x y = true -> (B2R x <= B2R y)%R.
-  Proof. intros Fx Fy. rewrite Bleb_correct by assumption. case Rle_bool_spec; [auto | discriminate]. Qed.
+  Proof using Type. intros Fx Fy. rewrite Bleb_correct by assumption. case Rle_bool_spec; [auto | discriminate]. Qed.
   Lemma least_of_finite : is_least -> forall x y, is_finite x = true -> is_finite y = true ->
     is_finite (least x y) = true /\ B2R (least x y) = Rmin (B2R x) (B2R y).
-  Proof.
+  Proof using Type.
     intros H x y Fx Fy. destruct (H x y (finite_not_nan x Fx) (finite_not_nan y Fy)) as [[-> le] | [-> le]];
       apply at_most_of_finite in le; try assumption; (split; [assumption |]); unfold Rmin; destruct Rle_dec; lra.
   Qed.
   Lemma greatest_of_finite : is_greatest -> forall x y, is_finite x = true -> is_finite y = true ->
     is_finite (greatest x y) = true /\ B2R (greatest x y) = Rmax (B2R x) (B2R y).
-  Proof.
+  Proof using Type.
     intros H x y Fx Fy. destruct (H x y (finite_not_nan x Fx) (finite_not_nan y Fy)) as [[-> le] | [-> le]];
       apply at_most_of_finite in le; try assumption; (split; [assumption |]); unfold Rmax; destruct Rle_dec; lra.
   Qed.

@@ -27,28 +27,28 @@ Section Run.
   Lemma plus_fits (a b : float) : is_finite a = true -> is_finite b = true ->
     Rabs (nearest (B2R a + B2R b)) < bpow radix2 emax ->
     is_finite (Bplus mode_NE a b) = true /\ B2R (Bplus mode_NE a b) = nearest (B2R a + B2R b).
-  Proof.
+  Proof using Type.
     intros Fa Fb small. pose proof (Bplus_correct prec emax _ _ mode_NE a b Fa Fb) as H.
     rewrite Rlt_bool_true in H by exact small. tauto.
   Qed.
   Lemma minus_fits (a b : float) : is_finite a = true -> is_finite b = true ->
     Rabs (nearest (B2R a - B2R b)) < bpow radix2 emax ->
     is_finite (Bminus mode_NE a b) = true /\ B2R (Bminus mode_NE a b) = nearest (B2R a - B2R b).
-  Proof.
+  Proof using Type.
     intros Fa Fb small. pose proof (Bminus_correct prec emax _ _ mode_NE a b Fa Fb) as H.
     rewrite Rlt_bool_true in H by exact small. tauto.
   Qed.
   Lemma mult_fits (a b : float) : is_finite a = true -> is_finite b = true ->
     Rabs (nearest (B2R a * B2R b)) < bpow radix2 emax ->
     is_finite (Bmult mode_NE a b) = true /\ B2R (Bmult mode_NE a b) = nearest (B2R a * B2R b).
-  Proof.
+  Proof using Type.
     intros Fa Fb small. pose proof (Bmult_correct prec emax _ _ mode_NE a b) as H.
     rewrite Rlt_bool_true in H by exact small. rewrite Fa, Fb in H. tauto.
   Qed.
   Lemma fma_fits (a b c : float) : is_finite a = true -> is_finite b = true -> is_finite c = true ->
     Rabs (nearest (B2R a * B2R b + B2R c)) < bpow radix2 emax ->
     is_finite (Bfma mode_NE a b c) = true /\ B2R (Bfma mode_NE a b c) = nearest (B2R a * B2R b + B2R c).
-  Proof.
+  Proof using Type.
     intros Fa Fb Fc small. pose proof (Bfma_correct prec emax _ _ mode_NE a b c Fa Fb Fc) as H. cbv zeta in H.
     rewrite Rlt_bool_true in H by exact small. tauto.
   Qed.
@@ -56,7 +56,7 @@ Section Run.
   (* If a difference is finite, its operands were finite, and it is the rounded difference. *)
   Lemma minus_finite (a b : float) : is_finite (Bminus mode_NE a b) = true ->
     is_finite a = true /\ is_finite b = true /\ B2R (Bminus mode_NE a b) = nearest (B2R a - B2R b).
-  Proof.
+  Proof using Type.
     intros F.
     assert (is_finite a = true /\ is_finite b = true) as [Fa Fb].
     { destruct a as [| [] | |], b as [| [] | |]; cbn in F; try discriminate; auto. }
@@ -80,7 +80,7 @@ Section Run.
 
     Lemma bound_limits e : forall cap b, bound prec cap e = Some b ->
       (size b <= greatest_size)%Z /\ (error b <= greatest_error)%Z.
-    Proof.
+    Proof using Type.
       assert (rounds : forall cap a b, round_bounds prec cap a = Some b ->
         (size b <= greatest_size)%Z /\ (error b <= greatest_error)%Z).
       { intros cap a b. unfold round_bounds. destruct andb eqn:H; [| discriminate]. intros [= <-].
@@ -104,7 +104,7 @@ Section Run.
     Lemma computed_within e cap b : bound prec cap e = Some b ->
       (match cap with Some z => Rabs (exact x e) <= IZR z * m ^ degree e | None => True end) ->
       caps_hold x m e -> within prec m b (exact x e) (rounded nearest X e).
-    Proof.
+    Proof using leaf_close leaf_size m_positive prec20 window.
       apply (bound_sound prec ltac:(lia) nearest (half_least (3 - emax - prec))); try assumption.
       intros y. apply rnd_error. lia.
     Qed.
@@ -112,7 +112,7 @@ Section Run.
     Lemma computed_fits e cap b : bound prec cap e = Some b ->
       (match cap with Some z => Rabs (exact x e) <= IZR z * m ^ degree e | None => True end) ->
       caps_hold x m e -> Rabs (rounded nearest X e) < bpow radix2 emax.
-    Proof.
+    Proof using fits leaf_close leaf_size m_positive prec20 window.
       intros H known caps. destruct (bound_limits _ _ _ H) as [s_max e_max].
       destruct (computed_within _ _ _ H known caps) as [_ _ small xs close].
       pose proof (pow_lt m (of_degree b) m_positive) as positive. pose proof (unit_positive prec) as v0.
@@ -132,7 +132,7 @@ Section Run.
     Theorem run_correct e : forall cap b, bound prec cap e = Some b ->
       (match cap with Some z => Rabs (exact x e) <= IZR z * m ^ degree e | None => True end) ->
       caps_hold x m e -> is_finite (run floats e) = true /\ B2R (run floats e) = rounded nearest X e.
-    Proof.
+    Proof using fits leaf_close leaf_finite leaf_size m_positive prec20 window.
       induction e; intros cap bs H known caps; pose proof (computed_fits _ _ _ H known caps) as small;
         cbn [bound rounded run caps_hold] in *.
       - split; [apply leaf_finite | reflexivity].

@@ -8,13 +8,13 @@ Section Caps.
   Hypothesis m0 : 0 <= m.
 
   Lemma abs_product a b c d : Rabs a <= c -> Rabs b <= d -> Rabs (a * b) <= c * d.
-  Proof. intros. rewrite Rabs_mult. apply Rmult_le_compat; auto using Rabs_pos. Qed.
+  Proof using Type. intros. rewrite Rabs_mult. apply Rmult_le_compat; auto using Rabs_pos. Qed.
 
   (* The distances between three numbers of an interval of length 2 m sum to at most 4 m. *)
   Lemma around a1 a2 a3 b1 b2 b3 : Rabs a1 <= m -> Rabs a2 <= m -> Rabs a3 <= m ->
     Rabs b1 <= m -> Rabs b2 <= m -> Rabs b3 <= m ->
     Rabs (a1 * (b2 - b3) + a2 * (b3 - b1) + a3 * (b1 - b2)) <= 4 * (m * m).
-  Proof.
+  Proof using m0.
     intros H1 H2 H3 G1 G2 G3.
     assert (Rabs (b2 - b3) + Rabs (b3 - b1) + Rabs (b1 - b2) <= 4 * m) as perimeter.
     { unfold Rabs in *; repeat destruct Rcase_abs; lra. }
@@ -30,7 +30,7 @@ Section Caps.
   Lemma normal_cap a1 a2 b1 b2 c1 c2 : Rabs a1 <= m -> Rabs a2 <= m -> Rabs b1 <= m -> Rabs b2 <= m ->
     Rabs c1 <= m -> Rabs c2 <= m ->
     Rabs ((b1 - a1) * (c2 - a2) - (b2 - a2) * (c1 - a1)) <= 4 * (m * m).
-  Proof.
+  Proof using m0.
     intros. replace ((b1 - a1) * (c2 - a2) - (b2 - a2) * (c1 - a1))
       with (a1 * (b2 - c2) + b1 * (c2 - a2) + c1 * (a2 - b2)) by ring. apply around; assumption.
   Qed.
@@ -39,7 +39,7 @@ Section Caps.
   Lemma cross_sum b1 b2 b3 c1 c2 c3 : Rabs b1 <= m -> Rabs b2 <= m -> Rabs b3 <= m ->
     Rabs c1 <= m -> Rabs c2 <= m -> Rabs c3 <= m ->
     Rabs (b2 * c3 - b3 * c2) + Rabs (b3 * c1 - b1 * c3) + Rabs (b1 * c2 - b2 * c1) <= 4 * (m * m).
-  Proof.
+  Proof using m0.
     intros.
     assert (Rabs (- b2) <= m) by (rewrite Rabs_Ropp; assumption). assert (Rabs (- b3) <= m) by (rewrite Rabs_Ropp; assumption).
     assert (Rabs (- c2) <= m) by (rewrite Rabs_Ropp; assumption). assert (Rabs (- c3) <= m) by (rewrite Rabs_Ropp; assumption).
@@ -63,7 +63,7 @@ Section Caps.
     Rabs a1 <= m -> Rabs a2 <= m -> Rabs a3 <= m -> Rabs b1 <= m -> Rabs b2 <= m -> Rabs b3 <= m ->
     Rabs c1 <= m -> Rabs c2 <= m -> Rabs c3 <= m ->
     Rabs (a1 * (b2 * c3 - b3 * c2) + a2 * (b3 * c1 - b1 * c3) + a3 * (b1 * c2 - b2 * c1)) <= 4 * (m * (m * m)).
-  Proof.
+  Proof using m0.
     intros H1 H2 H3 **. pose proof (cross_sum b1 b2 b3 c1 c2 c3 ltac:(assumption) ltac:(assumption) ltac:(assumption)
       ltac:(assumption) ltac:(assumption) ltac:(assumption)) as total.
     pose proof (abs_product _ _ _ _ H1 (Rle_refl (Rabs (b2 * c3 - b3 * c2)))).
@@ -76,7 +76,7 @@ Section Caps.
 
   Lemma product_difference_cap a b c d : Rabs a <= m -> Rabs b <= m -> Rabs c <= m -> Rabs d <= m ->
     Rabs (a * b - c * d) <= 2 * (m * m).
-  Proof.
+  Proof using Type.
     intros. replace (2 * (m * m)) with (m * m + m * m) by ring. unfold Rminus.
     eapply Rle_trans; [apply Rabs_triang |]. rewrite Rabs_Ropp.
     apply Rplus_le_compat; apply abs_product; assumption.
@@ -86,7 +86,7 @@ Section Caps.
   Lemma foot_cap a1 a2 a3 b1 b2 b3 : Rabs a1 <= m -> Rabs a2 <= m -> Rabs a3 <= m ->
     Rabs b1 <= m -> Rabs b2 <= m -> Rabs b3 <= m ->
     Rabs ((b2 - a2) * (a1 * b2 - b1 * a2) + (b3 - a3) * (a1 * b3 - b1 * a3)) <= 8 * (m * (m * m)).
-  Proof.
+  Proof using m0.
     intros. replace (8 * (m * (m * m))) with (2 * m * (2 * (m * m)) + 2 * m * (2 * (m * m))) by ring.
     eapply Rle_trans; [apply Rabs_triang |].
     assert (twice : forall s t, Rabs s <= m -> Rabs t <= m -> Rabs (s - t) <= 2 * m).
@@ -107,7 +107,7 @@ Section CapsHold.
   Hypothesis leaf_size : forall l, Rabs (x l) <= m.
 
   Lemma V_caps fused : caps_hold x m (ex (V fused)) /\ caps_hold x m (ey (V fused)) /\ caps_hold x m (ez (V fused)).
-  Proof.
+  Proof using All.
     destruct fused; cbn; repeat split.
     all: first
       [ by_lemma (normal_cap m m0 (x ay) (x az) (x by_) (x bz) (x cy_) (x cz_) ltac:(auto) ltac:(auto) ltac:(auto) ltac:(auto) ltac:(auto) ltac:(auto))
@@ -116,7 +116,7 @@ Section CapsHold.
   Qed.
 
   Lemma d_caps fused : caps_hold x m (d fused).
-  Proof.
+  Proof using All.
     pose proof (V_caps fused) as (? & ? & ?). unfold d. cbn [caps_hold]. split.
     - destruct fused; cbn;
       by_lemma (determinant_cap m m0 (x ax) (x ay) (x az) (x bx) (x by_) (x bz) (x cx_) (x cy_) (x cz_) ltac:(auto) ltac:(auto) ltac:(auto) ltac:(auto) ltac:(auto) ltac:(auto) ltac:(auto) ltac:(auto) ltac:(auto)).
@@ -131,26 +131,26 @@ Section CapsHold.
   Definition caps_of (v : triple) := caps_hold x m (ex v) /\ caps_hold x m (ey v) /\ caps_hold x m (ez v).
 
   Lemma Q1_caps : forall fused, caps_of (Q fused A B (sum_of_products fused A B)).
-  Proof. foot_caps ax ay az bx by_ bz. Qed.
+  Proof using All. foot_caps ax ay az bx by_ bz. Qed.
   Lemma Q2_caps : forall fused, caps_of (Q fused B C (sum_of_products fused B C)).
-  Proof. foot_caps bx by_ bz cx_ cy_ cz_. Qed.
+  Proof using All. foot_caps bx by_ bz cx_ cy_ cz_. Qed.
   Lemma Q3_caps : forall fused, caps_of (Q fused C A (sum_of_products fused A C)).
-  Proof. foot_caps cx_ cy_ cz_ ax ay az. Qed.
+  Proof using All. foot_caps cx_ cy_ cz_ ax ay az. Qed.
 
   Lemma sum_caps fused v w : caps_of v -> caps_of w -> caps_hold x m (sum_of_products fused v w).
-  Proof. unfold caps_of. destruct fused; cbn; tauto. Qed.
+  Proof using Type. unfold caps_of. destruct fused; cbn; tauto. Qed.
   Lemma minus_caps v w : caps_of v -> caps_of w -> caps_of (minus v w).
-  Proof. unfold caps_of. cbn. tauto. Qed.
+  Proof using Type. unfold caps_of. cbn. tauto. Qed.
   Lemma times_caps v s : caps_of v -> caps_hold x m s -> caps_of (times v s).
-  Proof. unfold caps_of. cbn. tauto. Qed.
+  Proof using Type. unfold caps_of. cbn. tauto. Qed.
   Lemma product_caps fused v w : caps_of v -> caps_of w -> caps_of (vector_product fused v w).
-  Proof. unfold caps_of. destruct fused; cbn; tauto. Qed.
+  Proof using Type. unfold caps_of. destruct fused; cbn; tauto. Qed.
   Lemma vertices_caps : caps_of A /\ caps_of B /\ caps_of C.
-  Proof. unfold caps_of. cbn. tauto. Qed.
+  Proof using Type. unfold caps_of. cbn. tauto. Qed.
 
   Lemma reduced_caps fused K :
     caps_hold x m (fst (reduced_program fused K)) /\ caps_hold x m (snd (reduced_program fused K)).
-  Proof.
+  Proof using All.
     pose proof vertices_caps as (? & ? & ?). pose proof (V_caps fused : caps_of (V fused)). pose proof (d_caps fused) as d_good.
     pose proof (Q1_caps fused). pose proof (Q2_caps fused). pose proof (Q3_caps fused).
     destruct K; cbn [reduced_program published_program fst snd plane_radius_program reduced_radius_program
@@ -159,7 +159,7 @@ Section CapsHold.
 
   Lemma published_caps fused K :
     caps_hold x m (fst (published_program fused K)) /\ caps_hold x m (snd (published_program fused K)).
-  Proof.
+  Proof using All.
     pose proof vertices_caps as (? & ? & ?). pose proof (V_caps fused : caps_of (V fused)). pose proof (d_caps fused) as d_good.
     pose proof (Q1_caps fused). pose proof (Q2_caps fused). pose proof (Q3_caps fused).
     destruct K; cbn [published_program fst snd plane_radius_program edge_radius_program edge_side_program rr caps_hold];

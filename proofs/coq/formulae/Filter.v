@@ -115,7 +115,7 @@ Section Filter.
   Hypothesis hi_window : forall k, (k <= greatest_degree)%nat -> 4096 * B2R hi ^ k < bpow radix2 emax.
 
   Lemma bounded_finite (x : float) : Bleb (Babs x) hi = true -> is_finite x = true /\ Rabs (B2R x) <= B2R hi.
-  Proof.
+  Proof using hi_finite.
     intros H. assert (is_finite x = true) as F.
     { revert H. clear -hi_finite. destruct x as [| s | |], hi as [| | |]; cbn in *; try discriminate; auto. }
     split; [assumption |]. rewrite Bleb_correct in H by (rewrite ?is_finite_Babs; assumption).
@@ -124,7 +124,7 @@ Section Filter.
 
   Lemma radius_finite (x : float) : Bleb (B754_zero false) x = true -> Bleb x hi = true ->
     is_finite x = true /\ 0 <= B2R x <= B2R hi.
-  Proof.
+  Proof using hi_finite.
     intros H0 H1. assert (is_finite x = true) as F.
     { revert H0 H1. clear -hi_finite. destruct x as [| [] | |], hi as [| | |]; cbn in *; try discriminate; auto. }
     split; [assumption |]. rewrite Bleb_correct in H0, H1 by auto. revert H0 H1.
@@ -134,7 +134,7 @@ Section Filter.
   Lemma greater_spec x y : is_finite x = true -> is_finite y = true ->
     is_finite (greater x y) = true /\ B2R x <= B2R (greater x y) /\ B2R y <= B2R (greater x y) /\
     (forall h, B2R x <= h -> B2R y <= h -> B2R (greater x y) <= h).
-  Proof.
+  Proof using Type.
     intros Fx Fy. unfold greater. rewrite Bltb_correct by assumption.
     case Rlt_bool_spec; intros; repeat split; auto; lra.
   Qed.
@@ -143,7 +143,7 @@ Section Filter.
     (forall l, In l ls -> is_finite (value l) = true /\ Rabs (B2R (value l)) <= h) ->
     let m := fold_left (fun m l => greater m (Babs (value l))) ls start in
     is_finite m = true /\ B2R start <= B2R m <= h /\ (forall l, In l ls -> Rabs (B2R (value l)) <= B2R m).
-  Proof.
+  Proof using Type.
     induction ls as [| l ls IH]; intros start F start_h good; cbn [fold_left].
     - cbv zeta. repeat split; auto; try lra. intros l [].
     - destruct (good l (or_introl eq_refl)) as [Fl lh].
@@ -159,7 +159,7 @@ Section Filter.
     is_finite (greatest q) = true /\ B2R lo <= B2R (greatest q) <= B2R hi /\ 0 <= B2R (fr q) <= B2R (greatest q) /\
     (forall l, is_finite (float_leaf q (greatest q) l) = true) /\
     (forall l, Rabs (B2R (float_leaf q (greatest q) l)) <= B2R (greatest q)).
-  Proof.
+  Proof using hi_finite lo_finite.
     unfold inside. rewrite !andb_true_iff. intros (((r0 & r1) & coords) & low).
     destruct (radius_finite _ r0 r1) as [Fr [r_low r_high]]. rewrite forallb_forall in coords.
     destruct (fold_spec (float_leaf q (fr q)) (B2R hi) coordinates (fr q) Fr r_high) as (Fm & [m1 m2] & each).
@@ -179,7 +179,7 @@ Section Filter.
     let x := exact_leaves (real_query q) (B2R (greatest q)) l in
     let m' := (1 + u) * B2R (greatest q) in
     Rabs x <= m' /\ Rabs (B2R (float_leaf q (greatest q) l) - x) <= IZR (leaf_error l) * unit_of_error prec * m'.
-  Proof.
+  Proof using hi_finite lo_finite prec20.
     intros ins. destruct (inside_spec q ins) as (Fm & [lo_m m_hi] & [r0 r_m] & finite & small).
     assert (0 < u) as u0 by apply bpow_gt_0. pose proof (u_units prec) as uu. pose proof (unit_positive prec) as v0.
     assert (B2R (greatest q) <= (1 + u) * B2R (greatest q)) as grow by nra.
@@ -203,18 +203,18 @@ Section Filter.
 
   Lemma window_at m : B2R lo <= m -> forall k, (k <= greatest_degree)%nat ->
     half_least (3 - emax - prec) <= unit_of_error prec * m ^ k.
-  Proof.
+  Proof using lo_positive lo_window.
     intros lo_m k kk. apply Rle_trans with (1 := lo_window k kk). apply Rmult_le_compat_l; [apply bpow_ge_0 |].
     apply pow_incr. lra.
   Qed.
 
   Lemma u_small : 0 < u <= / 1048576.
-  Proof.
+  Proof using prec20.
     split; [apply bpow_gt_0 |]. unfold Expression.u. apply Rle_trans with (bpow radix2 (-20)); [apply bpow_le; lia | cbn; lra].
   Qed.
 
   Lemma fits_at m : 0 < m <= B2R hi -> forall k, (k <= greatest_degree)%nat -> 2048 * ((1 + u) * m) ^ k < bpow radix2 emax.
-  Proof.
+  Proof using hi_window prec20.
     intros [m0 m_hi] k kk. apply Rle_lt_trans with (2 := hi_window k kk). rewrite Rpow_mult_distr. pose proof u_small.
     assert ((1 + u) ^ k <= 2).
     { apply Rle_trans with ((1 + u) ^ 6); [apply Rle_pow; [lra | exact kk] |].
@@ -226,7 +226,7 @@ Section Filter.
 
   Lemma coefficient_spec K : (0 <= threshold K < 2 ^ prec)%Z ->
     is_finite (coefficient K) = true /\ B2R (coefficient K) = IZR (threshold K) * u.
-  Proof.
+  Proof using prec20.
     intros n_small. unfold coefficient.
     pose proof (binary_normalize_correct prec emax _ _ mode_NE (threshold K) (- prec) false) as H. cbv zeta in H.
     assert (F2R (Float radix2 (threshold K) (- prec)) = IZR (threshold K) * u) as value by reflexivity.
@@ -247,11 +247,11 @@ Section Filter.
   Qed.
 
   Lemma power_exact x k : (k = 2 \/ k = 4 \/ k = 6)%nat -> exact x (power k) = x magnitude ^ k.
-  Proof. intros [-> | [-> | ->]]; cbn; ring. Qed.
+  Proof using Type. intros [-> | [-> | ->]]; cbn; ring. Qed.
   Lemma power_caps x m k : caps_hold x m (power k).
-  Proof. unfold power. repeat (destruct k as [| k]; cbn; try tauto). Qed.
+  Proof using Type. unfold power. repeat (destruct k as [| k]; cbn; try tauto). Qed.
   Lemma power_rounded rnd x k : rounded rnd x (power k) = rounded rnd (fun _ => x magnitude) (power k).
-  Proof. unfold power. repeat (destruct k as [| k]; try reflexivity). Qed.
+  Proof using Type. unfold power. repeat (destruct k as [| k]; try reflexivity). Qed.
 
   (* The main step: the compared numbers are finite, and a computed margin beyond the limit has the sign of the exact
      one. *)
@@ -259,7 +259,7 @@ Section Filter.
     let sides := exact_sides (exact_leaves (real_query q) (B2R (greatest q))) (program K) in
     (forall x, In x (compared_at q K) -> is_finite x = true) /\
     (certainly_greater q K = true -> fst sides > snd sides) /\ (certainly_less q K = true -> fst sides < snd sides).
-  Proof.
+  Proof using all_covered caps hi_finite hi_window lo_finite lo_positive lo_window prec20.
     intros ins. destruct (inside_spec q ins) as (Fm & [lo_m m_hi] & [r0 r_m] & finite & small).
     pose proof (leaf_spec q ins) as leaves_close. cbv zeta in leaves_close.
     set (m := B2R (greatest q)) in *. set (x := exact_leaves (real_query q) m) in *.
@@ -341,13 +341,13 @@ Section Filter.
   Qed.
 
   Theorem filter_finite q : filter q <> answer_undecided -> forall x, compared q x -> is_finite x = true.
-  Proof.
+  Proof using all_covered caps hi_finite hi_window lo_finite lo_positive lo_window prec20.
     unfold filter. destruct (inside q) eqn:ins; [intros _ | cbn [negb]; congruence].
     intros x [K is_compared]. exact (proj1 (certain q K ins) x is_compared).
   Qed.
 
   Theorem filter_separated q : filter q = answer_separated -> query_separated (real_query q).
-  Proof.
+  Proof using all_covered caps exactly_right hi_finite hi_window lo_finite lo_positive lo_window prec20.
     unfold filter. destruct (inside q) eqn:ins; [cbn [negb] | discriminate].
     destruct some_axis_b eqn:axis; [intros _ | destruct negb; discriminate].
     destruct (inside_spec q ins) as (_ & _ & [r0 _] & _).
@@ -357,7 +357,7 @@ Section Filter.
   Qed.
 
   Theorem filter_contact q : filter q = answer_contact -> ~ query_separated (real_query q).
-  Proof.
+  Proof using all_covered caps exactly_right hi_finite hi_window lo_finite lo_positive lo_window prec20.
     unfold filter. destruct (inside q) eqn:ins; [cbn [negb] | discriminate].
     destruct some_axis_b; [discriminate |].
     destruct (some_axis_b (fun K => negb (certainly_less q K))) eqn:axis; [discriminate |]. intros _ separated.

@@ -69,7 +69,7 @@ Section Instance.
 
   Theorem instance_never_lies :
     never_lies (filter prec emax _ _ program threshold lo hi) (compared prec emax _ _ program threshold).
-  Proof.
+  Proof using all_covered caps e0 exactly_right hi_finite hi_value high_room lo_finite lo_value low_room prec20.
     assert (0 < B2R lo) by (rewrite lo_value; apply bpow_gt_0).
     assert (forall k, (k <= greatest_degree)%nat ->
       half_least (3 - emax - prec) <= unit_of_error prec * B2R lo ^ k).

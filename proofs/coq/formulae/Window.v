@@ -32,21 +32,21 @@ Section Window.
   Definition on_grid (j : Z) (x : R) : Prop := exists n : Z, x = IZR n * bpow radix2 j.
 
   Lemma grid_sum j x y : on_grid j x -> on_grid j y -> on_grid j (x + y).
-  Proof. intros [n ->] [k ->]. exists (n + k)%Z. rewrite plus_IZR. ring. Qed.
+  Proof using Type. intros [n ->] [k ->]. exists (n + k)%Z. rewrite plus_IZR. ring. Qed.
   Lemma grid_opposite j x : on_grid j x -> on_grid j (- x).
-  Proof. intros [n ->]. exists (- n)%Z. rewrite opp_IZR. ring. Qed.
+  Proof using Type. intros [n ->]. exists (- n)%Z. rewrite opp_IZR. ring. Qed.
   Lemma grid_product i j x y : on_grid i x -> on_grid j y -> on_grid (i + j) (x * y).
-  Proof. intros [n ->] [k ->]. exists (n * k)%Z. rewrite mult_IZR, bpow_plus. ring. Qed.
+  Proof using Type. intros [n ->] [k ->]. exists (n * k)%Z. rewrite mult_IZR, bpow_plus. ring. Qed.
 
   (* A multiple of 2^j whose last place is no coarser is a number of the format. *)
   Lemma grid_format j x : on_grid j x -> (FLX_exp prec (mag radix2 x) <= j)%Z -> generic_format radix2 (FLX_exp prec) x.
-  Proof.
+  Proof using Type.
     intros [n ->] fine. apply generic_format_F2R' with (f := Float radix2 n j); [reflexivity |].
     intros _. exact fine.
   Qed.
 
   Lemma grid_rounded j x : on_grid j x -> on_grid j (unbounded x).
-  Proof.
+  Proof using Type.
     intros grid. destruct (Z_le_gt_dec (FLX_exp prec (mag radix2 x)) j) as [fine | coarse].
     - unfold unbounded. rewrite round_generic; [assumption | apply valid_rnd_N | apply (grid_format j); assumption].
     - unfold unbounded, round, F2R; cbn [Fnum Fexp]. unfold cexp.
@@ -58,7 +58,7 @@ Section Window.
 
   (* On a grid no finer than the least exponent, the format rounds as one without exponent limits. *)
   Lemma grid_no_underflow j x : (emin <= j)%Z -> on_grid j x -> nearest x = unbounded x.
-  Proof.
+  Proof using Type.
     intros least grid. unfold Run.nearest, unbounded.
     destruct (Rle_or_lt (bpow radix2 (emin + prec - 1)) (Rabs x)) as [normal | small].
     { apply round_FLT_FLX. exact normal. }
@@ -71,7 +71,7 @@ Section Window.
   Qed.
 
   Lemma unbounded_error x : Rabs (unbounded x - x) <= u prec * Rabs x + 0.
-  Proof.
+  Proof using prec_gt_0_.
     pose proof (relative_error_N_FLX radix2 prec prec_gt_0_ (fun t => negb (Z.even t)) x) as error.
     unfold u. replace (bpow radix2 (- prec)) with (/ 2 * bpow radix2 (- prec + 1)).
     - rewrite Rplus_0_r. exact error.
@@ -88,7 +88,7 @@ Section Window.
   Let X := fun l => B2R (floats l).
 
   Lemma degree_room e : even_degrees k e = true -> (emin <= Z.of_nat (degree e) * g)%Z.
-  Proof.
+  Proof using least prec_gt_0_ prec_lt_emax_.
     intros even. assert (degree e <= k)%nat.
     { destruct e; cbn [even_degrees] in even; apply andb_prop in even as [d _]; apply Nat.leb_le, d. }
     pose proof prec_lt_emax_. pose proof prec_gt_0_. unfold Prec_lt_emax, Prec_gt_0 in *.
@@ -98,7 +98,7 @@ Section Window.
   Qed.
 
   Lemma value_on_grid e : even_degrees k e = true -> on_grid (Z.of_nat (degree e) * g) (rounded unbounded X e).
-  Proof.
+  Proof using leaf_grid.
     induction e; cbn [even_degrees rounded degree]; intros even; apply andb_prop in even as [_ even].
     - replace (Z.of_nat 1 * g)%Z with g by lia. apply leaf_grid.
     - exists 0%Z. ring.
@@ -134,7 +134,7 @@ Section Window.
   Lemma value_fits e cap : fits cap e = true ->
     (match cap with Some z => Rabs (exact X e) <= IZR z * bpow radix2 h ^ degree e | None => True end) ->
     caps_hold X (bpow radix2 h) e -> Rabs (rounded unbounded X e) < bpow radix2 emax.
-  Proof.
+  Proof using h0 k leaf_size prec_gt_0_ prec_lt_emax_.
     intros fit known caps. assert (exists b, bound prec cap e = Some b /\ room b = true) as (b & H & enough).
     { destruct e; cbn [fits] in fit; apply andb_prop in fit as [fit _]; destruct bound; try discriminate; eauto. }
     assert (within prec (bpow radix2 h) b (exact X e) (rounded unbounded X e)) as [s0 e0 _ xs close].
@@ -172,7 +172,7 @@ Section Window.
     (match cap with Some z => Rabs (exact X e) <= IZR z * bpow radix2 h ^ degree e | None => True end) ->
     caps_hold X (bpow radix2 h) e ->
     is_finite (run prec emax _ _ floats e) = true /\ B2R (run prec emax _ _ floats e) = rounded unbounded X e.
-  Proof.
+  Proof using h0 leaf_finite leaf_grid leaf_size least.
     induction e; intros cap even fit known caps;
       pose proof (value_fits _ _ fit known caps) as small; pose proof (degree_room _ even) as room_below;
       cbn [even_degrees fits rounded run caps_hold degree] in *;

@@ -94,7 +94,7 @@ Section Exact.
   Let k := fold_right both_known nothing_known told.
 
   Lemma all_told : sound_known (holds_for q (sub a p) (sub b p) (sub c p) (radius * radius)) k.
-  Proof. apply all_sound, told_is_right. Qed.
+  Proof using told_is_right. apply all_sound, told_is_right. Qed.
 
   Theorem certified_is_exact_for_a_query :
     (* a verdict that the bits give is right *)
@@ -103,7 +103,7 @@ Section Exact.
     (exact_separates q k (exact_margins whole_query) = true <-> apart q a b c p radius) /\
     Forall2 (fun degree value => Z.abs value < 2 ^ (64 * words_of n (Z.of_nat degree) - 1))
       (map snd recorded_exact) (skipn 13 (run_Z whole_query exact_program)).
-  Proof.
+  Proof using below r_nonneg span told_is_right.
     pose proof all_told as sound. pose proof (bpow_gt_0 radix2 unit) as u0.
     assert (0 <= radius)%R as radius0 by (unfold radius; apply Rmult_le_pos; [apply (IZR_le 0); assumption | lra]).
     destruct (known_is_right q a b c p radius k radius0 sound) as [one two]. split; [exact one |]. split; [exact two |]. split.

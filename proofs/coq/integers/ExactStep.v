@@ -51,7 +51,7 @@ Section Reals.
      cx (sub a c); cy (sub a c); cz (sub a c)].
   Lemma recorded_margins :
     exact_results run_R 0 [cx a; cy a; cz a; cx b; cy b; cz b; cx c; cy c; cz c; cx p; cy p; cz p; r] = real_margins.
-  Proof. unfold real_margins, A, B, C. destruct a, b, c, p. reflexivity. Qed.
+  Proof using Type. unfold real_margins, A, B, C. destruct a, b, c, p. reflexivity. Qed.
 
   (* The left side less the right one, of every comparison. *)
   Definition place_of (K : comparison) : nat :=
@@ -67,7 +67,7 @@ Section Reals.
   Lemma margins_are_reduced K :
     let s := reduced A B C (r * r) K in
     nth (place_of K) real_margins 0 = if is_edge_side K then snd s - fst s else fst s - snd s.
-  Proof.
+  Proof using Type.
     assert (cross (sub b a) (sub c a) = normal A B C) as V by (unfold normal, A, B, C; rewrite <- !(moved_by p); reflexivity).
     pose proof (moved_by p a b) as ab. pose proof (moved_by p b a) as ba. pose proof (moved_by p b c) as bc. pose proof (moved_by p c b) as cb.
     pose proof (moved_by p c a) as ca. pose proof (moved_by p a c) as ac. fold A B C in ab, ba, bc, cb, ca, ac.
@@ -93,10 +93,10 @@ Section Reals.
   Qed.
   Lemma normal_is :
     nth 16 real_margins 0 = 0 /\ nth 17 real_margins 0 = 0 /\ nth 18 real_margins 0 = 0 <-> normal A B C = Vec 0 0 0.
-  Proof. unfold real_margins, normal, A, B, C. cbn [nth]. rewrite <- !(moved_by p). apply vec_zero. Qed.
+  Proof using Type. unfold real_margins, normal, A, B, C. cbn [nth]. rewrite <- !(moved_by p). apply vec_zero. Qed.
   Lemma ends_are : let zero k := nth k real_margins 0 = 0 /\ nth (k + 1) real_margins 0 = 0 /\ nth (k + 2) real_margins 0 = 0 in
     (zero 19%nat <-> sub B A = Vec 0 0 0) /\ (zero 22%nat <-> sub C B = Vec 0 0 0) /\ (zero 25%nat <-> sub A C = Vec 0 0 0).
-  Proof.
+  Proof using Type.
     cbv zeta. unfold real_margins, A, B, C. cbn [nth Nat.add]. rewrite <- !(moved_by p).
     split; [apply vec_zero | split; apply vec_zero].
   Qed.
@@ -142,22 +142,22 @@ Section Decides.
   Lemma zero_at i : is_zero m i = true <->
     (nth i (real_margins a b c p (IZR r)) 0 = 0 /\ nth (i + 1) (real_margins a b c p (IZR r)) 0 = 0 /\
      nth (i + 2) (real_margins a b c p (IZR r)) 0 = 0)%R.
-  Proof.
+  Proof using margin_at.
     unfold is_zero. rewrite !andb_true_iff, !Z.eqb_eq, <- !margin_at. rewrite and_assoc.
     assert (forall z, z = 0%Z <-> IZR z = 0%R) as each by (intros z; split; [intros -> | intros H; apply eq_IZR]; auto).
     rewrite !each. reflexivity.
   Qed.
   Lemma at_least z : (0 <=? z) = true <-> (0 <= IZR z)%R.
-  Proof. rewrite Z.leb_le. split; [apply (IZR_le 0) | apply (le_IZR 0)]. Qed.
+  Proof using Type. rewrite Z.leb_le. split; [apply (IZR_le 0) | apply (le_IZR 0)]. Qed.
   Lemma at_most z : (z <=? 0) = true <-> (IZR z <= 0)%R.
-  Proof. rewrite Z.leb_le. split; [apply (IZR_le z 0) | apply (le_IZR z 0)]. Qed.
+  Proof using Type. rewrite Z.leb_le. split; [apply (IZR_le z 0) | apply (le_IZR z 0)]. Qed.
   Lemma greater z : (0 <? z) = true <-> (0 < IZR z)%R.
-  Proof. rewrite Z.ltb_lt. split; [apply (IZR_lt 0) | apply (lt_IZR 0)]. Qed.
+  Proof using Type. rewrite Z.ltb_lt. split; [apply (IZR_lt 0) | apply (lt_IZR 0)]. Qed.
 
   (* A radius comparison of an axis that has a normal, and a side comparison. *)
   Lemma radius_decides K : is_side K = false ->
     (has_normal A B C K /\ radius_beyond q (nth (place_of K) m 0) = true <-> holds K).
-  Proof.
+  Proof using margin_at.
     intros radius. pose proof (margins_are_reduced a b c p (IZR r) K) as value. cbv zeta in value. fold A B C in value.
     rewrite <- margin_at, (radius_is_no_edge_side K radius) in value. unfold holds, holds_for, radius_beyond. destruct q.
     - rewrite greater, value. unfold nonstrict. rewrite radius. set (s := reduced A B C (IZR r * IZR r) K) in *.
@@ -169,7 +169,7 @@ Section Decides.
   Qed.
   Lemma side_decides K : is_side K = true ->
     ((if is_edge_side K then nth (place_of K) m 0 <=? 0 else 0 <=? nth (place_of K) m 0) = true <-> holds K).
-  Proof.
+  Proof using A B C margin_at q.
     intros side. pose proof (margins_are_reduced a b c p (IZR r) K) as value. cbv zeta in value. fold A B C in value.
     rewrite <- margin_at in value.
     pose proof (side_has_normal A B C K side) as normal.
@@ -178,11 +178,11 @@ Section Decides.
   Qed.
   (* A radius comparison that holds has a normal. *)
   Lemma holds_has_normal K : is_side K = false -> holds K -> has_normal A B C K.
-  Proof. intros radius H. apply (radius_decides K radius) in H. apply H. Qed.
+  Proof using margin_at q. intros radius H. apply (radius_decides K radius) in H. apply H. Qed.
 
   Lemma margins_decide k : 0 <= r -> sound_known holds k ->
     (exact_separates q k m = true <-> apart q a b c p (IZR r)).
-  Proof.
+  Proof using A B C margin_at.
     intros r0 sound. pose proof (IZR_le 0 r r0) as r0'. rewrite <- (last_step_decides q a b c p (IZR r) k r0' sound). fold A B C. fold holds.
     destruct (ends_are a b c p (IZR r)) as (ends1 & ends2 & ends3). fold A B C in ends1, ends2, ends3.
     pose proof (normal_is a b c p (IZR r)) as flat. fold A B C in flat.

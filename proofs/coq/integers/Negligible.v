@@ -18,18 +18,18 @@ Section Negligible.
   (* Differences, and the components of V. *)
   Definition edge_square (x y z : Z) := x * x + y * y + z * z.
   Lemma difference_small x y : Z.abs x < 2 ^ (n - 1) -> Z.abs y < 2 ^ (n - 1) -> Z.abs (x - y) < 2 ^ n.
-  Proof. intros. assert (2 ^ n = 2 * 2 ^ (n - 1)) by (rewrite <- Z.pow_succ_r by lia; f_equal; lia). lia. Qed.
+  Proof using n1. intros. assert (2 ^ n = 2 * 2 ^ (n - 1)) by (rewrite <- Z.pow_succ_r by lia; f_equal; lia). lia. Qed.
   Lemma square_small H x y z : 0 < H -> Z.abs x < H -> Z.abs y < H -> Z.abs z < H -> 0 <= edge_square x y z < 4 * (H * H).
-  Proof. unfold edge_square. intros. split; nia. Qed.
+  Proof using Type. unfold edge_square. intros. split; nia. Qed.
   Lemma minor_small H x y z t : 0 < H -> Z.abs x < H -> Z.abs y < H -> Z.abs z < H -> Z.abs t < H -> Z.abs (x * y - z * t) < 2 * (H * H).
-  Proof. intros. nia. Qed.
+  Proof using Type. intros. nia. Qed.
 
-  Lemma one_bound h : 0 < h -> 0 <= 1 < 4 * (h * h). Proof. intros. nia. Qed.
+  Lemma one_bound h : 0 < h -> 0 <= 1 < 4 * (h * h). Proof using Type. intros. nia. Qed.
   Lemma low_bound h m : 0 < h -> 0 <= m < 4 * (h * h) -> 0 <= m < 16 * (h * h * (h * h)).
-  Proof. intros. assert (1 <= h * h) by nia. assert (h * h <= h * h * (h * h)) by nia. lia. Qed.
+  Proof using n1. intros. assert (1 <= h * h) by nia. assert (h * h <= h * h * (h * h)) by nia. lia. Qed.
   Lemma flat_bound h x y z : 0 < h -> Z.abs x < 2 * (h * h) -> Z.abs y < 2 * (h * h) -> Z.abs z < 2 * (h * h) ->
     0 <= edge_square x y z < 16 * (h * h * (h * h)).
-  Proof.
+  Proof using Type.
     intros h0 X Y Z. pose proof (square_small (2 * (h * h)) x y z ltac:(nia) X Y Z) as low.
     replace (4 * (2 * (h * h) * (2 * (h * h)))) with (16 * (h * h * (h * h))) in low by ring. exact low.
   Qed.
@@ -37,7 +37,7 @@ Section Negligible.
   (* The left side f and the factor m of the right side r^2 m, whole numbers, m below 2^(4 n + 4). *)
   Lemma sides_are_whole K : is_side K = false -> exists f m : Z, 0 <= m < 2 ^ (4 * n + 4) /\
     forall rr : R, reduced A B C rr K = (IZR f, (rr * IZR m)%R).
-  Proof.
+  Proof using a b c n1 p small.
     pose proof small as all. repeat (apply Forall_cons_iff in all as [? all]). clear all.
     assert (0 < 2 ^ n) as two_n by (apply Z.pow_pos_nonneg; lia).
     assert (2 ^ (4 * n + 4) = 16 * (2 ^ n * 2 ^ n * (2 ^ n * 2 ^ n))) as power.
@@ -78,7 +78,7 @@ Section Negligible.
   Qed.
 
   Lemma product_below_one m : 0 <= m < 2 ^ (4 * n + 4) -> (0 <= r * r * IZR m < 1)%R.
-  Proof.
+  Proof using n1 r_small.
     intros [m0 below]. apply IZR_le in m0. apply IZR_lt in below. change 2 with (radix_val radix2) in below.
     rewrite IZR_Zpower in below by lia. destruct r_small as [r0 r1].
     assert (r * r <= bpow radix2 (-4 * n - 4))%R as square.
@@ -91,7 +91,7 @@ Section Negligible.
   Qed.
 
   Lemma holds_as_for_zero q K : holds_for q A B C (r * r) K <-> holds_for closed_sphere A B C (0 * 0) K.
-  Proof.
+  Proof using a b c n1 p r_small small.
     assert (has_normal A B C K -> True) by auto.
     destruct (sides_shape A B C K) as [(side & some & same) | (side & f & m & f0 & m0 & some & flat & same)].
     - unfold holds_for, nonstrict, open_holds, weak. rewrite (same (r * r)%R), (same (0 * 0)%R), side. destruct q; tauto.
@@ -111,7 +111,7 @@ Section Negligible.
   Qed.
 
   Theorem negligible_radius q : apart q a b c p r <-> apart closed_sphere a b c p 0.
-  Proof.
+  Proof using All.
     rewrite <- (either_exact q a b c p r), <- (either_exact closed_sphere a b c p 0) by lra.
     split; apply some_axis_mono; intros K; apply holds_as_for_zero.
   Qed.

@@ -65,7 +65,7 @@ Section Open.
 
   (* A comparison that holds for a radius holds for every smaller one. *)
   Lemma closed_mono K s t : 0 <= s <= t -> closed t K -> closed s K.
-  Proof.
+  Proof using a b c.
     intros st. unfold closed, nonstrict. destruct (sides_shape a b c K) as [(-> & _ & same) | (-> & f & n & f0 & n0 & _ & _ & same)].
     - rewrite (same (t * t)), (same (s * s)). auto.
     - rewrite (same (t * t)), (same (s * s)). cbn [fst snd].
@@ -73,7 +73,7 @@ Section Open.
   Qed.
 
   Lemma open_of_all K r : 0 < r -> (forall t, 0 <= t < r -> closed t K) -> open_holds a b c (r * r) K.
-  Proof.
+  Proof using A B C P.
     intros r0 all. unfold closed, nonstrict, open_holds, weak in *.
     destruct (sides_shape a b c K) as [(side & some & same) | (side & f & n & f0 & n0 & some & flat & same)]; rewrite side in *.
     - specialize (all 0 ltac:(lra)). rewrite (same (0 * 0)) in all. rewrite (same (r * r)). split; assumption.
@@ -88,7 +88,7 @@ Section Open.
       rewrite sqrt_sqrt in all by assumption. unfold Rdiv in all. rewrite Rmult_assoc, Rinv_l in all; lra.
   Qed.
   Lemma all_of_open K r t : 0 <= t < r -> open_holds a b c (r * r) K -> closed t K.
-  Proof.
+  Proof using A B C P.
     intros tr [holds normal]. unfold closed, nonstrict, weak in *.
     destruct (sides_shape a b c K) as [(side & _ & same) | (side & f & n & f0 & n0 & some & _ & same)]; rewrite side in *.
     - rewrite (same (r * r)) in holds. rewrite (same (t * t)). exact holds.
@@ -101,7 +101,7 @@ Section Open.
   Lemma one_of_two (r : R) (Q S : R -> Prop) : 0 < r ->
     (forall s t, 0 <= s <= t -> Q t -> Q s) -> (forall s t, 0 <= s <= t -> S t -> S s) ->
     (forall t, 0 <= t < r -> Q t \/ S t) -> (forall t, 0 <= t < r -> Q t) \/ (forall t, 0 <= t < r -> S t).
-  Proof.
+  Proof using Type.
     intros r0 mq ms cover. apply NNPP. intros no. apply not_or_and in no as [nq ns].
     apply not_all_ex_not in nq as [x nq]. apply imply_to_and in nq as [x0 nq].
     apply not_all_ex_not in ns as [y ns]. apply imply_to_and in ns as [y0 ns].
@@ -112,7 +112,7 @@ Section Open.
   Qed.
 
   Lemma open_exact_positive r : 0 < r -> (some_axis (open_holds a b c (r * r)) <-> separated_open A B C P r).
-  Proof.
+  Proof using Type.
     intros r0. split.
     - intros axis X inside. apply Rnot_lt_le. intros less.
       assert (0 <= distance P X) as d0 by apply sqrt_pos.
