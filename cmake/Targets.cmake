@@ -49,14 +49,16 @@ function(axiscert_reused result target)
   set(${result} ${found} PARENT_SCOPE)
 endfunction()
 # axiscert_objects(NAME SOURCES... [PUBLIC libraries...] [PRIVATE libraries...] [UNITY]): an object library, reused where objects are.
-# UNITY: compiled as by axiscert_unity, so none of its sources may compile for several instruction sets or have options of its own.
+# UNITY: compiled as by axiscert_unity, so none of its sources may have options of its own.
 function(axiscert_objects name)
   cmake_parse_arguments(arg "UNITY" "" "PUBLIC;PRIVATE" ${ARGN})
   set(compiled ${arg_UNPARSED_ARGUMENTS})
   if(arg_UNITY AND AXISCERT_REUSES_OBJECTS)
+    axiscert_vectors_among(alone ${compiled})
+    list(REMOVE_ITEM compiled ${alone})
     list(LENGTH compiled count)
     math(EXPR last "(${count} - 1) / ${axiscert_unity_batch}")
-    set(compiled "")
+    set(compiled ${alone})
     foreach(batch RANGE ${last})
       list(APPEND compiled Unity/unity_${batch}_cxx.cxx)
     endforeach()
