@@ -8,14 +8,27 @@
 namespace axiscert {
 namespace {
 
+// With places where a line may end: before the section of a document, and after a folder.
+std::string wrapped_html(const std::string& text) {
+  std::string html;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    if (text[i] != '#' && text[i - 1] != '/') continue;
+    html += html_text(text.substr(begin, i - begin)) + "<wbr>";
+    begin = i;
+  }
+  return html + html_text(text.substr(begin));
+}
+
 std::string cells(const std::vector<std::string>& row, const char* tag) {
   std::string html;
   for (std::size_t i = 0; i < row.size(); ++i) {
     const char* element = i == 0 ? "th" : tag;
-    // Sentences, and names of sections, are wrapped: a table of advice has to fit on the page.
-    const bool is_long = row[i].size() > 24 && row[i].find_first_of(" #") != std::string::npos;
+    // Sentences, names of sections and paths are wrapped: a table of advice, or of kernels by their files, has to fit
+    // on the page.
+    const bool is_long = row[i].size() > 24 && row[i].find_first_of(" #/") != std::string::npos;
     const char* const look = is_long ? " class=\"words\"" : i != 0 && is_number(row[i]) ? " class=\"n\"" : "";
-    html += fmt::format("<{0}{1}>{2}</{0}>", element, look, html_text(row[i]));
+    html += fmt::format("<{0}{1}>{2}</{0}>", element, look, is_long ? wrapped_html(row[i]) : html_text(row[i]));
   }
   return html;
 }
