@@ -7,6 +7,10 @@
 #include "kernel/testing/sources.h"
 
 namespace axiscert {
+
+// Tests are listed with it; without it, with a pointer.
+static void PrintTo(const TestDescription* test, std::ostream* out) { *out << test->id; }
+
 namespace {
 
 std::string name_in_sources(const TestDescription& test) {

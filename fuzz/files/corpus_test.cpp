@@ -19,6 +19,10 @@
 #include "kernel/base/temporary_folder.h"
 
 namespace axiscert {
+
+// Tests are listed with it; without it, with the bytes of the entry.
+static void PrintTo(const CorpusEntry& entry, std::ostream* out) { *out << entry.stored.id; }
+
 namespace {
 
 // Empty if the corpus cannot be read, which Corpus.CanBeRead then reports.

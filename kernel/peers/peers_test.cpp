@@ -19,6 +19,8 @@ struct Expected {
   axiscert_touching touching;
   char centre_on_triangle = 'c';
 };
+void PrintTo(const Expected& peer, std::ostream* out) { *out << peer.name; }
+
 constexpr axiscert_touching contact = AXISCERT_TOUCHING_IS_CONTACT, separated = AXISCERT_TOUCHING_IS_SEPARATED,
                             either = AXISCERT_TOUCHING_IS_EITHER;
 constexpr Expected expected[] = {

@@ -17,6 +17,10 @@
 #include "kernel/moving_sphere/twenty.h"
 
 namespace axiscert {
+
+// Tests are listed with it; without it, with a pointer.
+static void PrintTo(const Family* family, std::ostream* out) { *out << family->name; }
+
 namespace {
 
 template <class Real>

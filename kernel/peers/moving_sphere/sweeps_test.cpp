@@ -21,6 +21,8 @@ struct ExpectedSweeps {
   double time_error = 2e-3;    // of the way; a library that samples is late by a step
   axiscert_start start = AXISCERT_START_IS_REPORTED;
 };
+void PrintTo(const ExpectedSweeps& sweeps, std::ostream* out) { *out << sweeps.name; }
+
 constexpr ExpectedSweeps expected_sweeps[] = {
     {"bullet-subsimplex", false, 8, "cccc", 2e-3, AXISCERT_START_IS_IGNORED},
     {"bullet-continuous", false, 8},
