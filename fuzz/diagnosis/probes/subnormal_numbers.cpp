@@ -20,13 +20,16 @@ Queries<Real> small_queries(const Kernel& kernel) {
   using Limits = std::numeric_limits<Real>;
   constexpr int least = Limits::min_exponent + Limits::digits + 2, step = sizeof(Real) == 4 ? 1 : 3;
   Queries<Real> queries;
-  const auto clear = clear_queries<Real>(kernel, small_scenes);
-  const auto add = [&](int exponent) {
-    for (const auto& query : clear) queries.push_back(in_unit(kernel, query.numbers, exponent));
+  const auto add = [&](std::size_t count, int first, int last) {
+    const auto clear = clear_queries<Real>(kernel, count);
+    for (int exponent = first; exponent <= last; exponent += step) {
+      for (const auto& query : clear) queries.push_back(in_unit(kernel, query.numbers, exponent));
+    }
   };
-  for (int exponent = least; exponent <= 0; exponent += step) add(exponent);
-  // Comparisons of boxes are of degree 1 in lengths: nothing becomes subnormal before these do.
-  if (kernel.test != &first_test()) add(Limits::min_exponent - 3);
+  add(small_scenes, least, 0);
+  // Comparisons of boxes are of degree 1 in lengths: nothing becomes subnormal before these do. Where all lengths are
+  // zero every answer is contact, so only separated scenes tell, which may be one in six.
+  if (kernel.test != &first_test()) add(8 * small_scenes, Limits::min_exponent - 3, Limits::min_exponent - 3);
   return queries;
 }
 
