@@ -211,9 +211,10 @@ def refuse_ambiguous(sources):
     the other could be weakened unseen."""
     defined = {}
     for source in sorted(sources.rglob("*.v")):
-        for name in re.findall(r"^\s*(?:Definition|Fixpoint|Inductive|Record|Lemma|Theorem|Corollary)\s+([\w']+)", source.read_text(), re.M):
+        for name in re.findall(r"^\s*(?:Definition|Fixpoint|Inductive|Record|Lemma|Theorem|Corollary)\s+([\w']+)", without_comments(source.read_text()),
+                               re.M):
             defined.setdefault(name, set()).add(source.stem)
-    for name in re.findall(r"^(?:Print|Check) ([\w']+)\.$", (sources / "Statements.v").read_text(), re.M):
+    for name in re.findall(r"^(?:Print|Check) ([\w']+)\.$", without_comments((sources / "Statements.v").read_text()), re.M):
         if len(files := sorted(defined.get(name, ()))) > 1:
             fail(f"Statements.v prints '{name}', which {' and '.join(files)} define: say which, '{files[0]}.{name}'")
 
