@@ -127,7 +127,7 @@ TEST(Diagnosis, TheSchemaAndThePageHaveEveryValue) {
       if (!alternative.contains("properties") || !alternative["properties"].contains("name")) continue;
       const Json& name = alternative["properties"]["name"];
       const Json names = name.contains("const") ? Json::array({name["const"]}) : name["enum"];
-      if (std::ranges::find(names, kind.name) == names.end()) continue;
+      if (std::ranges::find(names, Json(kind.name)) == names.end()) continue;
       is_there = true;
       if (!alternative["properties"].contains("value")) continue;
       for (const Json& value : alternative["properties"]["value"]["enum"]) {

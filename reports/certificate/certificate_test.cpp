@@ -39,7 +39,7 @@ TEST(Certificate, IsReadToWhatWasWritten) {
   const Certificate read = read_certificate(stored_certificate(), "c.json");
   EXPECT_FALSE(read.envelope);
   EXPECT_EQ(certificate_text(read.statement, nullptr), stored_certificate());
-  EXPECT_EQ(read.digest(), stored_statement()["predicate"]["digest"]);
+  EXPECT_EQ(read.digest(), stored_statement()["predicate"]["digest"].get<std::string>());
 }
 
 TEST(Certificate, EveryChangedByteIsRefused) {

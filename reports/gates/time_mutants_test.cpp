@@ -39,7 +39,7 @@ struct TimesSeen {
     for (const char* level : {"logic", "never-late", "no-tunnel"}) {
       if (std::find(refused_by.begin(), refused_by.end(), level) != refused_by.end()) continue;
       for (const Failure& failure : unmet(record, level)) {
-        if (failure.kernel != kernel["id"]) continue;
+        if (failure.kernel != kernel["id"].get<std::string>()) continue;
         refused_by.emplace_back(level);
         break;
       }
