@@ -176,13 +176,18 @@ std::string cell_text(const Json& key) {
   return fmt::format("{} {} on {}: {}", part(0), part(1), part(2), part(3));
 }
 
-std::vector<const Json*> witnesses_of(const Json& record, const Cell& cell) {
+WitnessesByCell::WitnessesByCell(const Json& record) {
+  for (const Json& witness : record["witnesses"])
+    by_place_[{witness["kernel"], witness["precision"], witness["family"]}].push_back(&witness);
+}
+
+std::vector<const Json*> WitnessesByCell::of(const Cell& cell) const {
+  const auto place = by_place_.find({cell.kernel, cell.precision, cell.family});
+  if (place == by_place_.end()) return {};
   std::vector<const Json*> found;
-  for (const Json& witness : record["witnesses"]) {
-    if (witness["kernel"] != cell.kernel || witness["precision"] != cell.precision || witness["family"] != cell.family)
-      continue;
-    if (cell.is_of_contacts() ? shows_contact(witness, cell) : shows_flip(witness, cell)) found.push_back(&witness);
-  }
+  std::ranges::copy_if(place->second, std::back_inserter(found), [&](const Json* witness) {
+    return cell.is_of_contacts() ? shows_contact(*witness, cell) : shows_flip(*witness, cell);
+  });
   return found;
 }
 

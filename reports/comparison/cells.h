@@ -2,7 +2,9 @@
 // `compare` and the ratchet compare cells, and the formats for CI name them.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,7 +58,16 @@ std::string fingerprint(const Json& key);
 // "published binary32 on tangent: verdict.false_separation": the cell with this key.
 std::string cell_text(const Json& key);
 
-// The witnesses of the record that show the cell.
-std::vector<const Json*> witnesses_of(const Json& record, const Cell& cell);
+// The witnesses of a record, which has to outlive this, by the cells that they show: a large run has thousands of each.
+class WitnessesByCell {
+ public:
+  explicit WitnessesByCell(const Json& record);
+  // Those that show the cell, in the record's order.
+  std::vector<const Json*> of(const Cell& cell) const;
+
+ private:
+  using Place = std::array<std::string, 3>;  // kernel, precision, family
+  std::map<Place, std::vector<const Json*>> by_place_;
+};
 
 }  // namespace axiscert

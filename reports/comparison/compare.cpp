@@ -43,13 +43,14 @@ class Comparer {
       else note_absent(cell, false, "is only in NEW");
     }
     correct();
+    const WitnessesByCell witnesses(after_);
     for (ComparedCell& cell : result_.cells) {
       if (cell.is_compared()) {
         ++kernel_of(cell.before, true)->cells;
         compared_.emplace(cell.before.kernel, cell.before.precision);
       }
       if (!cell.is_alarm()) continue;
-      for (const Json* witness : witnesses_of(after_, cell.after)) cell.witnesses.push_back((*witness)["id"]);
+      for (const Json* witness : witnesses.of(cell.after)) cell.witnesses.push_back((*witness)["id"]);
     }
     say_what_is_unchecked();
     for (const auto& [what, why] : absent_) result_.not_compared.push_back({what, why});

@@ -80,7 +80,11 @@ Json rule_json(const Rule& rule) {
 class Log {
  public:
   explicit Log(const Run& run)
-      : record_(run.record), held_(run.ratchet), cells_(cells_of(run.record)), outcomes_(outcomes_of(run.record)) {
+      : record_(run.record),
+        held_(run.ratchet),
+        cells_(cells_of(run.record)),
+        witnesses_(run.record),
+        outcomes_(outcomes_of(run.record)) {
     if (run.info.is_object() && run.info.contains("sources")) sources_ = run.info["sources"];
     if (!held_.is_null() && held_.contains("held")) {
       for (const Json& failure : held_["failures"]) failed_.insert(failure["fingerprint"].get<std::string>());
@@ -119,7 +123,7 @@ class Log {
 
  private:
   Json result(const Cell& cell, const Rule& rule) const {
-    const auto witnesses = witnesses_of(record_, cell);
+    const auto witnesses = witnesses_.of(cell);
     const Json* const worst = deepest(witnesses);
     const std::string where = fmt::format("{} {} on {}, {}", cell.kernel, cell.precision, cell.family, cell.place);
     const char* const among = rule.of == CountOf::time ? "contacts found" : "queries";
@@ -184,7 +188,7 @@ class Log {
     const Json* worst = nullptr;
     for (const Cell& cell : cells_) {
       if (cell.key_of(cell.kernel) != key) continue;
-      worst = deepest(witnesses_of(record_, cell));
+      worst = deepest(witnesses_.of(cell));
       key = cell.key();
       break;
     }
@@ -215,13 +219,9 @@ class Log {
   // Where the kernel is written and, as a related place, the line of the witness in witnesses.jsonl. Without a source
   // the latter is the place; without a witness, the first line.
   void put_places(Json& result, const std::string& kernel, const Json& key, const Json* witness) const {
-    std::size_t line = 1;
-    for (const Json& other : record_["witnesses"]) {
-      if (witness == nullptr || &other == witness) break;
-      ++line;
-    }
+    const std::ptrdiff_t line = witness == nullptr ? 1 : witness - &record_["witnesses"][0] + 1;
     const auto part = [&](std::size_t i) { return key[i].get<std::string>(); };
-    const auto place = [](const std::string& file, std::size_t at) -> Json {
+    const auto place = [](const std::string& file, const Json& at) -> Json {
       return {{"physicalLocation", {{"artifactLocation", {{"uri", file}}}, {"region", {{"startLine", at}}}}}};
     };
     Json shown = place("witnesses.jsonl", line);
@@ -283,6 +283,7 @@ class Log {
 
   const Json &record_, &held_;
   std::vector<Cell> cells_;
+  WitnessesByCell witnesses_;
   std::vector<LevelOutcome> outcomes_;
   Json sources_ = Json::object();               // by the kernel's id
   std::set<std::string> failed_;                // fingerprints
