@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <type_traits>
 
 #include "kernel/sphere_triangle/query.h"
@@ -37,10 +38,9 @@ void append_turn(const Query<Real>& q, std::size_t coordinate, Real to, Answer&&
   std::int64_t one = place(v[coordinate]), other = place(to);
   const auto first = answer(with(one));
   if (answer(with(other)) == first) return;
-  while (std::abs(other - one) > 1) {
-    const std::int64_t middle = one + (other - one) / 2;
+  // Rounded towards `one`; the way from the least number to the greatest is longer than an int64_t.
+  for (std::int64_t middle; (middle = std::midpoint(one, other)) != one;)
     (answer(with(middle)) == first ? one : other) = middle;
-  }
   found.push_back(with(one));
   found.push_back(with(other));
 }
