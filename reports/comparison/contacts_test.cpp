@@ -38,7 +38,8 @@ TEST(CompareContacts, OneLateTimeMoreIsWorseAndOneLessIsBetter) {
   const std::string text = comparison_markdown(runs, worse);
   EXPECT_THAT(text, HasSubstr("5 of 900"));
   EXPECT_THAT(text, HasSubstr("9 of 900"));
-  for (const Json& cell : comparison_json(runs, worse)["cells"]) {
+  const Json json = comparison_json(runs, worse);
+  for (const Json& cell : json["cells"]) {
     if (cell["place"] != "time" || cell["figure"] != "late") continue;
     EXPECT_EQ(cell["old"], 5);
     EXPECT_EQ(cell["new"], 9);

@@ -160,16 +160,15 @@ TEST(Peculiarities, AreThoseThatAUserHasToKnow) {
   const auto property = [](const char* name, const char* value) {
     return Json{{"name", name}, {"value", value}, {"sentence", "s"}, {"queries", 1}};
   };
+  // Json::array, since of an array in braces with one element clang makes that element.
+  const Json binary32 = {{"precision", "binary32"},
+                         {"properties", Json::array({property("sides", "front_only"), property("repeated", "same"),
+                                                     property("absolute_threshold", "present")})}};
   Json predicate = {{"kernel", {{"id", "peer/x"}, {"test", "moving-sphere"}}},
-                    {"diagnosis",
-                     {{"precisions",
-                       {{{"precision", "binary32"},
-                         {"properties",
-                          {property("sides", "front_only"), property("repeated", "same"),
-                           property("absolute_threshold", "present")}}}}}}}};
+                    {"diagnosis", {{"precisions", Json::array({binary32})}}}};
   EXPECT_THAT(peculiarities_note(predicate), HasSubstr("in binary32, one-sided: only from the front; compares with"));
   Json& properties = predicate["diagnosis"]["precisions"][0]["properties"];
-  properties = {property("nearest_form", "moving-sphere/physx5")};
+  properties = Json::array({property("nearest_form", "moving-sphere/physx5")});
   EXPECT_THAT(peculiarities_note(predicate), HasSubstr("answers as moving-sphere/physx5 does, see docs/moving.md#"));
   properties.insert(properties.begin(), property("degenerate_triangles", "skipped"));
   EXPECT_THAT(peculiarities_note(predicate),
@@ -177,7 +176,7 @@ TEST(Peculiarities, AreThoseThatAUserHasToKnow) {
   properties.erase(0);
   predicate["kernel"]["id"] = "moving-sphere/physx5";
   EXPECT_EQ(peculiarities_note(predicate), "");
-  properties = {property("repeated", "same"), property("sides", "not_known")};
+  properties = Json::array({property("repeated", "same"), property("sides", "not_known")});
   EXPECT_EQ(peculiarities_note(predicate), "");
 }
 
