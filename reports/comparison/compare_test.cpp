@@ -152,7 +152,7 @@ TEST(Compare, NamesAreTextInMarkdownAndOnThePage) {
   EXPECT_THAT(markdown(before, after), HasSubstr("mesh/&lt;/script>"));
   const std::string page =
       instrument_page(comparison_report({before, after, "old", "<b>new</b>"}, compare_records(before, after, {})));
-  EXPECT_THAT(page, HasSubstr("script&gt;&lt;script&gt;alert(1)"));
+  EXPECT_THAT(page, HasSubstr("&lt;/<wbr>script&gt;&lt;script&gt;alert(1)"));
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
   EXPECT_THAT(page, Not(HasSubstr("<b>new")));
 }

@@ -7,7 +7,7 @@
 namespace axiscert {
 namespace {
 
-// What MPFR keeps for a thread, which it does not free by itself where the thread ends.
+// Frees the numbers that MPFR keeps for a thread, which it does not do by itself where the thread ends.
 struct ThreadsMpfr {
   ~ThreadsMpfr() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
 };
