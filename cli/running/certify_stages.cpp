@@ -24,6 +24,9 @@ namespace axiscert {
 namespace {
 
 constexpr const char* stages_file = "stages.json";
+constexpr const char* states = "states";  // the member of stages.json that has the states of parts not done
+constexpr double seconds_between_states = 60;
+
 // A stage that asks the kernel again, before it begins: with a reason where it cannot.
 Json stage_of(const Staged& staged, const Json& no_precisions) {
   Json all = {{"reason", nullptr}, {"precisions", no_precisions}};
@@ -50,7 +53,7 @@ Json find_json(const Find& find) {
   return {{unit, find.value.text()}, {"links", links}, {"query", Json::parse(query_line(find.witness))}};
 }
 
-Json searched(const Staged& staged, Precision precision) {
+Json searched(const Staged& staged, Precision precision, Stages& stages, const std::string& stage) {
   SearchOptions options;
   options.kernel = staged.kernel.id;
   options.precision = name(precision);
@@ -62,12 +65,11 @@ Json searched(const Staged& staged, Precision precision) {
   SearchResult result;
   {
     ProgressLine progress(fmt::format("certify: search, {}", name(precision)), staged.options.quiet);
-    result = search(plan, std::nullopt, interrupts(), [&](const SearchProgress& p) {
+    result = resumable_search(plan, stages, stage, seconds_between_states, interrupts(), [&](const SearchProgress& p) {
       progress.show({p.islands, 0, 0, p.seconds},
                     fmt::format("; {} of {} evaluations", p.evaluations, *plan.evaluations));
     });
   }
-  if (!result.complete) throw StageInterrupted();
   Json finds = Json::object();
   for (const Aim& aim : result.aims) {
     if (!is_about_a_comparison(aim.goal)) finds[name(aim)] = nullptr;
@@ -213,14 +215,50 @@ Stages::Stages(const OutputFolder& folder, const std::string& path, const std::s
     }
   }
   if (!done_.is_object() || done_.value("plan", Json()) != plan_digest) done_ = {{"plan", plan_digest}};
+  if (!done_.value(states, Json()).is_object()) done_[states] = Json::object();
 }
 
 Json Stages::get(const std::string& name, const std::function<Json()>& make) {
   if (!done_.contains(name)) {
     done_[name] = make();
+    done_[states].erase(name);
     folder_.write(stages_file, done_);
   }
   return done_[name];
+}
+
+std::optional<std::string> Stages::state(const std::string& name) const {
+  const auto kept = done_[states].find(name);
+  if (kept == done_[states].end() || !kept->is_string()) return std::nullopt;
+  return kept->get<std::string>();
+}
+
+void Stages::keep_state(const std::string& name, const std::string& state) {
+  done_[states][name] = state;
+  folder_.write(stages_file, done_);
+}
+
+SearchResult resumable_search(SearchPlan plan, Stages& stages, const std::string& name, double seconds,
+                              const std::atomic<bool>& interrupted,
+                              const std::function<void(const SearchProgress&)>& report) {
+  std::optional<std::string> state = stages.state(name);
+  plan.seconds = seconds;
+  std::uint64_t evaluations = 0;
+  for (double before = 0;;) {
+    double elapsed = 0;
+    const SearchResult result = search(plan, state, interrupted, [&](const SearchProgress& p) {
+      elapsed = p.seconds;
+      report({p.islands, p.evaluations, before + p.seconds});
+    });
+    state = result.state;
+    stages.keep_state(name, *state);
+    if (!result.complete) throw StageInterrupted();
+    if (result.evaluations >= *plan.evaluations) return result;
+    // The queries from which a search begins may take longer than that, and are asked again before its first island.
+    if (result.evaluations == evaluations) *plan.seconds *= 2;
+    evaluations = result.evaluations;
+    before += elapsed;
+  }
 }
 
 Json search_stage(const Staged& staged, Stages& stages) {
@@ -233,7 +271,8 @@ Json search_stage(const Staged& staged, Stages& stages) {
   }
   for (const Precision precision : staged.precisions()) {
     const std::string in(name(precision));
-    all["precisions"][in] = stages.get("search " + in, [&] { return searched(staged, precision); });
+    const std::string stage = "search " + in;
+    all["precisions"][in] = stages.get(stage, [&] { return searched(staged, precision, stages, stage); });
   }
   return all;
 }

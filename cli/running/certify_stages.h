@@ -2,12 +2,15 @@
 // certificate's predicate as JSON without fractions.
 #pragma once
 
+#include <atomic>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "cli/running/certify.h"
 #include "cli/running/run_output.h"
 #include "fuzz/certify/effort.h"
+#include "fuzz/search/search.h"
 
 namespace axiscert {
 
@@ -21,6 +24,9 @@ class Stages {
   Stages(const OutputFolder& folder, const std::string& path, const std::string& plan_digest, bool resume);
   // The part of this name: as it was done, or made now.
   Json get(const std::string& name, const std::function<Json()>& make);
+  // The state of a part that is not done yet, from which it goes on; empty where none was kept.
+  std::optional<std::string> state(const std::string& name) const;
+  void keep_state(const std::string& name, const std::string& state);
 
  private:
   const OutputFolder& folder_;
@@ -36,6 +42,12 @@ struct Staged {
 
   std::vector<Precision> precisions() const;  // in which the kernel exists
 };
+
+// The whole search of a plan with a number of evaluations, whose state is kept under `name` every so many seconds: an
+// end without notice costs no more than those. What it finds does not depend on where it was ended.
+SearchResult resumable_search(SearchPlan plan, Stages& stages, const std::string& name, double seconds,
+                              const std::atomic<bool>& interrupted,
+                              const std::function<void(const SearchProgress&)>& report);
 
 Json search_stage(const Staged& staged, Stages& stages);
 Json diagnosis_stage(const Staged& staged, Stages& stages);
