@@ -6,6 +6,7 @@
 #include "exact/sphere_triangle/oracles/formula_oracle.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
 #include "fuzz/queries/family.h"
+#include "kernel/base/powers_of_two.h"
 
 namespace axiscert {
 namespace {
@@ -28,7 +29,7 @@ QueryBatch<Real> scaled_queries(const std::vector<Query<Real>>& queries, int exp
   QueryBatch<Real> batch(queries.size(), coordinate_count);
   for (const Query<Real>& q : queries) {
     auto v = coordinates(q);
-    for (Real& x : v) x = std::ldexp(x, exponent);
+    scale_by_power_of_two(v, exponent);
     batch.push_back(from_coordinates(v));
   }
   return batch;

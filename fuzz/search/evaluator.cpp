@@ -17,17 +17,11 @@
 namespace axiscert {
 namespace {
 
-using Twice = DoubleDouble<double>;
-
 // l - r as an unevaluated sum, and |l| + |r|.
 struct WideMargin {
   double high, low, size;
 };
 
-WideMargin wide_margin(const Twice& l, const Twice& r) {
-  const Twice margin = l - r;
-  return {margin.high, margin.low, std::fabs(l.high) + std::fabs(r.high)};
-}
 WideMargin wide_margin(const Floating& l, const Floating& r) {
   const Floating margin = l - r;
   const double high = mpfr_get_d(margin.get(), MPFR_RNDN);
@@ -35,27 +29,59 @@ WideMargin wide_margin(const Floating& l, const Floating& r) {
           std::fabs(mpfr_get_d(l.get(), MPFR_RNDN)) + std::fabs(mpfr_get_d(r.get(), MPFR_RNDN))};
 }
 
-template <class F, class T, class Convert>
-WideMargin margin_in(Comparison which, const Query<double>& q, Convert&& convert) {
-  const auto sides = sides_of<F>(problem_as<T>(q, convert));
-  return wide_margin(sides.lhs[which], sides.rhs[which]);
-}
+// Numbers of several queries side by side, in the compiler's own vector type. Lane by lane the operations of double.
+constexpr std::size_t lane_count = 2;
+struct Lanes {
+  using Vector [[gnu::vector_size(lane_count * sizeof(double))]] = double;
+  Vector v;
+  Lanes() = default;
+  AXISCERT_INLINE explicit Lanes(const Vector& lanes) : v(lanes) {}
+  AXISCERT_INLINE explicit Lanes(double x) : v(Vector{} + x) {}
+  AXISCERT_INLINE Lanes operator-() const { return Lanes(-v); }
+  AXISCERT_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) { return Lanes(a.v + b.v); }
+  AXISCERT_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) { return Lanes(a.v - b.v); }
+  AXISCERT_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) { return Lanes(a.v * b.v); }
+};
 
-// The margin for a binary64 query: rings in twice binary64, forms with roots or divisions by MPFR.
+// Margins of the queries in a vector's lanes, those from `first` on, in twice binary64. The last vector may have fewer.
 template <Formulae formulae>
-WideMargin twice_wide(Comparison which, const Query<double>& q) {
-  using F = FormulaeType<formulae>;
-  if constexpr (!has_comparisons(formulae)) {
-    return {0, 0, 0};
-  } else if constexpr (F::is_ring) {
-    return margin_in<F, Twice>(which, q, [](double x) { return Twice{x, 0}; });
-  } else {
-    const FloatingScope scope({128, Rounding::nearest, std::nullopt});
-    return margin_in<F, Floating>(which, q, [](double x) { return Floating(x); });
+void margins_in_lanes(Comparison which, const QueryColumns<double>& columns, std::size_t first, WideMargin* margins) {
+  using T = DoubleDouble<Lanes>;
+  const std::size_t lanes = std::min(lane_count, columns.size - first);
+  const auto number = [&](std::size_t k) {
+    T x{};
+    for (std::size_t i = 0; i < lanes; ++i) x.high.v[i] = columns.column[k][first + i];
+    return x;
+  };
+  const auto vec = [&](std::size_t k) { return Vec3<T>{number(k), number(k + 1), number(k + 2)}; };
+  const auto sides =
+      sides_of<FormulaeType<formulae>>(portable::Problem<T>{vec(0), vec(3), vec(6), vec(9), number(12), T{}});
+  const T &l = sides.lhs[which], &r = sides.rhs[which], margin = l - r;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    margins[first + i] = {margin.high.v[i], margin.low.v[i], std::fabs(l.high.v[i]) + std::fabs(r.high.v[i])};
   }
 }
 
-using WideFunction = WideMargin (*)(Comparison, const Query<double>&);
+// Margins of a batch of binary64 queries: rings in twice binary64, forms with roots or divisions by MPFR.
+template <Formulae formulae>
+void twice_wide(Comparison which, const QueryBatch<double>& batch, std::vector<WideMargin>& margins) {
+  using F = FormulaeType<formulae>;
+  margins.assign(batch.size(), {0, 0, 0});
+  if constexpr (!has_comparisons(formulae)) {
+    return;
+  } else if constexpr (F::is_ring) {
+    for (std::size_t first = 0; first < batch.size(); first += lane_count)
+      margins_in_lanes<formulae>(which, batch.columns(), first, margins.data());
+  } else {
+    const FloatingScope scope({128, Rounding::nearest, std::nullopt});
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const auto sides = sides_of<F>(problem_as<Floating>(query_from(batch[i]), [](double x) { return Floating(x); }));
+      margins[i] = wide_margin(sides.lhs[which], sides.rhs[which]);
+    }
+  }
+}
+
+using WideFunction = void (*)(Comparison, const QueryBatch<double>&, std::vector<WideMargin>&);
 constexpr EnumArray<Formulae, WideFunction> twice_wide_of = {
 #define AXISCERT_WIDE(name, type, kind) twice_wide<Formulae::name>,
     AXISCERT_FORMULAE(AXISCERT_WIDE)
@@ -79,6 +105,8 @@ double score_of(const Aim& aim, double difference, double size, int digits) {
   if (aim.goal == Goal::error) return in_u;
   return size > 0 && in_u < greatest_ratio * size ? in_u / size : 0;
 }
+
+using Twice = DoubleDouble<double>;
 
 template <class T>
 T number_as(double x) {
@@ -150,9 +178,11 @@ void Evaluator<Real>::evaluate_error(const Aim& aim, const QueryBatch<Real>& bat
       wide_.explain(widened_.columns(), wide_answers_);
     }
   }
+  std::vector<WideMargin> margins;
+  if constexpr (sizeof(Real) == 8) twice_wide_of[kernel_.formulae](aim.which, batch, margins);
   for (std::size_t i = 0; i < batch.size(); ++i) {
     WideMargin margin;
-    if (sizeof(Real) == 4) {
+    if constexpr (sizeof(Real) == 4) {
       double l, r;
       if (wide_.explain) {
         l = wide_answers_.lhs[k][i];
@@ -165,7 +195,7 @@ void Evaluator<Real>::evaluate_error(const Aim& aim, const QueryBatch<Real>& bat
       }
       margin = {l - r, 0, std::fabs(l) + std::fabs(r)};
     } else {
-      margin = twice_wide_of[kernel_.formulae](aim.which, widened(batch[i]));
+      margin = margins[i];
     }
     const double error = difference(reply_.answers.lhs[k][i], reply_.answers.rhs[k][i], margin);
     scores[i] = score_of(aim, error, margin.size, digits);

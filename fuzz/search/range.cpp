@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fuzz/instruments/exponent_window.h"
+#include "kernel/base/powers_of_two.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
@@ -15,9 +16,10 @@ double greatest(const Vec3<Real>& u, const Vec3<Real>& v) {
                    std::fabs(double(u.z) - double(v.z))});
 }
 
+// Whether the way back from 2^exponent q, which is `scaled`, gives q: that no bit was lost.
 template <class Real>
-bool scales_exactly(const Query<Real>& q, int exponent) {
-  return coordinates(at_scale(at_scale(q, exponent), -exponent)) == coordinates(q);
+bool scaled_exactly(const Query<Real>& q, const Query<Real>& scaled, int exponent) {
+  return coordinates(at_scale(scaled, -exponent)) == coordinates(q);
 }
 
 }  // namespace
@@ -36,7 +38,7 @@ template bool has_good_shape(const Query<double>&);
 template <class Real>
 Query<Real> at_scale(const Query<Real>& q, int exponent) {
   auto v = coordinates(q);
-  for (Real& x : v) x = std::ldexp(x, exponent);
+  scale_by_power_of_two(v, exponent);
   return from_coordinates(v);
 }
 template Query<float> at_scale(const Query<float>&, int);
@@ -62,8 +64,12 @@ std::vector<std::optional<int>> range_left(const Implementation<Real>& kernel, c
   const ExponentWindow scanned = scanned_exponents(precision_of<Real>);
   for (int m = 0; m >= scanned.low && m <= scanned.high && !scans.empty(); m += step) {
     scaled.clear();
-    std::erase_if(scans, [&](const Scan& scan) { return !scales_exactly(query_from(batch[scan.query]), m); });
-    for (const Scan& scan : scans) scaled.push_back(at_scale(query_from(batch[scan.query]), m));
+    std::erase_if(scans, [&](const Scan& scan) {
+      const Query<Real> q = query_from(batch[scan.query]), there = at_scale(q, m);
+      const bool is_exact = scaled_exactly(q, there, m);
+      if (is_exact) scaled.push_back(there);
+      return !is_exact;
+    });
     ask(kernel, scaled.columns(), reply);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < scans.size(); ++i) {

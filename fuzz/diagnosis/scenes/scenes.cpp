@@ -4,6 +4,7 @@
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/files/symmetry.h"
+#include "kernel/base/powers_of_two.h"
 
 namespace axiscert::diagnosis {
 namespace {
@@ -31,7 +32,7 @@ Query<Real> placed(Stream& random, const Query<Real>& q) {
   const Query<Real> moved{turned.a + by, turned.b + by, turned.c + by, turned.p + by, turned.r};
   auto v = coordinates(moved);
   const int exponent = static_cast<int>(random.integer(-1, 1));
-  for (Real& x : v) x = std::ldexp(x, exponent);
+  scale_by_power_of_two(v, exponent);
   return from_coordinates(v);
 }
 

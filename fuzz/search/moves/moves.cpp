@@ -7,6 +7,7 @@
 
 #include "fuzz/search/moves/frame_moves.h"
 #include "kernel/arithmetic/error_free.h"
+#include "kernel/base/powers_of_two.h"
 
 namespace axiscert {
 namespace {
@@ -196,7 +197,7 @@ void settle(Query<Real>& q) {
     Real most = greatest;
     for (const Real x : v) most = std::max(most, std::fabs(x));
     const int up = std::min(-1 - std::ilogb(greatest), digits<Real> - 1 - std::ilogb(most));
-    for (Real& x : v) x = std::ldexp(x, std::max(up, 0));
+    if (up > 0) scale_by_power_of_two(v, up);
   }
   q = from_coordinates(v);
 }
@@ -212,8 +213,7 @@ void settle(const QueryShape& shape, Numbers<Real>& q) {
     greatest = std::max(greatest, std::fabs(x));
   }
   if (greatest != 0 && greatest < Real(0.5)) {
-    const int up = -1 - std::ilogb(greatest);
-    for (Real& x : q) x = std::ldexp(x, up);
+    scale_by_power_of_two(q, -1 - std::ilogb(greatest));
   }
   for (const std::size_t first : shape.frames) {
     if (!is_nearly_rotation(q, first)) make_rotation(q, first);
