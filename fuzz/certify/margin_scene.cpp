@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "exact/sphere_triangle/measures/input_class.h"
+#include "fuzz/text/number_text.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
@@ -14,14 +16,23 @@ namespace {
 
 constexpr int decade_of_nothing = -400;  // below that of every number
 
-// The decimal exponent of a positive number, by its shortest decimal: the same on every machine.
+// The powers of ten from 10^-323, the least that is not rounded to 0, to the greatest, each to the nearest double.
+constexpr int least_power = -323;
+std::vector<double> powers_of_ten() {
+  std::vector<double> powers;
+  for (int e = least_power; e <= std::numeric_limits<double>::max_exponent10; ++e)
+    powers.push_back(parse_number<double>(fmt::format("1e{}", e)));
+  return powers;
+}
+
+// The exponent of a number's shortest decimal. Such a decimal is on the same side of 10^e as the number is of the
+// double nearest to 10^e, or both are at it, since rounding is monotone. A size that is infinite belongs to the
+// greatest decade.
 int scene_decade(double size) {
   if (size == 0) return decade_of_nothing;
-  const std::string text = fmt::format("{:e}", size);
-  const std::size_t e = text.find('e') + 1;
-  int decade = 0;
-  std::from_chars(text.data() + e + (text[e] == '+'), text.data() + text.size(), decade);
-  return decade;
+  static const std::vector<double> powers = powers_of_ten();
+  const auto above = std::upper_bound(powers.begin(), powers.end(), size);
+  return least_power - 1 + static_cast<int>(above - powers.begin());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "fuzz/certify/truths.h"
@@ -204,47 +205,60 @@ SafeMargin find_in(const SafeMarginPlan& plan, const QueryBlock& block) {
   return found;
 }
 
+// How r is grown in the scenes of one decade and kind.
+struct Growth {
+  Rational factor, amount;
+};
+using Growths = std::map<MarginScene, Growth>;
+
+Growths growths_of(const SafeMargin& margin) {
+  Growths growths;
+  for (const auto& [scene, part] : margin.parts) {
+    growths[scene] = {part.factor ? exact(part.factor->value) : Rational(1),
+                      part.amount ? exact(part.amount->value) : Rational(0)};
+  }
+  return growths;
+}
+
 // The queries of a block that the kernel calls separated, with r grown in two ways.
 template <class Real>
-SafeMargin grow_in(const SafeMarginPlan& plan, const QueryBlock& block, const SafeMargin& margin) {
+SafeMargin grow_in(const SafeMarginPlan& plan, const QueryBlock& block, const Growths& growths) {
   SafeMargin found{plan.precision};
   MarginFinder<Real> finder(plan, found);
-  ask_block<Real>(plan, block, finder.kernel(),
-                  [&](const QueryBatch<Real>& batch, std::uint64_t, const std::vector<Verdict>& verdicts) {
-                    const std::vector<std::optional<Verdict>>& right = finder.truths().of(batch);
-                    std::vector<std::size_t> separated;
-                    QueryBatch<Real> by_factor(batch.size(), batch.column_count()),
-                        by_amount(batch.size(), batch.column_count());
-                    std::vector<MarginScene> scenes;
-                    for (std::size_t i = 0; i < batch.size(); ++i) {
-                      Numbers<Real> query = batch[i];
-                      const Real r = query[finder.radius()];
-                      if (verdicts[i] != Verdict::separated || !right[i]) continue;
-                      const MarginScene scene = finder.scene(query);
-                      const MarginPart& part = margin.parts.at(scene);  // every query with a truth is in one
-                      const Rational factor = part.factor ? exact(part.factor->value) : Rational(1);
-                      separated.push_back(i);
-                      scenes.push_back(scene);
-                      query[finder.radius()] = std::min(finder.greatest(), rounded_up_to<Real>(exact(r) * factor));
-                      by_factor.push_back(query);
-                      const Rational amount = part.amount ? exact(part.amount->value) : Rational(0);
-                      query[finder.radius()] = std::min(finder.greatest(), rounded_up_to<Real>(exact(r) + amount));
-                      by_amount.push_back(query);
-                    }
-                    if (separated.empty()) return;
-                    const auto count = [&](const QueryBatch<Real>& grown, std::uint64_t MarginPart::*phantoms,
-                                           std::uint64_t MarginPart::*missed) {
-                      Reply<Real> reply;
-                      ask(finder.kernel(), grown.columns(), reply);
-                      for (std::size_t k = 0; k < separated.size(); ++k) {
-                        const bool is_contact = reply.verdicts[k] == Verdict::contact;
-                        if (*right[separated[k]] == Verdict::separated) found.parts[scenes[k]].*phantoms += is_contact;
-                        else found.parts[scenes[k]].*missed += reply.verdicts[k] == Verdict::separated;
-                      }
-                    };
-                    count(by_factor, &MarginPart::phantoms_by_factor, &MarginPart::still_missed_by_factor);
-                    count(by_amount, &MarginPart::phantoms_by_amount, &MarginPart::still_missed_by_amount);
-                  });
+  ask_block<Real>(
+      plan, block, finder.kernel(),
+      [&](const QueryBatch<Real>& batch, std::uint64_t, const std::vector<Verdict>& verdicts) {
+        const std::vector<std::optional<Verdict>>& right = finder.truths().of(batch);
+        std::vector<std::size_t> separated;
+        QueryBatch<Real> by_factor(batch.size(), batch.column_count()), by_amount(batch.size(), batch.column_count());
+        std::vector<MarginScene> scenes;
+        for (std::size_t i = 0; i < batch.size(); ++i) {
+          Numbers<Real> query = batch[i];
+          const Real r = query[finder.radius()];
+          if (verdicts[i] != Verdict::separated || !right[i]) continue;
+          const MarginScene scene = finder.scene(query);
+          const Growth& growth = growths.at(scene);  // every query with a truth is in one
+          separated.push_back(i);
+          scenes.push_back(scene);
+          query[finder.radius()] = std::min(finder.greatest(), rounded_up_to<Real>(exact(r) * growth.factor));
+          by_factor.push_back(query);
+          query[finder.radius()] = std::min(finder.greatest(), rounded_up_to<Real>(exact(r) + growth.amount));
+          by_amount.push_back(query);
+        }
+        if (separated.empty()) return;
+        const auto count = [&](const QueryBatch<Real>& grown, std::uint64_t MarginPart::*phantoms,
+                               std::uint64_t MarginPart::*missed) {
+          Reply<Real> reply;
+          ask(finder.kernel(), grown.columns(), reply);
+          for (std::size_t k = 0; k < separated.size(); ++k) {
+            const bool is_contact = reply.verdicts[k] == Verdict::contact;
+            if (*right[separated[k]] == Verdict::separated) found.parts[scenes[k]].*phantoms += is_contact;
+            else found.parts[scenes[k]].*missed += reply.verdicts[k] == Verdict::separated;
+          }
+        };
+        count(by_factor, &MarginPart::phantoms_by_factor, &MarginPart::still_missed_by_factor);
+        count(by_amount, &MarginPart::phantoms_by_amount, &MarginPart::still_missed_by_amount);
+      });
   return found;
 }
 
@@ -278,9 +292,9 @@ SafeMargin margin_of(const SafeMarginPlan& plan, const std::atomic<bool>& interr
   each_block(plan, interrupted, report, "the radius that each missed contact needs", margin,
              [&](const QueryBlock& block) { return find_in<Real>(plan, block); });
   if (!margin.factor && !margin.amount) return margin;
-  const SafeMargin found = margin;
+  const Growths growths = growths_of(margin);
   each_block(plan, interrupted, report, "the queries again with r grown", margin,
-             [&](const QueryBlock& block) { return grow_in<Real>(plan, block, found); });
+             [&](const QueryBlock& block) { return grow_in<Real>(plan, block, growths); });
   return margin;
 }
 
