@@ -28,7 +28,7 @@ void add_certify(CLI::App& app, Action& action) {
   command
       ->add_option("--effort", o.effort,
                    "how much is asked: quick and standard take a built-in kernel some 2 and 20 minutes on two cores, "
-                   "deep takes hours; smoke takes seconds, to try a workflow")
+                   "deep takes an hour and a half; smoke takes seconds, to try a workflow")
       ->check(one_of(std::vector<std::string>(effort_names.begin(), effort_names.end())))
       ->capture_default_str();
   command->add_option("--seed", o.seed, "seed of every family, of the search and of the diagnosis")
