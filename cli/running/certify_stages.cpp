@@ -241,17 +241,15 @@ void Stages::keep_state(const std::string& name, const std::string& state) {
 SearchResult resumable_search(SearchPlan plan, Stages& stages, const std::string& name, double seconds,
                               const std::atomic<bool>& interrupted,
                               const std::function<void(const SearchProgress&)>& report) {
-  std::optional<std::string> state = stages.state(name);
   plan.seconds = seconds;
   std::uint64_t evaluations = 0;
   for (double before = 0;;) {
     double elapsed = 0;
-    const SearchResult result = search(plan, state, interrupted, [&](const SearchProgress& p) {
+    const SearchResult result = search(plan, stages.state(name), interrupted, [&](const SearchProgress& p) {
       elapsed = p.seconds;
       report({p.islands, p.evaluations, before + p.seconds});
     });
-    state = result.state;
-    stages.keep_state(name, *state);
+    stages.keep_state(name, result.state);
     if (!result.complete) throw StageInterrupted();
     if (result.evaluations >= *plan.evaluations) return result;
     // The queries from which a search begins may take longer than that, and are asked again before its first island.

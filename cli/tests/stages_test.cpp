@@ -7,7 +7,6 @@
 
 #include "cli/options/search_plan.h"
 #include "cli/running/certify_stages.h"
-#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/base/temporary_folder.h"
 

@@ -6,7 +6,7 @@
 #include "exact/sphere_triangle/oracles/formula_oracle.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
 #include "fuzz/queries/family.h"
-#include "kernel/base/powers_of_two.h"
+#include "fuzz/queries/image_groups.h"
 
 namespace axiscert {
 namespace {
@@ -27,11 +27,7 @@ bool far_from_right_angle(const Vec3<Ring>& u, const Vec3<Ring>& v) {
 template <class Real>
 QueryBatch<Real> scaled_queries(const std::vector<Query<Real>>& queries, int exponent) {
   QueryBatch<Real> batch(queries.size(), coordinate_count);
-  for (const Query<Real>& q : queries) {
-    auto v = coordinates(q);
-    scale_by_power_of_two(v, exponent);
-    batch.push_back(from_coordinates(v));
-  }
+  for (const Query<Real>& q : queries) batch.push_back(times_power(q, exponent));
   return batch;
 }
 

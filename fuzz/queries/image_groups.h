@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "kernel/base/enum_array.h"
+#include "kernel/base/powers_of_two.h"
 #include "kernel/sphere_triangle/query.h"
 #include "kernel/test.h"
 
@@ -81,14 +82,14 @@ ComparisonBits bits_of_base(ComparisonBits image, const std::array<std::uint8_t,
 template <class Real>
 Query<Real> times_power(const Query<Real>& q, int exponent) {
   auto v = coordinates(q);
-  for (Real& x : v) x = std::ldexp(x, exponent);
+  scale_by_power_of_two(v, exponent);
   return from_coordinates(v);
 }
 // The same of any test, every number of which is a length, a place or a direction.
 template <class Real>
 Numbers<Real> times_power(const Numbers<Real>& numbers, int exponent) {
   Numbers<Real> v = numbers;
-  for (Real& x : v) x = std::ldexp(x, exponent);
+  scale_by_power_of_two(v, exponent);
   return v;
 }
 

@@ -8,6 +8,7 @@
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "fuzz/queries/image_groups.h"
 #include "fuzz/search/moves/moves.h"
 #include "fuzz/search/range.h"
 #include "kernel/ask.h"
@@ -93,7 +94,7 @@ std::optional<Decimal6> Confirmer<Real>::range(const Aim& aim, const Query<Real>
   one.push_back(q);
   const auto m = range_left(implementation_, aim, one).front();
   if (!m) return std::nullopt;
-  const Query<Real> there = at_scale(q, *m);
+  const Query<Real> there = times_power(q, *m);
   const Reply<Real> reply = ask(implementation_, there);
   const std::size_t k = index_of(aim.which);
   const bool finite = std::isfinite(reply.answers.lhs[k][0]) && std::isfinite(reply.answers.rhs[k][0]);

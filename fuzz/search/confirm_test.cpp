@@ -5,6 +5,7 @@
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/queries/image_groups.h"
 #include "fuzz/search/evaluator.h"
 #include "fuzz/search/moves/moves.h"
 #include "fuzz/search/range.h"
@@ -123,7 +124,7 @@ TEST(Confirm, RangeIsLeftAtTheExponentsOfTheFormulae) {
   ASSERT_TRUE(range_left(implementation, down, one).front());
   const int least = *range_left(implementation, down, one).front();
   const auto holds = [&](int m) {
-    return reference_sides(at_scale(q, m)).lhs[1] > reference_sides(at_scale(q, m)).rhs[1];
+    return reference_sides(times_power(q, m)).lhs[1] > reference_sides(times_power(q, m)).rhs[1];
   };
   EXPECT_FALSE(holds(least));
   EXPECT_TRUE(holds(least + 1));

@@ -70,8 +70,9 @@ void twice_wide(Comparison which, const QueryBatch<double>& batch, std::vector<W
   if constexpr (!has_comparisons(formulae)) {
     return;
   } else if constexpr (F::is_ring) {
+    const auto columns = batch.columns();
     for (std::size_t first = 0; first < batch.size(); first += lane_count)
-      margins_in_lanes<formulae>(which, batch.columns(), first, margins.data());
+      margins_in_lanes<formulae>(which, columns, first, margins.data());
   } else {
     const FloatingScope scope({128, Rounding::nearest, std::nullopt});
     for (std::size_t i = 0; i < batch.size(); ++i) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fuzz/instruments/exponent_window.h"
-#include "kernel/base/powers_of_two.h"
+#include "fuzz/queries/image_groups.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
@@ -19,7 +19,7 @@ double greatest(const Vec3<Real>& u, const Vec3<Real>& v) {
 // Whether the way back from 2^exponent q, which is `scaled`, gives q: that no bit was lost.
 template <class Real>
 bool scaled_exactly(const Query<Real>& q, const Query<Real>& scaled, int exponent) {
-  return coordinates(at_scale(scaled, -exponent)) == coordinates(q);
+  return coordinates(times_power(scaled, -exponent)) == coordinates(q);
 }
 
 }  // namespace
@@ -34,15 +34,6 @@ bool has_good_shape(const Query<Real>& q) {
 }
 template bool has_good_shape(const Query<float>&);
 template bool has_good_shape(const Query<double>&);
-
-template <class Real>
-Query<Real> at_scale(const Query<Real>& q, int exponent) {
-  auto v = coordinates(q);
-  scale_by_power_of_two(v, exponent);
-  return from_coordinates(v);
-}
-template Query<float> at_scale(const Query<float>&, int);
-template Query<double> at_scale(const Query<double>&, int);
 
 template <class Real>
 std::vector<std::optional<int>> range_left(const Implementation<Real>& kernel, const Aim& aim,
@@ -65,7 +56,7 @@ std::vector<std::optional<int>> range_left(const Implementation<Real>& kernel, c
   for (int m = 0; m >= scanned.low && m <= scanned.high && !scans.empty(); m += step) {
     scaled.clear();
     std::erase_if(scans, [&](const Scan& scan) {
-      const Query<Real> q = query_from(batch[scan.query]), there = at_scale(q, m);
+      const Query<Real> q = query_from(batch[scan.query]), there = times_power(q, m);
       const bool is_exact = scaled_exactly(q, there, m);
       if (is_exact) scaled.push_back(there);
       return !is_exact;

@@ -16,10 +16,6 @@ namespace axiscert {
 template <class Real>
 bool has_good_shape(const Query<Real>& q);
 
-// Every number times 2^exponent; exact, unless bits fall below the least subnormal number.
-template <class Real>
-Query<Real> at_scale(const Query<Real>& q, int exponent);
-
 // For each query the exponent m nearest to 0, m > 0 for Goal::overflow and m < 0 for Goal::underflow, at which the
 // comparison's bit differs from that at m = 0, or a side is not finite. Both sides of a comparison are homogeneous:
 // with unbounded exponents its bit is the same at every scale. Empty if no such m is scanned or 2^m q loses bits

@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 
+#include "fuzz/queries/image_groups.h"
 #include "fuzz/search/beginning.h"
 #include "fuzz/search/confirm.h"
 #include "fuzz/search/evaluator.h"
@@ -298,7 +299,7 @@ class Search {
       Find find{aim, value, stored_query(name(aim), query)};
       if (is_about_range(aim.goal)) {
         find.range_exponent = range_exponent(aim.goal, plan_.precision, value.value());
-        find.witness.numbers = Numbers<Real>(at_scale(query_from(query), find.range_exponent));
+        find.witness.numbers = times_power(query, find.range_exponent);
       } else if (!is_about_a_comparison(aim.goal)) {
         find.links = confirmer.verdict_links(query);
       }

@@ -8,6 +8,7 @@
 
 #include "fuzz/queries/boundary.h"
 #include "fuzz/shrink/query_size.h"
+#include "kernel/base/powers_of_two.h"
 
 namespace axiscert {
 namespace {
@@ -171,7 +172,7 @@ bool Moving<Real>::apply(const Move& move) {
       return !is_length(i);
     case MoveKind::scale_all: {
       const int power = -exponent(i);
-      for (Real& x : v_) x = std::ldexp(x, power);
+      scale_by_power_of_two(v_, power);
       return power != 0;
     }
     case MoveKind::scale_point:

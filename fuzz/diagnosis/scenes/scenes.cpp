@@ -4,7 +4,7 @@
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/files/symmetry.h"
-#include "kernel/base/powers_of_two.h"
+#include "fuzz/queries/image_groups.h"
 
 namespace axiscert::diagnosis {
 namespace {
@@ -30,10 +30,7 @@ Query<Real> placed(Stream& random, const Query<Real>& q) {
   const Query<Real> turned = image(q, symmetries()[static_cast<std::size_t>(random.below(symmetry_count))]);
   const Vec3<Real> by = in_reals<Real>(drawn(random, 8));
   const Query<Real> moved{turned.a + by, turned.b + by, turned.c + by, turned.p + by, turned.r};
-  auto v = coordinates(moved);
-  const int exponent = static_cast<int>(random.integer(-1, 1));
-  scale_by_power_of_two(v, exponent);
-  return from_coordinates(v);
+  return times_power(moved, static_cast<int>(random.integer(-1, 1)));
 }
 
 // Legs of length 8 along the axes.

@@ -5,6 +5,7 @@
 #include "fuzz/families/sphere_triangle/parts/ties.h"
 #include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"
+#include "kernel/base/powers_of_two.h"
 
 namespace axiscert {
 namespace {
@@ -31,7 +32,7 @@ Query<Real> specked_tie(Stream& random, std::uint64_t position) {
   const Query<Real> tie = touching_integers<Real>(random, position);
   auto v = coordinates(Query<Real>{tie.a - tie.p, tie.b - tie.p, tie.c - tie.p, {0, 0, 0}, tie.r});
   const auto doublings = static_cast<int>(random.integer(-most_doublings<Real>, most_doublings<Real>));
-  for (Real& x : v) x = std::ldexp(x, doublings);
+  scale_by_power_of_two(v, doublings);
   for (std::size_t k = 0; k < 12; ++k) {
     if (v[k] == 0 && random.coin()) v[k] = speck<Real>(random, doublings);
   }
