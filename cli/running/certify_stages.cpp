@@ -242,7 +242,6 @@ SearchResult resumable_search(SearchPlan plan, Stages& stages, const std::string
                               const std::atomic<bool>& interrupted,
                               const std::function<void(const SearchProgress&)>& report) {
   plan.seconds = seconds;
-  std::uint64_t evaluations = 0;
   for (double before = 0;;) {
     double elapsed = 0;
     const SearchResult result = search(plan, stages.state(name), interrupted, [&](const SearchProgress& p) {
@@ -252,9 +251,6 @@ SearchResult resumable_search(SearchPlan plan, Stages& stages, const std::string
     stages.keep_state(name, result.state);
     if (!result.complete) throw StageInterrupted();
     if (result.evaluations >= *plan.evaluations) return result;
-    // The queries from which a search begins may take longer than that, and are asked again before its first island.
-    if (result.evaluations == evaluations) *plan.seconds *= 2;
-    evaluations = result.evaluations;
     before += elapsed;
   }
 }

@@ -56,23 +56,25 @@ TEST_F(StagesOfASearch, AreTheSameHoweverOftenTheyAreEnded) {
   EXPECT_GT(ends, 3);
 }
 
-// Also where the time between two states is too short for the queries from which the search begins.
+// Where no time is too short between two states, each island has one.
 TEST_F(StagesOfASearch, KeepTheirStateAsTimePasses) {
   const SearchResult whole = search(plan(), std::nullopt, interrupted_, [](const SearchProgress&) {});
   Stages here = stages();
   double seconds = 0;
-  int kept = 0;
+  std::uint64_t islands = 0;
   std::optional<std::string> last;
-  const SearchResult result =
-      resumable_search(plan(), here, "search", 1e-6, interrupted_, [&](const SearchProgress& p) {
-        EXPECT_GE(p.seconds, seconds) << "counted from the beginning";
-        seconds = p.seconds;
-        const std::optional<std::string> now = stages().state("search");
-        kept += now != last;
-        last = now;
-      });
+  const SearchResult result = resumable_search(plan(), here, "search", 0, interrupted_, [&](const SearchProgress& p) {
+    EXPECT_EQ(p.islands, ++islands);
+    EXPECT_GE(p.seconds, seconds) << "counted from the beginning";
+    seconds = p.seconds;
+    const std::optional<std::string> now = stages().state("search");
+    EXPECT_EQ(now.has_value(), islands > 1);
+    if (now) EXPECT_NE(now, last) << "kept before island " << islands;
+    last = now;
+  });
   EXPECT_EQ(result.finds, whole.finds);
-  EXPECT_GT(kept, 1);
+  EXPECT_EQ(result.state, whole.state);
+  EXPECT_GT(islands, 3u);
 }
 
 TEST_F(StagesOfASearch, HaveNoStateOnceDoneNorThatOfAnotherPlan) {

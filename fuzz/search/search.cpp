@@ -105,7 +105,7 @@ class Search {
 
   void resume(const std::string& text) {
     const SearchState state = parse_state(text, plan_, aims_);
-    islands_ = state.islands;
+    islands_ = resumed_from_ = state.islands;
     evaluations_ = state.evaluations;
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     for (std::size_t i = 0; i < aims_.size(); ++i) {
@@ -172,7 +172,7 @@ class Search {
 
   double elapsed() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
   bool is_over(const std::atomic<bool>& interrupted) const {
-    return interrupted || (plan_.seconds && elapsed() >= *plan_.seconds) ||
+    return interrupted || (plan_.seconds && islands_ != resumed_from_ && elapsed() >= *plan_.seconds) ||
            (plan_.evaluations && evaluations_ >= *plan_.evaluations);
   }
 
@@ -310,7 +310,7 @@ class Search {
   const SearchPlan& plan_;
   std::vector<Aim> aims_;
   std::vector<Slot> slots_;
-  std::uint64_t islands_ = 0, epoch_begin_ = 0, evaluations_ = 0;
+  std::uint64_t islands_ = 0, resumed_from_ = 0, epoch_begin_ = 0, evaluations_ = 0;
   std::vector<Known<Real>> known_;  // by aim
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

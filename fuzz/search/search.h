@@ -28,7 +28,7 @@ struct SearchPlan {
   std::vector<SourcePtr> first_sources;
   std::uint64_t first_queries = 0;
   // Stops at the first island that reaches this total, including earlier runs, or after this time, counting this run
-  // only.
+  // only, of which one island is always done: however short the time, a run gets further.
   std::optional<std::uint64_t> evaluations;
   std::optional<double> seconds;
   std::string target;  // resolved

@@ -232,7 +232,7 @@ class Search(Case):
         parts = self.search(*self.PLAN, "--evaluations", 900000, "--resume", out="parts")
         self.assertEqual(whole, parts)
         timed = self.search(*self.PLAN, "--time", 0.1, "--resume", out="parts")
-        self.assertGreaterEqual(timed["evaluations"], parts["evaluations"], "a slow build has no time for one more round")
+        self.assertGreater(timed["evaluations"], parts["evaluations"], "one island is done in any time")
 
     def test_bad_input(self):
         self.refused("search", "--kernel", "nosuch", says=["nosuch", "published"])
