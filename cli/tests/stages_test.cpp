@@ -56,7 +56,7 @@ TEST_F(StagesOfASearch, AreTheSameHoweverOftenTheyAreEnded) {
   EXPECT_GT(ends, 3);
 }
 
-// Where no time is too short between two states, each island has one.
+// With no time between two states, one is kept after each island.
 TEST_F(StagesOfASearch, KeepTheirStateAsTimePasses) {
   const SearchResult whole = search(plan(), std::nullopt, interrupted_, [](const SearchProgress&) {});
   Stages here = stages();
