@@ -123,6 +123,7 @@ struct Kernel {
   Touching touching = Touching::contact;
   Limits limits = {};
   MotionPolicy motion = {};  // of a test of motions
+  bool may_decline = false;  // `undecided` is an answer that it may give; else one more fault
   Call call = {};
   std::string file = {};           // path of a plug-in
   std::string declared_name = {};  // of a plug-in: its own name for its first kernel; empty: built in, or not loaded

@@ -1,9 +1,11 @@
 // The formulae against hand computations, the vocabulary, the registry and the self-check.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <set>
 
 #include "kernel/sphere_triangle/reference/contracted.h"
@@ -12,6 +14,7 @@
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/registry/self_check.h"
+#include "kernel/testing/random.h"
 
 namespace axiscert {
 namespace {
@@ -79,6 +82,22 @@ TEST(Registry, ListsEveryKernelOnceAndNamesThemForAnUnknownOne) {
     EXPECT_EQ(std::string(e.what()).find("unknown kernel 'publishd'; did you mean 'published'? plugin:PATH.so or "
                                          "program:MANIFEST.json is one of your own; kernels: published, "),
               0u);
+  }
+}
+
+// Queries of which the filters leave some open, and that every kernel of this test takes.
+TEST(Registry, AKernelThatDeclinesSaysThatItMayAndAnyThatSaysSoDeclines) {
+  std::mt19937_64 random(5);
+  QueryBatch<float> queries(4000, coordinate_count);
+  for (std::size_t i = 0; i < 4000; ++i) {
+    queries.push_back(i % 2 == 0 ? testing_support::coarse_query_of_any_size<float>(random)
+                                 : testing_support::random_query<float>(random, i % 4 == 1));
+  }
+  for (const Kernel& kernel : kernels()) {
+    if (kernel.test != &first_test() || !kernel.has(Precision::binary32)) continue;
+    std::vector<Verdict> verdicts(queries.size());
+    kernel.on<float>(scalar_target).verdicts(queries.columns(), verdicts.data());
+    EXPECT_EQ(std::count(verdicts.begin(), verdicts.end(), Verdict::undecided) != 0, kernel.may_decline) << kernel.id;
   }
 }
 

@@ -48,8 +48,9 @@ std::vector<const Kernel*> shipped_kernels(const TestDescription& test) {
 }
 
 void print_kernel(const Kernel& kernel, const std::string& targets) {
-  fmt::print("{:<20} {}; {}; {}; exposes {}\n", kernel.id, kernel.summary, fmt::join(precisions_of(kernel), " "),
-             targets, fmt::join(exposures_json(kernel).get<std::vector<std::string>>(), ", "));
+  fmt::print("{:<20} {}; {}; {}; exposes {}{}\n", kernel.id, kernel.summary, fmt::join(precisions_of(kernel), " "),
+             targets, fmt::join(exposures_json(kernel).get<std::vector<std::string>>(), ", "),
+             kernel.may_decline ? "; may decline" : "");
 }
 
 // A plug-in runs on no target of axiscert's.
@@ -135,6 +136,7 @@ Json kernel_json(const Kernel& kernel) {
                {"precisions", precisions_of(kernel)},
                {"targets", targets_of(kernel)},
                {"exposes", exposures_json(kernel)},
+               {"may_decline", kernel.may_decline},
                {"source", kernel.source.empty() ? Json() : Json(kernel.source)},
                {"findings", findings},
                {"arithmetics", composed}};

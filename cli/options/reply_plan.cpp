@@ -120,6 +120,7 @@ Kernel program(const ReplyOptions& options, const StoredReplies& replies) {
   }
   const auto touching = std::find(touching_names.begin(), touching_names.end(), options.touching);
   kernel.touching = static_cast<Touching>(touching - touching_names.begin());
+  kernel.may_decline = options.may_decline;
   const auto never_run = [](const auto& batch, Verdict* out) { std::fill_n(out, batch.size, Verdict::unanswered); };
   for (const Precision precision : replies.precisions()) {
     if (precision == Precision::binary32)
@@ -146,6 +147,8 @@ void add_reply_options(CLI::App& command, ReplyOptions& options) {
                   "the program's intended answer for a sphere that touches the triangle")
       ->check(one_of({"contact", "separated", "either"}))
       ->capture_default_str();
+  command.add_flag("--may-decline", options.may_decline,
+                   "the program may answer undecided; without it each such answer is a fault");
   add_reply_files(command, options);
 }
 

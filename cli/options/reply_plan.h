@@ -15,6 +15,7 @@ struct ReplyOptions {
   std::vector<std::string> replies = {"-"};  // files, one for each precision; "-": standard input
   std::vector<std::string> meshes, queries;  // present paths of the files that the queries are of
   std::string id = "pipe", touching = "contact";
+  bool may_decline = false;  // `undecided` is an answer that the program may give
   ReplyClaim claim;
 };
 

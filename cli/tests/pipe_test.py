@@ -193,6 +193,17 @@ class Pipe(Case):
         self.assertEqual(sum(links.values()), links["unattributed"])
         self.judged("-", "--touching", "either", "--require", "exact", stdin=bytes(replies), code=1)
 
+    def test_a_program_that_may_decline_says_so(self):
+        """Ten replies are undecided, the others contact: the command alone says whether that is a fault."""
+        queries = self.queries("--family", "lattice", "--trials", 1000)
+        (size,) = struct.unpack_from("<I", queries, 24)
+        replies = queries[:size] + b"\2\0\0\0" * 10 + b"\0\0\0\0" * 990
+        for flag in ((), ("--may-decline",)):
+            out = "may" if flag else "may-not"
+            record = self.judged("-", *flag, "--require", "conservative=1", stdin=replies, out=out, code=0 if flag else 1)
+            self.assertEqual((record["plan"]["replies"]["may_decline"], record["kernels"][0]["may_decline"]), (bool(flag),) * 2)
+            self.assertEqual("--may-decline" in (self.folder / out / "report.md").read_text().split("PROGRAM")[1].split("\n")[0], bool(flag))
+
     def test_times_of_motions_are_judged(self):
         """Contact at the start is never late; at the end it is wherever the motion touches before."""
         plan = ("--test", "moving-sphere", "--family", "moving-sphere/general", "--trials", 400)

@@ -13,6 +13,7 @@ namespace {
 class Ode {
  public:
   using Real = double;
+  static constexpr bool may_decline = true;
 
   int operator()(const Query<double>& q) const {
     if (!mesh_.is_ready()) return AXISCERT_UNDECIDED;

@@ -7,7 +7,8 @@
 // value is its answer.
 //
 // A peer is a type with a number type `Real` and `int operator()(const Query<Real>&)`, which returns an
-// axiscert_verdict. It lives for one batch, and keeps nothing from query to query.
+// axiscert_verdict. It lives for one batch, and keeps nothing from query to query. Where that can be
+// AXISCERT_UNDECIDED, it has a constant `may_decline` too, which is true.
 #pragma once
 
 #include <cmath>
@@ -50,6 +51,13 @@ void run(const axiscert_batch* batch, const axiscert_answers* answers) {
   }
 }
 
+// AXISCERT_UNDECIDED is an answer of the peer's.
+template <class Peer>
+constexpr std::uint32_t may_decline() {
+  if constexpr (requires { Peer::may_decline; }) return Peer::may_decline ? 1 : 0;
+  else return 0;
+}
+
 template <class Peer, std::floating_point Input>
 constexpr axiscert_kernel kernel_in(const Description& says) {
   return {.abi = AXISCERT_PLUGIN_ABI,
@@ -70,7 +78,8 @@ constexpr axiscert_kernel kernel_in(const Description& says) {
           .limits = nullptr,
           .start = 0,
           .still = 0,
-          .sides = 0};
+          .sides = 0,
+          .may_decline = may_decline<Peer>()};
 }
 
 // The kernels for axiscert_plugin: binary32, and binary64 too if the library computes in double.

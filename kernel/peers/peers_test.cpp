@@ -18,17 +18,25 @@ struct Expected {
   bool has_binary64;
   axiscert_touching touching;
   char centre_on_triangle = 'c';
+  bool may_decline = false;
 };
 void PrintTo(const Expected& peer, std::ostream* out) { *out << peer.name; }
 
 constexpr axiscert_touching contact = AXISCERT_TOUCHING_IS_CONTACT, separated = AXISCERT_TOUCHING_IS_SEPARATED,
                             either = AXISCERT_TOUCHING_IS_EITHER;
 constexpr Expected expected[] = {
-    {"bullet", false, separated},   {"bullet-double", true, separated}, {"bullet-gjk", false, contact},
-    {"ode", true, contact, 'i'},  // a depth of NaN
-    {"fcl", true, either},          {"fcl-float", false, either},       {"fcl-gjk", true, either},
-    {"libccd-gjk", true, either},   {"libccd-mpr", true, either},       {"cgal-float", false, contact},
-    {"cgal-double", true, contact}, {"cgal-epick", true, contact},
+    {"bullet", false, separated},
+    {"bullet-double", true, separated},
+    {"bullet-gjk", false, contact},
+    {"ode", true, contact, 'i', true},  // a depth of NaN; declines where ODE does not start
+    {"fcl", true, either},
+    {"fcl-float", false, either},
+    {"fcl-gjk", true, either},
+    {"libccd-gjk", true, either},
+    {"libccd-mpr", true, either},
+    {"cgal-float", false, contact},
+    {"cgal-double", true, contact},
+    {"cgal-epick", true, contact},
 };
 
 class Peer : public testing::TestWithParam<Expected> {
@@ -80,8 +88,8 @@ Query<float> sphere(float x, float y, float z, float r) { return {{0, 0, 0}, {4,
 TEST_P(Peer, SaysWhatItIs) {
   const Expected& peer = GetParam();
   const auto line = [](const axiscert_kernel& k) {
-    return fmt::format("abi {} precision {} {} exposes {} touching {} summary {} claims {} limits {}\n", k.abi,
-                       k.precision, k.name, k.exposes, k.touching, k.summary != nullptr,
+    return fmt::format("abi {} precision {} {} exposes {} touching {} declines {} summary {} claims {} limits {}\n",
+                       k.abi, k.precision, k.name, k.exposes, k.touching, k.may_decline, k.summary != nullptr,
                        k.conforms_to != nullptr || k.formulae != nullptr, k.limits != nullptr);
   };
   const Reply reply = in_peer(peer.name, [&](AxiscertPlugin* plugin) {
@@ -92,8 +100,9 @@ TEST_P(Peer, SaysWhatItIs) {
   std::string right;
   for (const int precision : {32, 64}) {
     if (precision == 64 && !peer.has_binary64) continue;
-    right += fmt::format("abi {} precision {} {} exposes 0 touching {} summary true claims false limits false\n",
-                         AXISCERT_PLUGIN_ABI, precision, peer.name, static_cast<int>(peer.touching));
+    right += fmt::format(
+        "abi {} precision {} {} exposes 0 touching {} declines {} summary true claims false limits false\n",
+        AXISCERT_PLUGIN_ABI, precision, peer.name, static_cast<int>(peer.touching), peer.may_decline ? 1 : 0);
   }
   EXPECT_EQ(reply.bytes, right);
 }

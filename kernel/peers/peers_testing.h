@@ -58,8 +58,14 @@ inline Reply in_peer(const std::string& name, const std::function<std::string(Ax
   return reply;
 }
 
-// A peer's verdicts on a batch, one letter each: 'c'ontact, 's'eparated, 'u'ndecided, 'i'nvalid; only '-' if it has no
-// kernel of that precision.
+// A verdict as a letter: 'c'ontact, 's'eparated, 'u'ndecided, 'i'nvalid; 'U' where it is undecided and the kernel does
+// not declare that it may decline.
+inline char letter_of(const axiscert_kernel& kernel, std::uint8_t verdict) {
+  if (verdict == AXISCERT_UNDECIDED && kernel.may_decline == 0) return 'U';
+  return verdict < 4 ? "csui"[verdict] : '?';
+}
+
+// A peer's verdicts on a batch, one letter each; only '-' if it has no kernel of that precision.
 template <class Real>
 Reply ask(const std::string& name, const std::vector<Query<Real>>& queries) {
   return in_peer(name, [&](AxiscertPlugin* plugin) -> std::string {
@@ -78,7 +84,7 @@ Reply ask(const std::string& name, const std::vector<Query<Real>>& queries) {
     answers.verdict = verdicts.data();
     kernel->run(&asked, &answers);
     std::string letters;
-    for (const std::uint8_t verdict : verdicts) letters += verdict < 4 ? "csui"[verdict] : '?';
+    for (const std::uint8_t verdict : verdicts) letters += letter_of(*kernel, verdict);
     return letters;
   });
 }

@@ -21,6 +21,12 @@ Enum one_of(std::uint32_t value, std::size_t count, const char* member) {
   return static_cast<Enum>(value);
 }
 
+bool may_decline(const Description& d) {
+  constexpr const char* known = "0, it decides every query; 1, it may answer undecided";
+  if (d.may_decline > 1) refuse(fmt::format("its may_decline is {}; known: {}", d.may_decline, known));
+  return d.may_decline == 1;
+}
+
 // The kernel that a plug-in claims to be like: a built-in one that exists in its precision.
 const Kernel& builtin(const char* member, const std::string& id, Precision precision) {
   const Kernel* kernel = nullptr;
@@ -155,17 +161,19 @@ void add_declared(const Description& d, std::uint32_t index, const Hosted& hoste
   described.touching = one_of<Touching>(d.touching, touching_names.size(), "touching convention");
   described.limits = limits_of(d);
   described.motion = motion_of(d, *described.test);
+  described.may_decline = may_decline(d);
   described.summary = d.summary[0] != 0 ? fmt::format("{}: {}", text_of(d.name), text_of(d.summary)) : text_of(d.name);
   if (d.name[0] == 0) refuse("it has no name");
   described.declared_name = kernel.declared_name.empty() ? text_of(d.name) : kernel.declared_name;
   claim(d, described);
   const bool is_first = !kernel.binary32 && !kernel.binary64;
-  if (!is_first && (described.exposes != kernel.exposes || described.touching != kernel.touching ||
-                    described.limits != kernel.limits || described.motion != kernel.motion ||
-                    described.measure_count != kernel.measure_count || described.test != kernel.test ||
-                    described.entry != kernel.entry || described.formulae != kernel.formulae ||
-                    described.strictness != kernel.strictness || described.arithmetic != kernel.arithmetic ||
-                    described.is_reference != kernel.is_reference || described.claims != kernel.claims)) {
+  if (!is_first &&
+      (described.exposes != kernel.exposes || described.touching != kernel.touching ||
+       described.limits != kernel.limits || described.motion != kernel.motion ||
+       described.may_decline != kernel.may_decline || described.measure_count != kernel.measure_count ||
+       described.test != kernel.test || described.entry != kernel.entry || described.formulae != kernel.formulae ||
+       described.strictness != kernel.strictness || described.arithmetic != kernel.arithmetic ||
+       described.is_reference != kernel.is_reference || described.claims != kernel.claims)) {
     refuse("its kernels in binary32 and in binary64 say different things of themselves; make two plug-ins of them");
   }
   const Supervised supervised{{hosted, index, d.abi, {described.test, described.entry, described.measure_count}},

@@ -103,6 +103,15 @@ TEST(Interface, NothingIsReadBeyondTheSizeThatAStructHas) {
   EXPECT_EQ(limited.limits, (Limits{.least_coordinate = 0.5}));
 }
 
+TEST(Interface, AKernelThatWasBuiltBeforeItCouldSayThatItDeclinesDoesNotSayIt) {
+  for (const char* name : {"short_kernel", "before_may_decline", "sides_1"}) {
+    const Kernel& kernel = find_kernel("plugin:" + layout_path(name));
+    EXPECT_TRUE(kernel.findings.empty()) << name << ": " << kernel.findings.front().detail;
+    EXPECT_FALSE(kernel.may_decline) << name;
+  }
+  EXPECT_EQ(find_kernel("plugin:" + layout_path("before_may_decline")).touching, Touching::either);
+}
+
 TEST(Interface, AKernelHasItsSource) {
   const Kernel& kernel = find_kernel(fmt::format("plugin:{}/misbehaving/alignment.so", BUILD_FOLDER));
   EXPECT_EQ(kernel.source, "kernel/plugin/misbehaving/alignment.c:8");
@@ -115,7 +124,10 @@ TEST(Interface, WhatCannotBeTrueIsOneLineThatSaysWhatWouldBe) {
         std::pair{"unknown_test", "unknown test 'sphere-cube'; tests: sphere-triangle"},
         std::pair{"unknown_entry", "test 'sphere-triangle': unknown entry 'edges'; entries: vertices"},
         std::pair{"wrong_columns", "it reads 12 columns; test 'sphere-triangle' in entry 'vertices' has 13"},
-        std::pair{"unknown_measure", "it gives 1 measures; test 'sphere-triangle' has 0"}}) {
+        std::pair{"unknown_measure", "it gives 1 measures; test 'sphere-triangle' has 0"},
+        std::pair{"strange_decline",
+                  "its may_decline is 2; known: 0, it decides every query; 1, it may answer undecided"},
+        std::pair{"two_promises", "its kernels in binary32 and in binary64 say different things of themselves"}}) {
     SCOPED_TRACE(name);
     const Kernel& kernel = find_kernel(fmt::format("plugin:{}/misdeclared/{}.so", BUILD_FOLDER, name));
     EXPECT_FALSE(kernel.has(Precision::binary32));

@@ -173,6 +173,52 @@ TEST(Plugin, PlainQuestionsAreAnsweredTooAndACrashIsNoAnswer) {
   }
 }
 
+// What each plug-in of promises/ says of itself and answers, so that a test of a gate asks what it means to ask.
+TEST(Plugin, ThoseWithPromisesKeepOrBreakThemAsTheyAreNamed) {
+  constexpr auto contact = Verdict::contact, separated = Verdict::separated, undecided = Verdict::undecided,
+                 invalid = Verdict::invalid, unanswered = Verdict::unanswered;
+  // The answers that are not those of a right kernel, and how many of these there may be among the 1,021.
+  struct Kind {
+    std::string_view name;
+    bool may_decline;
+    std::vector<std::pair<Verdict, Verdict>> instead;  // right, answered
+    std::size_t least, most;
+  };
+  const std::vector<std::pair<Verdict, Verdict>> declined = {{contact, undecided}, {separated, undecided}};
+  const Kind kinds[] = {
+      {"keeps_its_promise", false, {}, 0, 0},
+      {"declines", false, declined, 30, 100},
+      {"declines_declared", true, declined, 30, 100},
+      {"declines_contacts", true, {{contact, undecided}}, 20, 100},
+      {"declines_separations", true, {{separated, undecided}}, 900, 1001},
+      {"one_size", true, declined, 1, 900},
+      {"answers_invalid", false, {{contact, invalid}, {separated, invalid}}, 30, 100},
+      {"answers_77", false, {{contact, unanswered}, {separated, unanswered}}, 1021, 1021},
+      {"always_contact", false, {{separated, contact}}, 900, 1001},
+      {"limited_to_nothing", false, {{contact, separated}}, 20, 100},
+      {"limited_to_far", false, {}, 0, 0},
+  };
+  const std::vector<Verdict> right = right_verdicts();
+  for (const Kind& kind : kinds) {
+    SCOPED_TRACE(kind.name);
+    const Kernel& kernel = find_kernel(fmt::format("plugin:" BUILD_FOLDER "/promises/{}.so", kind.name));
+    EXPECT_TRUE(kernel.findings.empty());
+    EXPECT_EQ(kernel.may_decline, kind.may_decline);
+    EXPECT_EQ(kernel.limits.any(), kind.name.starts_with("limited_"));
+    const std::vector<Verdict> answers = supervised(kernel).verdicts;
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      if (answers[i] == right[i]) continue;
+      ++others;
+      EXPECT_THAT(kind.instead, testing::Contains(std::pair(right[i], answers[i]))) << i;
+    }
+    EXPECT_GE(others, kind.least);
+    EXPECT_LE(others, kind.most);
+  }
+  const Kernel& wide = find_kernel("plugin:" BUILD_FOLDER "/promises/binary64_alone.so");
+  EXPECT_TRUE(wide.has(Precision::binary64) && !wide.has(Precision::binary32));
+}
+
 // Nothing else is asked of a plug-in that stops again and again, and what was not asked is not answered.
 TEST(Plugin, AfterManyStopsNothingIsAsked) {
   const Seen seen = supervise("exits");

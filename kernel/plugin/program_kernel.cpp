@@ -50,6 +50,7 @@ Description described(const Manifest& manifest, Precision precision) {
   d.start = static_cast<std::uint32_t>(manifest.motion.start);
   d.still = static_cast<std::uint32_t>(manifest.motion.still);
   d.sides = static_cast<std::uint32_t>(manifest.motion.sides);
+  d.may_decline = manifest.may_decline ? 1 : 0;
   const Limits& l = manifest.limits;
   const double limits[] = {l.least_coordinate, l.greatest_coordinate, l.least_area, l.least_radius, l.greatest_radius};
   std::copy(std::begin(limits), std::end(limits), d.limits);

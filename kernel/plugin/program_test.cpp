@@ -94,6 +94,8 @@ TEST_F(Program, SaysOfItselfWhatItsManifestDeclares) {
   EXPECT_EQ(own.summary, "tested: a mesh (engine 1.2)");
   EXPECT_EQ(own.touching, Touching::either);
   EXPECT_EQ(own.exposes, Exposure::verdict);
+  EXPECT_FALSE(own.may_decline);
+  EXPECT_TRUE(kernel("right", R"(,"may_decline":true)").may_decline);
   EXPECT_TRUE(own.has(Precision::binary32));
   EXPECT_FALSE(own.has(Precision::binary64));
 }

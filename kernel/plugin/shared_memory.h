@@ -69,7 +69,7 @@ constexpr std::size_t array_offset(Placement placement, std::size_t entries, std
 // One kernel of the plug-in, in the words of plugin.h; texts cut to fit.
 struct Description {
   std::uint32_t abi, precision, exposes, touching;
-  std::uint32_t start, still, sides;
+  std::uint32_t start, still, sides, may_decline;
   std::size_t size, least_size, limits_size, least_limits_size;  // bytes, as declared and as needed
   std::size_t column_count, measure_count;
   double limits[5];  // in the order of axiscert_limits

@@ -17,9 +17,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::string_view> members = {
-    "format", "name",        "command",  "test",    "entry",  "precisions", "exposes", "measures", "touching", "limits",
-    "motion", "conforms_to", "formulae", "summary", "source", "package",    "version", "code",     "files"};
+const std::vector<std::string_view> members = {"format",     "name",        "command",     "test",     "entry",
+                                               "precisions", "exposes",     "measures",    "touching", "limits",
+                                               "motion",     "may_decline", "conforms_to", "formulae", "summary",
+                                               "source",     "package",     "version",     "code",     "files"};
 const std::vector<std::string_view> motion_members = {"start", "still", "sides"};
 const std::vector<std::string_view> limit_members = {"least_coordinate", "greatest_coordinate", "least_area",
                                                      "least_radius", "greatest_radius"};
@@ -67,6 +68,7 @@ class ManifestReader {
       manifest.touching = one_of<Touching>("touching", text_of("touching"), touching_names);
     manifest.limits = limits();
     manifest.motion = motion();
+    manifest.may_decline = yes_or_no("may_decline");
     manifest.test = text_of("test");
     manifest.entry = text_of("entry");
     manifest.conforms_to = text_of("conforms_to");
@@ -151,6 +153,14 @@ class ManifestReader {
     if (found != names.end()) return static_cast<Enum>(found - names.begin());
     fail(fmt::format("\"{}\": '{}'; known: {}", member, plain_line(word),
                      fmt::join(std::vector<std::string_view>(names.begin(), names.end()), ", ")));
+  }
+
+  // False where it is not there.
+  bool yes_or_no(const char* member) const {
+    const auto found = json_.find(member);
+    if (found == json_.end() || found->is_null()) return false;
+    if (!found->is_boolean()) fail(fmt::format("\"{}\" is {}; known: true, false", member, shown_value(*found)));
+    return found->get<bool>();
   }
 
   std::size_t measures() const {

@@ -22,6 +22,7 @@ struct Manifest {
   Touching touching = Touching::contact;
   Limits limits = {};
   MotionPolicy motion = {};
+  bool may_decline = false;                            // `undecided` is an answer that it may give
   std::string conforms_to, formulae, summary, source;  // as in plugin.h; empty: none
   std::string package, version;                        // of what it asks, where that has them
   // Asks it one query by hand, in its own language, with places for the numbers (code_lines.h); none: not stated.

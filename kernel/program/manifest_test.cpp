@@ -39,6 +39,9 @@ TEST(ManifestFile, DeclaresWhatAPluginDeclares) {
   EXPECT_EQ(manifest.limits.least_radius, 0.5);
   EXPECT_EQ(manifest.test, "t");
   EXPECT_EQ(manifest.measures, 0u);
+  EXPECT_FALSE(manifest.may_decline);
+  EXPECT_TRUE(read_manifest("{" + least + R"(,"may_decline":true})", "m.json").may_decline);
+  EXPECT_FALSE(read_manifest("{" + least + R"(,"may_decline":false})", "m.json").may_decline);
   EXPECT_EQ(manifest.motion, MotionPolicy{});
 }
 
@@ -85,6 +88,8 @@ TEST(ManifestFile, IsRefusedWithWhatWouldBeRight) {
            {"{" + least + R"(,"motion":"front"})", "\"motion\" is \"front\", which is no object"},
            {"{" + least + R"(,"motion":{"sides":"back"}})", "\"sides\": 'back'; known: both, front"},
            {"{" + least + R"(,"motion":{"stop":1}})", "unknown member 'stop'"},
+           {"{" + least + R"(,"may_decline":1})", "\"may_decline\" is 1; known: true, false"},
+           {"{" + least + R"(,"may_decline":"yes"})", "\"may_decline\" is \"yes\"; known: true, false"},
            {"{" + least + R"(,"limits":{"least_radius":-1}})", "\"least_radius\" is -1"},
            {"{" + least + R"(,"limits":{"radius":1}})", "unknown limit 'radius'"},
            {"{" + least + R"(,"files":"a.mjs"})", "\"files\" is \"a.mjs\", which is no list"},

@@ -85,7 +85,8 @@ Kernel filter(std::string id, std::string summary) {
           .binary32 = [](std::string_view target) { return filter_implementation<float>(form, target); },
           .binary64 = [](std::string_view target) { return filter_implementation<double>(form, target); },
           .has_simd = true,
-          .is_reference = false};
+          .is_reference = false,
+          .may_decline = true};
 }
 
 }  // namespace
@@ -118,9 +119,9 @@ std::vector<Kernel> sphere_triangle_kernels() {
       packed<strict>("packed", "published, one pair at a time: sixteen comparisons in four 4-lane compares"),
       packed<not_less>("packed-nonstrict", "the same with a >= b as !(b > a) in the sides: a NaN side holds"),
       eigen("eigen", "published, written with Eigen's vectors, whose reductions choose their order"),
-      certified_kernel<certified::Question::closed_sphere>("certified", "exact always: filtered in the input's precision, then in doubles, then in integers"),
+      certified_kernel<certified::Question::closed_sphere>("certified", "the exact answer: filtered in the input's precision, then in doubles, then in integers"),
       certified_kernel<certified::Question::conservative>("conservative", "never a missed contact; phantom depth at most 20 sqrt(u): 0.00489, in binary64 2.11e-7"),
-      filter<FilterForm::reduced>("certified-filter", "reduced with proved thresholds: separated, contact or undecided, and proved never wrong"),
+      filter<FilterForm::reduced>("certified-filter", "reduced with thresholds proved of it as a program: separated, contact or undecided"),
       filter<FilterForm::published>("certified-filter-published", "the same with the published formulae, whose thresholds are wider"),
       evaluated<first_publication>("first-publication", "the article as first published: QC = C e + Q, wrong in exact arithmetic"),
       evaluated<vertex_typo>("vertex-typo", "the vertex section as printed: ac = dot(B, B), wrong in exact arithmetic"),

@@ -104,6 +104,7 @@ constexpr axiscert_kernel kernel = {
     .start = AXISCERT_START_IS_REPORTED,  // this and the next two are for tests of motions
     .still = AXISCERT_STILL_IS_REPORTED,
     .sides = AXISCERT_BOTH_SIDES,
+    .may_decline = 0,  // it answers every valid query
 };
 
 }  // namespace

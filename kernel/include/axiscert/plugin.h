@@ -44,7 +44,7 @@ extern "C" {
 enum axiscert_verdict {
   AXISCERT_CONTACT = 0,
   AXISCERT_SEPARATED = 1,
-  AXISCERT_UNDECIDED = 2, /* the kernel declines to say */
+  AXISCERT_UNDECIDED = 2, /* the kernel declines to say: a fault, unless its `may_decline` is 1 */
   AXISCERT_INVALID = 3    /* no query: a number that is not finite, a negative radius; or a result that is NaN */
 };
 
@@ -154,6 +154,8 @@ typedef struct axiscert_kernel {
   uint32_t start;                /* an axiscert_start, of a test of motions, as the next two */
   uint32_t still;                /* an axiscert_still */
   uint32_t sides;                /* an axiscert_sides */
+  /* 0: it answers separated or contact to every valid query within its limits. 1: it may answer AXISCERT_UNDECIDED. */
+  uint32_t may_decline;
 } axiscert_kernel;
 
 /* The only export of a plug-in: kernel number `index`, from 0 on; null where there is none. The kernel is read once and

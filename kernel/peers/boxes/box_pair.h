@@ -3,7 +3,7 @@
 //
 // A library takes a rotation, and the columns of a query need not be one. Columns that are within 2^-10 of orthonormal
 // are given as they stand, the third with its sign changed where they are left-handed, which is the same box; of others
-// the peer is `undecided`.
+// the peer is `undecided`, which every one of these declares.
 //
 // A peer is a type with a number type `Real` and `int operator()(const Boxes<Real>&)`, which returns an
 // axiscert_verdict. It lives for one batch, and keeps nothing from query to query.
@@ -107,7 +107,8 @@ constexpr axiscert_kernel boxes_kernel_in(const Description& says) {
           .limits = nullptr,
           .start = 0,
           .still = 0,
-          .sides = 0};
+          .sides = 0,
+          .may_decline = 1};
 }
 
 // The kernels for axiscert_plugin: binary32, and binary64 too if the library computes in double.

@@ -67,8 +67,7 @@ double penetration(const Boxes<double>& q) {
   return least;
 }
 
-// A peer's answers, a letter each: 'c'ontact, 's'eparated, 'u'ndecided, 'i'nvalid; none without a kernel of that
-// precision.
+// A peer's answers, a letter each; none without a kernel of that precision.
 template <class Real>
 std::string ask_boxes(const std::string& name, const std::vector<Boxes<double>>& queries) {
   const Reply reply = in_peer("box-box/" + name, [&](AxiscertPlugin* plugin) -> std::string {
@@ -93,7 +92,7 @@ std::string ask_boxes(const std::string& name, const std::vector<Boxes<double>>&
     answers.verdict = verdicts.data();
     kernel->run(&asked, &answers);
     std::string letters;
-    for (const std::uint8_t verdict : verdicts) letters += verdict < 4 ? "csui"[verdict] : '?';
+    for (const std::uint8_t verdict : verdicts) letters += letter_of(*kernel, verdict);
     return letters;
   });
   EXPECT_EQ(reply.signal, 0) << name;

@@ -55,7 +55,8 @@ constexpr axiscert_kernel cells_kernel_in(const Description& says) {
           .limits = nullptr,
           .start = 0,
           .still = 0,
-          .sides = 0};
+          .sides = 0,
+          .may_decline = 0};
 }
 
 template <class Kernel>

@@ -12,6 +12,7 @@ class BulletWorld {
  public:
   using Real = float;
   static constexpr std::size_t measure_count = sweep_measures;
+  static constexpr bool may_decline = true;
 
   int operator()(const Sweep<float>& q, FirstContact<float>& first) const {
     if (!is_finite(end_of(q))) return AXISCERT_UNDECIDED;

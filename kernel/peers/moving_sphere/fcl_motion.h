@@ -24,6 +24,7 @@ template <class Volume, fcl::CCDSolverType solver>
 struct FclMotion {
   using Real = double;
   static constexpr std::size_t measure_count = 1;
+  static constexpr bool may_decline = true;
 
   int operator()(const Sweep<double>& q, FirstContact<double>& first) const {
     if (!is_finite(end_of(q))) return AXISCERT_UNDECIDED;

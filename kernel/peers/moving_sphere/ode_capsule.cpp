@@ -13,6 +13,7 @@ class OdeCapsule {
  public:
   using Real = double;
   static constexpr std::size_t measure_count = 0;
+  static constexpr bool may_decline = true;
 
   int operator()(const Sweep<double>& q, FirstContact<double>&) const {
     const double length = std::hypot(q.d.x, q.d.y, q.d.z);

@@ -5,6 +5,7 @@
 // `int operator()(const Sweep<Real>&, FirstContact<Real>&)`, which returns an axiscert_verdict. It lives for one batch,
 // and keeps nothing from query to query. Where its library says that it promises nothing of two that overlap at the
 // start, it has a constant `start` too, an axiscert_start; where the library says nothing of it, an answer is expected.
+// `may_decline` is that of ../peer.h.
 #pragma once
 
 #include <array>
@@ -106,7 +107,8 @@ constexpr axiscert_kernel sweep_kernel_in(const Description& says) {
           .limits = nullptr,
           .start = start_promise<Peer>(),
           .still = AXISCERT_STILL_IS_REPORTED,
-          .sides = AXISCERT_BOTH_SIDES};
+          .sides = AXISCERT_BOTH_SIDES,
+          .may_decline = may_decline<Peer>()};
 }
 
 // The kernels for axiscert_plugin: binary32, and binary64 too if the library computes in double.

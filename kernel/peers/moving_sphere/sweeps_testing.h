@@ -47,7 +47,7 @@ std::vector<SweepAnswer> ask_sweeps(const std::string& name, const std::vector<S
     kernel->run(&asked, &answers);
     std::string bytes;
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      bytes += verdicts[i] < 4 ? "csui"[verdicts[i]] : '?';
+      bytes += letter_of(*kernel, verdicts[i]);
       for (std::size_t k = 0; k < sweep_measures; ++k) {
         const double number = k < given.size() ? double{given[k][i]} : FirstContact<double>::unsaid;
         bytes.append(reinterpret_cast<const char*>(&number), sizeof number);

@@ -31,6 +31,7 @@ template <class Number>
 struct WildMagicSweep {
   using Real = Number;
   static constexpr std::size_t measure_count = 1;
+  static constexpr bool may_decline = true;
 
   int operator()(const Sweep<Real>& q, FirstContact<Real>& first) const {
     const auto vector = [](const Vec3<Real>& v) { return Wm5::Vector3<Real>(v.x, v.y, v.z); };

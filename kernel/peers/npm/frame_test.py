@@ -179,6 +179,7 @@ class Manifests(unittest.TestCase):
                 for form in of["command"][2:]:
                     self.assertIn(f"'{form}':", program)
                 self.assertIn(of["touching"], ("contact", "separated", "either"))
+                self.assertIs(of.get("may_decline"), True)  # what an engine throws, the frame declines
                 self.assertLessEqual(set(of["precisions"]), {"binary32", "binary64"})
                 self.assertEqual(of["test"], file.parent.name)
                 self.assertIn(asking.question_of(of), asking.COLUMNS)

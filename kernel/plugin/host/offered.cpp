@@ -95,6 +95,7 @@ void describe(const Offered& kernel, Description& out) {
   out.start = says.start;
   out.still = says.still;
   out.sides = says.sides;
+  out.may_decline = says.may_decline;
   out.column_count = says.column_count;
   out.measure_count = says.measure_count;
   const double limits[] = {l.least_coordinate, l.greatest_coordinate, l.least_area, l.least_radius, l.greatest_radius};
