@@ -183,12 +183,72 @@ mpz_class value(const Integer<words>& x) {
   for (std::size_t i = words; i-- > 0;) sum = (sum << 64) + mpz_class(static_cast<unsigned long>(x.word[i]));
   return x.is_negative() ? mpz_class(sum - power_of_two(64 * static_cast<int>(words))) : sum;
 }
-template <std::size_t m, std::size_t n>
+// x without its words above the first `kept`, the last of them without its sign.
+template <std::size_t kept, std::size_t words>
+Integer<words> first_words(Integer<words> x) {
+  for (std::size_t i = kept; i < words; ++i) x.word[i] = 0;
+  x.word[kept - 1] &= ~std::uint64_t{0} >> 2;
+  return x;
+}
+// The integers at which a carry or a borrow goes through every word, or a sign changes; and any others.
+template <std::size_t words>
+Integer<words> edge_integer(std::mt19937_64& random) {
+  Integer<words> x{};
+  const int top = static_cast<int>(64 * words) - 1;
+  switch (random() % 6) {
+    case 0:  // 0, 1, -1
+      return shifted<Integer<words>>(random() % 2, 0, random() % 2);
+    case 1:  // the greatest and the least
+      x.word[words - 1] = std::uint64_t{1} << 63;
+      return random() % 2 ? x : x - shifted<Integer<words>>(1, 0, false);
+    case 2:  // a power of two, or one off
+      x = shifted<Integer<words>>(1, static_cast<unsigned>(random() % static_cast<unsigned>(top)), random() % 2);
+      return random() % 2 ? x : x - shifted<Integer<words>>(1, 0, random() % 2);
+    default:
+      return any_integer<words>(random);
+  }
+}
+// Sums and differences that fit; modulo 2^(64 words) where they do not, which no caller asks.
+template <std::size_t... words>
+void expect_sums(std::mt19937_64& random) {
+  const auto expect = [&]<std::size_t size>() {
+    const mpz_class modulus = power_of_two(64 * static_cast<int>(size)), half = modulus / 2;
+    const auto wrapped = [&](mpz_class x) {
+      if (x >= half) x -= modulus;
+      if (x < -half) x += modulus;
+      return x;
+    };
+    for (int i = 0; i < 4'000; ++i) {
+      const auto a = edge_integer<size>(random);
+      const auto b = random() % 8 == 0 ? a : edge_integer<size>(random);
+      const mpz_class x = value(a), y = value(b), sum = wrapped(x + y), difference = wrapped(x - y);
+      ASSERT_EQ(value(a + b), sum) << size << " words, " << x << " and " << y;
+      ASSERT_EQ(value(a - b), difference) << size << " words, " << x << " and " << y;
+      ASSERT_EQ((a - b).is_negative(), difference < 0) << size << " words, " << x << " and " << y;
+      ASSERT_EQ((a - b).is_zero(), difference == 0) << size << " words, " << x << " and " << y;
+      ASSERT_EQ((a - b).is_positive(), difference > 0) << size << " words, " << x << " and " << y;
+    }
+  };
+  (expect.template operator()<words>(), ...);
+}
+// Every size that the exact step has (Integers<n>::bits), and the sizes between.
+TEST(Integer, SumsAndDifferencesAreThoseOfGmp) {
+  std::mt19937_64 random(seed);
+  expect_sums<1, 2, 3, 4, 5, 6, 7, 8, 9, 12>(random);
+}
+
+// Products into as many words as they need: `less` fewer than both factors have.
+template <std::size_t m, std::size_t n, std::size_t less = 0>
 void expect_products(std::mt19937_64& random) {
   for (int i = 0; i < 2'000; ++i) {
     const auto a = any_integer<m>(random);
-    const auto b = any_integer<n>(random);
-    EXPECT_EQ(value(product<Integer<m + n>>(a, b)), value(a) * value(b)) << m << " words by " << n << ", trial " << i;
+    auto b = any_integer<n>(random);
+    if constexpr (less != 0) {
+      b = first_words<n - less>(b);
+      if (random() % 2) b = Integer<n>{} - b;
+    }
+    EXPECT_EQ(value(product<Integer<m + n - less>>(a, b)), value(a) * value(b))
+        << m << " words by " << n << ", trial " << i;
   }
 }
 TEST(Integer, ProductsAreThoseOfGmp) {
@@ -199,6 +259,10 @@ TEST(Integer, ProductsAreThoseOfGmp) {
   expect_products<3, 3>(random);
   expect_products<3, 5>(random);
   expect_products<5, 6>(random);
+  expect_products<2, 2, 1>(random);
+  expect_products<3, 3, 1>(random);
+  expect_products<2, 3, 1>(random);
+  expect_products<5, 5, 1>(random);
 }
 
 }  // namespace

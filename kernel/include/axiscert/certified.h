@@ -6,16 +6,17 @@
  * The sphere is solid and the triangle closed; both are taken as the exact values of the given numbers. For every
  * finite input with r >= 0 (-0 too) the answer is that of exact arithmetic: triangles without area, subnormal numbers
  * and the greatest ones included, on every instruction set, in every rounding mode, with subnormal numbers flushed to
- * zero or not. docs/certified.md describes the proof, and the cost.
+ * zero or not. docs/certified.md says what of this is proved, what is tested, and the cost.
  *
  * A verdict (plugin.h) is AXISCERT_CONTACT = 0, AXISCERT_SEPARATED = 1 or, where one of the thirteen numbers is not
  * finite or the radius is negative, AXISCERT_INVALID = 3; never AXISCERT_UNDECIDED. It is not a boolean: contact is 0.
  *
- * No function allocates, throws, prints, locks or keeps state, except that the first call chooses the instruction set;
- * all may be called by any number of threads. On return the floating-point modes are the caller's again. If they were
- * the default modes, status flags may have been raised; otherwise the flags are as they were too. Arrays need no
- * alignment beyond their type's, and must not overlap the results. With no queries (size or count 0) no array is read,
- * and any may be null.
+ * No function allocates, throws, prints, locks or keeps state, except that the first call chooses the instruction set
+ * and checks the library, and ends the process with a sentence on standard error where even its integers fail the
+ * check; all may be called by any number of threads. On return the floating-point modes are the
+ * caller's again. If they were the default modes, status flags may have been raised; otherwise the flags are as they
+ * were too. Arrays need no alignment beyond their type's, and must not overlap the results. With no queries (size or
+ * count 0) no array is read, and any may be null.
  */
 #ifndef AXISCERT_CERTIFIED_H
 #define AXISCERT_CERTIFIED_H
@@ -71,6 +72,11 @@ typedef struct axiscert_mesh_f64 {
   size_t stride;
   const uint32_t* indices;
 } axiscert_mesh_f64;
+
+/* 1 where the library passed the check that its first call makes, 0 where its steps in floating point gave a wrong
+ * answer there, as they do where they were compiled with flags that change arithmetic. Then all questions are answered
+ * as AXISCERT_EXACT_ONLY are: right, and slower. */
+AXISCERT_EXPORT int axiscert_passed_self_check(void) AXISCERT_NOEXCEPT;
 
 /* One pair: triangle is ax ay az bx by bz cx cy cz, sphere px py pz r. */
 AXISCERT_EXPORT enum axiscert_verdict axiscert_pair_f32(const float triangle[9], const float sphere[4],

@@ -13,6 +13,8 @@ namespace axiscert::certified {
 template <class Real>
 using Mesh = std::conditional_t<sizeof(Real) == 4, axiscert_mesh_f32, axiscert_mesh_f64>;
 
+inline bool passed_self_check() noexcept { return axiscert_passed_self_check() != 0; }
+
 inline axiscert_verdict pair(const float* triangle, const float* sphere,
                              axiscert_question question = AXISCERT_CLOSED_SPHERE) noexcept {
   return axiscert_pair_f32(triangle, sphere, question);

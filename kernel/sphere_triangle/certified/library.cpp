@@ -1,20 +1,43 @@
 // The C interface: makes blocks of queries in the callers' shapes, and the callers' results of the answers to blocks.
 #include <bit>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include "kernel/include/axiscert/certified.h"
 #include "kernel/sphere_triangle/certified/answers.h"
 #include "kernel/sphere_triangle/certified/default_modes.h"
 #include "kernel/sphere_triangle/certified/exact_only.h"
+#include "kernel/sphere_triangle/certified/self_check.h"
 
 namespace axiscert::certified {
 namespace {
 
-// The steps on the best instruction set, which is chosen once; or the exact step alone.
+// What answers the questions that steps in floating point may answer, chosen once, under default modes: these steps on
+// the best instruction set, or integers alone where the steps do not pass the check.
+struct Chosen {
+  bool passed;
+  Forms forms;
+};
+const Chosen& chosen() noexcept {
+  static const Chosen made = [] {
+    if (!answer_as_stored(exact_only_forms(), true)) {
+      std::fputs(
+          "libaxiscert: its exact step fails its own check, so that no answer would be right; was it compiled with "
+          "-ffast-math, or for another processor?\n",
+          stderr);
+      std::abort();
+    }
+    const Forms best = chosen_forms();
+    const bool passed = answer_as_stored(best, false);
+    return Chosen{passed, passed ? best : exact_only_forms()};
+  }();
+  return made;
+}
 const Forms& forms_for(axiscert_question question) noexcept {
+  const Chosen& mine = chosen();
   if (question == AXISCERT_EXACT_ONLY || question == AXISCERT_OPEN_EXACT_ONLY) return exact_only_forms();
-  static const Forms chosen = chosen_forms();
-  return chosen;
+  return mine.forms;
 }
 Question question_of(axiscert_question question) noexcept {
   return question == AXISCERT_OPEN_EXACT_ONLY ? Question::open_sphere : static_cast<Question>(question);
@@ -113,6 +136,10 @@ axiscert_verdict pair(const Real* triangle, const Real* sphere, axiscert_questio
 
 using namespace axiscert::certified;  // for the definitions of the C functions
 
+int axiscert_passed_self_check(void) noexcept {
+  const DefaultModes modes;
+  return chosen().passed;
+}
 axiscert_verdict axiscert_pair_f32(const float* triangle, const float* sphere, axiscert_question question) noexcept {
   return pair(triangle, sphere, question);
 }

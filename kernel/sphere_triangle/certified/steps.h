@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "kernel/base/bits.h"
+#include "kernel/sphere_triangle/certified/required_flags.h"
 
 namespace axiscert::certified {
 
