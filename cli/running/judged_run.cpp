@@ -1,6 +1,7 @@
 #include "cli/running/judged_run.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
@@ -42,7 +43,7 @@ bool shown(const std::vector<LevelOutcome>& outcomes, bool quiet) {
     }
     for (const Failure& failure : outcome.failures)
       fmt::print(stderr, "axiscert: --require {}: {}\n", outcome.asked.text, failure.text());
-    if (outcome.state == LevelState::not_checked) fmt::print(stderr, "axiscert: --require: {}\n", outcome.text());
+    fmt::print(stderr, "axiscert: --require: {}\n", outcome.text());
   }
   return pass(outcomes);
 }
@@ -145,13 +146,16 @@ int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResul
   render_reports(output.out);
   progress.reset();  // before the summary
 
+  // First, and where standard output goes elsewhere on standard error too.
+  const std::vector<std::string> nothing = output.has_summary ? unjudged(record) : std::vector<std::string>();
+  const bool is_on_one_screen = !output.quiet && isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
+  for (const std::string& sentence : nothing) {
+    if (!is_on_one_screen) fmt::print(stderr, "axiscert: {}\n", sentence);
+    if (!output.quiet) fmt::print("{}\n", coloured(sentence, TextColour::red));
+  }
   if (!output.quiet && output.has_summary) fmt::print("{}{}/report.html\n", summary_text(record, seconds), output.out);
   if (!result.complete) return exit_interrupted;
-  bool is_met = true;
-  for (const std::string& sentence : output.has_summary ? unjudged(record) : std::vector<std::string>()) {
-    fmt::print(stderr, "axiscert: {}\n", sentence);
-    is_met = false;
-  }
+  bool is_met = nothing.empty();
   if (!shown(outcomes, output.quiet)) is_met = false;
   if (held && !holds(*held, output)) is_met = false;
   return is_met ? exit_done : exit_requirement_failed;

@@ -13,6 +13,7 @@
 #include "cli/running/terminal.h"
 #include "fuzz/files/query_file.h"
 #include "kernel/base/error.h"
+#include "reports/evidence/evidence.h"
 #include "reports/wording/aligned_table.h"
 #include "reports/wording/depths.h"
 #include "reports/wording/classes.h"
@@ -79,44 +80,46 @@ std::string iso_time(std::chrono::system_clock::time_point time) {
 
 namespace {
 
-// Red where a contact is missed or a query has no answer, yellow where the verdict is wrong in another way, otherwise
-// green.
+// Red where a contact is missed or a query has no answer that counts, yellow where the verdict is wrong in another way,
+// otherwise green.
 std::string kernels_table(const Json& kernels) {
   std::vector<std::string> columns = {
-      "kernel",           "precision", "queries",   "missed contacts",    "deepest",
-      "phantom contacts", "deepest",   "no answer", "outside its limits", "wrong there"};
+      "kernel",    "precision", "queries",   "missed contacts",    "deepest",    "phantom contacts", "deepest",
+      "undecided", "invalid",   "no answer", "outside its limits", "wrong there"};
   std::vector<std::vector<std::string>> rows;
   std::vector<TextColour> colours;
-  bool has_extra = false, has_depth = false;
+  bool has_limits = false, has_depth = false;
   for (const Json& kernel : kernels) {
-    std::uint64_t trials = 0, missed = 0, phantom = 0, unanswered = 0, outside = 0, outside_wrong = 0;
+    const Evidence evidence = evidence_of(kernel);
+    std::uint64_t trials = 0, missed = 0, phantom = 0, undecided = 0, outside_wrong = 0;
     double deepest_missed = 0, deepest_phantom = 0;
     for (const Json& family : kernel["families"]) {
       const Json& verdict = family["verdict"];
       trials += family["trials"].get<std::uint64_t>();
       missed += verdict["false_separation"].get<std::uint64_t>();
       phantom += verdict["false_contact"].get<std::uint64_t>();
-      unanswered += verdict["unanswered"].get<std::uint64_t>();
-      if (const Json& apart = verdict["outside_limits"]; !apart.is_null()) {
-        outside += apart["trials"].get<std::uint64_t>();
+      undecided += verdict["undecided"].get<std::uint64_t>();
+      if (const Json& apart = verdict["outside_limits"]; !apart.is_null())
         outside_wrong += apart["false_separation"].get<std::uint64_t>() + apart["false_contact"].get<std::uint64_t>();
-      }
       deepest_missed = std::max(deepest_missed, verdict["deepest_false_separation"].get<double>());
       deepest_phantom = std::max(deepest_phantom, verdict["deepest_false_contact"].get<double>());
     }
-    has_extra |= unanswered + outside != 0;
+    has_limits |= evidence.outside != 0;
     has_depth |= deepest_missed != 0 || deepest_phantom != 0;
-    rows.push_back({kernel["id"], kernel["precision"], thousands(trials), thousands(missed), amount(deepest_missed, 3),
-                    thousands(phantom), amount(deepest_phantom, 3), thousands(unanswered), thousands(outside),
-                    thousands(outside_wrong)});
-    colours.push_back(missed + unanswered != 0 ? TextColour::red
-                      : phantom != 0           ? TextColour::yellow
-                                               : TextColour::green);
+    // Of a kernel that decided nothing no depth was measured.
+    const auto deepest = [&](double depth) { return evidence.decided() == 0 ? std::string("-") : amount(depth, 3); };
+    rows.push_back({kernel["id"], kernel["precision"], thousands(trials), thousands(missed), deepest(deepest_missed),
+                    thousands(phantom), deepest(deepest_phantom), thousands(undecided), thousands(evidence.invalid),
+                    thousands(evidence.unanswered), thousands(evidence.outside), thousands(outside_wrong)});
+    const bool is_undeclared = undecided != 0 && !kernel["may_decline"].get<bool>();
+    const bool is_bad =
+        missed + evidence.invalid + evidence.unanswered != 0 || is_undeclared || evidence.decided() == 0;
+    colours.push_back(is_bad ? TextColour::red : phantom != 0 ? TextColour::yellow : TextColour::green);
   }
   if (rows.empty()) return "";
-  if (!has_extra) {
-    columns.resize(7);
-    for (auto& row : rows) row.resize(7);
+  if (!has_limits) {
+    columns.resize(10);
+    for (auto& row : rows) row.resize(10);
   }
   std::istringstream table(aligned_table(columns, rows));
   std::string text, line;
@@ -200,8 +203,6 @@ std::string summary_text(const Json& record, double seconds) {
     if (!(*group.first)["address"].is_null())
       text += fmt::format("  {}\n", replay_command(*group.first, record["plan"]));
   }
-  for (const std::string& kernel : not_judged(record))
-    text += fmt::format("{}: NOT JUDGED: it could not be loaded\n", kernel);
   text += kernels_table(record["kernels"]);
   text += motion_table(record["kernels"]);
   text += depths_table(record);

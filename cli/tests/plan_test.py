@@ -39,14 +39,6 @@ class Plan(PlanCase):
         broken.write_text(json.dumps(plan))
         return broken
 
-    def test_a_plan_that_names_no_test_is_of_the_first(self):
-        plan = json.loads(self.plan.read_text())
-        self.assertEqual((plan["options"]["test"], plan["plan"]["test"]), ("sphere-triangle", "sphere-triangle"))
-        del plan["plan"]["test"], plan["options"]["test"]
-        self.plan.write_text(self.resigned(json.dumps(plan), None, "queries", plan["queries"]).read_text())
-        self.run_plan()
-        self.assertEqual(self.record(), self.uninterrupted())
-
     def test_a_plan_of_an_unknown_test_is_refused(self):
         plan = self.resigned(self.plan.read_text(), "options", "test", "nosuch")
         self.refused("run", "--out", self.folder / "out", "--plan", plan, says=["unknown test 'nosuch'"])

@@ -35,7 +35,7 @@ def without_id(record):
 def without_errors(family):
     """A family's results without those that only a kernel has that shows its sides."""
     for part in (*family["axes"].values(), *family["comparisons"].values()):
-        for member in ("max_error_u", "smallest_passing_tolerance", "error_without_scale"):
+        for member in ("max_error_u", "smallest_passing_tolerance", "range_events", "error_without_scale"):
             part.pop(member, None)
     return family
 
@@ -153,7 +153,7 @@ AXISCERT_PLUGIN({real}, "published", one)
         ids = {how: self.manifest("./program", how, file=f"{how}.json", name=how) for how in kinds}
         kernels = [part for id in ids.values() for part in ("--kernel", id)]
         plan = ("--family", "scale", "--trials", "2100", "--precision", "binary32", *QUICK)
-        record = self.run_ok("--kernel", "published", *kernels, *plan)
+        record = self.run_ok("--kernel", "published", *kernels, *plan, code=1)  # some gave no answer at all
         self.assertTrue(record["complete"])
         found = {(f["kernel"], f["kind"]) for f in record["findings"]}
         for how, kind in kinds.items():

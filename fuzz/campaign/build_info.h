@@ -7,7 +7,7 @@
 namespace axiscert {
 
 std::string compiler_name();   // "g++ 12.2.0"
-std::string compiler_flags();  // the flags of the build type
+std::string compiler_flags();  // those of every kernel: "-O2 -ffp-contract=off"
 std::string processor_name();  // as Linux reports it, or "unknown"
 
 }  // namespace axiscert

@@ -17,6 +17,7 @@ Json by_size_json(const ImageChanges& changes) {
 Json changes_json(const ImageChanges& changes, const AddressOf& address) {
   return {{"images", changes.images},
           {"changed", changes.changed},
+          {"undecided", changes.undecided},
           {"by_size", by_size_json(changes)},
           {"first", pair_json(changes.first, address)}};
 }

@@ -12,8 +12,6 @@
 namespace axiscert {
 namespace {
 
-bool differ(Verdict x, Verdict y) { return x != y && x != Verdict::undecided && y != Verdict::undecided; }
-
 template <class Real>
 int image_size(ImageKind kind, const AnsweredGroup<Real>& answered, std::size_t image) {
   const ImageGroup& group = answered.group;
@@ -112,6 +110,7 @@ void ImageChanges::add(int size, const ImagePair& pair, bool is_changed) {
 void ImageChanges::merge(const ImageChanges& later) {
   images += later.images;
   changed += later.changed;
+  undecided += later.undecided;
   for (const auto& [size, count] : later.by_size) by_size[size] += count;
   if (!later.first || (first && std::abs(later.first_size) >= std::abs(first_size))) return;
   first = later.first;
@@ -136,8 +135,13 @@ void count_invariance(Invariance& into, const AnsweredGroup<Real>& answered) {
     if (!said) continue;
     const ImageKind kind = group.kind(i);
     if (!decides_image(kind, *base)) continue;
+    const bool are_no_verdicts = *said == Verdict::invalid && *base == Verdict::invalid;  // the same, and show nothing
+    if (*said == Verdict::undecided || *base == Verdict::undecided || are_no_verdicts) {
+      ++into.kinds[kind].undecided;
+      continue;
+    }
     const int size = image_size(kind, answered, i);
-    const bool is_changed = differ(*said, *base);
+    const bool is_changed = *said != *base;
     into.kinds[kind].add(size, {answered.position, answered.position + i}, is_changed);
     any_unit |= is_changed && kind == ImageKind::scale;
   }

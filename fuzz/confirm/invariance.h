@@ -19,10 +19,12 @@ struct ImagePair {
   std::uint64_t base, image;
 };
 
-// Images of one kind. Two verdicts differ unless one of them is `undecided`. The size of an image is its power of two,
-// of a translation that of its greatest coordinate; images of the other kinds have the size 0.
+// Images of one kind whose verdict was compared with their base's. The size of an image is its power of two, of a
+// translation that of its greatest coordinate; images of the other kinds have the size 0.
 struct ImageChanges {
   std::uint64_t images = 0, changed = 0;
+  // Others, which were not compared: the kernel declined one of the two, or called both invalid.
+  std::uint64_t undecided = 0;
   std::map<int, std::uint64_t> by_size;  // of those that changed
   // The pair of the least size, for a power of two regardless of its sign; among equals the first.
   std::optional<ImagePair> first;

@@ -10,7 +10,8 @@ Json replies_json(const Plan& plan) {
   const auto given = [](const std::string& id) { return id.empty() ? Json(nullptr) : Json(id); };
   Json json = {{"conforms_to", given(plan.claim.conforms_to)},
                {"formulae", given(plan.claim.formulae)},
-               {"touching", name(plan.kernels.front()->touching)}};
+               {"touching", name(plan.kernels.front()->touching)},
+               {"may_decline", plan.kernels.front()->may_decline}};
   if (plan.replies->measure_count() != 0) json["measures"] = plan.replies->measure_count();
   return json;
 }

@@ -26,15 +26,15 @@ Json link_counts(const LinkCounts& counts, std::size_t first, std::size_t last) 
   return json;
 }
 
-// The members that axes and comparisons have in common. `null`, not a count of zero failures, if no tolerance was
-// given.
-void put_signs(Json& json, const SignTally& tally, bool has_tolerance, Decimal6 max_error) {
+// The members that axes and comparisons have in common. The error is empty where no sides were measured. What was not
+// measured, or not asked for by a tolerance, is null and no count of zero.
+void put_signs(Json& json, const SignTally& tally, bool has_tolerance, const std::optional<Decimal6>& max_error) {
   json["false_separation"] = tally.false_separation;
   json["missed_separation"] = tally.missed_separation;
   json["masked"] = tally.masked;
   json["decisive"] = tally.decisive;
-  json["tolerance_failures"] = has_tolerance ? Json(tally.tolerance_failures) : Json(nullptr);
-  json["max_error_u"] = json["smallest_passing_tolerance"] = decimal_json(max_error);
+  json["tolerance_failures"] = has_tolerance && max_error ? Json(tally.tolerance_failures) : Json(nullptr);
+  json["max_error_u"] = json["smallest_passing_tolerance"] = max_error ? decimal_json(*max_error) : Json(nullptr);
   // Flips are relative to the kernel's own exact formulae, so none is a specification fault.
   json["links"] = link_counts(tally.links, index_of(Link::rounding), link_count - 1);
 }
@@ -51,14 +51,16 @@ Json margins_json(const MarginTally& tally, std::size_t comparison) {
   return json;
 }
 
-Json comparison_json(const ComparisonTally& tally, bool has_tolerance, Json margins) {
+Json comparison_json(const ComparisonTally& tally, bool has_tolerance, bool has_sides, Json margins) {
   Json json = {{"margins", std::move(margins)}};
-  put_signs(json, tally, has_tolerance, tally.largest_error.best());
+  put_signs(json, tally, has_tolerance, has_sides ? std::optional(tally.largest_error.best()) : std::nullopt);
   json["ties"] = tally.ties;
-  json["range_events"] = tally.range_events;
-  json["error_without_scale"] = tally.error_without_scale;
+  json["range_events"] = has_sides ? Json(tally.range_events) : Json(nullptr);
+  json["error_without_scale"] = has_sides ? Json(tally.error_without_scale) : Json(nullptr);
   return json;
 }
+
+}  // namespace
 
 Json critical_radius_json(CriticalRadiusTally tally) {
   std::vector<double>& errors = tally.errors_ulps;
@@ -83,6 +85,8 @@ Json critical_radius_json(CriticalRadiusTally tally) {
           {"late", late}};
 }
 
+namespace {
+
 Json first_by_link_json(const VerdictTally& v) {
   Json json = Json::object();
   for (std::size_t i = 0; i < link_count; ++i) {
@@ -96,6 +100,8 @@ Json outside_json(const OutsideTally& outside) {
           {"false_separation", outside.false_separation},
           {"false_contact", outside.false_contact},
           {"unanswered", outside.unanswered},
+          {"contact", outside.contact},
+          {"touching", outside.touching},
           {"deepest", outside.deepest}};
 }
 
@@ -130,6 +136,8 @@ Json verdict_json(const VerdictTally& v, const Kernel& kernel) {
   return {{"false_separation", v.false_separation},
           {"false_contact", v.false_contact},
           {"undecided", v.undecided},
+          {"undecided_contact", v.undecided_contact},
+          {"undecided_touching", v.undecided_touching},
           {"invalid", v.invalid},
           {"unanswered", v.unanswered},
           {"deepest", std::max(separation, contact)},
@@ -145,6 +153,13 @@ Json verdict_json(const VerdictTally& v, const Kernel& kernel) {
           {"engine_like", &test == &first_test() ? engine_json(v.engine) : Json(nullptr)}};
 }
 
+Json truth_json(const Tally& tally) {
+  return {{"separated", tally.separated},
+          {"contact", tally.contact},
+          {"touching", tally.touching},
+          {"invalid", tally.invalid}};
+}
+
 Json family_json(const Plan& plan, const Source& source, Precision precision, const Kernel& kernel, const Tally& tally,
                  const std::optional<Asymmetry>& asymmetry) {
   const Tolerances& tolerances = plan.tolerances;
@@ -152,20 +167,14 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
   Json json = {{"trials", tally.trials},
                {"base_triangles", source.base_triangles(precision, tally.trials)},
                {"exact_arithmetic", source.exact_arithmetic()},
-               {"truth",
-                {{"separated", tally.separated},
-                 {"contact", tally.contact},
-                 {"touching", tally.touching},
-                 {"invalid", tally.invalid}}},
+               {"truth", truth_json(tally)},
                {"verdict", verdict_json(tally.verdict, kernel)},
                {"axes", nullptr},
                {"comparisons", nullptr},
                {"critical_radius", critical_radius_json(tally.critical_radius)}};
   if (asymmetry) {
     json["asymmetry"] = asymmetry_json(*asymmetry, address);
-    json["invariance"] =
-        invariance_json(asymmetry->invariance, *image_group(source.name()), precision, address,
-                        [&](const auto& flips) { return absolute_sizes(plan, source, precision, flips); });
+    json["invariance"] = invariance_of(plan, source, precision, *asymmetry);
   }
   if (has_input_classes(kernel)) json["classes"] = classes_json(tally.classes, address);
   if (!plan.test->measures.empty()) json["motion"] = motion_json(tally.motion, kernel);
@@ -173,6 +182,8 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
   if (kernel.exposes == Exposure::verdict) return json;
   axes = all = Json::object();
   const TestDescription& test = *plan.test;
+  const std::uint64_t promised = tally.trials - tally.invalid - tally.verdict.outside_limits.trials;
+  const bool has_sides = kernel.exposes == Exposure::sides && promised > tally.verdict.unanswered;
   for (std::size_t a = 0; a < test.clauses.size(); ++a) {
     bool has_tolerance = false;
     Decimal6 max_error;
@@ -182,12 +193,12 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
       max_error = std::max(max_error, tally.comparisons[i].largest_error.best());
     }
     Json& axis = axes[std::string(test.clauses[a].name)];
-    put_signs(axis, tally.axes[a], has_tolerance, max_error);
+    put_signs(axis, tally.axes[a], has_tolerance, has_sides ? std::optional(max_error) : std::nullopt);
     axis["sole_separator"] = tally.axes[a].sole_separator;
   }
   for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
     all[std::string(test.comparisons[i].name)] =
-        comparison_json(tally.comparisons[i], tolerances[i].has_value(), margins_json(tally.margins, i));
+        comparison_json(tally.comparisons[i], tolerances[i].has_value(), has_sides, margins_json(tally.margins, i));
   }
   return json;
 }
@@ -203,6 +214,37 @@ Json digest_json(const Plan& plan, const Kernel& kernel) {
 }
 
 }  // namespace
+
+Json invariance_of(const Plan& plan, const Source& source, Precision precision, const Asymmetry& asymmetry) {
+  const auto address = [&](std::uint64_t position) { return text(address_of(source, plan.seed, precision, position)); };
+  return invariance_json(asymmetry.invariance, *image_group(source.name()), precision, address,
+                         [&](const auto& flips) { return absolute_sizes(plan, source, precision, flips); });
+}
+
+// What levels do not read, and what does not add up, is left out.
+Json counts_json(const Kernel& kernel, const Tally& tally) {
+  Json json = {{"trials", tally.trials},
+               {"truth", truth_json(tally)},
+               {"verdict", verdict_json(tally.verdict, kernel)},
+               {"critical_radius", critical_radius_json(tally.critical_radius)}};
+  for (const char* member : {"masked_links", "first_by_link", "depths", "engine_like"}) json["verdict"].erase(member);
+  for (const char* member : {"median_ulps", "signed_median_ulps"}) json["critical_radius"].erase(member);
+  if (has_input_classes(kernel)) {
+    json["classes"] = classes_json(tally.classes, [](std::uint64_t) { return std::string(); });
+    for (Json& count : json["classes"]) count.erase("witness");
+  }
+  if (!kernel.test->measures.empty()) {
+    Json& motion = json["motion"] = motion_json(tally.motion, kernel);
+    if (!motion["time"].is_null()) {
+      for (const char* errors : {"late_errors", "early_errors"}) motion["time"][errors].erase("by_power");
+    }
+  }
+  Json& findings = json["findings"] = Json::object();
+  for (std::size_t i = 0; i < finding_kind_count; ++i) {
+    if (tally.findings[i].count != 0) findings[std::string(finding_kind_names[i])] = tally.findings[i].count;
+  }
+  return json;
+}
 
 Json decimal_json(Decimal6 decimal) {
   const double value = decimal.value();
@@ -251,6 +293,7 @@ Json record_of(const Plan& plan, const CampaignResult& result, const Required& r
           {"exposes", exposures_json(kernel)},
           {"touching", name(kernel.touching)},
           {"limits", limits_json(kernel.limits)},
+          {"may_decline", kernel.may_decline},
           {"critical_radius", nullptr},
           {"families", Json::object()}};
       if (!kernel.test->measures.empty()) {

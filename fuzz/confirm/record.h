@@ -4,16 +4,25 @@
 #include <string>
 
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/confirm/asymmetry.h"
 #include "fuzz/confirm/plan.h"
 #include "fuzz/text/json.h"
 
 namespace axiscert {
 
-inline constexpr const char* record_schema = "axiscert-record/2";
+inline constexpr const char* record_schema = "axiscert-record/3";
 
 // record.json: contains no clock, host, thread count, target or compiler.
 // Makes the witnesses' queries again and examines each by all oracles.
 Json record_of(const Plan& plan, const CampaignResult& result, const Required& required);
+
+// Counts of a tally as a family of the record has them, and those of its findings by kind: what levels read, and adds
+// up over stretches. Without medians, places and addresses.
+Json counts_json(const Kernel& kernel, const Tally& tally);
+// The critical radius of all queries of a tally.
+Json critical_radius_json(CriticalRadiusTally tally);
+// A family's member "invariance".
+Json invariance_of(const Plan& plan, const Source& source, Precision precision, const Asymmetry& asymmetry);
 
 // run.json: times, throughput, machine, target, compiler and library versions. `started` is ISO 8601, UTC.
 Json run_info(const Plan& plan, const CampaignResult& result, const std::string& target_asked,

@@ -54,6 +54,7 @@ Json run_info(const Plan& plan, const CampaignResult& result, const std::string&
                {"machine", {{"cpu", processor_name()}}},
                {"compiler", compiler_name()},
                {"flags", compiler_flags()},
+               {"revision", axiscert_revision},
                {"target", {{"asked", target_asked}, {"dispatched", plan.target}}},
                {"versions",
                 {{"axiscert", axiscert_version},

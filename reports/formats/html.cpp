@@ -21,7 +21,9 @@
 #include "reports/page/packed.h"
 #include "reports/page/page_template.h"
 #include "reports/wording/reproduce.h"
+#include "reports/evidence/evidence.h"
 #include "reports/gates/requirement.h"
+#include "reports/gates/unjudged.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -99,6 +101,9 @@ Json kernel_data(const Json& kernel) {
     return data;
   }
   data["all"]["zero_limit_per_million"] = limit(data["all"]);
+  const Evidence evidence = evidence_of(kernel);
+  data["evidence_text"] = evidence_text(evidence, evidence.decided());
+  data["is_unanswered"] = evidence.decided() == 0;
   data["engine_text"] = engine_text(data["all"]);
   data["bias_text"] = bias_text(data["all"]);
   if (has_depths(data["all"])) {
@@ -175,6 +180,7 @@ Json page_data(const Run& run) {
   for (const Json& kernel : record["kernels"]) data["kernels"].push_back(kernel_data(kernel));
   data["findings"] = findings_data(record);
   data["not_judged"] = not_judged(record);
+  data["unjudged"] = unjudged(record);
   data["command"] = run_command(record["plan"]);
   data["facts"] = plan_facts(run);
   data["throughput"] = throughput(run.info);

@@ -13,7 +13,9 @@
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
 #include "reports/wording/reproduce.h"
+#include "reports/evidence/evidence.h"
 #include "reports/gates/requirement.h"
+#include "reports/gates/unjudged.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -87,6 +89,7 @@ std::string ratchet_outcome(const Json& held, const Json& kernel, const std::str
 
 std::string verdict_outcome(const std::vector<LevelOutcome>& outcomes, const Json& kernel, const std::string& family) {
   std::string message, detail, why_skipped = "nothing is required of it (--require)";
+  const Evidence evidence = evidence_of(kernel, kernel["families"][family]);
   bool is_seen = false;
   for (const LevelOutcome& outcome : outcomes) {
     if (!outcome.is_of(kernel)) continue;
@@ -105,6 +108,7 @@ std::string verdict_outcome(const std::vector<LevelOutcome>& outcomes, const Jso
     else is_seen = true;
   }
   if (!detail.empty()) return failure("requirement", message, detail);
+  if (evidence.decided() == 0) return skipped(evidence_text(evidence, 0));
   return is_seen ? "" : skipped(why_skipped);
 }
 
@@ -129,13 +133,20 @@ std::string tolerance_outcome(const Json& tally, const Json& tolerance) {
   return failure("tolerance", message, message);
 }
 
+// Whether a failure of the ratchet is about everything of the kernel in this precision: that it promises less, say, so
+// that no figure of it was compared.
+bool fails_as_a_whole(const Json& held, const Json& kernel) {
+  return std::any_of(held["failures"].begin(), held["failures"].end(),
+                     [&](const Json& failure) { return is_about_case(failure, kernel, "*", "*"); });
+}
+
 // A case's outcome together with the ratchet's: Ant's schema allows one failure for each case. A case of which nothing
 // else was required was still checked by the ratchet.
 std::string with_ratchet(const Json& held, const Json& kernel, const std::string& family, const std::string& place,
                          const std::string& outcome) {
   if (held.is_null()) return outcome;
   const std::string worse = ratchet_outcome(held, kernel, family, place);
-  if (worse.empty()) return outcome.starts_with("<skipped") ? "" : outcome;
+  if (worse.empty()) return outcome.starts_with("<skipped") && !fails_as_a_whole(held, kernel) ? "" : outcome;
   if (!outcome.starts_with("<failure")) return worse;
   const std::string_view end = "</failure>";
   const std::size_t text = worse.find('>') + 1;
@@ -163,6 +174,11 @@ Suite suite_of(const Run& run, const Json& kernel, const std::vector<LevelOutcom
   Suite suite{fmt::format("{} {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>())};
   for (const Json& finding : run.record["findings"]) {
     if (is_about(finding, kernel)) add_finding(suite, finding, run.record["plan"]);
+  }
+  const std::string name =
+      fmt::format("{} {}: ", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>());
+  for (const std::string& sentence : unjudged(run.record)) {
+    if (sentence.starts_with(name)) suite.add("judged", failure("not judged", sentence, sentence), Json::object());
   }
   add_unchecked(suite, outcomes, kernel);
   for (const Json& name : plan["families"]) {

@@ -13,7 +13,9 @@
 #include "reports/formats/sections/signs_section.h"
 #include "reports/wording/markdown_text.h"
 #include "reports/wording/reproduce.h"
+#include "reports/evidence/evidence.h"
 #include "reports/gates/requirement.h"
+#include "reports/gates/unjudged.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 
@@ -47,6 +49,7 @@ class MarkdownReport {
     if (!record_["complete"].get<bool>()) {
       text += "\n> **INCOMPLETE**: the run was interrupted. The figures below cover only the queries that were run.\n";
     }
+    for (const std::string& sentence : unjudged(record_)) text += fmt::format("\n> **{}**\n", plain(sentence, 2000));
     return text + ratchet() + findings() + requirements_section(record_, outcomes_) + summary() +
            motion_section(record_) + classes_section(record_) + depths_section(record_) + families() + outside() +
            asymmetries() + signs_section(record_, totals_, "axes") + signs_section(record_, totals_, "comparisons") +
@@ -77,9 +80,6 @@ class MarkdownReport {
     if (record_["findings"].empty()) return "";
     Section section("Findings");
     section.line("Faults of plug-ins other than wrong answers. A kernel with a finding meets no requirement.");
-    for (const std::string& kernel : not_judged(record_)) {
-      section.line(fmt::format("\n**{} was not judged**: it could not be loaded.", plain(kernel)));
-    }
     for (const FindingGroup& group : finding_groups(record_)) {
       const Json& first = *group.first;
       const std::string others = group.others.empty() ? "" : "; " + plain(group.others_text(), 2000);

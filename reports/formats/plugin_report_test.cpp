@@ -100,7 +100,7 @@ TEST(PluginRecord, OfNothingButAKernelThatCouldNotBeLoaded) {
   }
   const TestFolder folder(record);
   render_reports(folder.path());
-  EXPECT_THAT(folder.read("report.md"), HasSubstr("plugin:gone.so was not judged"));
+  EXPECT_THAT(folder.read("report.md"), HasSubstr("plugin:gone.so: NOT JUDGED: it could not be loaded"));
   EXPECT_THAT(folder.read("junit.xml"), HasSubstr("tests=\"1\" failures=\"1\""));
 }
 
@@ -198,7 +198,7 @@ TEST(PluginReports, FindingsStandFirstWithTheirReplay) {
                                   "1:general:2:binary32:0:3: signal 11 (SIGSEGV); also on family scale (2 times)"));
   EXPECT_THAT(markdown, HasSubstr("axiscert query '1:general:2:binary32:0:3' > witness.jsonl && axiscert check "
                                   "witness.jsonl --kernel plugin:mine.so"));
-  EXPECT_THAT(markdown, HasSubstr("**plugin:gone.so was not judged**"));
+  EXPECT_THAT(markdown, HasSubstr("> **plugin:gone.so: NOT JUDGED: it could not be loaded"));
   EXPECT_THAT(markdown, HasSubstr("| plugin:gone.so |  | **not judged** |"));
   EXPECT_THAT(markdown, Not(HasSubstr("<b>")));
   EXPECT_THAT(markdown, HasSubstr("|coordinates| to 1024, area from 0.125"));

@@ -25,8 +25,12 @@ TEST(Reports, EveryFormatSaysWhatIsNotChecked) {
   ASSERT_EQ(folder.rendering_error(), "");
   const std::string why = "the kernel shows verdicts alone", markdown = folder.read("report.md");
   EXPECT_THAT(markdown, HasSubstr("**The gate fails**"));
-  EXPECT_THAT(markdown, HasSubstr("| range | &lt;script> | binary32 | **NOT CHECKED** | " + why));
-  EXPECT_THAT(markdown, HasSubstr("| depth=0.5 | &lt;script> | binary32 | met | covers 1,493 queries"));
+  EXPECT_THAT(markdown, HasSubstr("| range | &lt;script> | binary32 | **NOT CHECKED** | "));
+  EXPECT_THAT(markdown, HasSubstr(" promised queries looked at, 2 declined: it decides "));
+  EXPECT_THAT(markdown, HasSubstr(" % | " + why));
+  EXPECT_THAT(markdown,
+              HasSubstr("| depth=0.5 | &lt;script> | binary32 | met | 1,493 of 1,495 promised queries looked at, 2 "
+                        "declined: it decides 99.8 % | covers 1,493 queries"));
   const std::string junit = folder.read("junit.xml");
   EXPECT_THAT(junit, HasSubstr("name=\"requirement range\" time=\"0\">\n      <failure type=\"not checked\""));
   const Json page = page_data(folder.read("report.html"))["requirement"];
@@ -54,7 +58,10 @@ TEST(Reports, WhatMayBeLeftUncheckedIsNotCalledMet) {
   EXPECT_THAT(folder.read("report.md"), HasSubstr("--require range --require depth=0.5 --allow-unchecked range"));
   EXPECT_THAT(folder.read("junit.xml"), HasSubstr("name=\"requirement range\" time=\"0\">\n      <skipped"));
   const Json sarif = Json::parse(folder.read("report.sarif"));
-  EXPECT_EQ(sarif["runs"][0]["results"].back()["suppressions"].size(), 1u);
+  std::size_t suppressed = 0;
+  for (const Json& result : sarif["runs"][0]["results"])
+    suppressed += result.value("suppressions", Json::array()).size();
+  EXPECT_EQ(suppressed, 1u);
 }
 
 TEST(Junit, AFamilyOnWhichALevelCannotBeSeenIsSkipped) {

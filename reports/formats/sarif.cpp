@@ -16,7 +16,9 @@
 #include "reports/wording/finding.h"
 #include "reports/formats/format.h"
 #include "reports/wording/reproduce.h"
+#include "reports/evidence/evidence.h"
 #include "reports/gates/requirement.h"
+#include "reports/gates/unjudged.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -55,7 +57,7 @@ constexpr Rule ratchet_rule = {
     "worse-than-accepted", "", CountOf::verdict, "error",
     "A figure is worse than the ratchet accepts, its waiver has expired, or it was not checked."};
 constexpr Rule unchecked_rule = {"requirement-not-checked", "", CountOf::verdict, "error",
-                                 "A level of --require was not checked, which does not pass."};
+                                 "A level of --require, or a kernel, was not checked, which does not pass."};
 constexpr Rule finding_rule = {"plug-in", "", CountOf::verdict, "error", "A plug-in violated the rules for kernels."};
 
 CountOf counted_in(const Cell& cell) {
@@ -111,6 +113,7 @@ class Log {
     for (const LevelOutcome& outcome : outcomes_) {
       if (outcome.state == LevelState::not_checked) results.push_back(unchecked_result(outcome));
     }
+    for (const std::string& sentence : unjudged(record_)) results.push_back(unjudged_result(sentence));
     const Json invocation = {{"executionSuccessful", record_["complete"]}};
     const Json run = {{"tool", {{"driver", driver}}},
                       {"invocations", Json::array({invocation})},
@@ -198,6 +201,24 @@ class Log {
                  {"message", {{"text", message_text(failure["text"])}}},
                  {"partialFingerprints", {{"axiscertRatchet/v1", failure["fingerprint"]}}}};
     put_places(json, failure["kernel"], key, worst);
+    put_suppressions(json, nullptr);
+    return json;
+  }
+
+  // "KERNEL [PRECISION]: NOT JUDGED: ..."
+  Json unjudged_result(const std::string& sentence) const {
+    const std::string who = sentence.substr(0, sentence.find(": NOT JUDGED"));
+    std::string kernel = who;
+    for (const Json& id : record_["plan"]["kernels"]) {
+      if (who == id || who.starts_with(id.get<std::string>() + " ")) kernel = id;
+    }
+    const Json key = Json::array({kernel, "", "", "judged"});
+    Json json = {{"ruleId", unchecked_rule.id},
+                 {"ruleIndex", std::size(rules) + 2},
+                 {"level", unchecked_rule.level},
+                 {"message", {{"text", message_text(sentence)}}},
+                 {"partialFingerprints", {{"axiscertJudged/v1", fingerprint(Json::array({who, "judged"}))}}}};
+    put_places(json, kernel, key, nullptr);
     put_suppressions(json, nullptr);
     return json;
   }

@@ -11,6 +11,7 @@
 #include "kernel/names.h"
 #include "kernel/test.h"
 #include "reports/run_folder/record_names.h"
+#include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

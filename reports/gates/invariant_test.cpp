@@ -11,7 +11,11 @@ using testing::Not;
 
 Json changes(std::uint64_t changed, const Json& by_size) {
   const Json pair = {{"base", "u:1"}, {"image", "u:3"}};
-  return {{"images", 1000}, {"changed", changed}, {"by_size", by_size}, {"first", changed ? pair : Json(nullptr)}};
+  return {{"images", 1000},
+          {"changed", changed},
+          {"undecided", 0},
+          {"by_size", by_size},
+          {"first", changed ? pair : Json(nullptr)}};
 }
 Json nothing_found() { return {{"bases", 0}, {"compared", Json::array()}}; }
 // Images times powers of two: `changed` have another verdict, of which `wrong` are clear and wrong.
@@ -37,6 +41,7 @@ Json black_box(const std::string& family, bool exact_arithmetic, const Json& inv
   for (Json* kernels : {&record["kernels"], &record["plan"]["kernels"]}) kernels->erase(0);
   Json& families = record["kernels"][0]["families"];
   families["lattice"]["verdict"]["touching_flips"] = 5;
+  families["lattice"]["verdict"]["invalid"] = 0;
   families[family] = families["tangent"];
   families.erase("tangent");
   families[family]["exact_arithmetic"] = exact_arithmetic;

@@ -97,6 +97,7 @@ TEST(LevelOutcome, WithoutADecidedQueryNothingIsChecked) {
   for (Json& family : families_in(undecided)) {
     for (const char* member : {"false_separation", "false_contact"}) family["verdict"][member] = 0;
     family["verdict"]["undecided"] = family["trials"];
+    family["verdict"]["undecided_contact"] = family["truth"]["contact"];
   }
   none["kernels"][0]["families"] = Json::object();
   for (const std::string& level : levels) {
@@ -201,7 +202,8 @@ TEST(GateLevels, HaveNamesAndSentencesOfTheirOwn) {
   for (const GateLevel* level : gate_levels()) {
     const std::string usage = level->usage, name(level->name());
     std::string argument;
-    for (const auto& [kind, example] : {std::pair("=KERNEL", "=published"), {"=KIND", "=scale"}, {"=D", "=0.5"}}) {
+    for (const auto& [kind, example] :
+         {std::pair("=KERNEL", "=published"), {"=KIND", "=scale"}, {"=D", "=0.5"}, {"=SHARE", "=0.5"}}) {
       if (usage.find(kind) != usage.npos) argument = example;
     }
     const AskedLevel asked = parse_level(name + argument);

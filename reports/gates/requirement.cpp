@@ -7,7 +7,9 @@
 
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
+#include "reports/run_folder/run_folder.h"
 #include "reports/wording/finding.h"
+#include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {
@@ -52,55 +54,171 @@ std::vector<Failure> failures_anywhere(const Json& record, const Subject& subjec
     if (is_about(finding, subject.kernel())) failures.push_back(failure_of_finding(finding));
   }
   const auto nothing = [](const Json&) { return false; };  // such an answer is not a flip
+  const bool may_decline = subject.kernel()["may_decline"].get<bool>();
   for (const auto& [family, result] : subject.families().items()) {
-    subject.add(failures, family, result["verdict"]["unanswered"].get<std::uint64_t>(),
-                "valid queries without an answer", nothing);
+    const Evidence evidence = subject.evidence(result);
+    subject.add(failures, family, evidence.unanswered, "valid queries without an answer", nothing);
+    subject.add(failures, family, evidence.invalid, "answers `invalid` to valid queries", nothing);
+    if (!may_decline) {
+      subject.add(failures, family, result["verdict"]["undecided"].get<std::uint64_t>(),
+                  "valid queries declined by a kernel that does not declare may_decline", nothing);
+    }
     subject.add(failures, family, result["critical_radius"]["unanswered"].get<std::uint64_t>(),
                 "searches for a critical radius without an answer", nothing);
   }
   return failures;
 }
 
+// A file has the queries that it has; any other family is asked as many as the plan says.
+bool is_file(const std::string& family) { return family.starts_with("queries/") || family == "corpus"; }
+
 // Why a kernel entry shows nothing, or not all that was asked for; empty where it does.
 std::string gap_of(const Json& record, const Subject& subject) {
   const Json& plan = record["plan"];
+  if (!record["complete"].get<bool>()) return "the run was interrupted";
   if (subject.families().empty()) {
     return fmt::format("no query of it was run in {}", subject.kernel()["precision"].get<std::string>());
   }
-  if (subject.decided() == 0) return "it called no valid query within its limits separated or contact";
-  // Files have the queries that they have; anything else without a query was not reached.
+  if (const Evidence all = evidence_of(subject.kernel()); all.decided() == 0) {
+    return all.promised() == 0 && all.outside != 0 ? "every valid query is outside the limits that it declares"
+                                                   : "it called no valid query within its limits separated or contact";
+  }
   std::vector<std::string> empty;
   for (const auto& [family, by_precision] : plan["trials"].items()) {
     std::uint64_t queries = 0;
     for (const Json& count : by_precision) queries += count.get<std::uint64_t>();
     const auto here = by_precision.find(subject.kernel()["precision"].get<std::string>());
-    const bool is_file = family.starts_with("queries/") || family == "corpus";
-    const bool is_reached = is_file || here == by_precision.end() || *here != 0;
+    const bool is_reached = is_file(family) || here == by_precision.end() || *here != 0;
     if (queries == 0 || !is_reached) empty.push_back(family);
   }
   return empty.empty() ? "" : fmt::format("no query was run of {}", fmt::join(empty, ", "));
 }
 
-LevelOutcome outcome_of(const Json& record, const Json& kernel, const AskedLevel& asked) {
+// What is said of the first of some families, and how many more there are.
+class Shortfall {
+ public:
+  void add(std::string what) {
+    if (count_++ == 0) first_ = std::move(what);
+  }
+  bool any() const { return count_ != 0; }
+  std::string text() const {
+    return count_ < 2 ? first_
+                      : fmt::format("{}, and so {} more", first_,
+                                    count_ == 2 ? "one family" : fmt::format("{} families", count_ - 1));
+  }
+
+ private:
+  std::string first_;
+  std::size_t count_ = 0;
+};
+
+// How much of each family was looked at. Fills in what the outcome says of it; returns why that is too little, or is
+// empty.
+std::string weigh(const Subject& subject, const LevelFindings& found, double share, LevelOutcome& outcome) {
+  const bool may_decline = subject.kernel()["may_decline"].get<bool>();
+  Shortfall few, declining;
+  for (const auto& [family, look] : found.families) {
+    const Evidence evidence = subject.evidence(subject.families()[family]);
+    if (evidence.population == 0) continue;
+    outcome.evidence.add(evidence);
+    outcome.looked_at += look.looked_at;
+    ++outcome.families;
+    if (evidence.promised() == 0) {
+      outcome.outside.push_back(family);
+      continue;
+    }
+    const bool is_sample_too_small = !is_file(family) && evidence.population < least_looked_at;
+    if (is_sample_too_small || look.looked_at < std::min(least_looked_at, look.concerned)) {
+      few.add(fmt::format("{} of {} {} of {} looked at, and {} are needed, to show that fewer than 5 % are wrong",
+                          thousands(look.looked_at), thousands(look.concerned),
+                          look.concerned == 1 ? "query" : "queries", family, least_looked_at));
+    }
+    if (!may_decline) continue;
+    const auto check = [&](std::uint64_t declined, std::uint64_t of, const char* what) {
+      if (declines_too_many(declined, of, share)) {
+        declining.add(fmt::format("it declines {} of {} {} of {}, and has to decide {} of them", thousands(declined),
+                                  thousands(of), what, family, share));
+      }
+    };
+    check(evidence.declined_contacts, evidence.contacts, "contacts");
+    check(evidence.declined_separations, evidence.separations, "separations");
+    check(look.declined, look.concerned, "pairs of a query and its image");
+  }
+  outcome.has_limits = has_limits(subject.kernel()) || !outcome.outside.empty();
+  if (outcome.families != 0 && outcome.outside.size() == outcome.families)
+    return "every valid query is outside the limits that it declares";
+  if (declining.any()) return declining.text();
+  if (few.any()) return few.text();
+  const Evidence& all = outcome.evidence;
+  const auto of_kind = [](std::uint64_t promised, std::uint64_t declined, std::uint64_t population,
+                          const char* what) -> std::string {
+    const std::uint64_t decided = promised - declined;
+    const std::uint64_t needed = std::min(least_of_each_kind, population);
+    if (decided >= needed) return "";
+    return fmt::format("{} of {} exact {} were decided, and {} are needed", thousands(decided), thousands(population),
+                       what, needed);
+  };
+  std::uint64_t contacts = 0, separations = 0;
+  for (const auto& [family, look] : found.families) {
+    const Json& truth = subject.families()[family]["truth"];
+    contacts +=
+        truth["contact"].get<std::uint64_t>() - (all.touching == 0 ? 0 : truth["touching"].get<std::uint64_t>());
+    separations += truth["separated"].get<std::uint64_t>();
+  }
+  const std::string missing = of_kind(all.contacts, all.declined_contacts, contacts, "contacts");
+  return missing.empty() ? of_kind(all.separations, all.declined_separations, separations, "separations") : missing;
+}
+
+// "fewest of `tangent`: 64, of which, with 95 %, fewer than 4.57 % are wrong"; queries that share a triangle count
+// once.
+std::string fewest_text(const Subject& subject, const LevelFindings& found) {
+  std::string family;
+  std::uint64_t fewest = 0;
+  for (const auto& [name, look] : found.families) {
+    const Json& result = subject.families()[name];
+    const std::uint64_t independent = std::min(look.looked_at, result["base_triangles"].get<std::uint64_t>());
+    if (look.looked_at == 0 || (!family.empty() && independent >= fewest)) continue;
+    family = name;
+    fewest = independent;
+  }
+  if (family.empty()) return "";
+  return fmt::format("; the fewest of a family, {} triangles of {}, show with 95 % that fewer than {:.3g} % are wrong",
+                     thousands(fewest), family, upper_bound_percent(fewest));
+}
+
+LevelOutcome outcome_of(const Json& record, const Json& kernel, const AskedLevel& asked, double share) {
   const Subject subject(record, kernel);
   LevelOutcome outcome{asked, kernel["id"], kernel["precision"]};
   outcome.failures = failures_anywhere(record, subject);
   LevelFindings found = level_of(asked).judge(asked, subject);
   outcome.unseen = std::move(found.unseen);
   outcome.failures.insert(outcome.failures.end(), found.failures.begin(), found.failures.end());
+  const std::string too_little = weigh(subject, found, share, outcome);
+  outcome.unseen.insert(outcome.unseen.end(), outcome.outside.begin(), outcome.outside.end());
   if (!outcome.failures.empty()) {
     outcome.state = LevelState::not_met;
     return outcome;
   }
-  const std::string gap = gap_of(record, subject);
-  outcome.reason = gap.empty() ? found.not_checked : gap;
+  outcome.reason = gap_of(record, subject);
+  if (outcome.reason.empty()) outcome.reason = found.not_checked.empty() ? too_little : found.not_checked;
   if (!outcome.reason.empty()) {
     outcome.state = LevelState::not_checked;
     return outcome;
   }
-  outcome.covers = std::move(found.covers);
+  outcome.covers = found.covers + fewest_text(subject, found);
   outcome.leaves_out = std::move(found.leaves_out);
+  if (!outcome.outside.empty())
+    outcome.leaves_out += fmt::format("; outside its limits: {}", fmt::join(outcome.outside, ", "));
+  if (outcome.evidence.declined() != 0) outcome.leaves_out += "; what it declined";
   return outcome;
+}
+
+// The share of each family that a kernel which may decline has to decide.
+double decided_share(const std::vector<AskedLevel>& levels) {
+  for (const AskedLevel& asked : levels) {
+    if (asked.name == "decided") return decided_argument(asked);
+  }
+  return least_decided_share;
 }
 
 std::vector<std::string> yardsticks(const std::vector<AskedLevel>& levels) {
@@ -114,6 +232,7 @@ std::vector<std::string> yardsticks(const std::vector<AskedLevel>& levels) {
 std::vector<LevelOutcome> outcomes(const Json& record, const Requirements& required) {
   std::vector<LevelOutcome> all;
   const std::vector<std::string> unloaded = not_judged(record), exempt = yardsticks(required.levels);
+  const double share = decided_share(required.levels);
   for (const AskedLevel& asked : required.levels) {
     for (const std::string& id : unloaded) {
       LevelOutcome outcome{asked, id, "", LevelState::not_met};
@@ -125,7 +244,7 @@ std::vector<LevelOutcome> outcomes(const Json& record, const Requirements& requi
     const std::size_t before = all.size();
     for (const Json& kernel : record["kernels"]) {
       if (std::find(exempt.begin(), exempt.end(), kernel["id"].get<std::string>()) == exempt.end())
-        all.push_back(outcome_of(record, kernel, asked));
+        all.push_back(outcome_of(record, kernel, asked, share));
     }
     if (all.size() != before || !unloaded.empty()) continue;
     for (const Json& kernel : record["kernels"]) {
@@ -163,10 +282,19 @@ bool LevelOutcome::is_of(const Json& entry) const {
          (precision.empty() || entry["precision"].get_ref<const std::string&>() == precision);
 }
 
+std::string LevelOutcome::claim() const {
+  if (!has_limits || families == 0) return asked.text;
+  return fmt::format("{} within its limits: {} of {} families", asked.text, families - outside.size(), families);
+}
+
+std::string LevelOutcome::looked_text() const { return families == 0 ? "" : evidence_text(evidence, looked_at); }
+
 std::string LevelOutcome::text() const {
   const std::string who = precision.empty() ? kernel : fmt::format("{} {}", kernel, precision);
-  const std::string because = reason.empty() ? "" : ": " + reason;
-  return fmt::format("{}: {} is {}{}{}", who, asked.text, name(state), is_allowed ? ", which is allowed" : "", because);
+  std::string text = fmt::format("{}: {}", who, claim());
+  if (const std::string looked = looked_text(); !looked.empty()) text += (has_limits ? "; " : ": ") + looked;
+  text += fmt::format(": {}{}", name(state), is_allowed ? ", which is allowed" : "");
+  return reason.empty() ? text : text + ": " + reason;
 }
 
 AskedLevel parse_level(const std::string& text) {
@@ -187,7 +315,9 @@ AskedLevel parse_level(const std::string& text) {
 }
 
 std::string sentence_of(const AskedLevel& asked) {
-  return level_of(asked).sentence(asked) + "; no finding, and an answer to every query within its limits";
+  return level_of(asked).sentence(asked) +
+         "; no finding, and an answer to every query within its limits, which may be to decline where the kernel "
+         "declares it";
 }
 
 std::string levels_help() {
@@ -267,6 +397,11 @@ Json outcomes_json(const std::vector<LevelOutcome>& outcomes) {
                               {"reason", outcome.reason},
                               {"covers", outcome.covers},
                               {"leaves_out", outcome.leaves_out},
+                              {"text", outcome.text()},
+                              {"looked_at", outcome.looked_at},
+                              {"evidence", evidence_json(outcome.evidence)},
+                              {"families", outcome.families},
+                              {"outside_limits", outcome.outside},
                               {"failures", Json::array()}});
     for (const Failure& f : outcome.failures) {
       json["failures"].push_back({{"family", f.family}, {"count", f.count}, {"what", f.what}, {"witness", f.witness}});

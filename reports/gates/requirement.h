@@ -23,10 +23,21 @@ struct LevelOutcome {
   std::string covers = {}, leaves_out = {};  // what "met" says and what it does not; empty where it is not met
   std::vector<Failure> failures = {};        // where it is not met
   std::vector<std::string> unseen = {};      // families on which this kernel cannot be seen to fail it
+  Evidence evidence = {};                    // of the families that the level requires
+  std::uint64_t looked_at = 0;               // queries, or pairs of them, of these families that it judged
+  std::size_t families = 0;                  // that it requires, and that have a valid query
+  std::vector<std::string> outside = {};     // of these, those without a query that the kernel promises
+  bool has_limits = false;                   // the kernel promises less than everything
 
   bool passes() const { return state == LevelState::met || is_allowed; }
   bool is_of(const Json& kernel) const;  // whether it is about this entry of the record's "kernels"
-  // "published binary32: logic: NOT CHECKED: no query ...", without the failures, which have lines of their own.
+  // "exact", or of a kernel with limits "exact within its limits: 19 of 27 families".
+  std::string claim() const;
+  // "1 of 45 promised queries looked at, 44 declined, 2,655 of 2,700 outside its limits"; empty where nothing could be
+  // asked.
+  std::string looked_text() const;
+  // "published binary32: exact: " and looked_text(), then ": NOT CHECKED: no query ...", without the failures, which
+  // have lines of their own.
   std::string text() const;
 };
 
@@ -49,9 +60,19 @@ Requirements requirements_of(const Json& plan);
 std::vector<std::string> yardsticks_of(const Json& plan);
 
 // The outcomes of what the record's plan requires: by level, then in the order of the record's kernels, those that
-// could not be loaded first. A kernel with a finding, or with a query within its limits that it did not answer, meets
-// no level; queries outside the limits do not count at any. A kernel of which no query was decided, and a record with a
-// family without queries, are not checked. Empty where nothing is required. Throws Error as requirements_of does.
+// could not be loaded first.
+//
+// Against every level stand, one being enough: a finding, and a valid query within the kernel's limits that it did not
+// answer, called invalid, or declined without declaring that it may.
+//
+// A level is checked where the run was not interrupted, the kernel decided a query, and of each family that the level
+// requires
+// - least_looked_at queries were looked at, or all that the level concerns where a family, or a file, has fewer; a
+//   family all of which is outside the kernel's limits is named instead, unless all are;
+// - a kernel that may decline decided its share of the contacts and of the separations (least_decided_share);
+// and where of the contacts of these families, and of the separations, least_of_each_kind were decided, or all.
+//
+// Empty where nothing is required. Throws Error as requirements_of does.
 std::vector<LevelOutcome> outcomes_of(const Json& record);
 // The same for one level, whatever the plan requires.
 std::vector<LevelOutcome> outcomes_at(const Json& record, const std::string& level);

@@ -41,9 +41,11 @@ TEST(Requirement, LogicJudgesAKernelOfVerdictsByExactArithmeticTouchingApart) {
   // 4 + 1 wrong verdicts on `lattice`, 3 of them touching; `tangent` rounds and does not count. The witness is the
   // deeper of those that do not touch.
   EXPECT_EQ(texts(record, "logic"),
-            (std::vector<std::string>{"<script> binary32 on lattice: wrong verdicts in exact "
+            (std::vector<std::string>{"<script> binary32 on lattice: answers `invalid` to valid queries: 1",
+                                      "<script> binary32 on lattice: wrong verdicts in exact "
                                       "arithmetic, touching ones not counted: 2 (witness w5)"}));
   record["kernels"][0]["families"]["lattice"]["verdict"]["touching_flips"] = 5;
+  record["kernels"][0]["families"]["lattice"]["verdict"]["invalid"] = 0;
   EXPECT_TRUE(unmet(record, "logic").empty());
 }
 
@@ -56,10 +58,10 @@ TEST(Requirement, ExactAsksForNoWrongVerdict) {
   EXPECT_EQ(texts(stored_record(), "exact"),
             (std::vector<std::string>{"published binary32 on tangent: missed contacts: 40 (witness w2)",
                                       "published binary32 on tangent: phantom contacts: 20 (witness w1)",
+                                      "<script> binary32 on lattice: answers `invalid` to valid queries: 1",
                                       "<script> binary32 on tangent: missed contacts: 7",
                                       "<script> binary32 on lattice: missed contacts: 4 (witness w4)",
-                                      "<script> binary32 on lattice: phantom contacts: 1 (witness w5)",
-                                      "<script> binary32 on lattice: answers `invalid` to valid queries: 1"}));
+                                      "<script> binary32 on lattice: phantom contacts: 1 (witness w5)"}));
 }
 
 TEST(Requirement, ConservativeAllowsPhantomContactsUpToItsDepth) {
@@ -87,7 +89,7 @@ TEST(Requirement, UnknownLevelIsAnErrorThatListsTheLevels) {
       parse_level(text);
       ADD_FAILURE() << "accepted '" << text << "'";
     } catch (const Error& error) {
-      EXPECT_THAT(error.what(), HasSubstr("logic, range, exact, conservative[=D], depth=D"));
+      EXPECT_THAT(error.what(), HasSubstr("logic, range, exact, conservative[=D], depth=D, decided=SHARE"));
     }
   }
 }

@@ -5,30 +5,40 @@
 
 #include <algorithm>
 
+#include "reports/evidence/evidence.h"
 #include "reports/wording/finding.h"
+#include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {
 
-struct Queries {
-  std::uint64_t valid = 0, within_limits = 0;
-};
-
-// Those that one kernel was asked, in all of its precisions; of all families where `family` is null.
-Queries queries_of_kernel(const Json& record, const Json& id, const Json& family) {
-  Queries sum;
+// Valid queries of a family that one kernel was asked, in all of its precisions.
+std::uint64_t valid_queries(const Json& record, const Json& id, const std::string& family) {
+  std::uint64_t sum = 0;
   for (const Json& kernel : record["kernels"]) {
-    if (kernel["id"] != id) continue;
-    for (const auto& [name, result] : kernel["families"].items()) {
-      if (!family.is_null() && family != name) continue;
-      const auto number = [](const Json& count) { return count.get<std::uint64_t>(); };
-      const Json& outside = result["verdict"]["outside_limits"];
-      const std::uint64_t valid = number(result["trials"]) - number(result["truth"]["invalid"]);
-      sum.valid += valid;
-      sum.within_limits += valid - (outside.is_null() ? 0 : number(outside["trials"]));
-    }
+    const auto result = kernel["families"].find(family);
+    if (kernel["id"] == id && result != kernel["families"].end()) sum += evidence_of(kernel, *result).population;
   }
   return sum;
+}
+
+// Why a kernel in one precision gave nothing to judge; empty where it did, and where it was asked nothing.
+std::string nothing_of(const Json& kernel) {
+  const Evidence evidence = evidence_of(kernel);
+  if (evidence.population == 0 || evidence.decided() != 0) return "";
+  if (evidence.promised() == 0) {
+    return evidence.outside == evidence.population ? "every valid query is outside the limits that it declares"
+                                                   : "it promises nothing of any valid query";
+  }
+  std::string text =
+      fmt::format("of {} valid queries that it promises it decided none", thousands(evidence.promised()));
+  const auto add = [&](std::uint64_t count, const char* what) {
+    if (count != 0) text += fmt::format(", {} {}", thousands(count), what);
+  };
+  add(evidence.declined(), "declined");
+  add(evidence.invalid, "called invalid");
+  add(evidence.unanswered, "without an answer");
+  return text;
 }
 
 }  // namespace
@@ -44,18 +54,20 @@ std::vector<std::string> unjudged(const Json& record) {
     sentences.push_back(fmt::format("{}: NOT JUDGED: it could not be loaded{}", id, why));
   }
   for (const Json& id : record["plan"]["kernels"]) {
-    const std::string kernel = id;
-    if (std::find(unloaded.begin(), unloaded.end(), kernel) != unloaded.end()) continue;
+    const std::string name = id;
+    if (std::find(unloaded.begin(), unloaded.end(), name) != unloaded.end()) continue;
     std::vector<std::string> empty;
     for (const Json& family : record["plan"]["families"]) {
-      if (queries_of_kernel(record, id, family).valid == 0) empty.push_back(family);
+      if (valid_queries(record, id, family) == 0) empty.push_back(family);
     }
     if (!empty.empty()) {
-      sentences.push_back(fmt::format("{}: NOT JUDGED on {}: no valid query in a precision in which it exists", kernel,
+      sentences.push_back(fmt::format("{}: NOT JUDGED on {}: no valid query in a precision in which it exists", name,
                                       fmt::join(empty, ", ")));
-    } else if (queries_of_kernel(record, id, nullptr).within_limits == 0) {
-      sentences.push_back(
-          fmt::format("{}: NOT JUDGED: every valid query is outside the limits that it declares", kernel));
+    }
+    for (const Json& kernel : record["kernels"]) {
+      if (kernel["id"] != id) continue;
+      if (const std::string why = nothing_of(kernel); !why.empty())
+        sentences.push_back(fmt::format("{} {}: NOT JUDGED: {}", name, kernel["precision"].get<std::string>(), why));
     }
   }
   return sentences;

@@ -20,8 +20,10 @@ function amount(x, digits) {
 function entry_name(entry) { return `${entry.id}, ${entry.precision}`; }
 
 // An error in u: a number, or its text where a number cannot hold it.
-function error_amount(error) { return typeof error === 'number' ? amount(error) : error; }
+// An error that was not measured is null.
+function error_amount(error) { return error === null ? 'not measured' : typeof error === 'number' ? amount(error) : error; }
 function magnitude(error) {
+  if (error === null) return -Infinity;
   if (typeof error === 'number') return Math.log10(error);
   const [mantissa, exponent] = error.split('e');
   return Number(exponent) + Math.log10(Number(mantissa));

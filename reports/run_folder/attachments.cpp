@@ -180,15 +180,26 @@ Json league_data(const Path& file) {
   Json data = {{"kernels", Json::array()}, {"not_checked", first_of(whole, {"not_checked"})}};
   for (const Json& row : rows_of(file, whole, {"kernels"})) {
     Json total = picked(row, {"id", "precision", "summary", "touching", "has_planted_fault", "ns"});
-    for (const char* count : {"trials", "answered", "false_separation", "false_contact", "unanswered"}) {
+    for (const char* count : {"trials", "decided", "undecided", "invalid", "unanswered", "outside_limits"}) {
       std::uint64_t sum = 0;
       for (const Json& family : row.at("families")) sum += family.at(count).get<std::uint64_t>();
       total[count] = sum;
     }
+    // Null where no family has a decided query: not measured.
+    const bool is_measured = total["decided"] != 0;
+    for (const char* count : {"false_separation", "false_contact"}) {
+      std::uint64_t sum = 0;
+      for (const Json& family : row.at("families")) {
+        if (!family.at(count).is_null()) sum += family.at(count).get<std::uint64_t>();
+      }
+      total[count] = is_measured ? Json(sum) : Json(nullptr);
+    }
     for (const char* depth : {"deepest_false_separation", "deepest_false_contact"}) {
       double deepest = 0;
-      for (const Json& family : row.at("families")) deepest = std::max(deepest, family.at(depth).get<double>());
-      total[depth] = deepest;
+      for (const Json& family : row.at("families")) {
+        if (!family.at(depth).is_null()) deepest = std::max(deepest, family.at(depth).get<double>());
+      }
+      total[depth] = is_measured ? Json(deepest) : Json(nullptr);
     }
     std::uint64_t first = 0;
     for (const auto& [name, family] : row.at("families").items()) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -19,7 +20,6 @@
 #include "reports/run_folder/plan_queries.h"
 #include "reports/run_folder/record_classes.h"
 #include "reports/run_folder/record_names.h"
-#include "reports/run_folder/record_version.h"
 #include "reports/run_folder/schema.h"
 
 namespace axiscert {
@@ -120,6 +120,10 @@ class RecordCheck {
       missed += number(outside["false_separation"]);
       phantom += number(outside["false_contact"]);
       require(outside_trials <= valid, where, "more queries outside the limits than valid ones");
+      require(number(outside["contact"]) <= std::min(outside_trials, contact) &&
+                  number(outside["touching"]) <= std::min(number(outside["contact"]), touching) &&
+                  outside_trials - number(outside["contact"]) <= separated,
+              where, "more contacts, touching or separated queries outside the limits than there are");
       require(number(outside["false_separation"]) + number(outside["false_contact"]) + number(outside["unanswered"]) <=
                   outside_trials,
               where, "more wrong and missing answers outside the limits than queries there");
@@ -129,6 +133,10 @@ class RecordCheck {
     require(wrong + number(verdict["undecided"]) + number(verdict["invalid"]) + number(verdict["unanswered"]) <=
                 valid - outside_trials,
             where, "more wrong, undecided, invalid and unanswered verdicts than valid queries");
+    require(number(verdict["undecided_contact"]) <= std::min(number(verdict["undecided"]), contact) &&
+                number(verdict["undecided_touching"]) <= std::min(number(verdict["undecided_contact"]), touching) &&
+                number(verdict["undecided"]) - number(verdict["undecided_contact"]) <= separated,
+            where, "undecided_contact and undecided_touching do not fit undecided and the truth");
     require(number(verdict["touching_flips"]) <= wrong, where, "more touching_flips than wrong verdicts");
     require_no(fault_of_depths(verdict, valid), where);
     for (const auto& [link, count] : verdict["links"].items()) {
@@ -199,8 +207,8 @@ void check_names(const Json& record, const std::string& name) {
 
 }  // namespace
 
-void check_record(const Json& record, const std::string& name, const std::string& claimed) {
-  check_schema(Json::parse(embedded::record_schema_json), record, name, advice, claimed);
+void check_record(const Json& record, const std::string& name) {
+  check_schema(Json::parse(embedded::record_schema_json), record, name, advice);
   check_names(record, name);
   RecordCheck(record, name).check();
 }
@@ -209,10 +217,7 @@ void check_run_info(const Json& info, const std::string& name) {
   check_schema(Json::parse(embedded::run_schema_json), info, name, advice);
 }
 
-const TestDescription& test_of(const Json& plan) {
-  const auto test = plan.find("test");
-  return test == plan.end() ? first_test() : find_test(test->get<std::string>());
-}
+const TestDescription& test_of(const Json& plan) { return find_test(plan["test"].get<std::string>()); }
 
 Json read_json(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -237,9 +242,8 @@ Run read_run(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(record, ignored)) {
     throw Error(fmt::format("{}: does not exist; give the folder that `axiscert run --out` wrote", record.string()));
   }
-  const Json stored = read_json(record);
-  Run run{present_record(stored, record.string()), nullptr, nullptr, folder};
-  check_record(run.record, record.string(), stored.is_object() ? stored.value("schema", "") : "");
+  Run run{read_json(record), nullptr, nullptr, folder};
+  check_record(run.record, record.string());
   if (const auto held = folder / ratchet_outcome_file; std::filesystem::exists(held, ignored)) {
     run.ratchet = read_json(held);
     check_schema(Json::parse(embedded::ratchet_schema_json), run.ratchet, held.string(), advice);

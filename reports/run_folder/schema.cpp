@@ -162,19 +162,19 @@ std::optional<std::string> schema_fault(const Json& schema, const Json& value) {
   return Checker(schema).check(schema, value, "");
 }
 
-void check_schema(const Json& schema, const Json& value, const std::string& name, const std::string& advice,
-                  const std::string& claimed) {
+void check_schema(const Json& schema, const Json& value, const std::string& name, const std::string& advice) {
   const auto& expected = schema.at("properties").at("schema").at("const").get_ref<const std::string&>();
   if (!value.is_object() || !value.contains("schema")) {
     throw Error(fmt::format("{}: has no \"schema\": \"{}\", which axiscert writes; {}", name, expected, advice));
   }
   if (value["schema"] != expected) {
-    throw Error(fmt::format("{}: its schema is {}, but this axiscert reads \"{}\"; use the axiscert that wrote it",
-                            name, shown(value["schema"].dump()), expected));
+    throw Error(
+        fmt::format("{}: its schema is {}, but this axiscert reads \"{}\"; use the axiscert that wrote it, or run "
+                    "again",
+                    name, shown(value["schema"].dump()), expected));
   }
   if (const auto fault = schema_fault(schema, value)) {
-    throw Error(
-        fmt::format("{}: does not conform to {}: {}; {}", name, claimed.empty() ? expected : claimed, *fault, advice));
+    throw Error(fmt::format("{}: does not conform to {}: {}; {}", name, expected, *fault, advice));
   }
 }
 

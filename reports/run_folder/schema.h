@@ -15,8 +15,6 @@ std::optional<std::string> schema_fault(const Json& schema, const Json& value);
 
 // Throws Error where the value's "schema" is not the one that `schema` describes, or where the value does not conform
 // to it. The text names the file, says what would be right, and ends with `advice`: what to do about a damaged file.
-// `claimed` is the format that the file itself names, where that is an earlier one, whose value was brought to this.
-void check_schema(const Json& schema, const Json& value, const std::string& name, const std::string& advice,
-                  const std::string& claimed = {});
+void check_schema(const Json& schema, const Json& value, const std::string& name, const std::string& advice);
 
 }  // namespace axiscert

@@ -40,6 +40,7 @@ inline Json motions(const Json& on_tangent) {
   Json& kernel = record["kernels"][0];
   kernel["measures"] = {"time"};
   kernel["families"]["lattice"]["motion"] = contacts(0, 0, 0);
+  kernel["families"]["lattice"]["verdict"]["invalid"] = 0;
   kernel["families"]["tangent"]["motion"] = on_tangent;
   Json witness = record["witnesses"].back();
   witness["id"] = "late";

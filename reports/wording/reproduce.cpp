@@ -126,6 +126,7 @@ std::string judge_command(const Json& plan) {
   if (!replies["conforms_to"].is_null()) command += " --conforms-to " + shell_word(replies["conforms_to"]);
   if (!replies["formulae"].is_null()) command += " --formulae " + shell_word(replies["formulae"]);
   if (replies["touching"] != "contact") command += " --touching " + shell_word(replies["touching"]);
+  if (replies["may_decline"].get<bool>()) command += " --may-decline";
   return command;
 }
 
@@ -204,6 +205,7 @@ std::vector<std::pair<std::string, std::string>> plan_facts(const Run& run) {
   }
   add("compiler", info, "compiler", word);
   add("flags", info, "flags", word);
+  add("revision", info, "revision", word);
   if (info.contains("versions")) {
     for (const auto& [part, version] : info["versions"].items()) {
       if (part != "axiscert") facts.emplace_back(part, version);

@@ -76,6 +76,8 @@ bool is_less(const Json& x, const Json& y) {
   return magnitude(x) < magnitude(y);
 }
 
+void add_counts(Json& total, const Json& part) { merge(total, part, ""); }
+
 Json all_families(const Json& kernel) {
   Json total;
   for (Json family : kernel["families"]) {
@@ -128,6 +130,7 @@ std::string amount(double value, int digits) {
 }
 
 std::string error_amount(const Json& error) {
+  if (error.is_null()) return "not measured";
   return error.is_number() ? amount(error.get<double>()) : error.get<std::string>();
 }
 

@@ -17,6 +17,9 @@ extern const EnumArray<Link, std::string_view> link_meanings;
 // Orders figures of a record: numbers, and texts of numbers too large for binary64.
 bool is_less(const Json& x, const Json& y);
 
+// Adds counts of a family to others: counts add up, of maxima the greater is kept. `total` may be null.
+void add_counts(Json& total, const Json& part);
+
 // The families of a record's kernel combined: counts added, maxima kept, null where every one is null. The median of
 // the critical radius is the kernel's own. An object without members where no family ran.
 Json all_families(const Json& kernel);
@@ -32,7 +35,7 @@ std::string with_rate(std::uint64_t count, const Json& family);
 std::string plain_text(const Json& value);         // a text without its quotes; "-" for null
 std::string thousands(std::uint64_t count);        // "1,234,567"
 std::string amount(double value, int digits = 6);  // significant digits, thousands separated
-// An error in u as the record has it: a number, or its text where binary64 cannot hold it.
+// An error in u as the record has it: a number, its text where binary64 cannot hold it, null where none was measured.
 std::string error_amount(const Json& error);
 
 // The kernel entry's convention for touching spheres, and the limits within which it promises to be right.

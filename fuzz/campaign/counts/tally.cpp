@@ -50,6 +50,8 @@ void merge_outside(OutsideTally& into, const OutsideTally& from) {
   into.false_separation += from.false_separation;
   into.false_contact += from.false_contact;
   into.unanswered += from.unanswered;
+  into.contact += from.contact;
+  into.touching += from.touching;
   into.deepest = std::max(into.deepest, from.deepest);
 }
 
@@ -59,6 +61,8 @@ void merge_verdict(VerdictTally& into, const VerdictTally& from) {
   into.undecided += from.undecided;
   into.invalid += from.invalid;
   into.unanswered += from.unanswered;
+  into.undecided_contact += from.undecided_contact;
+  into.undecided_touching += from.undecided_touching;
   into.touching_flips += from.touching_flips;
   add(into.links, from.links);
   add(into.masked_links, from.masked_links);
@@ -190,7 +194,11 @@ void count_numbers(Tally& tally, const Truth& truth, ComparisonBits ties, const 
                    const Judgement& judgement, std::uint64_t times) {
   count_truth(tally, truth, times);
   if (truth.verdict == Verdict::invalid) return;
-  if (answer.verdict == Verdict::undecided) tally.verdict.undecided += times;
+  if (answer.verdict == Verdict::undecided) {
+    tally.verdict.undecided += times;
+    tally.verdict.undecided_contact += (truth.verdict == Verdict::contact) * times;
+    tally.verdict.undecided_touching += truth.touching * times;
+  }
   if (answer.verdict == Verdict::invalid) tally.verdict.invalid += times;
   if (answer.verdict == Verdict::unanswered) tally.verdict.unanswered += times;
   if (!judgement.verdict_flip) add(tally.verdict.masked_links, judgement.verdict_links, times);
@@ -239,6 +247,8 @@ void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const
   count_truth(tally, truth);
   OutsideTally& outside = tally.verdict.outside_limits;
   ++outside.trials;
+  outside.contact += truth.verdict == Verdict::contact;
+  outside.touching += truth.touching;
   outside.unanswered += answer.verdict == Verdict::unanswered;
   if (!judgement.verdict_flip) return;
   ++(*judgement.verdict_flip == FlipKind::false_separation ? outside.false_separation : outside.false_contact);

@@ -46,11 +46,13 @@ struct ComparisonTally : SignTally {
 // Counts of valid queries outside the limits that a kernel declares; only the truth counts them too.
 struct OutsideTally {
   std::uint64_t trials = 0, false_separation = 0, false_contact = 0, unanswered = 0;
+  std::uint64_t contact = 0, touching = 0;  // the truth; touching is part of contact
   double deepest = 0;
 };
 
 struct VerdictTally {
   std::uint64_t false_separation = 0, false_contact = 0, undecided = 0, invalid = 0, unanswered = 0;
+  std::uint64_t undecided_contact = 0, undecided_touching = 0;  // of undecided; touching is part of contact
   std::uint64_t touching_flips = 0;
   LinkCounts links{}, masked_links{}, touching_links{};                   // touching_links: those of touching_flips
   Leaders<double> deepest_false_separation{3}, deepest_false_contact{3};  // ranked by depth

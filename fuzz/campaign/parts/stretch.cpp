@@ -25,31 +25,36 @@ std::uint64_t rounded_up(std::uint64_t a, std::uint64_t b) { return a / b + (a %
 
 }  // namespace
 
-std::uint64_t Stretches::default_units_each(const Plan& plan) {
+std::vector<PlannedCell> planned_cells(const Plan& plan) {
+  std::vector<PlannedCell> cells;
+  for (const CellResult& cell : cells_of(plan))
+    cells.push_back({cell.source, cell.precision, cell_queries(plan, cell), plan.sources[cell.source]->name()});
+  return cells;
+}
+
+std::uint64_t Stretches::default_units_each(const std::vector<PlannedCell>& cells) {
   std::uint64_t units = 0;
-  const auto cells = cells_of(plan);
-  for (const CellResult& cell : cells) units += rounded_up(cell_queries(plan, cell), unit_size);
+  for (const PlannedCell& cell : cells) units += rounded_up(cell.queries, unit_size);
   // A cell's last stretch may be short: one more stretch for each cell.
   const std::uint64_t least = rounded_up(units, most - std::min<std::uint64_t>(most / 2, cells.size()));
   return std::max({std::uint64_t{1}, std::min(usual_units, units / enough_stretches), least});
 }
 
-Stretches::Stretches(const Plan& plan, std::uint64_t units_each) : units_each_(units_each) {
+Stretches::Stretches(std::vector<PlannedCell> cells, std::uint64_t units_each)
+    : cells_(std::move(cells)), units_each_(units_each) {
   std::vector<std::uint64_t> counts;
-  for (const CellResult& cell : cells_of(plan)) {
-    const std::uint64_t queries = cell_queries(plan, cell), units = rounded_up(queries, unit_size);
-    cells_.push_back({cell.source, cell.precision, queries,
-                      fmt::format("{} {}", plan.sources[cell.source]->name(), name(cell.precision))});
+  for (const PlannedCell& cell : cells_) {
+    const std::uint64_t units = rounded_up(cell.queries, unit_size);
     counts.push_back(rounded_up(units, units_each));
     units_ += units;
-    queries_ += queries;
+    queries_ += cell.queries;
     count_ += counts.back();
   }
   if (count_ > most) {
     throw Error(
         fmt::format("{} stretches of {} units are more than the {} that a journal supports: give at least {} units "
                     "per stretch",
-                    count_, units_each, most, default_units_each(plan)));
+                    count_, units_each, most, default_units_each(cells_)));
   }
   std::uint64_t number = 0, index = 0;
   while (number < count_) {
@@ -72,7 +77,7 @@ Stretch Stretches::at(std::uint64_t number) const {
   const std::uint64_t past = number - level.first_number;
   const std::size_t cell = level.cells[past % level.cells.size()];
   const std::uint64_t first_unit = (level.first_index + past / level.cells.size()) * units_each_;
-  const auto& [source, precision, queries, name] = cells_[cell];
+  const auto& [source, precision, queries, family] = cells_[cell];
   const std::uint64_t left = queries - first_unit * unit_size;
   return {cell, source, precision, first_unit, units_each_ > left / unit_size ? left : units_each_ * unit_size};
 }
@@ -83,9 +88,13 @@ std::string range_text(std::uint64_t first, std::uint64_t last) {
 }
 }  // namespace
 
+std::string Stretches::cell_text(std::size_t cell) const {
+  return fmt::format("{} {}", cells_[cell].family, name(cells_[cell].precision));
+}
+
 std::string Stretches::text(std::uint64_t number) const {
   const Stretch s = at(number);
-  return fmt::format("{}, unit{} {}", cells_[s.cell].name, s.units() == 1 ? "" : "s",
+  return fmt::format("{}, unit{} {}", cell_text(s.cell), s.units() == 1 ? "" : "s",
                      range_text(s.first_unit, s.first_unit + s.units() - 1));
 }
 
@@ -100,7 +109,7 @@ std::string Stretches::text(const std::vector<std::uint64_t>& numbers, std::size
   std::string all;
   std::size_t parts = 0;
   for (const auto& [cell, of_cell] : ranges) {
-    if (parts < limit) all += fmt::format("{}{}: units", all.empty() ? "" : "; ", cells_[cell].name);
+    if (parts < limit) all += fmt::format("{}{}: units", all.empty() ? "" : "; ", cell_text(cell));
     for (std::size_t i = 0; i < of_cell.size(); ++i) {
       if (parts++ < limit) all += (i == 0 ? " " : ", ") + range_text(of_cell[i].first, of_cell[i].second - 1);
     }

@@ -9,6 +9,16 @@
 
 namespace axiscert {
 
+// A cell of a plan: a source in a precision, by the numbers that its stretches follow from.
+struct PlannedCell {
+  std::size_t source;  // index in the plan's sources
+  Precision precision;
+  std::uint64_t queries;
+  std::string family;  // the source's name
+};
+// Those of a plan, in the order of cells_of(plan).
+std::vector<PlannedCell> planned_cells(const Plan& plan);
+
 struct Stretch {
   std::size_t cell, source;  // index in cells_of(plan), and in the plan's sources
   Precision precision;
@@ -22,7 +32,8 @@ struct Stretch {
 class Stretches {
  public:
   // Throws Error if there are more than a journal supports: the remedy is a greater `units_each`.
-  Stretches(const Plan& plan, std::uint64_t units_each);
+  Stretches(const Plan& plan, std::uint64_t units_each) : Stretches(planned_cells(plan), units_each) {}
+  Stretches(std::vector<PlannedCell> cells, std::uint64_t units_each);
   std::uint64_t count() const { return count_; }
   std::uint64_t units() const { return units_; }
   std::uint64_t queries() const { return queries_; }
@@ -40,7 +51,8 @@ class Stretches {
   // beginning it is negligible; but a plan has 1024 stretches before any has more than one unit, so that no thread
   // waits long for the last of them.
   static constexpr std::uint64_t usual_units = 16, enough_stretches = 1024;
-  static std::uint64_t default_units_each(const Plan& plan);
+  static std::uint64_t default_units_each(const Plan& plan) { return default_units_each(planned_cells(plan)); }
+  static std::uint64_t default_units_each(const std::vector<PlannedCell>& cells);
 
  private:
   // Stretches during which the cells with the fewest stretches are not finished: `cells` take turns.
@@ -49,14 +61,9 @@ class Stretches {
     std::vector<std::size_t> cells;
   };
 
-  struct Cell {
-    std::size_t source;
-    Precision precision;
-    std::uint64_t queries;
-    std::string name;
-  };
+  std::string cell_text(std::size_t cell) const;
 
-  std::vector<Cell> cells_;
+  std::vector<PlannedCell> cells_;
   std::uint64_t units_each_, count_ = 0, units_ = 0, queries_ = 0;
   std::vector<Level> levels_;
 };

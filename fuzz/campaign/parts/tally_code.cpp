@@ -32,13 +32,14 @@ void visit_depths(Archive& archive, Tally& tally) {
 
 template <class Archive, class Tally>
 void visit_verdict(Archive& archive, Tally& tally) {
-  auto& [false_separation, false_contact, undecided, invalid, unanswered, touching_flips, links, masked_links,
-         touching_links, deepest_false_separation, deepest_false_contact, deepest_by_link, first_by_link, outside,
-         depths, engine] = tally;
-  archive(false_separation, false_contact, undecided, invalid, unanswered, touching_flips, links, masked_links,
-          touching_links, deepest_false_separation, deepest_false_contact, deepest_by_link, first_by_link);
-  auto& [trials, outside_separation, outside_contact, outside_unanswered, deepest] = outside;
-  archive(trials, outside_separation, outside_contact, outside_unanswered, deepest);
+  auto& [false_separation, false_contact, undecided, invalid, unanswered, undecided_contact, undecided_touching,
+         touching_flips, links, masked_links, touching_links, deepest_false_separation, deepest_false_contact,
+         deepest_by_link, first_by_link, outside, depths, engine] = tally;
+  archive(false_separation, false_contact, undecided, invalid, unanswered, undecided_contact, undecided_touching,
+          touching_flips, links, masked_links, touching_links, deepest_false_separation, deepest_false_contact,
+          deepest_by_link, first_by_link);
+  auto& [trials, outside_separation, outside_false_contact, outside_unanswered, contact, touching, deepest] = outside;
+  archive(trials, outside_separation, outside_false_contact, outside_unanswered, contact, touching, deepest);
   auto& [engine_queries, engine_wrong] = engine;
   archive(engine_queries);
   visit_depths(archive, depths);

@@ -34,11 +34,11 @@ std::string requirements_section(const Json& record, const std::vector<LevelOutc
   for (const AskedLevel& asked : required.levels)
     section.line(fmt::format("Requirement `{}`: {}.\n", plain(asked.text), plain(sentence_of(asked), 2000)));
   section.line(pass(outcomes) ? "The gate passes.\n" : "**The gate fails**: what is not checked does not pass.\n");
-  section.head({"level", "kernel", "precision", "state", "what that says"}, 5);
+  section.head({"level", "kernel", "precision", "state", "how much was looked at", "what that says"}, 6);
   for (const LevelOutcome& outcome : outcomes) {
     const std::string state(state_text(&outcome));
-    section.row({plain(outcome.asked.text), plain(outcome.kernel), outcome.precision,
-                 outcome.passes() ? state : fmt::format("**{}**", state), meaning_of(outcome)});
+    section.row({plain(outcome.claim()), plain(outcome.kernel), outcome.precision,
+                 outcome.passes() ? state : fmt::format("**{}**", state), outcome.looked_text(), meaning_of(outcome)});
   }
   section.line("");
   for (const Failure& failure : failures_of(outcomes)) section.line(failure_line(failure));

@@ -35,7 +35,8 @@ std::string signs_section(const Json& record, const std::vector<Json>& totals, c
       for (const char* member : {"false_separation", "missed_separation", "decisive", "masked", "tolerance_failures"})
         cells.push_back(count_text(tally[member]));
       cells.push_back(error_amount(tally["max_error_u"]));
-      for (std::size_t i = cells.size(); i < columns.size(); ++i) cells.push_back(count_text(tally[columns[i]]));
+      for (std::size_t i = cells.size(); i < columns.size(); ++i)
+        cells.push_back(tally[columns[i]].is_null() ? "not measured" : count_text(tally[columns[i]]));
       const bool has_flips = tally["false_separation"] != 0 || tally["missed_separation"] != 0;
       (has_flips ? with_flips : without).push_back(cells);
     }

@@ -13,13 +13,11 @@ namespace {
 
 struct Allowed {
   double missed, phantom;  // the deepest wrong verdict that is allowed, as a share of the scene; below 0: none
-  bool invalid;            // whether answers `invalid` to valid queries are allowed
 };
 constexpr double no_wrong = -1, any_depth = std::numeric_limits<double>::infinity();
 
 bool is_missed(const Json& flip) { return flip["kind"] == "false_separation"; }
 bool is_phantom(const Json& flip) { return flip["kind"] == "false_contact"; }
-bool is_no_flip(const Json&) { return false; }
 
 LevelFindings judge_depths(const Subject& subject, const Allowed& allowed) {
   LevelFindings found;
@@ -34,10 +32,7 @@ LevelFindings judge_depths(const Subject& subject, const Allowed& allowed) {
     };
     check("false_separation", "missed contacts", allowed.missed, is_missed);
     check("false_contact", "phantom contacts", allowed.phantom, is_phantom);
-    if (!allowed.invalid) {
-      subject.add(found.failures, family, verdict["invalid"].get<std::uint64_t>(), "answers `invalid` to valid queries",
-                  is_no_flip);
-    }
+    found.families[family] = subject.whole_look(result);
   }
   found.covers =
       fmt::format("{} queries of {}, each judged exactly", thousands(subject.decided()), subject.list_of_families());
@@ -69,13 +64,13 @@ std::string conservative_sentence(const AskedLevel& asked) {
 extern const GateLevel exact_level = {"exact", "no wrong verdict", no_argument,
                                       [](const AskedLevel&) { return std::string("no wrong verdict"); },
                                       [](const AskedLevel&, const Subject& subject) {
-                                        return judge_depths(subject, {no_wrong, no_wrong, false});
+                                        return judge_depths(subject, {no_wrong, no_wrong});
                                       }};
 
 extern const GateLevel conservative_level = {
     "conservative[=D]", "no missed contact, no phantom contact deeper than D", check_conservative,
     conservative_sentence, [](const AskedLevel& asked, const Subject& subject) {
-      const Allowed allowed{no_wrong, deepest_phantom(asked), false};
+      const Allowed allowed{no_wrong, deepest_phantom(asked)};
       return asked.has_argument ? judge_to_depth(subject, allowed) : judge_depths(subject, allowed);
     }};
 
@@ -87,7 +82,7 @@ extern const GateLevel depth_level = {"depth=D", "no wrong verdict deeper than D
                                       },
                                       [](const AskedLevel& asked, const Subject& subject) {
                                         const double most = depth_argument(asked);
-                                        return judge_to_depth(subject, {most, most, true});
+                                        return judge_to_depth(subject, {most, most});
                                       }};
 
 }  // namespace axiscert

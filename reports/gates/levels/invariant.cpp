@@ -68,8 +68,11 @@ LevelFindings judge_invariant(const AskedLevel& asked, const Subject& subject) {
       found.unseen.push_back(family);
       continue;
     }
-    images += (*changes)["images"].get<std::uint64_t>();
+    const auto compared = (*changes)["images"].get<std::uint64_t>(),
+               declined = (*changes)["undecided"].get<std::uint64_t>();
+    images += compared;
     families.push_back(family);
+    found.families[family] = {compared + declined, compared, declined};
     if (kind == ImageKind::scale) {
       const UnitChange change = unit_change(*changes);
       subject.add_pair(found.failures, family, change.count, change.what, change.first);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,11 +21,12 @@ struct AskedLevel {
   bool has_argument = false;
 };
 
-// The findings of a level about one kernel in one precision. It is met where there is no failure and `not_checked` is
-// empty.
+// The findings of a level about one kernel in one precision. It is met where there is no failure, `not_checked` is
+// empty, and enough of each family was looked at (reports/gates/requirement.cpp).
 struct LevelFindings {
   std::vector<Failure> failures;
-  std::string not_checked;          // why these queries cannot show that it is met; empty where they can
+  std::string not_checked;                     // why these queries cannot show that it is met; empty where they can
+  std::map<std::string, FamilyLook> families;  // those that the level requires, by name
   std::string covers, leaves_out;   // what "met" says of this kernel and what it does not, without a full stop
   std::vector<std::string> unseen;  // families on which this kernel cannot be seen to fail the level
 };
@@ -48,6 +50,8 @@ std::span<const GateLevel* const> gate_levels();
 
 // For levels that take a depth: the argument as a share of the scene. Throws Error that names the level.
 double depth_argument(const AskedLevel& asked);
+// That of `decided=SHARE`. Throws Error that says what would be right.
+double decided_argument(const AskedLevel& asked);
 void no_argument(const AskedLevel& asked);  // for levels that take none: the parser has refused it already
 
 }  // namespace axiscert

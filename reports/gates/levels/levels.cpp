@@ -12,6 +12,7 @@
   X(exact)                      \
   X(conservative)               \
   X(depth)                      \
+  X(decided)                    \
   X(no_worse_than)              \
   X(invariant)                  \
   X(never_late)                 \

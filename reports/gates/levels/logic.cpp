@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
 #include "reports/run_folder/run_folder.h"
@@ -13,14 +15,26 @@
 namespace axiscert {
 namespace {
 
-using Evidence = Subject::Evidence;
+using Basis = Subject::Basis;
 
 // Whether a wrong verdict, touching spheres apart, is wrong logic. For a kernel without a reference this is not so in
 // families of images, in which its own precision may leave its range: it is held to the clear ones that it has right in
 // one unit of length.
 bool is_of_exact_arithmetic(const Subject& subject, const Json& result) {
-  const bool is_judged_by_images = subject.evidence() != Evidence::reference && units_of(result) != nullptr;
+  const bool is_judged_by_images = subject.basis() != Basis::reference && units_of(result) != nullptr;
   return result["exact_arithmetic"].get<bool>() && !is_judged_by_images;
+}
+
+// Of a family of exact arithmetic the queries that do not touch.
+FamilyLook look_at_exact(const Subject& subject, const Json& result) {
+  const Evidence evidence = subject.evidence(result);
+  const Json &verdict = result["verdict"], &outside = verdict["outside_limits"];
+  const auto touching = result["truth"]["touching"].get<std::uint64_t>();
+  // Touching queries that are promised and decided; of a kernel that promises nothing of touch there are none.
+  std::uint64_t touched = evidence.touching != 0 ? 0 : touching - verdict["undecided_touching"].get<std::uint64_t>();
+  if (!outside.is_null()) touched -= std::min(touched, outside["touching"].get<std::uint64_t>());
+  const std::uint64_t decided = evidence.decided();
+  return {evidence.population - touching, decided - std::min(decided, touched)};
 }
 
 // The families of exact arithmetic that ran, and their queries that count: decided, and not touching.
@@ -32,11 +46,10 @@ ExactFamilies exact_families_of(const Subject& subject) {
   ExactFamilies exact;
   for (const auto& [family, result] : subject.families().items()) {
     if (!is_of_exact_arithmetic(subject, result)) continue;
-    const std::uint64_t decided = decided_queries(result);
-    const auto touching = result["truth"]["touching"].get<std::uint64_t>();
-    if (decided <= touching) continue;
+    const std::uint64_t queries = look_at_exact(subject, result).looked_at;
+    if (queries == 0) continue;
     exact.names.push_back(family);
-    exact.queries += decided - touching;
+    exact.queries += queries;
   }
   return exact;
 }
@@ -74,11 +87,11 @@ void find_logic_failures(const Subject& subject, const std::string& family, cons
   const auto number = [&](const char* member) { return verdict[member].get<std::uint64_t>(); };
   const auto of_link = [&](Link link) { return verdict["links"][std::string(link_names[link])].get<std::uint64_t>(); };
   // No rounding of a right kernel differs between two units of length. One with a reference has its range told apart.
-  if (const Json* units = units_of(result); units != nullptr && subject.evidence() != Evidence::reference) {
+  if (const Json* units = units_of(result); units != nullptr && subject.basis() != Basis::reference) {
     const UnitChange change = unit_change(*units);
     subject.add_pair(failures, family, change.count, change.what, change.first);
   }
-  if (subject.evidence() == Evidence::verdicts) {
+  if (subject.basis() == Basis::verdicts) {
     // Without formulae to compare with, a wrong verdict in exact arithmetic is wrong logic. A method of the kernel's
     // own may still round there, and for a touching sphere any rounding shows.
     if (!exact_arithmetic) return;
@@ -92,7 +105,7 @@ void find_logic_failures(const Subject& subject, const std::string& family, cons
     subject.add_link(failures, family, link, of_link(link));
   // Formulae evaluated in an order of operations of the kernel's own: where they round, an unattributed difference
   // may be rounding and is not a fault of logic. In exact arithmetic it is one.
-  if (subject.evidence() == Evidence::formulae && exact_arithmetic) {
+  if (subject.basis() == Basis::formulae && exact_arithmetic) {
     const std::string name(link_names[Link::unattributed]);
     const auto touching = verdict["touching_links"][name].get<std::uint64_t>();
     subject.add_link(failures, family, Link::unattributed, of_link(Link::unattributed) - touching);
@@ -116,7 +129,10 @@ LevelFindings logic_findings(const Subject& subject) {
   for (const auto& [family, result] : subject.families().items())
     find_logic_failures(subject, family, result, found.failures);
   const std::string queries = thousands(subject.decided());
-  if (subject.evidence() == Evidence::reference) {
+  if (subject.basis() != Basis::verdicts) {
+    for (const auto& [family, result] : subject.families().items()) found.families[family] = subject.whole_look(result);
+  }
+  if (subject.basis() == Basis::reference) {
     found.covers = fmt::format(
         "every wrong verdict on {} queries of {}, each compared with the kernel's own formulae, exact and as its "
         "reference computes them",
@@ -125,10 +141,19 @@ LevelFindings logic_findings(const Subject& subject) {
     return found;
   }
   const ExactFamilies exact = exact_families_of(subject);
-  const bool has_formulae = subject.evidence() == Evidence::formulae;
+  const bool has_formulae = subject.basis() == Basis::formulae;
   if (!has_formulae) {
     for (const auto& [family, result] : subject.families().items()) {
-      if (!is_of_exact_arithmetic(subject, result) && units_of(result) == nullptr) found.unseen.push_back(family);
+      const Json* units = units_of(result);
+      if (is_of_exact_arithmetic(subject, result)) {
+        found.families[family] = look_at_exact(subject, result);
+      } else if (units != nullptr) {
+        const auto compared = (*units)["images"].get<std::uint64_t>(),
+                   declined = (*units)["undecided"].get<std::uint64_t>();
+        found.families[family] = {compared + declined, compared, declined};
+      } else {
+        found.unseen.push_back(family);
+      }
     }
   }
   const std::string cause = has_formulae ? "a difference from the formulae that it claims" : "a wrong verdict";

@@ -56,6 +56,15 @@ void add_untimed(const Subject& subject, LevelFindings& found) {
   }
 }
 
+// Contacts that were found; with `missed` those that were not are looked at too.
+void look_at_contacts(const Subject& subject, bool missed, LevelFindings& found) {
+  for (const auto& [family, result] : subject.families().items()) {
+    std::uint64_t looked_at = count_at(result["motion"], "hits");
+    if (missed) looked_at += count_at(result["verdict"], "false_separation");
+    found.families[family] = {count_at(result["truth"], "contact"), looked_at};
+  }
+}
+
 std::string hits_covered(const Subject& subject) {
   std::uint64_t hits = 0;
   for (const Json& family : subject.families()) hits += count_at(family["motion"], "hits");
@@ -68,6 +77,7 @@ LevelFindings judge_never_late(const AskedLevel&, const Subject& subject) {
   found.not_checked = times_unseen(subject);
   if (!found.not_checked.empty()) return found;
   add_untimed(subject, found);
+  look_at_contacts(subject, false, found);
   for (const auto& [family, result] : subject.families().items()) {
     const Json &time = result["motion"]["time"], &largest = time["late_errors"]["largest_in_u"];
     subject.add_shown(
@@ -86,6 +96,7 @@ LevelFindings judge_no_tunnel(const AskedLevel& asked, const Subject& subject) {
   found.not_checked = times_unseen(subject);
   if (!found.not_checked.empty()) return found;
   add_untimed(subject, found);
+  look_at_contacts(subject, true, found);
   for (const auto& [family, result] : subject.families().items()) {
     const auto check = [&](const Json& tunnels, const char* many, const char* one, const char* shown) {
       const double deepest = tunnels["deepest_tunnel"].get<double>();

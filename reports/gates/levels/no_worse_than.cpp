@@ -71,6 +71,7 @@ LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subjec
                             rate_text(others), corrected[i]),
                 [kind](const Json& flip) { return flip["kind"] == kind; });
   }
+  for (const auto& [family, result] : subject.families().items()) found.families[family] = subject.whole_look(result);
   found.covers = fmt::format(
       "missed and phantom contacts of {}, each count beside that of {} on the same queries, by Fisher's exact test "
       "with "

@@ -18,19 +18,15 @@ std::string Failure::text() const {
   return fmt::format("{} {} on {}: {}: {}{}", kernel, precision, family, what, count, shown_by);
 }
 
-std::uint64_t decided_queries(const Json& family) {
-  const Json &verdict = family["verdict"], &outside = verdict["outside_limits"];
-  std::uint64_t others = number_in(family["truth"], "invalid");
-  for (const char* member : {"undecided", "invalid", "unanswered"}) others += number_in(verdict, member);
-  if (!outside.is_null()) others += number_in(outside, "trials");
-  const std::uint64_t trials = number_in(family, "trials");
-  return trials - std::min(trials, others);
+Subject::Basis Subject::basis() const {
+  const Json& reference = kernel_["reference"];
+  if (reference.is_null()) return Basis::verdicts;
+  return reference.get<bool>() ? Basis::reference : Basis::formulae;
 }
 
-Subject::Evidence Subject::evidence() const {
-  const Json& reference = kernel_["reference"];
-  if (reference.is_null()) return Evidence::verdicts;
-  return reference.get<bool>() ? Evidence::reference : Evidence::formulae;
+FamilyLook Subject::whole_look(const Json& result) const {
+  const Evidence found = evidence(result);
+  return {found.population, found.decided()};
 }
 
 void Subject::add(std::vector<Failure>& failures, const std::string& family, std::uint64_t count,
@@ -105,11 +101,7 @@ std::uint64_t Subject::wrong_verdicts() const {
   return wrong;
 }
 
-std::uint64_t Subject::decided() const {
-  std::uint64_t decided = 0;
-  for (const Json& family : families()) decided += decided_queries(family);
-  return decided;
-}
+std::uint64_t Subject::decided() const { return evidence_of(kernel_).decided(); }
 
 std::string Subject::list_of_families() const {
   std::vector<std::string> names;

@@ -8,6 +8,7 @@
 
 #include "exact/judge/judge.h"
 #include "fuzz/text/json.h"
+#include "reports/evidence/evidence.h"
 
 namespace axiscert {
 
@@ -21,9 +22,12 @@ struct Failure {
   std::string text() const;
 };
 
-// The queries of a family's results that can show a wrong verdict: valid, within the kernel's limits, and called
-// separated or contact.
-std::uint64_t decided_queries(const Json& family);
+// A family as a level looks at it, in queries, or in pairs of a query and its image.
+struct FamilyLook {
+  std::uint64_t concerned = 0;  // valid ones of the plan that the level's definition concerns
+  std::uint64_t looked_at = 0;  // those that are promised, and whose answer the level judged
+  std::uint64_t declined = 0;   // of pairs: those with an answer `undecided`; declined queries are in the evidence
+};
 
 class Subject {
  public:
@@ -34,13 +38,17 @@ class Subject {
   const Json& kernel() const { return kernel_; }
   const Json& families() const { return kernel_["families"]; }  // by name
 
-  // The evidence that there is of the cause of a wrong verdict.
-  enum class Evidence {
+  // What tells the cause of a wrong verdict.
+  enum class Basis {
     reference,  // its formulae and their bits: every link is told apart
     formulae,   // its formulae, evaluated in its own way: range, rounding and implementation are not told apart
     verdicts    // nothing but the verdict
   };
-  Evidence evidence() const;
+  Basis basis() const;
+  // How much of a family there is to judge it by.
+  Evidence evidence(const Json& result) const { return evidence_of(kernel_, result); }
+  // The look of a level that judges every verdict of a family.
+  FamilyLook whole_look(const Json& result) const;
 
   using Shows = std::function<bool(const Json& verdict_flip)>;
   // Adds a failure of this kernel, unless `count` is 0; its witness is the deepest of which a flip of the verdict

@@ -13,7 +13,9 @@ function outcomes_of(data, entry) {
 
 // The outcome of one level for one kernel, or of all of them.
 function outcome_chip(data, outcome) {
-  const text = `requirement ${outcome.level}: `;
+  const within = outcome.outside_limits?.length > 0
+    ? ` within its limits, ${outcome.families - outcome.outside_limits.length} of ${outcome.families} families` : '';
+  const text = `requirement ${outcome.level}${within}: `;
   if (outcome.state === 'not met') return chip(`${text}not met`, 'bad');
   if (outcome.state !== 'met') return chip(`${text}NOT CHECKED${outcome.allowed ? ', which is allowed' : ''}`, outcome.allowed ? 'warn' : 'bad');
   return data.complete ? chip(`${text}met`, 'good') : chip(`${text}met so far`, 'warn');
@@ -28,12 +30,11 @@ function status_chip(data) {
   return outcome_chip(data, {level, state: outcomes.every((o) => o.state === 'met') ? 'met' : 'NOT CHECKED', allowed: true});
 }
 
-// Lists what each level says of a kernel, and what it does not.
+// Lists how much each level looked at, what it says of a kernel, and what it does not.
 function outcome_list(outcomes) {
-  const told = outcomes.filter((o) => o.state !== 'not met');
-  if (told.length === 0) return '';
-  return el('ul', 'sentences', ...told.map((o) => el('li', '', el('strong', '', `${o.level}: ${o.state}. `),
-    o.state === 'met' ? `Covers ${o.covers}. Leaves out ${o.leaves_out}.` : `${o.reason}.`)));
+  if (outcomes.length === 0) return '';
+  return el('ul', 'sentences', ...outcomes.map((o) => el('li', '', el('strong', '', `${o.text}. `),
+    o.state === 'met' ? `Covers ${o.covers}. Leaves out ${o.leaves_out}.` : '')));
 }
 
 function failure_item(data, failure) {
@@ -163,6 +164,7 @@ function tolerance_fact(total) {
 
 function largest_error(total) {
   if (total.comparisons === null) return 'not exposed';
+  if (Object.values(total.comparisons).every((tally) => tally.max_error_u === null)) return 'not measured: it shows no sides';
   const [name, tally] = Object.entries(total.comparisons).reduce(
     (x, y) => (magnitude(y[1].max_error_u) > magnitude(x[1].max_error_u) ? y : x));
   return `${error_amount(tally.max_error_u)} u, ${name}`;
@@ -196,9 +198,6 @@ function more_facts(entry) {
   const facts = el('dl', 'facts numbers');
   const fact = (label, value) => facts.append(el('dt', '', label), el('dd', '', value));
   const radius = entry.critical_radius;
-  fact('undecided', count(total.verdict.undecided));
-  fact('invalid answers', count(total.verdict.invalid));
-  fact('without an answer', count(total.verdict.unanswered));
   fact('declares', entry.touching_text);
   fact('limits', entry.limits_text);
   const outside = total.verdict.outside_limits;
@@ -229,6 +228,7 @@ function answer_card(data, entry) {
   card.append(el('p', 'asked', `${count(total.trials)} queries in ${count(Object.keys(entry.families).length)} families: ` +
                                `${count(total.truth.contact)} contacts, ${count(total.truth.separated)} separations, ` +
                                `${count(total.truth.invalid)} invalid.`),
+              el('p', entry.is_unanswered ? 'asked bad' : 'asked', `${entry.evidence_text}.`),
               el('div', 'metrics', metric(data, entry, 'missed contacts', 'false_separation', 'bad'),
                  metric(data, entry, 'phantom contacts', 'false_contact', 'warn')),
               depths_table(entry), links_bar(total.verdict.links) ?? '', link_sentences(data, entry), badges(data, entry), more_facts(entry));
@@ -252,6 +252,9 @@ function show_answer(data) {
   if (!data.complete) {
     document.getElementById('banner').append(el('p', 'banner warn', el('strong', '', 'Incomplete. '),
       'The run was interrupted before its plan was done: the figures below cover only the queries that were run.'));
+  }
+  for (const sentence of data.unjudged) {
+    document.getElementById('banner').append(el('p', 'banner bad', el('strong', '', 'Not judged. '), `${sentence}.`));
   }
   if (data.requirement) {
     document.getElementById('answer-title').after(...data.requirement.levels.map(({level, sentence}) =>

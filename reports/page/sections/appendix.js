@@ -10,14 +10,16 @@ function show_league(data) {
   }});
   const precision = column.text('precision', (row) => row.precision);
   const wrong = (member, label, alarm) => [
-    column.count(label, (row) => row[member], {alarm, group: label}),
-    column.amount('per million', (row) => (row.answered > 0 ? 1e6 * row[member] / row.answered : null), {digits: 3, group: label}),
+    column.count(label, (row) => row[member], {alarm, group: label, none: 'not measured'}),
+    column.amount('per million', (row) => (row.decided > 0 ? 1e6 * row[member] / row.decided : null), {digits: 3, group: label}),
     column.amount('deepest', (row) => row[`deepest_${member}`], {digits: 3, group: label})];
   const contenders = league.kernels.filter((row) => !row.has_planted_fault);
   const faults = league.kernels.filter((row) => row.has_planted_fault);
   place.append(table('League: all families together', [
-    name, precision, column.count('answered', (row) => row.answered), ...wrong('false_separation', 'missed contacts', 'bad'),
-    ...wrong('false_contact', 'phantom contacts', 'warn'), column.count('no answer', (row) => row.unanswered, {alarm: 'bad'}),
+    name, precision, column.count('decided', (row) => row.decided), ...wrong('false_separation', 'missed contacts', 'bad'),
+    ...wrong('false_contact', 'phantom contacts', 'warn'), column.count('declined', (row) => row.undecided),
+    column.count('invalid', (row) => row.invalid, {alarm: 'bad'}), column.count('no answer', (row) => row.unanswered, {alarm: 'bad'}),
+    column.count('outside limits', (row) => row.outside_limits),
     column.amount('ns a query', (row) => row.ns, {digits: 3, none: 'not timed'})], contenders));
   if (faults.length > 0) {
     place.append(table('Planted faults: how soon each is caught', [

@@ -1,0 +1,133 @@
+// How much an instrument looked at: the queries that it asked a kernel, by what became of them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "exact/sphere_triangle/measures/limits.h"
+#include "exact/trait/oracles.h"
+#include "fuzz/campaign/counts/tally.h"
+#include "fuzz/files/query_file.h"
+#include "fuzz/queries/query_shape.h"
+#include "fuzz/text/json.h"
+#include "kernel/kernel.h"
+
+namespace axiscert {
+
+// Only decided queries show anything about a kernel: nothing wrong among none of them says nothing.
+struct LookedAt {
+  std::uint64_t decided = 0, undecided = 0, invalid = 0, unanswered = 0;  // promised queries, by the answer
+  std::uint64_t outside_limits = 0;  // valid ones on which the kernel promises nothing, whatever it answered
+  std::uint64_t no_query = 0;        // not valid: no answer could be wrong
+
+  // An answer to a promised query that no kernel may give: `invalid`, none, or `undecided` of one that does not declare
+  // that it may decline.
+  struct Fault {
+    std::uint64_t place;  // the first is that of the least place
+    Verdict said;
+    std::string query;  // a line of a query file
+    bool operator==(const Fault&) const = default;
+  };
+  std::optional<Fault> first_fault = {};
+
+  std::uint64_t promised() const { return decided + undecided + invalid + unanswered; }
+  std::uint64_t asked() const { return promised() + outside_limits + no_query; }
+  std::uint64_t faults(bool may_decline) const { return invalid + unanswered + (may_decline ? 0 : undecided); }
+
+  void add(Verdict said) {
+    switch (said) {
+      case Verdict::contact:
+      case Verdict::separated:
+        ++decided;
+        break;
+      case Verdict::undecided:
+        ++undecided;
+        break;
+      case Verdict::invalid:
+        ++invalid;
+        break;
+      case Verdict::unanswered:
+        ++unanswered;
+        break;
+    }
+  }
+  void merge(const LookedAt& other) {
+    decided += other.decided;
+    undecided += other.undecided;
+    invalid += other.invalid;
+    unanswered += other.unanswered;
+    outside_limits += other.outside_limits;
+    no_query += other.no_query;
+    if (other.first_fault && (!first_fault || other.first_fault->place < first_fault->place)) {
+      first_fault = other.first_fault;
+    }
+  }
+  bool operator==(const LookedAt&) const = default;
+};
+
+inline Json looked_at_json(const LookedAt& looked_at) {
+  Json fault = nullptr;
+  if (looked_at.first_fault) {
+    fault = {{"said", name(looked_at.first_fault->said)}, {"query", Json::parse(looked_at.first_fault->query)}};
+  }
+  return {{"asked", looked_at.asked()},         {"decided", looked_at.decided},
+          {"undecided", looked_at.undecided},   {"invalid", looked_at.invalid},
+          {"unanswered", looked_at.unanswered}, {"outside_limits", looked_at.outside_limits},
+          {"no_query", looked_at.no_query},     {"first_fault", std::move(fault)}};
+}
+
+// Of a cell of a run, without its first fault.
+inline LookedAt looked_at_of(const Tally& tally) {
+  const VerdictTally& verdict = tally.verdict;
+  LookedAt found;
+  found.undecided = verdict.undecided;
+  found.invalid = verdict.invalid;
+  found.unanswered = verdict.unanswered;
+  found.outside_limits = verdict.outside_limits.trials;
+  found.no_query = tally.invalid;
+  found.decided = tally.trials - found.asked();
+  return found;
+}
+
+// Counts what one kernel answers. Keeps a reference to it.
+template <class Real>
+class AnswerCounter {
+ public:
+  // `are_valid`: the queries are known to be; else the oracles are asked where a fault would be counted.
+  explicit AnswerCounter(const Kernel& kernel, bool are_valid = false)
+      : kernel_(kernel), are_valid_(are_valid), shape_(shape_of(kernel.test->entries[kernel.entry])) {}
+
+  // `place` orders the faults.
+  void add(LookedAt& into, const Numbers<Real>& q, Verdict said, std::uint64_t place) const {
+    const bool is_decided = said == Verdict::contact || said == Verdict::separated;
+    if (!may_be_valid(shape_, q) || (!is_decided && is_no_query(q))) {
+      ++into.no_query;
+      return;
+    }
+    if (!is_promised(q)) {
+      ++into.outside_limits;
+      return;
+    }
+    into.add(said);
+    if (is_decided || (said == Verdict::undecided && kernel_.may_decline)) return;
+    if (into.first_fault && into.first_fault->place <= place) return;
+    into.first_fault = {place, said, query_line({"", precision_of<Real>, q, 0, kernel_.test, kernel_.entry})};
+  }
+
+ private:
+  // In sphere-triangle what may be valid is.
+  bool is_no_query(const Numbers<Real>& q) const {
+    return !are_valid_ && kernel_.test != &first_test() && oracles_of(kernel_).truth(q).verdict == Verdict::invalid;
+  }
+  bool is_promised(const Numbers<Real>& q) const {
+    if (kernel_.test == &first_test()) return !kernel_.limits.any() || is_within(kernel_.limits, query_from(q));
+    return kernel_.motion == MotionPolicy{} || oracles_of(kernel_).is_promised(kernel_.motion, q);
+  }
+
+  const Kernel& kernel_;
+  bool are_valid_;
+  QueryShape shape_;
+};
+
+}  // namespace axiscert

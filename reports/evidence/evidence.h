@@ -1,0 +1,68 @@
+// The evidence of a run about one kernel in one precision: how many queries there were, what the kernel's own promise
+// leaves out, what it declined, and what is left to judge it by. Everything that says "met" says it of these counts.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/text/json.h"
+
+namespace axiscert {
+
+// So many right answers show, with 95 % confidence, that fewer than 5 % of such queries are answered wrongly:
+// 0.95^59 < 0.05. Fewer in a family are no evidence about it.
+inline constexpr std::uint64_t least_looked_at = 59;
+// Contacts, and separations, over all families: fewer than 10 % of either are answered wrongly, 0.9^29 < 0.05. Limits
+// that leave one kind alone are no evidence about a test.
+inline constexpr std::uint64_t least_of_each_kind = 29;
+// The share of a family's promised contacts, and of its promised separations, that a kernel which may decline has to
+// decide, unless --require decided=SHARE names another.
+inline constexpr double least_decided_share = 0.5;
+
+// Numbers of queries of one family, or of several added up.
+struct Evidence {
+  std::uint64_t population = 0;                 // valid ones of the plan
+  std::uint64_t outside = 0;                    // of these, beyond the kernel's limits or policies
+  std::uint64_t touching = 0;                   // of the rest, touching, where it makes no promise of touch
+  std::uint64_t contacts = 0, separations = 0;  // of the rest, which are promised: the exact verdicts
+  std::uint64_t declined_contacts = 0, declined_separations = 0;  // promised, and answered `undecided`
+  std::uint64_t invalid = 0, unanswered = 0;  // within the limits, and answered `invalid` or not at all
+
+  std::uint64_t promised() const { return contacts + separations; }
+  std::uint64_t declined() const { return declined_contacts + declined_separations; }
+  // Promised, and called separated or contact. An answer `invalid` or none may be to a touching query, which is not
+  // promised: then this is too small, and the level fails in any case.
+  std::uint64_t decided() const;
+  void add(const Evidence& other);
+};
+
+// `kernel` is an entry of a record's "kernels", `result` one of its "families".
+Evidence evidence_of(const Json& kernel, const Json& result);
+// Of all families of a kernel's entry.
+Evidence evidence_of(const Json& kernel);
+
+// Whether `declined` of so many is more than the kernel may: fewer than `share` of them are decided.
+bool declines_too_many(std::uint64_t declined, std::uint64_t of, double share);
+
+// The share of the promised queries that it decided, rounded down: "61.2 %", "none".
+std::string decided_text(const Evidence& evidence);
+
+// "1 of 45 promised queries looked at", and where there are some ", 44 declined: it decides 2.2 %", ", 2 called
+// invalid",
+// ", 7 without an answer", ", 2,655 of 2,700 outside its limits", ", 3 touching, of which it promises nothing".
+std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at);
+
+// 100 (1 - 0.05^(1/n)): the per cent of wrong answers below which the rate is, with 95 % confidence, after n right
+// ones.
+double upper_bound_percent(std::uint64_t n);
+
+Json evidence_json(const Evidence& evidence);
+
+// The promise of a kernel's entry in words, one line for each part that it limits; two kernels promise the same where
+// these are equal. Members: "limits", "motion" (policies), "touching", "may_decline".
+Json promise_of(const Json& kernel);
+
+}  // namespace axiscert

@@ -1,0 +1,236 @@
+// How much was looked at: each exclusion is left out of it, each bound refuses what falls short by one, and each answer
+// that does not count stands against every level. Each record is the stored one with a plant.
+#include <functional>
+
+#include "reports/gates/requirement.h"
+#include "reports/gates/unjudged.h"
+#include "reports/testing/test_run.h"
+
+namespace axiscert {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::vector<std::string> levels = {"logic", "range", "exact", "conservative", "conservative=1", "depth=1"};
+
+// `<script>`, which shows verdicts alone and may decline, right on 5,000 queries of each family: 2,000 contacts, of
+// which 60 touch, and 3,000 separations.
+Json right_kernel() {
+  Json record = stored_record();
+  for (Json* kernels : {&record["kernels"], &record["plan"]["kernels"]}) kernels->erase(0);
+  record["witnesses"] = Json::array();
+  record["plan"]["require"] = nullptr;
+  record["plan"]["families"] = {"lattice", "tangent"};
+  for (Json& family : record["kernels"][0]["families"]) {
+    family["trials"] = family["base_triangles"] = 5000;
+    family["truth"] = {{"separated", 3000}, {"contact", 2000}, {"touching", 60}, {"invalid", 0}};
+    family["exact_arithmetic"] = true;
+    Json& verdict = family["verdict"];
+    for (const char* member : {"false_separation", "false_contact", "undecided", "undecided_contact",
+                               "undecided_touching", "invalid", "unanswered", "touching_flips"}) {
+      verdict[member] = 0;
+    }
+  }
+  return record;
+}
+Json& kernel_of(Json& record) { return record["kernels"][0]; }
+Json& family_of(Json& record, const char* name = "lattice") { return kernel_of(record)["families"][name]; }
+Json& verdict_of(Json& record, const char* name = "lattice") { return family_of(record, name)["verdict"]; }
+
+void put_outside(Json& verdict, std::uint64_t contact, std::uint64_t touching, std::uint64_t separated) {
+  verdict["outside_limits"] = {{"trials", contact + separated},
+                               {"false_separation", 0},
+                               {"false_contact", 0},
+                               {"unanswered", 0},
+                               {"contact", contact},
+                               {"touching", touching},
+                               {"deepest", 0}};
+}
+void declare_limits(Json& record) {
+  kernel_of(record)["limits"] = {{"least_coordinate", nullptr},
+                                 {"greatest_coordinate", nullptr},
+                                 {"least_area", nullptr},
+                                 {"least_radius", 1.0},
+                                 {"greatest_radius", nullptr}};
+  for (const char* family : {"lattice", "tangent"}) put_outside(verdict_of(record, family), 0, 0, 0);
+}
+void decline(Json& verdict, std::uint64_t contacts, std::uint64_t touching, std::uint64_t separations) {
+  verdict["undecided"] = contacts + separations;
+  verdict["undecided_contact"] = contacts;
+  verdict["undecided_touching"] = touching;
+}
+
+LevelOutcome judged_at(const Json& record, const std::string& level) {
+  const auto outcomes = outcomes_at(record, level);
+  EXPECT_EQ(outcomes.size(), 1u);
+  return outcomes.front();
+}
+void expect_at_each(const Json& record, LevelState state, const std::string& text) {
+  for (const std::string& level : levels) {
+    const LevelOutcome found = judged_at(record, level);
+    EXPECT_EQ(name(found.state), name(state)) << level << ": " << found.text();
+    EXPECT_THAT(found.text(), HasSubstr(text)) << level;
+  }
+}
+
+TEST(LookedAt, MetSaysOfHowMany) {
+  const LevelOutcome exact = judged_at(right_kernel(), "exact");
+  EXPECT_EQ(exact.text(), "<script> binary32: exact: 10,000 of 10,000 promised queries looked at: met");
+  EXPECT_THAT(exact.covers, HasSubstr("the fewest of a family, 5,000 triangles of lattice, show with 95 % that fewer "
+                                      "than 0.0599 % are wrong"));
+  EXPECT_EQ(judged_at(right_kernel(), "logic").looked_at, 2u * (5000 - 60)) << "touching queries are not clear";
+  expect_at_each(right_kernel(), LevelState::met, ": met");
+}
+
+TEST(LookedAt, OneAnswerThatDoesNotCountStandsAgainstEveryLevel) {
+  for (const char* member : {"invalid", "unanswered"}) {
+    Json record = right_kernel();
+    verdict_of(record)[member] = 1;
+    expect_at_each(record, LevelState::not_met, ": not met");
+    for (const std::string level : {"invariant=order", "decided=0.1", "never-late", "no-tunnel"})
+      EXPECT_FALSE(judged_at(record, level).failures.empty()) << level;
+  }
+  Json declining = right_kernel();
+  decline(verdict_of(declining), 0, 0, 1);
+  expect_at_each(declining, LevelState::met, ", 1 declined");
+  kernel_of(declining)["may_decline"] = false;
+  expect_at_each(declining, LevelState::not_met, "1 declined");
+  EXPECT_THAT(judged_at(declining, "exact").failures[0].what, HasSubstr("does not declare may_decline"));
+}
+
+TEST(LookedAt, WhatIsOutsideLimitsDeclinedOrTouchingWithoutAPromiseIsNotLookedAt) {
+  Json record = right_kernel();
+  declare_limits(record);
+  put_outside(verdict_of(record), 500, 10, 1000);
+  EXPECT_THAT(judged_at(record, "exact").text(),
+              HasSubstr("exact within its limits: 2 of 2 families; 8,500 of 8,500 promised queries looked at, 1,500 of "
+                        "10,000 outside its limits: met"));
+  EXPECT_EQ(judged_at(record, "logic").looked_at, 10000u - 1500 - 60 - 50);
+  decline(verdict_of(record), 200, 20, 300);
+  EXPECT_EQ(judged_at(record, "exact").looked_at, 8000u);
+  EXPECT_EQ(judged_at(record, "logic").looked_at, 10000u - 1500 - 500 - 60 - 30);
+  kernel_of(record)["touching"] = "either";
+  const LevelOutcome either = judged_at(record, "exact");
+  EXPECT_EQ(either.evidence.touching, 60u + 50);
+  EXPECT_EQ(either.evidence.declined_contacts, 180u) << "of those that touch it promised nothing";
+  EXPECT_EQ(either.looked_at, 10000u - 1500 - 110 - 480);
+  EXPECT_EQ(either.evidence.promised() + either.evidence.touching + either.evidence.outside,
+            either.evidence.population);
+}
+
+TEST(LookedAt, FiftyNineOfAFamilyAreEnoughAndOneFewerIsNot) {
+  for (const std::uint64_t within : {59u, 58u, 1u}) {
+    Json record = right_kernel();
+    declare_limits(record);
+    put_outside(verdict_of(record), 2000, 60, 3000 - within);
+    const LevelOutcome found = judged_at(record, "exact");
+    EXPECT_EQ(found.state, within == 59 ? LevelState::met : LevelState::not_checked) << within;
+    if (within == 59) continue;
+    EXPECT_THAT(found.reason, HasSubstr(std::to_string(within) + " of 5,000 queries of lattice looked at, and 59 are"));
+  }
+}
+
+TEST(LookedAt, AFileIsLookedAtWholeAndASampleIsNotSmallerThanThat) {
+  for (const bool is_file : {true, false}) {
+    Json record = right_kernel();
+    const std::string family = is_file ? "queries/three.jsonl" : "few";
+    kernel_of(record)["families"][family] = family_of(record);
+    Json& few = kernel_of(record)["families"][family];
+    few["trials"] = few["base_triangles"] = 3;
+    few["truth"] = {{"separated", 1}, {"contact", 2}, {"touching", 0}, {"invalid", 0}};
+    EXPECT_EQ(judged_at(record, "exact").state, is_file ? LevelState::met : LevelState::not_checked);
+    declare_limits(record);
+    put_outside(few["verdict"], 1, 0, 0);
+    EXPECT_EQ(judged_at(record, "exact").state, LevelState::not_checked) << "one of three is not promised";
+  }
+}
+
+TEST(LookedAt, AFamilyWhollyOutsideIsNamedInTheFirstSentence) {
+  Json record = right_kernel();
+  declare_limits(record);
+  put_outside(verdict_of(record), 2000, 60, 3000);
+  const LevelOutcome found = judged_at(record, "exact");
+  EXPECT_EQ(found.state, LevelState::met);
+  EXPECT_THAT(found.text(), HasSubstr("exact within its limits: 1 of 2 families; 5,000 of 5,000"));
+  EXPECT_EQ(found.outside, std::vector<std::string>{"lattice"});
+  EXPECT_THAT(found.leaves_out, HasSubstr("outside its limits: lattice"));
+  put_outside(verdict_of(record, "tangent"), 2000, 60, 3000);
+  for (const std::string& level : levels) EXPECT_EQ(judged_at(record, level).state, LevelState::not_checked) << level;
+  EXPECT_THAT(unjudged(record), Contains(HasSubstr("NOT JUDGED: every valid query is outside the limits")));
+}
+
+TEST(LookedAt, LimitsThatLeaveOneKindOfAnswerAreNoEvidence) {
+  Json record = right_kernel();
+  declare_limits(record);
+  for (const char* family : {"lattice", "tangent"}) put_outside(verdict_of(record, family), 2000, 60, 1000);
+  expect_at_each(record, LevelState::not_checked, "0 of 4,000 exact contacts were decided, and 29 are needed");
+  for (const char* family : {"lattice", "tangent"}) put_outside(verdict_of(record, family), 2000, 60, 1000);
+  put_outside(verdict_of(record), 1971, 60, 1000);
+  EXPECT_EQ(judged_at(record, "exact").state, LevelState::met) << "29 contacts";
+  put_outside(verdict_of(record), 1972, 60, 1000);
+  EXPECT_EQ(judged_at(record, "exact").state, LevelState::not_checked) << "28 contacts";
+  for (const char* family : {"lattice", "tangent"}) put_outside(verdict_of(record, family), 1000, 60, 3000);
+  expect_at_each(record, LevelState::not_checked, "0 of 6,000 exact separations were decided");
+}
+
+TEST(LookedAt, HalfOfTheContactsAndOfTheSeparationsOfEachFamilyHaveToBeDecided) {
+  const auto with = [](std::uint64_t contacts, std::uint64_t separations) {
+    Json record = right_kernel();
+    decline(verdict_of(record), contacts, 0, separations);
+    return record;
+  };
+  expect_at_each(with(1000, 1500), LevelState::met, "2,500 declined");
+  expect_at_each(with(1001, 0), LevelState::not_checked, "it declines 1,001 of 2,000 contacts of lattice");
+  expect_at_each(with(0, 1501), LevelState::not_checked, "it declines 1,501 of 3,000 separations of lattice");
+
+  // Another share, by name.
+  const auto states = [&](Json record, const char* share) {
+    record["plan"]["require"] = {"exact", share};
+    std::vector<LevelState> states;
+    for (const LevelOutcome& found : outcomes_of(record)) states.push_back(found.state);
+    return states;
+  };
+  using States = std::vector<LevelState>;
+  EXPECT_EQ(states(with(1500, 0), "decided=0.25"), (States{LevelState::met, LevelState::met}));
+  EXPECT_EQ(states(with(1501, 0), "decided=0.25"), (States{LevelState::not_checked, LevelState::not_met}));
+  EXPECT_EQ(states(with(201, 0), "decided=0.9"), (States{LevelState::not_checked, LevelState::not_met}));
+  for (const char* wrong : {"decided=0", "decided=1.1", "decided", "decided=nan", "decided=-1"})
+    EXPECT_THROW(parse_level(wrong), Error) << wrong;
+}
+
+TEST(LookedAt, AnInterruptedRunMeetsNothing) {
+  Json record = right_kernel();
+  record["complete"] = false;
+  expect_at_each(record, LevelState::not_checked, "the run was interrupted");
+}
+
+TEST(LookedAt, ImagesThatWereDeclinedAreNotLookedAt) {
+  Json record = right_kernel();
+  Json& order = family_of(record)["invariance"]["order"];
+  order = {{"images", 1000}, {"changed", 0}, {"undecided", 1000}, {"by_size", Json::object()}, {"first", nullptr}};
+  EXPECT_EQ(judged_at(record, "invariant=order").state, LevelState::met);
+  EXPECT_EQ(judged_at(record, "invariant=order").looked_at, 1000u);
+  family_of(record)["invariance"]["order"]["undecided"] = 1001;
+  EXPECT_THAT(judged_at(record, "invariant=order").reason, HasSubstr("1,001 of 2,001 pairs of a query and its image"));
+  family_of(record)["invariance"]["order"]["undecided"] = 0;
+  family_of(record)["invariance"]["order"]["images"] = 58;
+  EXPECT_EQ(judged_at(record, "invariant=order").state, LevelState::met) << "all that there are";
+}
+
+TEST(LookedAt, AKernelThatAnsweredNothingIsNotJudged) {
+  Json record = right_kernel();
+  EXPECT_THAT(unjudged(record), IsEmpty());
+  for (const char* family : {"lattice", "tangent"}) decline(verdict_of(record, family), 2000, 60, 2990);
+  for (const char* family : {"lattice", "tangent"}) verdict_of(record, family)["invalid"] = 10;
+  EXPECT_EQ(unjudged(record), std::vector<std::string>{
+                                  "<script> binary32: NOT JUDGED: of 10,000 valid queries that it promises it decided "
+                                  "none, 9,980 declined, 20 called invalid"});
+  verdict_of(record)["invalid"] = 9;
+  EXPECT_THAT(unjudged(record), IsEmpty()) << "it decided one";
+}
+
+}  // namespace
+}  // namespace axiscert
