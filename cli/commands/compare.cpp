@@ -24,6 +24,7 @@ namespace {
 struct CompareOptions {
   std::string before, after, format = "text", out;
   std::vector<std::string> kernels;  // those that may be loaded
+  std::vector<std::string> allowed;  // what need not be compared
   bool no_replay = false, quiet = false;
 };
 
@@ -71,7 +72,7 @@ int compare(const CompareOptions& options) {
   progress->stage("the witnesses are evaluated again");
   std::vector<Replayed> replayed;
   if (!options.no_replay) replayed = replay_witnesses(before.record, resolve_target("auto"), trusted);
-  const RunComparison comparison = compare_records(before.record, after.record, std::move(replayed));
+  const RunComparison comparison = compare_records(before.record, after.record, std::move(replayed), options.allowed);
   progress.reset();
   const ComparedRuns runs{before.record, after.record, options.before, options.after};
   const InstrumentReport report = comparison_report(runs, comparison);
@@ -101,8 +102,8 @@ int compare(const CompareOptions& options) {
 void add_compare(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
       "compare",
-      "Compare two runs: what is new, worse, better, fixed; exit 1 where anything is new or worse, or "
-      "where nothing of a kernel could be compared");
+      "Compare two runs: what is new, worse, better, fixed; exit 1 where anything is new or worse, where a "
+      "kernel promises less, or where something of OLD was not compared");
   auto options = std::make_shared<CompareOptions>();
   command->add_option("OLD", options->before, "the folder of the earlier run")->required();
   command->add_option("NEW", options->after, "the folder of the later run")->required();
@@ -115,6 +116,10 @@ void add_compare(CLI::App& app, Action& action) {
           "--kernel", options->kernels,
           "plugin:PATH.so or program:MANIFEST.json of OLD, or one that declares the same name, which is loaded "
           "to evaluate the witnesses of OLD again; none that a record names is loaded without it; repeatable")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--allow-not-compared", options->allowed,
+                   "what need not be compared: a kernel, a family, or what the table NOT COMPARED names; repeatable")
       ->allow_extra_args(false);
   command->add_flag("--no-replay", options->no_replay, "do not evaluate the witnesses of OLD again");
   add_plugin_seconds(*command);

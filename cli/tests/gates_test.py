@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """A gate over what happens to a user's kernel: the table in docs/ci.md, row by row. compare holds the run of a change
 against the run before it, the ratchet against what was accepted then."""
-import hashlib
 import json
 import re
 import shutil
@@ -13,7 +12,18 @@ from command import BUILD, ROOT, SCHEMAS, REPORTS, Case, axiscert
 PLAN = ["--family", "general", "--trials", "2000", "--precision", "binary32"]
 SOURCE = (ROOT / "examples/plugin/c/my_kernel.c").read_text()
 COMPARISON = "return squared > r * r ?"
-assert COMPARISON in SOURCE
+PLUGIN = 'AXISCERT_PLUGIN(float, "my-kernel", my_kernel)'
+assert COMPARISON in SOURCE and PLUGIN in SOURCE
+# The same with members of axiscert_kernel that the macro leaves out.
+PROMISING = """AXISCERT_BATCH(my_batch, float, my_kernel)
+static const axiscert_limits my_limits = {.size = sizeof(axiscert_limits), %s};
+const axiscert_kernel* axiscert_plugin(uint32_t index) {
+  static const axiscert_kernel kernel = {.abi = AXISCERT_PLUGIN_ABI, .precision = 32, .size = sizeof(axiscert_kernel), .name = "my-kernel",
+                                         .column_count = 13, .run = my_batch, .limits = &my_limits, .may_decline = %d};
+  return index == 0 ? &kernel : NULL;
+}"""
+# Undecided where the margin makes phantom contacts.
+DECLINES = "if (squared > r * r && squared <= r * r * 1.1f) return AXISCERT_UNDECIDED;"
 ROWS = {row[0]: row[1:] for row in re.findall(r"^\| ([^|]+) \| (\d)[:,]? ?([^|]*) \| (\d)[:,]? ?([^|]*) \|$",
                                              (ROOT / "docs/ci.md").read_text(), re.M)}
 
@@ -23,11 +33,15 @@ def validate(schema, *files):
 
 
 class GatesCase(Case):
-    def built(self, path, margin="0.1f", name="my-kernel", stamp="1"):
-        """A kernel that calls spheres closer than r (1 + margin / 2) contacts; `stamp` changes nothing but its bytes."""
+    def built(self, path, margin="0.1f", name="my-kernel", stamp="1", before="", limits="", may_decline=False):
+        """A kernel that calls spheres closer than r (1 + margin / 2) contacts; `before` is C in front of that, `stamp` changes nothing but its
+        bytes. With limits, or with leave to decline, its promise is less."""
         file = self.folder / path
         file.parent.mkdir(exist_ok=True)
-        code = SOURCE.replace(COMPARISON, f"return squared > r * r * (1 + {margin}) ?").replace('"my-kernel"', f'"{name}"')
+        code = SOURCE.replace(COMPARISON, f"{before} return squared > r * r * (1 + {margin}) ?")
+        if limits or may_decline:
+            code = code.replace(PLUGIN, PROMISING % (limits or ".least_radius = 0", may_decline))
+        code = code.replace('"my-kernel"', f'"{name}"')
         source = self.folder / "my_kernel.c"
         source.write_text(code + f'const char my_stamp[] = "{stamp}";\n')
         subprocess.run(["cc", "-O2", "-ffp-contract=off", "-shared", "-fPIC", f"-I{ROOT}/kernel/include", source, "-o", file],
@@ -38,9 +52,9 @@ class GatesCase(Case):
         named = [part for kernel in kernels for part in ("--kernel", kernel)]
         return axiscert("run", *named, *plan, "--out", self.folder / out, *more)
 
-    def base(self):
+    def base(self, plan=PLAN, **how):
         """The run before the change, and the ratchet that accepts it."""
-        self.assertEqual(self.judged("base", self.built("build/my_kernel.so")).returncode, 0)
+        self.assertEqual(self.judged("base", self.built("build/my_kernel.so", **how), plan=plan).returncode, 0)
         text = (self.folder / "base/ratchet.txt").read_text()
         (self.folder / "accepted.txt").write_text(text.replace("EXPIRY OWNER REASON", "never geometry \"as it was\""))
         return text
@@ -97,6 +111,15 @@ class Gates(GatesCase):
             record["plan"]["axiscert"] = "99.0.0"
         compared, _ = self.row("another version of axiscert", same, edit=other_version)
         self.assertIn("axiscert 99.0.0", compared)
+
+        path = "build/my_kernel.so"
+        self.row("limits to where it is right", self.built(path, margin="0", limits=".greatest_radius = 1"))
+        self.row('an answer "undecided" in place of wrong ones', self.built(path, margin="0", before=DECLINES))
+        self.row("the same, declared", self.built(path, margin="0", before=DECLINES, may_decline=True))
+        self.base(limits=".greatest_radius = 1")
+        self.row("wider limits", self.built(path, limits=".greatest_radius = 2"))
+        self.base(plan=["--family", "repeated", *PLAN])
+        self.row("a family left out", self.built(path))
         self.assertEqual(self.done, set(ROWS), "rows that were not tried")
 
     def test_a_version_of_a_generator_makes_other_queries(self):
@@ -114,21 +137,38 @@ class Gates(GatesCase):
         later = (self.folder / "later/ratchet.txt").read_text()
         self.assertNotEqual(accepted.split()[1], later.split()[1], "the plan's fingerprint")
 
-    def test_an_old_ratchet_still_holds(self):
-        """A ratchet of version 1 has a plug-in by its id, a line for each figure."""
+    def test_a_kernel_that_limits_itself_to_nothing(self):
+        """The same name, later, with limits r >= 1e30 and always separated: nothing is better, mended or passed in silence."""
         self.base()
-        id = f"plugin:{self.folder}/build/my_kernel.so"
-        figures = re.findall(r"(\w+)=(\S+)", (self.folder / "accepted.txt").read_text().split("\nverdict ")[1].splitlines()[0])
-        lines = [f"axiscert-ratchet/1 {(self.folder / 'accepted.txt').read_text().split()[1]}"]
-        for member, figure in figures:
-            key = json.dumps([id, "binary32", "general", f"verdict.{member}"], separators=(",", ":"), ensure_ascii=False)
-            lines.append(f"{hashlib.sha256(key.encode()).hexdigest()[:16]} {id} binary32 general verdict.{member} {figure} never mk why")
-        (self.folder / "accepted.txt").write_text("\n".join(lines) + "\n")
-        done = self.judged("new", id, more=("--ratchet", self.folder / "accepted.txt"))
-        self.assertEqual(done.returncode, 0, done.stderr)
-        now = (self.folder / "new/ratchet.txt").read_text()
-        self.assertIn("axiscert-ratchet/2", now)
-        self.assertIn("kernel: plugin/my-kernel plugin:", now)
+        self.assertGreater(json.loads((self.folder / "base/record.json").read_text())["witnesses"], [])
+        later = self.built("build/my_kernel.so", before="return AXISCERT_SEPARATED;", limits=".least_radius = 1e30")
+        held = self.judged("new", later, more=("--ratchet", self.folder / "accepted.txt"))
+        self.assertEqual(held.returncode, 1, held.stdout + held.stderr)
+        lines = [line for line in held.stderr.splitlines() if "--ratchet: " in line]
+        self.assertRegex(lines[0], r"binary32 promises less than the ratchet: radius from 1e\+30, was none: 2,000 of its queries then, 0 now")
+        self.assertIn("decided none of its 0 promised queries", held.stderr)
+        self.assertNotIn("better", held.stdout)
+        done = axiscert("compare", self.folder / "base", self.folder / "new", "--kernel", later, "--out", self.folder / "compared")
+        self.assertEqual(done.returncode, 1, done.stdout)
+        first = done.stdout.splitlines()[0]
+        self.assertRegex(first, r"^axiscert compare: worse: \d+ known witnesses no longer promised; plugin/my-kernel binary32 promises less: radius from "
+                                r"1e\+30, was none; NOT COMPARED: nothing was compared")
+        for word in ("mended", "fixed:", "better:"):
+            self.assertNotIn(word, done.stdout)
+        self.assertRegex(done.stdout, r"evaluated again here: \d+ no longer promised\.")
+        self.assertEqual(validate(SCHEMAS / "comparison.schema.json", self.folder / "compared/compare.json").stderr, "")
+        allowed = axiscert("compare", self.folder / "base", self.folder / "new", "--no-replay", "--allow-not-compared", "plugin/my-kernel")
+        self.assertEqual(allowed.returncode, 1, "promising less is no matter of comparing")
+
+    def test_a_kernel_that_answers_invalid_or_nothing_mends_nothing(self):
+        self.base()
+        for answer in ("AXISCERT_INVALID", "77"):
+            later = self.built("build/my_kernel.so", before=f"return {answer};")
+            self.judged("new", later)
+            done = axiscert("compare", self.folder / "base", self.folder / "new", "--kernel", later)
+            self.assertEqual(done.returncode, 1, done.stdout)
+            self.assertTrue(done.stdout.startswith("axiscert compare: worse: "), done.stdout)
+            self.assertNotIn("mended", done.stdout)
 
 
 class NotJudged(GatesCase):
@@ -154,7 +194,7 @@ class NotJudged(GatesCase):
         self.assertEqual(compared.returncode, 1, compared.stdout + compared.stderr)
         self.assertIn("NOT COMPARED: nothing was compared", compared.stdout.splitlines()[0])
         written = json.loads((self.folder / "compared/compare.json").read_text())
-        self.assertEqual((written["compared"], len(written["unchecked"])), (0, 2))
+        self.assertEqual((written["compared"], written["passes"]), (0, False))
         self.assertEqual(validate(SCHEMAS / "comparison.schema.json", self.folder / "compared/compare.json").stderr, "")
         self.assertIn("NOT COMPARED: nothing was compared", (self.folder / "compared/compare.html").read_text())
 

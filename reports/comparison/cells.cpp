@@ -47,9 +47,11 @@ class Collector {
     if (result["comparisons"].is_null()) return;
     for (const auto& [comparison, tally] : result["comparisons"].items()) {
       for (const std::string_view member : comparison_counts) {
-        if (!tally[member].is_null()) add_count(comparison, member, tally[member], valid, bases);
+        if (!tally[member].is_null()) add_count(comparison, member, tally[member], within, bases);
       }
-      add(comparison, "max_error_u", Cell::Kind::maximum).figure = tally["max_error_u"];
+      // Null where no sides were measured.
+      if (!tally["max_error_u"].is_null())
+        add(comparison, "max_error_u", Cell::Kind::maximum).figure = tally["max_error_u"];
     }
   }
 

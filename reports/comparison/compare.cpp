@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
 #include "kernel/base/error.h"
 #include "reports/comparison/given_measures.h"
-#include "reports/run_folder/identity.h"
+#include "reports/comparison/pairing.h"
+#include "reports/evidence/evidence.h"
 #include "reports/run_folder/plan_queries.h"
 #include "reports/wording/finding.h"
 #include "reports/wording/summary.h"
@@ -21,176 +23,197 @@ Change direction(const Cell& before, const Cell& after, bool grew) {
   return after.is_zero() ? Change::fixed : Change::better;
 }
 
+// By kernel (its id in OLD), precision and family.
+using FamilyOfKernel = std::array<std::string, 3>;
+
 class Comparer {
  public:
   Comparer(const Json& before, const Json& after)
-      : before_(before), after_(after), identities_(identities_of(before, after)) {}
+      : before_(before), after_(after), pairs_(before, after), unloaded_(not_judged(after)) {}
 
-  RunComparison run(std::vector<Replayed> replayed) {
-    list_kernels();
+  RunComparison run(std::vector<Replayed> replayed, const std::vector<std::string>& allowed) {
+    result_.families = before_["plan"]["families"].size();
+    say_runs();
+    say_kernels();
+    for (const ComparedKernel& kernel : pairs_.all()) {
+      if (kernel.is_in_both() && !is_unloaded(kernel)) compare_promises(kernel);
+    }
+    compare_cells();
+    correct();
+    name_witnesses();
+    say_kernels_without_cells();
+    allow(result_.not_compared, allowed);
+    result_.allowed = allowed;
+    result_.kernels = std::move(pairs_.all());
+    result_.replayed = std::move(replayed);
+    return std::move(result_);
+  }
+
+ private:
+  static std::string text(const Json& name) { return name.get<std::string>(); }
+  bool is_unloaded(const ComparedKernel& kernel) const { return contains(unloaded_, kernel.after); }
+  static bool contains(const std::vector<std::string>& all, const std::string& one) {
+    return std::ranges::find(all, one) != all.end();
+  }
+
+  // Each thing once: the first reason stands. Two kernels may have had one id, as NEW's that could not be loaded.
+  void say(NotCompared absent) {
+    if (said_.insert(absent.what + (absent.kernels.empty() ? "" : "\n" + absent.kernels.front())).second)
+      result_.not_compared.push_back(std::move(absent));
+  }
+  void say(const std::string& who, const std::string& why, const ComparedKernel& kernel,
+           Absence absence = Absence::fails) {
+    say({who, why, kernel.names(), "", absence});
+  }
+
+  void say_runs() {
+    for (const auto& [run, record] : {std::pair("OLD", &before_), {"NEW", &after_}}) {
+      if (!(*record)["complete"])
+        say({run, "is INTERRUPTED: what it lacks cannot be told from what is right", {}, "", Absence::fails});
+    }
+    const Json &then = before_["plan"]["families"], &now = after_["plan"]["families"];
+    const auto say_missing = [&](const Json& from, const Json& in, const char* why, Absence absence) {
+      for (const Json& family : from) {
+        if (std::find(in.begin(), in.end(), family) != in.end()) continue;
+        say({text(family), why, {}, text(family), absence});
+        lost_.insert(text(family));
+      }
+    };
+    say_missing(then, now, "is only in OLD", Absence::fails);
+    say_missing(now, then, "is only in NEW", Absence::only_new);
+  }
+
+  void say_kernels() {
+    for (const ComparedKernel& kernel : pairs_.all()) {
+      if (!kernel.after.empty() && is_unloaded(kernel))
+        say(kernel.after, "could not be loaded in NEW, so it was not judged", kernel);
+      else if (kernel.before.empty())
+        say(kernel.after, "is only in NEW" + pairs_.reason(kernel), kernel, Absence::only_new);
+      else if (kernel.after.empty()) say(kernel.before, "is only in OLD" + pairs_.reason(kernel), kernel);
+      else if (contains(not_judged(before_), kernel.before)) say(kernel.before, "could not be loaded in OLD", kernel);
+      else say_given_by_one(before_, after_, kernel, result_.not_compared);
+    }
+  }
+
+  // Of a kernel that both runs judged: what it promises in each precision, and over how many queries of each family.
+  void compare_promises(const ComparedKernel& kernel) {
+    for (const Json* now : precision_entries(after_, kernel.after)) {
+      if (const Json& precision = (*now)["precision"]; precision_entry(before_, kernel.before, precision) == nullptr)
+        say(fmt::format("{} {}", kernel.after, text(precision)), "is only in NEW", kernel, Absence::only_new);
+    }
+    for (const Json* then : precision_entries(before_, kernel.before)) {
+      const std::string precision = (*then)["precision"], who = fmt::format("{} {}", kernel.before, precision);
+      const Json* const now = precision_entry(after_, kernel.after, precision);
+      if (now == nullptr) {
+        say_lost(kernel, precision, who);
+        continue;
+      }
+      const PromiseChange change = change_of(promise_in(*then), promise_in(*now));
+      if (change.is_none()) {
+        compare_populations(kernel, *then, *now);
+        continue;
+      }
+      for (const auto& [family, result] : (*then)["families"].items())
+        apart_.insert({kernel.before, precision, family});
+      for (const auto& [family, result] : (*now)["families"].items()) apart_.insert({kernel.before, precision, family});
+      // What it promises less is said as worse.
+      const std::string how = change.less.empty() ? fmt::format(" ({})", change.text()) : "";
+      say(who, populations(evidence_of(*then), evidence_of(*now)) + how, kernel);
+      result_.promises.push_back({kernel.name, precision, change});
+    }
+  }
+
+  void say_lost(const ComparedKernel& kernel, const std::string& precision, const std::string& who) {
+    const Json& asked = after_["plan"]["precisions"];
+    if (std::find(asked.begin(), asked.end(), precision) == asked.end())
+      return say(who, fmt::format("is only in OLD: NEW was not run in {}", precision), kernel);
+    say(who, "is only in OLD", kernel);
+    result_.promises.push_back(
+        {kernel.name, precision, {{fmt::format("it does not exist in {} any more", precision)}, {}}});
+  }
+
+  static std::string populations(const Evidence& then, const Evidence& now) {
+    return fmt::format("counts over other promised queries: {} of OLD, {} of NEW", thousands(then.promised()),
+                       thousands(now.promised()));
+  }
+
+  void compare_populations(const ComparedKernel& kernel, const Json& then, const Json& now) {
+    const std::string precision = then["precision"];
+    for (const auto& [family, result] : then["families"].items()) {
+      const auto other = now["families"].find(family);
+      if (other == now["families"].end()) continue;
+      const Evidence old = evidence_of(then, result), fresh = evidence_of(now, *other);
+      if (old.promised() == fresh.promised() && fresh.promised() != 0) continue;
+      const bool are_same = has_same_queries(family, precision);
+      // Too few show no difference, whatever they are.
+      const bool are_few = fresh.promised() < std::min(least_looked_at, old.promised()) &&
+                           (*other)["trials"].get<std::uint64_t>() < result["trials"].get<std::uint64_t>();
+      if (!are_same && !are_few && old.promised() != 0 && fresh.promised() != 0) continue;
+      apart_.insert({kernel.before, precision, family});
+      NotCompared absent{fmt::format("{} {} on {}", kernel.before, precision, family), populations(old, fresh),
+                         kernel.names(), family, Absence::fails};
+      if (old.promised() == 0 && fresh.promised() == 0) {
+        absent.why = "no promised query in either run";
+        absent.absence = Absence::empty;
+      } else if (old.promised() == 0 && !are_same) {
+        absent.why = "no promised query in OLD";
+        absent.absence = Absence::only_new;
+      } else if (!are_same) {
+        absent.why = fmt::format("{} promised queries in NEW, {} in OLD: too few to show a difference",
+                                 thousands(fresh.promised()), thousands(old.promised()));
+      }
+      say(std::move(absent));
+    }
+  }
+
+  void compare_cells() {
+    const auto key = [&](const Cell& cell, bool is_before) {
+      return cell.key_of(pairs_.identity(cell.kernel, is_before));
+    };
     std::map<Json, Cell> in_after;
     for (Cell& cell : cells_of(after_)) in_after.emplace(key(cell, false), std::move(cell));
     for (Cell& cell : cells_of(before_)) {
       const auto match = in_after.extract(key(cell, true));
       if (!match.empty()) add(std::move(cell), std::move(match.mapped()));
       else if (cell.kind == Cell::Kind::finding) add_finding(std::move(cell), false);
-      else note_absent(cell, true, "is only in OLD");
+      else note_absent(cell, true, "is only in OLD", Absence::fails);
     }
     // A record has a cell for a finding only where there was one.
     for (Cell& cell : cells_of(after_)) {
       if (in_after.count(key(cell, false)) == 0) continue;
       if (cell.kind == Cell::Kind::finding) add_finding(std::move(cell), true);
-      else note_absent(cell, false, "is only in NEW");
-    }
-    correct();
-    const WitnessesByCell witnesses(after_);
-    for (ComparedCell& cell : result_.cells) {
-      if (cell.is_compared()) {
-        ++kernel_of(cell.before, true)->cells;
-        compared_.emplace(cell.before.kernel, cell.before.precision);
-      }
-      if (!cell.is_alarm()) continue;
-      for (const Json* witness : witnesses.of(cell.after)) cell.witnesses.push_back((*witness)["id"]);
-    }
-    say_what_is_unchecked();
-    for (const auto& [what, why] : absent_) result_.not_compared.push_back({what, why});
-    result_.replayed = std::move(replayed);
-    return std::move(result_);
-  }
-
- private:
-  const std::string& identity(const std::string& id, bool is_before) const {
-    const Identities& all = is_before ? identities_.first : identities_.second;
-    const auto known = all.find(id);
-    return known == all.end() ? id : known->second;
-  }
-  Json key(const Cell& cell, bool is_before) const { return cell.key_of(identity(cell.kernel, is_before)); }
-
-  ComparedKernel* kernel_called(const std::string& name) {
-    const auto found = std::find_if(result_.kernels.begin(), result_.kernels.end(),
-                                    [&](const ComparedKernel& kernel) { return kernel.name == name; });
-    return found == result_.kernels.end() ? nullptr : &*found;
-  }
-  // That of a cell; one that the plan does not name is added.
-  ComparedKernel* kernel_of(const Cell& cell, bool is_before) {
-    const std::string& name = identity(cell.kernel, is_before);
-    if (ComparedKernel* known = kernel_called(name)) return known;
-    ComparedKernel& added = result_.kernels.emplace_back();
-    added.name = name;
-    (is_before ? added.before : added.after) = cell.kernel;
-    return &added;
-  }
-
-  void list_kernels() {
-    for (const Json& id : before_["plan"]["kernels"])
-      result_.kernels.push_back({identity(id, true), id, "", "", false, 0});
-    for (const Json& id : after_["plan"]["kernels"]) {
-      const std::string& name = identity(id, false);
-      if (ComparedKernel* both = kernel_called(name)) both->after = id;
-      else result_.kernels.push_back({name, "", id, "", false, 0});
-    }
-    for (ComparedKernel& kernel : result_.kernels) {
-      if (kernel.before.empty() || kernel.after.empty()) continue;
-      const Json then = digest_of(before_, kernel.before), now = digest_of(after_, kernel.after);
-      kernel.has_digests = !then.is_null() && !now.is_null();
-      kernel.digest_change = digest_change(then, now);
+      else note_absent(cell, false, "is only in NEW", Absence::only_new);
     }
   }
 
-  // Why the other record does not have a kernel, where more than its absence is to be said.
-  std::string reason(const ComparedKernel& kernel) const {
-    const bool is_before = !kernel.before.empty();
-    const std::string& id = is_before ? kernel.before : kernel.after;
-    const Json &own = is_before ? before_ : after_, &other = is_before ? after_ : before_;
-    const char* const which = is_before ? "NEW" : "OLD";
-    const auto is_id = [&](const Json& given) { return given == id; };
-    const Json& ids = other["plan"]["kernels"];
-    const std::string name = declared_name(own, id);
-    if (std::any_of(ids.begin(), ids.end(), is_id)) {
-      const std::string there = declared_name(other, id);
-      if (there.empty()) return fmt::format("; in {} it could not be loaded", which);
-      return fmt::format("; in {} it declares another name, '{}' and not '{}'", which, there, name);
-    }
-    if (id.find(':') != id.npos && (!has_names(before_) || !has_names(after_))) {
-      return fmt::format("; {} is of a version that wrote no names, so kernels are known by their ids",
-                         has_names(after_) ? "OLD" : "NEW");
-    }
-    for (const Json& given : ids) {
-      if (!name.empty() && declared_name(other, given) == name)
-        return fmt::format("; several kernels of one run declare the name '{}', so each is known by its id", name);
-    }
-    return "";
-  }
-
-  void say_what_is_unchecked() {
-    const std::vector<std::string> unloaded = not_judged(after_), unloaded_before = not_judged(before_);
-    const auto is_in = [](const std::vector<std::string>& all, const std::string& id) {
-      return std::find(all.begin(), all.end(), id) != all.end();
-    };
-    const auto say = [&](const std::string& who, const std::string& why) {
-      result_.unchecked.push_back(fmt::format("{}: {}", who, why));
-      absent_[who] = why;
-    };
-    if (result_.compared() == 0) {
-      result_.unchecked.emplace_back(
-          "nothing was compared: the two runs have no kernel, precision and family with valid "
-          "queries in common");
-    }
-    for (const ComparedKernel& kernel : result_.kernels) {
-      if (!kernel.after.empty() && is_in(unloaded, kernel.after)) {
-        say(kernel.after, "could not be loaded in NEW, so it was not judged");
-      } else if (kernel.before.empty()) {
-        absent_[kernel.after] = "is only in NEW" + reason(kernel);
-      } else if (kernel.after.empty()) {
-        say(kernel.before, "is only in OLD" + reason(kernel));
-      } else if (kernel.cells == 0) {
-        say(kernel.before, is_in(unloaded_before, kernel.before)
-                               ? "could not be loaded in OLD"
-                               : "has no precision and family with valid queries in both runs");
-      } else {
-        say_given_by_one(before_, after_, kernel, result_);
-        for (const Json& precision : precisions_of(before_, kernel.before)) {
-          if (compared_.contains({kernel.before, precision})) continue;
-          say(fmt::format("{} {}", kernel.before, precision.get<std::string>()),
-              has_precision(after_, kernel.after, precision) ? "has no family with valid queries in both runs"
-                                                             : "is only in OLD");
-        }
-        for (const Json& precision : precisions_of(after_, kernel.after)) {
-          if (!has_precision(before_, kernel.before, precision))
-            absent_[fmt::format("{} {}", kernel.after, precision.get<std::string>())] = "is only in NEW";
-        }
-      }
-    }
-  }
-
-  static std::vector<Json> precisions_of(const Json& record, const std::string& id) {
-    std::vector<Json> precisions;
-    for (const Json& kernel : record["kernels"]) {
-      if (kernel["id"] == id) precisions.push_back(kernel["precision"]);
-    }
-    return precisions;
-  }
-  static bool has_precision(const Json& record, const std::string& id, const Json& precision) {
-    const std::vector<Json> all = precisions_of(record, id);
-    return std::find(all.begin(), all.end(), precision) != all.end();
+  bool is_apart(const Cell& cell, bool is_before) {
+    return apart_.contains({pairs_.of(cell, is_before).before, cell.precision, cell.family});
   }
 
   // Reports a missing family once, not once for each cell; a missing kernel, or one of its precisions, is reported as
   // one. A family's verdict comes first.
-  void note_absent(const Cell& cell, bool is_before, const std::string& why) {
-    const ComparedKernel& kernel = *kernel_of(cell, is_before);
-    if (kernel.before.empty() || kernel.after.empty()) return;
-    if (!has_precision(is_before ? after_ : before_, is_before ? kernel.after : kernel.before, cell.precision)) return;
+  void note_absent(const Cell& cell, bool is_before, const std::string& why, Absence absence) {
+    const ComparedKernel& kernel = pairs_.of(cell, is_before);
+    if (!kernel.is_in_both() || lost_.contains(cell.family) || is_apart(cell, is_before)) return;
+    if (precision_entry(is_before ? after_ : before_, is_before ? kernel.after : kernel.before, cell.precision) ==
+        nullptr)
+      return;
     const std::string family = fmt::format("{} {} on {}", cell.kernel, cell.precision, cell.family);
-    if (cell.place == "verdict" || cell.kind == Cell::Kind::finding) absent_.emplace(family, why);
-    else if (cell.is_of_contacts()) absent_.emplace(family + ": first contacts", why);
-    else if (cell.member == "tolerance_failures") absent_.emplace(family + ": " + cell.name(), why);
-    else if (absent_.count(family) == 0) absent_.emplace(family + ": comparisons", why);
+    for (const std::string& whole : {family, family + ": comparisons"}) {
+      if (said_.contains(whole + "\n" + kernel.name)) return;
+    }
+    const bool is_whole = cell.place == "verdict" || cell.kind == Cell::Kind::finding;
+    const std::string part = is_whole                              ? ""
+                             : cell.is_of_contacts()               ? ": first contacts"
+                             : cell.member == "tolerance_failures" ? ": " + cell.name()
+                             : is_error_in_u(cell)                 ? ": errors in u"
+                                                                   : ": comparisons";
+    say({family + part, why, kernel.names(), cell.family, absence});
   }
 
   void add_finding(Cell cell, bool is_new) {
-    // Chance cannot explain a finding. A kernel that NEW did not run at all has not been mended.
-    if (!is_new && kernel_of(cell, true)->after.empty()) return;
+    // Chance cannot explain a finding. What NEW did not ask its kernel, or not to the end, has not been mended.
+    if (!is_new && !is_asked_in_new(cell)) return;
     Cell none = cell;
     none.figure = 0;
     ComparedCell compared{is_new ? none : cell, is_new ? cell : none};
@@ -198,9 +221,17 @@ class Comparer {
     result_.cells.push_back(std::move(compared));
   }
 
-  bool has_same_queries(const Cell& cell) const {
-    const Json mine = queries_of(before_["plan"], cell.family, cell.precision);
-    return !mine.is_null() && mine == queries_of(after_["plan"], cell.family, cell.precision);
+  bool is_asked_in_new(const Cell& cell) {
+    const ComparedKernel& kernel = pairs_.of(cell, true);
+    if (kernel.after.empty() || is_unloaded(kernel) || !after_["complete"]) return false;
+    if (cell.precision.empty()) return true;
+    const Json* const entry = precision_entry(after_, kernel.after, cell.precision);
+    return entry != nullptr && (cell.family.empty() || (*entry)["families"].contains(cell.family));
+  }
+
+  bool has_same_queries(const std::string& family, const std::string& precision) const {
+    const Json mine = queries_of(before_["plan"], family, precision);
+    return !mine.is_null() && mine == queries_of(after_["plan"], family, precision);
   }
 
   static Json tolerance_of(const Json& record, const Cell& cell) {
@@ -209,20 +240,30 @@ class Comparer {
   }
 
   void add(Cell before, Cell after) {
-    if (before.member == "tolerance_failures" && tolerance_of(before_, before) != tolerance_of(after_, after)) {
-      return note_absent(before, true, "was counted with a different tolerance");
-    }
+    if (before.kind != Cell::Kind::finding && is_apart(before, true)) return;
+    if (before.member == "tolerance_failures" && tolerance_of(before_, before) != tolerance_of(after_, after))
+      return note_absent(before, true, "was counted with a different tolerance", Absence::fails);
     ComparedCell compared{std::move(before), std::move(after)};
-    compared.same_queries = has_same_queries(compared.before);
+    compared.same_queries = has_same_queries(compared.before.family, compared.before.precision);
     const Cell &x = compared.before, &y = compared.after;
     if (x.kind == Cell::Kind::count && !compared.same_queries) {
       const auto [u, v] = independent(x, y);
       compared.p = fisher_two_sided(u, v);
+      compared.is_breach = x.is_zero() && !y.is_zero() && is_breach(y);
     } else if (x.kind != Cell::Kind::finding && compared.same_queries && x.figure != y.figure) {
       const bool grew = x.kind == Cell::Kind::count ? x.count() < y.count() : is_less(x.figure, y.figure);
       compared.change = direction(x, y, grew);
     }
     result_.cells.push_back(std::move(compared));
+  }
+
+  // Answers that no promise of NEW's allows: one is a fault, whatever the queries.
+  bool is_breach(const Cell& cell) const {
+    if (cell.place != "verdict") return false;
+    if (cell.member == "invalid" || cell.member == "unanswered") return true;
+    if (cell.member != "undecided") return false;
+    const Json* const entry = precision_entry(after_, cell.kernel, cell.precision);
+    return entry != nullptr && !promise_in(*entry).may_decline;
   }
 
   void correct() {
@@ -236,7 +277,8 @@ class Comparer {
     for (ComparedCell& cell : result_.cells) {
       if (!cell.p) continue;
       cell.p_corrected = corrected[next++];
-      if (*cell.p_corrected > family_wise_error) continue;
+      if (cell.is_breach) cell.change = Change::fresh;
+      if (cell.is_breach || *cell.p_corrected > family_wise_error) continue;
       const auto rate = [](const Cell& of) {
         return static_cast<double>(of.of.failures) / static_cast<double>(of.of.trials);
       };
@@ -244,11 +286,38 @@ class Comparer {
     }
   }
 
+  // Counts what was compared of each kernel, and names the witnesses of each alarm.
+  void name_witnesses() {
+    const WitnessesByCell witnesses(after_);
+    for (ComparedCell& cell : result_.cells) {
+      if (cell.is_compared()) {
+        ++pairs_.of(cell.before, true).cells;
+        compared_.emplace(cell.before.kernel, cell.before.precision);
+      }
+      if (!cell.is_alarm()) continue;
+      for (const Json* witness : witnesses.of(cell.after)) cell.witnesses.push_back((*witness)["id"]);
+    }
+  }
+
+  void say_kernels_without_cells() {
+    for (const ComparedKernel& kernel : pairs_.all()) {
+      if (!kernel.is_in_both() || is_unloaded(kernel)) continue;
+      for (const Json* then : precision_entries(before_, kernel.before)) {
+        if (compared_.contains({kernel.before, text((*then)["precision"])})) continue;
+        say(fmt::format("{} {}", kernel.before, text((*then)["precision"])),
+            "has no family with promised queries in both runs", kernel);
+      }
+    }
+  }
+
   const Json &before_, &after_;
-  std::pair<Identities, Identities> identities_;
-  std::set<std::pair<std::string, std::string>> compared_;  // OLD's ids, and precisions
+  KernelPairs pairs_;
+  std::vector<std::string> unloaded_;  // ids in NEW
   RunComparison result_;
-  std::map<std::string, std::string> absent_;
+  std::set<std::string> said_;                              // each `what` of not_compared, with its kernel
+  std::set<std::string> lost_;                              // families of one plan alone
+  std::set<FamilyOfKernel> apart_;                          // counted over other promised queries
+  std::set<std::pair<std::string, std::string>> compared_;  // OLD's ids, and precisions
 };
 
 }  // namespace
@@ -272,8 +341,16 @@ std::pair<Proportion, Proportion> independent(const Cell& x, const Cell& y) {
 
 std::size_t RunComparison::alarms() const {
   const auto is_alarm = [](const auto& item) { return item.is_alarm(); };
-  return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), is_alarm) +
-                                  std::count_if(replayed.begin(), replayed.end(), is_alarm));
+  return static_cast<std::size_t>(std::ranges::count_if(cells, is_alarm) + std::ranges::count_if(promises, is_alarm) +
+                                  std::ranges::count_if(replayed, is_alarm));
+}
+
+std::string ComparedPromise::text() const {
+  return fmt::format("{} {} promises {}: {}", kernel, precision, is_alarm() ? "less" : "other things", change.text());
+}
+
+bool RunComparison::has(Absence absence) const {
+  return std::ranges::any_of(not_compared, [&](const NotCompared& absent) { return absent.absence == absence; });
 }
 
 std::size_t RunComparison::compared() const {
@@ -294,9 +371,10 @@ void require_same_test(const Json& before, const Json& after, const std::string&
                           old_test.get<std::string>(), after_name, new_test.get<std::string>()));
 }
 
-RunComparison compare_records(const Json& before, const Json& after, std::vector<Replayed> replayed) {
+RunComparison compare_records(const Json& before, const Json& after, std::vector<Replayed> replayed,
+                              const std::vector<std::string>& allowed) {
   require_same_test(before, after, "OLD", "NEW");
-  return Comparer(before, after).run(std::move(replayed));
+  return Comparer(before, after).run(std::move(replayed), allowed);
 }
 
 }  // namespace axiscert

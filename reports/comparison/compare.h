@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "reports/comparison/cells.h"
+#include "reports/comparison/not_compared.h"
+#include "reports/comparison/promise.h"
 #include "reports/comparison/replay.h"
 
 namespace axiscert {
@@ -26,6 +28,7 @@ struct ComparedCell {
   Cell before, after;
   Change change = Change::unchanged;
   bool same_queries = false;                 // then figures are compared as they are
+  bool is_breach = false;                    // new, and a fault from the first on: no chance explains it
   std::optional<double> p{}, p_corrected{};  // for different queries: Fisher's, and the same after Holm's correction
   std::vector<std::string> witnesses{};      // ids in NEW, where the cell is new or worse
 
@@ -40,33 +43,42 @@ struct ComparedCell {
 
 // A kernel of either plan, or of both.
 struct ComparedKernel {
-  std::string name;           // its identity
-  std::string before, after;  // its ids; empty in a record that does not have it
-  std::string digest_change;  // which files were changed; empty: none, or not known
-  bool has_digests = false;   // whether both records have its digest
-  std::size_t cells = 0;      // those of it that are compared
+  std::string name;                     // its identity
+  std::string before = {}, after = {};  // its ids; empty in a record that does not have it
+  std::string digest_change = {};       // which files were changed; empty: none, or not known
+  bool has_digests = false;             // whether both records have its digest
+  std::size_t cells = 0;                // those of it that are compared
+
+  bool is_in_both() const { return !before.empty() && !after.empty(); }
+  std::vector<std::string> names() const { return {name, before, after}; }
 };
 
-// Something that only one of the two records has, or that they counted in different ways.
-struct NotCompared {
-  std::string what, why;
+// A kernel's promise in one precision, where it is another in NEW.
+struct ComparedPromise {
+  std::string kernel, precision;
+  PromiseChange change;
+
+  bool is_alarm() const { return !change.less.empty(); }
+  // "K binary32 promises less: radius from 1e+30, was none", or "... promises other things: ...".
+  std::string text() const;
 };
 
 struct RunComparison {
   std::vector<ComparedCell> cells;  // in OLD's order, then the cells that only findings of NEW have
   std::vector<NotCompared> not_compared;
+  std::vector<std::string> allowed;  // by which names some of it is allowed
+  std::vector<ComparedPromise> promises;
   std::size_t tested = 0;               // number of cells that Holm's correction covers
+  std::size_t families = 0;             // of OLD's plan
   std::vector<ComparedKernel> kernels;  // OLD's, then those that only NEW has
-  // Sentences on what was to be compared and could not be: a kernel of OLD, or a precision of it, of which no cell
-  // is, a kernel of NEW that could not be loaded or gives fewer measures than in OLD, two runs without a common cell.
-  // Each forbids exit code 0.
-  std::vector<std::string> unchecked;
-  std::vector<std::string> only_new;  // sentences on measures that only NEW gives; no fault
-  std::vector<Replayed> replayed;     // OLD's witnesses
-  std::size_t alarms() const;         // cells that are new or worse, and witnesses that were right and are now wrong
+  std::vector<Replayed> replayed;       // OLD's witnesses
+
+  // Cells that are new or worse, promises of less, witnesses that were right and are wrong now or no longer promised.
+  std::size_t alarms() const;
   std::size_t count(Change change) const;
   std::size_t compared() const;  // number of cells over queries of both runs
-  bool passes() const { return alarms() == 0 && unchecked.empty(); }
+  bool has(Absence absence) const;
+  bool passes() const { return alarms() == 0 && compared() != 0 && !has(Absence::fails); }
 };
 
 // The counts of both cells as independent trials: queries that share a triangle count as one, and the count of failures
@@ -77,8 +89,9 @@ std::pair<Proportion, Proportion> independent(const Cell& x, const Cell& y);
 void require_same_test(const Json& before, const Json& after, const std::string& before_name,
                        const std::string& after_name);
 
-// Compares two records of one test that read_run accepted; `replayed` holds OLD's witnesses and may be empty. Throws
-// Error as require_same_test does.
-RunComparison compare_records(const Json& before, const Json& after, std::vector<Replayed> replayed);
+// Compares two records of one test that read_run accepted; `replayed` holds OLD's witnesses and may be empty, `allowed`
+// what is allowed not to be compared. Throws Error as require_same_test and allow do.
+RunComparison compare_records(const Json& before, const Json& after, std::vector<Replayed> replayed,
+                              const std::vector<std::string>& allowed = {});
 
 }  // namespace axiscert

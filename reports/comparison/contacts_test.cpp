@@ -80,10 +80,11 @@ TEST(CompareContacts, MeasuresThatOnlyOneRunGivesAreSaid) {
   for (Json& family : without["kernels"][0]["families"]) family["motion"]["time"] = nullptr;
   const RunComparison lost = compare_records(with, without, {}), gained = compare_records(without, with, {});
   EXPECT_FALSE(lost.passes());
-  EXPECT_EQ(answer(lost),
-            "no change; NOT COMPARED: <script> binary32: gives 'time' of first contacts in OLD and not in NEW");
+  EXPECT_THAT(answer(lost), testing::StartsWith("NOT COMPARED: <script> binary32: 'time' of first contacts: it gives "
+                                                "that in OLD and not in NEW; "));
   EXPECT_TRUE(gained.passes());
-  EXPECT_EQ(answer(gained), "no change; NOT COMPARED: <script> binary32: gives 'time' of first contacts in NEW alone");
+  EXPECT_THAT(answer(gained),
+              testing::StartsWith("no change; only in NEW: <script> binary32: 'time' of first contacts; "));
   EXPECT_THAT(comparison_markdown({with, without, "old", "new"}, lost), HasSubstr("tangent: first contacts"));
 }
 

@@ -28,17 +28,19 @@ std::string first_missing(const Json& measures, const Json& others) {
 
 }  // namespace
 
-void say_given_by_one(const Json& before, const Json& after, const ComparedKernel& kernel, RunComparison& result) {
+void say_given_by_one(const Json& before, const Json& after, const ComparedKernel& kernel,
+                      std::vector<NotCompared>& absent) {
   const auto now = measures_by_precision(after, kernel.after);
   for (const auto& [precision, then] : measures_by_precision(before, kernel.before)) {
     const auto found = now.find(precision);
     if (found == now.end()) continue;
-    const std::string lost = first_missing(then, found->second), gained = first_missing(found->second, then);
-    const std::string who = fmt::format("{} {}", kernel.name, precision);
-    if (!lost.empty())
-      result.unchecked.push_back(fmt::format("{}: gives '{}' of first contacts in OLD and not in NEW", who, lost));
-    else if (!gained.empty())
-      result.only_new.push_back(fmt::format("{}: gives '{}' of first contacts in NEW alone", who, gained));
+    const auto say = [&](const std::string& measure, const char* why, Absence absence) {
+      if (measure.empty()) return;
+      absent.push_back({fmt::format("{} {}: '{}' of first contacts", kernel.name, precision, measure), why,
+                        kernel.names(), "", absence});
+    };
+    say(first_missing(then, found->second), "it gives that in OLD and not in NEW", Absence::fails);
+    say(first_missing(found->second, then), "it gives that in NEW alone", Absence::only_new);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "exact/sphere_triangle/claims/examine.h"
+#include "exact/sphere_triangle/measures/limits.h"
 #include "exact/trait/examine.h"
 #include "fuzz/confirm/motion_record.h"
 #include "fuzz/files/query_line.h"
@@ -17,24 +18,38 @@
 #include "fuzz/confirm/record.h"
 #include "kernel/plugin/load.h"
 #include "kernel/sphere_triangle/description.h"
+#include "reports/comparison/promise.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/reproduce.h"
 
 namespace axiscert {
 namespace {
 
-// How one answer is wrong.
+// How one answer to a valid query is wrong.
 struct Wrongs {
   Json flips;
   // A reported contact may have, besides, a time that is not safe, and a wrong feature. An early time is neither.
-  std::vector<std::string> contact;
+  std::vector<std::string> contact = {};
+  // Where the answer is neither separated nor contact: "undecided", "invalid" or "unanswered".
+  std::string no_verdict = {};
+  bool may_decline = false;
 
-  bool is_none() const { return flips.empty() && contact.empty(); }
-  bool operator==(const Wrongs&) const = default;
+  bool is_none() const { return flips.empty() && contact.empty() && no_verdict.empty(); }
+  // A wrong verdict, or none where the kernel owes one.
+  bool has_wrong_verdict() const {
+    const auto is_verdict = [](const Json& flip) { return flip["level"] == "verdict"; };
+    return std::any_of(flips.begin(), flips.end(), is_verdict) ||
+           (!no_verdict.empty() && !(no_verdict == name(Verdict::undecided) && may_decline));
+  }
+  bool is_like(const Wrongs& other) const {
+    return flips == other.flips && contact == other.contact && no_verdict == other.no_verdict;
+  }
 };
 
-Wrongs wrongs_of(const Json& flips, const Json& measures) {
-  Wrongs found{flips, {}};
+Wrongs wrongs_of(const Json& flips, const Json& measures, const std::string& verdict, bool may_decline) {
+  Wrongs found{flips};
+  found.may_decline = may_decline;
+  if (verdict != name(Verdict::separated) && verdict != name(Verdict::contact)) found.no_verdict = verdict;
   if (!measures.is_object()) return found;
   const auto time = measures.find("time");
   if (time != measures.end() && (*time == "late" || *time == "none" || *time == "invalid"))
@@ -44,22 +59,19 @@ Wrongs wrongs_of(const Json& flips, const Json& measures) {
   return found;
 }
 
-bool has_wrong_verdict(const Wrongs& wrongs) {
-  return std::any_of(wrongs.flips.begin(), wrongs.flips.end(),
-                     [](const Json& flip) { return flip["level"] == "verdict"; });
-}
-
 ReplayOutcome outcome_of(const Wrongs& before, const Wrongs& now) {
   const bool is_new_in_contact = std::any_of(now.contact.begin(), now.contact.end(), [&](const std::string& what) {
     return std::find(before.contact.begin(), before.contact.end(), what) == before.contact.end();
   });
-  if (!has_wrong_verdict(before) && (has_wrong_verdict(now) || is_new_in_contact)) return ReplayOutcome::wrong_now;
-  if (before == now) return ReplayOutcome::as_before;
+  if (!before.has_wrong_verdict() && (now.has_wrong_verdict() || is_new_in_contact)) return ReplayOutcome::wrong_now;
+  if (before.is_like(now)) return ReplayOutcome::as_before;
+  if (!now.no_verdict.empty() && before.no_verdict.empty()) return ReplayOutcome::no_verdict;
   return now.is_none() ? ReplayOutcome::mended : ReplayOutcome::changed;
 }
 
 std::string wrongs_text(const Wrongs& wrongs) {
   std::vector<std::string> texts = wrongs.contact;
+  if (!wrongs.no_verdict.empty()) texts.push_back(wrongs.no_verdict);
   for (const Json& flip : wrongs.flips) {
     texts.push_back(fmt::format("{} {} [{}]", flip["name"].get<std::string>(), flip["kind"].get<std::string>(),
                                 fmt::join(flip["links"].get<std::vector<std::string>>(), ", ")));
@@ -93,18 +105,54 @@ struct Asked {
     }
   }
 
-  // The kernel takes this query.
-  Wrongs wrongs_on(const StoredQuery& stored) const {
+  // What the kernel says now, and whether it was to say it: under the promise of OLD, and under its own here. It takes
+  // this query.
+  struct Said {
+    Wrongs wrongs;
+    bool was_promised = true, is_promised = true;
+  };
+  Said on(const StoredQuery& stored, const Promise& then) const {
+    const Promise now = promise_of_kernel(*kernel);
+    const auto said = [&](const auto& found, const Json& measures, const auto& is_within_promise) {
+      const std::string verdict(name(found.answer.verdict));
+      Said all{wrongs_of(flips_json(*kernel->test, found.judgement), measures, verdict, kernel->may_decline)};
+      all.was_promised = is_within_promise(then) && !(found.truth.touching && then.touching == Touching::either);
+      all.is_promised = is_within_promise(now) && !(found.truth.touching && now.touching == Touching::either);
+      return all;
+    };
     if (examiner) {
-      const Examination found =
-          std::visit([&](const auto& q) { return examiner->examine(q); }, sphere_triangle_query(stored));
-      return wrongs_of(flips_json(*kernel->test, found.judgement), nullptr);
+      return std::visit(
+          [&](const auto& q) {
+            return said(examiner->examine(q), nullptr, [&](const Promise& p) { return is_within(p.limits, q); });
+          },
+          sphere_triangle_query(stored));
     }
-    const OracleExamination found =
-        std::visit([&](const auto& q) { return oracle_examiner->examine(q); }, stored.numbers);
-    return wrongs_of(flips_json(*kernel->test, found.judgement), measures_json(*kernel->test, found));
+    return std::visit(
+        [&](const auto& q) {
+          const OracleExamination found = oracle_examiner->examine(q);
+          return said(found, measures_json(*kernel->test, found), [&](const Promise& p) {
+            return oracles_of(*kernel).is_promised(p.motion.value_or(MotionPolicy{}), q);
+          });
+        },
+        stored.numbers);
   }
 };
+
+// The promise that a record states of a witness's kernel; a record that was edited may not have it.
+Promise promise_in_record(const Json& record, const Json& witness) {
+  for (const Json& entry : record["kernels"]) {
+    if (entry["id"] == witness["kernel"] && entry["precision"] == witness["precision"]) return promise_in(entry);
+  }
+  return {};
+}
+
+// Why a kernel does not take a query that it took; empty where it does.
+std::string refusal(const Kernel& kernel, const StoredQuery& stored) {
+  if (!kernel.has(stored.precision)) return fmt::format("it does not exist in {} here", name(stored.precision));
+  if (kernel.test == stored.test && kernel.entry == stored.entry) return "";
+  return fmt::format("it takes the entry {} of the test {} here", kernel.test->entries[kernel.entry].name,
+                     kernel.test->id);
+}
 
 }  // namespace
 
@@ -123,19 +171,26 @@ std::vector<Replayed> replay_witnesses(const Json& record, std::string_view targ
     line["test"] = test.id;
     const StoredQuery stored = query_of_json(line.dump(), Place{"witness " + replayed.id, 1});
     const Asked& asked = kernels.try_emplace(replayed.kernel, replayed.kernel, target, trusted).first->second;
-    if (asked.kernel == nullptr || !asked.kernel->has(stored.precision)) {
-      replayed.note = asked.kernel ? fmt::format("{} does not exist in {} here", replayed.kernel, replayed.precision)
-                                   : asked.absent;
+    if (asked.kernel == nullptr) {
+      replayed.note = asked.absent;
       continue;
     }
-    if (asked.kernel->test != stored.test || asked.kernel->entry != stored.entry) {
-      replayed.note = fmt::format("{} takes the entry {} of the test {} here", replayed.kernel,
-                                  asked.kernel->test->entries[asked.kernel->entry].name, asked.kernel->test->id);
+    if (const std::string why = refusal(*asked.kernel, stored); !why.empty()) {
+      replayed.outcome = ReplayOutcome::not_promised;
+      replayed.note = why;
       continue;
     }
-    const Wrongs before = wrongs_of(witness["flips"], witness.value("measures", Json())), now = asked.wrongs_on(stored);
-    replayed.outcome = outcome_of(before, now);
-    if (replayed.outcome != ReplayOutcome::as_before) replayed.note = wrongs_text(now);
+    const Promise then = promise_in_record(record, witness);
+    const Wrongs before =
+        wrongs_of(witness["flips"], witness.value("measures", Json()), witness["computed"], then.may_decline);
+    const Asked::Said said = asked.on(stored, then);
+    if (said.was_promised && !said.is_promised) {
+      replayed.outcome = ReplayOutcome::not_promised;
+      replayed.note = change_of(then, promise_of_kernel(*asked.kernel)).text();
+      continue;
+    }
+    replayed.outcome = outcome_of(before, said.wrongs);
+    if (replayed.outcome != ReplayOutcome::as_before) replayed.note = wrongs_text(said.wrongs);
   }
   return all;
 }

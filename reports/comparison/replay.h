@@ -12,22 +12,25 @@
 namespace axiscert {
 
 enum class ReplayOutcome {
-  as_before,    // the same flips, with the same broken links; of a reported contact the same faults
-  mended,       // flips or faults before, none now
-  changed,      // others than before
-  wrong_now,    // the verdict was right, and is wrong now, or a time late or none, or a feature wrong, that was not
-  not_replayed  // this build lacks the kernel, the plug-in is not trusted, or the answers came through a pipe
+  as_before,   // the same flips, with the same broken links; of a reported contact the same faults
+  mended,      // flips or faults before; none now, and the verdict is the right one
+  changed,     // others than before
+  no_verdict,  // undecided now, or where the verdict was wrong, invalid or without an answer; it was none of these
+  wrong_now,   // the verdict was right, and is wrong, invalid, missing or declined without leave now; or a time late or
+               // none, or a feature wrong, that was not
+  not_promised,  // the kernel promised to answer it, and does so no more
+  not_replayed   // this build lacks the kernel, the plug-in is not trusted, or the answers came through a pipe
 };
 template <>
-inline constexpr std::size_t enum_count<ReplayOutcome> = 5;
-inline constexpr EnumArray<ReplayOutcome, std::string_view> replay_names = {"as before", "mended", "changed",
-                                                                            "wrong now", "not replayed"};
+inline constexpr std::size_t enum_count<ReplayOutcome> = 7;
+inline constexpr EnumArray<ReplayOutcome, std::string_view> replay_names = {
+    "as before", "mended", "changed", "no verdict now", "wrong now", "no longer promised", "not replayed"};
 
 struct Replayed {
   std::string id, kernel, precision, family;
   ReplayOutcome outcome;
-  std::string note;  // why it was not replayed; otherwise the flips now
-  bool is_alarm() const { return outcome == ReplayOutcome::wrong_now; }
+  std::string note;  // why it was not replayed, or is not promised; otherwise the answer's faults now
+  bool is_alarm() const { return outcome == ReplayOutcome::wrong_now || outcome == ReplayOutcome::not_promised; }
 };
 
 // The plug-ins that may be loaded: by the id that a record has, "plugin:PATH", the id of the one to load for it.

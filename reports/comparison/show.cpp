@@ -45,6 +45,7 @@ std::string figure_text(const Cell& cell) {
 }
 
 std::string probability(const ComparedCell& cell) {
+  if (cell.is_breach) return "a fault from the first on";
   if (cell.p_corrected) return fmt::format("{:.2g}", *cell.p_corrected);
   return cell.same_queries ? "same queries" : "";
 }
@@ -95,10 +96,50 @@ InstrumentTable replay_table(const RunComparison& comparison) {
   return table;
 }
 
-InstrumentTable absent_table(const RunComparison& comparison) {
-  InstrumentTable table{"NOT COMPARED", {"what", "why"}, {}};
-  for (const NotCompared& absent : comparison.not_compared) table.rows.push_back({absent.what, absent.why});
+InstrumentTable promises_table(const RunComparison& comparison) {
+  InstrumentTable table{"Promises", {"kernel", "precision", "promises", "how"}, {}};
+  for (const ComparedPromise& promise : comparison.promises) {
+    table.rows.push_back(
+        {promise.kernel, promise.precision, promise.is_alarm() ? "less" : "other things", promise.change.text()});
+  }
   return table;
+}
+
+// What fails first.
+InstrumentTable absent_table(const RunComparison& comparison) {
+  InstrumentTable table{"NOT COMPARED", {"what", "why", "exit code"}, {}};
+  constexpr EnumArray<Absence, const char*> codes = {"1", "allowed", "no fault", "no fault"};
+  for (const Absence absence : enumerators<Absence>) {
+    for (const NotCompared& absent : comparison.not_compared) {
+      if (absent.absence == absence) table.rows.push_back({absent.what, absent.why, codes[absence]});
+    }
+  }
+  return table;
+}
+
+// A part of the first line: the first few of several sentences.
+std::string few(const std::vector<std::string>& sentences) {
+  constexpr std::size_t most = 3;
+  const std::vector<std::string> first(
+      sentences.begin(), sentences.begin() + static_cast<std::ptrdiff_t>(std::min(most, sentences.size())));
+  return fmt::format("{}{}", fmt::join(first, "; "),
+                     sentences.size() > most ? fmt::format("; {} more", sentences.size() - most) : "");
+}
+
+// "2 worse, 1 known witnesses wrong now": what was compared, in numbers.
+std::vector<std::string> changes(const RunComparison& comparison) {
+  std::vector<std::string> parts;
+  for (const Change change : {Change::fresh, Change::worse, Change::better, Change::fixed}) {
+    if (const std::size_t n = comparison.count(change))
+      parts.push_back(fmt::format("{} {}", thousands(n), name(change)));
+  }
+  for (const ReplayOutcome outcome : {ReplayOutcome::wrong_now, ReplayOutcome::not_promised}) {
+    const auto n = std::ranges::count(comparison.replayed, outcome, &Replayed::outcome);
+    if (n != 0)
+      parts.push_back(
+          fmt::format("{} known witnesses {}", thousands(static_cast<std::size_t>(n)), replay_names[outcome]));
+  }
+  return parts;
 }
 
 // The witnesses of NEW that show an alarm, each once, in the cells' order.
@@ -161,23 +202,37 @@ std::vector<std::string> notes(const ComparedRuns& runs, const RunComparison& co
 }  // namespace
 
 std::string answer(const RunComparison& comparison) {
-  std::vector<std::string> parts;
-  for (const Change change : {Change::fresh, Change::worse, Change::better, Change::fixed}) {
-    if (const std::size_t n = comparison.count(change))
-      parts.push_back(fmt::format("{} {}", thousands(n), name(change)));
+  std::vector<std::string> lesser;
+  for (const ComparedPromise& promise : comparison.promises) {
+    if (promise.is_alarm()) lesser.push_back(promise.text());
   }
-  const auto wrong = static_cast<std::size_t>(std::count_if(comparison.replayed.begin(), comparison.replayed.end(),
-                                                            [](const Replayed& r) { return r.is_alarm(); }));
-  if (wrong != 0) parts.push_back(fmt::format("{} known witnesses wrong now", thousands(wrong)));
-  std::string open;
-  for (const auto& sentences : {comparison.unchecked, comparison.only_new}) {
-    for (const std::string& sentence : sentences) open += (open.empty() ? "NOT COMPARED: " : "; ") + sentence;
+  const std::vector<std::string> counts = changes(comparison);
+  const bool is_worse = comparison.alarms() != 0;
+  // The compared cells, in a word or in numbers.
+  std::string change = counts.empty() ? (lesser.empty() ? "no change" : "worse")
+                                      : fmt::format("{}: {}", is_worse ? "worse" : "better", fmt::join(counts, ", "));
+  if (!lesser.empty()) change += fmt::format("{} {}", counts.empty() ? ":" : ";", few(lesser));
+
+  const auto text = [&](Absence absence) {
+    return absences_text(comparison.not_compared, absence, comparison.families);
+  };
+  std::string failing = text(Absence::fails);
+  const bool is_nothing = comparison.compared() == 0;
+  if (is_nothing) {
+    failing =
+        "nothing was compared: the two runs have no kernel, precision and family with the same promise and promised "
+        "queries in common" +
+        (failing.empty() ? "" : "; " + failing);
   }
-  if (parts.empty() && comparison.compared() == 0) return open;
-  const std::string change =
-      parts.empty() ? "no change"
-                    : fmt::format("{}: {}", comparison.alarms() != 0 ? "worse" : "better", fmt::join(parts, ", "));
-  return open.empty() ? change : fmt::format("{}; {}", change, open);
+  std::string line;
+  if (failing.empty()) line = change;
+  else if (is_worse) line = fmt::format("{}; NOT COMPARED: {}", change, failing);
+  else if (is_nothing && counts.empty()) line = "NOT COMPARED: " + failing;
+  else line = fmt::format("NOT COMPARED: {}; the rest: {}", failing, change);
+  if (const std::string allowed = text(Absence::allowed); !allowed.empty())
+    line += "; NOT COMPARED, as allowed: " + allowed;
+  if (const std::string more = text(Absence::only_new); !more.empty()) line += "; only in NEW: " + more;
+  return line;
 }
 
 InstrumentReport comparison_report(const ComparedRuns& runs, const RunComparison& comparison) {
@@ -185,11 +240,12 @@ InstrumentReport comparison_report(const ComparedRuns& runs, const RunComparison
   report.name = "compare";
   report.title = "axiscert compare: " + answer(comparison);
   report.command = compare_command(runs.before_name, runs.after_name);
+  for (const std::string& name : comparison.allowed) report.command += " --allow-not-compared " + shell_word(name);
   report.notes = notes(runs, comparison);
-  for (InstrumentTable& table :
-       std::vector<InstrumentTable>{cells_table("New and worse", comparison, true), replay_table(comparison),
-                                    witness_table(runs, comparison), cells_table("Better and fixed", comparison, false),
-                                    kernels_table(comparison), plugins_table(comparison), absent_table(comparison)}) {
+  for (InstrumentTable& table : std::vector<InstrumentTable>{
+           promises_table(comparison), cells_table("New and worse", comparison, true), replay_table(comparison),
+           witness_table(runs, comparison), cells_table("Better and fixed", comparison, false),
+           kernels_table(comparison), plugins_table(comparison), absent_table(comparison)}) {
     if (!table.rows.empty()) report.tables.push_back(std::move(table));
   }
   report.data = comparison_json(runs, comparison);
@@ -220,17 +276,23 @@ Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison) 
                 {"seed", record["plan"]["seed"]},
                 {"complete", record["complete"]}};
   };
-  Json json = {{"schema", "axiscert-comparison/1"},
+  Json json = {{"schema", "axiscert-comparison/2"},
                {"old", run(runs.before_name, runs.before)},
                {"new", run(runs.after_name, runs.after)},
                {"answer", answer(comparison)},
+               {"passes", comparison.passes()},
                {"alarms", comparison.alarms()},
                {"family_wise_error", family_wise_error},
                {"tested", comparison.tested},
                {"compared", comparison.compared()},
-               {"unchecked", comparison.unchecked},
+               {"promises", Json::array()},
                {"kernels", Json::array()}};
-  if (!comparison.only_new.empty()) json["only_new"] = comparison.only_new;
+  for (const ComparedPromise& promise : comparison.promises) {
+    json["promises"].push_back({{"kernel", promise.kernel},
+                                {"precision", promise.precision},
+                                {"less", promise.change.less},
+                                {"other", promise.change.other}});
+  }
   for (const ComparedKernel& kernel : comparison.kernels) {
     const auto id = [](const std::string& given) { return given.empty() ? Json(nullptr) : Json(given); };
     Json& entry = json["kernels"].emplace_back();
@@ -278,7 +340,8 @@ Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison) 
                         {"note", r.note}});
   }
   Json& absent = json["not_compared"] = Json::array();
-  for (const NotCompared& n : comparison.not_compared) absent.push_back({{"what", n.what}, {"why", n.why}});
+  for (const NotCompared& n : comparison.not_compared)
+    absent.push_back({{"what", n.what}, {"why", n.why}, {"state", absence_names[n.absence]}});
   Json& witnesses = json["new_witnesses"] = Json::array();
   for (const Json* witness : new_witnesses(runs, comparison)) witnesses.push_back(*witness);
   return json;

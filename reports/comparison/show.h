@@ -15,7 +15,8 @@ struct ComparedRuns {
   std::string before_name, after_name;
 };
 
-// "worse: 1 new, 2 worse", "no change" or "better: ...".
+// The first line: "worse: 1 new, 2 worse", "no change" or "better: ..."; with what was not compared first where nothing
+// is worse: "NOT COMPARED: 26 of 27 families (general, ...): is only in OLD; the rest: no change".
 std::string answer(const RunComparison& comparison);
 
 // For the terminal (instrument_text) and for a page (instrument_page).

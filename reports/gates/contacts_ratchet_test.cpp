@@ -56,14 +56,15 @@ TEST(RatchetOfContacts, ATunnelThatIsDeeperFails) {
 }
 
 TEST(RatchetOfContacts, APlaceOrFigureThatTheTestDoesNotHaveIsRefused) {
-  const std::string lines = "accept: never mk why\nkernel: k\nfamily: binary32 f\n";
-  EXPECT_THAT(refused_with("axiscert-ratchet/2 p\n" + lines + "time late=5\n"),
+  const std::string motions = "axiscert-ratchet/3 p moving-sphere\n",
+                    lines =
+                        "kernel: k\npromise: binary32 queries=9 touching=contact\n"
+                        "accept: never mk why\nfamily: binary32 f\n";
+  EXPECT_THAT(refused_with("axiscert-ratchet/3 p\n" + lines + "time late=5\n"),
               HasSubstr("'time' is no place of a figure"));
-  EXPECT_THAT(refused_with("axiscert-ratchet/2 p moving-sphere\n" + lines + "time tardy=5\n"),
+  EXPECT_THAT(refused_with(motions + lines + "time tardy=5\n"),
               HasSubstr("late, early, none, invalid, through, deepest_tunnel"));
-  EXPECT_EQ(
-      refused_with("axiscert-ratchet/2 p moving-sphere\n" + lines + "time late=5\nmissed through=1\nfeature wrong=2\n"),
-      "");
+  EXPECT_EQ(refused_with(motions + lines + "time late=5\nmissed through=1\nfeature wrong=2\n"), "");
 }
 
 TEST(RatchetOfContacts, ItsFailuresAreInTheCaseOfTheFamilysVerdict) {

@@ -9,6 +9,7 @@
 
 #include "kernel/base/error.h"
 #include "reports/comparison/cells.h"
+#include "reports/evidence/evidence.h"
 #include "reports/gates/ratchet_text.h"
 #include "reports/run_folder/identity.h"
 #include "reports/run_folder/plan_queries.h"
@@ -20,16 +21,17 @@ namespace {
 
 bool is_held(const Cell& cell) { return !cell.is_zero() && !is_error_in_u(cell); }
 
-// The order of failures, the worst first: what was not checked at all, faults other than wrong answers, missed contacts
-// and missing answers, late and missing times, phantom contacts, early times, then what no verdict shows.
+// The order of failures, the worst first: a promise of less, what was not checked at all, faults other than wrong
+// answers, missed contacts and missing answers, late and missing times, phantom contacts, early times, then what no
+// verdict shows.
+constexpr int lesser_severity = 0, not_checked_severity = 1, expired_severity = 8;
 int severity(const Cell& cell) {
-  if (cell.kind == Cell::Kind::finding) return 1;
-  if (cell.is_of_contacts()) return cell.place == "feature" ? 6 : cell.member == "early" ? 4 : 2;
-  if (cell.place != "verdict") return cell.member == "tolerance_failures" ? 5 : 6;
-  if (cell.member == "undecided") return 4;
-  return cell.member == "false_contact" || cell.member == "deepest_false_contact" ? 3 : 2;
+  if (cell.kind == Cell::Kind::finding) return 2;
+  if (cell.is_of_contacts()) return cell.place == "feature" ? 7 : cell.member == "early" ? 5 : 3;
+  if (cell.place != "verdict") return cell.member == "tolerance_failures" ? 6 : 7;
+  if (cell.member == "undecided") return 5;
+  return cell.member == "false_contact" || cell.member == "deepest_false_contact" ? 4 : 3;
 }
-constexpr int not_checked_severity = 0, expired_severity = 7;
 
 struct Ranked {
   RatchetFailure failure;
@@ -39,6 +41,13 @@ struct Ranked {
 
 // The entries of one kernel, precision and waiver that fail in the same way.
 using Group = std::vector<const RatchetEntry*>;
+
+// Of a kernel's entry in a record; one that was edited may hold a kernel that its plan does not.
+HeldPromise promise_held(const Json& kernel, const Identities& identities) {
+  const auto known = identities.find(kernel["id"].get<std::string>());
+  return {known == identities.end() ? kernel["id"].get<std::string>() : known->second, kernel["precision"],
+          promise_in(kernel), evidence_of(kernel).promised(), 0};
+}
 
 class Holder {
  public:
@@ -54,19 +63,15 @@ class Holder {
   }
 
   RatchetOutcome run() {
+    for (const Json& kernel : record_["kernels"]) hold_promise(kernel);
     for (const Cell& cell : cells_of(record_)) {
       if (is_held(cell)) hold(cell);
     }
+    for (const HeldPromise& held : ratchet_.promises) {
+      if (!is_judged(held.kernel, held.precision)) hold_missing(held);
+    }
     for (const auto& [fingerprint, entry] : ratchet_.entries) {
-      if (met_.contains(fingerprint)) continue;
-      check_expiry(entry);
-      if (is_judged(entry)) {
-        outcome_.better.push_back(fmt::format("{}: 0, accepted is {} ({}:{})", cell_text(entry.key),
-                                              entry.figure.dump(), ratchet_.name, entry.line));
-      } else {
-        not_checked_[{entry.key[0], entry.key[1]}].push_back(&entry);
-        accept(entry.key, entry.figure, entry.waiver);
-      }
+      if (!met_.contains(fingerprint)) hold_unmet(entry);
     }
     tell_groups();
     for (const auto& [kernel, digest] : ratchet_.digests) {
@@ -79,12 +84,70 @@ class Holder {
       return x.severity != y.severity ? x.severity < y.severity : x.excess > y.excess;
     });
     for (Ranked& ranked : failures_) outcome_.failures.push_back(std::move(ranked.failure));
-    outcome_.accepted = ratchet_file(ratchet_.plan, ratchet_.test, accepted_, digests_);
+    outcome_.accepted = ratchet_file(ratchet_.plan, ratchet_.test, promises_, accepted_, digests_);
     return std::move(outcome_);
   }
 
  private:
-  // Ratchets of version 1, and those of runs with two plug-ins of one name, have the kernel by its id.
+  // One kernel in one precision, that the run judged.
+  void hold_promise(const Json& kernel) {
+    const HeldPromise now = promise_held(kernel, identities_);
+    promises_.push_back(now);
+    const std::string id = kernel["id"], who = fmt::format("{} {}", id, now.precision);
+    if (const Evidence evidence = evidence_of(kernel); evidence.population != 0 && evidence.decided() == 0) {
+      fail_all(now, id,
+               fmt::format("NOT CHECKED: {} decided none of its {} promised queries: no figure of it says anything",
+                           who, thousands(evidence.promised())),
+               not_checked_severity);
+    }
+    const HeldPromise* then = find_promise(ratchet_.promises, now.kernel, now.precision);
+    if (then == nullptr) then = find_promise(ratchet_.promises, id, now.precision);
+    if (then == nullptr) return;
+    const PromiseChange change = change_of(then->promise, now.promise);
+    if (change.is_none() && then->queries == now.queries) return;
+    apart_.emplace(id, now.precision);
+    const std::string where = fmt::format("{} of its queries then, {} now ({}:{})", thousands(then->queries),
+                                          thousands(now.queries), ratchet_.name, then->line);
+    if (!change.less.empty()) {
+      fail_all(now, id, fmt::format("{} promises less than the ratchet: {}: {}", who, change.text(), where),
+               lesser_severity);
+      return;
+    }
+    fail_all(now, id,
+             fmt::format("NOT COMPARED: {} promises other things than the ratchet: {}{}", who,
+                         change.is_none() ? "" : change.text() + ": ", where),
+             not_checked_severity);
+  }
+
+  // One that the ratchet names, and the run did not judge.
+  void hold_missing(const HeldPromise& held) {
+    promises_.push_back(held);
+    if (const auto id = ids_.find(held.kernel); id != ids_.end() && is_loaded(id->second)) {
+      fail_all(held, id->second,
+               fmt::format("{} {} promises less than the ratchet: it does not exist in {} any more ({}:{})", id->second,
+                           held.precision, held.precision, ratchet_.name, held.line),
+               lesser_severity);
+    }
+    not_checked_[{held.kernel, held.precision}];
+  }
+
+  // The accepted figure of a cell that is zero now, or was not judged.
+  void hold_unmet(const RatchetEntry& entry) {
+    check_expiry(entry);
+    const std::string kernel = entry.key[0], precision = entry.key[1];
+    if (!is_judged(kernel, precision)) {
+      not_checked_[{kernel, precision}].push_back(&entry);
+      accept(entry.key, entry.figure, entry.waiver);
+    } else if (!apart_.contains({ids_.at(kernel), precision}) || is_finding(entry)) {
+      outcome_.better.push_back(fmt::format("{}: 0, accepted is {} ({}:{})", cell_text(entry.key), entry.figure.dump(),
+                                            ratchet_.name, entry.line));
+    }
+  }
+  static bool is_finding(const RatchetEntry& entry) {
+    return entry.key[3].get_ref<const std::string&>().starts_with("finding.");
+  }
+
+  // Ratchets of runs with two plug-ins of one name have the kernel by its id.
   const RatchetEntry* entry_of(const Cell& cell) {
     for (const std::string& known_by : {cell.identity, cell.kernel}) {
       const auto found = ratchet_.entries.find(fingerprint(cell.key_of(known_by)));
@@ -102,6 +165,10 @@ class Holder {
   void hold(const Cell& cell) {
     const RatchetEntry* const entry = entry_of(cell);
     const Json key = cell.key(), accepted = entry == nullptr ? Json(0) : entry->figure;
+    if (cell.kind != Cell::Kind::finding && apart_.contains({cell.kernel, cell.precision})) {
+      accept(key, cell.figure, open_waiver());  // over other queries than what is accepted
+      return;
+    }
     const std::string where = entry == nullptr ? "" : fmt::format(" ({}:{})", ratchet_.name, entry->line);
     const std::string among =
         cell.is_of_contacts() && cell.of.trials != 0 ? fmt::format(" of {}", thousands(cell.of.trials)) : "";
@@ -137,10 +204,19 @@ class Holder {
   }
 
   // A finding made in loading has no precision: nothing was judged because of it, or it is gone.
-  bool is_judged(const RatchetEntry& entry) const {
-    const auto id = ids_.find(entry.key[0].get<std::string>());
+  bool is_judged(const std::string& kernel, const std::string& precision) const {
+    const auto id = ids_.find(kernel);
     if (id == ids_.end()) return false;
-    return entry.key[1] == "" || judged_.contains({id->second, entry.key[1].get<std::string>()});
+    return precision.empty() || judged_.contains({id->second, precision});
+  }
+  bool is_loaded(const std::string& id) const {
+    return std::ranges::any_of(judged_, [&](const auto& judged) { return judged.first == id; });
+  }
+
+  // A failure of a kernel in a precision.
+  void fail_all(const HeldPromise& of, const std::string& id, const std::string& text, int severity) {
+    failures_.push_back({{Json::array({of.kernel, of.precision, "*", "*"}), id, text}, severity, 0});
+    told_.insert({of.kernel, of.precision});
   }
 
   // "published binary32"; a finding made in loading has no precision.
@@ -172,10 +248,15 @@ class Holder {
     for (const auto& [id, identity] : identities_)
       known.push_back(identity == id ? id : fmt::format("{} as {}", id, identity));
     for (const auto& [key, group] : not_checked_) {
-      fail(group,
-           fmt::format("NOT CHECKED: this run did not judge {}, of which it has: {}; the kernels of this run: {}",
-                       judged_name(group.front()->key), named(group), fmt::join(known, ", ")),
-           not_checked_severity);
+      if (told_.contains({key[0], key[1]})) continue;
+      const HeldPromise* const held = find_promise(ratchet_.promises, key[0], key[1]);
+      const std::string line = held == nullptr ? "" : fmt::format(" ({}:{})", ratchet_.name, held->line);
+      const std::string who = key[1].empty() ? key[0] : fmt::format("{} {}", key[0], key[1]);
+      const std::string text = fmt::format(
+          "NOT CHECKED: this run did not judge {}{}; the kernels of this run: {}", who,
+          group.empty() ? line : fmt::format(", of which the ratchet has: {}", named(group)), fmt::join(known, ", "));
+      if (!group.empty()) fail(group, text, not_checked_severity);
+      else fail_all(*held, key[0], text, not_checked_severity);
     }
     for (const auto& [key, group] : expired_) {
       fail(group, fmt::format("expired on {} ({}, {}): {}", key[2], key[3], key[4], named(group)), expired_severity);
@@ -186,18 +267,28 @@ class Holder {
   const Json& record_;
   Identities identities_;
   std::string today_;
-  std::map<std::string, std::string> ids_;  // of the record, by identity and by id
-  std::map<std::string, Json> digests_;     // by identity
-  std::set<std::pair<std::string, std::string>> judged_;
+  std::map<std::string, std::string> ids_;                // of the record, by identity and by id
+  std::map<std::string, Json> digests_;                   // by identity
+  std::set<std::pair<std::string, std::string>> judged_;  // ids and precisions
+  std::set<std::pair<std::string, std::string>> apart_;   // of these, those that promise other things now
+  std::set<std::pair<std::string, std::string>> told_;    // as keys have them: those that fail as a whole
   std::set<std::string> met_;
   std::map<std::array<std::string, 2>, Group> not_checked_;
   std::map<std::array<std::string, 5>, Group> expired_;
+  std::vector<HeldPromise> promises_;
   std::vector<RatchetEntry> accepted_;
   std::vector<Ranked> failures_;
   RatchetOutcome outcome_;
 };
 
 }  // namespace
+
+const HeldPromise* find_promise(const std::vector<HeldPromise>& all, const std::string& kernel,
+                                const std::string& precision) {
+  const auto found = std::ranges::find_if(
+      all, [&](const HeldPromise& held) { return held.kernel == kernel && held.precision == precision; });
+  return found == all.end() ? nullptr : &*found;
+}
 
 void require_plan(const Ratchet& ratchet, const Json& plan) {
   if (const std::string_view test = test_of(plan).id; test != ratchet.test) {
@@ -218,7 +309,7 @@ RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, const st
 }
 
 Json outcome_json(const Ratchet& ratchet, const RatchetOutcome& outcome) {
-  Json json = {{"schema", "axiscert-held/1"}, {"file", ratchet.name},        {"plan", ratchet.plan},
+  Json json = {{"schema", "axiscert-held/2"}, {"file", ratchet.name},        {"plan", ratchet.plan},
                {"failures", Json::array()},   {"better", outcome.better},    {"changed", outcome.changed},
                {"held", Json::array()},       {"accepted", outcome.accepted}};
   for (const auto& [key, kernel, text] : outcome.failures) {
@@ -246,11 +337,14 @@ std::string ratchet_text(const Json& record) {
   for (const Cell& cell : cells_of(record)) {
     if (is_held(cell)) entries.push_back({cell.key(), cell.figure, open_waiver(), 0});
   }
+  const Identities identities = identities_of(record);
+  std::vector<HeldPromise> promises;
+  for (const Json& kernel : record["kernels"]) promises.push_back(promise_held(kernel, identities));
   std::map<std::string, Json> digests;
-  for (const auto& [id, identity] : identities_of(record)) {
+  for (const auto& [id, identity] : identities) {
     if (Json digest = digest_of(record, id); !digest.is_null()) digests[identity] = std::move(digest);
   }
-  return ratchet_file(plan, std::string(test_of(record["plan"]).id), entries, digests);
+  return ratchet_file(plan, std::string(test_of(record["plan"]).id), promises, entries, digests);
 }
 
 }  // namespace axiscert

@@ -1,8 +1,10 @@
-// The ratchet: a reviewed text file of the errors that are accepted. A run may get better, never worse.
+// The ratchet: a reviewed text file of what each kernel promises and of the errors that are accepted. A run may get
+// better, never worse; a kernel that promises less is worse.
 // `ratchet_text.h` states the format of the file.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -10,6 +12,7 @@
 
 #include "fuzz/text/json.h"
 #include "kernel/test.h"
+#include "reports/comparison/promise.h"
 
 namespace axiscert {
 
@@ -26,9 +29,20 @@ struct RatchetEntry {
   std::size_t line = 0;
 };
 
+// What a kernel promises in one precision, and the number of the plan's queries on which it does.
+struct HeldPromise {
+  std::string kernel, precision;  // the kernel as the keys have it
+  Promise promise;
+  std::uint64_t queries = 0;
+  std::size_t line = 0;
+};
+const HeldPromise* find_promise(const std::vector<HeldPromise>& all, const std::string& kernel,
+                                const std::string& precision);
+
 struct Ratchet {
   std::string name, plan;
   std::string test = std::string(first_test().id);
+  std::vector<HeldPromise> promises;
   std::map<std::string, RatchetEntry> entries;  // by fingerprint
   std::map<std::string, Json> digests;          // of the kernels' files, by the kernel as the keys have it
 };
@@ -43,7 +57,7 @@ struct RatchetFailure {
   std::string text;    // one line: names the cell, says what is wrong, and where it is accepted
 };
 struct RatchetOutcome {
-  std::vector<RatchetFailure> failures;  // worse, expired, or not checked; the worst first
+  std::vector<RatchetFailure> failures;  // promises less, worse, expired, not compared or checked; the worst first
   std::vector<std::string> better;       // a line each
   std::vector<std::string> changed;      // kernels whose files are others than those that the ratchet was written for
   // The cells that are as bad as accepted, or less, by waiver: their fingerprints.

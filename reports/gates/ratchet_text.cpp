@@ -10,6 +10,8 @@
 #include <cstring>
 #include <fstream>
 #include <optional>
+#include <set>
+#include <span>
 #include <sstream>
 
 #include "kernel/base/error.h"
@@ -19,8 +21,8 @@
 namespace axiscert {
 namespace {
 
-constexpr std::string_view first_ratchet_schema = "axiscert-ratchet/1", ratchet_schema = "axiscert-ratchet/2";
-constexpr std::string_view first_form = "FINGERPRINT KERNEL PRECISION FAMILY CELL FIGURE EXPIRY OWNER REASON";
+constexpr std::string_view ratchet_schema = "axiscert-ratchet/3", any_ratchet = "axiscert-ratchet/";
+constexpr std::string_view queries_word = "queries=";
 constexpr std::string_view open_expiry = "EXPIRY", open_owner = "OWNER", open_reason = "REASON";
 
 std::string word(const std::string& text) {
@@ -84,23 +86,10 @@ Json figure_of(const std::string& text, const Line& line) {
   return figure;
 }
 
-// The lines after the head, in either version.
+// The lines after the head.
 class Lines {
  public:
   explicit Lines(Ratchet& ratchet) : ratchet_(ratchet) {}
-
-  void add_first(const std::vector<std::string>& words, const Line& line) {
-    if (words.size() != 9) {
-      line.fail(
-          fmt::format("{} words, but a line has nine: {}; put words with spaces in \"...\"", words.size(), first_form));
-    }
-    const Json key = Json::array({words[1], words[2], words[3], words[4]});
-    if (const std::string own = fingerprint(key); own != words[0])
-      line.fail(fmt::format("fingerprint {} is not that of {}, which is {}; take whole lines from ratchet.txt",
-                            words[0], cell_text(key), own));
-    const Json figure = figure_of(words[5], line);
-    put({key, figure, waiver_of(words[6], words[7], words[8], line), line.number}, line);
-  }
 
   void add(const std::vector<std::string>& words, const Line& line) {
     const std::string& first = words[0];
@@ -114,10 +103,11 @@ class Lines {
       waiver_ = waiver_of(words[1], words[2], words[3], line);
     } else if (first == "kernel:") {
       add_kernel(words, line);
+    } else if (first == "promise:") {
+      add_promise(words, line);
     } else if (first == "family:") {
       has(2, "PRECISION FAMILY");
-      if (words[1] != "binary32" && words[1] != "binary64")
-        line.fail(fmt::format("PRECISION '{}' is neither binary32 nor binary64", words[1]));
+      require_precision(words[1], line);
       family_ = {words[1], words[2]};
     } else if (first == "loading:") {
       has(0, "it stands alone");
@@ -128,6 +118,29 @@ class Lines {
   }
 
  private:
+  static void require_precision(const std::string& precision, const Line& line) {
+    if (precision != "binary32" && precision != "binary64")
+      line.fail(fmt::format("PRECISION '{}' is neither binary32 nor binary64", precision));
+  }
+
+  void add_promise(const std::vector<std::string>& words, const Line& line) {
+    if (!kernel_) line.fail("promise: before kernel: says whose promise it is");
+    if (words.size() < 3 || !words[2].starts_with(queries_word))
+      line.fail("promise: without its form: PRECISION queries=NUMBER touching=ANSWER [PART]...");
+    require_precision(words[1], line);
+    if (const HeldPromise* const other = find_promise(ratchet_.promises, *kernel_, words[1]))
+      line.fail(fmt::format("{} {} has two promises, the first in line {}", *kernel_, words[1], other->line));
+    const Json queries = Json::parse(words[2].substr(queries_word.size()), nullptr, false);
+    if (!queries.is_number_unsigned()) line.fail(fmt::format("'{}' is not queries=NUMBER", words[2]));
+    Promise promise;
+    try {
+      promise = promise_of_words(std::span(words).subspan(3));
+    } catch (const Error& wrong) {
+      line.fail(wrong.what());
+    }
+    ratchet_.promises.push_back({*kernel_, words[1], promise, queries.get<std::uint64_t>(), line.number});
+  }
+
   void add_kernel(const std::vector<std::string>& words, const Line& line) {
     if (words.size() < 2) line.fail("kernel: without a kernel: KERNEL [FILE:SHA256]...");
     kernel_ = words[1];
@@ -182,7 +195,7 @@ class Lines {
     if (std::find(known.begin(), known.end(), place) != known.end()) return;
     line.fail(
         fmt::format("'{}' is no place of a figure; those are: {}; other lines begin with accept:, kernel:, "
-                    "family: or loading:",
+                    "promise:, family: or loading:",
                     place, fmt::join(known, ", ")));
   }
 
@@ -209,7 +222,6 @@ Ratchet parse_ratchet(std::string_view text, const std::string& name) {
   Ratchet ratchet;
   ratchet.name = name;
   Lines lines(ratchet);
-  bool is_first_version = false;
   std::size_t number = 0;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -221,22 +233,35 @@ Ratchet parse_ratchet(std::string_view text, const std::string& name) {
         content.starts_with('#') ? std::vector<std::string>() : words_of(content, line);
     if (words.empty()) continue;
     if (ratchet.plan.empty()) {
-      if ((words[0] != ratchet_schema && words[0] != first_ratchet_schema) || words.size() < 2 || words.size() > 3) {
+      if (words[0] != ratchet_schema && words[0].starts_with(any_ratchet)) {
         line.fail(
-            fmt::format("begins with '{}', but a ratchet begins with '{} PLAN [TEST]', or with '{}'; a run writes "
-                        "one as ratchet.txt",
-                        words[0].substr(0, 80), ratchet_schema, first_ratchet_schema));
+            fmt::format("'{}' is of another version than '{}', which states what each kernel promises; run without "
+                        "--ratchet, and review the ratchet.txt that the run writes",
+                        words[0].substr(0, 80), ratchet_schema));
       }
-      is_first_version = words[0] == first_ratchet_schema;
+      if (words[0] != ratchet_schema || words.size() < 2 || words.size() > 3) {
+        line.fail(
+            fmt::format("begins with '{}', but a ratchet begins with '{} PLAN [TEST]'; a run writes one as "
+                        "ratchet.txt",
+                        words[0].substr(0, 80), ratchet_schema));
+      }
       ratchet.plan = words[1];
       if (words.size() == 3) ratchet.test = words[2];
-    } else if (is_first_version) {
-      lines.add_first(words, line);
     } else {
       lines.add(words, line);
     }
   }
   if (ratchet.plan.empty()) throw Error(fmt::format("{}: empty; a run writes a ratchet as ratchet.txt", name));
+  if (ratchet.promises.empty())
+    throw Error(
+        fmt::format("{}: without a promise: line it holds no kernel; a run writes a ratchet as ratchet.txt", name));
+  for (const auto& [fingerprint, entry] : ratchet.entries) {
+    const std::string kernel = entry.key[0], precision = entry.key[1];
+    if (precision.empty() || find_promise(ratchet.promises, kernel, precision) != nullptr) continue;
+    Line{name, entry.line}.fail(
+        fmt::format("a figure of {} {} without a promise: of it; take that line too from the ratchet.txt of a run",
+                    kernel, precision));
+  }
   return ratchet;
 }
 
@@ -251,12 +276,27 @@ Ratchet read_ratchet(const std::string& path) {
   return parse_ratchet(text.view(), as_utf8(path));
 }
 
-std::string ratchet_file(const std::string& plan, const std::string& test, const std::vector<RatchetEntry>& entries,
-                         const std::map<std::string, Json>& digests) {
-  // Files of the first test are those of versions that had no other.
+std::string ratchet_file(const std::string& plan, const std::string& test, const std::vector<HeldPromise>& promises,
+                         const std::vector<RatchetEntry>& entries, const std::map<std::string, Json>& digests) {
   std::string text = fmt::format(
-      "{} {}{}\n# accept: until when, by whom, why; kernel: and family: of the figures below them; docs/ci.md\n",
+      "{} {}{}\n# promise: on what each kernel is held to be right; accept: until when, by whom, why; docs/ci.md\n",
       ratchet_schema, plan, test == first_test().id ? "" : " " + word(test));
+  std::set<std::string> written;  // kernels whose digests are there
+  const auto kernel_line = [&](const std::string& kernel) {
+    std::string line = "kernel: " + word(kernel);
+    const auto digest = digests.find(kernel);
+    if (!written.insert(kernel).second || digest == digests.end()) return line;
+    for (const Json& file : digest->second)
+      line += fmt::format(" {}", word(file["kind"].get<std::string>() + ":" + file["sha256"].get<std::string>()));
+    return line;
+  };
+  std::string kernel;
+  for (const HeldPromise& held : promises) {
+    if (held.kernel != kernel) text += kernel_line(kernel = held.kernel) + "\n";
+    text += fmt::format("promise: {} {}{} {}\n", held.precision, queries_word, held.queries,
+                        fmt::join(words_of_promise(held.promise), " "));
+  }
+
   std::vector<Waiver> waivers;
   for (const bool are_open : {false, true}) {
     for (const RatchetEntry& entry : entries) {
@@ -266,17 +306,15 @@ std::string ratchet_file(const std::string& plan, const std::string& test, const
   }
   for (const Waiver& waiver : waivers) {
     text += fmt::format("accept: {} {} {}", waiver.expiry, word(waiver.owner), word(waiver.reason));
-    std::string kernel, family, place;  // those of the line before
+    std::string family, place;  // those of the line before
+    kernel.clear();
     for (const RatchetEntry& entry : entries) {
       if (entry.waiver != waiver) continue;
       const std::string name = entry.key[3];
       const std::size_t dot = name.rfind('.');
       if (std::string now = entry.key[0]; now != kernel || family.empty()) {
         kernel = std::move(now);
-        text += "\nkernel: " + word(kernel);
-        const auto digest = digests.find(kernel);
-        for (const Json& file : digest == digests.end() ? Json::array() : digest->second)
-          text += fmt::format(" {}", word(file["kind"].get<std::string>() + ":" + file["sha256"].get<std::string>()));
+        text += "\n" + kernel_line(kernel);
         family.clear();
       }
       const std::string precision = entry.key[1];

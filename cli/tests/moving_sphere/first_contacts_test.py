@@ -89,10 +89,35 @@ class FirstContacts(Case):
         without = self.edited(record, silent)
         done = axiscert("compare", self.folder / "out", without)
         self.assertEqual(done.returncode, 1, done.stdout)
-        self.assertIn("NOT COMPARED: moving-sphere/gated binary32: gives 'time' of first contacts in OLD and not in NEW", done.stdout)
+        self.assertIn("NOT COMPARED: moving-sphere/gated binary32: 'time' of first contacts: it gives that in OLD and not in NEW", done.stdout)
         done = axiscert("compare", without, self.folder / "out")
         self.assertEqual(done.returncode, 0, done.stdout)
-        self.assertIn("gives 'time' of first contacts in NEW alone", done.stdout)
+        self.assertIn("only in NEW: moving-sphere/gated binary32: 'time' of first contacts", done.stdout)
+
+    def test_a_policy_that_leaves_more_out_is_worse(self):
+        """It was "61 fixed": motions that the kernel is wrong about are beyond its policies now."""
+        record = self.run_ok(*PLAN)
+
+        def ignores_starts(kernel):
+            kernel["motion"]["start"] = "ignored"
+            for family in kernel["families"].values():
+                family["motion"]["time"]["late"], family["motion"]["time"]["best"] = 0, sum(family["motion"]["time"][n] for n in ("late", "best"))
+                family["verdict"]["outside_limits"] = dict.fromkeys(
+                    ("trials", "false_separation", "false_contact", "unanswered", "contact", "touching", "deepest"), 0)
+
+        less = self.edited(record, ignores_starts)
+        done = axiscert("compare", self.folder / "out", less)
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("worse: moving-sphere/gated binary32 promises less: start ignored, was reported; NOT COMPARED", done.stdout)
+        self.assertNotIn("fixed:", done.stdout)
+        accepted = self.folder / "ratchet.txt"
+        accepted.write_text((less / "ratchet.txt").read_text().replace("EXPIRY OWNER REASON", "never mk why"))
+        self.assertIn(" start=reported still=reported sides=both\n", accepted.read_text())
+        # A file that promises more than this kernel: the words of a policy are read again.
+        accepted.write_text(accepted.read_text().replace("start=reported", "start=approaching"))
+        done = axiscert("run", *PLAN, "--ratchet", accepted, "--out", self.folder / "held")
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("promises other things than the ratchet: start reported, was approaching", done.stderr)
 
     def test_a_ratchet_holds_late_times(self):
         self.run_ok(*PLAN)

@@ -1,0 +1,37 @@
+// What two runs did not compare: said, and no pass, unless NEW alone has it or the user allows it by name.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "kernel/base/enum_array.h"
+
+namespace axiscert {
+
+enum class Absence {
+  fails,     // OLD has it, or both have it and counted it over other queries
+  allowed,   // the same, which the user allows by name
+  only_new,  // no fault
+  empty      // neither run has a query of it that the kernel promises to answer: no fault
+};
+template <>
+inline constexpr std::size_t enum_count<Absence> = 4;
+inline constexpr EnumArray<Absence, std::string_view> absence_names = {"fails", "allowed", "only in NEW", "empty"};
+
+struct NotCompared {
+  std::string what, why;
+  std::vector<std::string> kernels = {};  // all names of the kernel that it is about
+  std::string family = {};
+  Absence absence = Absence::fails;
+};
+
+// Allows everything that one of `names` names: by its `what`, by its kernel or by its family. Throws Error where a name
+// names nothing, and says what there is.
+void allow(std::vector<NotCompared>& all, const std::vector<std::string>& names);
+
+// "K is only in OLD; 26 of 27 families: is only in OLD": those with this absence, put together by reason, the first
+// few. `families` is the number of families of OLD. Empty where there is none.
+std::string absences_text(const std::vector<NotCompared>& all, Absence absence, std::size_t families);
+
+}  // namespace axiscert

@@ -1,0 +1,38 @@
+// The kernels of two records, paired by what both know them by.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reports/comparison/compare.h"
+#include "reports/run_folder/identity.h"
+
+namespace axiscert {
+
+class KernelPairs {
+ public:
+  // The records have to outlive this.
+  KernelPairs(const Json& before, const Json& after);
+
+  std::vector<ComparedKernel>& all() { return kernels_; }
+  const std::string& identity(const std::string& id, bool is_before) const;
+  // That of a cell; one that the plan does not name is added.
+  ComparedKernel& of(const Cell& cell, bool is_before);
+  // Why the other record does not have a kernel, where more than its absence is to be said.
+  std::string reason(const ComparedKernel& kernel) const;
+
+ private:
+  ComparedKernel* called(const std::string& name);
+
+  const Json &before_, &after_;
+  std::pair<Identities, Identities> identities_;
+  std::vector<ComparedKernel> kernels_;  // OLD's, then those that only NEW has
+};
+
+// The entries of a kernel in a record, one for each precision in which it was run.
+std::vector<const Json*> precision_entries(const Json& record, const std::string& id);
+// That of one precision; null where there is none.
+const Json* precision_entry(const Json& record, const std::string& id, const Json& precision);
+
+}  // namespace axiscert

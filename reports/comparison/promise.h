@@ -1,0 +1,42 @@
+// What a kernel promises in one precision: part of the kernel. Who promises less than before is worse by that alone,
+// and figures over two promises are not figures over the same queries.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fuzz/text/json.h"
+#include "kernel/kernel.h"
+
+namespace axiscert {
+
+struct Promise {
+  Touching touching = Touching::contact;
+  Limits limits = {};
+  std::optional<MotionPolicy> motion = {};  // of a test of motions
+  bool may_decline = false;
+  bool operator==(const Promise&) const = default;
+};
+
+// That of an entry of a record's "kernels", and that of a kernel as it is loaded here.
+Promise promise_in(const Json& entry);
+Promise promise_of_kernel(const Kernel& kernel);
+
+// How a promise differs from one before, a text for each part: "radius from 1e+30, was none".
+struct PromiseChange {
+  std::vector<std::string> less;   // parts that leave out more
+  std::vector<std::string> other;  // parts that leave out less, or that mean another answer
+  bool is_none() const { return less.empty() && other.empty(); }
+  std::string text() const;  // of all parts
+};
+PromiseChange change_of(const Promise& before, const Promise& now);
+
+// The promise in words that a file can hold: "touching=contact", "radius>=1e+30", "start=reported", "may_decline". What
+// it does not limit is not named, but for `touching` and the policies of a test of motions.
+std::vector<std::string> words_of_promise(const Promise& promise);
+// The same, read. Each word may stand once. Throws Error that names the word and says what would be right.
+Promise promise_of_words(std::span<const std::string> words);
+
+}  // namespace axiscert

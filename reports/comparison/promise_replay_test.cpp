@@ -1,0 +1,116 @@
+// Known witnesses, evaluated again by a kernel that promises or answers less: neither is mended.
+#include <gmock/gmock.h>
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "fuzz/confirm/record.h"
+#include "kernel/kernel.h"
+#include "reports/comparison/replay.h"
+#include "reports/testing/test_run.h"
+
+namespace axiscert {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::Not;
+
+Json recorded_by(const std::string& kernel, std::initializer_list<const char*> families, std::uint64_t trials = 256) {
+  Plan plan;
+  plan.seed = 3;
+  plan.kernels = {&find_kernel(kernel)};
+  plan.precisions = {Precision::binary32};
+  for (const char* name : families) plan.sources.push_back(family_source(find_family(name)));
+  plan.trials = [=](const Source&, Precision) { return trials; };
+  plan.target = std::string(scalar_target);
+  plan.threads = 2;
+  const std::atomic<bool> never = false;
+  return record_of(plan, run_campaign(plan, never, [](const Progress&) {}), {});
+}
+
+std::string promises(const char* kind) { return fmt::format("plugin:{}/promises/{}.so", BUILD_FOLDER, kind); }
+
+// The witnesses of the record, as though this kind of kernel/plugin/promises had given them.
+std::vector<Replayed> replayed_by(Json record, const char* kind) {
+  const std::string id = promises(kind);
+  record["plan"]["kernels"][0] = id;
+  for (Json& kernel : record["kernels"]) kernel["id"] = id;
+  for (Json& witness : record["witnesses"]) witness["kernel"] = id;
+  return replay_witnesses(record, scalar_target, {{id, id}});
+}
+
+std::set<std::string> outcomes(const std::vector<Replayed>& all) {
+  std::set<std::string> names;
+  for (const Replayed& r : all) names.emplace(replay_names[r.outcome]);
+  return names;
+}
+
+// Phantom contacts, and a kernel that is right about them, is not any more to answer them, or does not answer them.
+TEST(ReplayPromises, OnlyARightVerdictIsMended) {
+  const Json wrong = recorded_by(promises("always_contact"), {"general", "far"});
+  ASSERT_GT(wrong["witnesses"].size(), 3u);
+  EXPECT_THAT(outcomes(replayed_by(wrong, "always_contact")), ElementsAre("as before"));
+  EXPECT_THAT(outcomes(replayed_by(wrong, "keeps_its_promise")), ElementsAre("mended"));
+  for (const char* kind : {"declines_separations", "answers_77"}) {
+    const auto none = replayed_by(wrong, kind);
+    EXPECT_THAT(outcomes(none), ElementsAre("no verdict now")) << kind;
+    EXPECT_FALSE(none[0].is_alarm()) << kind;
+  }
+  EXPECT_EQ(replayed_by(wrong, "declines_separations")[0].note, "undecided");
+}
+
+TEST(ReplayPromises, WhatIsNotPromisedAnyMoreIsNotMended) {
+  const Json wrong = recorded_by(promises("always_contact"), {"general", "far"});
+  const auto limited = replayed_by(wrong, "limited_to_nothing"), gone = replayed_by(wrong, "binary64_alone");
+  for (const auto& all : {limited, gone}) {
+    EXPECT_THAT(outcomes(all), ElementsAre("no longer promised"));
+    EXPECT_TRUE(all[0].is_alarm());
+  }
+  EXPECT_EQ(limited[0].note, "radius from 1e+300, was none");
+  EXPECT_EQ(gone[0].note, "it does not exist in binary32 here");
+  // What was not promised in OLD either has not been lost.
+  Json never = wrong;
+  for (Json& kernel : never["kernels"]) {
+    kernel["limits"] = {{"least_coordinate", nullptr},
+                        {"greatest_coordinate", nullptr},
+                        {"least_area", nullptr},
+                        {"least_radius", 1e300},
+                        {"greatest_radius", nullptr}};
+  }
+  EXPECT_THAT(outcomes(replayed_by(never, "limited_to_nothing")), Not(Contains("no longer promised")));
+}
+
+// Witnesses of comparisons under right verdicts: no answer is wrong now, unless the kernel may decline.
+TEST(ReplayPromises, NoAnswerWhereTheVerdictWasRightIsWrongNow) {
+  Json right = recorded_by("published", {"tangent"});
+  std::erase_if(right["witnesses"].get_ref<Json::array_t&>(), [](const Json& witness) {
+    return witness["truth"] != witness["computed"] || witness["truth"] != "contact";
+  });
+  ASSERT_GT(right["witnesses"].size(), 0u);
+  EXPECT_THAT(outcomes(replayed_by(right, "answers_77")), ElementsAre("wrong now"));
+  EXPECT_THAT(outcomes(replayed_by(right, "declines_contacts")), ElementsAre("no verdict now")) << "it declares that";
+}
+
+// A kernel without a promise of touching queries is not held to those that it was held to.
+TEST(ReplayPromises, TouchingQueriesThatAreEitherNowAreNotMended) {
+  Json record = recorded_by("published", {"lattice"});
+  Json& kernel = record["kernels"][0];
+  Json witness = Json::parse(R"({"id": "touching", "precision": "binary32", "family": "lattice", "kernel": "published",
+    "a": ["0x1p+0", "0x0p+0", "0x0p+0"], "b": ["0x1p+1", "0x0p+0", "0x0p+0"], "c": ["0x1p+1", "0x1p+0", "0x0p+0"],
+    "p": ["0x0p+0", "0x0p+0", "0x0p+0"], "r": "0x1p+0", "truth": "contact", "computed": "separated", "touching": true,
+    "flips": [{"level": "verdict", "name": "verdict", "kind": "false_separation", "decisive": true, "links": ["rounding"]}]})");
+  record["witnesses"] = Json::array({witness});
+  const std::string either = fmt::format("plugin:{}/layouts/before_may_decline.so", BUILD_FOLDER);
+  kernel["id"] = record["witnesses"][0]["kernel"] = record["plan"]["kernels"][0] = either;
+  const auto replayed = [&] { return replay_witnesses(record, scalar_target, {{either, either}}); };
+  const auto now = replayed();
+  EXPECT_THAT(outcomes(now), ElementsAre("no longer promised"));
+  EXPECT_THAT(now[0].note, testing::HasSubstr("touching either, was contact"));
+  kernel["touching"] = "either";
+  EXPECT_THAT(outcomes(replayed()), Not(Contains("no longer promised")));
+}
+
+}  // namespace
+}  // namespace axiscert

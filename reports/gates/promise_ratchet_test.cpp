@@ -1,0 +1,167 @@
+// A ratchet holds what each kernel promises: who promises less is worse, and who promises other things is not compared.
+#include "reports/gates/ratchet_text.h"
+#include "reports/testing/limited_run.h"
+
+namespace axiscert {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr const char* the_day = "2026-06-15";
+
+std::string accepted_file(const Json& record) {
+  std::string text = ratchet_text(record);
+  const std::string open = "EXPIRY OWNER REASON";
+  for (std::size_t at = text.find(open); at != text.npos; at = text.find(open))
+    text.replace(at, open.size(), "never mk why");
+  return text;
+}
+
+RatchetOutcome held_to(const Json& then, const Json& now) {
+  return hold_against(parse_ratchet(accepted_file(then), "r.txt"), now, the_day);
+}
+
+std::vector<std::string> failures_of_promises(const RatchetOutcome& outcome) {
+  std::vector<std::string> all;
+  for (const RatchetFailure& failure : outcome.failures) all.push_back(failure.text);
+  return all;
+}
+
+std::string promise_error(const std::string& text) {
+  try {
+    parse_ratchet(text, "r.txt");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(RatchetOfPromises, HasALineForEachKernelAndPrecision) {
+  EXPECT_THAT(ratchet_text(with_least_radius(1e30, 450)),
+              HasSubstr("\nkernel: published\npromise: binary32 queries=3145 touching=contact radius>=1e+30\n"
+                        "kernel: <script>\npromise: binary32 queries=1495 touching=contact may_decline\naccept: "));
+  EXPECT_THAT(ratchet_text(without_errors(stored_record())), HasSubstr("kernel: published\npromise: binary32"))
+      << "whether or not it is wrong anywhere";
+}
+
+// A kernel that limits itself to what it is right about was passed in silence.
+TEST(RatchetOfPromises, ALimitIsWorseThanAnyFigure) {
+  const RatchetOutcome outcome = held_to(stored_record(), without_errors(with_least_radius(1e30, 450)));
+  EXPECT_THAT(failures_of_promises(outcome),
+              ElementsAre("published binary32 promises less than the ratchet: radius from 1e+30, was "
+                          "none: 4,495 of its queries then, 3,145 now (r.txt:4)"));
+  EXPECT_THAT(outcome.better, IsEmpty()) << "over other queries";
+  EXPECT_EQ(outcome.failures[0].key, Json::array({"published", "binary32", "*", "*"}));
+}
+
+TEST(RatchetOfPromises, AnotherPromiseIsNotComparedAndTheNewFileAcceptsIt) {
+  const Json then = with_least_radius(1e30, 450), now = stored_record();
+  const RatchetOutcome outcome = held_to(then, now);
+  EXPECT_THAT(failures_of_promises(outcome),
+              ElementsAre("NOT COMPARED: published binary32 promises other things than the ratchet: radius "
+                          "none, was from 1e+30: 3,145 of its queries then, 4,495 now (r.txt:4)"));
+  EXPECT_THAT(outcome.better, IsEmpty());
+  EXPECT_THAT(outcome.accepted, AllOf(HasSubstr("promise: binary32 queries=4495 touching=contact\n"),
+                                      HasSubstr("accept: EXPIRY OWNER REASON\nkernel: published\n")))
+      << "its figures are over other queries than those that were reviewed";
+  std::string filled = outcome.accepted;
+  filled.replace(filled.find("EXPIRY OWNER REASON"), 19, "never mk wider");
+  EXPECT_THAT(failures_of_promises(hold_against(parse_ratchet(filled, "r.txt"), now, the_day)), IsEmpty());
+}
+
+TEST(RatchetOfPromises, OtherPopulationsOfOnePromiseAreNotCompared) {
+  const RatchetOutcome outcome = held_to(with_least_radius(1, 100), without_errors(with_least_radius(1, 101)));
+  EXPECT_THAT(failures_of_promises(outcome), ElementsAre(HasSubstr("4,195 of its queries then, 4,192 now")));
+  EXPECT_THAT(outcome.better, IsEmpty());
+}
+
+TEST(RatchetOfPromises, AKernelWithoutErrorsThatVanishesIsNotChecked) {
+  Json now = without_errors(stored_record());
+  now["kernels"].erase(0);
+  now["plan"]["kernels"].erase(0);
+  EXPECT_THAT(failures_of_promises(held_to(without_errors(stored_record()), now)),
+              ElementsAre("NOT CHECKED: this run did not judge published binary32 (r.txt:4); the kernels of this run: "
+                          "<script>"));
+}
+
+TEST(RatchetOfPromises, APrecisionThatVanishesIsLess) {
+  Json then = stored_record();
+  then["plan"]["precisions"] = {"binary32", "binary64"};
+  Json now = then, wide = then["kernels"][0];
+  wide["precision"] = "binary64";
+  then["kernels"].push_back(wide);
+  const RatchetOutcome outcome = held_to(then, now);
+  EXPECT_THAT(failures_of_promises(outcome),
+              ElementsAre(StartsWith("published binary64 promises less than the ratchet: it does not exist "
+                                     "in binary64 any more (r.txt:")));
+  EXPECT_THAT(outcome.accepted, HasSubstr("\npromise: binary64 ")) << "as it was";
+}
+
+TEST(RatchetOfPromises, AKernelThatDecidesNothingIsNotHeld) {
+  Json record = without_errors(stored_record());
+  Json& kernel = record["kernels"][0];
+  kernel["may_decline"] = true;
+  for (Json& family : kernel["families"]) {
+    const std::uint64_t contact = family["truth"]["contact"], separated = family["truth"]["separated"];
+    family["verdict"]["undecided"] = contact + separated;
+    family["verdict"]["undecided_contact"] = contact;
+  }
+  EXPECT_THAT(
+      failures_of_promises(held_to(record, record)),
+      ElementsAre("NOT CHECKED: published binary32 decided none of its 4,495 promised queries: no figure of it says "
+                  "anything"));
+}
+
+TEST(RatchetOfPromises, FindingsAreHeldWhateverIsPromised) {
+  Json now = with_least_radius(1e30, 450);
+  now["findings"].push_back({{"kernel", "published"},
+                             {"precision", "binary32"},
+                             {"family", "tangent"},
+                             {"kind", "crash"},
+                             {"count", 1},
+                             {"detail", "signal 11"}});
+  EXPECT_THAT(failures_of_promises(held_to(stored_record(), now)),
+              Contains(HasSubstr("finding.crash: 1, accepted is 0")));
+}
+
+// A case whose figures were not compared is no passed case.
+TEST(RatchetOfPromises, JUnitFailsAndLeavesTheCasesSkipped) {
+  const Ratchet ratchet = parse_ratchet(accepted_file(stored_record()), "r.txt");
+  const auto junit = [&](Json record) {
+    record["plan"]["require"] = nullptr;
+    const TestFolder folder(record);
+    folder.write("ratchet.json", outcome_json(ratchet, hold_against(ratchet, record, the_day)).dump());
+    EXPECT_EQ(folder.rendering_error(), "");
+    return folder.read("junit.xml");
+  };
+  const std::string passed = "name=\"lattice edge_ab.side_c\" time=\"0\"/>";
+  EXPECT_THAT(junit(stored_record()), HasSubstr(passed));
+  EXPECT_THAT(junit(with_least_radius(1e30, 450)),
+              AllOf(Not(HasSubstr(passed)), HasSubstr("<testsuite name=\"ratchet\""), HasSubstr("promises less than")));
+}
+
+TEST(RatchetOfPromises, BadLinesAreNamed) {
+  const std::string good = accepted_file(stored_record());
+  EXPECT_EQ(promise_error(good), "");
+  const auto with = [&](const std::string& old, const std::string& now) {
+    std::string text = good;
+    return promise_error(text.replace(text.find(old), old.size(), now));
+  };
+  const std::string line = "promise: binary32 queries=4495 touching=contact\n";
+  EXPECT_THAT(with(line, ""), HasSubstr("a figure of published binary32 without a promise: of it"));
+  EXPECT_THAT(with(line, line + line), HasSubstr("r.txt:5: published binary32 has two promises, the first in line 4"));
+  EXPECT_THAT(with("queries=4495", "queries=-1"), HasSubstr("'queries=-1' is not queries=NUMBER"));
+  EXPECT_THAT(with("queries=4495 ", ""), HasSubstr("PRECISION queries=NUMBER touching=ANSWER"));
+  EXPECT_THAT(with("binary32 queries", "binary16 queries"), HasSubstr("PRECISION 'binary16'"));
+  EXPECT_THAT(with("touching=contact", "touch=contact"), HasSubstr("r.txt:4: 'touch=contact' is no part of a promise"));
+  EXPECT_THAT(promise_error("axiscert-ratchet/3 p\n"), HasSubstr("without a promise: line it holds no kernel"));
+}
+
+}  // namespace
+}  // namespace axiscert
